@@ -1,0 +1,303 @@
+//! The rules that make a model physically possible.
+
+mod plans;
+mod target;
+
+use super::fault::Fault;
+use super::field::{
+    BEAM, ELASTIC_ROTATION, ELASTIC_TRANSLATION, ELASTIC_WARPING, Field, MATERIAL, SECTION,
+    SUBSYSTEM, SWEEP,
+};
+use super::names;
+use super::serial::format_number;
+use super::types::{Beam, BeamMotion, Elastic, Model, Restraint, Support, Sweep};
+use std::collections::HashMap;
+
+/// The fewest frequencies of a sweep.
+pub(super) const FEWEST_POINTS: usize = 2;
+/// The most frequencies of a sweep.
+pub(super) const MOST_POINTS: usize = 1_000_000;
+
+/// All that makes a model impossible; empty for a possible one.
+///
+/// The faults come in the order of the model file, without line and column.
+pub fn check(model: &Model) -> Vec<Fault> {
+    let mut faults = Vec::new();
+    state(model, &mut faults);
+    plans::check(model, &mut faults);
+    faults
+}
+
+/// The rules of the structure itself, without those of the studies and the tuning.
+fn state(model: &Model, faults: &mut Vec<Fault>) {
+    beam(&model.beam, faults);
+    support("supports.left", &model.supports.left, faults);
+    support("supports.right", &model.supports.right, faults);
+    subsystems(model, faults);
+    target::forces(model, faults);
+    target::responses(model, faults);
+    sweep(&model.sweep, faults);
+}
+
+/// Every number of a table against its range.
+fn numbers<T>(path: &str, of: &T, table: &[Field<T>], faults: &mut Vec<Fault>) {
+    for field in table {
+        let value = (field.get)(of);
+        if !value.is_finite() {
+            faults.push(Fault::new(
+                format!("{path}.{}", field.key),
+                not_finite(value),
+            ));
+        } else if !field.range.holds(value) {
+            faults.push(Fault::new(
+                format!("{path}.{}", field.key),
+                format!(
+                    "is {}; must be {}",
+                    format_number(value),
+                    field.range.words()
+                ),
+            ));
+        }
+    }
+}
+
+/// What is said of NaN and the infinities.
+pub(super) fn not_finite(value: f64) -> String {
+    format!("is {}; must be a finite number", format_number(value))
+}
+
+fn beam(beam: &Beam, faults: &mut Vec<Fault>) {
+    numbers("beam", beam, BEAM, faults);
+    numbers("beam.material", &beam.material, MATERIAL, faults);
+    numbers("beam.section", &beam.section, SECTION, faults);
+    let section = &beam.section;
+    let least = section.area * section.centroid_offset * section.centroid_offset;
+    if section.polar_moment > 0.0 && section.polar_moment <= least {
+        faults.push(Fault::new(
+            "beam.section.polar_moment",
+            format!(
+                "is {} m4; must be > A z_c^2 = {least:.5e} m4 (it is taken about the shear centre)",
+                format_number(section.polar_moment)
+            ),
+        ));
+    }
+    if section.torsion_constant == 0.0 && section.warping_constant == 0.0 {
+        faults.push(Fault::new(
+            "beam.section.torsion_constant",
+            "is 0 with a warping_constant of 0, so nothing resists twist; one of the two must be > 0",
+        ));
+    }
+}
+
+/// The rows of the table for the elastic restraint of a motion.
+pub(super) const fn elastic_fields(motion: BeamMotion) -> &'static [Field<Elastic>] {
+    match motion {
+        BeamMotion::W | BeamMotion::V => ELASTIC_TRANSLATION,
+        BeamMotion::Psi | BeamMotion::WSlope | BeamMotion::VSlope => ELASTIC_ROTATION,
+        BeamMotion::PsiSlope => ELASTIC_WARPING,
+    }
+}
+
+fn support(path: &str, support: &Support, faults: &mut Vec<Fault>) {
+    for motion in BeamMotion::ALL {
+        if let Restraint::Elastic(elastic) = &support[motion] {
+            numbers(
+                &format!("{path}.{}", motion.key()),
+                elastic,
+                elastic_fields(motion),
+                faults,
+            );
+        }
+    }
+}
+
+/// The key of each named element in a path: its name, or its number from 1 where the name is empty, taken or
+/// not fit for a line.
+pub(super) fn element_keys<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
+    let mut seen = HashMap::new();
+    names
+        .enumerate()
+        .map(|(index, name)| {
+            let first = *seen.entry(name).or_insert(index) == index;
+            if first && !name.trim().is_empty() && !name.contains(char::is_control) {
+                names::segment(name)
+            } else {
+                (index + 1).to_string()
+            }
+        })
+        .collect()
+}
+
+/// Names that are empty, hold control characters or are used twice.
+fn element_names<'a>(
+    path: &str,
+    names: impl Iterator<Item = &'a str> + Clone,
+    faults: &mut Vec<Fault>,
+) {
+    let keys = element_keys(names.clone());
+    let mut seen = HashMap::new();
+    for (index, name) in names.enumerate() {
+        let first = *seen.entry(name).or_insert(index);
+        let message = if name.trim().is_empty() {
+            "is empty; must be a name".to_owned()
+        } else if name.contains(char::is_control) {
+            format!("{name:?} holds a control character; must be one line of text")
+        } else if first != index {
+            format!(
+                "{name:?} is used twice, first by number {}; must be unique",
+                first + 1
+            )
+        } else {
+            continue;
+        };
+        faults.push(Fault::new(format!("{path}.{}.name", keys[index]), message));
+    }
+}
+
+fn subsystems(model: &Model, faults: &mut Vec<Fault>) {
+    let names = model
+        .subsystems
+        .iter()
+        .map(|subsystem| subsystem.name.as_str());
+    element_names("subsystems", names.clone(), faults);
+    for (subsystem, key) in model.subsystems.iter().zip(element_keys(names)) {
+        let path = format!("subsystems.{key}");
+        if matches!(subsystem.name.as_str(), "left" | "right") {
+            faults.push(Fault::new(
+                format!("{path}.name"),
+                format!(
+                    "{:?} is an end of the beam; must be another name",
+                    subsystem.name
+                ),
+            ));
+        }
+        numbers(&path, subsystem, SUBSYSTEM, faults);
+        beyond_the_end(
+            &format!("{path}.position"),
+            subsystem.position,
+            model,
+            faults,
+        );
+    }
+}
+
+/// A position past the right end; those before the left end are outside their range already.
+fn beyond_the_end(path: &str, position: f64, model: &Model, faults: &mut Vec<Fault>) {
+    let length = model.beam.length;
+    if position.is_finite() && length > 0.0 && position > length {
+        faults.push(Fault::new(
+            path,
+            format!(
+                "is {}; must be 0 to {} m, on the beam",
+                format_number(position),
+                format_number(length)
+            ),
+        ));
+    }
+}
+
+fn sweep(sweep: &Sweep, faults: &mut Vec<Fault>) {
+    numbers("sweep", sweep, SWEEP, faults);
+    band("sweep", sweep.from, sweep.to, faults);
+    if !(FEWEST_POINTS..=MOST_POINTS).contains(&sweep.points) {
+        faults.push(Fault::new(
+            "sweep.points",
+            format!(
+                "is {}; must be {FEWEST_POINTS} to {MOST_POINTS}",
+                sweep.points
+            ),
+        ));
+    }
+}
+
+/// A band's end that is not above its start.
+fn band(path: &str, from: f64, to: f64, faults: &mut Vec<Fault>) {
+    if to > 0.0 && to <= from {
+        faults.push(Fault::new(
+            format!("{path}.to"),
+            format!(
+                "is {}; must be above from = {} Hz",
+                format_number(to),
+                format_number(from)
+            ),
+        ));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::types::{Family, Operation, Study};
+    use super::*;
+
+    const SMALLEST: &str = r#"
+        format = "beamtune/1"
+        title = "a bare beam"
+        beam.length = 1.0
+        beam.material = { young_modulus = 2e11, shear_modulus = 8e10, density = 7850.0 }
+        sweep = { from = 1.0, to = 2.0, points = 2 }
+        [beam.section]
+        area = 1e-2
+        second_moment_y = 1e-5
+        second_moment_z = 1e-5
+        torsion_constant = 1e-7
+        warping_constant = 0.0
+        polar_moment = 2e-5
+        centroid_offset = 0.0
+    "#;
+
+    fn smallest() -> Model {
+        super::super::read(SMALLEST).unwrap()
+    }
+
+    fn faults(model: &Model) -> Vec<String> {
+        check(model).iter().map(ToString::to_string).collect()
+    }
+
+    #[test]
+    fn numbers_must_be_finite() {
+        let mut model = smallest();
+        assert_eq!(faults(&model), [""; 0]);
+        model.beam.material.density = f64::NAN;
+        model.sweep.to = f64::INFINITY;
+        model.supports.left[BeamMotion::PsiSlope] = Restraint::Elastic(Elastic {
+            damping: f64::NEG_INFINITY,
+            ..Elastic::default()
+        });
+        assert_eq!(
+            faults(&model),
+            [
+                "beam.material.density: is nan; must be a finite number",
+                "supports.left.psi_slope.damping: is -inf; must be a finite number",
+                "sweep.to: is inf; must be a finite number",
+            ]
+        );
+    }
+
+    #[test]
+    fn a_study_is_not_blamed_for_what_is_wrong_without_it() {
+        let mut model = smallest();
+        let family = Family::Vary {
+            paths: vec!["beam.section.area".to_owned()],
+            operation: Operation::Multiply,
+            values: vec![1.0, -1.0],
+        };
+        model.studies.push(Study {
+            name: "area".to_owned(),
+            family,
+        });
+        let of_study = faults(&model);
+        assert_eq!(of_study.len(), 1, "{of_study:?}");
+        assert!(
+            of_study[0].starts_with("studies.area.multiply.2: makes the curve"),
+            "{of_study:?}"
+        );
+        model.beam.section.area = 0.0;
+        assert_eq!(faults(&model), ["beam.section.area: is 0.0; must be > 0"]);
+    }
+
+    #[test]
+    fn names_that_cannot_be_told_apart_are_numbers_in_paths() {
+        let keys = element_keys(["a", "", "a", "b.c", "7", "two\nlines"].into_iter());
+        assert_eq!(keys, ["a", "2", "3", "\"b.c\"", "\"7\"", "6"]);
+    }
+}

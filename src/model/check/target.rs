@@ -1,0 +1,126 @@
+//! The rules of forces and responses: where they are and along what.
+
+use super::super::fault::Fault;
+use super::super::field::FORCE;
+use super::super::names;
+use super::super::serial::format_number;
+use super::super::types::{BeamMotion, MassMotion, Model, Place, Quantity, Subsystem, Target};
+use super::{beyond_the_end, element_keys, element_names, not_finite, numbers};
+
+/// The rules of the loads.
+pub(super) fn forces(model: &Model, faults: &mut Vec<Fault>) {
+    for (index, force) in model.forces.iter().enumerate() {
+        let path = format!("forces.{}", index + 1);
+        let before = faults.len();
+        target(&path, &force.target, force.enabled, model, faults);
+        if let Target::Beam(_, BeamMotion::PsiSlope) = force.target
+            && faults.len() == before
+            && model.beam.section.warping_constant == 0.0
+        {
+            faults.push(Fault::new(
+                format!("{path}.direction"),
+                "\"psi_slope\" is a bimoment, which a section with a warping_constant of 0 cannot carry; must be another \
+                 direction",
+            ));
+        }
+        numbers(&path, force, FORCE, faults);
+    }
+}
+
+/// The rules of what is computed.
+pub(super) fn responses(model: &Model, faults: &mut Vec<Fault>) {
+    let names = model
+        .responses
+        .iter()
+        .map(|response| response.name.as_str());
+    element_names("responses", names.clone(), faults);
+    for (response, key) in model.responses.iter().zip(element_keys(names)) {
+        if let Quantity::Motion(at, _) = &response.quantity {
+            target(
+                &format!("responses.{key}"),
+                at,
+                response.enabled,
+                model,
+                faults,
+            );
+        }
+    }
+}
+
+/// Where a force or response is: on the beam, or on a subsystem that exists and, if in use, is attached.
+fn target(path: &str, target: &Target, in_use: bool, model: &Model, faults: &mut Vec<Fault>) {
+    match target {
+        Target::Beam(Place::Left | Place::Right, _) => {}
+        Target::Beam(Place::Position(position), _) => {
+            let path = format!("{path}.at");
+            if !position.is_finite() {
+                faults.push(Fault::new(path, not_finite(*position)));
+            } else if *position < 0.0 {
+                faults.push(Fault::new(
+                    path,
+                    format!("is {}; must be >= 0", format_number(*position)),
+                ));
+            } else {
+                beyond_the_end(&path, *position, model, faults);
+            }
+        }
+        Target::Mass(name, motion) => match model
+            .subsystems
+            .iter()
+            .find(|subsystem| subsystem.name == *name)
+        {
+            None => faults.push(Fault::new(format!("{path}.at"), no_such_place(name, model))),
+            Some(subsystem) if in_use => mass(path, subsystem, *motion, faults),
+            Some(_) => {}
+        },
+    }
+}
+
+fn no_such_place(name: &str, model: &Model) -> String {
+    let known = ["left", "right"].into_iter().chain(
+        model
+            .subsystems
+            .iter()
+            .map(|subsystem| subsystem.name.as_str()),
+    );
+    let near = names::nearest(name, known)
+        .map_or_else(String::new, |near| format!(" (did you mean {near:?}?)"));
+    format!(
+        "{name:?} is no subsystem{near}; must be \"left\", \"right\", a position in m or {}",
+        if model.subsystems.is_empty() {
+            "a subsystem's name (there is none)"
+        } else {
+            "a subsystem's name"
+        }
+    )
+}
+
+/// A motion of a mass that is in use.
+fn mass(path: &str, subsystem: &Subsystem, motion: MassMotion, faults: &mut Vec<Fault>) {
+    let name = &subsystem.name;
+    if !subsystem.enabled {
+        faults.push(Fault::new(
+            format!("{path}.at"),
+            format!(
+                "subsystem {name:?} is disabled; set subsystems.{}.enabled = true or {path}.enabled = false",
+                names::segment(name)
+            ),
+        ));
+    }
+    let moment = |left: f64, right: f64| {
+        left * subsystem.arm_left.powi(2) + right * subsystem.arm_right.powi(2) == 0.0
+    };
+    if motion == MassMotion::Theta
+        && subsystem.inertia == 0.0
+        && moment(subsystem.z_left.stiffness, subsystem.z_right.stiffness)
+        && moment(subsystem.z_left.damping, subsystem.z_right.damping)
+    {
+        faults.push(Fault::new(
+            format!("{path}.direction"),
+            format!(
+                "nothing resists theta of subsystem {name:?}; its inertia must be > 0, or a z spring or damper must act \
+                 on an arm"
+            ),
+        ));
+    }
+}

@@ -1,0 +1,58 @@
+//! What is wrong with a model or its text.
+
+use std::fmt;
+
+/// One thing that is wrong, and what would be accepted instead.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Fault {
+    /// Path of the parameter or table, such as `beam.section.area`; empty where the text is not TOML.
+    pub path: String,
+    /// What is wrong and what would be accepted, in words.
+    pub message: String,
+    /// Line in the text, from 1; none where there is no text.
+    pub line: Option<usize>,
+    /// Column in characters, from 1.
+    pub column: Option<usize>,
+}
+
+impl Fault {
+    /// A fault that has no position in a text.
+    pub fn new(path: impl Into<String>, message: impl Into<String>) -> Self {
+        Self {
+            path: path.into(),
+            message: message.into(),
+            line: None,
+            column: None,
+        }
+    }
+}
+
+/// `LINE:COL: PATH: MESSAGE`, without the parts that are unknown.
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let (Some(line), Some(column)) = (self.line, self.column) {
+            write!(f, "{line}:{column}: ")?;
+        }
+        if !self.path.is_empty() {
+            write!(f, "{}: ", self.path)?;
+        }
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for Fault {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn unknown_parts_are_left_out() {
+        let mut fault = Fault::new("beam.length", "is -1; must be > 0");
+        assert_eq!(fault.to_string(), "beam.length: is -1; must be > 0");
+        (fault.line, fault.column) = (Some(3), Some(10));
+        assert_eq!(fault.to_string(), "3:10: beam.length: is -1; must be > 0");
+        fault.path.clear();
+        assert_eq!(fault.to_string(), "3:10: is -1; must be > 0");
+    }
+}

@@ -1,0 +1,28 @@
+//! What the engineer edits: the model as plain data, its text form, its rules and its parameter paths.
+//!
+//! Everything is in SI units. Nothing here computes a response or knows a terminal. [`read()`] turns a TOML text into
+//! a [`Model`] or into all of its faults at once; [`write()`] merges a model back into that text; [`check()`] says
+//! whether a model is physically possible; [`path`] reads and sets any parameter by name.
+
+mod check;
+pub mod entry;
+mod fault;
+pub(crate) mod field;
+pub(crate) mod names;
+pub mod path;
+mod read;
+mod save;
+mod serial;
+mod types;
+mod unit;
+mod write;
+
+pub use check::check;
+pub use fault::Fault;
+pub use field::{Field, Range};
+pub use read::read;
+pub use save::save;
+pub use serial::format_number;
+pub use types::*;
+pub use unit::Unit;
+pub use write::write;

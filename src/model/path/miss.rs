@@ -1,0 +1,140 @@
+//! What is said of a path that matches nothing: the path that was meant, or what could stand there.
+
+use super::find::Finder;
+use super::pattern::{Part, join};
+use crate::model::names::{nearest, segment};
+
+/// More known words than this are not listed in a fault.
+const MOST_LISTED: usize = 8;
+
+/// Where a path leaves what there is.
+pub(super) struct Miss {
+    /// Index of the part that is wrong; the number of parts where one more is needed.
+    pub(super) at: usize,
+    /// What could stand there; nothing where the path should have ended.
+    pub(super) known: Vec<String>,
+}
+
+/// What is said of a path that matches nothing.
+pub(super) fn explain(finder: &Finder<'_>, mut parts: Vec<Part>, miss: Miss) -> String {
+    let list = is_list(&parts[0]);
+    let listed = listed(&miss.known, parts[0].word() != "forces");
+    if miss.known.is_empty() && list && miss.at == 1 {
+        return format!("matches nothing; the model has no {}", parts[0].word());
+    }
+    let Some(wrong) = parts.get(miss.at).map(|part| part.word().to_owned()) else {
+        return format!("is no parameter but a table; must go on with {listed}");
+    };
+    if miss.known.is_empty() {
+        return format!("matches nothing; must end before `{wrong}`");
+    }
+    let place = if miss.at == 0 {
+        String::new()
+    } else {
+        format!(" in `{}`", join(&parts[..miss.at]))
+    };
+    match meant(finder, &mut parts, miss) {
+        Some(path) => format!("matches nothing; did you mean `{path}`?"),
+        None => format!("matches nothing; there is no `{wrong}`{place}, must be {listed}"),
+    }
+}
+
+/// The path that was meant, by the nearest known word at every part that is wrong.
+fn meant(finder: &Finder<'_>, parts: &mut [Part], mut miss: Miss) -> Option<String> {
+    for _ in 0..parts.len() {
+        let element = miss.at == 1 && is_list(&parts[0]);
+        // One number is as near as any other.
+        if element && parts[0].means("forces") {
+            return None;
+        }
+        let word = nearest(
+            parts.get(miss.at)?.word(),
+            miss.known.iter().map(|known| &**known),
+        )?
+        .to_owned();
+        parts[miss.at] = if element {
+            Part::Quoted(word)
+        } else {
+            Part::Word(word)
+        };
+        match finder.resolve(parts) {
+            Ok(_) => return Some(join(parts)),
+            Err(next) => miss = next,
+        }
+    }
+    None
+}
+
+fn is_list(root: &Part) -> bool {
+    matches!(
+        root.word(),
+        "subsystems" | "forces" | "responses" | "studies"
+    )
+}
+
+/// Words in a row, the many cut short; names are quoted where a path would need it.
+fn listed(words: &[String], names: bool) -> String {
+    let text = |word: &String| if names { segment(word) } else { word.clone() };
+    let shown: Vec<String> = words.iter().take(MOST_LISTED).map(text).collect();
+    let rest = if words.len() > MOST_LISTED {
+        ", ..."
+    } else {
+        ""
+    };
+    format!("{}{rest}", shown.join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::model::path::{expand, sample};
+
+    #[test]
+    fn a_slip_is_answered_by_the_nearest_path() {
+        let model = sample::model(&["S1", "a.b"]);
+        let cases = [
+            ("beam.material.densty", "`beam.material.density`"),
+            ("bem.lenght", "`beam.length`"),
+            ("subsystem.S1.mass", "`subsystems.S1.mass`"),
+            (
+                "subsystems.s1.y_left.stifness",
+                "`subsystems.S1.y_left.stiffness`",
+            ),
+            ("subsystems.'a,b'.mass", r#"`subsystems."a.b".mass`"#),
+            ("subsystems.*.mas", "`subsystems.*.mass`"),
+            ("supports.lft.w.stiffness", "`supports.left.w.stiffness`"),
+            (
+                "supports.left.w.inertias",
+                "must be stiffness, damping, mass",
+            ),
+            (
+                "supports.left.w_slope.mass",
+                "must be stiffness, damping, inertia",
+            ),
+            ("subsystems.absorber.mass", r#"must be S1, "a.b""#),
+            ("subsystems.3.mass", r#"must be S1, "a.b""#),
+            ("subsystems.0.mass", "there is no `0` in `subsystems`"),
+            ("forces.5.amplitude", "must be 1, 2, 3, 4"),
+            ("beam.material", "must go on with young_modulus"),
+            ("subsystems", r#"must go on with S1, "a.b""#),
+            ("subsystems.S1", "must go on with name, enabled, position"),
+            ("beam.length.x", "must end before `x`"),
+            ("nothing.like.it", "must be title, notes, beam"),
+            ("*", "must be title"),
+            ("", "empty part"),
+            ("a..b", "empty part"),
+        ];
+        for (path, part) in cases {
+            let fault = expand(&model, path).unwrap_err();
+            assert_eq!(fault.path, path);
+            assert!(fault.message.contains(part), "{path}: {}", fault.message);
+        }
+        let empty = sample::model(&[]);
+        for path in ["subsystems.*.mass", "subsystems.S1.mass", "subsystems"] {
+            let fault = expand(&empty, path).unwrap_err();
+            assert!(
+                fault.message.contains("the model has no subsystems"),
+                "{fault}"
+            );
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! New names for elements that others speak of.
+
+use super::pattern::{Part, join, split};
+use crate::model::types::{Family, Model, Quantity, Target};
+
+/// Renames a subsystem, wherever the model speaks of it.
+pub(super) fn subsystem(model: &mut Model, index: usize, new: &str) {
+    let old = std::mem::replace(&mut model.subsystems[index].name, new.to_owned());
+    let forces = model.forces.iter_mut().map(|force| &mut force.target);
+    let responses =
+        model
+            .responses
+            .iter_mut()
+            .filter_map(|response| match &mut response.quantity {
+                Quantity::Motion(target, _) => Some(target),
+                Quantity::Energy => None,
+            });
+    for target in forces.chain(responses) {
+        if let Target::Mass(name, _) = target
+            && *name == old
+        {
+            new.clone_into(name);
+        }
+    }
+    paths(model, "subsystems", &old, new);
+}
+
+/// Renames a response, wherever the model speaks of it.
+pub(super) fn response(model: &mut Model, index: usize, new: &str) {
+    let old = std::mem::replace(&mut model.responses[index].name, new.to_owned());
+    if let Some(tune) = &mut model.tune
+        && tune.objective.response == old
+    {
+        new.clone_into(&mut tune.objective.response);
+    }
+    paths(model, "responses", &old, new);
+}
+
+/// Rewrites the paths of studies and tuning that name an element of a list.
+fn paths(model: &mut Model, list: &str, old: &str, new: &str) {
+    for study in &mut model.studies {
+        match &mut study.family {
+            Family::Vary { paths, .. } => paths
+                .iter_mut()
+                .for_each(|path| rewrite(path, list, old, new)),
+            Family::Cases(cases) => {
+                let paths = cases
+                    .iter_mut()
+                    .flat_map(|case| &mut case.set)
+                    .map(|(path, _)| path);
+                paths.for_each(|path| rewrite(path, list, old, new));
+            }
+        }
+    }
+    for variable in model.tune.iter_mut().flat_map(|tune| &mut tune.variables) {
+        rewrite(&mut variable.path, list, old, new);
+    }
+}
+
+fn rewrite(path: &mut String, list: &str, old: &str, new: &str) {
+    let Ok(mut parts) = split(path) else { return };
+    // Digits without quotes are a number, which stays.
+    let named = match &parts[..] {
+        [root, Part::Word(name), ..] => {
+            root.means(list) && name == old && !name.chars().all(|letter| letter.is_ascii_digit())
+        }
+        [root, Part::Quoted(name), ..] => root.means(list) && name == old,
+        _ => false,
+    };
+    if named {
+        parts[1] = Part::Quoted(new.to_owned());
+        *path = join(&parts);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::model::path::{Value, number, parameter, sample, set};
+    use crate::model::types::Family;
+
+    fn text(word: &str) -> Value {
+        Value::Text(word.to_owned())
+    }
+
+    #[test]
+    fn a_subsystem_takes_its_references_along() {
+        let mut model = sample::model(&["S1", "S2"]);
+        if let Family::Vary { paths, .. } = &mut model.studies[0].family {
+            *paths = [
+                "subsystems.S1.mass",
+                "subsystems.1.mass",
+                "subsystems.S2.mass",
+            ]
+            .map(str::to_owned)
+            .to_vec();
+        }
+        set(&mut model, "subsystems.S1.name", text("a.b")).unwrap();
+        assert_eq!(number(&model, r#"subsystems."a.b".mass"#), Ok(100.0));
+        assert_eq!(parameter(&model, "forces.4.at").unwrap().value, text("a.b"));
+        assert_eq!(
+            parameter(&model, "responses.mass.at").unwrap().value,
+            text("a.b")
+        );
+        let Family::Vary { paths, .. } = &model.studies[0].family else {
+            panic!()
+        };
+        assert_eq!(
+            paths[..],
+            [
+                r#"subsystems."a.b".mass"#,
+                "subsystems.1.mass",
+                "subsystems.S2.mass"
+            ]
+        );
+        let Family::Cases(cases) = &model.studies[2].family else {
+            panic!()
+        };
+        assert_eq!(cases[1].set[0].0, r#"subsystems."a.b".arm_left"#);
+        set(&mut model, "subsystems.1.name", text("S1")).unwrap();
+        assert_eq!(parameter(&model, "forces.4.at").unwrap().value, text("S1"));
+    }
+
+    #[test]
+    fn a_response_takes_the_objective_along() {
+        let mut model = sample::model(&["S1"]);
+        set(&mut model, "responses.P5 w.name", text("tip")).unwrap();
+        assert_eq!(model.tune.as_ref().unwrap().objective.response, "tip");
+    }
+
+    #[test]
+    fn a_name_that_cannot_be_is_refused() {
+        let mut model = sample::model(&["S1", "S2"]);
+        let same = model.clone();
+        for name in ["S2", "left", "right", "", "a\nb"] {
+            assert!(
+                set(&mut model, "subsystems.S1.name", text(name)).is_err(),
+                "{name:?} was taken"
+            );
+            assert_eq!(model, same);
+        }
+        assert!(set(&mut model, "responses.1.name", text("E_V")).is_err());
+        assert!(set(&mut model, "studies.1.name", text("Ends")).is_err());
+        assert!(set(&mut model, "subsystems.*.name", text("S")).is_err());
+        assert_eq!(model, same);
+    }
+}

@@ -1,0 +1,197 @@
+//! Models for the tests of this module.
+
+use crate::model::types::{
+    Beam, BeamMotion, Case, Elastic, Family, Figure, Force, MassMotion, Material, Measure, Model,
+    Objective, Operation, Place, Quantity, Response, Restraint, Section, Spacing, Spring, Study,
+    Subsystem, Support, Supports, Sweep, Target, Tune, Variable,
+};
+
+/// The beam of the paper with as many subsystems as there are names, and a little of everything else.
+pub(super) fn model(names: &[&str]) -> Model {
+    let count = names.len() as f64;
+    let at = |index: usize| 3.2 * (index as f64 + 1.0) / (count + 1.0);
+    Model {
+        title: "Sample".to_owned(),
+        notes: String::new(),
+        beam: beam(),
+        supports: supports(),
+        subsystems: names
+            .iter()
+            .enumerate()
+            .map(|(index, name)| subsystem(name, at(index)))
+            .collect(),
+        forces: forces(names),
+        responses: responses(names),
+        sweep: Sweep {
+            from: 1.0,
+            to: 500.0,
+            points: 2000,
+            spacing: Spacing::Linear,
+        },
+        studies: vec![
+            study(
+                "Stiffness",
+                "subsystems.*.y_left.stiffness",
+                Operation::Multiply,
+                &[0.5, 1.0, 2.0],
+            ),
+            study(
+                "Ends",
+                "supports.*.w.stiffness",
+                Operation::Add,
+                &[0.0, 1e6, -1e6],
+            ),
+            Study {
+                name: "Cases".to_owned(),
+                family: Family::Cases(cases(names)),
+            },
+        ],
+        tune: Some(Tune {
+            variables: vec![Variable {
+                path: "subsystems.*.mass".to_owned(),
+                min: 1.0,
+                max: 1000.0,
+            }],
+            objective: Objective {
+                minimise: Figure::Peak,
+                response: "P5 w".to_owned(),
+                from: 20.0,
+                to: 120.0,
+            },
+        }),
+    }
+}
+
+fn beam() -> Beam {
+    Beam {
+        length: 3.2,
+        material: Material {
+            young_modulus: 2.1e11,
+            shear_modulus: 8.0e10,
+            density: 7850.0,
+            loss_factor: 0.01,
+        },
+        section: Section {
+            area: 0.0116,
+            second_moment_y: 1.6625e-4,
+            second_moment_z: 1.3745e-4,
+            torsion_constant: 4.7657e-7,
+            warping_constant: 2.2783e-8,
+            polar_moment: 5.9992e-4,
+            centroid_offset: 0.0619,
+        },
+    }
+}
+
+fn supports() -> Supports {
+    let spring = Restraint::Elastic(Elastic {
+        stiffness: 4.0e7,
+        damping: 800.0,
+        inertia: 0.5,
+    });
+    let mut left = Support::FREE;
+    left[BeamMotion::W] = spring;
+    left[BeamMotion::Psi] = spring;
+    left[BeamMotion::V] = Restraint::Fixed;
+    let mut right = Support::FREE;
+    right[BeamMotion::W] = spring;
+    right[BeamMotion::PsiSlope] = spring;
+    Supports { left, right }
+}
+
+fn subsystem(name: &str, position: f64) -> Subsystem {
+    let spring = Spring {
+        stiffness: 1.666_667e7,
+        damping: 33.33,
+    };
+    Subsystem {
+        name: name.to_owned(),
+        enabled: true,
+        position,
+        mass: 100.0,
+        inertia: 53.33,
+        y_left: spring,
+        y_right: spring,
+        z_left: spring,
+        z_right: spring,
+        arm_left: 0.08,
+        arm_right: 0.36,
+        mount_y: 0.13,
+        mount_z: -0.055,
+    }
+}
+
+fn forces(names: &[&str]) -> Vec<Force> {
+    let beam = |place, motion| Target::Beam(place, motion);
+    let mut targets = vec![
+        beam(Place::Left, BeamMotion::W),
+        beam(Place::Right, BeamMotion::Psi),
+        beam(Place::Position(1.6), BeamMotion::PsiSlope),
+    ];
+    targets.extend(
+        names
+            .first()
+            .map(|name| Target::Mass((*name).to_owned(), MassMotion::Theta)),
+    );
+    let force = |target| Force {
+        enabled: true,
+        target,
+        amplitude: 1.0,
+        phase: 30.0,
+    };
+    targets.into_iter().map(force).collect()
+}
+
+fn responses(names: &[&str]) -> Vec<Response> {
+    let response = |name: &str, quantity| Response {
+        name: name.to_owned(),
+        enabled: true,
+        quantity,
+    };
+    let w = Target::Beam(Place::Right, BeamMotion::W);
+    let mut all = vec![
+        response("P5 w", Quantity::Motion(w, Measure::Displacement)),
+        response("E_V", Quantity::Energy),
+    ];
+    all.extend(names.first().map(|name| {
+        response(
+            "mass",
+            Quantity::Motion(
+                Target::Mass((*name).to_owned(), MassMotion::Y),
+                Measure::Velocity,
+            ),
+        )
+    }));
+    all
+}
+
+fn study(name: &str, path: &str, operation: Operation, values: &[f64]) -> Study {
+    let family = Family::Vary {
+        paths: vec![path.to_owned()],
+        operation,
+        values: values.to_vec(),
+    };
+    Study {
+        name: name.to_owned(),
+        family,
+    }
+}
+
+fn cases(names: &[&str]) -> Vec<Case> {
+    let named = names.first().map(|name| {
+        (
+            format!("subsystems.{}.arm_left", crate::model::names::segment(name)),
+            0.22,
+        )
+    });
+    vec![
+        Case {
+            name: "as it is".to_owned(),
+            set: Vec::new(),
+        },
+        Case {
+            name: "symmetric".to_owned(),
+            set: named.into_iter().collect(),
+        },
+    ]
+}

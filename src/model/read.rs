@@ -1,0 +1,85 @@
+//! From the text of a model file to a model, or to all that is wrong with it.
+
+mod loads;
+mod parts;
+mod place;
+mod plans;
+mod reader;
+mod table;
+mod value;
+
+use super::check::check;
+use super::fault::Fault;
+use super::types::Model;
+use reader::Reader;
+use table::Table;
+use toml::de::DeTable;
+
+/// Reads a model file of the format `beamtune/1`.
+///
+/// # Errors
+/// All faults, in the order of the text, each with line, column and path: broken TOML, and if that is sound, unknown
+/// and missing keys, wrong types, numbers that are not finite, and whatever [`check()`] refuses.
+pub fn read(text: &str) -> Result<Model, Vec<Fault>> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let (document, errors) = DeTable::parse_recoverable(text);
+    let mut reader = Reader::default();
+    if !errors.is_empty() {
+        for error in errors {
+            let span = error.span().unwrap_or_default();
+            let found = text
+                .get(span.clone())
+                .filter(|found| !found.is_empty() && !found.contains('\n'));
+            let found = found.map_or_else(String::new, |found| format!(" at `{found}`"));
+            reader.fault(
+                span.start,
+                "",
+                format!("broken TOML{found}: {}", error.message()),
+            );
+        }
+        return Err(reader.into_faults(text));
+    }
+    let model = parts::model(Table::root(document.get_ref()), &mut reader);
+    reader.adopt(check(&model));
+    if reader.is_content() {
+        Ok(model)
+    } else {
+        Err(reader.into_faults(text))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_empty_text_lacks_everything_at_its_start() {
+        let faults = read("").unwrap_err();
+        let paths: Vec<_> = faults.iter().map(|fault| fault.path.as_str()).collect();
+        assert_eq!(paths, ["format", "title", "beam", "sweep"]);
+        assert!(
+            faults
+                .iter()
+                .all(|fault| (fault.line, fault.column) == (Some(1), Some(1)))
+        );
+    }
+
+    #[test]
+    fn every_syntax_error_has_its_place() {
+        let faults = read("\u{feff}a = \r\n\r\nä = 1\r\nb = [1,\r\n").unwrap_err();
+        assert_eq!(
+            (faults[0].line, faults[0].column),
+            (Some(1), Some(5)),
+            "{faults:?}"
+        );
+        assert!(
+            faults.iter().any(|fault| fault.line == Some(3)),
+            "{faults:?}"
+        );
+        assert!(
+            faults
+                .iter()
+                .all(|fault| fault.message.starts_with("broken TOML"))
+        );
+    }
+}

@@ -1,0 +1,137 @@
+//! Forces and responses of a model file.
+
+use super::super::field::FORCE;
+use super::super::types::{
+    BeamMotion, Force, MassMotion, Measure, Place, Quantity, Response, Target,
+};
+use super::parts::{named, names as element_names};
+use super::reader::Reader;
+use super::table::Table;
+use super::value::number;
+use toml::de::DeValue;
+
+/// The list of forces.
+pub(super) fn forces(root: &mut Table<'_>, names: &[&str], reader: &mut Reader) -> Vec<Force> {
+    let mut forces = Vec::new();
+    for (index, node) in root
+        .list("forces", "tables", reader)
+        .into_iter()
+        .enumerate()
+    {
+        let placeholder = Target::Beam(Place::Left, BeamMotion::W);
+        let mut force = Force {
+            enabled: true,
+            target: placeholder,
+            amplitude: 1.0,
+            phase: 0.0,
+        };
+        if let Some(mut table) = Table::open(format!("forces.{}", index + 1), node, reader) {
+            force.enabled = table.enabled(reader);
+            force.target = target(&mut table, names, reader);
+            table.numbers(&mut force, FORCE, reader);
+            table.finish(reader);
+        }
+        forces.push(force);
+    }
+    forces
+}
+
+/// The list of responses.
+pub(super) fn responses(
+    root: &mut Table<'_>,
+    names: &[&str],
+    reader: &mut Reader,
+) -> Vec<Response> {
+    let list = root.list("responses", "tables", reader);
+    reader.response_lost =
+        element_names(&list).contains(&"") || (list.is_empty() && root.has("responses"));
+    let mut responses = Vec::new();
+    for table in named(&list, "responses", reader) {
+        let mut response = Response {
+            name: String::new(),
+            enabled: true,
+            quantity: Quantity::Energy,
+        };
+        if let Some(mut table) = table {
+            response.name = table.text("name", None, reader).unwrap_or_default();
+            response.enabled = table.enabled(reader);
+            response.quantity = quantity(&mut table, names, reader);
+            table.finish(reader);
+        }
+        responses.push(response);
+    }
+    responses
+}
+
+fn quantity(table: &mut Table<'_>, names: &[&str], reader: &mut Reader) -> Quantity {
+    let words = Measure::ALL.map(Measure::key);
+    let words = [words[0], words[1], words[2], "energy"];
+    match table.word("measure", &words, Some(0), reader) {
+        Some(index) if index < Measure::ALL.len() => {
+            Quantity::Motion(target(table, names, reader), Measure::ALL[index])
+        }
+        Some(_) => {
+            for key in ["at", "direction"] {
+                if let Some((path, node)) = table.take(key, reader) {
+                    let message = "stands beside measure = \"energy\"; must be left out, an energy is the whole beam's";
+                    reader.fault(node.span().start, &path, message);
+                }
+            }
+            Quantity::Energy
+        }
+        // Whether a place is missing depends on the measure that could not be read.
+        None if table.has("at") && table.has("direction") => {
+            Quantity::Motion(target(table, names, reader), Measure::Displacement)
+        }
+        None => {
+            table.take("at", reader);
+            table.take("direction", reader);
+            Quantity::Energy
+        }
+    }
+}
+
+/// Where and along what; a subsystem that does not exist is left to the checks.
+fn target(table: &mut Table<'_>, names: &[&str], reader: &mut Reader) -> Target {
+    let place = place(table, reader);
+    let beam = BeamMotion::ALL.map(BeamMotion::key);
+    let mass = MassMotion::ALL.map(MassMotion::key);
+    match place {
+        Some(Ok(place)) => {
+            let motion = table.word("direction", &beam, None, reader);
+            Target::Beam(
+                place,
+                motion.map_or(BeamMotion::W, |index| BeamMotion::ALL[index]),
+            )
+        }
+        Some(Err(name)) if names.contains(&name.as_str()) => {
+            let motion = table.word("direction", &mass, None, reader);
+            Target::Mass(
+                name,
+                motion.map_or(MassMotion::Y, |index| MassMotion::ALL[index]),
+            )
+        }
+        unknown => {
+            let all: Vec<_> = beam.into_iter().chain(mass).collect();
+            table.word("direction", &all, None, reader);
+            match unknown {
+                Some(Err(name)) => Target::Mass(name, MassMotion::Y),
+                _ => Target::Beam(Place::Left, BeamMotion::W),
+            }
+        }
+    }
+}
+
+/// A place on the beam, or the name of a subsystem; none where it cannot be read.
+fn place(table: &mut Table<'_>, reader: &mut Reader) -> Option<Result<Place, String>> {
+    const EXPECTED: &str = "\"left\", \"right\", a position in m or a subsystem's name";
+    let (path, node) = table.need("at", EXPECTED, reader)?;
+    match node.get_ref() {
+        DeValue::String(word) => Some(match word.as_ref() {
+            "left" => Ok(Place::Left),
+            "right" => Ok(Place::Right),
+            name => Err(name.to_owned()),
+        }),
+        _ => Some(Ok(Place::Position(number(&path, node, EXPECTED, reader)))),
+    }
+}

@@ -1,0 +1,218 @@
+//! The plans of a model file: studies and tuning.
+
+use super::super::field::Range;
+use super::super::names;
+
+use super::super::types::{Case, Family, Figure, Objective, Operation, Study, Tune, Variable};
+use super::parts::named;
+use super::reader::Reader;
+use super::table::Table;
+use super::value::{Node, number, text, wrong_type};
+use toml::de::DeValue;
+
+/// The list of studies.
+pub(super) fn studies(root: &mut Table<'_>, reader: &mut Reader) -> Vec<Study> {
+    let list = root.list("studies", "tables", reader);
+    named(&list, "studies", reader)
+        .into_iter()
+        .map(|table| study(table, reader))
+        .collect()
+}
+
+fn study(table: Option<Table<'_>>, reader: &mut Reader) -> Study {
+    let Some(mut table) = table else {
+        return Study {
+            name: String::new(),
+            family: Family::Cases(Vec::new()),
+        };
+    };
+    let name = table.text("name", None, reader).unwrap_or_default();
+    let operations: Vec<_> = Operation::ALL
+        .into_iter()
+        .filter(|operation| table.has(operation.key()))
+        .collect();
+    let family = if table.has("cases") {
+        let other = ["vary"]
+            .into_iter()
+            .chain(operations.iter().map(|operation| operation.key()));
+        let beside: Vec<_> = other.filter(|key| table.has(key)).collect();
+        for key in &beside {
+            table.take(key, reader);
+        }
+        if let [first, ..] = beside[..]
+            && let Some((path, node)) = table.take(first, reader)
+        {
+            let message =
+                "stands beside cases; must be either cases, or vary with multiply, set or add";
+            reader.fault(node.span().start, &path, message);
+        }
+        cases(&mut table, reader)
+    } else {
+        vary(&mut table, &operations, reader)
+    };
+    for key in ["vary", "multiply", "set", "add", "cases"] {
+        table.accept(key);
+    }
+    table.finish(reader);
+    Study { name, family }
+}
+
+fn vary(table: &mut Table<'_>, operations: &[Operation], reader: &mut Reader) -> Family {
+    let paths: Vec<_> = match table.need("vary", "an array of parameter paths (or cases)", reader) {
+        None => Vec::new(),
+        Some(_) => elements("vary", "parameter paths", table, reader)
+            .into_iter()
+            .map(|(path, node)| text(&path, node, reader).unwrap_or_default())
+            .collect(),
+    };
+    let operation = operations.first().copied().unwrap_or(Operation::Multiply);
+    let values = match operations {
+        [] if !table.has("vary") => Vec::new(),
+        [] => {
+            table.need("multiply", "an array of numbers (or set, or add)", reader);
+            Vec::new()
+        }
+        [operation] => elements(operation.key(), "numbers", table, reader)
+            .into_iter()
+            .map(|(path, node)| number(&path, node, "a number", reader))
+            .collect(),
+        [first, others @ ..] => {
+            for other in others {
+                if let Some((path, node)) = table.take(other.key(), reader) {
+                    let message = format!(
+                        "stands beside {}; must be only one of multiply, set and add",
+                        first.key()
+                    );
+                    reader.fault(node.span().start, &path, message);
+                }
+            }
+            Vec::new()
+        }
+    };
+    // A list that could not be read is empty here; no more is said of it.
+    if operations.len() != 1 {
+        for operation in Operation::ALL {
+            reader.silence(&table.at(operation.key()));
+        }
+    }
+    Family::Vary {
+        paths,
+        operation,
+        values,
+    }
+}
+
+/// The elements of an array with their paths.
+fn elements<'a>(
+    key: &'static str,
+    of: &str,
+    table: &mut Table<'a>,
+    reader: &mut Reader,
+) -> Vec<(String, Node<'a>)> {
+    let list = table.list(key, of, reader);
+    let at = table.at(key);
+    let numbered = list
+        .into_iter()
+        .enumerate()
+        .map(|(index, node)| (format!("{at}.{}", index + 1), node));
+    let elements: Vec<_> = numbered.collect();
+    for (path, node) in &elements {
+        reader.place(path, node.span().start);
+    }
+    elements
+}
+
+fn cases(table: &mut Table<'_>, reader: &mut Reader) -> Family {
+    let list = table.list("cases", "tables", reader);
+    let path = table.at("cases");
+    let mut cases = Vec::new();
+    for table in named(&list, &path, reader) {
+        let mut case = Case {
+            name: String::new(),
+            set: Vec::new(),
+        };
+        if let Some(mut table) = table {
+            case.name = table.text("name", None, reader).unwrap_or_default();
+            if let Some(set) = table.table("set", reader) {
+                case.set = assignments(&set, reader);
+            }
+            table.finish(reader);
+        }
+        cases.push(case);
+    }
+    Family::Cases(cases)
+}
+
+/// Paths and numbers, in the order of the text.
+fn assignments(set: &Table<'_>, reader: &mut Reader) -> Vec<(String, f64)> {
+    let mut assignments = Vec::new();
+    for (key, node) in set.entries() {
+        let path = set.at(&names::segment(key));
+        reader.place(&path, node.span().start);
+        let value = if let DeValue::Table(_) = node.get_ref() {
+            let expected = "a number (the whole path stands in one pair of quotes)";
+            reader.fault(node.span().start, &path, wrong_type(node, expected));
+            f64::NAN
+        } else {
+            number(&path, node, "a number", reader)
+        };
+        assignments.push((key.to_owned(), value));
+    }
+    assignments
+}
+
+/// The tuning, if the file has one.
+pub(super) fn tune(root: &mut Table<'_>, reader: &mut Reader) -> Option<Tune> {
+    let mut table = root.table("tune", reader)?;
+    let mut variables = Vec::new();
+    if table
+        .need(
+            "variables",
+            "an array of tables of path, min and max",
+            reader,
+        )
+        .is_some()
+    {
+        for (path, node) in elements("variables", "tables", &mut table, reader) {
+            let mut variable = Variable {
+                path: String::new(),
+                min: f64::NAN,
+                max: f64::NAN,
+            };
+            if let Some(mut table) = Table::open(path, node, reader) {
+                variable.path = table.text("path", None, reader).unwrap_or_default();
+                variable.min = table.number("min", Range::Any, None, reader);
+                variable.max = table.number("max", Range::Any, None, reader);
+                table.finish(reader);
+            }
+            variables.push(variable);
+        }
+    }
+    let blank = Objective {
+        minimise: Figure::Peak,
+        response: String::new(),
+        from: f64::NAN,
+        to: f64::NAN,
+    };
+    let objective = table
+        .need_table("objective", reader)
+        .map_or(blank, |table| objective(table, reader));
+    table.finish(reader);
+    Some(Tune {
+        variables,
+        objective,
+    })
+}
+
+fn objective(mut table: Table<'_>, reader: &mut Reader) -> Objective {
+    let figures = [Figure::Peak, Figure::MeanSquare];
+    let figure = table.word("minimise", &figures.map(Figure::key), None, reader);
+    let objective = Objective {
+        minimise: figure.map_or(Figure::Peak, |index| figures[index]),
+        response: table.text("response", None, reader).unwrap_or_default(),
+        from: table.number("from", Range::Positive, None, reader),
+        to: table.number("to", Range::Positive, None, reader),
+    };
+    table.finish(reader);
+    objective
+}

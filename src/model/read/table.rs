@@ -1,0 +1,273 @@
+//! A table of the text while its keys are taken one by one.
+
+use super::super::field::{Field, Range};
+use super::super::names;
+use super::reader::{Reader, one_of};
+use super::value::{Node, number, text, wrong_type};
+use toml::de::{DeTable, DeValue};
+
+/// A table and what has been asked of it so far; [`finish`](Self::finish) says what is left over or missing.
+pub(super) struct Table<'a> {
+    /// Path, empty for the root.
+    pub(super) path: String,
+    /// Byte offset of the header or brace.
+    pub(super) start: usize,
+    content: &'a DeTable<'a>,
+    known: Vec<&'a str>,
+    missing: Vec<(&'a str, String)>,
+}
+
+impl<'a> Table<'a> {
+    /// The whole text.
+    pub(super) fn root(content: &'a DeTable<'a>) -> Self {
+        Self {
+            path: String::new(),
+            start: 0,
+            content,
+            known: Vec::new(),
+            missing: Vec::new(),
+        }
+    }
+
+    /// A value that must be a table.
+    pub(super) fn open(path: String, node: Node<'a>, reader: &mut Reader) -> Option<Self> {
+        let start = node.span().start;
+        reader.place(&path, start);
+        if let DeValue::Table(content) = node.get_ref() {
+            return Some(Self {
+                path,
+                start,
+                content,
+                known: Vec::new(),
+                missing: Vec::new(),
+            });
+        }
+        reader.fault(start, &path, wrong_type(node, "a table"));
+        None
+    }
+
+    /// The path of a key.
+    pub(super) fn at(&self, key: &str) -> String {
+        if self.path.is_empty() {
+            key.to_owned()
+        } else {
+            format!("{}.{key}", self.path)
+        }
+    }
+
+    /// Whether the text has a key.
+    pub(super) fn has(&self, key: &str) -> bool {
+        self.content.contains_key(key)
+    }
+
+    /// A key that is no fault, whether it is looked at or not.
+    pub(super) fn accept(&mut self, key: &'a str) {
+        if !self.known.contains(&key) {
+            self.known.push(key);
+        }
+    }
+
+    /// Path and value of a key, if the text has it.
+    pub(super) fn take(&mut self, key: &'a str, reader: &mut Reader) -> Option<(String, Node<'a>)> {
+        self.accept(key);
+        let node = self.content.get(key)?;
+        let path = self.at(key);
+        reader.place(&path, node.span().start);
+        Some((path, node))
+    }
+
+    /// The same for a key that must be there.
+    pub(super) fn need(
+        &mut self,
+        key: &'a str,
+        expected: &str,
+        reader: &mut Reader,
+    ) -> Option<(String, Node<'a>)> {
+        let taken = self.take(key, reader);
+        if taken.is_none() {
+            self.missing.push((key, expected.to_owned()));
+        }
+        taken
+    }
+
+    /// An inner table that may be left out.
+    pub(super) fn table(&mut self, key: &'a str, reader: &mut Reader) -> Option<Self> {
+        let (path, node) = self.take(key, reader)?;
+        Self::open(path, node, reader)
+    }
+
+    /// An inner table that must be there.
+    pub(super) fn need_table(&mut self, key: &'a str, reader: &mut Reader) -> Option<Self> {
+        let (path, node) = self.need(key, "a table", reader)?;
+        Self::open(path, node, reader)
+    }
+
+    /// The elements of an array; none where it is left out.
+    pub(super) fn list(&mut self, key: &'a str, of: &str, reader: &mut Reader) -> Vec<Node<'a>> {
+        let Some((path, node)) = self.take(key, reader) else {
+            return Vec::new();
+        };
+        if let DeValue::Array(array) = node.get_ref() {
+            return array.iter().collect();
+        }
+        let below = if path.contains('.') {
+            String::new()
+        } else {
+            format!(", each below [[{path}]]")
+        };
+        let message = wrong_type(node, &format!("an array of {of}{below}"));
+        reader.fault(node.span().start, &path, message);
+        Vec::new()
+    }
+
+    /// A number; its default, or NaN where there is none or it cannot be read.
+    pub(super) fn number(
+        &mut self,
+        key: &'a str,
+        range: Range,
+        default: Option<f64>,
+        reader: &mut Reader,
+    ) -> f64 {
+        let expected = match range {
+            Range::Any => "a number".to_owned(),
+            _ => format!("a number {}", range.words()),
+        };
+        let taken = match default {
+            Some(default) => match self.take(key, reader) {
+                Some(taken) => Some(taken),
+                None => return default,
+            },
+            None => self.need(key, &expected, reader),
+        };
+        taken.map_or(f64::NAN, |(path, node)| {
+            number(&path, node, &expected, reader)
+        })
+    }
+
+    /// All numbers that a table of fields names, those of inner tables included.
+    pub(super) fn numbers<T>(&mut self, of: &mut T, fields: &[Field<T>], reader: &mut Reader) {
+        let mut inner_done = Vec::new();
+        for field in fields {
+            let Some((head, _)) = field.key.split_once('.') else {
+                (field.set)(
+                    of,
+                    self.number(field.key, field.range, field.default, reader),
+                );
+                continue;
+            };
+            if inner_done.contains(&head) {
+                continue;
+            }
+            inner_done.push(head);
+            let mut inner = self.table(head, reader);
+            for field in fields {
+                if let Some((at, key)) = field.key.split_once('.')
+                    && at == head
+                {
+                    let left_out = field.default.unwrap_or(f64::NAN);
+                    let value = inner.as_mut().map_or(left_out, |inner| {
+                        inner.number(key, field.range, field.default, reader)
+                    });
+                    (field.set)(of, value);
+                }
+            }
+            if let Some(inner) = inner {
+                inner.finish(reader);
+            }
+        }
+    }
+
+    /// A text; its default, or none where it is missing or no text.
+    pub(super) fn text(
+        &mut self,
+        key: &'a str,
+        default: Option<&str>,
+        reader: &mut Reader,
+    ) -> Option<String> {
+        let taken = match default {
+            Some(default) if !self.has(key) => {
+                self.accept(key);
+                return Some(default.to_owned());
+            }
+            _ => self.need(key, "a text in quotes", reader),
+        };
+        let (path, node) = taken?;
+        text(&path, node, reader)
+    }
+
+    /// A switch, on where it is left out.
+    pub(super) fn enabled(&mut self, reader: &mut Reader) -> bool {
+        let Some((path, node)) = self.take("enabled", reader) else {
+            return true;
+        };
+        node.get_ref().as_bool().unwrap_or_else(|| {
+            reader.fault(node.span().start, &path, wrong_type(node, "true or false"));
+            true
+        })
+    }
+
+    /// The index of one of some words; its default, or none where it is missing or another word.
+    pub(super) fn word(
+        &mut self,
+        key: &'a str,
+        words: &[&str],
+        default: Option<usize>,
+        reader: &mut Reader,
+    ) -> Option<usize> {
+        let taken = if default.is_some() && !self.has(key) {
+            self.accept(key);
+            return default;
+        } else {
+            self.need(key, &one_of(words), reader)
+        };
+        let (path, node) = taken?;
+        let Some(word) = node.get_ref().as_str() else {
+            reader.fault(node.span().start, &path, wrong_type(node, &one_of(words)));
+            return None;
+        };
+        let index = words.iter().position(|known| *known == word);
+        if index.is_none() {
+            reader.wrong_word(node.span().start, &path, word, words);
+        }
+        index
+    }
+
+    /// Keys and values in the order of the text, for a table whose keys are free.
+    pub(super) fn entries(&self) -> Vec<(&'a str, Node<'a>)> {
+        let mut entries: Vec<_> = self.content.iter().collect();
+        entries.sort_by_key(|(key, _)| key.span().start);
+        entries
+            .into_iter()
+            .map(|(key, node)| (key.get_ref().as_ref(), node))
+            .collect()
+    }
+
+    /// Says which keys are unknown and which are missing. A key that is missing because it is misspelt is said once.
+    pub(super) fn finish(self, reader: &mut Reader) {
+        let mut misspelt = Vec::new();
+        for (key, _) in self.content {
+            let word = key.get_ref().as_ref();
+            if self.known.contains(&word) {
+                continue;
+            }
+            let absent = self.known.iter().copied().filter(|known| !self.has(known));
+            let near = names::nearest(word, absent)
+                .or_else(|| names::nearest(word, self.known.iter().copied()));
+            let message = if let Some(near) = near {
+                misspelt.push(near);
+                format!("is unknown; did you mean {near}?")
+            } else {
+                format!("is unknown; must be one of {}", self.known.join(", "))
+            };
+            reader.fault(key.span().start, &self.at(&names::segment(word)), message);
+        }
+        for (key, expected) in &self.missing {
+            let path = self.at(key);
+            if misspelt.contains(key) {
+                reader.silence(&path);
+            } else {
+                reader.fault(self.start, &path, format!("is missing; must be {expected}"));
+            }
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! Putting a text on disk so that no reader ever meets half of it.
+
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+/// Replaces the file's content atomically: a temporary file in the same folder, flushed to disk, then renamed.
+///
+/// A symbolic link stays a link and its target is replaced. An existing file keeps its permissions.
+///
+/// # Errors
+/// The folder cannot be written, the disk is full, or the existing file is read-only.
+pub fn save(path: &Path, text: &str) -> io::Result<()> {
+    let target = target(path)?;
+    let folder = match target.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder.to_path_buf(),
+        _ => env::current_dir()?,
+    };
+    let permissions = match fs::metadata(&target) {
+        Ok(metadata) if metadata.permissions().readonly() => {
+            return Err(io::Error::new(
+                io::ErrorKind::PermissionDenied,
+                "the file is read-only",
+            ));
+        }
+        Ok(metadata) => Some(metadata.permissions()),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+        Err(error) => return Err(error),
+    };
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".beamtune-");
+    if permissions.is_none() {
+        default_mode(&mut builder);
+    }
+    let mut file = builder.tempfile_in(&folder)?;
+    file.write_all(text.as_bytes())?;
+    if let Some(permissions) = permissions {
+        file.as_file().set_permissions(permissions)?;
+    }
+    file.as_file().sync_all()?;
+    file.persist(&target).map_err(|error| error.error)?;
+    sync_folder(&folder);
+    Ok(())
+}
+
+/// The file behind a chain of symbolic links; a dangling link leads to the file it names.
+fn target(path: &Path) -> io::Result<PathBuf> {
+    const MOST_LINKS: usize = 40;
+    let mut path = path.to_path_buf();
+    for _ in 0..MOST_LINKS {
+        match fs::read_link(&path) {
+            Ok(next) => {
+                path = path
+                    .parent()
+                    .map_or(next.clone(), |folder| folder.join(&next));
+            }
+            Err(_) => return Ok(path),
+        }
+    }
+    Err(io::Error::other("too many symbolic links"))
+}
+
+/// Lets the umask decide the mode of a new file; temporary files are otherwise private.
+#[cfg(unix)]
+fn default_mode(builder: &mut tempfile::Builder<'_, '_>) {
+    use std::os::unix::fs::PermissionsExt as _;
+    builder.permissions(fs::Permissions::from_mode(0o666));
+}
+
+#[cfg(not(unix))]
+fn default_mode(_builder: &mut tempfile::Builder<'_, '_>) {}
+
+/// Makes the rename itself durable where the system allows it; the content is safe in any case.
+fn sync_folder(folder: &Path) {
+    if let Ok(folder) = fs::File::open(folder) {
+        let _ = folder.sync_all();
+    }
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+    use std::os::unix::fs::{PermissionsExt as _, symlink};
+
+    #[test]
+    fn the_link_and_the_mode_stay() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("model.toml");
+        let link = folder.path().join("link.toml");
+        fs::write(&file, "old").unwrap();
+        fs::set_permissions(&file, fs::Permissions::from_mode(0o640)).unwrap();
+        symlink("model.toml", &link).unwrap();
+        save(&link, "new").unwrap();
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert_eq!(fs::read_to_string(&file).unwrap(), "new");
+        assert_eq!(
+            fs::metadata(&file).unwrap().permissions().mode() & 0o777,
+            0o640
+        );
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
+    }
+
+    #[test]
+    fn a_new_file_and_a_dangling_link_are_made() {
+        let folder = tempfile::tempdir().unwrap();
+        symlink("later.toml", folder.path().join("link.toml")).unwrap();
+        save(&folder.path().join("link.toml"), "text").unwrap();
+        assert_eq!(
+            fs::read_to_string(folder.path().join("later.toml")).unwrap(),
+            "text"
+        );
+        assert!(save(&folder.path().join("missing/model.toml"), "text").is_err());
+    }
+
+    #[test]
+    fn a_read_only_file_is_left_alone() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("model.toml");
+        fs::write(&file, "old").unwrap();
+        fs::set_permissions(&file, fs::Permissions::from_mode(0o440)).unwrap();
+        assert!(save(&file, "new").is_err());
+        assert_eq!(fs::read_to_string(&file).unwrap(), "old");
+    }
+}

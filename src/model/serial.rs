@@ -1,0 +1,53 @@
+//! Numbers as the text of a model file.
+
+/// The shortest TOML float that reads back to the same bits: `0.8`, `4e7`, `1.6625e-4`, `-0.0`.
+///
+/// Between 0.001 and 100,000 it has no exponent; beyond, it has one unless that is longer.
+pub fn format_number(value: f64) -> String {
+    if value.is_nan() {
+        return "nan".to_owned();
+    }
+    if value.is_infinite() {
+        return if value > 0.0 { "inf" } else { "-inf" }.to_owned();
+    }
+    let mut plain = format!("{value}");
+    if !plain.contains('.') {
+        plain.push_str(".0");
+    }
+    let size = value.abs();
+    if size == 0.0 || (1e-3..1e5).contains(&size) {
+        return plain;
+    }
+    let scientific = format!("{value:e}");
+    if scientific.len() <= plain.len() {
+        scientific
+    } else {
+        plain
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short_floats() {
+        for (value, text) in [
+            (4e7, "4e7"),
+            (0.8, "0.8"),
+            (1.6625e-4, "1.6625e-4"),
+            (-0.0, "-0.0"),
+            (0.0, "0.0"),
+            (800.0, "800.0"),
+            (-0.055, "-0.055"),
+            (2.1e11, "2.1e11"),
+            (1_234_567.25, "1234567.25"),
+            (1e5, "1e5"),
+            (f64::MAX, "1.7976931348623157e308"),
+            (5e-324, "5e-324"),
+        ] {
+            assert_eq!(format_number(value), text);
+            assert_eq!(text.parse::<f64>().unwrap().to_bits(), value.to_bits());
+        }
+    }
+}

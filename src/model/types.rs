@@ -1,0 +1,480 @@
+//! The model as plain data, in SI units: what the engineer edits and the solver reads.
+//!
+//! A number left out of a file has its default here (no stiffness, no damping, amplitude 1), so every value of
+//! these types is a complete model. Whether it is also a *possible* one is said by [`check`](super::check()).
+
+/// A beam with its supports, subsystems, loads and what is asked of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Model {
+    /// One line for people.
+    pub title: String,
+    /// Free text; empty when the file has none.
+    pub notes: String,
+    /// The beam itself.
+    pub beam: Beam,
+    /// What holds the two ends.
+    pub supports: Supports,
+    /// The attached masses, in the order of the file.
+    pub subsystems: Vec<Subsystem>,
+    /// The loads; they act together.
+    pub forces: Vec<Force>,
+    /// What is computed, in the order of the output's columns.
+    pub responses: Vec<Response>,
+    /// The frequencies.
+    pub sweep: Sweep,
+    /// Families of curves.
+    pub studies: Vec<Study>,
+    /// What an optimiser may move, and what for.
+    pub tune: Option<Tune>,
+}
+
+/// The uniform beam.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Beam {
+    /// Length L, m.
+    pub length: f64,
+    /// What it is made of.
+    pub material: Material,
+    /// Its cross-section.
+    pub section: Section,
+}
+
+/// An isotropic material with hysteretic damping.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Material {
+    /// Young's modulus E, Pa.
+    pub young_modulus: f64,
+    /// Shear modulus G, Pa.
+    pub shear_modulus: f64,
+    /// Density rho, kg/m3.
+    pub density: f64,
+    /// Loss factor eta: E and G are taken times (1 + i eta).
+    pub loss_factor: f64,
+}
+
+/// A thin-walled section, about its shear centre.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Section {
+    /// Area A, m2.
+    pub area: f64,
+    /// Second moment of area `I_y` for bending of w (along y), m4.
+    pub second_moment_y: f64,
+    /// Second moment of area `I_z` for bending of v (along z), m4.
+    pub second_moment_z: f64,
+    /// Saint-Venant torsion constant J, m4.
+    pub torsion_constant: f64,
+    /// Warping constant `Gamma_0`, m6; 0 where warping carries nothing.
+    pub warping_constant: f64,
+    /// Polar moment of area `I_0` about the shear centre, m4.
+    pub polar_moment: f64,
+    /// Offset `z_c` of the centroid from the shear centre, m; of either sign.
+    pub centroid_offset: f64,
+}
+
+/// The six motions of a point of the beam's shear-centre line, and what acts along them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum BeamMotion {
+    /// Displacement w along y, m.
+    W,
+    /// Twist psi about x, rad.
+    Psi,
+    /// Displacement v along z, m.
+    V,
+    /// Slope w', rad.
+    WSlope,
+    /// Rate of twist psi', rad/m, which warps the section.
+    PsiSlope,
+    /// Slope v', rad.
+    VSlope,
+}
+
+impl BeamMotion {
+    /// All six, displacements first: the order of the solver's vectors.
+    pub const ALL: [Self; 6] = [
+        Self::W,
+        Self::Psi,
+        Self::V,
+        Self::WSlope,
+        Self::PsiSlope,
+        Self::VSlope,
+    ];
+
+    /// The word of the model file.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::W => "w",
+            Self::Psi => "psi",
+            Self::V => "v",
+            Self::WSlope => "w_slope",
+            Self::PsiSlope => "psi_slope",
+            Self::VSlope => "v_slope",
+        }
+    }
+
+    /// True for the two translations, whose inertia is a mass.
+    pub const fn is_translation(self) -> bool {
+        matches!(self, Self::W | Self::V)
+    }
+}
+
+/// The three motions of a subsystem's mass.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum MassMotion {
+    /// Along y, m.
+    Y,
+    /// Along z, m.
+    Z,
+    /// Rotation about x, rad.
+    Theta,
+}
+
+impl MassMotion {
+    /// All three, in the solver's order.
+    pub const ALL: [Self; 3] = [Self::Y, Self::Z, Self::Theta];
+
+    /// The word of the model file.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Y => "y",
+            Self::Z => "z",
+            Self::Theta => "theta",
+        }
+    }
+}
+
+/// The supports of both ends.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Supports {
+    /// At x = 0.
+    pub left: Support,
+    /// At x = L.
+    pub right: Support,
+}
+
+/// What one end's six motions meet, in the order of [`BeamMotion::ALL`]. It acts at the shear centre.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Support(pub [Restraint; 6]);
+
+impl Support {
+    /// Nothing held.
+    pub const FREE: Self = Self([Restraint::Free; 6]);
+    /// Displacements and twist fixed, slopes free.
+    pub const PINNED: Self = Self([
+        Restraint::Fixed,
+        Restraint::Fixed,
+        Restraint::Fixed,
+        Restraint::Free,
+        Restraint::Free,
+        Restraint::Free,
+    ]);
+    /// All six fixed.
+    pub const CLAMPED: Self = Self([Restraint::Fixed; 6]);
+}
+
+impl std::ops::Index<BeamMotion> for Support {
+    type Output = Restraint;
+    fn index(&self, motion: BeamMotion) -> &Restraint {
+        &self.0[motion as usize]
+    }
+}
+
+impl std::ops::IndexMut<BeamMotion> for Support {
+    fn index_mut(&mut self, motion: BeamMotion) -> &mut Restraint {
+        &mut self.0[motion as usize]
+    }
+}
+
+/// What one motion of an end meets.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Restraint {
+    /// Nothing.
+    #[default]
+    Free,
+    /// No motion.
+    Fixed,
+    /// A spring, a damper and an inertia to the ground.
+    Elastic(Elastic),
+}
+
+/// Spring, damper and inertia along one motion of an end: stiffness k + i omega c - omega^2 m.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Elastic {
+    /// N/m; N m/rad about an axis; N m3/rad on the rate of twist.
+    pub stiffness: f64,
+    /// N s/m; N m s/rad; N m3 s/rad.
+    pub damping: f64,
+    /// Mass in kg along w and v; inertia in kg m2 about an axis; kg m4 on the rate of twist.
+    pub inertia: f64,
+}
+
+/// A spring with a damper beside it; both zero where there is none.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Spring {
+    /// k, N/m.
+    pub stiffness: f64,
+    /// c, N s/m.
+    pub damping: f64,
+}
+
+/// A mass with three degrees of freedom (y, z, theta) on four springs with dampers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Subsystem {
+    /// Unique; not "left" or "right".
+    pub name: String,
+    /// Whether it is attached at all.
+    pub enabled: bool,
+    /// Distance from the left end, m.
+    pub position: f64,
+    /// m, kg.
+    pub mass: f64,
+    /// J about its own centre, kg m2.
+    pub inertia: f64,
+    /// Left spring along y.
+    pub y_left: Spring,
+    /// Right spring along y.
+    pub y_right: Spring,
+    /// Left spring along z.
+    pub z_left: Spring,
+    /// Right spring along z.
+    pub z_right: Spring,
+    /// Arm `l_L` of the left z spring at the mass, m.
+    pub arm_left: f64,
+    /// Arm `l_R` of the right z spring at the mass, m.
+    pub arm_right: f64,
+    /// Half-spacing `y_u` of the z springs at the beam, m.
+    pub mount_y: f64,
+    /// Height `z_b` of the y springs at the beam, from the shear centre, m.
+    pub mount_z: f64,
+}
+
+/// A place on the beam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Place {
+    /// x = 0.
+    Left,
+    /// x = L.
+    Right,
+    /// Distance from the left end, m.
+    Position(f64),
+}
+
+/// A motion somewhere: of the beam at a place, or of a subsystem's mass.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Target {
+    /// A motion of the beam.
+    Beam(Place, BeamMotion),
+    /// A motion of the mass of the subsystem with this name.
+    Mass(String, MassMotion),
+}
+
+/// A harmonic load.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Force {
+    /// False: kept in the file, not acting.
+    pub enabled: bool,
+    /// Where it acts and along what.
+    pub target: Target,
+    /// Zero to peak, N (a torque or moment: N m; along `psi_slope`, a bimoment: N m2).
+    pub amplitude: f64,
+    /// Phase, degrees.
+    pub phase: f64,
+}
+
+/// A curve that is asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Response {
+    /// Unique.
+    pub name: String,
+    /// False: kept in the file, not computed.
+    pub enabled: bool,
+    /// What is computed.
+    pub quantity: Quantity,
+}
+
+/// What a response gives.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Quantity {
+    /// A motion, complex.
+    Motion(Target, Measure),
+    /// The vibration energy `E_V` of the whole beam (Chen & Liu 2022, Section 4.2), real, kg m2.
+    Energy,
+}
+
+/// Which time derivative of a motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Measure {
+    /// Receptance.
+    #[default]
+    Displacement,
+    /// Mobility.
+    Velocity,
+    /// Accelerance.
+    Acceleration,
+}
+
+impl Measure {
+    /// All three.
+    pub const ALL: [Self; 3] = [Self::Displacement, Self::Velocity, Self::Acceleration];
+
+    /// The word of the model file.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Displacement => "displacement",
+            Self::Velocity => "velocity",
+            Self::Acceleration => "acceleration",
+        }
+    }
+}
+
+/// The frequencies of the curves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sweep {
+    /// First frequency, Hz.
+    pub from: f64,
+    /// Last frequency, Hz.
+    pub to: f64,
+    /// How many, both ends included.
+    pub points: usize,
+    /// How they are spread.
+    pub spacing: Spacing,
+}
+
+/// How frequencies are spread.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Spacing {
+    /// Equal steps.
+    #[default]
+    Linear,
+    /// Equal ratios.
+    Log,
+}
+
+impl Spacing {
+    /// The word of the model file.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Linear => "linear",
+            Self::Log => "log",
+        }
+    }
+}
+
+/// A family of curves.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Study {
+    /// Unique.
+    pub name: String,
+    /// What differs from curve to curve.
+    pub family: Family,
+}
+
+/// The members of a study.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Family {
+    /// The same paths changed by each value in turn.
+    Vary {
+        /// Parameter paths; `*` is every subsystem.
+        paths: Vec<String>,
+        /// How a value acts.
+        operation: Operation,
+        /// One curve each.
+        values: Vec<f64>,
+    },
+    /// Named cases.
+    Cases(Vec<Case>),
+}
+
+/// How a study's value changes a parameter.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Operation {
+    /// Times the value.
+    Multiply,
+    /// The value itself.
+    Set,
+    /// Plus the value.
+    Add,
+}
+
+impl Operation {
+    /// All three.
+    pub const ALL: [Self; 3] = [Self::Multiply, Self::Set, Self::Add];
+
+    /// The word of the model file.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Multiply => "multiply",
+            Self::Set => "set",
+            Self::Add => "add",
+        }
+    }
+
+    /// The parameter's new value.
+    pub fn apply(self, old: f64, value: f64) -> f64 {
+        match self {
+            Self::Multiply => old * value,
+            Self::Set => value,
+            Self::Add => old + value,
+        }
+    }
+}
+
+/// A named member of a study.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Case {
+    /// Unique in its study.
+    pub name: String,
+    /// Paths and the numbers they are set to.
+    pub set: Vec<(String, f64)>,
+}
+
+/// What an optimiser may move, and what for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tune {
+    /// What may move.
+    pub variables: Vec<Variable>,
+    /// What is sought.
+    pub objective: Objective,
+}
+
+/// A parameter that an optimiser may move.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Variable {
+    /// Parameter path.
+    pub path: String,
+    /// Lower bound, in the parameter's unit.
+    pub min: f64,
+    /// Upper bound.
+    pub max: f64,
+}
+
+/// What an optimiser seeks to make small.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Objective {
+    /// Which figure of the curve.
+    pub minimise: Figure,
+    /// The response's name.
+    pub response: String,
+    /// Band start, Hz.
+    pub from: f64,
+    /// Band end, Hz.
+    pub to: f64,
+}
+
+/// A figure of a curve in a band.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Figure {
+    /// The largest magnitude.
+    Peak,
+    /// The mean of the squared magnitude.
+    MeanSquare,
+}
+
+impl Figure {
+    /// The word of the model file.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Peak => "peak",
+            Self::MeanSquare => "mean_square",
+        }
+    }
+}

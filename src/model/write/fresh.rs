@@ -1,0 +1,129 @@
+//! Values and tables that the file did not have yet.
+
+use super::super::serial::format_number;
+use super::node::{Entry, Node, Presence};
+use std::fmt::Write as _;
+use toml_edit::{Array, InlineTable, Item, Table, Value};
+
+/// The value of a node, tables in braces.
+pub(super) fn value(node: &Node) -> Value {
+    match node {
+        Node::Number(number) => format_number(*number)
+            .parse()
+            .unwrap_or_else(|_| Value::from(*number)),
+        Node::Count(count) => i64::try_from(*count).unwrap_or(i64::MAX).into(),
+        Node::Flag(flag) => (*flag).into(),
+        Node::Text(text) => text.as_str().into(),
+        Node::List(nodes) | Node::Tables(nodes) => array(nodes.iter().map(value).collect()).into(),
+        Node::Inline(entries) | Node::Ordered(entries) | Node::Table(entries) => {
+            inline_table(entries).into()
+        }
+    }
+}
+
+/// An array, one line for each table where there are several.
+fn array(values: Vec<Value>) -> Array {
+    let mut array = Array::new();
+    let long = values.len() > 1 && values.iter().any(Value::is_inline_table);
+    for value in values {
+        array.push_formatted(if long {
+            value.decorated("\n    ", "")
+        } else {
+            value
+        });
+    }
+    if long {
+        array.set_trailing_comma(true);
+        array.set_trailing("\n");
+    }
+    array
+}
+
+fn inline_table(entries: &[Entry]) -> InlineTable {
+    let mut table = InlineTable::new();
+    for entry in written(entries) {
+        table.insert(entry.key.as_ref(), value(&entry.node));
+    }
+    table
+}
+
+/// The entries that a new table shows.
+fn written(entries: &[Entry]) -> impl Iterator<Item = &Entry> {
+    entries
+        .iter()
+        .filter(|entry| entry.presence != Presence::OnlyIfThere)
+}
+
+/// The item of a node below a header.
+pub(super) fn item(node: &Node) -> Item {
+    match node {
+        Node::Table(entries) => Item::Table(table(entries)),
+        Node::Tables(nodes) => {
+            Item::ArrayOfTables(nodes.iter().filter_map(Node::entries).map(table).collect())
+        }
+        _ => Item::Value(value(node)),
+    }
+}
+
+/// A table with its own header, if it has keys of its own.
+pub(super) fn table(entries: &[Entry]) -> Table {
+    let mut table = Table::new();
+    for entry in written(entries) {
+        table.insert(&entry.key, item(&entry.node));
+    }
+    let only_headers = table.iter().all(|(_, item)| !item.is_value());
+    table.set_implicit(only_headers && !table.is_empty());
+    table
+}
+
+/// The item of a node below dotted keys.
+pub(super) fn dotted(node: &Node) -> Item {
+    let Node::Table(entries) = node else {
+        return Item::Value(value(node));
+    };
+    let mut table = Table::new();
+    table.set_implicit(true);
+    table.set_dotted(true);
+    for entry in written(entries) {
+        table.insert(&entry.key, dotted(&entry.node));
+    }
+    Item::Table(table)
+}
+
+/// Rewrites a text whose line ends would not survive those of the file.
+///
+/// Line ends are made alike when the file is written, those inside of texts too.
+pub(super) fn protect_line_ends(root: &mut Table, key: &str, dos: bool) {
+    let Some(Item::Value(Value::String(old))) = root.get_mut(key) else {
+        return;
+    };
+    let raw = old
+        .as_repr()
+        .map(|repr| repr.as_raw().as_str().unwrap_or_default());
+    let lost = match raw {
+        Some(raw) => !dos && raw.contains('\n') && old.value().contains('\r'),
+        None => dos && old.value().contains('\n'),
+    };
+    if !lost {
+        return;
+    }
+    let mut text = String::from('"');
+    for letter in old.value().chars() {
+        match letter {
+            '"' => text.push_str("\\\""),
+            '\\' => text.push_str("\\\\"),
+            '\n' => text.push_str("\\n"),
+            '\r' => text.push_str("\\r"),
+            '\t' => text.push_str("\\t"),
+            letter if letter.is_control() => {
+                let _ = write!(text, "\\u{:04x}", u32::from(letter));
+            }
+            letter => text.push(letter),
+        }
+    }
+    text.push('"');
+    if let Ok(Value::String(mut new)) = text.parse() {
+        *new.decor_mut() = old.decor().clone();
+        *old = new;
+    }
+}

@@ -1,0 +1,175 @@
+//! The merge of lists: which element is which, and where it stands.
+
+use super::fresh;
+use super::layout::Layout;
+use super::merge::{Style, merge_item, merge_table, same_table, same_value};
+use super::node::Node;
+use super::position::{set_table_position, table_positions};
+use std::collections::HashSet;
+use toml_edit::{Array, ArrayOfTables, Item, RawString, Table, Value};
+
+/// For each new element the old one that it continues: of the same name (or content, where there are no names), then
+/// what is left over, in order.
+fn align(count: usize, nodes: &[Node], alike: impl Fn(usize, &Node) -> bool) -> Vec<Option<usize>> {
+    let mut free = vec![true; count];
+    let mut from = vec![None; nodes.len()];
+    for (new, node) in nodes.iter().enumerate().take(count) {
+        if alike(new, node) {
+            free[new] = false;
+            from[new] = Some(new);
+        }
+    }
+    for (new, node) in nodes.iter().enumerate() {
+        if from[new].is_none()
+            && let Some(old) = (0..count).find(|old| free[*old] && alike(*old, node))
+        {
+            free[old] = false;
+            from[new] = Some(old);
+        }
+    }
+    let mut left_over = (0..count).filter(|old| free[*old]);
+    for from in from.iter_mut().filter(|from| from.is_none()) {
+        *from = left_over.next();
+    }
+    from
+}
+
+fn stays(from: &[Option<usize>], count: usize) -> bool {
+    from.len() == count && from.iter().enumerate().all(|(new, old)| *old == Some(new))
+}
+
+/// Merges tables below double headers. An element takes its comments with it; what stands above the first one, parted
+/// from it by an empty line, stays first.
+pub(super) fn merge_tables(tables: &mut ArrayOfTables, nodes: &[Node]) {
+    let mut old: Vec<Table> = std::mem::take(tables).into_iter().collect();
+    let from = align(old.len(), nodes, |index, node| match node.name() {
+        Some(name) => old[index].get("name").and_then(Item::as_str) == Some(name),
+        None => node
+            .entries()
+            .is_some_and(|entries| same_table(&old[index], entries)),
+    });
+    let heading = if stays(&from, old.len()) {
+        String::new()
+    } else {
+        take_heading(&mut old, &from)
+    };
+    let reordered = !from.iter().flatten().is_sorted();
+    let mut place = first_place(&old, &from, reordered);
+    for (node, from) in nodes.iter().zip(&from) {
+        let entries = node.entries().unwrap_or_default();
+        let mut table = from.map_or_else(
+            || fresh::table(entries),
+            |index| std::mem::take(&mut old[index]),
+        );
+        let last = table_positions(&table).map(|(_, last)| last);
+        if from.is_some() {
+            merge_table(&mut table, Style::Header, entries);
+        }
+        if reordered || from.is_none() {
+            set_table_position(&mut table, place);
+        } else {
+            place = last.or(place);
+        }
+        if tables.is_empty() {
+            prepend(&mut table, &heading);
+        }
+        tables.push(table);
+    }
+}
+
+/// Where the first header of a list goes; headers of one place are written in the order of the list.
+fn first_place(old: &[Table], from: &[Option<usize>], reordered: bool) -> Option<isize> {
+    let first = |index: usize| table_positions(&old[index]).map(|(first, _)| first);
+    if reordered {
+        (0..old.len()).filter_map(first).min()
+    } else {
+        from.iter().flatten().find_map(|index| first(*index))
+    }
+}
+
+/// Moves the headings of elements that go to the next ones that stay, and returns that of a first one that will not
+/// be the first.
+fn take_heading(old: &mut [Table], from: &[Option<usize>]) -> String {
+    let kept: HashSet<usize> = from.iter().flatten().copied().collect();
+    let mut carried = String::new();
+    for (index, table) in old.iter_mut().enumerate().skip(1) {
+        if kept.contains(&index) {
+            prepend(table, &std::mem::take(&mut carried));
+        } else {
+            carried.push_str(&cut_heading(table));
+        }
+    }
+    match (old.first_mut(), from.first()) {
+        (Some(first), Some(new)) if *new != Some(0) => cut_heading(first),
+        _ => String::new(),
+    }
+}
+
+/// Takes off the comments above a header that an empty line parts from it.
+fn cut_heading(table: &mut Table) -> String {
+    let prefix = table
+        .decor()
+        .prefix()
+        .and_then(RawString::as_str)
+        .unwrap_or_default();
+    let Some((heading, own)) = prefix
+        .rsplit_once("\n\n")
+        .filter(|(heading, _)| heading.contains('#'))
+    else {
+        return String::new();
+    };
+    let (heading, own) = (format!("{heading}\n\n"), format!("\n{own}"));
+    table.decor_mut().set_prefix(own);
+    heading
+}
+
+fn prepend(table: &mut Table, heading: &str) {
+    if !heading.is_empty() {
+        let own = table
+            .decor()
+            .prefix()
+            .and_then(RawString::as_str)
+            .unwrap_or_default();
+        let prefix = format!("{heading}{}", own.trim_start_matches('\n'));
+        table.decor_mut().set_prefix(prefix);
+    }
+}
+
+/// Merges an array in brackets.
+pub(super) fn merge_array(array: &mut Array, nodes: &[Node]) {
+    let mut old: Vec<Value> = array.iter().cloned().collect();
+    let from = align(old.len(), nodes, |index, node| match node.name() {
+        Some(name) => {
+            old[index]
+                .as_inline_table()
+                .and_then(|table| table.get("name")?.as_str())
+                == Some(name)
+        }
+        None => same_value(&old[index], node),
+    });
+    let moved = !stays(&from, old.len());
+    let layout = moved.then(|| Layout::take(array, &mut old));
+    let merge = |(node, from): (&Node, &Option<usize>)| match from {
+        Some(index) => merge_value(old[*index].clone(), node),
+        None => fresh::value(node),
+    };
+    let mut values: Vec<Value> = nodes.iter().zip(&from).map(merge).collect();
+    if let Some(layout) = layout {
+        layout.apply(array, &mut values, &from);
+    }
+    array.clear();
+    for value in values {
+        array.push_formatted(value);
+    }
+}
+
+fn merge_value(old: Value, node: &Node) -> Value {
+    let mut item = Item::Value(old);
+    if merge_item(&mut item, node)
+        && let Item::Value(value) = item
+    {
+        value
+    } else {
+        fresh::value(node)
+    }
+}

@@ -1,0 +1,1011 @@
+//! Writing and reading: what is written reads back to the same bits, and what a person wrote stays.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::format_push_string)]
+
+use beamtune::model::*;
+use proptest::collection::vec;
+use proptest::prelude::*;
+
+const EXAMPLE: &str = include_str!("data/commented.toml");
+
+/// Equal to the last bit: `Debug` tells -0.0 from 0.0 and any two floats apart.
+fn bits(model: &Model) -> String {
+    format!("{model:#?}")
+}
+
+fn reads_as(text: &str, model: &Model) {
+    match read(text) {
+        Ok(found) => assert_eq!(bits(&found), bits(model), "{text}"),
+        Err(faults) => panic!("{faults:#?}\n{text}"),
+    }
+}
+
+/// Any size from the very small to the very large.
+fn positive() -> impl Strategy<Value = f64> {
+    (1.0..10.0_f64, -9..10_i32).prop_map(|(digits, power)| digits * 10.0_f64.powi(power))
+}
+
+fn not_negative() -> impl Strategy<Value = f64> {
+    prop_oneof![2 => Just(0.0), 1 => Just(-0.0), 6 => positive(), 1 => Just(f64::MIN_POSITIVE / 8.0)]
+}
+
+fn any_number() -> impl Strategy<Value = f64> {
+    prop_oneof![not_negative(), positive().prop_map(|value| -value)]
+}
+
+/// Names with whatever is awkward in TOML, paths and CSV; the number makes them unique.
+fn names(count: impl Into<proptest::collection::SizeRange>) -> impl Strategy<Value = Vec<String>> {
+    let name = prop_oneof![
+        Just("S".to_owned()),
+        Just(String::new()),
+        Just("a.b*".to_owned()),
+        Just("a \"q\" \\ 'r'".to_owned()),
+        "[ -~äß€]{1,6}",
+    ];
+    vec(name, count).prop_map(|names| {
+        names
+            .into_iter()
+            .enumerate()
+            .map(|(index, name)| format!("{name}{index}"))
+            .collect()
+    })
+}
+
+fn text() -> impl Strategy<Value = String> {
+    prop_oneof!["[ -~äß€]{0,12}", "[a\"'\\\\\r\n\t\u{1}#]{0,8}"]
+}
+
+fn beam() -> impl Strategy<Value = Beam> {
+    (
+        [
+            positive(),
+            positive(),
+            positive(),
+            positive(),
+            positive(),
+            positive(),
+        ],
+        not_negative(),
+        not_negative(),
+        any_number(),
+    )
+        .prop_map(
+            |(
+                [length, young_modulus, shear_modulus, density, area, moment],
+                loss_factor,
+                warping,
+                offset,
+            )| {
+                let section = Section {
+                    area,
+                    second_moment_y: moment,
+                    second_moment_z: moment / 3.0,
+                    torsion_constant: moment / 7.0,
+                    warping_constant: warping,
+                    polar_moment: (area * offset * offset).mul_add(1.5, moment),
+                    centroid_offset: offset,
+                };
+                Beam {
+                    length,
+                    material: Material {
+                        young_modulus,
+                        shear_modulus,
+                        density,
+                        loss_factor,
+                    },
+                    section,
+                }
+            },
+        )
+}
+
+fn restraint() -> impl Strategy<Value = Restraint> {
+    prop_oneof![
+        Just(Restraint::Free),
+        Just(Restraint::Fixed),
+        [not_negative(), not_negative(), not_negative()].prop_map(
+            |[stiffness, damping, inertia]| {
+                Restraint::Elastic(Elastic {
+                    stiffness,
+                    damping,
+                    inertia,
+                })
+            }
+        ),
+    ]
+}
+
+fn support() -> impl Strategy<Value = Support> {
+    let any = [
+        restraint(),
+        restraint(),
+        restraint(),
+        restraint(),
+        restraint(),
+        restraint(),
+    ]
+    .prop_map(Support);
+    prop_oneof![
+        Just(Support::FREE),
+        Just(Support::PINNED),
+        Just(Support::CLAMPED),
+        any
+    ]
+}
+
+fn spring() -> impl Strategy<Value = Spring> {
+    (not_negative(), not_negative()).prop_map(|(stiffness, damping)| Spring { stiffness, damping })
+}
+
+fn subsystems(length: f64) -> impl Strategy<Value = Vec<Subsystem>> {
+    names(0..4).prop_flat_map(move |names| {
+        let one = move |name: String| {
+            let springs = [spring(), spring(), spring(), spring()];
+            let numbers = [any_number(), any_number(), any_number(), any_number()];
+            (
+                any::<bool>(),
+                0.0..=1.0_f64,
+                positive(),
+                positive(),
+                springs,
+                numbers,
+            )
+                .prop_map(move |(enabled, place, mass, inertia, springs, numbers)| {
+                    Subsystem {
+                        name: name.clone(),
+                        enabled,
+                        position: (place * length).min(length),
+                        mass,
+                        inertia,
+                        y_left: springs[0],
+                        y_right: springs[1],
+                        z_left: springs[2],
+                        z_right: springs[3],
+                        arm_left: numbers[0],
+                        arm_right: numbers[1],
+                        mount_y: numbers[2],
+                        mount_z: numbers[3],
+                    }
+                })
+        };
+        names.into_iter().map(one).collect::<Vec<_>>()
+    })
+}
+
+fn target(length: f64, masses: Vec<String>) -> impl Strategy<Value = Target> {
+    let place = prop_oneof![
+        Just(Place::Left),
+        Just(Place::Right),
+        (0.0..=1.0_f64).prop_map(move |place| Place::Position((place * length).min(length))),
+    ];
+    let motion = prop::sample::select(vec![
+        BeamMotion::W,
+        BeamMotion::V,
+        BeamMotion::Psi,
+        BeamMotion::VSlope,
+    ]);
+    let beam = (place, motion)
+        .prop_map(|(place, motion)| Target::Beam(place, motion))
+        .boxed();
+    if masses.is_empty() {
+        return beam;
+    }
+    let mass = (
+        prop::sample::select(masses),
+        prop::sample::select(MassMotion::ALL.to_vec()),
+    )
+        .prop_map(|(name, motion)| Target::Mass(name, motion));
+    prop_oneof![beam, mass].boxed()
+}
+
+fn forces(length: f64, masses: Vec<String>) -> impl Strategy<Value = Vec<Force>> {
+    vec(
+        (
+            any::<bool>(),
+            target(length, masses),
+            any_number(),
+            not_negative(),
+        ),
+        0..4,
+    )
+    .prop_map(|forces| {
+        let one = |(enabled, target, amplitude, phase)| Force {
+            enabled,
+            target,
+            amplitude,
+            phase,
+        };
+        forces.into_iter().map(one).collect()
+    })
+}
+
+fn responses(length: f64, masses: Vec<String>) -> impl Strategy<Value = Vec<Response>> {
+    let quantity = prop_oneof![
+        1 => Just(Quantity::Energy),
+        4 => (target(length, masses), prop::sample::select(Measure::ALL.to_vec()))
+            .prop_map(|(target, measure)| Quantity::Motion(target, measure)),
+    ];
+    (names(0..4), vec((any::<bool>(), quantity), 4)).prop_map(|(names, rest)| {
+        let one = |(name, (enabled, quantity))| Response {
+            name,
+            enabled,
+            quantity,
+        };
+        names.into_iter().zip(rest).map(one).collect()
+    })
+}
+
+fn studies() -> impl Strategy<Value = Vec<Study>> {
+    let paths = [
+        "beam.material.density",
+        "beam.material.young_modulus",
+        "beam.section.second_moment_*",
+    ];
+    let paths = prop::sample::subsequence(paths[..2].to_vec(), 1..=2).prop_shuffle();
+    let paths = paths.prop_map(|paths| paths.into_iter().map(str::to_owned).collect::<Vec<_>>());
+    let vary = (
+        paths.clone(),
+        prop::sample::select(Operation::ALL.to_vec()),
+        vec(positive(), 1..5),
+    )
+        .prop_map(|(paths, operation, values)| Family::Vary {
+            paths,
+            operation,
+            values,
+        });
+    let set = (paths, vec(positive(), 2))
+        .prop_map(|(paths, values)| paths.into_iter().zip(values).collect::<Vec<_>>());
+    let cases = (
+        names(1..4),
+        vec(prop_oneof![Just(Vec::new()), set.boxed()], 4),
+    )
+        .prop_map(|(names, sets)| {
+            Family::Cases(
+                names
+                    .into_iter()
+                    .zip(sets)
+                    .map(|(name, set)| Case { name, set })
+                    .collect(),
+            )
+        });
+    (names(0..3), vec(prop_oneof![vary, cases], 3)).prop_map(|(names, families)| {
+        names
+            .into_iter()
+            .zip(families)
+            .map(|(name, family)| Study { name, family })
+            .collect()
+    })
+}
+
+fn tune(response: Option<String>) -> impl Strategy<Value = Option<Tune>> {
+    let figure = prop::sample::select(vec![Figure::Peak, Figure::MeanSquare]);
+    (any::<bool>(), positive(), figure).prop_map(move |(wanted, size, minimise)| {
+        let response = response.clone().filter(|_| wanted)?;
+        let variable = Variable {
+            path: "beam.material.density".to_owned(),
+            min: size,
+            max: size * 2.0,
+        };
+        let objective = Objective {
+            minimise,
+            response,
+            from: size,
+            to: size * 3.0,
+        };
+        Some(Tune {
+            variables: vec![variable],
+            objective,
+        })
+    })
+}
+
+/// Any possible model.
+fn model() -> impl Strategy<Value = Model> {
+    let start = (
+        text(),
+        text(),
+        beam(),
+        support(),
+        support(),
+        positive(),
+        2..=1_000_000_usize,
+        any::<bool>(),
+    );
+    start.prop_flat_map(|(title, notes, beam, left, right, from, points, log)| {
+        let spacing = if log { Spacing::Log } else { Spacing::Linear };
+        let sweep = Sweep {
+            from,
+            to: from * 1.5,
+            points,
+            spacing,
+        };
+        subsystems(beam.length).prop_flat_map(move |subsystems| {
+            let enabled = subsystems
+                .iter()
+                .filter(|one| one.enabled)
+                .map(|one| one.name.clone())
+                .collect::<Vec<_>>();
+            let (title, notes) = (title.clone(), notes.clone());
+            let parts = (
+                forces(beam.length, enabled.clone()),
+                responses(beam.length, enabled),
+                studies(),
+            );
+            parts.prop_flat_map(move |(forces, responses, studies)| {
+                let subsystems = subsystems.clone();
+                let (title, notes) = (title.clone(), notes.clone());
+                let response = responses.iter().find(|response| response.enabled);
+                tune(response.map(|response| response.name.clone())).prop_map(move |tune| Model {
+                    title: title.clone(),
+                    notes: notes.clone(),
+                    beam,
+                    supports: Supports { left, right },
+                    subsystems: subsystems.clone(),
+                    forces: forces.clone(),
+                    responses: responses.clone(),
+                    sweep,
+                    studies: studies.clone(),
+                    tune,
+                })
+            })
+        })
+    })
+}
+
+/// A comment at the end of every line that can bear one, numbered.
+fn with_comments(text: &str) -> (String, usize) {
+    let mut count = 0;
+    let mut commented = String::new();
+    for line in text.lines() {
+        commented.push_str(line);
+        if !line.is_empty() {
+            count += 1;
+            commented.push_str(&format!("  # note {count};"));
+        }
+        commented.push('\n');
+    }
+    (commented, count)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(256))]
+
+    #[test]
+    fn a_model_written_anew_reads_back_to_the_same_bits(model in model()) {
+        prop_assert_eq!(check(&model), Vec::new());
+        let text = write(&model, "");
+        reads_as(&text, &model);
+        prop_assert_eq!(write(&model, &text), text);
+    }
+
+    #[test]
+    fn any_model_can_be_merged_into_any_other(old in model(), new in model(), dos: bool) {
+        let mut original = write(&old, "");
+        if dos {
+            original = original.replace('\n', "\r\n");
+        }
+        reads_as(&write(&new, &original), &new);
+    }
+
+    #[test]
+    fn edits_keep_every_comment(old in model(), new in model(), turn in 0..4_usize) {
+        let old = Model { title: "one line".to_owned(), notes: "one line".to_owned(), ..old };
+        let (original, count) = with_comments(&write(&old, ""));
+        // The same parts with other numbers, in another order, renamed.
+        let mut edited = Model { studies: old.studies.clone(), tune: None, ..old.clone() };
+        edited.beam.material = new.beam.material;
+        edited.sweep = new.sweep;
+        for (subsystem, other) in edited.subsystems.iter_mut().zip(&new.subsystems) {
+            (subsystem.mass, subsystem.y_left) = (other.mass, other.y_left);
+        }
+        for (force, other) in edited.forces.iter_mut().zip(&new.forces) {
+            force.amplitude = other.amplitude;
+        }
+        if !edited.subsystems.is_empty() {
+            let turn = turn % edited.subsystems.len();
+            edited.subsystems.rotate_left(turn);
+        }
+        if !edited.responses.is_empty() {
+            let turn = turn % edited.responses.len();
+            edited.responses.rotate_left(turn);
+            edited.responses[0].name += " renamed";
+        }
+        for study in &mut edited.studies {
+            if let Family::Cases(cases) = &mut study.family {
+                let turn = turn % cases.len();
+                cases.rotate_left(turn);
+            }
+        }
+        prop_assume!(check(&edited).is_empty());
+        let original_tune = original.find("\n[tune]").unwrap_or(original.len());
+        let original = &original[..original_tune];
+        let count = count.min(original.matches("# note ").count());
+        let text = write(&edited, original);
+        reads_as(&text, &edited);
+        for number in 1..=count {
+            prop_assert!(text.contains(&format!("# note {number};")), "note {number} is gone\n{original}\n=>\n{text}");
+        }
+    }
+}
+
+/// The lines that differ, the old with a minus and the new with a plus, below the last line with text that does not.
+fn difference(old: &str, new: &str) -> String {
+    let (old, new): (Vec<_>, Vec<_>) = (old.lines().collect(), new.lines().collect());
+    // Longest common subsequence, from the end.
+    let mut length = vec![vec![0_usize; new.len() + 1]; old.len() + 1];
+    for i in (0..old.len()).rev() {
+        for j in (0..new.len()).rev() {
+            length[i][j] = if old[i] == new[j] {
+                length[i + 1][j + 1] + 1
+            } else {
+                length[i + 1][j].max(length[i][j + 1])
+            };
+        }
+    }
+    let (mut i, mut j, mut text, mut above) = (0, 0, String::new(), "");
+    while i < old.len() || j < new.len() {
+        if i < old.len() && j < new.len() && old[i] == new[j] {
+            above = if old[i].is_empty() { above } else { old[i] };
+            (i, j) = (i + 1, j + 1);
+            continue;
+        }
+        if !std::mem::take(&mut above).is_empty() {
+            text += &format!(
+                " {}\n",
+                old[..i].iter().rfind(|line| !line.is_empty()).unwrap()
+            );
+        }
+        if j == new.len() || (i < old.len() && length[i + 1][j] >= length[i][j + 1]) {
+            text += &format!("-{}\n", old[i]);
+            i += 1;
+        } else {
+            text += &format!("+{}\n", new[j]);
+            j += 1;
+        }
+    }
+    text
+}
+
+/// Edits the example and returns what became different in its text.
+fn edit(change: impl Fn(&mut Model)) -> String {
+    edit_in(EXAMPLE, change)
+}
+
+fn edit_in(original: &str, change: impl Fn(&mut Model)) -> String {
+    let mut model = read(original).unwrap();
+    change(&mut model);
+    let text = write(&model, original);
+    reads_as(&text, &model);
+    difference(original, &text)
+}
+
+#[test]
+fn an_unchanged_model_leaves_the_text_as_it_is() {
+    for text in [
+        EXAMPLE.to_owned(),
+        EXAMPLE.replace('\n', "\r\n"),
+        format!("\u{feff}{EXAMPLE}"),
+    ] {
+        assert_eq!(write(&read(&text).unwrap(), &text), text);
+    }
+}
+
+#[test]
+fn a_number_changes_alone() {
+    insta::assert_snapshot!(edit(|model| {
+        model.beam.length = 3.25;
+        model.beam.material.shear_modulus = 7.9e10;
+        model.beam.material.loss_factor = 0.01;
+        model.supports.left[BeamMotion::V] = Restraint::Elastic(Elastic { stiffness: 4e7, damping: 900.0, inertia: 2.0 });
+        model.subsystems[0].z_left.damping = 5.0;
+        model.subsystems[1].y_left.damping = 7.0;
+        model.subsystems[1].z_right.stiffness = -0.0;
+        model.sweep.points = 2001;
+        model.sweep.spacing = Spacing::Log;
+    }), @r#"
+ [beam]
+-length = 3.2            # m
++length = 3.25            # m
+     young_modulus = 2.1e11
+-    shear_modulus = 80_000_000_000   # a whole number with underscores
++    shear_modulus = 7.9e10   # a whole number with underscores
+     density = 7850
++    loss_factor = 0.01
+ v.stiffness = 4.0e7     # dotted
+-v.damping = 800.0
++v.damping = 900.0
++v.mass = 2.0
+ y_left  = { stiffness = 1.666667e7, damping = 33.33 }
+-z_left  = {stiffness=1.666667e7}
++z_left  = {stiffness=1.666667e7, damping = 5.0}
+ mount_z = 0.0
++z_right = { stiffness = -0.0, damping = 0.0 }
+ stiffness = 2.0e6
++damping = 7.0
+ to = 500.0
+-points = 2_000
++points = 2001
++spacing = "log"
+"#);
+}
+
+#[test]
+fn a_support_changes_its_kind() {
+    insta::assert_snapshot!(edit(|model| model.supports.right = Support::PINNED), @r#"
+ # welded on
+-kind = "clamped"        # until spring
++kind = "pinned"        # until spring
+"#);
+    insta::assert_snapshot!(edit(|model| model.supports.right[BeamMotion::W] = Restraint::Free), @r#"
+ # welded on
+-kind = "clamped"        # until spring
++# until spring
++v = "fixed"
++psi = "fixed"
++w_slope = "fixed"
++v_slope = "fixed"
++psi_slope = "fixed"
+"#);
+    insta::assert_snapshot!(edit(|model| {
+        model.supports.left[BeamMotion::W] = Restraint::Free;
+        model.supports.left[BeamMotion::V] = Restraint::Fixed;
+        model.supports.left[BeamMotion::PsiSlope] = Restraint::Elastic(Elastic::default());
+    }), @r#"
+ [supports.left]
+-w = { stiffness = 4.0e7, damping = 800.0, mass = 0.0 } # wall
+-v.stiffness = 4.0e7     # dotted
+-v.damping = 800.0
++w = "free" # wall
++# dotted
++v = "fixed"
++psi_slope = { stiffness = 0.0, damping = 0.0 }
+"#);
+}
+
+#[test]
+fn subsystems_are_added_after_the_last() {
+    insta::assert_snapshot!(edit(|model| {
+        let copy = Subsystem { name: "S3".to_owned(), enabled: false, ..model.subsystems[0].clone() };
+        model.subsystems.push(copy);
+    }), @r#"
+ stiffness = 2.0e6
++[[subsystems]]
++name = "S3"
++enabled = false
++position = 0.8
++mass = 100.0
++inertia = 53.33
++y_left = { stiffness = 1.666667e7, damping = 33.33 }
++z_left = { stiffness = 1.666667e7, damping = 0.0 }
++arm_left = 0.08
++arm_right = 0.36
++mount_y = 0.13
++mount_z = -0.055
++
+"#);
+}
+
+#[test]
+fn subsystems_are_removed_with_their_comments_but_not_their_heading() {
+    insta::assert_snapshot!(edit(|model| {
+        model.subsystems.remove(0);
+        model.forces.truncate(1);
+        model.studies.clear();
+    }), @r#"
+ # ==== Subsystems ====
+-# the left machine
+-[[subsystems]]
+-name = "S1"
+-position = 0.8
+-mass = 1e2              # kg
+-inertia = 53.33
+-y_left  = { stiffness = 1.666667e7, damping = 33.33 }
+-z_left  = {stiffness=1.666667e7}
+-arm_left = 0.08
+-arm_right = 0.36
+-mount_y = 0.13
+-mount_z = -0.055
+-
+ direction = "w"
+-# on the machine
+-[[forces]]
+-at = "S1"
+-direction = "y"
+-amplitude = 2.5
+-
+ points = 2_000
+-[[studies]]
+-name = "Stiffness"
+-vary = [
+-    "subsystems.*.y_left.stiffness",   # all left ones
+-    "subsystems.S1.z_left.stiffness",
+-]
+-multiply = [0.5, 1.0, 2.0, 4]
+-
+-[[studies]]
+-name = "Arms"
+-cases = [
+-  { name = "long" },    # as built
+-  { name = "short", set = { "subsystems.*.arm_left" = 0.22, "subsystems.S1.arm_right" = 0.2 } },
+-]
+-
+"#);
+}
+
+#[test]
+fn subsystems_change_places() {
+    insta::assert_snapshot!(edit(|model| model.subsystems.swap(0, 1)), @r#"
+ # ==== Subsystems ====
+-# the left machine
+-[[subsystems]]
+-name = "S1"
+-position = 0.8
+-mass = 1e2              # kg
+-inertia = 53.33
+-y_left  = { stiffness = 1.666667e7, damping = 33.33 }
+-z_left  = {stiffness=1.666667e7}
+-arm_left = 0.08
+-arm_right = 0.36
+-mount_y = 0.13
+-mount_z = -0.055
+-
+ stiffness = 2.0e6
++# the left machine
++[[subsystems]]
++name = "S1"
++position = 0.8
++mass = 1e2              # kg
++inertia = 53.33
++y_left  = { stiffness = 1.666667e7, damping = 33.33 }
++z_left  = {stiffness=1.666667e7}
++arm_left = 0.08
++arm_right = 0.36
++mount_y = 0.13
++mount_z = -0.055
++
+"#);
+}
+
+#[test]
+fn a_renamed_subsystem_keeps_its_place() {
+    insta::assert_snapshot!(edit(|model| {
+        path::set(model, "subsystems.S1.name", path::Value::Text("motor".to_owned())).unwrap();
+    }), @r#"
+ [[subsystems]]
+-name = "S1"
++name = "motor"
+ [[forces]]
+-at = "S1"
++at = "motor"
+     "subsystems.*.y_left.stiffness",   # all left ones
+-    "subsystems.S1.z_left.stiffness",
++    "subsystems.motor.z_left.stiffness",
+   { name = "long" },    # as built
+-  { name = "short", set = { "subsystems.*.arm_left" = 0.22, "subsystems.S1.arm_right" = 0.2 } },
++  { name = "short", set = { "subsystems.*.arm_left" = 0.22, "subsystems.motor.arm_right" = 0.2 } },
+"#);
+}
+
+#[test]
+fn forces_and_responses_change() {
+    insta::assert_snapshot!(edit(|model| {
+        model.forces.insert(0, model.forces[0].clone());
+        model.forces[0].target = Target::Beam(Place::Position(1.0), BeamMotion::Psi);
+        model.responses[0].quantity = Quantity::Energy;
+        model.responses[1].quantity =
+            Quantity::Motion(Target::Mass("S2".to_owned(), MassMotion::Theta), Measure::Velocity);
+    }), @r#"
+ [[forces]]
++at = 1.0
++direction = "psi"
++amplitude = 1.0
++
++[[forces]]
+ name = "P5 w"
+-at = "right"
+-direction = "w"
++measure = "energy"
+ name = "E_V"
+-measure = "energy"      # the whole beam
++measure = "velocity"      # the whole beam
++at = "S2"
++direction = "theta"
+"#);
+}
+
+#[test]
+fn studies_change() {
+    insta::assert_snapshot!(edit(|model| {
+        let Family::Vary { paths, operation, values } = &mut model.studies[0].family else { panic!() };
+        paths[0] = "subsystems.*.mass".to_owned();
+        paths.push("beam.material.density".to_owned());
+        *operation = Operation::Set;
+        values.remove(0);
+        values.push(8.0);
+        let Family::Cases(cases) = &mut model.studies[1].family else { panic!() };
+        cases[1].set.reverse();
+        cases.push(Case { name: "new".to_owned(), set: Vec::new() });
+        model.tune = Some(Tune {
+            variables: vec![Variable { path: "beam.length".to_owned(), min: 3.0, max: 4.0 }],
+            objective: Objective { minimise: Figure::Peak, response: "E_V".to_owned(), from: 2.0, to: 3.0 },
+        });
+    }), @r#"
+ vary = [
+-    "subsystems.*.y_left.stiffness",   # all left ones
++    "subsystems.*.mass",   # all left ones
+     "subsystems.S1.z_left.stiffness",
++    "beam.material.density",
+ ]
+-multiply = [0.5, 1.0, 2.0, 4]
++set = [1.0, 2.0, 4.0, 8.0]
+   { name = "long" },    # as built
+-  { name = "short", set = { "subsystems.*.arm_left" = 0.22, "subsystems.S1.arm_right" = 0.2 } },
++  { name = "short", set = { "subsystems.S1.arm_right" = 0.2, "subsystems.*.arm_left" = 0.22 } },
++  { name = "new" },
+ ]
++[tune]
++variables = [{ path = "beam.length", min = 3.0, max = 4.0 }]
++objective = { minimise = "peak", response = "E_V", from = 2.0, to = 3.0 }
++
+"#);
+}
+
+/// The same beam in the other ways to write tables.
+const OTHER_STYLES: &str = r#"format = "beamtune/1"
+title = "Other styles"
+beam = { length = 3.2, material = { young_modulus = 2.1e11, shear_modulus = 8.0e10, density = 7850.0 }, section.area = 0.0116, section.second_moment_y = 1.6625e-4, section.second_moment_z = 1.3745e-4, section.torsion_constant = 4.7657e-7, section.warping_constant = 2.2783e-8, section.polar_moment = 5.9992e-4, section.centroid_offset = 0.0619 }
+supports.left.w.stiffness = 4e7 # the spring
+# the damper
+supports.left.w.damping = 10.0
+subsystems = [ { name = "A", position = 1.0, mass = 1.0, inertia = 1.0, arm_left = 0.0, arm_right = 0.0, mount_y = 0.0, mount_z = 0.0 } ]
+forces = [{ at = "A", direction = "y" }]
+sweep.from = 1.0
+sweep.to = 10.0
+sweep.points = 10
+tune.variables = [ { path = "beam.length", min = 1.0, max = 4.0 } ]
+tune.objective = { minimise = "peak", response = "r", from = 1.0, to = 2.0 }
+responses = [
+  # first
+  { name = "r", measure = "energy" } # last
+]
+"#;
+
+#[test]
+fn other_styles_of_tables_are_kept() {
+    assert_eq!(edit_in(OTHER_STYLES, |_| {}), "");
+    insta::assert_snapshot!(edit_in(OTHER_STYLES, |model| {
+        model.beam.length = 3.5;
+        model.beam.material.loss_factor = 0.5;
+        model.beam.section.area = 0.02;
+        model.supports.left[BeamMotion::W] = Restraint::Fixed;
+        model.supports.left[BeamMotion::Psi] = Restraint::Elastic(Elastic { stiffness: 5.0, ..Elastic::default() });
+        model.supports.right = Support::CLAMPED;
+        model.subsystems[0].y_left.stiffness = 9.0;
+        let copy = Subsystem { name: "B".to_owned(), ..model.subsystems[0].clone() };
+        model.subsystems.insert(0, copy);
+        model.forces[0].phase = 90.0;
+        model.responses.push(Response { name: "s".to_owned(), enabled: true, quantity: Quantity::Energy });
+        model.studies.push(Study {
+            name: "new".to_owned(),
+            family: Family::Vary { paths: vec!["beam.length".to_owned()], operation: Operation::Multiply, values: vec![1.0] },
+        });
+    }), @r#"
+ title = "Other styles"
+-beam = { length = 3.2, material = { young_modulus = 2.1e11, shear_modulus = 8.0e10, density = 7850.0 }, section.area = 0.0116, section.second_moment_y = 1.6625e-4, section.second_moment_z = 1.3745e-4, section.torsion_constant = 4.7657e-7, section.warping_constant = 2.2783e-8, section.polar_moment = 5.9992e-4, section.centroid_offset = 0.0619 }
+-supports.left.w.stiffness = 4e7 # the spring
++beam = { length = 3.5, material = { young_modulus = 2.1e11, shear_modulus = 8.0e10, density = 7850.0, loss_factor = 0.5 }, section.area = 0.02, section.second_moment_y = 1.6625e-4, section.second_moment_z = 1.3745e-4, section.torsion_constant = 4.7657e-7, section.warping_constant = 2.2783e-8, section.polar_moment = 5.9992e-4, section.centroid_offset = 0.0619 }
++# the spring
+ # the damper
+-supports.left.w.damping = 10.0
+-subsystems = [ { name = "A", position = 1.0, mass = 1.0, inertia = 1.0, arm_left = 0.0, arm_right = 0.0, mount_y = 0.0, mount_z = 0.0 } ]
+-forces = [{ at = "A", direction = "y" }]
++supports.left.w = "fixed"
++supports.left.psi = { stiffness = 5.0, damping = 0.0 }
++supports.right.kind = "clamped"
++subsystems = [ { name = "B", position = 1.0, mass = 1.0, inertia = 1.0, y_left = { stiffness = 9.0, damping = 0.0 }, arm_left = 0.0, arm_right = 0.0, mount_y = 0.0, mount_z = 0.0 }, { name = "A", position = 1.0, mass = 1.0, inertia = 1.0, arm_left = 0.0, arm_right = 0.0, mount_y = 0.0, mount_z = 0.0, y_left = { stiffness = 9.0, damping = 0.0 } } ]
++forces = [{ at = "A", direction = "y", phase = 90.0 }]
+   # first
+-  { name = "r", measure = "energy" } # last
++  { name = "r", measure = "energy" }, # last
++  { name = "s", measure = "energy" }
+ ]
++
++[[studies]]
++name = "new"
++vary = ["beam.length"]
++multiply = [1.0]
+"#);
+}
+
+#[test]
+fn comments_in_arrays_stay_with_their_values() {
+    for (array, end) in [
+        (
+            "[ # open\n  # above 1\n  1.0, # one\n  # above 2\n  2.0, # two\n  3.0 # three\n]",
+            "\n]",
+        ),
+        (
+            "[ # open\n  # above 1\n  1.0, # one\n  # above 2\n  2.0, # two\n  3.0, # three\n  # below\n]",
+            "# below\n]",
+        ),
+        (
+            "[ # open\n # above 1\n1.0 # one\n,\n # above 2\n 2.0 # two\n, 3.0 # three\n]",
+            "\n]",
+        ),
+    ] {
+        let original = EXAMPLE.replace("[0.5, 1.0, 2.0, 4]", array);
+        for values in [
+            &[1.0, 2.0, 3.0, 4.0][..],
+            &[1.0, 2.0],
+            &[1.0, 3.0],
+            &[2.0, 3.0],
+            &[3.0, 2.0, 1.0],
+            &[0.5, 1.0, 2.0, 3.0],
+            &[2.0],
+        ] {
+            let mut model = read(&original).unwrap();
+            let Family::Vary { values: old, .. } = &mut model.studies[0].family else {
+                panic!()
+            };
+            *old = values.to_vec();
+            let text = write(&model, &original);
+            reads_as(&text, &model);
+            let start = text.find("multiply = ").unwrap();
+            let new = &text[start..start + text[start..].find("\n\n").unwrap()];
+            assert!(new.contains("# open") && new.ends_with(end), "{new}");
+            for (value, comment) in [
+                (1.0, "# one"),
+                (2.0, "# two"),
+                (3.0, "# three"),
+                (1.0, "# above 1"),
+                (2.0, "# above 2"),
+            ] {
+                assert_eq!(
+                    new.contains(comment),
+                    values.contains(&value),
+                    "{comment} {values:?}\n{array}\n{new}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn line_ends_and_byte_order_mark_stay() {
+    let dos = format!("\u{feff}{}", EXAMPLE.replace('\n', "\r\n"));
+    let mut model = read(&dos).unwrap();
+    assert_eq!(model.notes, "Two lines\r\nof notes.");
+    model.beam.length = 4.0;
+    let text = write(&model, &dos);
+    assert_eq!(text, dos.replace("length = 3.2 ", "length = 4.0 "));
+    reads_as(&text, &model);
+    model.notes = "a\nb\r\nc\t\u{7}".to_owned();
+    reads_as(&write(&model, &dos), &model);
+}
+
+#[test]
+fn texts_keep_their_line_ends_in_a_file_that_mixes_them() {
+    let mixed = EXAMPLE.replace("Two lines\n", "Two lines\r\n");
+    let mut model = read(&mixed).unwrap();
+    assert_eq!(write(&model, &mixed), mixed);
+    model.beam.length = 4.0;
+    reads_as(&write(&model, &mixed), &model);
+}
+
+/// A small generator, so that every run sees the same texts (Numerical Recipes' constants).
+struct Dice(u64);
+
+impl Dice {
+    fn below(&mut self, count: usize) -> usize {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) as usize % count.max(1)
+    }
+}
+
+/// Changes a text at random places: bytes, lines, tokens of TOML.
+fn mutated(text: &str, dice: &mut Dice) -> String {
+    const TOKENS: [&str; 18] = [
+        "[",
+        "]",
+        "{",
+        "}",
+        "\"",
+        "'''",
+        "=",
+        ".",
+        ",",
+        "\n",
+        "\r",
+        "#",
+        "[[beam]]\n",
+        "nan",
+        "1e999",
+        "-0",
+        "\u{0}",
+        "é",
+    ];
+    let mut bytes = text.as_bytes().to_vec();
+    for _ in 0..=dice.below(3) {
+        let at = dice.below(bytes.len());
+        match dice.below(5) {
+            0 => bytes.truncate(at),
+            1 => bytes[at] = (32 + dice.below(95)) as u8,
+            2 => {
+                let end = (at + dice.below(40)).min(bytes.len());
+                bytes.drain(at..end);
+            }
+            3 => drop(bytes.splice(at..at, TOKENS[dice.below(TOKENS.len())].bytes())),
+            _ => {
+                let mut lines: Vec<&[u8]> = bytes.split(|byte| *byte == b'\n').collect();
+                let (from, to) = (dice.below(lines.len()), dice.below(lines.len()));
+                let line = lines.remove(from);
+                lines.insert(to.min(lines.len()), line);
+                bytes = lines.join(&b'\n');
+            }
+        }
+        if bytes.is_empty() {
+            break;
+        }
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
+}
+
+#[test]
+fn no_text_makes_it_panic_and_any_original_takes_a_model() {
+    let models = [EXAMPLE, OTHER_STYLES].map(|text| read(text).unwrap());
+    let mut dice = Dice(1);
+    for round in 0..3000 {
+        let text = mutated([EXAMPLE, OTHER_STYLES][round % 2], &mut dice);
+        match read(&text) {
+            Ok(model) => {
+                assert_eq!(write(&model, &text), text);
+                reads_as(&write(&model, ""), &model);
+            }
+            Err(faults) => {
+                assert!(!faults.is_empty());
+                let places: Vec<_> = faults
+                    .iter()
+                    .map(|fault| (fault.line.unwrap(), fault.column.unwrap()))
+                    .collect();
+                assert!(places.is_sorted(), "{faults:?}");
+            }
+        }
+        for model in &models {
+            let merged = write(model, &text);
+            assert_eq!(
+                read(&merged).map(|found| bits(&found)),
+                Ok(bits(model)),
+                "{text}\n=>\n{merged}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_cut_text_is_refused_or_read() {
+    for end in (0..EXAMPLE.len()).filter(|end| EXAMPLE.is_char_boundary(*end)) {
+        let _ = read(&EXAMPLE[..end]);
+    }
+}
+
+#[test]
+fn deep_and_large_texts_are_refused() {
+    let deep = 100_000;
+    for text in [
+        format!("a = {}", "[".repeat(deep)),
+        format!("a = {}1{}", "[".repeat(deep), "]".repeat(deep)),
+        format!("a = {}", "{ a = ".repeat(deep)),
+        format!("{}a = 1", "a.".repeat(deep)),
+        format!("[{}a]", "a.".repeat(deep)),
+        "[[subsystems]]\n".repeat(2_000),
+        "\"".repeat(deep),
+        "\u{0}".repeat(1_000),
+    ] {
+        assert!(!read(&text).unwrap_err().is_empty());
+        let model = read(EXAMPLE).unwrap();
+        reads_as(&write(&model, &text), &model);
+    }
+}

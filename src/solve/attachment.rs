@@ -1,0 +1,241 @@
+//! A subsystem seen from the beam: the forces of its springs as unknowns.
+//!
+//! The springs act through three channels: the two y springs together, and the sum and the difference of the z
+//! springs. Their stretches are
+//! `e_y = w + z_b psi - y`, `e_sum = v - z - h theta`, `e_difference = y_u psi - l theta`, with
+//! h = (`l_R` - `l_L`)/2 and l = (`l_L` + `l_R`)/2. Keeping the spring forces (and theta) as unknowns, instead of
+//! the condensed stiffness, loses nothing at the resonance of a mass on the blocked beam, where that stiffness is
+//! infinite, nor at low frequencies, where it is a small difference of large numbers. It works for a mass without
+//! inertia and for springs that are missing. Sum and difference keep symmetric arms exactly uncoupled.
+
+use num_complex::Complex64;
+
+use super::linear::{Matrix, ZERO, solve, zeros};
+use crate::model::{Spring, Subsystem};
+
+/// Unknowns of an attachment: the forces of the three channels, and theta.
+pub(super) const UNKNOWNS: usize = 4;
+
+/// A subsystem, with everything that does not depend on the frequency.
+#[derive(Debug, Clone)]
+pub(super) struct Attachment {
+    mass: f64,
+    inertia: f64,
+    spring_y: Spring,
+    z_left: Spring,
+    z_right: Spring,
+    mount_y: f64,
+    mount_z: f64,
+    arm_left: f64,
+    arm_right: f64,
+    /// Loads on the mass along (y, z, theta), N and N m.
+    pub(super) load: [Complex64; 3],
+}
+
+/// The complex stiffnesses of an attachment at one frequency.
+#[derive(Debug, Clone, Copy)]
+struct Stiffness {
+    y: Complex64,
+    left: Complex64,
+    right: Complex64,
+}
+
+/// The unknowns as an affine function of the waves b that come from the right: `from_waves b + forced`.
+#[derive(Debug, Clone)]
+pub(super) struct Channels {
+    /// 4x6.
+    pub(super) from_waves: Matrix<UNKNOWNS, 6>,
+    /// What loads add.
+    pub(super) forced: [Complex64; UNKNOWNS],
+}
+
+impl Attachment {
+    /// The attachment of a subsystem, without loads.
+    pub(super) fn new(subsystem: &Subsystem) -> Self {
+        Self {
+            mass: subsystem.mass,
+            inertia: subsystem.inertia,
+            spring_y: Spring {
+                stiffness: subsystem.y_left.stiffness + subsystem.y_right.stiffness,
+                damping: subsystem.y_left.damping + subsystem.y_right.damping,
+            },
+            z_left: subsystem.z_left,
+            z_right: subsystem.z_right,
+            mount_y: subsystem.mount_y,
+            mount_z: subsystem.mount_z,
+            arm_left: subsystem.arm_left,
+            arm_right: subsystem.arm_right,
+            load: [ZERO; 3],
+        }
+    }
+
+    fn stiffness(&self, omega: f64) -> Stiffness {
+        let complex = |spring: Spring| Complex64::new(spring.stiffness, omega * spring.damping);
+        Stiffness {
+            y: complex(self.spring_y),
+            left: complex(self.z_left),
+            right: complex(self.z_right),
+        }
+    }
+
+    fn half_difference_of_arms(&self) -> f64 {
+        0.5 * (self.arm_right - self.arm_left)
+    }
+
+    fn half_sum_of_arms(&self) -> f64 {
+        0.5 * (self.arm_right + self.arm_left)
+    }
+
+    /// C q: the beam's part of the stretches, from a vector or matrix row triple (w, psi, v).
+    pub(super) fn stretches<const K: usize>(&self, q: &Matrix<3, K>) -> Matrix<3, K> {
+        let mut out = zeros::<3, K>();
+        for k in 0..K {
+            out[0][k] = q[0][k] + self.mount_z * q[1][k];
+            out[1][k] = q[2][k];
+            out[2][k] = self.mount_y * q[1][k];
+        }
+        out
+    }
+
+    /// C^T g: the jump of the beam's internal forces (w, psi, v) that channel forces make.
+    pub(super) fn jump(&self, g: &[Complex64; UNKNOWNS]) -> [Complex64; 3] {
+        [g[0], self.mount_z * g[0] + self.mount_y * g[2], g[1]]
+    }
+
+    /// The unknowns as functions of what comes from the right.
+    ///
+    /// `receptance` (3x3) is the displacement of the beam per jump of its internal forces, `moved` (3x6) the
+    /// displacement per wave from the right, `still` the displacement with neither.
+    pub(super) fn channels(
+        &self,
+        omega: f64,
+        receptance: &Matrix<3, 3>,
+        moved: &Matrix<3, 6>,
+        still: &[Complex64; 3],
+    ) -> Channels {
+        let k = self.stiffness(omega);
+        let (sum, difference) = (k.left + k.right, k.right - k.left);
+        let flexibility = self.flexibility(omega, receptance);
+        let driving = self.driving(omega, moved, still);
+        let mut a = zeros::<UNKNOWNS, UNKNOWNS>();
+        let mut b = zeros::<UNKNOWNS, 7>();
+        for column in 0..UNKNOWNS {
+            a[0][column] = k.y * flexibility[0][column];
+            a[1][column] = sum * flexibility[1][column] + difference * flexibility[2][column];
+            a[2][column] = difference * flexibility[1][column] + sum * flexibility[2][column];
+        }
+        for channel in 0..3 {
+            a[channel][channel] += 1.0;
+        }
+        for column in 0..7 {
+            b[0][column] = k.y * driving[0][column];
+            b[1][column] = sum * driving[1][column] + difference * driving[2][column];
+            b[2][column] = difference * driving[1][column] + sum * driving[2][column];
+        }
+        self.rotate(omega, &k, &mut a, &mut b);
+        split(&solve(a, b))
+    }
+
+    /// The stretches that unknowns take away: by the mass moving, by the beam moving, by theta.
+    fn flexibility(&self, omega: f64, receptance: &Matrix<3, 3>) -> Matrix<3, UNKNOWNS> {
+        let mut by_jump = zeros::<3, 3>();
+        for channel in 0..3 {
+            let mut unit = [ZERO; UNKNOWNS];
+            unit[channel] = Complex64::ONE;
+            let jump = self.jump(&unit);
+            for row in 0..3 {
+                by_jump[row][channel] = receptance[row][0] * jump[0]
+                    + receptance[row][1] * jump[1]
+                    + receptance[row][2] * jump[2];
+            }
+        }
+        let by_beam = self.stretches(&by_jump);
+        let by_mass = 1.0 / (omega * omega * self.mass);
+        let mut out = zeros::<3, UNKNOWNS>();
+        for (row, beam) in by_beam.iter().enumerate() {
+            for channel in 0..3 {
+                out[row][channel] = -beam[channel];
+            }
+        }
+        out[0][0] -= by_mass;
+        out[1][1] -= by_mass;
+        out[1][3] = self.half_difference_of_arms().into();
+        out[2][3] = self.half_sum_of_arms().into();
+        out
+    }
+
+    /// The stretches with all unknowns at zero: per wave from the right, and in the last column by loads.
+    fn driving(&self, omega: f64, moved: &Matrix<3, 6>, still: &[Complex64; 3]) -> Matrix<3, 7> {
+        let mut q = zeros::<3, 7>();
+        for row in 0..3 {
+            q[row][..6].copy_from_slice(&moved[row]);
+            q[row][6] = still[row];
+        }
+        let mut out = self.stretches(&q);
+        let by_mass = 1.0 / (omega * omega * self.mass);
+        out[0][6] += self.load[0] * by_mass;
+        out[1][6] += self.load[1] * by_mass;
+        out
+    }
+
+    /// The last row: omega^2 J theta + h `g_sum` + l `g_difference` = -load, or theta = 0 where nothing turns the mass.
+    fn rotate(
+        &self,
+        omega: f64,
+        k: &Stiffness,
+        a: &mut Matrix<UNKNOWNS, UNKNOWNS>,
+        b: &mut Matrix<UNKNOWNS, 7>,
+    ) {
+        let held =
+            k.left * self.arm_left * self.arm_left + k.right * self.arm_right * self.arm_right;
+        if self.inertia == 0.0 && held == ZERO {
+            a[3] = [ZERO, ZERO, ZERO, Complex64::ONE];
+            return;
+        }
+        a[3][1] = self.half_difference_of_arms().into();
+        a[3][2] = self.half_sum_of_arms().into();
+        a[3][3] = (omega * omega * self.inertia).into();
+        b[3][6] = -self.load[2];
+    }
+
+    /// The motion (y, z, theta) of the mass from the unknowns `g` and the beam's displacement `q` (w, psi, v).
+    ///
+    /// Below the resonance of a mass on its springs the motion follows from the stretch, above it from the inertia:
+    /// either alone would be a small difference of large numbers on the other side.
+    pub(super) fn motion(
+        &self,
+        omega: f64,
+        g: &[Complex64; UNKNOWNS],
+        q: &[Complex64; 3],
+    ) -> [Complex64; 3] {
+        let k = self.stiffness(omega);
+        let theta = g[3];
+        let inertia = omega * omega * self.mass;
+        let y = if k.y.norm() > inertia {
+            q[0] + self.mount_z * q[1] - g[0] / k.y
+        } else {
+            -(g[0] + self.load[0]) / inertia
+        };
+        let z = if (k.left + k.right).norm() <= inertia {
+            -(g[1] + self.load[1]) / inertia
+        } else if k.right.norm() >= k.left.norm() {
+            q[2] + self.mount_y * q[1] - 0.5 * (g[1] + g[2]) / k.right - self.arm_right * theta
+        } else {
+            q[2] - self.mount_y * q[1] - 0.5 * (g[1] - g[2]) / k.left + self.arm_left * theta
+        };
+        [y, z, theta]
+    }
+}
+
+/// Splits the solution into its dependence on the waves and its forced part.
+fn split(solution: &Matrix<UNKNOWNS, 7>) -> Channels {
+    let mut channels = Channels {
+        from_waves: zeros(),
+        forced: [ZERO; UNKNOWNS],
+    };
+    for (row, x) in solution.iter().enumerate() {
+        channels.from_waves[row].copy_from_slice(&x[..6]);
+        channels.forced[row] = x[6];
+    }
+    channels
+}

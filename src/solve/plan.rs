@@ -1,0 +1,293 @@
+//! A model laid out for the solver: what happens along x, in order, and where each response is read.
+
+use num_complex::Complex64;
+
+use super::attachment::Attachment;
+use super::linear::ZERO;
+use super::waves::BeamConstants;
+use crate::model::{
+    BeamMotion, MassMotion, Measure, Model, Place, Quantity, Restraint, Support, Target,
+};
+
+/// Everything about a model that does not depend on the frequency.
+#[derive(Debug, Clone)]
+pub(super) struct Plan {
+    pub(super) beam: BeamConstants,
+    pub(super) left: End,
+    pub(super) right: End,
+    /// What lies along the beam, by rising x.
+    pub(super) stations: Vec<Station>,
+    /// The distinct lengths between stations, m.
+    pub(super) lengths: Vec<f64>,
+    /// Index in `lengths` of the span left of each station, and last of the span up to the right end.
+    pub(super) spans: Vec<usize>,
+    /// Where each response comes from.
+    pub(super) outputs: Vec<Output>,
+    /// Whether some response needs the waves in every span.
+    pub(super) wants_energy: bool,
+}
+
+/// One end of the beam.
+#[derive(Debug, Clone)]
+pub(super) struct End {
+    pub(super) support: Support,
+    /// Loads along the six motions, N and N m.
+    pub(super) load: [Complex64; 6],
+}
+
+/// Something at a place of the beam.
+#[derive(Debug, Clone)]
+pub(super) struct Station {
+    /// Distance from the left end, m.
+    pub(super) position: f64,
+    pub(super) event: Event,
+}
+
+/// What is at a station.
+#[derive(Debug, Clone)]
+pub(super) enum Event {
+    /// A subsystem.
+    Attachment(Box<Attachment>),
+    /// Loads along the six motions.
+    Load([Complex64; 6]),
+    /// Nothing but a place to look at.
+    Probe,
+}
+
+/// Where a response is read.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Output {
+    /// A motion of the beam at a station.
+    Beam {
+        station: usize,
+        motion: BeamMotion,
+        measure: Measure,
+    },
+    /// A motion of the mass at a station.
+    Mass {
+        station: usize,
+        motion: MassMotion,
+        measure: Measure,
+    },
+    /// A motion that a support holds: nothing moves.
+    Held,
+    /// `E_V`.
+    Energy,
+}
+
+impl Plan {
+    /// The span up to the right end.
+    pub(super) fn last_span(&self) -> usize {
+        self.spans[self.stations.len()]
+    }
+
+    /// Lays out a checked model.
+    pub(super) fn new(model: &Model) -> Self {
+        let mut layout = Layout::new(model);
+        layout.place_subsystems();
+        layout.place_loads();
+        layout.place_probes();
+        layout.finish()
+    }
+}
+
+/// A plan in the making: stations in order of creation, to be sorted by x.
+struct Layout<'a> {
+    model: &'a Model,
+    left: End,
+    right: End,
+    stations: Vec<Station>,
+    /// Station of each subsystem, by name.
+    masses: std::collections::HashMap<&'a str, usize>,
+    outputs: Vec<Output>,
+}
+
+impl<'a> Layout<'a> {
+    fn new(model: &'a Model) -> Self {
+        let end = |support: Support| End {
+            support,
+            load: [ZERO; 6],
+        };
+        Self {
+            model,
+            left: end(model.supports.left),
+            right: end(model.supports.right),
+            stations: Vec::new(),
+            masses: std::collections::HashMap::new(),
+            outputs: Vec::new(),
+        }
+    }
+
+    fn place_subsystems(&mut self) {
+        for subsystem in self.model.subsystems.iter().filter(|s| s.enabled) {
+            self.masses.insert(&subsystem.name, self.stations.len());
+            self.stations.push(Station {
+                position: subsystem.position,
+                event: Event::Attachment(Box::new(Attachment::new(subsystem))),
+            });
+        }
+    }
+
+    /// A load at an end goes into its support's equations, where a fixed motion takes it exactly.
+    fn place_loads(&mut self) {
+        for force in self.model.forces.iter().filter(|f| f.enabled) {
+            let value = Complex64::from_polar(force.amplitude, force.phase.to_radians());
+            match &force.target {
+                Target::Mass(name, motion) => {
+                    if let Some(&station) = self.masses.get(name.as_str())
+                        && let Event::Attachment(attachment) = &mut self.stations[station].event
+                    {
+                        attachment.load[*motion as usize] += value;
+                    }
+                }
+                Target::Beam(place, motion) => self.load_beam(self.x(*place), *motion, value),
+            }
+        }
+    }
+
+    fn load_beam(&mut self, x: f64, motion: BeamMotion, value: Complex64) {
+        if x == 0.0 {
+            self.left.load[motion as usize] += value;
+        } else if x == self.model.beam.length {
+            self.right.load[motion as usize] += value;
+        } else {
+            let mut load = [ZERO; 6];
+            load[motion as usize] = value;
+            self.stations.push(Station {
+                position: x,
+                event: Event::Load(load),
+            });
+        }
+    }
+
+    fn place_probes(&mut self) {
+        for response in self.model.responses.iter().filter(|r| r.enabled) {
+            let output = match &response.quantity {
+                Quantity::Energy => Output::Energy,
+                Quantity::Motion(Target::Beam(place, motion), measure) => {
+                    self.probe_beam(self.x(*place), *motion, *measure)
+                }
+                Quantity::Motion(Target::Mass(name, motion), measure) => {
+                    match self.masses.get(name.as_str()) {
+                        Some(&station) => Output::Mass {
+                            station,
+                            motion: *motion,
+                            measure: *measure,
+                        },
+                        // A checked model has no enabled response on a disabled subsystem.
+                        None => Output::Held,
+                    }
+                }
+            };
+            self.outputs.push(output);
+        }
+    }
+
+    fn probe_beam(&mut self, x: f64, motion: BeamMotion, measure: Measure) -> Output {
+        let held = |end: &End| end.support[motion] == Restraint::Fixed;
+        if (x == 0.0 && held(&self.left)) || (x == self.model.beam.length && held(&self.right)) {
+            return Output::Held;
+        }
+        let known = self
+            .stations
+            .iter()
+            .position(|s| s.position == x && matches!(s.event, Event::Probe));
+        let station = known.unwrap_or_else(|| {
+            self.stations.push(Station {
+                position: x,
+                event: Event::Probe,
+            });
+            self.stations.len() - 1
+        });
+        Output::Beam {
+            station,
+            motion,
+            measure,
+        }
+    }
+
+    fn x(&self, place: Place) -> f64 {
+        match place {
+            Place::Left => 0.0,
+            Place::Right => self.model.beam.length,
+            Place::Position(x) => x,
+        }
+    }
+
+    /// Sorts the stations by x and renumbers the outputs.
+    fn finish(self) -> Plan {
+        let mut order: Vec<usize> = (0..self.stations.len()).collect();
+        order.sort_by(|&a, &b| {
+            self.stations[a]
+                .position
+                .total_cmp(&self.stations[b].position)
+        });
+        let mut rank = vec![0; order.len()];
+        for (new, &old) in order.iter().enumerate() {
+            rank[old] = new;
+        }
+        let outputs: Vec<Output> = self
+            .outputs
+            .iter()
+            .map(|output| output.renumbered(&rank))
+            .collect();
+        let mut stations = self.stations;
+        stations.sort_by(|a, b| a.position.total_cmp(&b.position));
+        let (lengths, spans) = spans(&stations, self.model.beam.length);
+        Plan {
+            beam: BeamConstants::new(&self.model.beam),
+            left: self.left,
+            right: self.right,
+            wants_energy: outputs.iter().any(|o| matches!(o, Output::Energy)),
+            stations,
+            lengths,
+            spans,
+            outputs,
+        }
+    }
+}
+
+impl Output {
+    fn renumbered(self, rank: &[usize]) -> Self {
+        match self {
+            Self::Beam {
+                station,
+                motion,
+                measure,
+            } => Self::Beam {
+                station: rank[station],
+                motion,
+                measure,
+            },
+            Self::Mass {
+                station,
+                motion,
+                measure,
+            } => Self::Mass {
+                station: rank[station],
+                motion,
+                measure,
+            },
+            other => other,
+        }
+    }
+}
+
+/// The distinct span lengths, and which of them lies left of each station and of the right end.
+fn spans(stations: &[Station], length: f64) -> (Vec<f64>, Vec<usize>) {
+    let mut lengths = Vec::new();
+    let mut known = std::collections::HashMap::new();
+    let mut previous = 0.0;
+    let ends = stations.iter().map(|s| s.position).chain([length]);
+    let spans = ends
+        .map(|x| {
+            let span: f64 = x - previous;
+            previous = x;
+            *known.entry(span.to_bits()).or_insert_with(|| {
+                lengths.push(span);
+                lengths.len() - 1
+            })
+        })
+        .collect();
+    (lengths, spans)
+}

@@ -6,6 +6,7 @@
 //! | module | what is in it | may use |
 //! | --- | --- | --- |
 //! | [`model`] | what the engineer edits: plain types in SI, TOML in and out, rules, parameter paths | nothing |
+//! | [`presets`] | the figures of the paper and more, embedded | `model` |
 //! | [`solve`] | the exact solver: waves, subsystems, a recursion of reflections | `model` |
 //!
 //! # What always holds
@@ -19,4 +20,5 @@
 //! - No value that is not finite is drawn or written silently.
 
 pub mod model;
+pub mod presets;
 pub mod solve;

@@ -1,0 +1,84 @@
+//! The paper's figures and a few more models, embedded in the program.
+//!
+//! Each is a file of `presets/`, written to be read as an example of the format. Its `notes` name the source, say
+//! what the source leaves open and what was assumed, and where the curves depart from what the source says of them.
+//! The figures are those of Chen & Liu, *Mathematics* 2022, 10(16), 2849; `tests/presets.rs` asserts what they show.
+
+/// An embedded model file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Preset {
+    /// The name it is opened by: its file's, without the ending.
+    pub name: &'static str,
+    /// The file itself, TOML.
+    pub text: &'static str,
+}
+
+impl Preset {
+    /// The model's title, read from the text; the name where the text has none.
+    ///
+    /// Cheap enough for a list that is drawn again and again: it looks for the line and parses nothing else.
+    pub fn title(&self) -> String {
+        self.text
+            .lines()
+            .find_map(|line| line.strip_prefix("title = \"")?.strip_suffix('"'))
+            .unwrap_or(self.name)
+            .to_owned()
+    }
+}
+
+/// The preset of this name.
+pub fn find(name: &str) -> Option<&'static Preset> {
+    ALL.iter().find(|preset| preset.name == name)
+}
+
+/// One line a preset, so that no name can differ from its file's.
+macro_rules! embed {
+    ($($name:literal),+ $(,)?) => {
+        &[$(Preset { name: $name, text: include_str!(concat!("../presets/", $name, ".toml")) }),+]
+    };
+}
+
+/// All of them: the figures in the paper's order, then the rest.
+pub const ALL: &[Preset] = embed![
+    "fig05a",
+    "fig05b",
+    "fig05c",
+    "fig06",
+    "fig07a",
+    "fig07b",
+    "fig07c",
+    "fig08",
+    "fig09",
+    "fig10",
+    "fig11",
+    "fig13",
+    "fig14",
+    "fig15",
+    "fig16",
+    "fig17",
+    "cantilever",
+    "symmetric_section",
+    "hundred_absorbers",
+    "semicircular_cantilever",
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_preset_is_found_by_its_name_only() {
+        assert_eq!(find("fig08").map(|preset| preset.name), Some("fig08"));
+        assert_eq!(find("fig12"), None);
+        assert_eq!(find(""), None);
+    }
+
+    #[test]
+    fn a_text_without_a_title_goes_by_its_name() {
+        let preset = Preset {
+            name: "bare",
+            text: "format = \"beamtune/1\"\n",
+        };
+        assert_eq!(preset.title(), "bare");
+    }
+}

@@ -1,0 +1,185 @@
+//! Random damped models for the property tests.
+
+use beamtune::model::{
+    Beam, BeamMotion, Elastic, Force, MassMotion, Material, Measure, Model, Place, Quantity,
+    Response, Restraint, Section, Spacing, Spring, Subsystem, Support, Supports, Sweep, Target,
+};
+use num_complex::Complex64;
+use proptest::prelude::*;
+use std::sync::atomic::AtomicBool;
+
+/// The length of every beam here, m.
+pub const LENGTH: f64 = 3.2;
+
+/// A beam of the paper's section, with a loss factor, with or without warping and offset.
+fn beams() -> impl Strategy<Value = Beam> {
+    (
+        0.001..0.05,
+        prop_oneof![Just(0.0), 1e-9..1e-7],
+        prop_oneof![Just(0.0), -0.1..0.1],
+    )
+        .prop_map(|(loss_factor, warping_constant, centroid_offset)| Beam {
+            length: LENGTH,
+            material: Material {
+                young_modulus: 2.1e11,
+                shear_modulus: 8e10,
+                density: 7850.0,
+                loss_factor,
+            },
+            section: Section {
+                area: 0.0116,
+                second_moment_y: 1.6625e-4,
+                second_moment_z: 1.3745e-4,
+                torsion_constant: 4.7657e-7,
+                warping_constant,
+                polar_moment: 5.9992e-4,
+                centroid_offset,
+            },
+        })
+}
+
+/// Free, fixed or elastic.
+fn restraints() -> impl Strategy<Value = Restraint> {
+    let elastic = (1e4..1e8, 0.0..1e3, prop_oneof![Just(0.0), 0.0..5.0]).prop_map(
+        |(stiffness, damping, inertia)| {
+            Restraint::Elastic(Elastic {
+                stiffness,
+                damping,
+                inertia,
+            })
+        },
+    );
+    prop_oneof![2 => Just(Restraint::Free), 1 => Just(Restraint::Fixed), 2 => elastic]
+}
+
+fn supports() -> impl Strategy<Value = Support> {
+    prop::array::uniform6(restraints()).prop_map(Support)
+}
+
+fn springs() -> impl Strategy<Value = Spring> {
+    prop_oneof![
+        1 => Just(Spring::default()),
+        5 => (1e5..3e7, 1.0..200.0).prop_map(|(stiffness, damping)| Spring { stiffness, damping }),
+    ]
+}
+
+/// A subsystem anywhere on the beam, ends included.
+pub fn subsystems() -> impl Strategy<Value = Subsystem> {
+    let place = prop_oneof![1 => Just(0.0), 1 => Just(LENGTH), 8 => 0.0..LENGTH];
+    let springs = (springs(), springs(), springs(), springs());
+    (
+        place,
+        1.0..300.0,
+        1.0..100.0,
+        springs,
+        (0.05..0.4, 0.05..0.4),
+        (0.05..0.2, -0.1..0.1),
+    )
+        .prop_map(
+            |(position, mass, inertia, springs, (arm_left, arm_right), (mount_y, mount_z))| {
+                Subsystem {
+                    name: String::new(),
+                    enabled: true,
+                    position,
+                    mass,
+                    inertia,
+                    y_left: springs.0,
+                    y_right: springs.1,
+                    z_left: springs.2,
+                    z_right: springs.3,
+                    arm_left,
+                    arm_right,
+                    mount_y,
+                    mount_z,
+                }
+            },
+        )
+}
+
+/// A damped model with up to four subsystems named S1, S2, ..., without forces and responses.
+pub fn models() -> impl Strategy<Value = Model> {
+    (
+        beams(),
+        supports(),
+        supports(),
+        prop::collection::vec(subsystems(), 0..=4),
+    )
+        .prop_map(|(beam, left, right, mut subsystems)| {
+            for (index, subsystem) in subsystems.iter_mut().enumerate() {
+                subsystem.name = format!("S{}", index + 1);
+            }
+            Model {
+                title: String::new(),
+                notes: String::new(),
+                beam,
+                supports: Supports { left, right },
+                subsystems,
+                forces: Vec::new(),
+                responses: Vec::new(),
+                sweep: Sweep {
+                    from: 1.0,
+                    to: 100.0,
+                    points: 2,
+                    spacing: Spacing::Linear,
+                },
+                studies: Vec::new(),
+                tune: None,
+            }
+        })
+}
+
+/// A motion of the beam somewhere between its ends, or of a mass.
+pub fn targets() -> impl Strategy<Value = Target> {
+    let motion = prop_oneof![
+        Just(BeamMotion::W),
+        Just(BeamMotion::Psi),
+        Just(BeamMotion::V),
+        Just(BeamMotion::WSlope),
+        Just(BeamMotion::VSlope),
+    ];
+    let mass = prop_oneof![
+        Just(MassMotion::Y),
+        Just(MassMotion::Z),
+        Just(MassMotion::Theta)
+    ];
+    prop_oneof![
+        3 => (0.01..LENGTH - 0.01, motion).prop_map(|(x, motion)| Target::Beam(Place::Position(x), motion)),
+        1 => mass.prop_map(|motion| Target::Mass("S1".into(), motion)),
+    ]
+}
+
+/// Whether a model has what a target names.
+pub fn exists(model: &Model, target: &Target) -> bool {
+    matches!(target, Target::Beam(..)) || !model.subsystems.is_empty()
+}
+
+/// A load of amplitude 1.
+pub fn unit_force(target: Target) -> Force {
+    Force {
+        enabled: true,
+        target,
+        amplitude: 1.0,
+        phase: 0.0,
+    }
+}
+
+/// The displacement at each target under forces, at one frequency in Hz.
+pub fn respond(model: &Model, forces: Vec<Force>, at: &[Target], hertz: f64) -> Vec<Complex64> {
+    let responses = at.iter().enumerate().map(|(index, target)| Response {
+        name: format!("R{index}"),
+        enabled: true,
+        quantity: Quantity::Motion(target.clone(), Measure::Displacement),
+    });
+    let model = Model {
+        forces,
+        responses: responses.collect(),
+        ..model.clone()
+    };
+    let frf = beamtune::solve::sweep(&model, &[hertz], &AtomicBool::new(false)).unwrap();
+    frf.columns.iter().map(|column| column.values[0]).collect()
+}
+
+/// Frequencies in Hz, spread evenly over the decades.
+pub fn frequencies() -> impl Strategy<Value = f64> {
+    (0.0..3.5_f64).prop_map(|decades| 10f64.powf(decades))
+}

@@ -1,0 +1,447 @@
+//! What every solution must have in common, whatever the model.
+//!
+//! Expected values: none are stored; each test holds one solution against another, or against a law (reciprocity,
+//! superposition, symmetry, passivity) or a closed form.
+
+mod common;
+
+use beamtune::model::{
+    BeamMotion, Force, Measure, Model, Place, Quantity, Response, Restraint, Spring, Subsystem,
+    Support, Supports, Target,
+};
+use common::{LENGTH, exists, frequencies, models, respond, subsystems, targets, unit_force};
+use num_complex::Complex64;
+use proptest::prelude::*;
+use std::sync::atomic::AtomicBool;
+
+/// Rounding allowed, relative to the value and to the motions at the force and at the probe.
+const TOLERANCE: f64 = 1e-9;
+
+fn beam(x: f64, motion: BeamMotion) -> Target {
+    Target::Beam(Place::Position(x), motion)
+}
+
+/// Three probes that any change of a model would show at.
+fn probes() -> [Target; 3] {
+    [
+        beam(0.3, BeamMotion::W),
+        beam(1.7, BeamMotion::Psi),
+        beam(2.9, BeamMotion::V),
+    ]
+}
+
+/// A load that moves everything.
+fn load() -> Vec<Force> {
+    [BeamMotion::W, BeamMotion::Psi, BeamMotion::V]
+        .map(|motion| unit_force(beam(0.9, motion)))
+        .into()
+}
+
+fn assert_same(got: &[Complex64], want: &[Complex64]) {
+    let scale = want.iter().map(|z| z.norm()).fold(0.0, f64::max);
+    for (got, want) in got.iter().zip(want) {
+        let allowed = TOLERANCE * (want.norm() + 0.01 * scale);
+        assert!(
+            (got - want).norm() <= allowed,
+            "{got} and {want}, scale {scale:e}"
+        );
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 200, rng_seed: prop::test_runner::RngSeed::Fixed(7), failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Maxwell-Betti: the motion at B under a force at A is that at A under a force at B.
+    #[test]
+    fn reciprocity(model in models(), a in targets(), b in targets(), hertz in frequencies()) {
+        prop_assume!(exists(&model, &a) && exists(&model, &b));
+        let both = [a.clone(), b.clone()];
+        let from_a = respond(&model, vec![unit_force(a)], &both, hertz);
+        let from_b = respond(&model, vec![unit_force(b)], &both, hertz);
+        let scale = from_a[1].norm() + (from_a[0].norm() * from_b[1].norm()).sqrt();
+        prop_assert!((from_a[1] - from_b[0]).norm() <= TOLERANCE * scale, "{} {} {scale:e}", from_a[1], from_b[0]);
+    }
+
+    /// Superposition: two forces with phases give the weighted sum of their responses.
+    #[test]
+    fn linearity(model in models(), a in targets(), b in targets(), phase in -180.0..180.0, hertz in frequencies()) {
+        prop_assume!(exists(&model, &a) && exists(&model, &b));
+        let both = [Force { amplitude: 2.5, ..unit_force(a.clone()) }, Force { phase, ..unit_force(b.clone()) }];
+        let together = respond(&model, both.into(), &probes(), hertz);
+        let first = respond(&model, vec![unit_force(a)], &probes(), hertz);
+        let second = respond(&model, vec![unit_force(b)], &probes(), hertz);
+        let turn = Complex64::from_polar(1.0, phase.to_radians());
+        let sum: Vec<_> = first.iter().zip(&second).map(|(first, second)| 2.5 * first + turn * second).collect();
+        let scale = first.iter().chain(&second).map(|z| z.norm()).fold(0.0, f64::max);
+        for (together, sum) in together.iter().zip(&sum) {
+            prop_assert!((together - sum).norm() <= TOLERANCE * (sum.norm() + scale));
+        }
+    }
+
+    /// Seen from the other end the model is the same.
+    #[test]
+    fn mirror_image(model in models(), hertz in frequencies()) {
+        let mut mirrored = model.clone();
+        std::mem::swap(&mut mirrored.supports.left, &mut mirrored.supports.right);
+        for subsystem in &mut mirrored.subsystems {
+            subsystem.position = LENGTH - subsystem.position;
+        }
+        let turn = |target: &Target| match target {
+            Target::Beam(Place::Position(x), motion) => beam(LENGTH - x, *motion),
+            other => other.clone(),
+        };
+        let forces = load().iter().map(|force| Force { target: turn(&force.target), ..force.clone() }).collect();
+        let got = respond(&mirrored, forces, &probes().each_ref().map(turn), hertz);
+        assert_same(&got, &respond(&model, load(), &probes(), hertz));
+    }
+
+    /// A subsystem is the same as two halves of it at its place.
+    #[test]
+    fn a_station_split_in_two(model in models(), whole in subsystems(), hertz in frequencies()) {
+        let half = |spring: Spring| Spring { stiffness: 0.5 * spring.stiffness, damping: 0.5 * spring.damping };
+        let part = |name: &str| Subsystem {
+            name: name.into(),
+            mass: 0.5 * whole.mass,
+            inertia: 0.5 * whole.inertia,
+            y_left: half(whole.y_left),
+            y_right: half(whole.y_right),
+            z_left: half(whole.z_left),
+            z_right: half(whole.z_right),
+            ..whole.clone()
+        };
+        let mut one = model.clone();
+        one.subsystems.push(Subsystem { name: "whole".into(), ..whole.clone() });
+        let mut two = model;
+        two.subsystems.extend([part("half"), part("other half")]);
+        assert_same(&respond(&two, load(), &probes(), hertz), &respond(&one, load(), &probes(), hertz));
+    }
+
+    /// Looking does not change what is seen, and neither does the order of the subsystems in the file.
+    #[test]
+    fn a_probe_added_and_subsystems_in_another_order(model in models(), x in 0.0..LENGTH, hertz in frequencies()) {
+        let plain = respond(&model, load(), &probes(), hertz);
+        let more = [&probes()[..], &[beam(x, BeamMotion::WSlope)]].concat();
+        assert_same(&respond(&model, load(), &more, hertz)[..3], &plain);
+        let mut reversed = model.clone();
+        reversed.subsystems.reverse();
+        assert_same(&respond(&reversed, load(), &probes(), hertz), &plain);
+    }
+
+    /// With equal arms and equal z springs a force along w leaves v exactly at zero.
+    #[test]
+    fn symmetric_arms_leave_v_exactly_zero(model in models(), hertz in frequencies()) {
+        let mut model = model;
+        for subsystem in &mut model.subsystems {
+            subsystem.arm_right = subsystem.arm_left;
+            subsystem.z_right = subsystem.z_left;
+        }
+        let targets = [0.0, 0.9, 1.7, LENGTH].map(|x| beam(x, BeamMotion::V));
+        for v in respond(&model, vec![unit_force(beam(0.9, BeamMotion::W))], &targets, hertz) {
+            prop_assert_eq!(v, Complex64::ZERO);
+        }
+    }
+
+    /// A damped model takes power from a force; it never gives any: Re(i omega q) >= 0 at the force.
+    #[test]
+    fn passivity(model in models(), at in targets(), hertz in frequencies()) {
+        prop_assume!(exists(&model, &at));
+        let moved = respond(&model, vec![unit_force(at.clone())], std::slice::from_ref(&at), hertz)[0];
+        prop_assert!(-moved.im >= -1e-12 * moved.norm(), "{moved}");
+    }
+
+    /// The bare beam's receptances with the subsystems coupled to them by one dense 3N x 3N system.
+    #[test]
+    fn dense_receptance_coupling(model in models(), hertz in frequencies()) {
+        prop_assume!(!model.subsystems.is_empty());
+        let coupled = dense_coupling(&model, hertz);
+        let solved = respond(&model, load(), &probes(), hertz);
+        let scale = solved.iter().map(|z| z.norm()).fold(0.0, f64::max);
+        for (coupled, solved) in coupled.iter().zip(&solved) {
+            prop_assert!((coupled - solved).norm() <= 1e-7 * (solved.norm() + 0.01 * scale), "{coupled} {solved}");
+        }
+    }
+}
+
+/// K + i omega C - omega^2 M of a subsystem over (y, z, theta | w, psi, v), its mass eliminated: the 3x3 stiffness that
+/// the beam meets (METHOD: dynamic condensation, Chen & Liu 2022, Section 2.1, from the stretches of the springs).
+fn condensed(subsystem: &Subsystem, omega: f64) -> nalgebra::Matrix3<Complex64> {
+    let s = subsystem;
+    // Stretch of each spring over (y, z, theta, w, psi, v).
+    let springs = [
+        (s.y_left, [-1.0, 0.0, 0.0, 1.0, s.mount_z, 0.0]),
+        (s.y_right, [-1.0, 0.0, 0.0, 1.0, s.mount_z, 0.0]),
+        (s.z_left, [0.0, -1.0, s.arm_left, 0.0, -s.mount_y, 1.0]),
+        (s.z_right, [0.0, -1.0, -s.arm_right, 0.0, s.mount_y, 1.0]),
+    ];
+    let mut k = nalgebra::Matrix6::<Complex64>::zeros();
+    for (spring, stretch) in springs {
+        let stretch = nalgebra::Vector6::from(stretch).map(Complex64::from);
+        k += stretch
+            * stretch.transpose()
+            * Complex64::new(spring.stiffness, omega * spring.damping);
+    }
+    for (row, inertia) in [s.mass, s.mass, s.inertia].into_iter().enumerate() {
+        k[(row, row)] -= omega * omega * inertia;
+    }
+    let (mm, mb) = (k.fixed_view::<3, 3>(0, 0), k.fixed_view::<3, 3>(0, 3));
+    let eliminated = mm
+        .into_owned()
+        .lu()
+        .solve(&mb.into_owned())
+        .expect("a damped mass");
+    k.fixed_view::<3, 3>(3, 3) - mb.transpose() * eliminated
+}
+
+/// The response at the probes: alpha_pF - alpha_ps K (I + alpha_ss K)^-1 alpha_sF.
+fn dense_coupling(model: &Model, hertz: f64) -> Vec<Complex64> {
+    const MOTIONS: [BeamMotion; 3] = [BeamMotion::W, BeamMotion::Psi, BeamMotion::V];
+    let omega = std::f64::consts::TAU * hertz;
+    let bare = Model {
+        subsystems: Vec::new(),
+        ..model.clone()
+    };
+    let stations: Vec<Target> = model
+        .subsystems
+        .iter()
+        .flat_map(|s| MOTIONS.map(|motion| beam(s.position, motion)))
+        .collect();
+    let all = [&probes()[..], &stations].concat();
+    let size = stations.len();
+    let free = nalgebra::DVector::from_vec(respond(&bare, load(), &all, hertz));
+    let mut alpha = nalgebra::DMatrix::<Complex64>::zeros(3 + size, size);
+    for (column, station) in stations.iter().enumerate() {
+        alpha.set_column(
+            column,
+            &nalgebra::DVector::from_vec(respond(
+                &bare,
+                vec![unit_force(station.clone())],
+                &all,
+                hertz,
+            )),
+        );
+    }
+    let mut k = nalgebra::DMatrix::<Complex64>::zeros(size, size);
+    for (index, subsystem) in model.subsystems.iter().enumerate() {
+        k.view_mut((3 * index, 3 * index), (3, 3))
+            .copy_from(&condensed(subsystem, omega));
+    }
+    let at_stations = nalgebra::DMatrix::identity(size, size) + alpha.rows(3, size) * &k;
+    let moved = at_stations
+        .lu()
+        .solve(&free.rows(3, size).into_owned())
+        .expect("a damped model");
+    let probed = free.rows(0, 3) - alpha.rows(0, 3) * (k * moved);
+    probed.iter().copied().collect()
+}
+
+/// A cantilever without offset, of the paper's section and without damping.
+fn cantilever() -> Model {
+    let text = beamtune::presets::find("symmetric_section").unwrap().text;
+    let mut model = beamtune::model::read(text).unwrap();
+    model.beam.material.loss_factor = 0.0;
+    model.supports = Supports {
+        left: Support::CLAMPED,
+        right: Support::FREE,
+    };
+    model.subsystems.clear();
+    model.studies.clear();
+    model.tune = None;
+    model
+}
+
+/// Expected: closed forms of statics, F L^3 / 3 E I at the tip and its slope F L^2 / 2 E I; the dynamic part is of
+/// the order (f / f_1)^2, 1e-8 at 0.001 Hz.
+#[test]
+fn static_limit_of_a_cantilever() {
+    let model = cantilever();
+    let (length, e) = (model.beam.length, model.beam.material.young_modulus);
+    let inertia = model.beam.section.second_moment_y;
+    let tip = |motion| Target::Beam(Place::Right, motion);
+    let moved = respond(
+        &model,
+        vec![unit_force(tip(BeamMotion::W))],
+        &[tip(BeamMotion::W), tip(BeamMotion::WSlope)],
+        1e-3,
+    );
+    let (deflection, slope) = (
+        length.powi(3) / (3.0 * e * inertia),
+        length.powi(2) / (2.0 * e * inertia),
+    );
+    assert!(
+        (moved[0].re / deflection - 1.0).abs() < 1e-7,
+        "{} {deflection}",
+        moved[0]
+    );
+    assert!(
+        (moved[1].re / slope - 1.0).abs() < 1e-7,
+        "{} {slope}",
+        moved[1]
+    );
+}
+
+/// Expected: closed form of Saint-Venant torsion without warping, T L / G J at the tip.
+#[test]
+fn static_limit_of_torsion_without_warping() {
+    let mut model = cantilever();
+    model.beam.section.warping_constant = 0.0;
+    let (material, section) = (model.beam.material, model.beam.section);
+    let tip = Target::Beam(Place::Right, BeamMotion::Psi);
+    let twist = respond(&model, vec![unit_force(tip.clone())], &[tip], 1e-3)[0];
+    let expected = model.beam.length / (material.shear_modulus * section.torsion_constant);
+    assert!(
+        (twist.re / expected - 1.0).abs() < 1e-6,
+        "{twist} {expected}"
+    );
+}
+
+/// Expected: Saint-Venant is the limit of a vanishing warping constant. The boundary layer at the clamped end has the
+/// length sqrt(E Gamma_0 / G J) (closed form), so a warping constant 1e-4 times as large differs 1e-2 times as much.
+#[test]
+fn no_warping_is_the_limit_of_little_warping() {
+    let with = |warping_constant| {
+        let mut model = cantilever();
+        model.beam.section.centroid_offset = 0.05;
+        model.beam.section.warping_constant = warping_constant;
+        model
+    };
+    for hertz in [0.5, 20.0, 300.0, 5000.0] {
+        let force = || {
+            vec![
+                unit_force(beam(1.0, BeamMotion::Psi)),
+                unit_force(beam(2.2, BeamMotion::W)),
+            ]
+        };
+        let twist = |warping| respond(&with(warping), force(), &probes()[1..2], hertz)[0];
+        let limit = twist(0.0);
+        let [little, less] =
+            [1e-18, 1e-22].map(|warping| (twist(warping) - limit).norm() / limit.norm());
+        assert!(little < 1e-2, "{hertz} Hz: {little:e}");
+        assert!(
+            less < 0.0101 * little + 1e-11,
+            "{hertz} Hz: {little:e} {less:e}"
+        );
+    }
+}
+
+/// A mass without damping, driven at its own resonance on the blocked beam: the beam stands still there.
+#[test]
+fn an_undamped_absorber_holds_its_station_still() {
+    let mut model = cantilever();
+    let hertz: f64 = 37.0;
+    let omega = std::f64::consts::TAU * hertz;
+    let spring = Spring {
+        stiffness: 0.5 * 20.0 * omega * omega,
+        damping: 0.0,
+    };
+    model.subsystems = vec![Subsystem {
+        name: "S1".into(),
+        enabled: true,
+        position: 2.0,
+        mass: 20.0,
+        inertia: 1.0,
+        y_left: spring,
+        y_right: spring,
+        z_left: Spring::default(),
+        z_right: Spring::default(),
+        arm_left: 0.1,
+        arm_right: 0.1,
+        mount_y: 0.1,
+        mount_z: 0.0,
+    }];
+    let at = |x| beam(x, BeamMotion::W);
+    let moved = respond(
+        &model,
+        vec![unit_force(at(3.0))],
+        &[at(2.0), at(3.0)],
+        hertz,
+    );
+    assert!(moved[0].norm() < 1e-12 * moved[1].norm(), "{moved:?}");
+    assert!(moved[1].is_finite() && moved[1].norm() > 0.0);
+}
+
+/// Expected: closed form of the pinned beam's natural frequencies, (n pi / L)^2 sqrt(E I / rho A) / 2 pi. Without
+/// damping there is no finite answer at them, and one a part in 10^9 beside.
+#[test]
+fn an_undamped_beam_at_its_resonance_has_no_finite_answer() {
+    let mut model = cantilever();
+    model.supports = Supports {
+        left: Support::PINNED,
+        right: Support::PINNED,
+    };
+    model.forces = vec![unit_force(beam(0.7, BeamMotion::W))];
+    model.responses = vec![Response {
+        name: "w".into(),
+        enabled: true,
+        quantity: Quantity::Motion(beam(1.1, BeamMotion::W), Measure::Displacement),
+    }];
+    let (material, section) = (model.beam.material, model.beam.section);
+    let wave_speed = (material.young_modulus * section.second_moment_y
+        / (material.density * section.area))
+        .sqrt();
+    for n in 1..=5 {
+        let wave_number = f64::from(n) * std::f64::consts::PI / model.beam.length;
+        let hertz = wave_number.powi(2) * wave_speed / std::f64::consts::TAU;
+        let frequencies = [hertz * (1.0 - 1e-9), hertz, hertz * (1.0 + 1e-9)];
+        let frf = beamtune::solve::sweep(&model, &frequencies, &AtomicBool::new(false)).unwrap();
+        assert_eq!(
+            frf.singular(),
+            [hertz],
+            "mode {n}: {:?}",
+            frf.columns[0].values
+        );
+    }
+}
+
+/// A fixed motion is exactly zero, and a force on it moves nothing.
+#[test]
+fn what_is_fixed_does_not_move() {
+    let model = cantilever();
+    let root = |motion| Target::Beam(Place::Left, motion);
+    let held = respond(&model, load(), &BeamMotion::ALL.map(root), 30.0);
+    assert!(held.iter().all(|q| *q == Complex64::ZERO), "{held:?}");
+    let moved = respond(
+        &model,
+        vec![unit_force(root(BeamMotion::W))],
+        &probes(),
+        30.0,
+    );
+    assert!(moved.iter().all(|q| *q == Complex64::ZERO), "{moved:?}");
+}
+
+/// Expected: the energy of a rigid-like motion in closed form. A beam on soft end springs far below its first bending
+/// resonance moves as one: E_V = rho A L |w|^2.
+#[test]
+fn energy_of_a_beam_that_moves_as_one() {
+    let mut model = cantilever();
+    let soft = Restraint::Elastic(beamtune::model::Elastic {
+        stiffness: 10.0,
+        ..Default::default()
+    });
+    let mut end = Support::FREE;
+    end[BeamMotion::W] = soft;
+    model.supports = Supports {
+        left: end,
+        right: end,
+    };
+    model.forces = vec![unit_force(beam(0.5 * model.beam.length, BeamMotion::W))];
+    model.responses = vec![
+        Response {
+            name: "E_V".into(),
+            enabled: true,
+            quantity: Quantity::Energy,
+        },
+        Response {
+            name: "w".into(),
+            enabled: true,
+            quantity: Quantity::Motion(
+                beam(0.5 * model.beam.length, BeamMotion::W),
+                Default::default(),
+            ),
+        },
+    ];
+    let frf = beamtune::solve::sweep(&model, &[0.05], &AtomicBool::new(false)).unwrap();
+    let moved = frf.columns[1].values[0].norm_sqr();
+    let mass = model.beam.material.density * model.beam.section.area * model.beam.length;
+    let ratio = frf.columns[0].values[0].re / (mass * moved);
+    assert!((ratio - 1.0).abs() < 1e-5, "{ratio}");
+}

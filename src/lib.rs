@@ -8,6 +8,9 @@
 //! | [`model`] | what the engineer edits: plain types in SI, TOML in and out, rules, parameter paths | nothing |
 //! | [`presets`] | the figures of the paper and more, embedded | `model` |
 //! | [`solve`] | the exact solver: waves, subsystems, a recursion of reflections | `model` |
+//! | [`worker`] | the background thread: newest request wins | `model`, `solve` |
+//! | [`tui`] | the designer: state, keys, views, the chart | all above |
+//! | [`cli`] | the commands | all above |
 //!
 //! # What always holds
 //!
@@ -18,7 +21,23 @@
 //!   the designer's tree go by it.
 //! - The user-interface thread never solves. What is drawn carries the generation of its model; older curves are dim.
 //! - No value that is not finite is drawn or written silently.
+//!
+//! # Example
+//!
+//! ```
+//! use std::sync::atomic::AtomicBool;
+//! use beamtune::{model, presets, solve};
+//!
+//! let preset = presets::find("fig06").expect("an embedded preset");
+//! let mut beam = model::read(preset.text).expect("presets are possible models");
+//! model::path::set(&mut beam, "supports.left.w.stiffness", model::path::Value::Number(8e7)).expect("a stiffer end");
+//! let frf = solve::sweep(&beam, &[50.0, 100.0], &AtomicBool::new(false)).expect("nothing cancels it");
+//! assert_eq!(frf.columns[0].values.len(), 2);
+//! ```
 
+pub mod cli;
 pub mod model;
 pub mod presets;
 pub mod solve;
+pub mod tui;
+pub mod worker;

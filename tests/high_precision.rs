@@ -1,8 +1,10 @@
 //! Every response against a high-precision solution of the state equation.
 //!
-//! Expected values: `tests/data/*.json`, made by ball arithmetic of 600 bits and more as `tests/data/README.txt` says.
+//! Expected values: `tests/data/*.json`, made by ball arithmetic of 600 bits and more as `tests/data/README.md` says.
 //! They are good to every digit. The tolerance is what the program promises: 1e-8 from 0.5 Hz to 20 kHz (1e-7 below), and
 //! what the rounding of the frequency alone causes.
+
+#![allow(clippy::unwrap_used, clippy::expect_used)]
 
 use std::collections::BTreeMap;
 use std::sync::atomic::AtomicBool;

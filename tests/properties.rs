@@ -3,6 +3,8 @@
 //! Expected values: none are stored; each test holds one solution against another, or against a law (reciprocity,
 //! superposition, symmetry, passivity) or a closed form.
 
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
 mod common;
 
 use beamtune::model::{
@@ -192,7 +194,7 @@ fn condensed(subsystem: &Subsystem, omega: f64) -> nalgebra::Matrix3<Complex64> 
     k.fixed_view::<3, 3>(3, 3) - mb.transpose() * eliminated
 }
 
-/// The response at the probes: alpha_pF - alpha_ps K (I + alpha_ss K)^-1 alpha_sF.
+/// The response at the probes: `alpha_pF - alpha_ps K (I + alpha_ss K)^-1 alpha_sF`.
 fn dense_coupling(model: &Model, hertz: f64) -> Vec<Complex64> {
     const MOTIONS: [BeamMotion; 3] = [BeamMotion::W, BeamMotion::Psi, BeamMotion::V];
     let omega = std::f64::consts::TAU * hertz;
@@ -249,8 +251,8 @@ fn cantilever() -> Model {
     model
 }
 
-/// Expected: closed forms of statics, F L^3 / 3 E I at the tip and its slope F L^2 / 2 E I; the dynamic part is of
-/// the order (f / f_1)^2, 1e-8 at 0.001 Hz.
+/// Expected: closed forms of statics, `F L^3 / 3 E I` at the tip and its slope `F L^2 / 2 E I`; the dynamic part is of
+/// the order `(f / f1)^2`, 1e-8 at 0.001 Hz.
 #[test]
 fn static_limit_of_a_cantilever() {
     let model = cantilever();
@@ -295,7 +297,7 @@ fn static_limit_of_torsion_without_warping() {
 }
 
 /// Expected: Saint-Venant is the limit of a vanishing warping constant. The boundary layer at the clamped end has the
-/// length sqrt(E Gamma_0 / G J) (closed form), so a warping constant 1e-4 times as large differs 1e-2 times as much.
+/// length `sqrt(E Gamma_0 / G J)` (closed form), so a warping constant 1e-4 times as large differs 1e-2 times as much.
 #[test]
 fn no_warping_is_the_limit_of_little_warping() {
     let with = |warping_constant| {
@@ -409,7 +411,7 @@ fn what_is_fixed_does_not_move() {
 }
 
 /// Expected: the energy of a rigid-like motion in closed form. A beam on soft end springs far below its first bending
-/// resonance moves as one: E_V = rho A L |w|^2.
+/// resonance moves as one: `E_V = rho A L |w|^2`.
 #[test]
 fn energy_of_a_beam_that_moves_as_one() {
     let mut model = cantilever();
@@ -435,7 +437,7 @@ fn energy_of_a_beam_that_moves_as_one() {
             enabled: true,
             quantity: Quantity::Motion(
                 beam(0.5 * model.beam.length, BeamMotion::W),
-                Default::default(),
+                Measure::Displacement,
             ),
         },
     ];

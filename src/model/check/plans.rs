@@ -133,7 +133,7 @@ impl Plans {
             0 => String::new(),
             more => format!(" (and {more} more)"),
         };
-        let label = path::family_labels(family).swap_remove(index);
+        let label = label(family, index);
         let message = format!(
             "makes the curve {label:?} impossible: {}: {}{more}",
             first.path, first.message
@@ -223,6 +223,23 @@ impl Plans {
                 faults.push(Fault::new(format!("{at}.{key}"), message));
             }
         }
+    }
+}
+
+/// What the curve of one member is called.
+fn label(family: &Family, index: usize) -> String {
+    match family {
+        Family::Vary {
+            operation, values, ..
+        } => {
+            let alone = Family::Vary {
+                paths: Vec::new(),
+                operation: *operation,
+                values: vec![values[index]],
+            };
+            path::family_labels(&alone).pop().unwrap_or_default()
+        }
+        Family::Cases(cases) => cases[index].name.clone(),
     }
 }
 

@@ -7,6 +7,9 @@ use super::super::serial::format_number;
 use super::super::types::{BeamMotion, MassMotion, Model, Place, Quantity, Subsystem, Target};
 use super::{beyond_the_end, element_keys, element_names, not_finite, numbers};
 
+/// So many faults get a hint at the nearest name; looking for it takes a while where there are many names.
+const MOST_HINTS: usize = 50;
+
 /// The rules of the loads.
 pub(super) fn forces(model: &Model, faults: &mut Vec<Fault>) {
     for (index, force) in model.forces.iter().enumerate() {
@@ -69,22 +72,29 @@ fn target(path: &str, target: &Target, in_use: bool, model: &Model, faults: &mut
             .iter()
             .find(|subsystem| subsystem.name == *name)
         {
-            None => faults.push(Fault::new(format!("{path}.at"), no_such_place(name, model))),
+            None => {
+                let message = no_such_place(name, model, faults.len() < MOST_HINTS);
+                faults.push(Fault::new(format!("{path}.at"), message));
+            }
             Some(subsystem) if in_use => mass(path, subsystem, *motion, faults),
             Some(_) => {}
         },
     }
 }
 
-fn no_such_place(name: &str, model: &Model) -> String {
+fn no_such_place(name: &str, model: &Model, hint: bool) -> String {
     let known = ["left", "right"].into_iter().chain(
         model
             .subsystems
             .iter()
             .map(|subsystem| subsystem.name.as_str()),
     );
-    let near = names::nearest(name, known)
-        .map_or_else(String::new, |near| format!(" (did you mean {near:?}?)"));
+    let near = if hint {
+        names::nearest(name, known)
+    } else {
+        None
+    };
+    let near = near.map_or_else(String::new, |near| format!(" (did you mean {near:?}?)"));
     format!(
         "{name:?} is no subsystem{near}; must be \"left\", \"right\", a position in m or {}",
         if model.subsystems.is_empty() {

@@ -72,6 +72,12 @@ impl Reader {
         );
     }
 
+    /// Whether a misspelt key still gets a hint: looking for it takes a while where a whole text is not of our kind.
+    pub(super) fn may_hint(&self) -> bool {
+        const MOST_HINTS: usize = 1_000;
+        self.found.len() < MOST_HINTS
+    }
+
     /// Takes over the faults of the model that was read, except what follows from faults found before.
     pub(super) fn adopt(&mut self, faults: Vec<Fault>) {
         for fault in faults {

@@ -251,8 +251,12 @@ impl<'a> Table<'a> {
                 continue;
             }
             let absent = self.known.iter().copied().filter(|known| !self.has(known));
-            let near = names::nearest(word, absent)
-                .or_else(|| names::nearest(word, self.known.iter().copied()));
+            let known = self.known.iter().copied();
+            let near = if reader.may_hint() {
+                names::nearest(word, absent).or_else(|| names::nearest(word, known))
+            } else {
+                None
+            };
             let message = if let Some(near) = near {
                 misspelt.push(near);
                 format!("is unknown; did you mean {near}?")

@@ -1,0 +1,183 @@
+//! The commands: arguments to calls, results to standard output, failures to exit codes.
+
+mod frf;
+mod source;
+
+use std::io::{IsTerminal, Write};
+use std::process::ExitCode;
+
+use clap::{Args, Parser, Subcommand};
+
+use crate::model::Fault;
+use crate::{presets, tui};
+
+/// Designs a thin-walled beam with spring-damper-mass subsystems: exact frequency responses in the terminal.
+#[derive(Debug, Parser)]
+#[command(
+    name = "beamtune",
+    version,
+    about,
+    args_conflicts_with_subcommands = true
+)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    designer: ModelArguments,
+}
+
+#[derive(Debug, Args)]
+struct ModelArguments {
+    /// A model file, a preset's name, or - for standard input.
+    #[arg(default_value = "fig05a")]
+    model: String,
+    #[command(flatten)]
+    sets: Sets,
+}
+
+#[derive(Debug, Args)]
+struct Sets {
+    /// Changes a parameter first, such as subsystems.*.mass=120 or beam.length=3.5; may be repeated.
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    sets: Vec<String>,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Lists the presets: name and title.
+    Presets,
+    /// Prints a preset's model file.
+    Show {
+        /// The preset's name.
+        preset: String,
+    },
+    /// Says nothing, or every fault of a model file.
+    Check {
+        /// A model file, a preset's name, or - for standard input.
+        model: String,
+    },
+    /// Writes frequency responses as CSV.
+    Frf(frf::Arguments),
+    /// Natural frequencies (not there yet).
+    #[command(disable_help_flag = true)]
+    Modes(Later),
+    /// A second method beside the exact one (not there yet).
+    #[command(disable_help_flag = true)]
+    Validate(Later),
+    /// The optimiser (not there yet).
+    #[command(disable_help_flag = true)]
+    Tune(Later),
+}
+
+#[derive(Debug, Args)]
+struct Later {
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true, hide = true)]
+    _rest: Vec<String>,
+}
+
+/// Why a command did not do its work.
+#[derive(Debug)]
+enum Failure {
+    /// Bad input or usage, a line each.
+    Input(Vec<String>),
+    /// Anything else.
+    Other(String),
+}
+
+impl Failure {
+    fn input(message: impl Into<String>) -> Self {
+        Self::Input(vec![message.into()])
+    }
+
+    /// The faults of `source`, a line each.
+    fn faults(source: &str, faults: &[Fault]) -> Self {
+        let place = |fault: &Fault| if fault.line.is_some() { ":" } else { ": " };
+        Self::Input(
+            faults
+                .iter()
+                .map(|fault| format!("{source}{}{fault}", place(fault)))
+                .collect(),
+        )
+    }
+}
+
+impl From<std::io::Error> for Failure {
+    fn from(error: std::io::Error) -> Self {
+        Self::Other(error.to_string())
+    }
+}
+
+/// Runs the program: 0 done, 2 bad input or usage, 1 anything else, 128 + n after signal n.
+pub fn main() -> ExitCode {
+    match run(Arguments::parse()) {
+        Ok(code) => code,
+        Err(failure) => {
+            let (lines, code) = match failure {
+                Failure::Input(lines) => (lines, 2),
+                Failure::Other(line) => (vec![line], 1),
+            };
+            let mut standard_error = std::io::stderr().lock();
+            for line in lines {
+                // Nobody is left to tell where standard error is closed.
+                let _ = writeln!(standard_error, "error: {line}");
+            }
+            ExitCode::from(code)
+        }
+    }
+}
+
+fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
+    match arguments.command {
+        None => return design(&arguments.designer),
+        Some(Command::Presets) => print(&list_presets())?,
+        Some(Command::Show { preset }) => print(source::preset(&preset)?.text)?,
+        Some(Command::Check { model }) => drop(source::open(&model, &[])?),
+        Some(Command::Frf(arguments)) => frf::run(&arguments)?,
+        Some(Command::Modes(_)) => return Err(not_yet("modes")),
+        Some(Command::Validate(_)) => return Err(not_yet("validate")),
+        Some(Command::Tune(_)) => return Err(not_yet("tune")),
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn design(arguments: &ModelArguments) -> Result<ExitCode, Failure> {
+    let opened = source::open(&arguments.model, &arguments.sets.sets)?;
+    if !std::io::stdout().is_terminal() {
+        return Err(Failure::input(
+            "the designer needs a terminal on standard output; `beamtune frf` writes to files and pipes",
+        ));
+    }
+    let signal = tui::run(opened)?;
+    Ok(ExitCode::from(
+        signal.map_or(0, |signal| 128_u8.saturating_add(signal)),
+    ))
+}
+
+fn not_yet(command: &str) -> Failure {
+    Failure::Other(format!(
+        "`beamtune {command}` is not there yet in version {}",
+        env!("CARGO_PKG_VERSION")
+    ))
+}
+
+fn list_presets() -> String {
+    let width = presets::ALL
+        .iter()
+        .map(|preset| preset.name.len())
+        .max()
+        .unwrap_or(0);
+    let line = |preset: &presets::Preset| format!("{:width$}  {}\n", preset.name, preset.title());
+    presets::ALL.iter().map(line).collect::<Vec<_>>().concat()
+}
+
+/// Prints to standard output; a reader that has gone away is no failure.
+fn print(text: &str) -> Result<(), Failure> {
+    allow_broken_pipe(std::io::stdout().lock().write_all(text.as_bytes()))
+}
+
+fn allow_broken_pipe(result: std::io::Result<()>) -> Result<(), Failure> {
+    match result {
+        Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
+        other => Ok(other?),
+    }
+}

@@ -1,0 +1,90 @@
+//! The MODEL argument: a file, a preset or standard input, with the changes of `--set`.
+
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use super::Failure;
+use crate::model::{self, Model, entry, path};
+use crate::presets::{self, Preset};
+use crate::tui::{Opened, Source};
+
+/// The preset of a name.
+pub(super) fn preset(name: &str) -> Result<&'static Preset, Failure> {
+    presets::find(name).ok_or_else(|| {
+        let names: Vec<&str> = presets::ALL.iter().map(|preset| preset.name).collect();
+        Failure::input(format!(
+            "no preset is named `{name}`; there are {}",
+            names.join(", ")
+        ))
+    })
+}
+
+/// Reads and checks a model, and changes it by each `PATH=VALUE`.
+pub(super) fn open(argument: &str, sets: &[String]) -> Result<Opened, Failure> {
+    let (source, text) = text_of(argument)?;
+    let label = match &source {
+        Source::Stdin => "standard input",
+        _ => argument,
+    };
+    let mut model = model::read(&text).map_err(|faults| Failure::faults(label, &faults))?;
+    for set in sets {
+        change(&mut model, set)?;
+    }
+    let faults = model::check(&model);
+    if !faults.is_empty() {
+        return Err(Failure::faults("--set", &faults));
+    }
+    Ok(Opened {
+        model,
+        text,
+        source,
+    })
+}
+
+fn text_of(argument: &str) -> Result<(Source, String), Failure> {
+    if argument == "-" {
+        let mut bytes = Vec::new();
+        std::io::stdin().lock().read_to_end(&mut bytes)?;
+        return Ok((Source::Stdin, utf8(bytes, "standard input")?));
+    }
+    if Path::new(argument).exists() {
+        let bytes = std::fs::read(argument)
+            .map_err(|error| Failure::input(format!("{argument}: cannot be read: {error}")))?;
+        return Ok((
+            Source::File(PathBuf::from(argument)),
+            utf8(bytes, argument)?,
+        ));
+    }
+    match presets::find(argument) {
+        Some(preset) => Ok((Source::Preset(preset.name), preset.text.to_owned())),
+        None => Err(Failure::input(format!(
+            "no file and no preset is named `{argument}`; `beamtune presets` lists the presets"
+        ))),
+    }
+}
+
+fn utf8(bytes: Vec<u8>, label: &str) -> Result<String, Failure> {
+    String::from_utf8(bytes).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        Failure::input(format!(
+            "{label}: byte {at} is not UTF-8; a model file is UTF-8 text"
+        ))
+    })
+}
+
+/// Sets one `PATH=VALUE`, unchecked: several may only together make a possible model.
+fn change(model: &mut Model, set: &str) -> Result<(), Failure> {
+    let (pattern, text) = set.split_once('=').ok_or_else(|| {
+        Failure::input(format!(
+            "--set {set}: wants PATH=VALUE, such as beam.length=3.5"
+        ))
+    })?;
+    let fail = |message: String| Failure::input(format!("--set {set}: {message}"));
+    for concrete in path::expand(model, pattern.trim()).map_err(|fault| fail(fault.to_string()))? {
+        let parameter =
+            path::parameter(model, &concrete).map_err(|fault| fail(fault.to_string()))?;
+        let value = entry::value(text.trim(), &parameter).map_err(&fail)?;
+        path::set_unchecked(model, &concrete, value).map_err(|fault| fail(fault.to_string()))?;
+    }
+    Ok(())
+}

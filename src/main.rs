@@ -1,0 +1,7 @@
+//! Arguments to a call, and its exit code.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    beamtune::cli::main()
+}

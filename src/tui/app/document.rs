@@ -1,0 +1,209 @@
+//! The model that is edited, the file it came from and the way back.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use super::history::{Change, History, Step};
+use crate::model::path::{self, Parameter, Value};
+use crate::model::{self, Fault, Model};
+use crate::tui::tree;
+use crate::tui::{Opened, Source};
+
+/// A model with its source, its text as opened or saved, and its history.
+#[derive(Debug)]
+pub struct Document {
+    model: Arc<Model>,
+    saved: Model,
+    text: String,
+    source: Source,
+    history: History,
+    changed: bool,
+}
+
+/// A value to be given to a parameter.
+#[derive(Debug)]
+pub struct Edit<'a> {
+    /// The parameter in words, for the step's name.
+    pub subject: &'a str,
+    /// Its path.
+    pub path: &'a str,
+    /// Its new value.
+    pub value: Value,
+    /// Whether this is a nudge, which is added to one before it.
+    pub nudge: bool,
+}
+
+impl Document {
+    /// The document of an opened model. Where the model differs from its text (values set on the command line), that
+    /// is a first step.
+    pub fn new(opened: Opened) -> Self {
+        let saved = model::read(&opened.text).unwrap_or_else(|_| opened.model.clone());
+        let mut document = Self {
+            model: Arc::new(saved.clone()),
+            saved,
+            text: opened.text,
+            source: opened.source,
+            history: History::default(),
+            changed: false,
+        };
+        if opened.model != document.saved {
+            document.replace("values from the command line".to_owned(), opened.model);
+        }
+        document
+    }
+
+    /// The model as it stands.
+    pub fn model(&self) -> &Arc<Model> {
+        &self.model
+    }
+
+    /// The model as it was opened or saved last.
+    pub fn saved(&self) -> &Model {
+        &self.saved
+    }
+
+    /// Where the model came from.
+    pub fn source(&self) -> &Source {
+        &self.source
+    }
+
+    /// Whether something is not saved.
+    pub fn is_changed(&self) -> bool {
+        self.changed
+    }
+
+    /// The text as opened or saved last.
+    pub fn saved_text(&self) -> &str {
+        &self.text
+    }
+
+    /// The model as text, with the comments and the order of what was opened.
+    pub fn text(&self) -> String {
+        model::write(&self.model, &self.text)
+    }
+
+    /// Gives a parameter a value. The step's name; `None` where the value was there already.
+    ///
+    /// # Errors
+    /// The faults of the model as it would be; the model is then as it was.
+    pub fn set(&mut self, edit: &Edit<'_>) -> Result<Option<String>, Vec<Fault>> {
+        let parameter = path::parameter(&self.model, edit.path).map_err(|fault| vec![fault])?;
+        if parameter.value == edit.value {
+            return Ok(None);
+        }
+        let mut after = Model::clone(&self.model);
+        path::set(&mut after, edit.path, edit.value.clone())?;
+        if after == *self.model {
+            return Ok(None);
+        }
+        let after = Arc::new(after);
+        let extended = if edit.nudge {
+            self.extend_nudge(edit, &parameter)
+        } else {
+            None
+        };
+        let name = extended.unwrap_or_else(|| {
+            let name = step_name(edit.subject, &parameter, &parameter.value, &edit.value);
+            let change = self.change(edit, parameter.value, &after);
+            self.history.push(Step {
+                name: name.clone(),
+                change,
+                nudge: edit.nudge,
+            });
+            name
+        });
+        self.take(after);
+        Ok(Some(name))
+    }
+
+    /// Puts another model in the place of this one, as a step with this name.
+    pub fn replace(&mut self, name: String, after: Model) {
+        let after = Arc::new(after);
+        self.history.push(Step {
+            name,
+            change: Change::Whole {
+                before: Arc::clone(&self.model),
+                after: Arc::clone(&after),
+            },
+            nudge: false,
+        });
+        self.take(after);
+    }
+
+    /// Takes the last step back; its name.
+    pub fn undo(&mut self) -> Option<String> {
+        let name = self.history.undo(&mut self.model)?.to_owned();
+        self.changed = *self.model != self.saved;
+        Some(name)
+    }
+
+    /// Takes an undone step again; its name.
+    pub fn redo(&mut self) -> Option<String> {
+        let name = self.history.redo(&mut self.model)?.to_owned();
+        self.changed = *self.model != self.saved;
+        Some(name)
+    }
+
+    /// Lets the next nudge start a step of its own.
+    pub fn seal(&mut self) {
+        self.history.seal();
+    }
+
+    /// Notes that the model was saved as this text in this file.
+    pub fn mark_saved(&mut self, path: PathBuf, text: String) {
+        self.saved = Model::clone(&self.model);
+        self.text = text;
+        self.source = Source::File(path);
+        self.changed = false;
+        self.history.seal();
+    }
+
+    fn take(&mut self, after: Arc<Model>) {
+        self.model = after;
+        self.changed = *self.model != self.saved;
+    }
+
+    /// Adds a nudge to the one before it, if there is one of the same parameter; the name of both together.
+    fn extend_nudge(&mut self, edit: &Edit<'_>, parameter: &Parameter) -> Option<String> {
+        let step = self.history.open_nudge(edit.path)?;
+        let Change::Value { before, after, .. } = &mut step.change else {
+            return None;
+        };
+        after.clone_from(&edit.value);
+        let name = step_name(edit.subject, parameter, before, &edit.value);
+        step.name.clone_from(&name);
+        if before == after {
+            self.history.drop_last();
+        }
+        Some(name)
+    }
+
+    /// The smallest change that goes both ways: one value where putting the old one back gives the old model.
+    fn change(&self, edit: &Edit<'_>, before: Value, after: &Arc<Model>) -> Change {
+        let mut back = Model::clone(after);
+        let put_back = path::set_unchecked(&mut back, edit.path, before.clone());
+        if put_back.is_ok() && back == *self.model {
+            return Change::Value {
+                path: edit.path.to_owned(),
+                before,
+                after: edit.value.clone(),
+            };
+        }
+        Change::Whole {
+            before: Arc::clone(&self.model),
+            after: Arc::clone(after),
+        }
+    }
+}
+
+/// `S1 z_left stiffness 16.7 -> 40 MN/m`: the unit once where it is the same.
+fn step_name(subject: &str, parameter: &Parameter, before: &Value, after: &Value) -> String {
+    let (before, after) = (
+        tree::of_parameter(parameter, before),
+        tree::of_parameter(parameter, after),
+    );
+    format!(
+        "{subject} {} -> {after}",
+        tree::without_unit_of(&before, &after)
+    )
+}

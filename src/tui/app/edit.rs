@@ -1,0 +1,261 @@
+//! Changing values: typed, nudged, cycled, put back.
+
+use std::sync::Arc;
+
+use super::document::Edit;
+use super::{App, Asked, AskedKind, Overlay, Prompt, Purpose};
+use crate::model::names::segment;
+use crate::model::path::{self, Parameter, Value};
+use crate::model::{Fault, Model};
+use crate::tui::tree::{self, Node};
+
+/// Digits kept by a nudge.
+const NUDGE_DIGITS: usize = 6;
+
+impl App {
+    /// Enter: types a value, cycles a choice, shows a study, or opens and closes a group.
+    pub(super) fn edit(&mut self) {
+        let model = Arc::clone(self.document.model());
+        let node = self.selection.node();
+        if let Node::Study(i) = node {
+            let study = (self.curves.study != Some(i)).then_some(i);
+            return self.show_study(study, &model);
+        }
+        match parameter(&model, node) {
+            Some(Err(fault)) => self.refuse(faults_in_words(&[fault], "", "")),
+            Some(Ok(parameter)) if parameter.choices.is_empty() => self.ask(node, parameter),
+            Some(Ok(parameter)) => self.cycle(node, &parameter),
+            None => self.toggle(),
+        }
+    }
+
+    /// Space: cycles a choice or a place, or opens and closes a group.
+    pub(super) fn cycle_or_toggle(&mut self) {
+        let model = Arc::clone(self.document.model());
+        let node = self.selection.node();
+        match parameter(&model, node) {
+            Some(Ok(parameter)) if !parameter.choices.is_empty() => self.cycle(node, &parameter),
+            Some(Ok(parameter)) if matches!(node, Node::ForceAt(_) | Node::ResponseAt(_)) => {
+                let places = places(&model);
+                self.cycle_through(node, &parameter, &places);
+            }
+            Some(Ok(_)) => self.edit(),
+            Some(Err(fault)) => self.refuse(faults_in_words(&[fault], "", "")),
+            None => self.toggle(),
+        }
+    }
+
+    fn toggle(&mut self) {
+        let model = Arc::clone(self.document.model());
+        if tree::children(&model, self.selection.node()).is_empty() {
+            self.refuse("this row is changed in the file");
+        } else {
+            self.selection.toggle(&model);
+        }
+    }
+
+    fn ask(&mut self, node: Node, parameter: Parameter) {
+        let (kind, text) = match &parameter.value {
+            Value::Number(old) => {
+                let text = parameter.unit.format_exact(*old);
+                (AskedKind::Number(*old, parameter.unit), text)
+            }
+            Value::Count(old) => (AskedKind::Count(*old), old.to_string()),
+            other => (AskedKind::Text, tree::of_parameter(&parameter, other)),
+        };
+        let asked = Asked {
+            node,
+            subject: tree::subject(self.model(), node),
+            path: parameter.path,
+            range: parameter.range,
+            kind,
+        };
+        self.overlay = Some(Overlay::Prompt(Prompt::new(Purpose::Value(asked), text)));
+    }
+
+    fn cycle(&mut self, node: Node, parameter: &Parameter) {
+        let choices: Vec<Value> = parameter
+            .choices
+            .iter()
+            .map(|word| Value::Choice(word))
+            .collect();
+        self.cycle_through(node, parameter, &choices);
+    }
+
+    /// Takes the next of some values that the model allows.
+    fn cycle_through(&mut self, node: Node, parameter: &Parameter, values: &[Value]) {
+        let subject = tree::subject(self.model(), node);
+        let here = values.iter().position(|value| *value == parameter.value);
+        let first = here.map_or(0, |here| here + 1);
+        let mut refusal = None;
+        for step in 0..values.len() {
+            let value = values[(first + step) % values.len()].clone();
+            if value == parameter.value {
+                continue;
+            }
+            match self.set(&subject, &parameter.path, value, false) {
+                Ok(()) => return,
+                Err(faults) => refusal = refusal.or(Some(faults)),
+            }
+        }
+        match refusal {
+            Some(faults) => self.refuse(faults_in_words(&faults, &parameter.path, &subject)),
+            None => self.refuse(format!("{subject} has no other choice")),
+        }
+    }
+
+    /// Changes a number by thousandths of itself.
+    pub(super) fn nudge(&mut self, thousandths: i32) {
+        let model = Arc::clone(self.document.model());
+        let node = self.selection.node();
+        let parameter = match parameter(&model, node) {
+            Some(Ok(parameter)) => parameter,
+            Some(Err(fault)) => return self.refuse(faults_in_words(&[fault], "", "")),
+            None => {
+                return self.refuse("a nudge changes a number: select one, Tab goes to the next");
+            }
+        };
+        let subject = tree::subject(&model, node);
+        let factor = 1.0 + f64::from(thousandths) / 1000.0;
+        let value = match parameter.value {
+            Value::Number(0.0) => {
+                return self.refuse(format!(
+                    "{subject} is 0, of which no percentage is more: Enter types a value"
+                ));
+            }
+            Value::Number(old) => Value::Number(rounded(old * factor)),
+            Value::Count(old) => Value::Count(nudged_count(old, factor)),
+            _ => {
+                return self.refuse(format!(
+                    "{subject} is not a number: Enter or Space changes it"
+                ));
+            }
+        };
+        if let Err(faults) = self.set(&subject, &parameter.path, value, true) {
+            self.refuse(faults_in_words(&faults, &parameter.path, &subject));
+        }
+    }
+
+    /// Puts the file's value back.
+    pub(super) fn revert(&mut self) {
+        let model = Arc::clone(self.document.model());
+        let node = self.selection.node();
+        let Some(path) = tree::parameter_path(&model, node) else {
+            return self.refuse("select a single value to put the file's back");
+        };
+        let Ok(saved) = path::parameter(self.document.saved(), &path) else {
+            return self.refuse("the file has no value for this");
+        };
+        let subject = tree::subject(&model, node);
+        if !tree::differs(&model, self.document.saved(), node) {
+            return self.refuse(format!("{subject} is as in the file"));
+        }
+        if let Err(faults) = self.set(&subject, &path, saved.value, false) {
+            self.refuse(faults_in_words(&faults, &path, &subject));
+        }
+    }
+
+    /// Gives a parameter a value and says so; the tree and the chart follow.
+    pub(super) fn set(
+        &mut self,
+        subject: &str,
+        path: &str,
+        value: Value,
+        nudge: bool,
+    ) -> Result<(), Vec<Fault>> {
+        let before = Arc::clone(self.document.model());
+        let step = self.document.set(&Edit {
+            subject,
+            path,
+            value,
+            nudge,
+        })?;
+        match step {
+            Some(name) => self.done(name),
+            None => self.done(format!("{subject} is unchanged")),
+        }
+        self.follow(&before);
+        Ok(())
+    }
+}
+
+fn parameter(model: &Model, node: Node) -> Option<Result<Parameter, Fault>> {
+    tree::parameter_path(model, node).map(|path| path::parameter(model, &path))
+}
+
+/// Where a force or response may be, without positions: the ends and the attached masses.
+fn places(model: &Model) -> Vec<Value> {
+    // An odd name is a name only in quotes.
+    let place = |name: &String| {
+        if segment(name) == *name {
+            name.clone()
+        } else {
+            format!("'{name}'")
+        }
+    };
+    let masses = model
+        .subsystems
+        .iter()
+        .filter(|one| one.enabled)
+        .map(|one| place(&one.name));
+    ["left", "right"]
+        .map(str::to_owned)
+        .into_iter()
+        .chain(masses)
+        .map(Value::Text)
+        .collect()
+}
+
+/// A number with as many digits as a nudge keeps.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.*e}", NUDGE_DIGITS - 1)
+        .parse()
+        .unwrap_or(value)
+}
+
+/// A count times a factor, at least one more or less.
+fn nudged_count(old: usize, factor: f64) -> usize {
+    let new = (old as f64 * factor).round() as usize;
+    if factor > 1.0 {
+        new.max(old + 1)
+    } else {
+        new.min(old.saturating_sub(1))
+    }
+}
+
+/// What is wrong, in a line: the first fault, and how many more there are. `subject` stands for `path`.
+pub(super) fn faults_in_words(faults: &[Fault], path: &str, subject: &str) -> String {
+    // The fault of the parameter itself says more than what follows from it.
+    let own = faults.iter().find(|fault| fault.path == path);
+    let Some(first) = own.or(faults.first()) else {
+        return "the model would not be possible".to_owned();
+    };
+    let place = if first.path == path {
+        subject
+    } else {
+        &first.path
+    };
+    let words = format!("{place} {}", first.message);
+    match faults.len() {
+        0 | 1 => words,
+        more => format!("{words} (and {} more)", more - 1),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_nudge_keeps_six_digits() {
+        assert_eq!(rounded(1.666_667e7 * 1.01), 1.683_33e7);
+        assert_eq!(rounded(-0.1 * 1.1), -0.11);
+    }
+
+    #[test]
+    fn a_count_moves_by_one_at_least() {
+        assert_eq!(nudged_count(2000, 1.01), 2020);
+        assert_eq!(nudged_count(3, 1.001), 4);
+        assert_eq!(nudged_count(3, 0.999), 2);
+    }
+}

@@ -1,0 +1,172 @@
+//! Opening, saving and leaving.
+
+use std::path::PathBuf;
+
+use super::{
+    App, Curves, Document, Effect, Guard, List, Next, Overlay, Prompt, Purpose, ReplaceReason,
+    Reply, Selection,
+};
+use crate::model;
+use crate::presets;
+use crate::tui::keys::Command;
+use crate::tui::{Opened, Source};
+
+impl App {
+    /// Goes on to something that drops the model: asks first when it is not saved.
+    pub(super) fn leave(&mut self, next: Next) -> Vec<Effect> {
+        if !self.document.is_changed() {
+            return self.go_on(next);
+        }
+        self.overlay = Some(Overlay::Unsaved(next));
+        Vec::new()
+    }
+
+    fn go_on(&mut self, next: Next) -> Vec<Effect> {
+        self.overlay = None;
+        match next {
+            Next::Quit => return vec![Effect::Quit(None)],
+            Next::AskPath => {
+                self.overlay = Some(Overlay::Prompt(Prompt::new(Purpose::Open, String::new())));
+            }
+            Next::Preset(row) => self.open_preset(row),
+        }
+        Vec::new()
+    }
+
+    fn open_preset(&mut self, row: usize) {
+        let Some(preset) = presets::ALL.get(row) else {
+            return;
+        };
+        match model::read(preset.text) {
+            Ok(model) => self.open(Opened {
+                model,
+                text: preset.text.to_owned(),
+                source: Source::Preset(preset.name),
+            }),
+            Err(faults) => self.list_faults(PathBuf::from(preset.name), faults),
+        }
+    }
+
+    /// Takes an opened model in the place of this one. The frozen reference stays, to compare with.
+    fn open(&mut self, opened: Opened) {
+        self.document = Document::new(opened);
+        let model = self.document.model();
+        self.selection = Selection::new(model);
+        let reference = self.curves.reference.take();
+        let decibels = self.curves.decibels;
+        self.curves = Curves::new(model, self.curves.generation + 1);
+        self.curves.reference = reference;
+        self.curves.decibels = decibels;
+        self.overlay = None;
+        let name = self.document.source().name();
+        self.done(format!("opened {name}"));
+    }
+
+    fn list_faults(&mut self, path: PathBuf, faults: Vec<model::Fault>) {
+        let list = List::new(faults.len(), 0);
+        self.overlay = Some(Overlay::Faults { path, faults, list });
+    }
+
+    /// Saves to the file the model came from, or asks for one.
+    pub(super) fn save(&mut self) -> Vec<Effect> {
+        let Source::File(path) = self.document.source() else {
+            self.ask_save_path();
+            return Vec::new();
+        };
+        let path = path.clone();
+        if !self.document.is_changed() {
+            self.done(format!("{} is saved already", path.display()));
+            return Vec::new();
+        }
+        let guard = self.guard(&path);
+        vec![self.save_to(path, guard)]
+    }
+
+    pub(super) fn ask_save_path(&mut self) {
+        let path = match self.document.source() {
+            Source::File(path) => path.display().to_string(),
+            Source::Preset(name) => format!("{name}.toml"),
+            Source::Stdin => "model.toml".to_owned(),
+        };
+        self.overlay = Some(Overlay::Prompt(Prompt::new(Purpose::SaveAs, path)));
+    }
+
+    pub(super) fn save_to(&self, path: PathBuf, guard: Guard) -> Effect {
+        Effect::Save {
+            path,
+            text: self.document.text(),
+            guard,
+        }
+    }
+
+    /// Answers the question that is asked.
+    pub(super) fn answer_question(&mut self, command: Command) -> Vec<Effect> {
+        match (self.overlay.take(), command) {
+            (Some(Overlay::Unsaved(next)), Command::Save) => {
+                self.after_save = Some(next);
+                self.save()
+            }
+            (Some(Overlay::Unsaved(next)), Command::Discard) => self.go_on(next),
+            (Some(Overlay::Replace { path, .. }), Command::Replace) => {
+                vec![self.save_to(path, Guard::Anything)]
+            }
+            (Some(Overlay::Replace { .. }), Command::Cancel) => {
+                self.after_save = None;
+                self.refuse("not saved");
+                Vec::new()
+            }
+            (_, Command::Cancel) => Vec::new(),
+            (overlay, _) => {
+                self.overlay = overlay;
+                Vec::new()
+            }
+        }
+    }
+
+    /// Takes what came of an effect; what is to be done then.
+    pub fn reply(&mut self, reply: Reply) -> Vec<Effect> {
+        let mut effects = match reply {
+            Reply::Saved(path, text) => self.saved(path, text),
+            Reply::Exists(path) => self.ask_replace(path, ReplaceReason::Exists),
+            Reply::ChangedOutside(path) => self.ask_replace(path, ReplaceReason::ChangedOutside),
+            Reply::NotSaved(path, reason) => {
+                self.after_save = None;
+                self.refuse_prompt(format!("{} is not saved: {reason}", path.display()));
+                Vec::new()
+            }
+            Reply::Opened(opened) => {
+                self.open(*opened);
+                Vec::new()
+            }
+            Reply::Faulty(path, faults) => {
+                self.list_faults(path, faults);
+                Vec::new()
+            }
+            Reply::NotRead(path, reason) => {
+                self.refuse_prompt(format!("{} is not read: {reason}", path.display()));
+                Vec::new()
+            }
+            Reply::Completed(text) => {
+                self.complete(text);
+                Vec::new()
+            }
+        };
+        effects.extend(self.request());
+        effects
+    }
+
+    fn saved(&mut self, path: PathBuf, text: String) -> Vec<Effect> {
+        self.overlay = None;
+        self.done(format!("saved {}", path.display()));
+        self.document.mark_saved(path, text);
+        match self.after_save.take() {
+            Some(next) => self.go_on(next),
+            None => Vec::new(),
+        }
+    }
+
+    fn ask_replace(&mut self, path: PathBuf, reason: ReplaceReason) -> Vec<Effect> {
+        self.overlay = Some(Overlay::Replace { path, reason });
+        Vec::new()
+    }
+}

@@ -1,0 +1,96 @@
+//! New subsystems, and names that are not taken.
+
+use std::f64::consts::PI;
+
+use crate::model::{Model, Spring, Subsystem};
+
+/// A new subsystem's mass as a share of the beam's.
+const MASS_SHARE: f64 = 0.05;
+/// A new subsystem's damping ratio along y and z.
+const DAMPING_RATIO: f64 = 0.01;
+/// A new subsystem's arms, m.
+const ARM: f64 = 0.2;
+/// A new subsystem's half-spacing of the z springs at the beam, m.
+const MOUNT: f64 = 0.1;
+
+/// The names of all subsystems.
+pub(super) fn subsystem_names(model: &Model) -> Vec<&str> {
+    model
+        .subsystems
+        .iter()
+        .map(|one| one.name.as_str())
+        .collect()
+}
+
+/// The names of all responses.
+pub(super) fn response_names(model: &Model) -> Vec<&str> {
+    model
+        .responses
+        .iter()
+        .map(|one| one.name.as_str())
+        .collect()
+}
+
+/// A name that is not taken: the wanted one, or with the next free number at its end.
+pub(super) fn free_name(wanted: &str, taken: &[&str]) -> String {
+    if !taken.contains(&wanted) {
+        return wanted.to_owned();
+    }
+    let stem = wanted.trim_end_matches(|c: char| c.is_ascii_digit());
+    // `S1` counts on as `S2`; a name without a number gets one after a space.
+    let stem = if stem.len() < wanted.len() {
+        stem.to_owned()
+    } else {
+        format!("{wanted} ")
+    };
+    // One more number than there are names is always free.
+    let numbered = |number: usize| format!("{stem}{number}");
+    let free = (2..taken.len() + 2)
+        .map(numbered)
+        .find(|name| !taken.contains(&name.as_str()));
+    free.unwrap_or_else(|| numbered(taken.len() + 2))
+}
+
+/// A subsystem at mid-span, of a twentieth of the beam's mass, in resonance at the middle of the sweep.
+pub(super) fn new_subsystem(model: &Model) -> Subsystem {
+    let beam = &model.beam;
+    let mass = two_digits(MASS_SHARE * beam.material.density * beam.section.area * beam.length);
+    let omega = 2.0 * PI * (model.sweep.from * model.sweep.to).sqrt();
+    let stiffness = mass * omega * omega;
+    // Two springs share the mass along each axis.
+    let spring = Spring {
+        stiffness: two_digits(stiffness / 2.0),
+        damping: two_digits(DAMPING_RATIO * (stiffness * mass).sqrt()),
+    };
+    Subsystem {
+        name: free_name("S1", &subsystem_names(model)),
+        enabled: true,
+        position: beam.length / 2.0,
+        mass,
+        inertia: two_digits(mass * ARM * ARM),
+        y_left: spring,
+        y_right: spring,
+        z_left: spring,
+        z_right: spring,
+        arm_left: ARM,
+        arm_right: ARM,
+        mount_y: MOUNT,
+        mount_z: 0.0,
+    }
+}
+
+fn two_digits(value: f64) -> f64 {
+    format!("{value:.1e}").parse().unwrap_or(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn free_names_count_on() {
+        assert_eq!(free_name("S1", &[]), "S1");
+        assert_eq!(free_name("S1", &["S1", "S2"]), "S3");
+        assert_eq!(free_name("E_V", &["E_V"]), "E_V 2");
+    }
+}

@@ -1,0 +1,166 @@
+//! The boxes that stand over the designer and take its keys.
+
+use std::path::PathBuf;
+
+use tui_input::Input;
+
+use crate::model::{Fault, Unit};
+use crate::presets;
+use crate::tui::keys::Scope;
+use crate::tui::tree::Node;
+
+/// A box over the designer.
+#[derive(Debug)]
+pub enum Overlay {
+    /// Something is typed.
+    Prompt(Prompt),
+    /// A preset is chosen.
+    Presets(List),
+    /// Help is read.
+    Help(List),
+    /// Faults of a file that was not opened are read.
+    Faults {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        faults: Vec<Fault>,
+        /// Which part is shown.
+        list: List,
+    },
+    /// Asks what becomes of unsaved changes before this.
+    Unsaved(Next),
+    /// Asks whether a file is replaced.
+    Replace {
+        /// The file.
+        path: PathBuf,
+        /// Why there is a question.
+        reason: ReplaceReason,
+    },
+}
+
+/// Why a file is not replaced without a question.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ReplaceReason {
+    /// Another file of this name is there.
+    Exists,
+    /// It is not as it was when it was opened or saved.
+    ChangedOutside,
+}
+
+/// What comes after unsaved changes are dealt with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Next {
+    /// The program ends.
+    Quit,
+    /// The path of a file is asked for.
+    AskPath,
+    /// A preset is opened.
+    Preset(usize),
+}
+
+/// A box in which a line is typed.
+#[derive(Debug)]
+pub struct Prompt {
+    /// What is asked for.
+    pub purpose: Purpose,
+    /// What is typed so far.
+    pub input: Input,
+    /// Why what was typed was refused.
+    pub refusal: Option<String>,
+}
+
+impl Prompt {
+    /// A prompt with some text in it.
+    pub fn new(purpose: Purpose, text: String) -> Self {
+        Self {
+            purpose,
+            input: Input::new(text),
+            refusal: None,
+        }
+    }
+}
+
+/// What a prompt asks for.
+#[derive(Debug, Clone)]
+pub enum Purpose {
+    /// A parameter's value.
+    Value(Asked),
+    /// The path of a file to open.
+    Open,
+    /// The path of the file to save to.
+    SaveAs,
+}
+
+/// A parameter whose value is asked for.
+#[derive(Debug, Clone)]
+pub struct Asked {
+    /// Its row.
+    pub node: Node,
+    /// The parameter in words.
+    pub subject: String,
+    /// Its path.
+    pub path: String,
+    /// What it may be.
+    pub range: String,
+    /// How it is read.
+    pub kind: AskedKind,
+}
+
+/// How a typed value is read.
+#[derive(Debug, Clone)]
+pub enum AskedKind {
+    /// As a number with this unit, perhaps relative to the old one.
+    Number(f64, Unit),
+    /// As a whole number, perhaps relative to the old one.
+    Count(usize),
+    /// As it stands.
+    Text,
+}
+
+/// A list of which one row is selected.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct List {
+    /// The selected row, or the first one shown where none is selected.
+    pub row: usize,
+    /// How many rows there are.
+    pub rows: usize,
+    /// How many there is room for; known when it has been drawn.
+    pub height: usize,
+}
+
+impl List {
+    /// A list of so many rows.
+    pub fn new(rows: usize, row: usize) -> Self {
+        Self {
+            row,
+            rows,
+            height: 1,
+        }
+    }
+
+    /// Moves by rows; stops at the ends.
+    pub fn step(&mut self, rows: isize) {
+        self.row = self
+            .row
+            .saturating_add_signed(rows)
+            .min(self.rows.saturating_sub(1));
+    }
+}
+
+impl Overlay {
+    /// The list of presets with this one selected.
+    pub fn presets(row: usize) -> Self {
+        Self::Presets(List::new(presets::ALL.len(), row))
+    }
+
+    /// Which keys have their meaning in the box.
+    pub fn scope(&self) -> Scope {
+        match self {
+            Self::Prompt(_) => Scope::Prompt,
+            Self::Presets(_) => Scope::Picker,
+            Self::Help(_) | Self::Faults { .. } => Scope::Reader,
+            Self::Unsaved(_) => Scope::Unsaved,
+            Self::Replace { .. } => Scope::Replace,
+        }
+    }
+}

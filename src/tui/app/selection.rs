@@ -1,0 +1,282 @@
+//! Which rows of the tree are open, which one is selected, and which part is on the screen.
+
+use std::collections::HashSet;
+
+use crate::model::{Model, Restraint};
+use crate::tui::tree::{self, Node, Row};
+
+/// The tree's state. Its rows are those of the model it was updated with last.
+#[derive(Debug)]
+pub struct Selection {
+    open: HashSet<Node>,
+    rows: Vec<Row>,
+    cursor: usize,
+    offset: usize,
+    height: usize,
+}
+
+impl Selection {
+    /// A tree with its first level and the first subsystem open.
+    pub fn new(model: &Model) -> Self {
+        let mut open = HashSet::from([Node::Beam, Node::Subsystems, Node::Responses]);
+        if model.subsystems.len() <= 1 {
+            open.extend([Node::Supports, Node::Subsystem(0)]);
+        }
+        let mut selection = Self {
+            open,
+            rows: Vec::new(),
+            cursor: 1,
+            offset: 0,
+            height: usize::MAX,
+        };
+        selection.refresh(model);
+        selection
+    }
+
+    /// The selected row's node.
+    pub fn node(&self) -> Node {
+        self.rows
+            .get(self.cursor)
+            .map_or(Node::Title, |row| row.node)
+    }
+
+    /// All rows, and how many of them lie above the screen.
+    pub fn rows(&self) -> (&[Row], usize) {
+        (&self.rows, self.offset)
+    }
+
+    /// The selected row's number.
+    pub fn cursor(&self) -> usize {
+        self.cursor
+    }
+
+    /// Makes the rows anew after the model or what is open has changed; the selection stays on its node, or on what
+    /// held it.
+    pub fn refresh(&mut self, model: &Model) {
+        let node = self.rows.get(self.cursor).map(|row| row.node);
+        self.rows = tree::rows(model, |node| self.open.contains(&node));
+        let mut sought = node;
+        while let Some(node) = sought {
+            if let Some(found) = self.rows.iter().position(|row| row.node == node) {
+                self.cursor = found;
+                break;
+            }
+            sought = tree::parent(node);
+        }
+        self.cursor = self.cursor.min(self.rows.len().saturating_sub(1));
+        self.scroll();
+    }
+
+    /// Follows subsystems, forces, responses and studies to their new places when some were added or removed.
+    pub fn follow(&mut self, before: &Model, after: &Model) {
+        let moved = Moves::new(before, after);
+        self.open = self
+            .open
+            .iter()
+            .filter_map(|node| moved.of(*node))
+            .collect();
+        for row in &mut self.rows {
+            if let Some(node) = moved.of(row.node) {
+                row.node = node;
+            }
+        }
+        self.refresh(after);
+    }
+
+    /// Tells how many rows there is room for.
+    pub fn set_height(&mut self, height: usize) {
+        self.height = height.max(1);
+        self.scroll();
+    }
+
+    /// Moves by rows; stops at the ends.
+    pub fn step(&mut self, rows: isize) {
+        self.go(self.cursor.saturating_add_signed(rows));
+    }
+
+    /// Moves by screens.
+    pub fn page(&mut self, forward: bool) {
+        let rows = self.height.saturating_sub(1).max(1).cast_signed();
+        self.step(if forward { rows } else { -rows });
+    }
+
+    /// Goes to the first row.
+    pub fn first(&mut self) {
+        self.go(0);
+    }
+
+    /// Goes to the last row.
+    pub fn last(&mut self) {
+        self.go(usize::MAX);
+    }
+
+    /// Opens the selected group, or goes to its first row if it is open.
+    pub fn expand(&mut self, model: &Model) {
+        match self.rows.get(self.cursor).and_then(|row| row.open) {
+            Some(true) => self.step(1),
+            Some(false) => self.toggle(model),
+            None => {}
+        }
+    }
+
+    /// Opens every group, but for the springs of free motions, which are all 0.
+    pub fn expand_all(&mut self, model: &Model) {
+        let groups = tree::all_rows(model)
+            .into_iter()
+            .filter(|row| row.open.is_some())
+            .map(|row| row.node);
+        let holds_zeros = |node: &Node| match node {
+            Node::Motion(end, motion) => end.support(model)[*motion] == Restraint::Free,
+            _ => false,
+        };
+        self.open = groups.filter(|node| !holds_zeros(node)).collect();
+        self.refresh(model);
+    }
+
+    /// Closes every group.
+    pub fn collapse_all(&mut self, model: &Model) {
+        self.open.clear();
+        self.refresh(model);
+    }
+
+    /// Closes the selected group, or goes to the group that holds the row.
+    pub fn collapse(&mut self, model: &Model) {
+        if self.rows.get(self.cursor).and_then(|row| row.open) == Some(true) {
+            self.toggle(model);
+        } else if let Some(parent) = tree::parent(self.node()) {
+            self.select(model, parent);
+        }
+    }
+
+    /// Opens or closes the selected group.
+    pub fn toggle(&mut self, model: &Model) {
+        let node = self.node();
+        if !self.open.remove(&node) {
+            self.open.insert(node);
+        }
+        self.refresh(model);
+    }
+
+    /// Selects a node, opening what holds it.
+    pub fn select(&mut self, model: &Model, node: Node) {
+        let mut holder = tree::parent(node);
+        while let Some(parent) = holder {
+            self.open.insert(parent);
+            holder = tree::parent(parent);
+        }
+        self.rows = tree::rows(model, |node| self.open.contains(&node));
+        if let Some(found) = self.rows.iter().position(|row| row.node == node) {
+            self.cursor = found;
+        }
+        self.go(self.cursor);
+    }
+
+    /// Selects the next or previous parameter of the model, shown or not.
+    pub fn next_parameter(&mut self, model: &Model, forward: bool) {
+        let all = tree::all_rows(model);
+        let here = self.node();
+        let Some(at) = all.iter().position(|row| row.node == here) else {
+            return;
+        };
+        let parameter =
+            |row: &&Row| row.open.is_none() && tree::parameter_path(model, row.node).is_some();
+        let found = if forward {
+            all[at + 1..].iter().find(parameter)
+        } else {
+            all[..at].iter().rev().find(parameter)
+        };
+        if let Some(row) = found {
+            self.select(model, row.node);
+        }
+    }
+
+    fn go(&mut self, row: usize) {
+        self.cursor = row.min(self.rows.len().saturating_sub(1));
+        self.scroll();
+    }
+
+    /// Moves the screen's part of the tree no further than needed to show the selected row.
+    fn scroll(&mut self) {
+        let last = self.rows.len().saturating_sub(self.height);
+        let lowest = (self.cursor + 1).saturating_sub(self.height);
+        self.offset = self.offset.max(lowest).min(self.cursor).min(last);
+    }
+}
+
+/// How the lists of a model changed: from a common beginning on, all places moved by the difference in length.
+struct Moves {
+    subsystems: Move,
+    forces: Move,
+    responses: Move,
+    studies: Move,
+}
+
+struct Move {
+    from: usize,
+    by: isize,
+}
+
+impl Move {
+    fn new<T: PartialEq>(before: &[T], after: &[T]) -> Self {
+        let common = before.iter().zip(after).take_while(|(a, b)| a == b).count();
+        Self {
+            from: common,
+            by: after.len().cast_signed() - before.len().cast_signed(),
+        }
+    }
+
+    fn of(&self, place: usize) -> Option<usize> {
+        if place < self.from || self.by == 0 {
+            return Some(place);
+        }
+        // What was removed is gone; the row that takes its place is another one.
+        place
+            .checked_add_signed(self.by)
+            .filter(|new| *new >= self.from)
+    }
+}
+
+impl Moves {
+    fn new(before: &Model, after: &Model) -> Self {
+        Self {
+            subsystems: Move::new(&before.subsystems, &after.subsystems),
+            forces: Move::new(&before.forces, &after.forces),
+            responses: Move::new(&before.responses, &after.responses),
+            studies: Move::new(&before.studies, &after.studies),
+        }
+    }
+
+    fn of(&self, node: Node) -> Option<Node> {
+        Some(match node {
+            Node::Subsystem(i) => Node::Subsystem(self.subsystems.of(i)?),
+            Node::SubsystemNumber(i, row) => Node::SubsystemNumber(self.subsystems.of(i)?, row),
+            Node::Force(i) => Node::Force(self.forces.of(i)?),
+            Node::ForceAt(i) => Node::ForceAt(self.forces.of(i)?),
+            Node::ForceDirection(i) => Node::ForceDirection(self.forces.of(i)?),
+            Node::ForceNumber(i, row) => Node::ForceNumber(self.forces.of(i)?, row),
+            Node::Response(i) => Node::Response(self.responses.of(i)?),
+            Node::ResponseMeasure(i) => Node::ResponseMeasure(self.responses.of(i)?),
+            Node::ResponseAt(i) => Node::ResponseAt(self.responses.of(i)?),
+            Node::ResponseDirection(i) => Node::ResponseDirection(self.responses.of(i)?),
+            Node::Study(i) => Node::Study(self.studies.of(i)?),
+            Node::StudyLine(i, row) => Node::StudyLine(self.studies.of(i)?, row),
+            other => other,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_follow_an_insertion_and_a_removal() {
+        let inserted = Move::new(&["a", "b", "c"], &["a", "new", "b", "c"]);
+        assert_eq!(
+            [0, 1, 2].map(|i| inserted.of(i)),
+            [Some(0), Some(2), Some(3)]
+        );
+        let removed = Move::new(&["a", "b", "c"], &["a", "c"]);
+        assert_eq!([0, 1, 2].map(|i| removed.of(i)), [Some(0), None, Some(1)]);
+    }
+}

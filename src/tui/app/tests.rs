@@ -1,0 +1,471 @@
+use std::path::PathBuf;
+
+use crossterm::event::{KeyCode, KeyEvent};
+
+use super::*;
+use crate::model::path;
+use crate::presets;
+use crate::tui::Source;
+use crate::tui::tree::{self, Node};
+
+fn app(preset: &str) -> App {
+    let preset = presets::find(preset).unwrap();
+    let mut app = App::new(Opened {
+        model: crate::model::read(preset.text).unwrap(),
+        text: preset.text.to_owned(),
+        source: Source::Preset(preset.name),
+    });
+    app.start();
+    app
+}
+
+fn select(app: &mut App, path: &str) {
+    let model = Arc::clone(app.model());
+    let rows = tree::all_rows(&model);
+    let row = rows
+        .iter()
+        .find(|row| tree::parameter_path(&model, row.node).as_deref() == Some(path))
+        .unwrap();
+    app.selection.select(&model, row.node);
+}
+
+fn go(app: &mut App, node: Node) {
+    let model = Arc::clone(app.model());
+    app.selection.select(&model, node);
+}
+
+fn press(app: &mut App, code: KeyCode) -> Vec<Effect> {
+    app.update(Event::Key(KeyEvent::from(code)))
+}
+
+fn keys(app: &mut App, keys: &str) -> Vec<Effect> {
+    keys.chars()
+        .flat_map(|c| press(app, KeyCode::Char(c)))
+        .collect()
+}
+
+/// Replaces what is in the prompt and takes it.
+fn enter(app: &mut App, text: &str) -> Vec<Effect> {
+    if let Some(Overlay::Prompt(prompt)) = &mut app.overlay {
+        prompt.input.reset();
+    }
+    app.update(Event::Paste(text.to_owned()));
+    press(app, KeyCode::Enter)
+}
+
+fn number(app: &App, path: &str) -> f64 {
+    path::number(app.model(), path).unwrap()
+}
+
+fn said(app: &App) -> &str {
+    match &app.message {
+        Some(Message::Done(text) | Message::Refused(text)) => text,
+        None => "",
+    }
+}
+
+const STIFFNESS: &str = "subsystems.S1.z_left.stiffness";
+
+#[test]
+fn a_typed_value_is_taken_and_undone_by_name() {
+    let mut app = app("fig05a");
+    select(&mut app, STIFFNESS);
+    press(&mut app, KeyCode::Enter);
+    let effects = enter(&mut app, "40 MN/m");
+    assert!(matches!(&effects[..], [Effect::Solve(request)] if request.generation == 2));
+    assert_eq!(number(&app, STIFFNESS), 4e7);
+    assert!(app.overlay.is_none() && app.document.is_changed());
+    keys(&mut app, "u");
+    assert_eq!(said(&app), "undo: S1 z_left stiffness 16.667 -> 40 MN/m");
+    assert!(!app.document.is_changed());
+    keys(&mut app, "U");
+    assert_eq!(said(&app), "redo: S1 z_left stiffness 16.667 -> 40 MN/m");
+    assert_eq!(number(&app, STIFFNESS), 4e7);
+}
+
+#[test]
+fn a_refused_value_says_why_and_stays_open() {
+    let mut app = app("fig05a");
+    select(&mut app, STIFFNESS);
+    press(&mut app, KeyCode::Enter);
+    for wrong in ["-1", "nonsense", "4 kg", "/0"] {
+        enter(&mut app, wrong);
+        let Some(Overlay::Prompt(Prompt {
+            refusal: Some(refusal),
+            input,
+            ..
+        })) = &app.overlay
+        else {
+            panic!("{wrong} was taken: {:?}", app.overlay);
+        };
+        assert!(!refusal.is_empty());
+        assert_eq!(input.value(), wrong);
+    }
+    press(&mut app, KeyCode::Esc);
+    assert_eq!(number(&app, STIFFNESS), 1.666_667e7);
+    assert!(!app.document.is_changed());
+}
+
+#[test]
+fn nudges_of_one_parameter_are_one_step() {
+    let mut app = app("fig05a");
+    select(&mut app, STIFFNESS);
+    keys(&mut app, "+++");
+    assert_eq!(said(&app), "S1 z_left stiffness 16.667 -> 17.172 MN/m");
+    keys(&mut app, "u");
+    assert_eq!(number(&app, STIFFNESS), 1.666_667e7);
+    // After an undo, and on another row, a nudge starts anew.
+    keys(&mut app, "+");
+    select(&mut app, "beam.length");
+    keys(&mut app, ">.");
+    keys(&mut app, "u");
+    assert_eq!(number(&app, "beam.length"), 3.2);
+    assert!(app.document.is_changed());
+    keys(&mut app, "uu");
+    assert_eq!(said(&app), "nothing to undo");
+}
+
+#[test]
+fn a_zero_is_not_nudged() {
+    let mut app = app("fig05a");
+    select(&mut app, "beam.material.loss_factor");
+    keys(&mut app, "+");
+    assert!(said(&app).contains("is 0"), "{}", said(&app));
+    assert!(matches!(app.message, Some(Message::Refused(_))));
+}
+
+#[test]
+fn a_nudge_beyond_the_range_is_refused() {
+    let mut app = app("fig05a");
+    select(&mut app, "subsystems.S3.position");
+    keys(&mut app, ">>>>>>>>");
+    assert!(matches!(app.message, Some(Message::Refused(_))));
+    assert!(said(&app).starts_with("S3 position is "), "{}", said(&app));
+    assert!(crate::model::check(app.model()).is_empty());
+}
+
+#[test]
+fn choices_cycle_past_what_is_not_possible() {
+    let mut app = app("fig08");
+    select(&mut app, "sweep.spacing");
+    keys(&mut app, " ");
+    assert_eq!(said(&app), "sweep spacing linear -> log");
+    select(&mut app, "supports.left.kind");
+    keys(&mut app, " ");
+    assert_eq!(app.model().supports.left, crate::model::Support::PINNED);
+    press(&mut app, KeyCode::Enter);
+    keys(&mut app, " ");
+    assert_eq!(app.model().supports.left, crate::model::Support::FREE);
+    keys(&mut app, "uuuu");
+    assert!(!app.document.is_changed());
+}
+
+#[test]
+fn what_is_referred_to_is_not_deleted() {
+    let mut app = app("fig05c");
+    go(&mut app, Node::Subsystem(1));
+    keys(&mut app, "x");
+    assert_eq!(said(&app), "S2 is needed by force 1, which acts on it");
+    keys(&mut app, "e");
+    assert!(matches!(app.message, Some(Message::Refused(_))));
+    assert_eq!(app.model().subsystems.len(), 3);
+}
+
+#[test]
+fn subsystems_are_added_copied_renamed_switched_and_deleted() {
+    let mut app = app("fig05a");
+    go(&mut app, Node::Subsystem(0));
+    keys(&mut app, "a");
+    assert_eq!(
+        (said(&app), app.selection.node()),
+        ("add subsystem S4", Node::Subsystem(3))
+    );
+    keys(&mut app, "D");
+    assert_eq!(app.model().subsystems[4].name, "S5");
+    keys(&mut app, "r");
+    enter(&mut app, "absorber.1");
+    assert_eq!(app.model().subsystems[4].name, "absorber.1");
+    keys(&mut app, "e");
+    assert!(!app.model().subsystems[4].enabled);
+    keys(&mut app, "x");
+    assert_eq!(app.selection.node(), Node::Subsystem(3));
+    keys(&mut app, "uuuuu");
+    assert!(!app.document.is_changed());
+    assert_eq!(app.document.text(), app.document.saved_text());
+}
+
+#[test]
+fn open_rows_follow_their_subsystem() {
+    let mut app = app("fig05a");
+    go(&mut app, Node::SubsystemNumber(2, 0));
+    go(&mut app, Node::Subsystem(0));
+    keys(&mut app, "x");
+    let (rows, _) = app.selection.rows();
+    assert!(
+        rows.iter()
+            .any(|row| row.node == Node::SubsystemNumber(1, 0))
+    );
+    assert!(
+        !rows
+            .iter()
+            .any(|row| row.node == Node::SubsystemNumber(0, 0))
+    );
+    assert_eq!(app.selection.node(), Node::Subsystem(0));
+}
+
+#[test]
+fn forces_and_responses_are_added_valid() {
+    let mut app = app("fig06");
+    go(&mut app, Node::Forces);
+    keys(&mut app, "aD");
+    go(&mut app, Node::Responses);
+    keys(&mut app, "aaD");
+    assert!(crate::model::check(app.model()).is_empty());
+    let names: Vec<_> = app
+        .model()
+        .responses
+        .iter()
+        .rev()
+        .take(3)
+        .map(|one| one.name.as_str())
+        .collect();
+    assert_eq!(names, ["right w 3", "right w 2", "right w"]);
+    assert!(app.curves.shows("right w 3"));
+}
+
+#[test]
+fn tab_visits_every_parameter_and_comes_back() {
+    let mut app = app("fig08");
+    let all = tree::all_rows(app.model());
+    let parameters = all
+        .iter()
+        .filter(|row| row.open.is_none() && tree::parameter_path(app.model(), row.node).is_some())
+        .count();
+    keys(&mut app, "g");
+    for _ in 1..parameters {
+        let before = app.selection.node();
+        press(&mut app, KeyCode::Tab);
+        assert_ne!(app.selection.node(), before);
+    }
+    for _ in 1..parameters {
+        press(&mut app, KeyCode::BackTab);
+    }
+    assert_eq!(app.selection.node(), Node::Title);
+}
+
+#[test]
+fn n_goes_to_the_same_parameter_of_the_next_subsystem() {
+    let mut app = app("fig05a");
+    select(&mut app, STIFFNESS);
+    keys(&mut app, "nn");
+    assert_eq!(
+        tree::parameter_path(app.model(), app.selection.node()).unwrap(),
+        "subsystems.S3.z_left.stiffness"
+    );
+    keys(&mut app, "n");
+    assert!(matches!(app.message, Some(Message::Refused(_))));
+}
+
+#[test]
+fn quitting_asks_when_something_is_not_saved() {
+    let mut app = app("fig05a");
+    assert!(matches!(&keys(&mut app, "q")[..], [Effect::Quit(None)]));
+    select(&mut app, STIFFNESS);
+    keys(&mut app, "+");
+    assert!(keys(&mut app, "q").is_empty());
+    assert_eq!(
+        app.overlay.as_ref().map(Overlay::scope),
+        Some(Scope::Unsaved)
+    );
+    press(&mut app, KeyCode::Esc);
+    assert!(app.overlay.is_none());
+    assert!(matches!(&keys(&mut app, "qd")[..], [Effect::Quit(None)]));
+}
+
+#[test]
+fn saving_before_quitting_goes_through_the_path_and_the_question() {
+    let mut app = app("fig05a");
+    select(&mut app, STIFFNESS);
+    keys(&mut app, "+qs");
+    let effects = enter(&mut app, "mine.toml");
+    let [
+        Effect::Save {
+            path,
+            text,
+            guard: Guard::Absent,
+        },
+    ] = &effects[..]
+    else {
+        panic!("{effects:?}");
+    };
+    assert!(app.reply(Reply::Exists(path.clone())).is_empty());
+    let effects = keys(&mut app, "y");
+    assert!(matches!(
+        &effects[..],
+        [Effect::Save {
+            guard: Guard::Anything,
+            ..
+        }]
+    ));
+    let effects = app.reply(Reply::Saved(path.clone(), text.clone()));
+    assert!(matches!(&effects[..], [Effect::Quit(None)]));
+    assert_eq!(
+        app.document.source(),
+        &Source::File(PathBuf::from("mine.toml"))
+    );
+    assert!(!app.document.is_changed());
+}
+
+#[test]
+fn a_kept_file_cancels_quitting_too() {
+    let mut app = app("fig05a");
+    select(&mut app, STIFFNESS);
+    keys(&mut app, "+qs");
+    enter(&mut app, "mine.toml");
+    app.reply(Reply::Exists("mine.toml".into()));
+    keys(&mut app, "n");
+    assert!(app.document.is_changed());
+    // A later save does not quit any more.
+    keys(&mut app, "s");
+    let effects = enter(&mut app, "other.toml");
+    let [Effect::Save { path, text, .. }] = &effects[..] else {
+        panic!("{effects:?}");
+    };
+    assert!(
+        app.reply(Reply::Saved(path.clone(), text.clone()))
+            .is_empty()
+    );
+}
+
+#[test]
+fn a_file_changed_outside_is_not_replaced_without_a_question() {
+    let mut app = app("fig05a");
+    app.reply(Reply::Saved("mine.toml".into(), "text".to_owned()));
+    select(&mut app, STIFFNESS);
+    keys(&mut app, "+");
+    let effects = keys(&mut app, "s");
+    assert!(
+        matches!(&effects[..], [Effect::Save { guard: Guard::Holds(text), .. }] if text == "text")
+    );
+    app.reply(Reply::ChangedOutside("mine.toml".into()));
+    assert_eq!(app.scope(), Scope::Replace);
+}
+
+#[test]
+fn a_preset_is_opened_from_the_list() {
+    let mut app = app("fig05a");
+    keys(&mut app, "pj");
+    press(&mut app, KeyCode::Enter);
+    assert_eq!(app.document.source(), &Source::Preset("fig05b"));
+    assert!(app.overlay.is_none());
+}
+
+#[test]
+fn a_signal_rescues_what_is_not_saved() {
+    let mut app = app("fig05a");
+    assert!(matches!(
+        &app.update(Event::Quit(15))[..],
+        [Effect::Quit(Some(15))]
+    ));
+    select(&mut app, STIFFNESS);
+    keys(&mut app, "+");
+    let effects = app.update(Event::Quit(15));
+    assert!(matches!(
+        &effects[..],
+        [Effect::Rescue { .. }, Effect::Quit(Some(15))]
+    ));
+}
+
+#[test]
+fn every_edit_asks_for_curves_and_an_older_answer_stays_stale() {
+    let mut app = app("fig05a");
+    select(&mut app, STIFFNESS);
+    let first = answer(1, &app);
+    let effects = keys(&mut app, "+");
+    assert!(matches!(&effects[..], [Effect::Solve(request)] if request.generation == 2));
+    app.update(Event::Answer(first));
+    assert!(app.curves.is_stale());
+    let second = answer(2, &app);
+    app.update(Event::Answer(second));
+    assert!(!app.curves.is_stale());
+    // An answer that was overtaken comes too late.
+    let late = answer(1, &app);
+    app.update(Event::Answer(late));
+    assert_eq!(app.curves.picture().unwrap().generation, 2);
+    keys(&mut app, "f+");
+    assert_eq!(app.curves.reference.as_ref().unwrap().generation, 2);
+    keys(&mut app, "F");
+    assert!(app.curves.reference.is_none());
+}
+
+fn answer(generation: u64, app: &App) -> crate::worker::Answer {
+    let frequencies = [10.0, 20.0, 30.0, 40.0];
+    let frf = crate::solve::sweep(
+        app.model(),
+        &frequencies,
+        &std::sync::atomic::AtomicBool::new(false),
+    )
+    .unwrap();
+    let member = crate::worker::Member { label: None, frf };
+    crate::worker::Answer {
+        generation,
+        stage: crate::worker::Stage::Full,
+        result: Ok(crate::worker::Curves {
+            members: vec![member],
+        }),
+        elapsed: std::time::Duration::ZERO,
+    }
+}
+
+#[test]
+fn responses_show_and_hide() {
+    let mut app = app("fig05a");
+    assert_eq!(app.curves.visible, ["P1 w"]);
+    go(&mut app, Node::Response(3));
+    keys(&mut app, "v");
+    assert_eq!(app.curves.visible, ["P1 w", "P2 w"]);
+    keys(&mut app, "V");
+    assert_eq!(app.curves.visible, ["P2 w"]);
+    keys(&mut app, "v");
+    assert!(app.curves.visible.is_empty());
+    go(&mut app, Node::Beam);
+    keys(&mut app, "v");
+    assert!(matches!(app.message, Some(Message::Refused(_))));
+}
+
+#[test]
+fn a_renamed_response_still_shows() {
+    let mut app = app("fig05a");
+    go(&mut app, Node::Response(0));
+    keys(&mut app, "r");
+    enter(&mut app, "left w");
+    assert_eq!(app.curves.visible, ["left w"]);
+    keys(&mut app, "u");
+    assert_eq!(app.curves.visible, ["P1 w"]);
+}
+
+#[test]
+fn the_study_goes_on_and_off() {
+    let mut app = app("fig08");
+    assert_eq!(app.curves.study, None);
+    let effects = keys(&mut app, "t");
+    assert!(matches!(&effects[..], [Effect::Solve(request)] if request.study == Some(0)));
+    keys(&mut app, "t");
+    assert_eq!(app.curves.study, None);
+}
+
+#[test]
+fn values_from_the_command_line_are_a_step() {
+    let preset = presets::find("fig05a").unwrap();
+    let mut model = crate::model::read(preset.text).unwrap();
+    model.beam.length = 4.0;
+    let mut app = App::new(Opened {
+        model,
+        text: preset.text.to_owned(),
+        source: Source::Preset(preset.name),
+    });
+    assert!(app.document.is_changed());
+    keys(&mut app, "u");
+    assert_eq!(app.model().beam.length, 3.2);
+    assert!(!app.document.is_changed());
+}

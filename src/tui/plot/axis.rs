@@ -1,0 +1,169 @@
+//! Axes: from a value to a fraction of the axis, and from there to dots and cells.
+
+/// How values are spread along an axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scale {
+    /// Equal differences take equal lengths.
+    Linear,
+    /// Equal ratios take equal lengths; only positive values have a place.
+    Log,
+}
+
+/// How labels are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Notation {
+    /// `0.5`, `50`, `2000`; very large and very small values as powers.
+    Plain,
+    /// `1e-6`, `2e3`.
+    Power,
+}
+
+/// An axis: scale, bounds, notation of its labels and its unit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    pub(super) scale: Scale,
+    bounds: [f64; 2],
+    /// The bounds in plot coordinates: the values themselves or their decimal logarithms.
+    span: [f64; 2],
+    pub(super) notation: Notation,
+    pub(super) unit: String,
+}
+
+impl Axis {
+    /// An axis from `bounds[0]` to `bounds[1]`, both in `unit`, with plain labels.
+    ///
+    /// Bounds that span nothing are widened, so that every axis can be drawn.
+    pub fn new(scale: Scale, bounds: [f64; 2], unit: impl Into<String>) -> Self {
+        let bounds = drawable(scale, bounds);
+        Self {
+            scale,
+            bounds,
+            span: bounds.map(|bound| coordinate(scale, bound)),
+            notation: Notation::Plain,
+            unit: unit.into(),
+        }
+    }
+
+    /// The same axis with its labels written in `notation`.
+    #[must_use]
+    pub fn with_notation(mut self, notation: Notation) -> Self {
+        self.notation = notation;
+        self
+    }
+
+    /// The lower and the upper bound, in the axis's unit.
+    pub fn bounds(&self) -> [f64; 2] {
+        self.bounds
+    }
+
+    /// Where `value` lies: 0 at the lower bound, 1 at the upper, not finite where the axis has no place.
+    pub fn fraction(&self, value: f64) -> f64 {
+        let [low, high] = self.span;
+        (coordinate(self.scale, value) - low) / (high - low)
+    }
+
+    /// Whether `value` lies within the bounds.
+    pub(super) fn contains(&self, value: f64) -> bool {
+        on_axis(self.fraction(value))
+    }
+}
+
+fn coordinate(scale: Scale, value: f64) -> f64 {
+    match scale {
+        Scale::Linear => value,
+        Scale::Log => value.log10(),
+    }
+}
+
+/// Whether `fraction` is of the axis; a bound that has gone through a logarithm may miss 0 or 1 by a rounding error.
+fn on_axis(fraction: f64) -> bool {
+    (-1e-9..=1.0 + 1e-9).contains(&fraction)
+}
+
+/// Bounds in ascending order that span something.
+fn drawable(scale: Scale, [first, second]: [f64; 2]) -> [f64; 2] {
+    let (low, high) = (first.min(second), first.max(second));
+    let spans = coordinate(scale, high) - coordinate(scale, low);
+    if spans.is_finite() && spans > 0.0 {
+        return [low, high];
+    }
+    match scale {
+        Scale::Log if high.is_normal() && high > 0.0 => [high / 10.0, high * 10.0],
+        Scale::Linear if high.is_finite() && high == low => {
+            let margin = high.abs().max(1.0) / 2.0;
+            [high - margin, high + margin]
+        }
+        _ => [1.0, 10.0],
+    }
+}
+
+/// The way an axis runs on the screen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Direction {
+    /// The lower bound is at the left.
+    Right,
+    /// The lower bound is at the bottom.
+    Up,
+}
+
+/// The cells along an axis and the dots in each of them, counted from the left or from the top.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Ruler {
+    pub(super) direction: Direction,
+    pub(super) cells: u16,
+    pub(super) dots_per_cell: u16,
+}
+
+impl Ruler {
+    /// The number of dots along the axis.
+    pub(super) fn dots(self) -> u16 {
+        self.cells.saturating_mul(self.dots_per_cell)
+    }
+
+    /// The place of `fraction` in dots: the bounds lie at the centres of the first and the last dot.
+    pub(super) fn dot(self, fraction: f64) -> f64 {
+        let last = f64::from(self.dots().saturating_sub(1));
+        match self.direction {
+            Direction::Right => fraction * last,
+            Direction::Up => (1.0 - fraction) * last,
+        }
+    }
+
+    /// The cell that holds `fraction`, if it lies on the axis.
+    pub(super) fn cell(self, fraction: f64) -> Option<u16> {
+        (on_axis(fraction) && self.cells > 0)
+            .then(|| self.dot(fraction).round() as u16 / self.dots_per_cell)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn degenerate_bounds_are_widened() {
+        let bounds = |scale, bounds| Axis::new(scale, bounds, "").bounds();
+        assert_eq!(bounds(Scale::Linear, [5.0, 5.0]), [2.5, 7.5]);
+        assert_eq!(bounds(Scale::Linear, [9.0, 1.0]), [1.0, 9.0]);
+        assert_eq!(
+            bounds(Scale::Linear, [f64::NAN, f64::INFINITY]),
+            [1.0, 10.0]
+        );
+        assert_eq!(bounds(Scale::Log, [10.0, 10.0]), [1.0, 100.0]);
+        assert_eq!(bounds(Scale::Log, [0.0, 10.0]), [1.0, 100.0]);
+        assert_eq!(bounds(Scale::Log, [-3.0, -1.0]), [1.0, 10.0]);
+    }
+
+    #[test]
+    fn a_value_outside_has_no_cell() {
+        let ruler = Ruler {
+            direction: Direction::Up,
+            cells: 10,
+            dots_per_cell: 4,
+        };
+        assert_eq!(ruler.cell(0.0), Some(9));
+        assert_eq!(ruler.cell(1.0), Some(0));
+        assert_eq!(ruler.cell(1.1), None);
+        assert_eq!(ruler.cell(f64::NAN), None);
+    }
+}

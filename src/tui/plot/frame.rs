@@ -1,0 +1,216 @@
+//! What surrounds the curves: axes, labels, units and the title.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+use ratatui::text::Span;
+
+use super::chart::{Chart, Glyphs};
+use super::layout::Layout;
+use super::ticks::place;
+
+/// The characters of the axes.
+struct Lines {
+    vertical: char,
+    horizontal: char,
+    corner: char,
+    /// Major ticks point to their labels, minor ones into the plot.
+    value_ticks: [char; 2],
+    abscissa_ticks: [char; 2],
+    cursor: char,
+}
+
+const BOX_LINES: Lines = Lines {
+    vertical: '│',
+    horizontal: '─',
+    corner: '└',
+    value_ticks: ['┤', '├'],
+    abscissa_ticks: ['┬', '┴'],
+    cursor: '▲',
+};
+
+const ASCII_LINES: Lines = Lines {
+    vertical: '|',
+    horizontal: '-',
+    corner: '+',
+    value_ticks: ['+', '-'],
+    abscissa_ticks: ['+', '|'],
+    cursor: '^',
+};
+
+/// The columns a text takes.
+pub(super) fn width(text: &str) -> u16 {
+    Span::raw(text).width() as u16
+}
+
+/// Writes a text into one row, cut off at its end.
+pub(super) fn put(buffer: &mut Buffer, row: Rect, text: &str, (glyphs, style): (Glyphs, Style)) {
+    if row.is_empty() {
+        return;
+    }
+    let columns = usize::from(row.width);
+    match glyphs {
+        Glyphs::Braille => buffer.set_stringn(row.x, row.y, text, columns, style),
+        Glyphs::Ascii => {
+            let plain = text.replace(|letter: char| !letter.is_ascii(), "?");
+            buffer.set_stringn(row.x, row.y, plain, columns, style)
+        }
+    };
+}
+
+/// Draws everything around the plot.
+pub(super) fn draw(chart: &Chart<'_>, layout: &Layout, buffer: &mut Buffer) {
+    let lines = match chart.glyphs {
+        Glyphs::Braille => &BOX_LINES,
+        Glyphs::Ascii => &ASCII_LINES,
+    };
+    draw_heading(chart, layout, buffer);
+    draw_value_axis(chart, layout, lines, buffer);
+    if layout.rows_below > 0 {
+        draw_abscissa_axis(chart, layout, lines, buffer);
+    }
+    if layout.rows_below > 1 {
+        draw_abscissa_labels(chart, layout, buffer);
+    }
+}
+
+fn draw_heading(chart: &Chart<'_>, layout: &Layout, buffer: &mut Buffer) {
+    let Some(row) = layout.heading else {
+        return;
+    };
+    let unit = &chart.y.unit;
+    put(buffer, row, unit, (chart.glyphs, chart.styles.label));
+    let after_unit = if unit.is_empty() {
+        row.x
+    } else {
+        row.x.saturating_add(width(unit) + 2)
+    };
+    let x = layout.plot.x.max(after_unit).min(row.right());
+    let title = Rect {
+        x,
+        width: row.right() - x,
+        ..row
+    };
+    put(
+        buffer,
+        title,
+        &chart.title,
+        (chart.glyphs, chart.styles.title),
+    );
+}
+
+fn draw_value_axis(chart: &Chart<'_>, layout: &Layout, lines: &Lines, buffer: &mut Buffer) {
+    let Some(x) = layout.value_axis else {
+        return;
+    };
+    let plot = layout.plot;
+    for y in plot.top()..plot.bottom() {
+        set(buffer, x, y, lines.vertical, chart.styles.axis);
+    }
+    if layout.rows_below > 0 {
+        set(buffer, x, plot.bottom(), lines.corner, chart.styles.axis);
+    }
+    for tick in &layout.ticks[1] {
+        let y = plot.y + tick.cell;
+        set(
+            buffer,
+            x,
+            y,
+            lines.value_ticks[usize::from(tick.label.is_none())],
+            chart.styles.axis,
+        );
+        if let Some(label) = &tick.label {
+            let start = x.saturating_sub(label.len() as u16).max(layout.area.x);
+            let row = Rect::new(start, y, layout.label_columns, 1);
+            put(buffer, row, label, (chart.glyphs, chart.styles.label));
+        }
+    }
+}
+
+fn draw_abscissa_axis(chart: &Chart<'_>, layout: &Layout, lines: &Lines, buffer: &mut Buffer) {
+    let plot = layout.plot;
+    let cursor = chart.cursor_cell(plot);
+    for column in 0..plot.width {
+        let tick = layout.ticks[0].iter().find(|tick| tick.cell == column);
+        let (glyph, style) = match tick {
+            _ if cursor == Some(column) => (lines.cursor, chart.styles.cursor),
+            Some(tick) => (
+                lines.abscissa_ticks[usize::from(tick.label.is_none())],
+                chart.styles.axis,
+            ),
+            None => (lines.horizontal, chart.styles.axis),
+        };
+        set(buffer, plot.x + column, plot.bottom(), glyph, style);
+    }
+}
+
+fn draw_abscissa_labels(chart: &Chart<'_>, layout: &Layout, buffer: &mut Buffer) {
+    let y = layout.plot.bottom() + 1;
+    let mut labels = placed_labels(layout);
+    let unit = width(&chart.x.unit);
+    if unit > 0 && unit < layout.area.width {
+        let x = unit_column(layout.area, unit, &mut labels);
+        put(
+            buffer,
+            Rect::new(x, y, unit, 1),
+            &chart.x.unit,
+            (chart.glyphs, chart.styles.label),
+        );
+    }
+    for (x, label) in labels {
+        let row = Rect::new(x, y, label.len() as u16, 1);
+        put(buffer, row, label, (chart.glyphs, chart.styles.label));
+    }
+}
+
+/// The columns of the labels beneath the plot; those that would touch an earlier one are left out.
+fn placed_labels(layout: &Layout) -> Vec<(u16, &str)> {
+    let (left, right) = (
+        i32::from(layout.area.left()),
+        i32::from(layout.area.right()),
+    );
+    let mut free = left;
+    let mut labels = Vec::new();
+    for tick in &layout.ticks[0] {
+        let Some(label) = tick.label.as_deref() else {
+            continue;
+        };
+        let (offset, columns) = place(label, tick.cell);
+        let columns = i32::from(columns);
+        // At the ends a label may move aside as long as it stays beneath its tick.
+        let start = (i32::from(layout.plot.x) + offset)
+            .min(right - columns)
+            .max(left);
+        let column = i32::from(layout.plot.x + tick.cell);
+        let beneath = (start..start + columns).contains(&column) && start + columns <= right;
+        if beneath && start >= free {
+            labels.push((start as u16, label));
+            free = start + columns + 1;
+        }
+    }
+    labels
+}
+
+/// A column for the unit: behind the last label, before it (as DIN 461 does), or in its stead.
+fn unit_column(area: Rect, unit: u16, labels: &mut Vec<(u16, &str)>) -> u16 {
+    let end = |(x, label): &(u16, &str)| x + label.len() as u16;
+    let behind = area.right() - unit;
+    let [.., before, last] = labels.as_slice() else {
+        labels.retain(|label| end(label) < behind);
+        return behind;
+    };
+    if end(last) < behind {
+        return behind;
+    }
+    if end(before) + 1 + unit < last.0 {
+        return end(before).midpoint(last.0 - unit);
+    }
+    labels.retain(|label| end(label) < behind);
+    behind
+}
+
+fn set(buffer: &mut Buffer, x: u16, y: u16, glyph: char, style: Style) {
+    if let Some(cell) = buffer.cell_mut((x, y)) {
+        cell.set_char(glyph).set_style(style);
+    }
+}

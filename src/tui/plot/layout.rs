@@ -1,0 +1,100 @@
+//! Sharing an area among heading, legend, axes and plot.
+
+use ratatui::layout::Rect;
+
+use super::chart::Chart;
+use super::dots::rulers;
+use super::legend::{self, Place};
+use super::ticks::{Tick, ticks};
+
+/// Fewest columns of the plot beside which values are labelled.
+const LABELLED_COLUMNS: u16 = 10;
+/// Fewest columns of an area with a value axis.
+const AXIS_COLUMNS: u16 = 4;
+
+/// Where the parts of a chart go.
+#[derive(Debug)]
+pub(super) struct Layout {
+    pub(super) area: Rect,
+    /// The row of the value axis's unit and the title.
+    pub(super) heading: Option<Rect>,
+    pub(super) legend: Place,
+    pub(super) plot: Rect,
+    /// The column of the value axis.
+    pub(super) value_axis: Option<u16>,
+    /// Columns for the value labels, left of the axis.
+    pub(super) label_columns: u16,
+    /// Rows beneath the plot: none, the axis, or the axis and its labels.
+    pub(super) rows_below: u16,
+    /// Ticks across and down the plot.
+    pub(super) ticks: [Vec<Tick>; 2],
+}
+
+impl Layout {
+    pub(super) fn new(chart: &Chart<'_>, area: Rect) -> Self {
+        let mut rest = area;
+        let wants_heading = !chart.title.is_empty() || !chart.y.unit.is_empty();
+        let heading = (wants_heading && rest.height >= 6).then(|| take_top(&mut rest));
+        let rows_below = match rest.height {
+            0..=2 => 0,
+            3..=4 => 1,
+            _ => 2,
+        };
+        rest.height -= rows_below;
+        let mut label_columns = label_columns(chart, rest);
+        let legend = legend::place(chart, right_of_axis(rest, label_columns).1, rest);
+        if matches!(legend, Place::Line(_)) {
+            take_top(&mut rest);
+            label_columns = self::label_columns(chart, rest);
+        }
+        let (value_axis, plot) = right_of_axis(rest, label_columns);
+        let [across, down] = rulers(plot.width, plot.height, chart.glyphs);
+        let ticks = [ticks(&chart.x, across), ticks(&chart.y, down)];
+        Self {
+            area,
+            heading,
+            legend,
+            plot,
+            value_axis,
+            label_columns,
+            rows_below,
+            ticks,
+        }
+    }
+}
+
+/// Takes the topmost row off an area.
+fn take_top(rest: &mut Rect) -> Rect {
+    let row = Rect { height: 1, ..*rest };
+    rest.y += 1;
+    rest.height -= 1;
+    row
+}
+
+/// The columns the value labels need, or none if too few were left for the plot.
+fn label_columns(chart: &Chart<'_>, rest: Rect) -> u16 {
+    let [_, down] = rulers(rest.width, rest.height, chart.glyphs);
+    let labels = ticks(&chart.y, down)
+        .into_iter()
+        .filter_map(|tick| tick.label);
+    let widest = labels.map(|label| label.len() as u16).max().unwrap_or(0);
+    if rest.width > widest + LABELLED_COLUMNS {
+        widest
+    } else {
+        0
+    }
+}
+
+/// The column of the value axis, if there is room for it, and the plot at its right.
+fn right_of_axis(rest: Rect, label_columns: u16) -> (Option<u16>, Rect) {
+    if rest.width < AXIS_COLUMNS {
+        return (None, rest);
+    }
+    let used = label_columns + 1;
+    let plot = Rect {
+        x: rest.x + used,
+        width: rest.width - used,
+        ..rest
+    };
+    (Some(rest.x + label_columns), plot)
+}

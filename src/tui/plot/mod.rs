@@ -1,0 +1,31 @@
+//! Frequency-response charts for the terminal, drawn straight into ratatui's buffer.
+//!
+//! ratatui's own `Chart` has no logarithmic axis, spreads its labels evenly instead of placing them at
+//! their values, and draws zero and non-finite samples as spikes. [`Chart`] here keeps three promises:
+//!
+//! - A label, a tick, the cursor and a sample of the same value stand in the same column or row.
+//! - Every dot column shows all the rows its samples cover, so a resonance narrower than a column keeps
+//!   its peak.
+//! - A sample that cannot be drawn (non-finite, or zero on a logarithmic axis) leaves a gap.
+//!
+//! The way from a value to the screen: [`Level`] turns a magnitude into an axis value, [`Axis`] an axis
+//! value into a fraction of its length, `Ruler` a fraction into a dot and a cell, `Pen` dots into `Dots`.
+
+mod axis;
+mod chart;
+mod curve;
+mod dots;
+mod frame;
+mod layout;
+mod legend;
+mod markers;
+mod pen;
+mod ticks;
+
+pub use axis::{Axis, Notation, Scale};
+pub use chart::{Chart, ChartStyles, Glyphs};
+pub use curve::{Curve, Level, LineStyle};
+pub use legend::Legend;
+
+#[cfg(test)]
+mod tests;

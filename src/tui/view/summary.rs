@@ -1,0 +1,74 @@
+//! What is worth knowing of a group of the tree.
+
+use std::f64::consts::PI;
+
+use crate::model::{Beam, Material, Model, Section, Subsystem, Unit};
+use crate::tui::tree::{self, Node};
+
+/// What the details say of a row that is no parameter, a line for each thing.
+pub(super) fn of(model: &Model, node: Node) -> String {
+    match node {
+        Node::Beam => beam(&model.beam),
+        Node::Material => material(&model.beam.material),
+        Node::Section => section(&model.beam.section),
+        Node::Supports => "what holds the two ends; Space on an end takes the next kind".to_owned(),
+        Node::Subsystems => counted(model.subsystems.iter().map(|one| one.enabled)),
+        Node::Forces => counted(model.forces.iter().map(|one| one.enabled)),
+        Node::Responses => counted(model.responses.iter().map(|one| one.enabled)),
+        Node::Subsystem(i) => subsystem(&model.subsystems[i]),
+        Node::Force(_) | Node::Response(_) => tree::value(model, node),
+        Node::Sweep => format!("{} frequencies", tree::grouped(model.sweep.points)),
+        Node::Studies | Node::Study(_) => {
+            "Enter shows a study's curves, t the next study's".to_owned()
+        }
+        Node::StudyLine(..) => tree::label(model, node).into_owned(),
+        Node::Tune | Node::TuneVariable(_) | Node::TuneObjective => {
+            "what an optimiser may move, and what for; changed in the file".to_owned()
+        }
+        _ => String::new(),
+    }
+}
+
+fn beam(beam: &Beam) -> String {
+    let mass = beam.material.density * beam.section.area * beam.length;
+    format!("mass {}", Unit::KILOGRAM.format(mass))
+}
+
+fn material(material: &Material) -> String {
+    let e = Unit::PASCAL.format(material.young_modulus);
+    let g = Unit::PASCAL.format(material.shear_modulus);
+    let density = Unit::DENSITY.format(material.density);
+    format!("E {e}\nG {g}\nrho {density}, eta {}", material.loss_factor)
+}
+
+fn section(section: &Section) -> String {
+    let area = Unit::AREA.format(section.area);
+    let moments =
+        [section.second_moment_y, section.second_moment_z].map(|of| Unit::METRE_4.format(of));
+    let offset = Unit::METRE.format(section.centroid_offset);
+    format!(
+        "A {area}\nI_y {}\nI_z {}\nz_c {offset}",
+        moments[0], moments[1]
+    )
+}
+
+/// A subsystem's mass, and its frequencies on springs whose other ends do not move and whose arms are nothing.
+fn subsystem(one: &Subsystem) -> String {
+    let alone = |stiffness: f64| Unit::HERTZ.format((stiffness / one.mass).sqrt() / (2.0 * PI));
+    format!(
+        "{} on a fixed base:\ny {}\nz {} (arms aside)",
+        Unit::KILOGRAM.format(one.mass),
+        alone(one.y_left.stiffness + one.y_right.stiffness),
+        alone(one.z_left.stiffness + one.z_right.stiffness),
+    )
+}
+
+fn counted(enabled: impl ExactSizeIterator<Item = bool>) -> String {
+    let all = enabled.len();
+    let enabled = enabled.filter(|enabled| *enabled).count();
+    match all {
+        0 => "none; a adds one".to_owned(),
+        _ if enabled == all => format!("{all}, all enabled"),
+        _ => format!("{all}, of which {enabled} enabled"),
+    }
+}

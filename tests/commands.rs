@@ -1,0 +1,258 @@
+//! The commands as a script sees them: output, exit codes, files.
+
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
+use std::path::Path;
+
+use assert_cmd::Command;
+use beamtune::presets;
+
+fn beamtune(arguments: &[&str]) -> Command {
+    let mut command = Command::cargo_bin("beamtune").unwrap();
+    command.args(arguments);
+    command
+}
+
+fn output(arguments: &[&str]) -> String {
+    let assert = beamtune(arguments).assert().success();
+    String::from_utf8(assert.get_output().stdout.clone()).unwrap()
+}
+
+/// The exit code and standard error of a call that must fail and print nothing on standard output.
+fn failure(arguments: &[&str]) -> (i32, String) {
+    let output = beamtune(arguments).output().unwrap();
+    assert!(
+        output.stdout.is_empty(),
+        "{:?}",
+        String::from_utf8_lossy(&output.stdout)
+    );
+    (
+        output.status.code().unwrap(),
+        String::from_utf8(output.stderr).unwrap(),
+    )
+}
+
+fn rows(csv: &str) -> Vec<Vec<&str>> {
+    csv.lines().map(|line| line.split(',').collect()).collect()
+}
+
+#[test]
+fn presets_are_listed_and_shown() {
+    let list = output(&["presets"]);
+    assert_eq!(list.lines().count(), presets::ALL.len());
+    for (line, preset) in list.lines().zip(presets::ALL) {
+        assert!(
+            line.starts_with(preset.name) && line.ends_with(&preset.title()),
+            "{line}"
+        );
+        assert_eq!(output(&["show", preset.name]), preset.text);
+        assert_eq!(output(&["check", preset.name]), "");
+    }
+}
+
+#[test]
+fn frf_writes_a_column_pair_for_each_response_and_numbers_that_read_back() {
+    let csv = output(&["frf", "fig08", "--at", "5,20.5,80"]);
+    let rows = rows(&csv);
+    let header =
+        "frequency_hz,right w.re,right w.im,right psi.re,right psi.im,right v.re,right v.im";
+    assert_eq!(rows[0].join(","), header);
+    let frequencies: Vec<f64> = rows[1..]
+        .iter()
+        .map(|row| row[0].parse().unwrap())
+        .collect();
+    assert_eq!(frequencies, [5.0, 20.5, 80.0]);
+    let model = beamtune::model::read(presets::find("fig08").unwrap().text).unwrap();
+    let solved = beamtune::solve::sweep(&model, &frequencies, &false.into()).unwrap();
+    for (index, row) in rows[1..].iter().enumerate() {
+        let cells: Vec<f64> = row[1..].iter().map(|cell| cell.parse().unwrap()).collect();
+        let expected: Vec<f64> = solved
+            .columns
+            .iter()
+            .flat_map(|c| [c.values[index].re, c.values[index].im])
+            .collect();
+        assert_eq!(cells, expected);
+    }
+}
+
+#[test]
+fn an_energy_is_one_column_and_a_study_one_block_a_curve() {
+    let csv = output(&["frf", "fig13", "--at", "10,20"]);
+    assert_eq!(csv.lines().next(), Some("frequency_hz,E_V"));
+    let model = beamtune::model::read(presets::find("fig08").unwrap().text).unwrap();
+    let csv = output(&[
+        "frf",
+        "fig08",
+        "--at",
+        "10,20",
+        "--study",
+        &model.studies[0].name,
+    ]);
+    let rows = rows(&csv);
+    assert_eq!(rows[0][..2], ["curve", "frequency_hz"]);
+    let curves: Vec<f64> = rows[1..]
+        .iter()
+        .map(|row| row[0].parse().unwrap())
+        .collect();
+    assert_eq!(curves, [0.5, 0.5, 1.0, 1.0, 2.0, 2.0, 4.0, 4.0]);
+}
+
+#[test]
+fn without_at_the_sweep_of_the_model_is_solved() {
+    let csv = output(&[
+        "frf",
+        "fig06",
+        "--set",
+        "sweep.points=11",
+        "--set",
+        "sweep.to=101",
+        "--set",
+        "sweep.from=1 Hz",
+    ]);
+    let frequencies: Vec<f64> = rows(&csv)[1..]
+        .iter()
+        .map(|row| row[0].parse().unwrap())
+        .collect();
+    assert_eq!(
+        frequencies,
+        [
+            1.0, 11.0, 21.0, 31.0, 41.0, 51.0, 61.0, 71.0, 81.0, 91.0, 101.0
+        ]
+    );
+}
+
+#[test]
+fn set_changes_parameters_by_path_and_wildcard() {
+    let plain = output(&["frf", "fig05a", "--at", "50"]);
+    let heavier = output(&[
+        "frf",
+        "fig05a",
+        "--at",
+        "50",
+        "--set",
+        "subsystems.*.mass=*2",
+    ]);
+    let one_by_one: Vec<String> = ["S1", "S2", "S3"]
+        .map(|name| format!("subsystems.{name}.mass=200 kg"))
+        .into();
+    let mut arguments = vec!["frf", "fig05a", "--at", "50"];
+    for set in &one_by_one {
+        arguments.extend(["--set", set]);
+    }
+    assert_ne!(plain, heavier);
+    assert_eq!(output(&arguments), heavier);
+}
+
+#[test]
+fn frf_writes_a_file_and_leaves_it_alone_when_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("out.csv");
+    let name = file.to_str().unwrap();
+    assert_eq!(output(&["frf", "fig06", "--at", "10", "-o", name]), "");
+    let written = std::fs::read_to_string(&file).unwrap();
+    assert_eq!(written, output(&["frf", "fig06", "--at", "10"]));
+    let (code, message) = failure(&[
+        "frf",
+        "fig06",
+        "--at",
+        "10",
+        "-o",
+        name,
+        "--set",
+        "beam.length=-1",
+    ]);
+    assert_eq!(code, 2);
+    assert!(
+        message.starts_with("error: ") && message.contains("beam.length"),
+        "{message}"
+    );
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), written);
+    let missing = folder.path().join("no folder/out.csv");
+    let (code, message) = failure(&[
+        "frf",
+        "fig06",
+        "--at",
+        "10",
+        "-o",
+        missing.to_str().unwrap(),
+    ]);
+    assert_eq!(code, 1);
+    assert!(message.starts_with("error: "), "{message}");
+}
+
+#[test]
+fn a_model_may_come_from_standard_input() {
+    let text = presets::find("fig06").unwrap().text;
+    let assert = beamtune(&["frf", "-", "--at", "10"])
+        .write_stdin(text)
+        .assert()
+        .success();
+    let from_input = String::from_utf8(assert.get_output().stdout.clone()).unwrap();
+    assert_eq!(from_input, output(&["frf", "fig06", "--at", "10"]));
+}
+
+#[test]
+fn check_prints_every_fault_with_its_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("bad.toml");
+    let text = presets::find("fig05a")
+        .unwrap()
+        .text
+        .replace("density", "densty")
+        .replace("loss_factor", "los_factor");
+    std::fs::write(&file, text.replace("length = 3.2", "length = -3.2")).unwrap();
+    let name = file.to_str().unwrap();
+    let (code, message) = failure(&["check", name]);
+    assert_eq!(code, 2);
+    for line in message.lines() {
+        assert!(line.starts_with(&format!("error: {name}:")), "{line}");
+    }
+    assert!(
+        message.contains("densty") && message.contains("density"),
+        "{message}"
+    );
+    assert!(message.contains("beam.length"), "{message}");
+    assert_eq!(failure(&["frf", name]).0, 2);
+    assert_eq!(failure(&[name]).0, 2);
+}
+
+#[test]
+fn bad_usage_exits_2_with_an_error() {
+    let calls: [&[&str]; 9] = [
+        &["show", "fig99"],
+        &["check", "no such file.toml"],
+        &["frf", "fig05a", "--at", "-5"],
+        &["frf", "fig05a", "--at", "ten"],
+        &["frf", "fig05a", "--study", "nothing"],
+        &["frf", "fig05a", "--set", "beam.lenght=3"],
+        &["frf", "fig05a", "--set", "beam.length"],
+        &["frf", "fig05a", "--set", "beam.length=long"],
+        &["frf", "fig05a", "--unknown"],
+    ];
+    for call in calls {
+        let (code, message) = failure(call);
+        assert_eq!(code, 2, "{call:?}: {message}");
+        assert!(message.starts_with("error: "), "{call:?}: {message}");
+    }
+}
+
+#[test]
+fn commands_to_come_say_so_and_exit_1() {
+    for call in [
+        &["modes", "fig05a"][..],
+        &["validate", "fig05a", "--elements", "40"],
+        &["tune", "fig05a", "-o", "x.toml"],
+    ] {
+        let (code, message) = failure(call);
+        assert_eq!(code, 1);
+        assert!(message.contains("not there yet"), "{message}");
+    }
+    assert!(!Path::new("x.toml").exists());
+}
+
+#[test]
+fn the_designer_refuses_a_pipe() {
+    let (code, message) = failure(&["fig05a"]);
+    assert_eq!(code, 2);
+    assert!(message.contains("terminal"), "{message}");
+}

@@ -217,6 +217,30 @@ fn check_prints_every_fault_with_its_place() {
 }
 
 #[test]
+fn a_curve_that_a_study_makes_impossible_is_refused_where_it_is_wanted() {
+    let study = beamtune::model::read(presets::find("fig15").unwrap().text)
+        .unwrap()
+        .studies
+        .remove(0)
+        .name;
+    let near_the_end = [
+        "frf",
+        "fig15",
+        "--at",
+        "10",
+        "--set",
+        "subsystems.*.position=3",
+    ];
+    assert_eq!(output(&near_the_end).lines().count(), 2);
+    let (code, message) = failure(&[&near_the_end[..], &["--study", &study]].concat());
+    assert_eq!(code, 2);
+    assert!(
+        message.contains("position") && message.contains("3.2"),
+        "{message}"
+    );
+}
+
+#[test]
 fn bad_usage_exits_2_with_an_error() {
     let calls: [&[&str]; 9] = [
         &["show", "fig99"],

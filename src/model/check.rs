@@ -274,7 +274,7 @@ mod tests {
     }
 
     #[test]
-    fn a_study_is_not_blamed_for_what_is_wrong_without_it() {
+    fn a_study_with_an_impossible_curve_does_not_stand_in_the_way() {
         let mut model = smallest();
         let family = Family::Vary {
             paths: vec!["beam.section.area".to_owned()],
@@ -285,12 +285,7 @@ mod tests {
             name: "area".to_owned(),
             family,
         });
-        let of_study = faults(&model);
-        assert_eq!(of_study.len(), 1, "{of_study:?}");
-        assert!(
-            of_study[0].starts_with("studies.area.multiply.2: makes the curve"),
-            "{of_study:?}"
-        );
+        assert_eq!(faults(&model), [""; 0]);
         model.beam.section.area = 0.0;
         assert_eq!(faults(&model), ["beam.section.area: is 0.0; must be > 0"]);
     }

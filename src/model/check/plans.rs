@@ -12,7 +12,13 @@ use std::collections::HashSet;
 const MOST_CURVES: usize = 10_000;
 
 /// Adds the faults of studies and tuning to those of the structure.
+///
+/// Whether every curve of a study is possible is not asked: a study that is not shown must not stand in the way of an
+/// edit. [`path::apply`] says so where the curve is wanted.
 pub(super) fn check(model: &Model, faults: &mut Vec<Fault>) {
+    if model.studies.is_empty() && model.tune.is_none() {
+        return;
+    }
     // Members are judged without the plans: a plan within a plan would never end.
     let bare = Model {
         studies: Vec::new(),
@@ -46,7 +52,6 @@ struct Plans {
 
 impl Plans {
     fn family(&self, at: &str, family: &Family, faults: &mut Vec<Fault>) {
-        let before = faults.len();
         match family {
             Family::Vary {
                 paths,
@@ -57,15 +62,12 @@ impl Plans {
                 for (index, pattern) in paths.iter().enumerate() {
                     self.pattern(&format!("{at}.vary.{}", index + 1), pattern, faults);
                 }
-                let paths_hold = faults.len() == before;
                 let list = format!("{at}.{}", operation.key());
                 count(&list, values.len(), "value", faults);
                 for (index, value) in values.iter().enumerate().take(MOST_CURVES) {
                     let place = format!("{list}.{}", index + 1);
                     if !value.is_finite() {
                         faults.push(Fault::new(place, not_finite(*value)));
-                    } else if paths_hold {
-                        self.member(&place, family, index, faults);
                     }
                 }
             }
@@ -74,23 +76,15 @@ impl Plans {
                 count(&list, cases.len(), "case", faults);
                 let names = cases.iter().map(|case| case.name.as_str());
                 element_names(&list, names.clone(), faults);
-                for (index, key) in element_keys(names)
-                    .into_iter()
-                    .enumerate()
-                    .take(MOST_CURVES)
-                {
-                    let place = format!("{list}.{key}");
-                    if self.case(&place, &cases[index], faults) {
-                        self.member(&place, family, index, faults);
-                    }
+                for (case, key) in cases.iter().zip(element_keys(names)).take(MOST_CURVES) {
+                    self.case(&format!("{list}.{key}"), case, faults);
                 }
             }
         }
     }
 
-    /// The paths and values of a case; true where they hold.
-    fn case(&self, place: &str, case: &Case, faults: &mut Vec<Fault>) -> bool {
-        let before = faults.len();
+    /// The paths and values of a case.
+    fn case(&self, place: &str, case: &Case, faults: &mut Vec<Fault>) {
         let mut seen = HashSet::new();
         for (pattern, value) in &case.set {
             let path = format!("{place}.set.{}", names::segment(pattern));
@@ -105,40 +99,13 @@ impl Plans {
                 ));
             }
         }
-        faults.len() == before
     }
 
     /// A pattern must stand for numbers.
     fn pattern(&self, at: &str, pattern: &str, faults: &mut Vec<Fault>) {
-        let numbers = |concrete: Vec<String>| {
-            concrete
-                .iter()
-                .try_for_each(|path| path::number(&self.bare, path).map(|_| ()))
-        };
-        if let Err(fault) = path::expand(&self.bare, pattern).and_then(numbers) {
+        if let Err(fault) = path::numbers(&self.bare, pattern) {
             faults.push(Fault::new(at, format!("{}: {}", fault.path, fault.message)));
         }
-    }
-
-    /// A curve of a study must be a possible model, as far as the model is one without it.
-    fn member(&self, place: &str, family: &Family, index: usize, faults: &mut Vec<Fault>) {
-        let Err(found) = path::apply(&self.bare, family, index) else {
-            return;
-        };
-        let mut new = found
-            .into_iter()
-            .filter(|fault| !self.known.contains(&fault.path));
-        let Some(first) = new.next() else { return };
-        let more = match new.count() {
-            0 => String::new(),
-            more => format!(" (and {more} more)"),
-        };
-        let label = label(family, index);
-        let message = format!(
-            "makes the curve {label:?} impossible: {}: {}{more}",
-            first.path, first.message
-        );
-        faults.push(Fault::new(place, message));
     }
 
     fn tune(&self, tune: &Tune, faults: &mut Vec<Fault>) {
@@ -223,23 +190,6 @@ impl Plans {
                 faults.push(Fault::new(format!("{at}.{key}"), message));
             }
         }
-    }
-}
-
-/// What the curve of one member is called.
-fn label(family: &Family, index: usize) -> String {
-    match family {
-        Family::Vary {
-            operation, values, ..
-        } => {
-            let alone = Family::Vary {
-                paths: Vec::new(),
-                operation: *operation,
-                values: vec![values[index]],
-            };
-            path::family_labels(&alone).pop().unwrap_or_default()
-        }
-        Family::Cases(cases) => cases[index].name.clone(),
     }
 }
 

@@ -4,7 +4,7 @@ use num_complex::Complex64;
 
 use super::linear::{Matrix, ZERO, zeros};
 use super::plan::Plan;
-use super::recursion::Amplitudes;
+use super::reflection::Amplitudes;
 use super::waves::Waves;
 
 /// What the energy of a span is made of, for each distinct span length at one frequency.

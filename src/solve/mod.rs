@@ -1,18 +1,20 @@
 //! Exact frequency responses of a checked model: pure numerics, without input or output.
 //!
 //! [`sweep()`] is the entrance. Inside, `plan` lays a model out along x, `waves` gives the six waves of the beam at a
-//! frequency, `attachment` a subsystem as the beam sees it, `recursion` carries reflections to the right and
-//! amplitudes back, `energy` integrates what moved.
+//! frequency, `attachment` a subsystem as the beam sees it, `ends` the supports, `reflection` what lies left of a point;
+//! `recursion` carries reflections to the right and amplitudes back, `energy` integrates what moved.
 //!
 //! Method: the waves of Chen & Liu, Mathematics 2022, 10(16), 2849, in a recursion of reflections instead of the
 //! paper's product of 12x12 transfer matrices, which loses all digits above a few hundred hertz. No matrix is larger
 //! than 6x6.
 
 mod attachment;
+mod ends;
 mod energy;
 mod linear;
 mod plan;
 mod recursion;
+mod reflection;
 mod sweep;
 mod waves;
 

@@ -284,17 +284,7 @@ fn pair(
     g: impl Fn(Complex64) -> Complex64,
 ) -> [Root; 2] {
     let half = 0.5 * (tau - gamma * h_w);
-    // Of half +- sqrt(half^2 + gamma g) the larger one, which never cancels. Where both vanish (equal roots without
-    // coupling) any number does: it only tells the torsion wave from the bending wave.
-    let larger = |g: Complex64| {
-        let root = (half * half + gamma * g).sqrt();
-        let sum = if (half.conj() * root).re >= 0.0 {
-            half + root
-        } else {
-            half - root
-        };
-        if sum == ZERO { Complex64::ONE } else { sum }
-    };
+    let larger = |g: Complex64| larger_sum(half, gamma * g);
     let torsion = |h: Complex64| {
         let g = g(h);
         let from_bending = larger(g) / gamma;
@@ -327,6 +317,18 @@ fn pair(
         settle(tau / gamma, torsion)
     };
     [first, settle(h_w, bending)]
+}
+
+/// Of `half + sqrt(half^2 + square)` and the difference the larger one, which never cancels. Where both vanish (equal
+/// roots without coupling) any number does: it only tells the torsion wave from the bending wave.
+fn larger_sum(half: Complex64, square: Complex64) -> Complex64 {
+    let root = (half * half + square).sqrt();
+    let sum = if (half.conj() * root).re >= 0.0 {
+        half + root
+    } else {
+        half - root
+    };
+    if sum == ZERO { Complex64::ONE } else { sum }
 }
 
 /// The fixed point of `step` by secant iteration from `start`.

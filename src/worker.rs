@@ -20,6 +20,9 @@ pub const PROMPT: Duration = Duration::from_millis(30);
 /// Frequencies of the timing sample, spread over the whole range.
 const SAMPLE: usize = 8;
 
+/// A coarse curve that would take longer than this is left out: it cannot be cancelled.
+const LONGEST_COARSE: Duration = Duration::from_secs(1);
+
 /// The fewest frequencies of a coarse curve.
 const COARSEST: usize = 50;
 
@@ -144,7 +147,9 @@ fn work(inbox: &Receiver<Job>, notify: &impl Fn(Answer)) {
             elapsed: start.elapsed(),
         };
         let full = catch_unwind(AssertUnwindSafe(|| {
-            let members = members(&job.request)?;
+            let Some(members) = members(&job)? else {
+                return Ok(None);
+            };
             if let Some(coarse) = coarse(&members) {
                 notify(answer(Stage::Coarse, Ok(coarse)));
             }
@@ -165,27 +170,26 @@ fn work(inbox: &Receiver<Job>, notify: &impl Fn(Answer)) {
 /// A model to solve, and what tells it from the others of its study.
 type Labelled = (Option<String>, Arc<Model>);
 
-/// The models to solve, with their labels.
-fn members(request: &Request) -> Result<Vec<Labelled>, String> {
+/// The models to solve, with their labels; none where cancelled.
+fn members(Job { request, cancel }: &Job) -> Result<Option<Vec<Labelled>>, String> {
     let Some(study) = request
         .study
         .and_then(|index| request.model.studies.get(index))
     else {
-        return Ok(vec![(None, Arc::clone(&request.model))]);
+        return Ok(Some(vec![(None, Arc::clone(&request.model))]));
     };
-    let labels = path::family_labels(&study.family).into_iter().enumerate();
-    labels
-        .map(
-            |(index, label)| match path::apply(&request.model, &study.family, index) {
-                Ok(model) => Ok((Some(label), Arc::new(model))),
-                Err(faults) => Err(format!(
-                    "{}, {label}: {}",
-                    study.name,
-                    faults.first().map(ToString::to_string).unwrap_or_default()
-                )),
-            },
-        )
-        .collect()
+    let mut members = Vec::new();
+    for (index, label) in path::family_labels(&study.family).into_iter().enumerate() {
+        if cancel.load(Ordering::Relaxed) {
+            return Ok(None);
+        }
+        let model = path::apply(&request.model, &study.family, index).map_err(|faults| {
+            let first = faults.first().map(ToString::to_string).unwrap_or_default();
+            format!("{}, {label}: {first}", study.name)
+        })?;
+        members.push((Some(label), Arc::new(model)));
+    }
+    Ok(Some(members))
 }
 
 /// Few frequencies, where all would take longer than [`PROMPT`]. Never cancelled: it is what keeps a held key alive.
@@ -199,7 +203,8 @@ fn coarse(members: &[Labelled]) -> Option<Curves> {
     sweep(model, &sample, &never)?;
     let each = start.elapsed().as_secs_f64() / sample.len() as f64 * members.len() as f64;
     let affordable = 0.5 * PROMPT.as_secs_f64() / each;
-    if 2.0 * affordable >= all.len() as f64 {
+    let too_long = each * COARSEST as f64 > LONGEST_COARSE.as_secs_f64();
+    if 2.0 * affordable >= all.len() as f64 || too_long {
         return None;
     }
     let points = (affordable as usize).max(COARSEST);

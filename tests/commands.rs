@@ -241,6 +241,109 @@ fn a_curve_that_a_study_makes_impossible_is_refused_where_it_is_wanted() {
 }
 
 #[test]
+fn a_study_of_a_spring_does_not_forbid_to_clamp_its_end() {
+    let clamped = [
+        "frf",
+        "fig16",
+        "--at",
+        "10",
+        "--set",
+        "supports.left.kind=clamped",
+    ];
+    assert_eq!(output(&clamped).lines().count(), 2);
+}
+
+#[test]
+fn what_is_not_finite_is_told_on_standard_error() {
+    let output = beamtune(&["frf", "fig06", "--at", "10,1e308"])
+        .output()
+        .unwrap();
+    assert!(output.status.success());
+    let csv = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        csv.lines()
+            .nth(1)
+            .unwrap()
+            .split(',')
+            .all(|cell| cell.parse::<f64>().unwrap().is_finite())
+    );
+    assert!(csv.lines().nth(2).unwrap().ends_with(",nan"), "{csv}");
+    let warning = String::from_utf8(output.stderr).unwrap();
+    assert!(
+        warning.contains("no finite response at 1 frequencies, first at 1e308 Hz"),
+        "{warning}"
+    );
+}
+
+/// Expected: a cantilever of 5 cm at 0.1 Hz moves as in statics; the waves' amplitudes are there 1e8 times what moves,
+/// and their energy cannot be told in double precision. It must never be negative.
+#[test]
+fn an_energy_that_cancels_is_not_a_number() {
+    let short = [
+        "frf",
+        "fig13",
+        "--at",
+        "0.001",
+        "--set",
+        "beam.length=0.05",
+        "--set",
+        "subsystems.*.position=0.02",
+    ];
+    let output = beamtune(&short).output().unwrap();
+    let csv = String::from_utf8(output.stdout).unwrap();
+    let energy: f64 = csv
+        .lines()
+        .nth(1)
+        .unwrap()
+        .split(',')
+        .nth(1)
+        .unwrap()
+        .parse()
+        .unwrap();
+    assert!(energy.is_nan() || energy > 0.0, "{csv}");
+    assert_eq!(energy.is_nan(), !output.stderr.is_empty());
+}
+
+/// A long log sweep stays within its bounds though their ratio overflows.
+#[test]
+fn a_log_sweep_never_leaves_its_bounds() {
+    let sweep = beamtune::model::Sweep {
+        from: 1e-200,
+        to: 1e200,
+        points: 5,
+        spacing: beamtune::model::Spacing::Log,
+    };
+    let frequencies = beamtune::solve::frequencies(&sweep);
+    assert_eq!((frequencies[0], frequencies[4]), (1e-200, 1e200));
+    assert!((frequencies[2] - 1.0).abs() < 1e-12, "{frequencies:?}");
+}
+
+#[test]
+#[cfg(unix)]
+fn frf_keeps_links_and_modes() {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    let folder = tempfile::tempdir().unwrap();
+    let (file, link) = (
+        folder.path().join("file.csv"),
+        folder.path().join("link.csv"),
+    );
+    std::fs::write(&file, "old").unwrap();
+    std::fs::set_permissions(&file, std::fs::Permissions::from_mode(0o640)).unwrap();
+    symlink(&file, &link).unwrap();
+    output(&["frf", "fig06", "--at", "10", "-o", link.to_str().unwrap()]);
+    assert!(std::fs::symlink_metadata(&link).unwrap().is_symlink());
+    assert!(
+        std::fs::read_to_string(&file)
+            .unwrap()
+            .starts_with("frequency_hz")
+    );
+    assert_eq!(
+        std::fs::metadata(&file).unwrap().permissions().mode() & 0o777,
+        0o640
+    );
+}
+
+#[test]
 fn bad_usage_exits_2_with_an_error() {
     let calls: [&[&str]; 9] = [
         &["show", "fig99"],

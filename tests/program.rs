@@ -180,6 +180,32 @@ fn quitting_asks_when_something_is_unsaved() {
     assert_eq!(program.end(), 0);
 }
 
+/// What is not saved when a signal ends the program goes into a file of its own, over no other.
+#[cfg(unix)]
+#[test]
+fn a_signal_rescues_unsaved_changes() {
+    let folder = tempfile::tempdir().unwrap();
+    let taken = folder.path().join("fig08.rescue.toml");
+    std::fs::write(&taken, "precious").unwrap();
+    let mut program = Program::start(&["fig08", "--set", "subsystems.S1.mass=200"], folder.path());
+    program.wait_for("solved");
+    let id = program.child.process_id().unwrap().to_string();
+    assert!(
+        std::process::Command::new("kill")
+            .args(["-HUP", &id])
+            .status()
+            .unwrap()
+            .success()
+    );
+    assert_eq!(program.end(), 129);
+    assert_eq!(std::fs::read_to_string(&taken).unwrap(), "precious");
+    let rescued = std::fs::read_to_string(folder.path().join("fig08.rescue.2.toml")).unwrap();
+    assert_eq!(
+        beamtune::model::read(&rescued).unwrap().subsystems[0].mass,
+        200.0
+    );
+}
+
 /// The terminal is given back after a signal, and the exit code says which.
 #[cfg(unix)]
 #[test]

@@ -159,6 +159,17 @@ fn small() {
 }
 
 #[test]
+fn keys_wait_while_the_screen_is_too_small() {
+    let mut driver = Driver::preset("fig08");
+    driver.screen(40, 10);
+    driver.keys("D x D > +");
+    assert!(!driver.app.document.is_changed());
+    driver.screen(80, 24);
+    driver.keys("j >");
+    assert!(driver.app.document.is_changed());
+}
+
+#[test]
 fn any_size_is_drawn() {
     let mut driver = Driver::preset("fig05a");
     for keys in ["", "p", "Esc ?", "Esc Enter", "Esc + q"] {

@@ -5,10 +5,9 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
 use clap::Args;
-use tempfile::NamedTempFile;
 
 use super::{Failure, Sets, allow_broken_pipe, source};
-use crate::model::{Family, Model, path};
+use crate::model::{Family, Model, path, save_with};
 use crate::solve::{ColumnKind, Frf, frequencies, sweep};
 
 /// Frequencies solved and written at a time: bounds the memory of a long sweep.
@@ -91,18 +90,9 @@ fn family<'a>(model: &'a Model, name: &str) -> Result<&'a Family, Failure> {
 
 /// Writes beside the file and renames, so that a failure leaves what was there.
 fn write_file(file: &Path, members: &[Member], at: &[f64]) -> std::io::Result<()> {
-    let folder = file
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty())
-        .unwrap_or(Path::new("."));
-    let mut out = BufWriter::new(NamedTempFile::new_in(folder)?);
-    write_all(&mut out, members, at)?;
-    let temporary = out
-        .into_inner()
-        .map_err(std::io::IntoInnerError::into_error)?;
-    temporary.as_file().sync_all()?;
-    temporary.persist(file)?;
-    Ok(())
+    save_with(file, |file| {
+        write_all(&mut BufWriter::new(file), members, at)
+    })
 }
 
 fn write_all(out: &mut impl Write, members: &[Member], at: &[f64]) -> std::io::Result<()> {
@@ -190,9 +180,12 @@ fn cell(text: &str) -> String {
 
 /// Shows how far a long sweep is, where somebody watches.
 fn progress(done: usize, of: usize, member: usize, members: usize) {
-    if of > BLOCK && std::io::stderr().is_terminal() {
+    let mut out = std::io::stderr().lock();
+    if of > BLOCK && out.is_terminal() {
         let end = if done == of { "\n" } else { "" };
-        eprint!(
+        // Progress that cannot be shown is no reason to stop.
+        let _ = write!(
+            out,
             "\rcurve {} of {members}: {done} of {of} frequencies{end}",
             member + 1
         );
@@ -201,9 +194,11 @@ fn progress(done: usize, of: usize, member: usize, members: usize) {
 
 fn warn_of(singular: &[f64]) {
     if let Some(first) = singular.first() {
-        eprintln!(
-            "warning: no finite response at {} frequencies, first at {first} Hz: the model is undamped and at a \
-             resonance; these rows have nan",
+        // The rows say it too.
+        let _ = writeln!(
+            std::io::stderr(),
+            "warning: no finite response at {} frequencies, first at {first:?} Hz (nan in these rows): the model is \
+             undamped and at a resonance, or the numbers are beyond the range of the arithmetic",
             singular.len()
         );
     }

@@ -4,13 +4,10 @@ mod plans;
 mod target;
 
 use super::fault::Fault;
-use super::field::{
-    BEAM, ELASTIC_ROTATION, ELASTIC_TRANSLATION, ELASTIC_WARPING, Field, MATERIAL, SECTION,
-    SUBSYSTEM, SWEEP,
-};
+use super::field::{BEAM, Field, MATERIAL, SECTION, SUBSYSTEM, SWEEP, elastic_fields};
 use super::names;
 use super::serial::format_number;
-use super::types::{Beam, BeamMotion, Elastic, Model, Restraint, Support, Sweep};
+use super::types::{Beam, BeamMotion, Model, Restraint, Support, Sweep};
 use std::collections::HashMap;
 
 /// The fewest frequencies of a sweep.
@@ -86,15 +83,6 @@ fn beam(beam: &Beam, faults: &mut Vec<Fault>) {
             "beam.section.torsion_constant",
             "is 0 with a warping_constant of 0, so nothing resists twist; one of the two must be > 0",
         ));
-    }
-}
-
-/// The rows of the table for the elastic restraint of a motion.
-pub(super) const fn elastic_fields(motion: BeamMotion) -> &'static [Field<Elastic>] {
-    match motion {
-        BeamMotion::W | BeamMotion::V => ELASTIC_TRANSLATION,
-        BeamMotion::Psi | BeamMotion::WSlope | BeamMotion::VSlope => ELASTIC_ROTATION,
-        BeamMotion::PsiSlope => ELASTIC_WARPING,
     }
 }
 
@@ -259,10 +247,11 @@ mod tests {
         assert_eq!(faults(&model), [""; 0]);
         model.beam.material.density = f64::NAN;
         model.sweep.to = f64::INFINITY;
-        model.supports.left[BeamMotion::PsiSlope] = Restraint::Elastic(Elastic {
-            damping: f64::NEG_INFINITY,
-            ..Elastic::default()
-        });
+        model.supports.left[BeamMotion::PsiSlope] =
+            Restraint::Elastic(super::super::types::Elastic {
+                damping: f64::NEG_INFINITY,
+                ..Default::default()
+            });
         assert_eq!(
             faults(&model),
             [

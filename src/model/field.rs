@@ -3,7 +3,7 @@
 //! Reading, checking, writing, parameter paths and the designer's tree all go by these rows, so a number is
 //! described once.
 
-use super::types::{Beam, Elastic, Force, Material, Section, Subsystem, Sweep};
+use super::types::{Beam, BeamMotion, Elastic, Force, Material, Section, Subsystem, Sweep};
 use super::unit::Unit;
 
 /// One number of a `T`.
@@ -318,7 +318,7 @@ pub const SUBSYSTEM: &[Field<Subsystem>] = &[
 ];
 
 /// The numbers of an elastic restraint along w or v.
-pub const ELASTIC_TRANSLATION: &[Field<Elastic>] = &[
+const ELASTIC_TRANSLATION: &[Field<Elastic>] = &[
     field!(
         "stiffness",
         "K",
@@ -349,7 +349,7 @@ pub const ELASTIC_TRANSLATION: &[Field<Elastic>] = &[
 ];
 
 /// The numbers of an elastic restraint about an axis: psi and the slopes of w and v.
-pub const ELASTIC_ROTATION: &[Field<Elastic>] = &[
+const ELASTIC_ROTATION: &[Field<Elastic>] = &[
     field!(
         "stiffness",
         "K_T",
@@ -380,7 +380,7 @@ pub const ELASTIC_ROTATION: &[Field<Elastic>] = &[
 ];
 
 /// The numbers of an elastic restraint on the rate of twist, against warping.
-pub const ELASTIC_WARPING: &[Field<Elastic>] = &[
+const ELASTIC_WARPING: &[Field<Elastic>] = &[
     field!(
         "stiffness",
         "K_B",
@@ -409,6 +409,15 @@ pub const ELASTIC_WARPING: &[Field<Elastic>] = &[
         inertia
     ),
 ];
+
+/// The numbers of the elastic restraint of a motion.
+pub const fn elastic_fields(motion: BeamMotion) -> &'static [Field<Elastic>] {
+    match motion {
+        BeamMotion::W | BeamMotion::V => ELASTIC_TRANSLATION,
+        BeamMotion::Psi | BeamMotion::WSlope | BeamMotion::VSlope => ELASTIC_ROTATION,
+        BeamMotion::PsiSlope => ELASTIC_WARPING,
+    }
+}
 
 /// The numbers of a force; the unit of the amplitude is that of a translation's load.
 pub const FORCE: &[Field<Force>] = &[

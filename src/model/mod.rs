@@ -21,7 +21,7 @@ pub use check::check;
 pub use fault::Fault;
 pub use field::{Field, Range};
 pub use read::read;
-pub use save::save;
+pub use save::{save, save_with};
 pub use serial::format_number;
 pub use types::*;
 pub use unit::Unit;

@@ -1,6 +1,6 @@
 //! Putting a text on disk so that no reader ever meets half of it.
 
-use std::io::{self, Write as _};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
@@ -11,7 +11,22 @@ use std::{env, fs};
 /// # Errors
 /// The folder cannot be written, the disk is full, or the existing file is read-only.
 pub fn save(path: &Path, text: &str) -> io::Result<()> {
+    save_with(path, |file| file.write_all(text.as_bytes()))
+}
+
+/// [`save`] for a content that is written piece by piece. What is no regular file (a pipe, a device) is written to
+/// as it is.
+///
+/// # Errors
+/// As [`save`], and those of `write`; the existing file is then untouched.
+pub fn save_with(
+    path: &Path,
+    write: impl FnOnce(&mut dyn io::Write) -> io::Result<()>,
+) -> io::Result<()> {
     let target = target(path)?;
+    if fs::metadata(&target).is_ok_and(|found| !found.is_file() && !found.is_dir()) {
+        return write(&mut fs::OpenOptions::new().write(true).open(&target)?);
+    }
     let folder = match target.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder.to_path_buf(),
         _ => env::current_dir()?,
@@ -33,7 +48,7 @@ pub fn save(path: &Path, text: &str) -> io::Result<()> {
         default_mode(&mut builder);
     }
     let mut file = builder.tempfile_in(&folder)?;
-    file.write_all(text.as_bytes())?;
+    write(&mut file)?;
     if let Some(permissions) = permissions {
         file.as_file().set_permissions(permissions)?;
     }

@@ -169,6 +169,16 @@ impl Support {
     ]);
     /// All six fixed.
     pub const CLAMPED: Self = Self([Restraint::Fixed; 6]);
+
+    /// The word for all six: `free`, `pinned`, `clamped`, or `elastic` for any other support.
+    pub fn kind(&self) -> &'static str {
+        match *self {
+            Self::FREE => "free",
+            Self::PINNED => "pinned",
+            Self::CLAMPED => "clamped",
+            _ => "elastic",
+        }
+    }
 }
 
 impl std::ops::Index<BeamMotion> for Support {
@@ -194,6 +204,17 @@ pub enum Restraint {
     Fixed,
     /// A spring, a damper and an inertia to the ground.
     Elastic(Elastic),
+}
+
+impl Restraint {
+    /// Its word: `free`, `fixed` or `elastic`.
+    pub const fn kind(self) -> &'static str {
+        match self {
+            Self::Free => "free",
+            Self::Fixed => "fixed",
+            Self::Elastic(_) => "elastic",
+        }
+    }
 }
 
 /// Spring, damper and inertia along one motion of an end: stiffness k + i omega c - omega^2 m.

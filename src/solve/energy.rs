@@ -41,17 +41,45 @@ impl SpanEnergy {
     }
 
     /// `E_V` of a span, kg m2 (times the square of the loads' unit): a at its left end, b at its right end.
-    pub(super) fn of(&self, span: usize, a: &Amplitudes, b: &Amplitudes) -> f64 {
+    pub(super) fn of(&self, span: usize, a: &Amplitudes, b: &Amplitudes) -> Sum {
         let form = &self.forms[span];
-        let mut sum = 0.0;
+        let mut sum = Sum::default();
         for i in 0..6 {
             for j in 0..6 {
                 let same = a[i].conj() * a[j] + b[i].conj() * b[j];
-                sum += (form.same[i][j] * same).re
-                    + 2.0 * (form.against[i][j] * a[i].conj() * b[j]).re;
+                let against = 2.0 * a[i].conj() * b[j];
+                for term in [form.same[i][j] * same, form.against[i][j] * against] {
+                    sum.value += term.re;
+                    sum.terms += term.re.abs();
+                }
             }
         }
         sum
+    }
+}
+
+/// A sum, and the size of what was summed.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Sum {
+    value: f64,
+    terms: f64,
+}
+
+impl Sum {
+    /// Adds another sum.
+    pub(super) fn add(&mut self, other: Self) {
+        self.value += other.value;
+        self.terms += other.terms;
+    }
+
+    /// The sum; NaN where its terms cancel to their last digits, as on a beam that is very short against its waves.
+    pub(super) fn resolved(self) -> f64 {
+        const LEAST_SHARE: f64 = 1e-12;
+        if self.value < LEAST_SHARE * self.terms {
+            f64::NAN
+        } else {
+            self.value
+        }
     }
 }
 

@@ -8,7 +8,7 @@ use num_complex::Complex64;
 
 use super::attachment::{Channels, UNKNOWNS};
 use super::ends::{left_end, right_end};
-use super::energy::SpanEnergy;
+use super::energy::{SpanEnergy, Sum};
 use super::linear::ZERO;
 use super::plan::{Event, Output, Plan};
 use super::reflection::{
@@ -130,7 +130,7 @@ impl Workspace {
         let energy = plan
             .wants_energy
             .then(|| SpanEnergy::new(plan, waves, &self.decays));
-        let mut sum = 0.0;
+        let mut sum = Sum::default();
         self.states.clear();
         for (index, station) in plan.stations.iter().enumerate().rev() {
             let span = plan.spans[index + 1];
@@ -147,7 +147,7 @@ impl Workspace {
             if let Some(energy) = &energy {
                 let mut at_span_start = a;
                 add_to(&mut at_span_start, &to_right);
-                sum += energy.of(span, &at_span_start, &at_span_end);
+                sum.add(energy.of(span, &at_span_start, &at_span_end));
             }
             self.states.push(State { a, b, unknowns });
         }
@@ -155,9 +155,9 @@ impl Workspace {
         if let Some(energy) = &energy {
             let at_span_end = b;
             decay_in_place(&mut b, &self.decays[plan.spans[0]]);
-            sum += energy.of(plan.spans[0], &start.at(&b), &at_span_end);
+            sum.add(energy.of(plan.spans[0], &start.at(&b), &at_span_end));
         }
-        sum
+        sum.resolved()
     }
 
     fn read(

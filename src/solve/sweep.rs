@@ -67,7 +67,7 @@ pub fn frequencies(sweep: &Sweep) -> Vec<f64> {
                 (0, _) => sweep.from,
                 (index, _) if index == last => sweep.to,
                 (_, Spacing::Linear) => sweep.from + share * (sweep.to - sweep.from),
-                (_, Spacing::Log) => sweep.from * (share * (sweep.to / sweep.from).ln()).exp(),
+                (_, Spacing::Log) => sweep.from.powf(1.0 - share) * sweep.to.powf(share),
             }
         })
         .collect()

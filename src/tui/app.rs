@@ -58,6 +58,8 @@ pub struct App {
     after_save: Option<Next>,
     /// What was sent to be solved last.
     requested: Option<(Arc<Model>, Option<usize>)>,
+    /// The screen is too small to show anything.
+    pub unseen: bool,
 }
 
 impl App {
@@ -73,6 +75,7 @@ impl App {
             message: None,
             after_save: None,
             requested: None,
+            unseen: false,
         }
     }
 
@@ -94,6 +97,8 @@ impl App {
     /// Takes an event; what is to be done then.
     pub fn update(&mut self, event: Event) -> Vec<Effect> {
         let mut effects = match event {
+            // Nobody can see what a key would do.
+            Event::Key(_) | Event::Paste(_) if self.unseen => Vec::new(),
             Event::Key(key) => self.key(&key),
             Event::Paste(text) => self.paste(&text),
             Event::Resize => Vec::new(),

@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::io;
+use std::iter;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::Sender;
 
@@ -22,8 +23,8 @@ pub struct Performer {
 pub enum Outcome {
     /// Nothing.
     Done,
-    /// What is not saved was written to this file, if that was possible.
-    Rescued(Option<PathBuf>),
+    /// What is not saved was written to a file, or why not, in a sentence.
+    Rescued(String),
     /// The whole screen is to be drawn anew.
     Redraw,
     /// The program ends, by this signal if there is one.
@@ -47,9 +48,7 @@ impl Performer {
                 self.worker.request(request);
                 return Outcome::Done;
             }
-            Effect::Rescue { path, text } => {
-                return Outcome::Rescued(model::save(&path, &text).is_ok().then_some(path));
-            }
+            Effect::Rescue { path, text } => return Outcome::Rescued(rescue(&path, &text)),
             Effect::Redraw => return Outcome::Redraw,
             Effect::Quit(signal) => return Outcome::Quit(signal),
             Effect::Save { path, text, guard } => save(path, text, &guard),
@@ -67,7 +66,42 @@ impl Performer {
     }
 }
 
+/// Writes unsaved changes beside the model, or else to the folder for temporary files, never over another file.
+fn rescue(path: &Path, text: &str) -> String {
+    let elsewhere = path.file_name().map(|name| std::env::temp_dir().join(name));
+    let mut reason = String::new();
+    for wanted in iter::once(path.to_owned()).chain(elsewhere) {
+        let place = unused(&wanted);
+        match model::save(&place, text) {
+            Ok(()) => return format!("unsaved changes are in {}", place.display()),
+            Err(error) => reason = why(&error),
+        }
+    }
+    format!(
+        "unsaved changes are lost: {} cannot be written: {reason}",
+        path.display()
+    )
+}
+
+/// The path, or the first of `NAME.2.toml`, `NAME.3.toml`, .. that is not there yet.
+fn unused(path: &Path) -> PathBuf {
+    let numbered = (2..).map(|number| path.with_extension(format!("{number}.toml")));
+    iter::once(path.to_owned())
+        .chain(numbered)
+        .find(|path| fs::symlink_metadata(path).is_err())
+        .unwrap_or_else(|| path.to_owned())
+}
+
+/// An error of the system without the name of the temporary file.
+fn why(error: &io::Error) -> String {
+    let text = error.to_string();
+    text.split(" at path ").next().unwrap_or(&text).to_owned()
+}
+
 fn save(path: PathBuf, text: String, guard: &Guard) -> Reply {
+    if path.is_dir() {
+        return Reply::NotSaved(path, "it is a folder; a file's name is wanted".to_owned());
+    }
     let there = fs::read_to_string(&path);
     match (guard, there) {
         (Guard::Absent, Err(error)) if error.kind() == io::ErrorKind::NotFound => {}
@@ -79,7 +113,7 @@ fn save(path: PathBuf, text: String, guard: &Guard) -> Reply {
     }
     match model::save(&path, &text) {
         Ok(()) => Reply::Saved(path, text),
-        Err(error) => Reply::NotSaved(path, error.to_string()),
+        Err(error) => Reply::NotSaved(path, why(&error)),
     }
 }
 

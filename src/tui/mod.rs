@@ -15,7 +15,7 @@ pub mod tree;
 pub mod view;
 
 use std::io::{self, Write as _};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::mpsc;
 
 use app::App;
@@ -90,7 +90,7 @@ pub fn run(opened: Opened) -> io::Result<Option<u8>> {
         for effect in effects.drain(..) {
             match performer.perform(effect, &mut app) {
                 effects::Outcome::Done => {}
-                effects::Outcome::Rescued(path) => rescued = path,
+                effects::Outcome::Rescued(sentence) => rescued = Some(sentence),
                 effects::Outcome::Redraw => session.repaint()?,
                 effects::Outcome::Quit(signal) => {
                     drop(session);
@@ -109,10 +109,10 @@ pub fn run(opened: Opened) -> io::Result<Option<u8>> {
 }
 
 /// Says, when the terminal has been given back, where to find what was not saved.
-fn tell(rescued: Option<&Path>) {
-    if let Some(path) = rescued {
+fn tell(rescued: Option<&str>) {
+    if let Some(sentence) = rescued {
         // Whoever ended the program may have closed standard error too.
-        let _ = writeln!(io::stderr(), "unsaved changes are in {}", path.display());
+        let _ = writeln!(io::stderr(), "{sentence}");
     }
 }
 

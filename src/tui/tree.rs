@@ -234,10 +234,6 @@ pub fn alike(model: &Model, node: Node, forward: bool) -> Option<Node> {
 
 /// The keys of the numbers of an end's spring.
 fn motion_keys(motion: BeamMotion) -> [&'static str; 3] {
-    let table = match motion {
-        BeamMotion::W | BeamMotion::V => field::ELASTIC_TRANSLATION,
-        BeamMotion::PsiSlope => field::ELASTIC_WARPING,
-        BeamMotion::Psi | BeamMotion::WSlope | BeamMotion::VSlope => field::ELASTIC_ROTATION,
-    };
+    let table = field::elastic_fields(motion);
     [table[0].key, table[1].key, table[2].key]
 }

@@ -89,8 +89,10 @@ fn stacked(area: Rect) -> (Rect, Rect, Rect) {
 /// Draws everything; tells the state how many rows there is room for.
 pub fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme) {
     let Some(panels) = panels(frame.area()) else {
+        app.unseen = true;
         return too_small(frame);
     };
+    app.unseen = false;
     let tree = block_inside(panels.tree);
     app.selection.set_height(usize::from(tree.height));
     status::draw(frame, app, theme, panels.status);
@@ -105,7 +107,7 @@ fn too_small(frame: &mut Frame<'_>) {
     let area = frame.area();
     let (width, height) = SMALLEST;
     let text = format!(
-        "The designer needs {width} columns and {height} rows; here are {} and {}.",
+        "The designer needs {width} columns and {height} rows; here are {} and {}. Keys wait until it has them.",
         area.width, area.height
     );
     frame.render_widget(Paragraph::new(text).wrap(Wrap { trim: true }), area);

@@ -66,6 +66,8 @@ fn play(seed: u64, preset: &str) {
             driver.screen(width, height);
         }
     }
+    // Keys wait while the screen is too small.
+    driver.screen(80, 24);
     while driver.app.overlay.is_some() {
         driver.press(KeyEvent::from(KeyCode::Esc));
     }

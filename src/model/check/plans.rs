@@ -4,7 +4,7 @@ use super::super::fault::Fault;
 use super::super::names;
 use super::super::path;
 use super::super::serial::format_number;
-use super::super::types::{Case, Family, Model, Tune, Variable};
+use super::super::types::{Case, Family, Model, Supports, Tune, Variable};
 use super::{band, element_keys, element_names, not_finite, state};
 use std::collections::HashSet;
 
@@ -19,8 +19,10 @@ pub(super) fn check(model: &Model, faults: &mut Vec<Fault>) {
     if model.studies.is_empty() && model.tune.is_none() {
         return;
     }
-    // Members are judged without the plans: a plan within a plan would never end.
+    // Without the plans: a plan within a plan would never end. With free ends: there every spring has a number, and a
+    // study of one need not go when its end is clamped for a while.
     let bare = Model {
+        supports: Supports::default(),
         studies: Vec::new(),
         tune: None,
         ..model.clone()
@@ -44,7 +46,7 @@ pub(super) fn check(model: &Model, faults: &mut Vec<Fault>) {
 
 /// What studies and tuning are judged by.
 struct Plans {
-    /// The model without studies and tuning.
+    /// The model without studies and tuning, its ends free.
     bare: Model,
     /// Paths at which that model is faulty by itself.
     known: HashSet<String>,

@@ -1,6 +1,7 @@
 //! Which parameters there are: owners (a beam, a subsystem, ...) and below each its keys, from the table of numbers.
 
-use crate::model::check::{elastic_fields, element_keys};
+use crate::model::check::element_keys;
+use crate::model::field::elastic_fields;
 use crate::model::field::{BEAM, FORCE, Field, MATERIAL, SECTION, SUBSYSTEM, SWEEP};
 use crate::model::names;
 use crate::model::types::{

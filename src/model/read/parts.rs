@@ -1,6 +1,7 @@
 //! The parts of a model file: beam, supports, subsystems, sweep.
 
-use super::super::check::{FEWEST_POINTS, MOST_POINTS, elastic_fields, element_keys};
+use super::super::check::{FEWEST_POINTS, MOST_POINTS, element_keys};
+use super::super::field::elastic_fields;
 use super::super::field::{BEAM, Field, MATERIAL, SECTION, SUBSYSTEM, SWEEP};
 use super::super::types::{
     Beam, BeamMotion, Elastic, Model, Restraint, Spacing, Spring, Subsystem, Support, Supports,

@@ -1,6 +1,6 @@
 //! The full form of a model as a tree of keys and values.
 
-use super::super::check::elastic_fields;
+use super::super::field::elastic_fields;
 use super::super::field::{BEAM, FORCE, Field, MATERIAL, SECTION, SUBSYSTEM, SWEEP};
 use super::super::types::{
     BeamMotion, Case, Family, Force, Measure, Model, Place, Quantity, Response, Restraint, Spacing,

@@ -227,7 +227,11 @@ impl<'a> Chart<'a> {
             self.x.fraction(abscissa).is_finite()
                 && self.y.fraction(self.level.value(magnitude)).is_finite()
         };
-        let message = if self.curves.iter().flat_map(Curve::samples).any(finite) {
+        let mut samples = self.curves.iter().flat_map(Curve::samples).peekable();
+        let zero = samples.peek().is_some() && samples.all(|(_, magnitude)| magnitude == 0.0);
+        let message = if zero {
+            "zero at every frequency"
+        } else if self.curves.iter().flat_map(Curve::samples).any(finite) {
             "no value within the axes"
         } else {
             "no finite value to draw"

@@ -5,8 +5,8 @@ use std::borrow::Cow;
 use super::{End, Node, motion_keys, parameter_path};
 use crate::model::path::{self, Parameter, Value};
 use crate::model::{
-    BeamMotion, Family, Model, Place, Quantity, Restraint, Study, Support, Supports, Sweep, Target,
-    Tune, Unit, field,
+    BeamMotion, Family, Model, Place, Quantity, Restraint, Study, Supports, Sweep, Target, Tune,
+    Unit, field,
 };
 
 /// What a row is called, at its place in the tree.
@@ -113,7 +113,7 @@ pub fn value(model: &Model, node: Node) -> String {
         ),
         Node::Section => format!("A {}", Unit::AREA.format(model.beam.section.area)),
         Node::Supports => supports(&model.supports),
-        Node::Support(end) => kind(end.support(model)).to_owned(),
+        Node::Support(end) => end.support(model).kind().to_owned(),
         Node::Motion(end, motion) => restraint(model, end, motion),
         Node::Subsystems => model.subsystems.len().to_string(),
         Node::Subsystem(i) => {
@@ -141,7 +141,7 @@ pub fn value(model: &Model, node: Node) -> String {
 }
 
 fn supports(supports: &Supports) -> String {
-    format!("{}, {}", kind(&supports.left), kind(&supports.right))
+    format!("{}, {}", supports.left.kind(), supports.right.kind())
 }
 
 fn band(sweep: &Sweep) -> String {
@@ -201,27 +201,12 @@ pub fn grouped(count: usize) -> String {
     text
 }
 
-fn kind(support: &Support) -> &'static str {
-    match *support {
-        Support::FREE => "free",
-        Support::PINNED => "pinned",
-        Support::CLAMPED => "clamped",
-        _ => "elastic",
-    }
-}
-
 fn restraint(model: &Model, end: End, motion: BeamMotion) -> String {
     match end.support(model)[motion] {
-        Restraint::Free => "free".to_owned(),
-        Restraint::Fixed => "fixed".to_owned(),
-        Restraint::Elastic(elastic) => {
-            let table = match motion {
-                BeamMotion::W | BeamMotion::V => field::ELASTIC_TRANSLATION,
-                BeamMotion::PsiSlope => field::ELASTIC_WARPING,
-                _ => field::ELASTIC_ROTATION,
-            };
-            table[0].unit.format(elastic.stiffness)
-        }
+        Restraint::Elastic(elastic) => field::elastic_fields(motion)[0]
+            .unit
+            .format(elastic.stiffness),
+        held => held.kind().to_owned(),
     }
 }
 

@@ -1,10 +1,10 @@
 //! The chart of the responses that show.
 
 use ratatui::Frame;
-use ratatui::layout::Rect;
+use ratatui::layout::{Constraint, Rect};
 use ratatui::style::Modifier;
-use ratatui::text::{Line, Span};
-use ratatui::widgets::{Block, Borders};
+use ratatui::text::Line;
+use ratatui::widgets::{Block, Borders, Paragraph, Wrap};
 
 use crate::model::Unit;
 use crate::tui::app::{App, Curves, Member, Picture, Shown, Trace};
@@ -23,10 +23,10 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
     frame.render_widget(block, area);
     let curves = curves(app, theme);
     if curves.is_empty() {
-        let text = Span::styled(why_empty(app), theme.dim());
+        let text = Paragraph::new(why_empty(app)).wrap(Wrap { trim: false });
         frame.render_widget(
-            text,
-            inside.centered_vertically(ratatui::layout::Constraint::Length(1)),
+            text.style(theme.dim()),
+            inside.centered_vertically(Constraint::Length(2)),
         );
         return;
     }
@@ -62,10 +62,18 @@ fn readout(app: &App) -> String {
     };
     let (level, unit) = level(app);
     let value = match level {
+        _ if trace.magnitudes[i] == 0.0 => "zero".to_owned(),
         Level::Magnitude => format!("{:.3e} {}", trace.magnitudes[i], trace.unit),
         Level::Decibel { .. } => format!("{:.1} {unit}", level.value(trace.magnitudes[i])),
     };
-    format!(" {}  {value} ", Unit::HERTZ.format(member.frequencies[i]))
+    let of = match &member.label {
+        None if app.curves.visible.len() == 1 => String::new(),
+        _ => format!("{}: ", label(&app.curves, trace, member)),
+    };
+    format!(
+        " {of}{}  {value} ",
+        Unit::HERTZ.format(member.frequencies[i])
+    )
 }
 
 /// Which place a response that shows has among those that show.
@@ -166,10 +174,16 @@ fn colour(state: &Curves, place: usize, member: usize) -> usize {
 }
 
 fn label(state: &Curves, trace: &Trace, member: &Member) -> String {
-    match &member.label {
+    let name = match &member.label {
         None => trace.response.clone(),
         Some(label) if state.visible.len() == 1 => label.clone(),
         Some(label) => format!("{} {label}", trace.response),
+    };
+    // A logarithmic axis has no place for it.
+    if trace.magnitudes.iter().all(|magnitude| *magnitude == 0.0) {
+        format!("{name} (zero)")
+    } else {
+        name
     }
 }
 

@@ -130,6 +130,7 @@ fn value_line(app: &App, theme: Theme, parameter: &Parameter, columns: usize) ->
 fn percent(difference: f64) -> String {
     let percent = difference * 100.0;
     match percent.abs() {
+        99.0..100.0 if percent < 0.0 => format!("x {:.1e}", difference + 1.0),
         0.0..0.95 => format!("{percent:+.2} %"),
         0.95..99.5 => format!("{percent:+.1} %"),
         99.5..9999.5 => format!("{percent:+.0} %"),

@@ -12,57 +12,46 @@ use crate::model::{BeamMotion, Elastic, Restraint};
 /// resonance to the last digits of the frequency.
 const RESONANT: f64 = 1e-14;
 
-/// The equation of one motion of an end as coefficients of (a, b), with what stands on its right.
+/// The equation of one motion of an end: `of_a a + of_b b = load`.
+struct EndRow {
+    of_a: Amplitudes,
+    of_b: Amplitudes,
+    load: Complex64,
+}
+
+/// The equation of one motion of an end.
 ///
 /// `outward` is the sign with which internal forces enter: -1 at the left end (-p + K q = F), +1 at the right.
-fn end_row(
-    plan: &Plan,
-    waves: &Waves,
-    omega: f64,
-    end: &End,
-    motion: BeamMotion,
-    outward: f64,
-) -> [Amplitudes; 3] {
+fn end_row(waves: &Waves, omega: f64, end: &End, motion: BeamMotion, outward: f64) -> EndRow {
     let row = motion as usize;
-    let slope = row >= 3;
-    let (moved, acted) = if slope {
-        (&waves.slope[row - 3], &waves.moment[row - 3])
-    } else {
-        (&waves.displacement[row], &waves.force[row])
-    };
-    let right = [end.load[row]; 6];
     // Displacements go with a + b and forces with a - b; slopes with b - a and moments with a + b.
-    let (of_a, of_b) = if slope { (-1.0, 1.0) } else { (1.0, 1.0) };
-    let (force_a, force_b) = if slope { (1.0, 1.0) } else { (1.0, -1.0) };
-    match end.support[motion] {
-        Restraint::Fixed => [moved.map(|x| of_a * x), moved.map(|x| of_b * x), [ZERO; 6]],
-        // Without warping stiffness the least restraint holds the rate of twist.
-        Restraint::Elastic(elastic)
-            if motion == BeamMotion::PsiSlope
-                && plan.beam.without_warping()
-                && elastic != Elastic::default() =>
-        {
-            [moved.map(|x| of_a * x), moved.map(|x| of_b * x), [ZERO; 6]]
-        }
-        restraint => {
-            let k = stiffness(restraint, omega);
-            let combine = |sign: f64, force: f64| {
-                std::array::from_fn(|wave| k * sign * moved[wave] + outward * force * acted[wave])
-            };
-            [combine(of_a, force_a), combine(of_b, force_b), right]
-        }
+    let (moved, moved_a, acted, acted_b) = if row < 3 {
+        (&waves.displacement[row], 1.0, &waves.force[row], -1.0)
+    } else {
+        (&waves.slope[row - 3], -1.0, &waves.moment[row - 3], 1.0)
+    };
+    // A fixed motion is zero whatever acts along it.
+    let (k, outward, load) = match end.support[motion] {
+        Restraint::Fixed => (Complex64::ONE, 0.0, ZERO),
+        Restraint::Free => (ZERO, outward, end.load[row]),
+        Restraint::Elastic(elastic) => (stiffness(elastic, omega), outward, end.load[row]),
+    };
+    let combine = |moved_sign: f64, acted_sign: f64| {
+        std::array::from_fn(|wave| {
+            k * moved_sign * moved[wave] + outward * acted_sign * acted[wave]
+        })
+    };
+    EndRow {
+        of_a: combine(moved_a, 1.0),
+        of_b: combine(1.0, acted_b),
+        load,
     }
 }
 
-fn stiffness(restraint: Restraint, omega: f64) -> Complex64 {
-    match restraint {
-        Restraint::Elastic(Elastic {
-            stiffness,
-            damping,
-            inertia,
-        }) => Complex64::new(stiffness - omega * omega * inertia, omega * damping),
-        Restraint::Free | Restraint::Fixed => ZERO,
-    }
+/// K + i omega C - omega^2 m, N/m or N m/rad.
+fn stiffness(elastic: Elastic, omega: f64) -> Complex64 {
+    let inertia = omega * omega * elastic.inertia;
+    Complex64::new(elastic.stiffness - inertia, omega * elastic.damping)
 }
 
 /// a = R b + s at the left end.
@@ -70,12 +59,12 @@ pub(super) fn left_end(plan: &Plan, waves: &Waves, omega: f64) -> Reflection {
     let mut of_a = zeros::<6, 6>();
     let mut right = zeros::<6, 7>();
     for (row, motion) in BeamMotion::ALL.into_iter().enumerate() {
-        let [a, b, load] = end_row(plan, waves, omega, &plan.left, motion, -1.0);
-        of_a[row] = a;
+        let equation = end_row(waves, omega, &plan.left, motion, -1.0);
+        of_a[row] = equation.of_a;
         for column in 0..6 {
-            right[row][column] = -b[column];
+            right[row][column] = -equation.of_b[column];
         }
-        right[row][6] = load[0];
+        right[row][6] = equation.load;
     }
     let solved = solve(of_a, right);
     let mut reflection = Reflection {
@@ -95,19 +84,19 @@ pub(super) fn right_end(plan: &Plan, waves: &Waves, omega: f64, at: &Reflection)
     let mut terms = [[0.0; 6]; 6];
     let mut right = zeros::<6, 1>();
     for (row, motion) in BeamMotion::ALL.into_iter().enumerate() {
-        let [a, b, load] = end_row(plan, waves, omega, &plan.right, motion, 1.0);
+        let equation = end_row(waves, omega, &plan.right, motion, 1.0);
         for column in 0..6 {
-            let mut sum = b[column];
+            let mut sum = equation.of_b[column];
             let mut sizes = size(sum);
             for wave in 0..6 {
-                let term = a[wave] * at.r[wave][column];
+                let term = equation.of_a[wave] * at.r[wave][column];
                 sum += term;
                 sizes += size(term);
             }
             of_b[row][column] = sum;
             terms[row][column] = sizes;
         }
-        right[row][0] = load[0] - dot(&a, &at.s);
+        right[row][0] = equation.load - dot(&equation.of_a, &at.s);
     }
     let (b, margin) = solve_with_margin(of_b, right, terms);
     if margin < RESONANT {

@@ -6,7 +6,7 @@ use super::attachment::Attachment;
 use super::linear::ZERO;
 use super::waves::BeamConstants;
 use crate::model::{
-    BeamMotion, MassMotion, Measure, Model, Place, Quantity, Restraint, Support, Target,
+    BeamMotion, Elastic, MassMotion, Measure, Model, Place, Quantity, Restraint, Support, Target,
 };
 
 /// Everything about a model that does not depend on the frequency.
@@ -91,6 +91,13 @@ impl Plan {
     }
 }
 
+/// A spring, damper and inertia that are not there.
+const FREE: Elastic = Elastic {
+    stiffness: 0.0,
+    damping: 0.0,
+    inertia: 0.0,
+};
+
 /// A plan in the making: stations in order of creation, to be sorted by x.
 struct Layout<'a> {
     model: &'a Model,
@@ -104,9 +111,17 @@ struct Layout<'a> {
 
 impl<'a> Layout<'a> {
     fn new(model: &'a Model) -> Self {
-        let end = |support: Support| End {
-            support,
-            load: [ZERO; 6],
+        let without_warping = model.beam.section.warping_constant == 0.0;
+        let end = |mut support: Support| {
+            // Without warping stiffness the least restraint holds the rate of twist.
+            let twist = &mut support[BeamMotion::PsiSlope];
+            if without_warping && !matches!(*twist, Restraint::Free | Restraint::Elastic(FREE)) {
+                *twist = Restraint::Fixed;
+            }
+            End {
+                support,
+                load: [ZERO; 6],
+            }
         };
         Self {
             model,

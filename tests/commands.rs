@@ -121,6 +121,57 @@ fn without_at_the_sweep_of_the_model_is_solved() {
     );
 }
 
+/// The frequencies of a CSV whose first column they are.
+fn frequencies(csv: &str) -> Vec<f64> {
+    let rows = rows(csv);
+    let cells = rows[1..].iter().map(|row| row[0].parse().unwrap());
+    cells.collect()
+}
+
+#[test]
+fn resolve_adds_rows_between_those_of_the_sweep() {
+    let plain = output(&["frf", "fig06"]);
+    let resolved = output(&["frf", "fig06", "--resolve"]);
+    let (base, all) = (frequencies(&plain), frequencies(&resolved));
+    assert!(all.windows(2).all(|pair| pair[0] < pair[1]));
+    assert_eq!((all.first(), all.last()), (base.first(), base.last()));
+    assert!(all.len() > base.len() + 200 && all.len() < 2 * base.len());
+    let lines: std::collections::HashSet<&str> = resolved.lines().collect();
+    assert!(plain.lines().all(|line| lines.contains(line)));
+}
+
+/// A sweep longer than the blocks it is solved in is resolved as the whole is.
+#[test]
+fn resolve_does_not_depend_on_blocks() {
+    let sets = ["--set", "sweep.points=9000", "--set", "sweep.to=200"];
+    let csv = output(&[&["frf", "fig08", "--resolve"], &sets[..]].concat());
+    let mut model = beamtune::model::read(presets::find("fig08").unwrap().text).unwrap();
+    (model.sweep.points, model.sweep.to) = (9000, 200.0);
+    let base = beamtune::solve::frequencies(&model.sweep);
+    let modes = beamtune::solve::modes::modes(&model, 200.0, &false.into()).unwrap();
+    let whole = beamtune::solve::peaks::refined(&model, &modes, &base, &false.into()).unwrap();
+    assert!(whole.len() > 9020);
+    assert_eq!(frequencies(&csv), whole);
+}
+
+#[test]
+fn resolve_follows_each_curve_of_a_study() {
+    let model = beamtune::model::read(presets::find("fig08").unwrap().text).unwrap();
+    let study = &model.studies[0].name;
+    let few = ["--set", "sweep.points=50"];
+    let csv = output(&[&["frf", "fig08", "--resolve", "--study", study], &few[..]].concat());
+    let rows = rows(&csv);
+    let curves = [0.5, 1.0, 2.0, 4.0].map(|factor| {
+        let of_curve = rows[1..].iter().filter(|row| row[0].parse() == Ok(factor));
+        let cells = of_curve.map(|row| row[1].parse().unwrap());
+        cells.collect::<Vec<f64>>()
+    });
+    for curve in &curves {
+        assert!(curve.len() > 100 && curve.windows(2).all(|pair| pair[0] < pair[1]));
+    }
+    assert_ne!(curves[0], curves[3]);
+}
+
 #[test]
 fn set_changes_parameters_by_path_and_wildcard() {
     let plain = output(&["frf", "fig05a", "--at", "50"]);
@@ -345,7 +396,8 @@ fn frf_keeps_links_and_modes() {
 
 #[test]
 fn bad_usage_exits_2_with_an_error() {
-    let calls: [&[&str]; 9] = [
+    let calls: [&[&str]; 10] = [
+        &["frf", "fig05a", "--resolve", "--at", "10"],
         &["show", "fig99"],
         &["check", "no such file.toml"],
         &["frf", "fig05a", "--at", "-5"],
@@ -367,7 +419,6 @@ fn bad_usage_exits_2_with_an_error() {
 fn commands_to_come_say_so_and_exit_1() {
     for call in [
         &["modes", "fig05a"][..],
-        &["validate", "fig05a", "--elements", "40"],
         &["tune", "fig05a", "-o", "x.toml"],
     ] {
         let (code, message) = failure(call);
@@ -382,4 +433,87 @@ fn the_designer_refuses_a_pipe() {
     let (code, message) = failure(&["fig05a"]);
     assert_eq!(code, 2);
     assert!(message.contains("terminal"), "{message}");
+}
+
+/// The cells of a table of `validate`: two spaces and more part them.
+fn cells(line: &str) -> Vec<&str> {
+    line.split("  ")
+        .map(str::trim)
+        .filter(|cell| !cell.is_empty())
+        .collect()
+}
+
+/// `validate`'s report, without the times, which differ from run to run.
+fn report(arguments: &[&str]) -> (i32, String) {
+    let output = beamtune(arguments).output().unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    let timeless: Vec<&str> = text.lines().filter(|line| !line.ends_with(" s")).collect();
+    (output.status.code().unwrap(), timeless.join("\n"))
+}
+
+#[test]
+fn validate_holds_two_witnesses_beside_the_exact_solution() {
+    let call = [
+        "validate",
+        "fig05a",
+        "--at",
+        "30,100,350",
+        "--elements",
+        "80",
+    ];
+    let (code, text) = report(&call);
+    assert_eq!(code, 0, "{text}");
+    assert_eq!(report(&call).1, text);
+    let row = |start: &str| {
+        let line = text.lines().find(|line| line.starts_with(start));
+        cells(line.unwrap_or_else(|| panic!("no {start}: {text}")))
+    };
+    let difference: f64 = row("P5 psi")[1].parse().unwrap();
+    assert!(difference > 0.0 && difference < 1e-2, "{text}");
+    // Hermite's cubics converge with the fourth power of the elements' length.
+    let order: f64 = row("320 ")[2].parse().unwrap();
+    assert!((order - 4.0).abs() < 0.3, "{text}");
+    // The chain loses digits with the frequency.
+    let digits = |start: &str| row(start)[1].parse::<f64>().unwrap();
+    assert!(digits("100 ") > 8.0 && digits("350 ") < 4.0, "{text}");
+    assert!(text.contains("is within the tolerance of 0.01."), "{text}");
+}
+
+#[test]
+fn validate_exits_1_beyond_the_tolerance_and_2_on_bad_input() {
+    let coarse = ["validate", "fig05a", "--at", "350", "--elements", "4"];
+    let (code, text) = report(&coarse);
+    assert_eq!(code, 1);
+    assert!(text.contains("is beyond the tolerance of 0.01."), "{text}");
+    let (code, text) = report(&[&coarse[..], &["--tolerance", "1e9"]].concat());
+    assert_eq!(code, 0, "{text}");
+    for bad in [
+        &["validate", "fig99"][..],
+        &["validate", "fig05a", "--elements", "0"],
+        &["validate", "fig05a", "--tolerance", "0"],
+        &["validate", "fig05a", "--at", "-1"],
+        &["validate", "fig05a", "--set", "beam.length=-1"],
+    ] {
+        assert_eq!(failure(bad).0, 2, "{bad:?}");
+    }
+}
+
+#[test]
+fn validate_says_where_a_method_has_no_answer() {
+    let (code, text) = report(&["validate", "symmetric_section", "--at", "20,60"]);
+    assert_eq!(code, 0, "{text}");
+    assert!(
+        text.contains("does not apply: its ratios t divide by the centroid offset"),
+        "{text}"
+    );
+    let (code, text) = report(&["validate", "fig06", "--at", "10,1e308", "--elements", "40"]);
+    assert_eq!(code, 0, "{text}");
+    assert!(
+        text.contains("not finite at 1 of them, first at 1e308 Hz; these are left out"),
+        "{text}"
+    );
+    let nowhere = beamtune(&["validate", "fig06", "--at", "1e308", "--elements", "4"])
+        .output()
+        .unwrap();
+    assert_eq!(nowhere.status.code(), Some(1));
 }

@@ -1,14 +1,18 @@
 //! `beamtune frf`: frequency responses as CSV.
 
-use std::io::{BufWriter, IsTerminal, Write};
-use std::path::{Path, PathBuf};
+use std::io::{IsTerminal, Write};
+use std::ops::Range;
+use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use clap::Args;
 
-use super::{Failure, Sets, allow_broken_pipe, source};
-use crate::model::{Family, Model, path, save_with};
-use crate::solve::{ColumnKind, Frf, frequencies, sweep};
+use super::csv::{self, cell, number};
+use super::{Failure, Sets, source};
+use crate::model::{Family, Model, path};
+use crate::solve::modes::{Completeness, Modes, modes};
+use crate::solve::peaks::resolved;
+use crate::solve::{Column, ColumnKind, Frf, frequencies, sweep};
 
 /// Frequencies solved and written at a time: bounds the memory of a long sweep.
 const BLOCK: usize = 4096;
@@ -18,8 +22,11 @@ pub(super) struct Arguments {
     /// A model file, a preset's name, or - for standard input.
     model: String,
     /// Frequencies in Hz, in place of the model's sweep.
-    #[arg(long, value_name = "F1,F2,..", value_delimiter = ',', value_parser = frequency)]
+    #[arg(long, value_name = "F1,F2,..", value_delimiter = ',', value_parser = super::frequency)]
     at: Vec<f64>,
+    /// Adds the frequencies that every peak and anti-resonance in the sweep needs, so that none is cut off.
+    #[arg(long, conflicts_with = "at")]
+    resolve: bool,
     /// One block of rows for each member of this study.
     #[arg(long, value_name = "NAME")]
     study: Option<String>,
@@ -30,10 +37,24 @@ pub(super) struct Arguments {
     sets: Sets,
 }
 
-fn frequency(text: &str) -> Result<f64, String> {
-    match text.trim().parse::<f64>() {
-        Ok(value) if value.is_finite() && value > 0.0 => Ok(value),
-        _ => Err("a frequency is a number of Hz above 0".into()),
+/// Which frequencies are solved.
+#[derive(Debug, Clone, Copy)]
+enum Points<'a> {
+    /// These, Hz.
+    At(&'a [f64]),
+    /// The model's sweep.
+    Sweep,
+    /// The model's sweep and what its peaks and anti-resonances need.
+    Resolved,
+}
+
+impl Arguments {
+    fn points(&self) -> Points<'_> {
+        match &self.at[..] {
+            _ if self.resolve => Points::Resolved,
+            [] => Points::Sweep,
+            at => Points::At(at),
+        }
     }
 }
 
@@ -43,16 +64,9 @@ type Member = (Option<String>, Model);
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let model = source::open(&arguments.model, &arguments.sets.sets)?.model;
     let members = members(&model, arguments.study.as_deref())?;
-    match &arguments.output {
-        None => allow_broken_pipe(write_all(
-            &mut BufWriter::new(std::io::stdout().lock()),
-            &members,
-            &arguments.at,
-        )),
-        Some(file) => write_file(file, &members, &arguments.at).map_err(|error| {
-            Failure::Other(format!("{}: cannot be written: {error}", file.display()))
-        }),
-    }
+    csv::write(arguments.output.as_deref(), |out| {
+        write_all(out, &members, arguments.points())
+    })
 }
 
 fn members(model: &Model, study: Option<&str>) -> Result<Vec<Member>, Failure> {
@@ -88,25 +102,15 @@ fn family<'a>(model: &'a Model, name: &str) -> Result<&'a Family, Failure> {
     }
 }
 
-/// Writes beside the file and renames, so that a failure leaves what was there.
-fn write_file(file: &Path, members: &[Member], at: &[f64]) -> std::io::Result<()> {
-    save_with(file, |file| {
-        write_all(&mut BufWriter::new(file), members, at)
-    })
-}
-
-fn write_all(out: &mut impl Write, members: &[Member], at: &[f64]) -> std::io::Result<()> {
+fn write_all(out: &mut dyn Write, members: &[Member], points: Points) -> std::io::Result<()> {
     let mut header_due = true;
     let mut singular = Vec::new();
     for (index, (key, model)) in members.iter().enumerate() {
-        let all = if at.is_empty() {
-            frequencies(&model.sweep)
-        } else {
-            at.to_vec()
-        };
-        let mut done = 0;
-        for block in all.chunks(BLOCK) {
-            let Some(frf) = sweep(model, block, &AtomicBool::new(false)) else {
+        let curve = Curve::new(model, points);
+        let last = curve.base.len();
+        for start in (0..last).step_by(BLOCK) {
+            let end = last.min(start + BLOCK);
+            let Some(frf) = curve.block(start..end) else {
                 continue;
             };
             if std::mem::take(&mut header_due) {
@@ -114,16 +118,70 @@ fn write_all(out: &mut impl Write, members: &[Member], at: &[f64]) -> std::io::R
             }
             write_rows(out, key.as_deref(), &frf)?;
             singular.extend(frf.singular());
-            done += block.len();
-            progress(done, all.len(), index, members.len());
+            progress(end, last, index, members.len());
         }
     }
-    out.flush()?;
     warn_of(&singular);
     Ok(())
 }
 
-fn write_header(out: &mut impl Write, study: bool, frf: &Frf) -> std::io::Result<()> {
+/// The rows of one model.
+struct Curve<'a> {
+    model: &'a Model,
+    /// Frequencies to solve, Hz.
+    base: Vec<f64>,
+    /// The model's modes, where the base is to be resolved.
+    modes: Option<Modes>,
+}
+
+impl<'a> Curve<'a> {
+    fn new(model: &'a Model, points: Points) -> Self {
+        let never = AtomicBool::new(false);
+        let (base, modes) = match points {
+            Points::At(at) => (at.to_vec(), None),
+            Points::Sweep => (frequencies(&model.sweep), None),
+            Points::Resolved => {
+                let modes = modes(model, model.sweep.to, &never);
+                (frequencies(&model.sweep), modes.inspect(warn_of_doubt))
+            }
+        };
+        Self { model, base, modes }
+    }
+
+    /// The rows from the first frequency of a part of the base up to what follows the part.
+    fn block(&self, part: Range<usize>) -> Option<Frf> {
+        let never = AtomicBool::new(false);
+        let Some(modes) = &self.modes else {
+            return sweep(self.model, &self.base[part], &never);
+        };
+        // With one more on each side, a peak next to a bound is seen whole.
+        let wider = part.start.saturating_sub(1)..self.base.len().min(part.end + 1);
+        let solved = sweep(self.model, &self.base[wider], &never)?;
+        let frf = resolved(self.model, modes, solved, &never)?;
+        let row_of = |bound: f64| frf.frequencies.partition_point(|&f| f < bound);
+        let first = row_of(self.base[part.start]);
+        let end = match self.base.get(part.end) {
+            Some(&next) => row_of(next),
+            None => frf.frequencies.len(),
+        };
+        Some(rows(&frf, first..end))
+    }
+}
+
+/// Some rows of a response.
+fn rows(frf: &Frf, part: Range<usize>) -> Frf {
+    let columns = frf.columns.iter().map(|column| Column {
+        name: column.name.clone(),
+        values: column.values[part.clone()].to_vec(),
+        ..*column
+    });
+    Frf {
+        columns: columns.collect(),
+        frequencies: frf.frequencies[part].to_vec(),
+    }
+}
+
+fn write_header(out: &mut dyn Write, study: bool, frf: &Frf) -> std::io::Result<()> {
     let mut cells = Vec::new();
     if study {
         cells.push("curve".to_owned());
@@ -141,7 +199,7 @@ fn write_header(out: &mut impl Write, study: bool, frf: &Frf) -> std::io::Result
     writeln!(out, "{}", cells.join(","))
 }
 
-fn write_rows(out: &mut impl Write, key: Option<&str>, frf: &Frf) -> std::io::Result<()> {
+fn write_rows(out: &mut dyn Write, key: Option<&str>, frf: &Frf) -> std::io::Result<()> {
     let key = key.map(cell);
     for (row, frequency) in frf.frequencies.iter().enumerate() {
         if let Some(key) = &key {
@@ -160,24 +218,6 @@ fn write_rows(out: &mut impl Write, key: Option<&str>, frf: &Frf) -> std::io::Re
     Ok(())
 }
 
-/// The shortest text that reads back to the same number; `nan` where there is no finite answer.
-fn number(value: f64) -> String {
-    if value.is_finite() {
-        format!("{value:?}")
-    } else {
-        "nan".into()
-    }
-}
-
-/// A text as a CSV cell (RFC 4180).
-fn cell(text: &str) -> String {
-    if text.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text.to_owned()
-    }
-}
-
 /// Shows how far a long sweep is, where somebody watches.
 fn progress(done: usize, of: usize, member: usize, members: usize) {
     let mut out = std::io::stderr().lock();
@@ -188,6 +228,19 @@ fn progress(done: usize, of: usize, member: usize, members: usize) {
             out,
             "\rcurve {} of {members}: {done} of {of} frequencies{end}",
             member + 1
+        );
+    }
+}
+
+fn warn_of_doubt(modes: &Modes) {
+    if modes.completeness == Completeness::Doubtful {
+        // The rows that are there are right all the same.
+        let _ = writeln!(
+            std::io::stderr(),
+            "warning: a peak may be missing: {} modes were found up to {:?} Hz, and the argument principle counts \
+             another number",
+            modes.modes.len(),
+            modes.to
         );
     }
 }

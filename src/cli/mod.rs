@@ -1,7 +1,10 @@
 //! The commands: arguments to calls, results to standard output, failures to exit codes.
 
+mod csv;
 mod frf;
+mod modes;
 mod source;
+mod validate;
 
 use std::io::{IsTerminal, Write};
 use std::process::ExitCode;
@@ -58,12 +61,10 @@ enum Command {
     },
     /// Writes frequency responses as CSV.
     Frf(frf::Arguments),
-    /// Natural frequencies (not there yet).
-    #[command(disable_help_flag = true)]
-    Modes(Later),
-    /// A second method beside the exact one (not there yet).
-    #[command(disable_help_flag = true)]
-    Validate(Later),
+    /// Writes natural frequencies and damping ratios as CSV.
+    Modes(modes::Arguments),
+    /// Holds finite elements and the paper's transfer matrices beside the exact responses.
+    Validate(validate::Arguments),
     /// The optimiser (not there yet).
     #[command(disable_help_flag = true)]
     Tune(Later),
@@ -133,8 +134,8 @@ fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
         Some(Command::Show { preset }) => print(source::preset(&preset)?.text)?,
         Some(Command::Check { model }) => drop(source::open(&model, &[])?),
         Some(Command::Frf(arguments)) => frf::run(&arguments)?,
-        Some(Command::Modes(_)) => return Err(not_yet("modes")),
-        Some(Command::Validate(_)) => return Err(not_yet("validate")),
+        Some(Command::Modes(arguments)) => modes::run(&arguments)?,
+        Some(Command::Validate(arguments)) => return validate::run(&arguments),
         Some(Command::Tune(_)) => return Err(not_yet("tune")),
     }
     Ok(ExitCode::SUCCESS)
@@ -168,6 +169,14 @@ fn list_presets() -> String {
         .unwrap_or(0);
     let line = |preset: &presets::Preset| format!("{:width$}  {}\n", preset.name, preset.title());
     presets::ALL.iter().map(line).collect::<Vec<_>>().concat()
+}
+
+/// A frequency argument, Hz.
+fn frequency(text: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(value) if value.is_finite() && value > 0.0 => Ok(value),
+        _ => Err("a frequency is a number of Hz above 0".into()),
+    }
 }
 
 /// Prints to standard output; a reader that has gone away is no failure.

@@ -40,6 +40,18 @@ struct Stiffness {
     right: Complex64,
 }
 
+impl Stiffness {
+    /// The channel forces (y, sum, difference) of stretches.
+    fn times(&self, stretch: [Complex64; 3]) -> [Complex64; 3] {
+        let (sum, difference) = (self.left + self.right, self.right - self.left);
+        [
+            self.y * stretch[0],
+            sum * stretch[1] + difference * stretch[2],
+            difference * stretch[1] + sum * stretch[2],
+        ]
+    }
+}
+
 /// The unknowns as an affine function of the waves b that come from the right: `from_waves b + forced`.
 #[derive(Debug, Clone)]
 pub(super) struct Channels {
@@ -69,8 +81,8 @@ impl Attachment {
         }
     }
 
-    fn stiffness(&self, omega: f64) -> Stiffness {
-        let complex = |spring: Spring| Complex64::new(spring.stiffness, omega * spring.damping);
+    fn stiffness(&self, omega: Complex64) -> Stiffness {
+        let complex = |spring: Spring| spring.stiffness + Complex64::I * omega * spring.damping;
         Stiffness {
             y: complex(self.spring_y),
             left: complex(self.z_left),
@@ -108,36 +120,64 @@ impl Attachment {
     /// displacement per wave from the right, `still` the displacement with neither.
     pub(super) fn channels(
         &self,
-        omega: f64,
+        omega: Complex64,
         receptance: &Matrix<3, 3>,
         moved: &Matrix<3, 6>,
         still: &[Complex64; 3],
     ) -> Channels {
         let k = self.stiffness(omega);
-        let (sum, difference) = (k.left + k.right, k.right - k.left);
-        let flexibility = self.flexibility(omega, receptance);
         let driving = self.driving(omega, moved, still);
-        let mut a = zeros::<UNKNOWNS, UNKNOWNS>();
         let mut b = zeros::<UNKNOWNS, 7>();
+        for column in 0..7 {
+            let pulled = k.times(driving.map(|row| row[column]));
+            for channel in 0..3 {
+                b[channel][column] = pulled[channel];
+            }
+        }
+        if !self.is_idle(&k) {
+            b[3][6] = -self.load[2];
+        }
+        split(&solve(self.system(omega, receptance), b))
+    }
+
+    /// The matrix of the unknowns: each channel's force against its stretch, and the balance of theta.
+    pub(super) fn system(
+        &self,
+        omega: Complex64,
+        receptance: &Matrix<3, 3>,
+    ) -> Matrix<UNKNOWNS, UNKNOWNS> {
+        let k = self.stiffness(omega);
+        let flexibility = self.flexibility(omega, receptance);
+        let mut a = zeros::<UNKNOWNS, UNKNOWNS>();
         for column in 0..UNKNOWNS {
-            a[0][column] = k.y * flexibility[0][column];
-            a[1][column] = sum * flexibility[1][column] + difference * flexibility[2][column];
-            a[2][column] = difference * flexibility[1][column] + sum * flexibility[2][column];
+            let pulled = k.times(flexibility.map(|row| row[column]));
+            for channel in 0..3 {
+                a[channel][column] = pulled[channel];
+            }
         }
         for channel in 0..3 {
             a[channel][channel] += 1.0;
         }
-        for column in 0..7 {
-            b[0][column] = k.y * driving[0][column];
-            b[1][column] = sum * driving[1][column] + difference * driving[2][column];
-            b[2][column] = difference * driving[1][column] + sum * driving[2][column];
+        // omega^2 J theta + h g_sum + l g_difference = -load, or theta = 0 where nothing turns the mass.
+        if self.is_idle(&k) {
+            a[3][3] = Complex64::ONE;
+        } else {
+            a[3][1] = self.half_difference_of_arms().into();
+            a[3][2] = self.half_sum_of_arms().into();
+            a[3][3] = omega * omega * self.inertia;
         }
-        self.rotate(omega, &k, &mut a, &mut b);
-        split(&solve(a, b))
+        a
+    }
+
+    /// Whether theta has neither inertia nor spring.
+    fn is_idle(&self, k: &Stiffness) -> bool {
+        let held =
+            k.left * self.arm_left * self.arm_left + k.right * self.arm_right * self.arm_right;
+        self.inertia == 0.0 && held == ZERO
     }
 
     /// The stretches that unknowns take away: by the mass moving, by the beam moving, by theta.
-    fn flexibility(&self, omega: f64, receptance: &Matrix<3, 3>) -> Matrix<3, UNKNOWNS> {
+    fn flexibility(&self, omega: Complex64, receptance: &Matrix<3, 3>) -> Matrix<3, UNKNOWNS> {
         let mut by_jump = zeros::<3, 3>();
         for channel in 0..3 {
             let mut unit = [ZERO; UNKNOWNS];
@@ -165,7 +205,12 @@ impl Attachment {
     }
 
     /// The stretches with all unknowns at zero: per wave from the right, and in the last column by loads.
-    fn driving(&self, omega: f64, moved: &Matrix<3, 6>, still: &[Complex64; 3]) -> Matrix<3, 7> {
+    fn driving(
+        &self,
+        omega: Complex64,
+        moved: &Matrix<3, 6>,
+        still: &[Complex64; 3],
+    ) -> Matrix<3, 7> {
         let mut q = zeros::<3, 7>();
         for row in 0..3 {
             q[row][..6].copy_from_slice(&moved[row]);
@@ -178,45 +223,25 @@ impl Attachment {
         out
     }
 
-    /// The last row: omega^2 J theta + h `g_sum` + l `g_difference` = -load, or theta = 0 where nothing turns the mass.
-    fn rotate(
-        &self,
-        omega: f64,
-        k: &Stiffness,
-        a: &mut Matrix<UNKNOWNS, UNKNOWNS>,
-        b: &mut Matrix<UNKNOWNS, 7>,
-    ) {
-        let held =
-            k.left * self.arm_left * self.arm_left + k.right * self.arm_right * self.arm_right;
-        if self.inertia == 0.0 && held == ZERO {
-            a[3] = [ZERO, ZERO, ZERO, Complex64::ONE];
-            return;
-        }
-        a[3][1] = self.half_difference_of_arms().into();
-        a[3][2] = self.half_sum_of_arms().into();
-        a[3][3] = (omega * omega * self.inertia).into();
-        b[3][6] = -self.load[2];
-    }
-
     /// The motion (y, z, theta) of the mass from the unknowns `g` and the beam's displacement `q` (w, psi, v).
     ///
     /// Below the resonance of a mass on its springs the motion follows from the stretch, above it from the inertia:
     /// either alone would be a small difference of large numbers on the other side.
     pub(super) fn motion(
         &self,
-        omega: f64,
+        omega: Complex64,
         g: &[Complex64; UNKNOWNS],
         q: &[Complex64; 3],
     ) -> [Complex64; 3] {
         let k = self.stiffness(omega);
         let theta = g[3];
         let inertia = omega * omega * self.mass;
-        let y = if k.y.norm() > inertia {
+        let y = if k.y.norm() > inertia.norm() {
             q[0] + self.mount_z * q[1] - g[0] / k.y
         } else {
             -(g[0] + self.load[0]) / inertia
         };
-        let z = if (k.left + k.right).norm() <= inertia {
+        let z = if (k.left + k.right).norm() <= inertia.norm() {
             -(g[1] + self.load[1]) / inertia
         } else if k.right.norm() >= k.left.norm() {
             q[2] + self.mount_y * q[1] - 0.5 * (g[1] + g[2]) / k.right - self.arm_right * theta

@@ -2,7 +2,7 @@
 
 use num_complex::Complex64;
 
-use super::linear::{ZERO, size, solve, solve_with_margin, zeros};
+use super::linear::{Matrix, ZERO, size, solve, solve_with_margin, zeros};
 use super::plan::{End, Plan};
 use super::reflection::{Amplitudes, Reflection, dot};
 use super::waves::Waves;
@@ -22,7 +22,7 @@ struct EndRow {
 /// The equation of one motion of an end.
 ///
 /// `outward` is the sign with which internal forces enter: -1 at the left end (-p + K q = F), +1 at the right.
-fn end_row(waves: &Waves, omega: f64, end: &End, motion: BeamMotion, outward: f64) -> EndRow {
+fn end_row(waves: &Waves, omega: Complex64, end: &End, motion: BeamMotion, outward: f64) -> EndRow {
     let row = motion as usize;
     // Displacements go with a + b and forces with a - b; slopes with b - a and moments with a + b.
     let (moved, moved_a, acted, acted_b) = if row < 3 {
@@ -49,13 +49,17 @@ fn end_row(waves: &Waves, omega: f64, end: &End, motion: BeamMotion, outward: f6
 }
 
 /// K + i omega C - omega^2 m, N/m or N m/rad.
-fn stiffness(elastic: Elastic, omega: f64) -> Complex64 {
-    let inertia = omega * omega * elastic.inertia;
-    Complex64::new(elastic.stiffness - inertia, omega * elastic.damping)
+fn stiffness(elastic: Elastic, omega: Complex64) -> Complex64 {
+    let damper = Complex64::I * omega * elastic.damping;
+    elastic.stiffness + damper - omega * omega * elastic.inertia
 }
 
-/// a = R b + s at the left end.
-pub(super) fn left_end(plan: &Plan, waves: &Waves, omega: f64) -> Reflection {
+/// The six equations of the left end: what stands before a, and what a is solved from (for each b, and the load).
+pub(super) fn left_system(
+    plan: &Plan,
+    waves: &Waves,
+    omega: Complex64,
+) -> (Matrix<6, 6>, Matrix<6, 7>) {
     let mut of_a = zeros::<6, 6>();
     let mut right = zeros::<6, 7>();
     for (row, motion) in BeamMotion::ALL.into_iter().enumerate() {
@@ -66,6 +70,12 @@ pub(super) fn left_end(plan: &Plan, waves: &Waves, omega: f64) -> Reflection {
         }
         right[row][6] = equation.load;
     }
+    (of_a, right)
+}
+
+/// a = R b + s at the left end.
+pub(super) fn left_end(plan: &Plan, waves: &Waves, omega: Complex64) -> Reflection {
+    let (of_a, right) = left_system(plan, waves, omega);
     let solved = solve(of_a, right);
     let mut reflection = Reflection {
         r: zeros(),
@@ -78,11 +88,27 @@ pub(super) fn left_end(plan: &Plan, waves: &Waves, omega: f64) -> Reflection {
     reflection
 }
 
-/// b at the right end, from its six equations with a = R b + s; not finite at an undamped resonance.
-pub(super) fn right_end(plan: &Plan, waves: &Waves, omega: f64, at: &Reflection) -> Amplitudes {
-    let mut of_b = zeros::<6, 6>();
-    let mut terms = [[0.0; 6]; 6];
-    let mut right = zeros::<6, 1>();
+/// The six equations of the right end for b, with a = R b + s.
+pub(super) struct RightSystem {
+    /// What stands before b.
+    pub(super) of_b: Matrix<6, 6>,
+    /// The sizes of what was summed to each entry of it.
+    terms: [[f64; 6]; 6],
+    right: Matrix<6, 1>,
+}
+
+/// The equations of the right end.
+pub(super) fn right_system(
+    plan: &Plan,
+    waves: &Waves,
+    omega: Complex64,
+    at: &Reflection,
+) -> RightSystem {
+    let mut system = RightSystem {
+        of_b: zeros(),
+        terms: [[0.0; 6]; 6],
+        right: zeros(),
+    };
     for (row, motion) in BeamMotion::ALL.into_iter().enumerate() {
         let equation = end_row(waves, omega, &plan.right, motion, 1.0);
         for column in 0..6 {
@@ -93,12 +119,23 @@ pub(super) fn right_end(plan: &Plan, waves: &Waves, omega: f64, at: &Reflection)
                 sum += term;
                 sizes += size(term);
             }
-            of_b[row][column] = sum;
-            terms[row][column] = sizes;
+            system.of_b[row][column] = sum;
+            system.terms[row][column] = sizes;
         }
-        right[row][0] = equation.load - dot(&equation.of_a, &at.s);
+        system.right[row][0] = equation.load - dot(&equation.of_a, &at.s);
     }
-    let (b, margin) = solve_with_margin(of_b, right, terms);
+    system
+}
+
+/// b at the right end; not finite at an undamped resonance.
+pub(super) fn right_end(
+    plan: &Plan,
+    waves: &Waves,
+    omega: Complex64,
+    at: &Reflection,
+) -> Amplitudes {
+    let system = right_system(plan, waves, omega, at);
+    let (b, margin) = solve_with_margin(system.of_b, system.right, system.terms);
     if margin < RESONANT {
         return [Complex64::new(f64::INFINITY, 0.0); 6];
     }

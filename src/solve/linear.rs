@@ -51,6 +51,61 @@ pub(super) fn solve_with_margin<const N: usize, const R: usize>(
     (b, margin)
 }
 
+/// A number of any size: its natural logarithm's real part, and its direction.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Magnified {
+    /// ln |z|.
+    pub(super) log: f64,
+    /// z / |z|.
+    pub(super) direction: Complex64,
+}
+
+impl Magnified {
+    /// One.
+    pub(super) const ONE: Self = Self {
+        log: 0.0,
+        direction: Complex64::ONE,
+    };
+
+    /// Times a number.
+    pub(super) fn times(&mut self, z: Complex64) {
+        let norm = z.norm();
+        self.log += norm.ln();
+        self.direction *= z / norm;
+    }
+
+    /// This over another.
+    pub(super) fn ratio(&self, other: &Self) -> Complex64 {
+        self.direction * other.direction.conj() * (self.log - other.log).exp()
+    }
+}
+
+/// Multiplies `product` by the determinant of `a`; its logarithm is minus infinity where that is zero.
+pub(super) fn multiply_determinant<const N: usize>(product: &mut Magnified, mut a: Matrix<N, N>) {
+    let mut none: Matrix<N, 0> = [[]; N];
+    // Rows in different units must compare; what scales them is no part of the determinant.
+    let before = a;
+    let mut terms = a.map(|row| row.map(size));
+    equilibrate(&mut a, &mut none, &mut terms);
+    for (row, scaled) in before.iter().zip(&a) {
+        if let Some(column) = row.iter().position(|&z| z != ZERO) {
+            product.times((size(row[column]) / size(scaled[column])).into());
+        }
+    }
+    for column in 0..N {
+        let pivot = pivot_row(&a, column);
+        if pivot != column {
+            a.swap(column, pivot);
+            product.direction = -product.direction;
+        }
+        product.times(a[column][column]);
+        if a[column][column] == ZERO {
+            return;
+        }
+        eliminate(&mut a, &mut none, column);
+    }
+}
+
 /// Subtracts the pivot row of a column from the rows below it.
 fn eliminate<const N: usize, const R: usize>(
     a: &mut Matrix<N, N>,

@@ -7,11 +7,20 @@
 //! Method: the waves of Chen & Liu, Mathematics 2022, 10(16), 2849, in a recursion of reflections instead of the
 //! paper's product of 12x12 transfer matrices, which loses all digits above a few hundred hertz. No matrix is larger
 //! than 6x6.
+//!
+//! Two witnesses of it share none of its formulas: [`fem`], finite elements, and [`chain`], the paper's own product.
+//! `layout` lays a model out for both, [`compare`] says how far they are from the exact responses.
 
 mod attachment;
+pub mod chain;
+pub mod compare;
 mod ends;
 mod energy;
+pub mod fem;
+mod layout;
 mod linear;
+pub mod modes;
+pub mod peaks;
 mod plan;
 mod recursion;
 mod reflection;

@@ -76,10 +76,10 @@ pub(super) struct Workspace {
 }
 
 impl Workspace {
-    /// Writes the response of every output at `frequency` (Hz, > 0) to `out`. Where the model has no finite answer
-    /// (no damping, exactly at a resonance) the values are not finite.
-    pub(super) fn solve(&mut self, plan: &Plan, frequency: f64, out: &mut [Complex64]) {
-        let omega = std::f64::consts::TAU * frequency;
+    /// Writes the response of every output at the angular frequency `omega` (rad/s; positive, or complex where a zero
+    /// or a mode is sought) to `out`. Where the model has no finite answer (no damping, exactly at a resonance) the
+    /// values are not finite.
+    pub(super) fn solve(&mut self, plan: &Plan, omega: Complex64, out: &mut [Complex64]) {
         let waves = Waves::new(&plan.beam, omega);
         self.decays.clear();
         self.decays
@@ -98,7 +98,7 @@ impl Workspace {
         &mut self,
         plan: &Plan,
         waves: &Waves,
-        omega: f64,
+        omega: Complex64,
         mut at: Reflection,
     ) -> Reflection {
         self.records.clear();
@@ -164,7 +164,7 @@ impl Workspace {
         &self,
         plan: &Plan,
         waves: &Waves,
-        omega: f64,
+        omega: Complex64,
         output: Output,
         energy: f64,
     ) -> Complex64 {
@@ -196,11 +196,11 @@ impl Workspace {
     }
 }
 
-fn derivative(omega: f64, measure: Measure) -> Complex64 {
+fn derivative(omega: Complex64, measure: Measure) -> Complex64 {
     match measure {
         Measure::Displacement => Complex64::ONE,
-        Measure::Velocity => Complex64::new(0.0, omega),
-        Measure::Acceleration => Complex64::new(-omega * omega, 0.0),
+        Measure::Velocity => Complex64::I * omega,
+        Measure::Acceleration => -omega * omega,
     }
 }
 

@@ -45,7 +45,7 @@ impl Reflection {
     pub(super) fn attach(
         &mut self,
         waves: &Waves,
-        omega: f64,
+        omega: Complex64,
         attachment: &Attachment,
     ) -> Channels {
         let arriving = self.plus_identity();
@@ -66,6 +66,12 @@ impl Reflection {
             self.s[row] += dot3(&outgoing[row], &jump);
         }
         channels
+    }
+
+    /// The displacement (w, psi, v) per jump of the internal forces, with nothing arriving from the right.
+    pub(super) fn receptance(&self, waves: &Waves) -> Matrix<3, 3> {
+        let outgoing = radiating(&self.plus_identity(), &waves.from_force);
+        receptance(&waves.displacement, &outgoing)
     }
 
     /// Past loads: s <- s + (I + R) X f + (I - R) Y m.

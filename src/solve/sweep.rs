@@ -78,30 +78,48 @@ pub fn frequencies(sweep: &Sweep) -> Vec<f64> {
 /// The work is shared among all cores in chunks; `cancel` is looked at between chunks.
 pub fn sweep(model: &Model, frequencies: &[f64], cancel: &AtomicBool) -> Option<Frf> {
     let plan = Plan::new(model);
-    let width = plan.outputs.len();
-    let chunk = chunk_length(&plan);
+    over_frequencies(
+        model,
+        frequencies,
+        chunk_length(&plan),
+        cancel,
+        &|workspace: &mut Workspace, frequency, row| {
+            let omega = std::f64::consts::TAU * frequency;
+            workspace.solve(&plan, omega.into(), row);
+        },
+    )
+}
+
+/// Collects what `solve` writes for each frequency (Hz): one value for each enabled response, in the order of the model.
+///
+/// Each core has a workspace of its own and takes `chunk` frequencies at a time; `cancel` is looked at between chunks.
+pub(super) fn over_frequencies<W: Default>(
+    model: &Model,
+    frequencies: &[f64],
+    chunk: usize,
+    cancel: &AtomicBool,
+    solve: &(impl Fn(&mut W, f64, &mut [Complex64]) + Sync),
+) -> Option<Frf> {
+    let responses = || model.responses.iter().filter(|r| r.enabled);
+    let width = responses().count();
     let chunks: Option<Vec<Vec<Complex64>>> = frequencies
         .par_chunks(chunk)
-        .map_init(Workspace::default, |workspace, frequencies| {
-            (!cancel.load(Ordering::Relaxed)).then(|| solve_chunk(&plan, workspace, frequencies))
+        .map_init(W::default, |workspace, frequencies| {
+            (!cancel.load(Ordering::Relaxed))
+                .then(|| solve_chunk(workspace, frequencies, width, solve))
         })
         .collect();
     let rows = chunks?.concat();
-    let columns = model
-        .responses
-        .iter()
-        .filter(|r| r.enabled)
-        .enumerate()
-        .map(|(index, response)| Column {
-            name: response.name.clone(),
-            kind: if response.quantity == Quantity::Energy {
-                ColumnKind::Energy
-            } else {
-                ColumnKind::Complex
-            },
-            unit: unit(&response.quantity),
-            values: rows.iter().skip(index).step_by(width).copied().collect(),
-        });
+    let columns = responses().enumerate().map(|(index, response)| Column {
+        name: response.name.clone(),
+        kind: if response.quantity == Quantity::Energy {
+            ColumnKind::Energy
+        } else {
+            ColumnKind::Complex
+        },
+        unit: unit(&response.quantity),
+        values: rows.iter().skip(index).step_by(width).copied().collect(),
+    });
     Some(Frf {
         frequencies: frequencies.to_vec(),
         columns: columns.collect(),
@@ -109,12 +127,16 @@ pub fn sweep(model: &Model, frequencies: &[f64], cancel: &AtomicBool) -> Option<
 }
 
 /// All responses at some frequencies, a row a frequency.
-fn solve_chunk(plan: &Plan, workspace: &mut Workspace, frequencies: &[f64]) -> Vec<Complex64> {
-    let width = plan.outputs.len();
+fn solve_chunk<W>(
+    workspace: &mut W,
+    frequencies: &[f64],
+    width: usize,
+    solve: &impl Fn(&mut W, f64, &mut [Complex64]),
+) -> Vec<Complex64> {
     let mut rows = vec![Complex64::ZERO; width * frequencies.len()];
     if width > 0 {
         for (&frequency, row) in frequencies.iter().zip(rows.chunks_mut(width)) {
-            workspace.solve(plan, frequency, row);
+            solve(workspace, frequency, row);
         }
     }
     rows

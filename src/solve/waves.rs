@@ -83,11 +83,11 @@ struct CoupledWave {
 }
 
 impl Waves {
-    /// The waves at the angular frequency `omega` > 0, rad/s.
+    /// The waves at the angular frequency `omega`, rad/s: positive, or complex where a mode or a zero is sought.
     ///
     /// Source: Chen & Liu, Mathematics 2022, 10(16), 2849, Eqs. 19 to 24, with the shape taken from whichever row of
     /// the state equation does not divide by `z_c`.
-    pub(super) fn new(beam: &BeamConstants, omega: f64) -> Self {
+    pub(super) fn new(beam: &BeamConstants, omega: Complex64) -> Self {
         let mut waves = Self {
             kappa: [ZERO; 6],
             displacement: zeros(),
@@ -108,7 +108,13 @@ impl Waves {
         waves
     }
 
-    fn set_coupled(&mut self, beam: &BeamConstants, omega: f64, column: usize, wave: CoupledWave) {
+    fn set_coupled(
+        &mut self,
+        beam: &BeamConstants,
+        omega: Complex64,
+        column: usize,
+        wave: CoupledWave,
+    ) {
         let CoupledWave { h, w, psi } = wave;
         let kappa = decaying_root(h);
         self.kappa[column] = kappa;
@@ -137,7 +143,7 @@ impl Waves {
         self.moment[1][WARPING_WAVE] = Complex64::ONE;
     }
 
-    fn set_bending_v(&mut self, beam: &BeamConstants, omega: f64) {
+    fn set_bending_v(&mut self, beam: &BeamConstants, omega: Complex64) {
         let h = (omega * omega * beam.mass / beam.bending_v).sqrt();
         for (column, h) in [(COUPLED, h), (COUPLED + 1, -h)] {
             let kappa = decaying_root(h);
@@ -192,7 +198,7 @@ fn decaying_root(h: Complex64) -> Complex64 {
 }
 
 /// (E `Gamma_0` h - G J) Psi of a wave, by the equation of motion where the difference would cancel.
-fn torque_over_kappa(beam: &BeamConstants, omega: f64, wave: CoupledWave) -> Complex64 {
+fn torque_over_kappa(beam: &BeamConstants, omega: Complex64, wave: CoupledWave) -> Complex64 {
     let warping = beam.warping * wave.h;
     let difference = warping - beam.torsion;
     if difference.norm_sqr() > 0.25 * beam.torsion.norm_sqr() {
@@ -208,7 +214,7 @@ fn torque_over_kappa(beam: &BeamConstants, omega: f64, wave: CoupledWave) -> Com
 /// `E G0 h^2 - G J h - b = (E G0 h - tau)(h + t)` its roots come in two pairs near those of the uncoupled beam:
 /// `(h - h_w)(E G0 h - tau) = d^2 / (E Iy (h + h_w)(h + t))`, and with `h = -x`
 /// `(x - h_w)(x - t) = d^2 / (E Iy (x + h_w)(E G0 x + tau))`. Each right-hand side varies slowly: see [`pair`].
-fn coupled_waves(beam: &BeamConstants, omega: f64) -> [CoupledWave; 4] {
+fn coupled_waves(beam: &BeamConstants, omega: Complex64) -> [CoupledWave; 4] {
     let square = omega * omega;
     let (a, b, d) = (
         square * beam.mass,
@@ -218,7 +224,7 @@ fn coupled_waves(beam: &BeamConstants, omega: f64) -> [CoupledWave; 4] {
     let h_w = (a / beam.bending_w).sqrt();
     let tau = 0.5 * (beam.torsion + (beam.torsion * beam.torsion + 4.0 * b * beam.warping).sqrt());
     let t = b / tau;
-    let coupling = Complex64::from(d * d) / beam.bending_w;
+    let coupling = d * d / beam.bending_w;
     let evanescent = pair(h_w, tau, beam.warping, |h| coupling / ((h + h_w) * (h + t)));
     let travelling = pair(h_w, t, Complex64::ONE, |x| {
         coupling / ((x + h_w) * (beam.warping * x + tau))
@@ -226,7 +232,12 @@ fn coupled_waves(beam: &BeamConstants, omega: f64) -> [CoupledWave; 4] {
     let wave = |root: Root, sign: f64, other: Complex64| {
         let bending = beam.bending_w * root.from_bending * (root.value + h_w);
         let torsion = root.from_torsion * other;
-        let (w, psi) = shape(bending / a, torsion / b, d / a, d / b);
+        let (w, psi) = shape(
+            bending / a,
+            torsion / b,
+            beam.coupling / beam.mass,
+            beam.coupling / beam.polar,
+        );
         let norm = (w.norm_sqr() + beam.radius * beam.radius * psi.norm_sqr()).sqrt();
         CoupledWave {
             h: sign * root.value,
@@ -259,9 +270,9 @@ fn shape(
     d_over_b: f64,
 ) -> (Complex64, Complex64) {
     if bending.norm_sqr() >= torsion.norm_sqr() {
-        (Complex64::from(d_over_a), bending)
+        (d_over_a.into(), bending)
     } else {
-        (torsion, Complex64::from(d_over_b))
+        (torsion, d_over_b.into())
     }
 }
 
@@ -399,7 +410,7 @@ mod tests {
     fn assert_equations_hold(beam: &BeamConstants, hertz: f64) {
         let omega = std::f64::consts::TAU * hertz;
         let square = omega * omega;
-        let waves = coupled_waves(beam, omega);
+        let waves = coupled_waves(beam, omega.into());
         let first = usize::from(beam.without_warping());
         for CoupledWave { h, w, psi } in &waves[first..] {
             let terms_w = [
@@ -428,7 +439,7 @@ mod tests {
     fn waves_decay_or_travel_to_the_right() {
         for loss in [0.0, 0.02, 1.5] {
             let beam = BeamConstants::new(&paper_beam(loss, 2.2783e-8, 0.0619));
-            for kappa in Waves::new(&beam, 600.0).kappa {
+            for kappa in Waves::new(&beam, Complex64::from(600.0)).kappa {
                 assert!(
                     kappa.re > 0.0 || (kappa.re == 0.0 && kappa.im > 0.0),
                     "{kappa}"

@@ -1,0 +1,108 @@
+//! `beamtune modes`: natural frequencies, damping ratios and mode shapes as CSV.
+
+use std::io::Write;
+use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
+
+use clap::Args;
+use num_complex::Complex64;
+
+use super::csv::{self, cell, number};
+use super::{Failure, Sets, source};
+use crate::model::Model;
+use crate::solve::modes::{Completeness, Modes, modes, shape};
+
+/// Places along the beam where a shape is written.
+const PLACES: usize = 101;
+
+#[derive(Debug, Args)]
+pub(super) struct Arguments {
+    /// A model file, a preset's name, or - for standard input.
+    model: String,
+    /// Highest frequency, Hz; without it, the end of the model's sweep.
+    #[arg(long, value_name = "HZ", value_parser = super::frequency)]
+    to: Option<f64>,
+    /// Writes the mode shapes to this file.
+    #[arg(long, value_name = "FILE")]
+    shapes: Option<PathBuf>,
+    /// The file to write, in place of standard output.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    sets: Sets,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let model = source::open(&arguments.model, &arguments.sets.sets)?.model;
+    let to = arguments.to.unwrap_or(model.sweep.to);
+    let Some(found) = modes(&model, to, &AtomicBool::new(false)) else {
+        return Err(Failure::Other("the search for modes was cancelled".into()));
+    };
+    csv::write(arguments.output.as_deref(), |out| write_modes(out, &found))?;
+    if let Some(file) = &arguments.shapes {
+        csv::write(Some(file), |out| write_shapes(out, &model, &found))?;
+    }
+    // Beside the table, so that a table stays a table.
+    let _ = writeln!(std::io::stderr(), "{}", statement(&found));
+    Ok(())
+}
+
+/// Whether the list is complete.
+fn statement(found: &Modes) -> String {
+    let (count, to) = (found.modes.len(), found.to);
+    let undamped = found.undamped;
+    match found.completeness {
+        Completeness::Certain if count == undamped => {
+            format!("{count} of {count} modes below {to} Hz")
+        }
+        Completeness::Certain => {
+            format!("{count} of {count} modes below {to} Hz ({undamped} without damping)")
+        }
+        Completeness::Doubtful => format!(
+            "warning: {count} modes found below {to} Hz, and the list may not be complete: the argument principle \
+             counts another number ({undamped} without damping)"
+        ),
+    }
+}
+
+fn write_modes(out: &mut dyn Write, found: &Modes) -> std::io::Result<()> {
+    writeln!(out, "mode,frequency_hz,damping_ratio")?;
+    for (index, mode) in found.modes.iter().enumerate() {
+        let (frequency, damping) = (number(mode.frequency()), number(mode.damping_ratio()));
+        writeln!(out, "{},{frequency},{damping}", index + 1)?;
+    }
+    Ok(())
+}
+
+/// A row for each motion of each place and of each mass.
+fn write_shapes(out: &mut dyn Write, model: &Model, found: &Modes) -> std::io::Result<()> {
+    writeln!(out, "mode,at,position_m,direction,re,im")?;
+    for index in 0..found.modes.len() {
+        let shape = shape(model, found, index, PLACES);
+        let mut row = |at: &str, x: f64, direction: &str, value: Complex64| {
+            let (re, im) = (number(value.re), number(value.im));
+            writeln!(
+                out,
+                "{},{at},{},{direction},{re},{im}",
+                index + 1,
+                number(x)
+            )
+        };
+        for (place, &x) in shape.positions.iter().enumerate() {
+            row("beam", x, "w", shape.w[place])?;
+            row("beam", x, "psi", shape.psi[place])?;
+            row("beam", x, "v", shape.v[place])?;
+        }
+        let attached = model
+            .subsystems
+            .iter()
+            .filter(|subsystem| subsystem.enabled);
+        for (subsystem, motion) in attached.zip(&shape.masses) {
+            let name = cell(&subsystem.name);
+            for (direction, value) in ["y", "z", "theta"].into_iter().zip(motion) {
+                row(&name, subsystem.position, direction, *value)?;
+            }
+        }
+    }
+    Ok(())
+}

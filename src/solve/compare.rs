@@ -1,0 +1,151 @@
+//! How far a witness's responses are from the exact ones.
+
+use num_complex::Complex64;
+
+use super::sweep::{ColumnKind, Frf};
+use crate::model::{BeamMotion, MassMotion, Measure, Model, Quantity, Target};
+
+/// A motion smaller than this share of the largest one at the same frequency is rounding, in both methods.
+const RESOLVED: f64 = 1e-12;
+
+/// The difference of one response at one frequency.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Difference {
+    /// |other - exact| / |exact|; infinite where only the other is not finite, or only the exact one is 0.
+    pub relative: f64,
+    /// The difference of the levels, dB, never negative.
+    pub decibels: f64,
+    /// |other - exact| in the response's unit.
+    pub absolute: f64,
+}
+
+/// Differences of every response (outer) at every frequency (inner) of two solutions of the same model at the same
+/// frequencies; `None` where the exact response is not finite.
+///
+/// Responses that both solutions have below 1e-12 of the largest motion at a frequency (rotations taken times the beam's
+/// length, velocities and accelerations as displacements) differ by rounding alone: by symmetry they may be 0, and are
+/// taken as equal.
+pub fn differences(model: &Model, exact: &Frf, other: &Frf) -> Vec<Vec<Option<Difference>>> {
+    let quantities: Vec<&Quantity> = model
+        .responses
+        .iter()
+        .filter(|response| response.enabled)
+        .map(|response| &response.quantity)
+        .collect();
+    let mut out = vec![Vec::new(); exact.columns.len()];
+    for (row, &frequency) in exact.frequencies.iter().enumerate() {
+        let sizes = |frf: &Frf| -> Vec<f64> {
+            let columns = frf.columns.iter().zip(&quantities);
+            columns
+                .map(|(column, quantity)| {
+                    column.values[row].norm() * scale(quantity, model.beam.length, frequency)
+                })
+                .collect()
+        };
+        let (of_exact, of_other) = (sizes(exact), sizes(other));
+        let floor = RESOLVED * of_exact.iter().copied().fold(0.0, f64::max);
+        for (index, out) in out.iter_mut().enumerate() {
+            let column = &exact.columns[index];
+            let (a, b) = (column.values[row], other.columns[index].values[row]);
+            out.push(a.is_finite().then(|| {
+                let motion = column.kind == ColumnKind::Complex;
+                if motion && of_exact[index] < floor && of_other[index] < floor {
+                    Difference::of(a, a, column.kind)
+                } else {
+                    Difference::of(a, b, column.kind)
+                }
+            }));
+        }
+    }
+    out
+}
+
+impl Difference {
+    fn of(exact: Complex64, other: Complex64, kind: ColumnKind) -> Self {
+        if exact == other {
+            return Self {
+                relative: 0.0,
+                decibels: 0.0,
+                absolute: 0.0,
+            };
+        }
+        let absolute = (other - exact).norm();
+        let relative = absolute / exact.norm();
+        let decibels = match kind {
+            ColumnKind::Complex => 20.0,
+            ColumnKind::Energy => 10.0,
+        } * (other.norm() / exact.norm()).log10();
+        let or_infinite = |value: f64| if value.is_nan() { f64::INFINITY } else { value };
+        Self {
+            relative: or_infinite(relative),
+            decibels: or_infinite(decibels.abs()),
+            absolute: or_infinite(absolute),
+        }
+    }
+}
+
+/// What makes motions of any kind comparable: metres of displacement, of a rotation at one beam's length.
+fn scale(quantity: &Quantity, length: f64, frequency: f64) -> f64 {
+    let Quantity::Motion(target, measure) = quantity else {
+        // An energy is no motion.
+        return 0.0;
+    };
+    let arm = match target {
+        Target::Beam(_, BeamMotion::W | BeamMotion::V)
+        | Target::Mass(_, MassMotion::Y | MassMotion::Z) => 1.0,
+        Target::Beam(_, BeamMotion::PsiSlope) => length * length,
+        Target::Beam(..) | Target::Mass(_, MassMotion::Theta) => length,
+    };
+    let omega = std::f64::consts::TAU * frequency;
+    match measure {
+        Measure::Displacement => arm,
+        Measure::Velocity => arm / omega,
+        Measure::Acceleration => arm / (omega * omega),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solve::Column;
+
+    fn frf(model: &Model, values: &[f64]) -> Frf {
+        let responses = model.responses.iter().zip(values);
+        Frf {
+            frequencies: vec![10.0],
+            columns: responses
+                .map(|(response, value)| Column {
+                    name: response.name.clone(),
+                    kind: ColumnKind::Complex,
+                    unit: "m",
+                    values: vec![Complex64::from(*value)],
+                })
+                .collect(),
+        }
+    }
+
+    /// Expected: by hand; 1.01 to 1 is 1 % and 20 lg 1.01 dB.
+    #[test]
+    fn differences_are_relative_to_the_exact_response() {
+        let model = crate::model::read(crate::presets::find("fig08").unwrap().text).unwrap();
+        let exact = frf(&model, &[1.0, 1e-20, f64::NAN]);
+        let other = frf(&model, &[1.01, 2e-20, 1.0]);
+        let found = differences(&model, &exact, &other);
+        let first = found[0][0].unwrap();
+        assert!((first.relative - 0.01).abs() < 1e-15);
+        assert!((first.decibels - 0.086_427_475_652_851_57).abs() < 1e-13);
+        assert_eq!(found[1][0].unwrap().relative, 0.0);
+        assert_eq!(found[2][0], None);
+    }
+
+    #[test]
+    fn a_witness_without_a_finite_answer_is_infinitely_wrong() {
+        let model = crate::model::read(crate::presets::find("fig08").unwrap().text).unwrap();
+        let exact = frf(&model, &[1.0, 0.0, 1.0]);
+        let other = frf(&model, &[f64::NAN, 1.0, f64::INFINITY]);
+        for found in differences(&model, &exact, &other) {
+            let found = found[0].unwrap();
+            assert_eq!([found.relative, found.decibels], [f64::INFINITY; 2]);
+        }
+    }
+}

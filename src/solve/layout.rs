@@ -1,0 +1,244 @@
+//! A model as the two witnesses see it: what lies at which place of the beam, and what is read there.
+//!
+//! Shared by [`fem`](super::fem) and [`chain`](super::chain) and by nothing of the exact solver, whose own `plan`
+//! they are to be independent of.
+
+use num_complex::Complex64;
+
+use crate::model::{
+    BeamMotion, MassMotion, Measure, Model, Place, Quantity, Restraint, Subsystem, Support, Target,
+};
+
+/// The places of a beam and what happens there.
+#[derive(Debug, Clone)]
+pub(super) struct Layout<'a> {
+    pub(super) model: &'a Model,
+    /// Places nearer than this are one, m.
+    merge: f64,
+    /// Distances from the left end, m, rising; the first is 0 and the last the length.
+    pub(super) positions: Vec<f64>,
+    /// Loads along the six motions at each place, N and N m.
+    pub(super) loads: Vec<[Complex64; 6]>,
+    /// The enabled subsystems, by rising place.
+    pub(super) masses: Vec<Mass<'a>>,
+    /// Where each enabled response is read.
+    pub(super) readings: Vec<Reading>,
+}
+
+/// A subsystem at a place.
+#[derive(Debug, Clone)]
+pub(super) struct Mass<'a> {
+    pub(super) subsystem: &'a Subsystem,
+    /// Index of its place.
+    pub(super) place: usize,
+    /// Loads along (y, z, theta), N and N m.
+    pub(super) load: [Complex64; 3],
+}
+
+/// Where a response is read.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Reading {
+    /// A motion of the beam at a place.
+    Beam(usize, BeamMotion, Measure),
+    /// A motion of the mass with this index.
+    Mass(usize, MassMotion, Measure),
+    /// A motion that is held: nothing moves.
+    Held,
+    /// `E_V`.
+    Energy,
+}
+
+impl<'a> Layout<'a> {
+    /// Lays out a checked model; places nearer than `merge` (m) to their left neighbour are taken as one with it.
+    pub(super) fn new(model: &'a Model, merge: f64) -> Self {
+        let subsystems = || model.subsystems.iter().filter(|s| s.enabled);
+        let mut layout = Self {
+            model,
+            merge,
+            positions: positions(model, merge),
+            loads: Vec::new(),
+            masses: Vec::new(),
+            readings: Vec::new(),
+        };
+        layout.loads = vec![[Complex64::ZERO; 6]; layout.positions.len()];
+        layout.masses = subsystems()
+            .map(|subsystem| Mass {
+                subsystem,
+                place: layout.place(subsystem.position),
+                load: [Complex64::ZERO; 3],
+            })
+            .collect();
+        layout.masses.sort_by_key(|mass| mass.place);
+        layout.put_loads();
+        layout.readings = model
+            .responses
+            .iter()
+            .filter(|response| response.enabled)
+            .map(|response| layout.reading(&response.quantity))
+            .collect();
+        layout
+    }
+
+    fn put_loads(&mut self) {
+        for force in self.model.forces.iter().filter(|force| force.enabled) {
+            let value = Complex64::from_polar(force.amplitude, force.phase.to_radians());
+            match &force.target {
+                Target::Beam(place, motion) => {
+                    let place = self.place(distance(self.model, *place));
+                    self.loads[place][*motion as usize] += value;
+                }
+                Target::Mass(name, motion) => {
+                    if let Some(mass) = self.mass(name) {
+                        self.masses[mass].load[*motion as usize] += value;
+                    }
+                }
+            }
+        }
+    }
+
+    fn reading(&self, quantity: &Quantity) -> Reading {
+        match quantity {
+            Quantity::Energy => Reading::Energy,
+            Quantity::Motion(Target::Mass(name, motion), measure) => {
+                // A checked model has no enabled response on a disabled subsystem.
+                let mass = self.mass(name);
+                mass.map_or(Reading::Held, |mass| Reading::Mass(mass, *motion, *measure))
+            }
+            Quantity::Motion(Target::Beam(place, motion), measure) => {
+                let place = self.place(distance(self.model, *place));
+                let held = self
+                    .support(place)
+                    .is_some_and(|support| self.holds(support, *motion));
+                if held {
+                    Reading::Held
+                } else {
+                    Reading::Beam(place, *motion, *measure)
+                }
+            }
+        }
+    }
+
+    /// The support at a place, where it is an end.
+    pub(super) fn support(&self, place: usize) -> Option<&'a Support> {
+        match place {
+            0 => Some(&self.model.supports.left),
+            last if last + 1 == self.positions.len() => Some(&self.model.supports.right),
+            _ => None,
+        }
+    }
+
+    /// Whether a support leaves no motion. Without warping stiffness the least spring or inertia holds the rate of
+    /// twist: over a length that vanishes with the warping constant, at no cost of energy.
+    pub(super) fn holds(&self, support: &Support, motion: BeamMotion) -> bool {
+        match support[motion] {
+            Restraint::Fixed => true,
+            Restraint::Free => false,
+            Restraint::Elastic(elastic) => {
+                motion == BeamMotion::PsiSlope
+                    && self.without_warping()
+                    && [elastic.stiffness, elastic.damping, elastic.inertia] != [0.0; 3]
+            }
+        }
+    }
+
+    /// Whether the warping constant is 0.
+    pub(super) fn without_warping(&self) -> bool {
+        self.model.beam.section.warping_constant == 0.0
+    }
+
+    /// Index of the place at a distance from the left end: the last that does not lie beyond it, or the right end.
+    fn place(&self, x: f64) -> usize {
+        if self.model.beam.length - x <= self.merge {
+            return self.positions.len() - 1;
+        }
+        self.positions
+            .partition_point(|&position| position <= x)
+            .saturating_sub(1)
+    }
+
+    fn mass(&self, name: &str) -> Option<usize> {
+        self.masses
+            .iter()
+            .position(|mass| mass.subsystem.name == name)
+    }
+}
+
+/// (i omega)^n of a measure.
+pub(super) fn derivative(omega: f64, measure: Measure) -> Complex64 {
+    let rate = Complex64::new(0.0, omega);
+    match measure {
+        Measure::Displacement => Complex64::ONE,
+        Measure::Velocity => rate,
+        Measure::Acceleration => rate * rate,
+    }
+}
+
+fn distance(model: &Model, place: Place) -> f64 {
+    match place {
+        Place::Left => 0.0,
+        Place::Right => model.beam.length,
+        Place::Position(x) => x,
+    }
+}
+
+/// The distinct places, rising, ends included.
+fn positions(model: &Model, merge: f64) -> Vec<f64> {
+    let beam_place = |target: &Target| match target {
+        Target::Beam(place, _) => Some(distance(model, *place)),
+        Target::Mass(..) => None,
+    };
+    let subsystems = model.subsystems.iter().filter(|s| s.enabled);
+    let forces = model.forces.iter().filter(|force| force.enabled);
+    let responses = model.responses.iter().filter(|response| response.enabled);
+    let mut all: Vec<f64> = subsystems.map(|s| s.position).collect();
+    all.extend(forces.filter_map(|force| beam_place(&force.target)));
+    all.extend(responses.filter_map(|response| match &response.quantity {
+        Quantity::Motion(target, _) => beam_place(target),
+        Quantity::Energy => None,
+    }));
+    all.sort_by(f64::total_cmp);
+    let length = model.beam.length;
+    let mut places = vec![0.0];
+    for x in all {
+        // The last place is the right end itself.
+        let last = places.last().copied().unwrap_or(0.0);
+        if x - last > merge && length - x > merge {
+            places.push(x);
+        }
+    }
+    places.push(length);
+    places
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn model(name: &str) -> Model {
+        crate::model::read(crate::presets::find(name).unwrap().text).unwrap()
+    }
+
+    #[test]
+    fn places_are_distinct_and_what_is_there_is_found() {
+        // fig05b: subsystems at 0.8, 1.6, 2.4 m, the force at 1.2 m, responses at the ends, 1.2 and 2.0 m.
+        let model = model("fig05b");
+        let layout = Layout::new(&model, 0.0);
+        assert_eq!(layout.positions, [0.0, 0.8, 1.2, 1.6, 2.0, 2.4, 3.2]);
+        assert_eq!(layout.masses[1].place, 3);
+        let loaded: Vec<usize> = (0..7)
+            .filter(|&place| layout.loads[place] != [Complex64::ZERO; 6])
+            .collect();
+        assert_eq!(loaded, [2]);
+    }
+
+    #[test]
+    fn places_nearer_than_asked_are_one() {
+        let mut model = model("fig05b");
+        model.subsystems[0].position = 1.2 - 1e-7;
+        model.subsystems[2].position = 3.2 - 1e-7;
+        assert_eq!(Layout::new(&model, 0.0).positions.len(), 7);
+        let layout = Layout::new(&model, 1e-6);
+        assert_eq!(layout.positions.len(), 5);
+        assert_eq!(layout.masses[2].place, 4);
+    }
+}

@@ -1,0 +1,144 @@
+//! Natural frequencies, damped modes and mode shapes.
+
+mod bracket;
+mod characteristic;
+mod count;
+mod damped;
+mod eigenspace;
+mod inertia;
+mod quadrature;
+mod series;
+mod shape;
+mod span;
+mod types;
+mod undamped;
+mod winding;
+
+use std::f64::consts::TAU;
+use std::sync::atomic::AtomicBool;
+
+pub use shape::shape;
+pub use types::{Completeness, Mode, ModeKind, Modes, Shape, Shares};
+
+use crate::model::{Model, Restraint};
+
+/// How many undamped modes lie below a frequency (Hz, > 0), rigid-body modes included.
+///
+/// Source: Wittrick & Williams, Q. J. Mech. Appl. Math. 24 (1971) 263-284.
+pub fn count(model: &Model, frequency: f64) -> usize {
+    count::Counter::new(model).below(TAU * frequency)
+}
+
+/// All undamped natural frequencies up to `to` (Hz, > 0), in Hz, rising, as often as they occur; rigid-body modes are
+/// 0. `None` where `cancel` became true before the end.
+///
+/// Dampers and the loss factor are left out. The list is complete by the count of Wittrick & Williams (1971).
+pub fn undamped(model: &Model, to: f64, cancel: &AtomicBool) -> Option<Vec<f64>> {
+    let search = undamped::Search {
+        counter: &count::Counter::new(model),
+        characteristic: &characteristic::Characteristic::new(&without_damping(model)),
+        cancel,
+    };
+    let roots = search.up_to(TAU * to)?;
+    Some(roots.into_iter().map(|omega| omega / TAU).collect())
+}
+
+/// All modes up to `to` (Hz, > 0), with damping. `None` where `cancel` became true before the end.
+///
+/// Sources: Wittrick & Williams (1971) for the undamped ones, Aberth (Math. Comp. 27 (1973) 339-344) and the argument
+/// principle for the damped ones.
+pub fn modes(model: &Model, to: f64, cancel: &AtomicBool) -> Option<Modes> {
+    // Damping slows a mode: some from beyond the range may come into it.
+    const BEYOND: f64 = 1.1;
+    let counter = count::Counter::new(model);
+    let search = undamped::Search {
+        counter: &counter,
+        characteristic: &characteristic::Characteristic::new(&without_damping(model)),
+        cancel,
+    };
+    let undamped = search.up_to(TAU * to * BEYOND)?;
+    let oscillating = &undamped[counter.rigid().min(undamped.len())..];
+    let found = if is_damped(model) {
+        damped::Search::new(model, counter.rigid(), cancel)
+            .continue_undamped(oscillating, TAU * to)?
+    } else {
+        damped::Found::without_damping(oscillating)
+    };
+    Some(collected(&counter, to, &found))
+}
+
+/// The same as [`modes`] up to `before.to`, faster where the model differs little from that of `before`.
+pub fn follow(model: &Model, before: &Modes, cancel: &AtomicBool) -> Option<Modes> {
+    let counter = count::Counter::new(model);
+    let moving: Vec<Mode> = before
+        .modes
+        .iter()
+        .chain(&before.beyond)
+        .filter(|mode| mode.kind != ModeKind::RigidBody)
+        .copied()
+        .collect();
+    if is_damped(model) && !moving.is_empty() {
+        let search = damped::Search::new(model, counter.rigid(), cancel);
+        let found = search.follow(&moving, TAU * before.to)?;
+        if found.completeness == Completeness::Certain {
+            return Some(collected(&counter, before.to, &found));
+        }
+    }
+    modes(model, before.to, cancel)
+}
+
+/// The rigid-body modes and those found, parted at `to`, Hz.
+fn collected(counter: &count::Counter, to: f64, found: &damped::Found) -> Modes {
+    let still = Mode {
+        omega: num_complex::Complex64::ZERO,
+        kind: ModeKind::RigidBody,
+    };
+    let (inside, beyond): (Vec<Mode>, Vec<Mode>) =
+        found.modes.iter().partition(|mode| mode.frequency() <= to);
+    Modes {
+        to,
+        undamped: counter.below(TAU * to),
+        modes: std::iter::repeat_n(still, counter.rigid())
+            .chain(inside)
+            .collect(),
+        beyond,
+        completeness: found.completeness,
+    }
+}
+
+/// Whether anything in the model takes energy away.
+fn is_damped(model: &Model) -> bool {
+    without_damping(model) != *model
+}
+
+/// The model with every damper and the loss factor at zero.
+fn without_damping(model: &Model) -> Model {
+    let mut model = model.clone();
+    scale_damping(&mut model, 0.0);
+    model
+}
+
+/// Every damper and the loss factor times a share.
+fn scale_damping(model: &mut Model, share: f64) {
+    model.beam.material.loss_factor *= share;
+    for end in [&mut model.supports.left, &mut model.supports.right] {
+        for restraint in &mut end.0 {
+            if let Restraint::Elastic(elastic) = restraint {
+                elastic.damping *= share;
+            }
+        }
+    }
+    for subsystem in &mut model.subsystems {
+        for spring in [
+            &mut subsystem.y_left,
+            &mut subsystem.y_right,
+            &mut subsystem.z_left,
+            &mut subsystem.z_right,
+        ] {
+            spring.damping *= share;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,159 @@
+use num_complex::Complex64;
+use proptest::prelude::*;
+
+use super::characteristic::Characteristic;
+use super::count::Counter;
+use super::without_damping;
+use crate::model::{
+    Beam, Elastic, Material, Model, Restraint, Section, Spacing, Spring, Subsystem, Support,
+    Supports, Sweep,
+};
+use crate::presets;
+
+/// Expected: the sign of the characteristic function, which comes from the waves, changes at each mode that the
+/// count, which comes from power series and inertia, tells.
+fn assert_agree(model: &Model, frequencies: impl Iterator<Item = f64>) {
+    let model = without_damping(model);
+    let counter = Counter::new(&model);
+    let characteristic = Characteristic::new(&model);
+    let mut signs = Vec::new();
+    for hertz in frequencies {
+        let omega = std::f64::consts::TAU * hertz;
+        let count = counter.below(omega);
+        let value = characteristic.at(Complex64::from(omega)).direction;
+        assert!(value.im.abs() < 1e-3, "{hertz} Hz: {value} is not real");
+        let parity = if count.is_multiple_of(2) { 1.0 } else { -1.0 };
+        signs.push(parity * value.re.signum());
+        assert_eq!(
+            signs[0],
+            parity * value.re.signum(),
+            "{hertz} Hz: {count} modes"
+        );
+    }
+}
+
+#[test]
+fn the_count_and_the_characteristic_function_agree_on_every_preset() {
+    for preset in presets::ALL {
+        let model = crate::model::read(preset.text).unwrap();
+        println!("{}", preset.name);
+        assert_agree(
+            &model,
+            (0..200).map(|step| 0.3 * (1.0 + 0.0513 * f64::from(step)).powi(3)),
+        );
+    }
+}
+
+fn beams() -> impl Strategy<Value = Beam> {
+    let warping = prop_oneof![Just(0.0), 1e-11..1e-7];
+    let offset = prop_oneof![Just(0.0), -0.15..0.15, 1e-9..1e-3];
+    (0.5..8.0, warping, offset, 1e-5..3e-4).prop_map(|(length, warping, offset, second)| Beam {
+        length,
+        material: Material {
+            young_modulus: 2.1e11,
+            shear_modulus: 8e10,
+            density: 7850.0,
+            loss_factor: 0.0,
+        },
+        section: Section {
+            area: 0.0116,
+            second_moment_y: 1.6625e-4,
+            second_moment_z: second,
+            torsion_constant: 4.7657e-7,
+            warping_constant: warping,
+            polar_moment: 5.9992e-4,
+            centroid_offset: offset,
+        },
+    })
+}
+
+fn restraints() -> impl Strategy<Value = Restraint> {
+    let inertia = prop_oneof![Just(0.0), 0.0..50.0];
+    let elastic = (1.0..10.0, inertia).prop_map(|(power, inertia)| {
+        Restraint::Elastic(Elastic {
+            stiffness: 10.0_f64.powf(power),
+            damping: 0.0,
+            inertia,
+        })
+    });
+    prop_oneof![2 => Just(Restraint::Free), 1 => Just(Restraint::Fixed), 2 => elastic]
+}
+
+fn subsystems() -> impl Strategy<Value = Subsystem> {
+    let spring = prop_oneof![
+        1 => Just(0.0),
+        4 => (2.0..8.0_f64).prop_map(|power| 10.0_f64.powf(power)),
+    ]
+    .prop_map(|stiffness| Spring {
+        stiffness,
+        damping: 0.0,
+    });
+    let place = prop_oneof![Just(0.0), Just(1.0), Just(0.3), Just(0.300_000_1), 0.0..1.0];
+    let inertia = prop_oneof![Just(0.0), 0.01..50.0];
+    let lengths = prop::array::uniform4(-0.4..0.4);
+    (
+        place,
+        0.1..500.0,
+        inertia,
+        prop::array::uniform4(spring),
+        lengths,
+    )
+        .prop_map(|(position, mass, inertia, springs, lengths)| Subsystem {
+            name: String::new(),
+            enabled: true,
+            position,
+            mass,
+            inertia,
+            y_left: springs[0],
+            y_right: springs[1],
+            z_left: springs[2],
+            z_right: springs[3],
+            arm_left: lengths[0],
+            arm_right: lengths[1],
+            mount_y: lengths[2],
+            mount_z: lengths[3],
+        })
+}
+
+fn models() -> impl Strategy<Value = Model> {
+    let support = || prop::array::uniform6(restraints()).prop_map(Support);
+    let masses = prop::collection::vec(subsystems(), 0..6);
+    (beams(), support(), support(), masses).prop_map(|(beam, left, right, mut subsystems)| {
+        for subsystem in &mut subsystems {
+            subsystem.position *= beam.length;
+        }
+        Model {
+            title: String::new(),
+            notes: String::new(),
+            beam,
+            supports: Supports { left, right },
+            subsystems,
+            forces: Vec::new(),
+            responses: Vec::new(),
+            sweep: Sweep {
+                from: 1.0,
+                to: 300.0,
+                points: 2,
+                spacing: Spacing::Linear,
+            },
+            studies: Vec::new(),
+            tune: None,
+        }
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 300, rng_seed: prop::test_runner::RngSeed::Fixed(11), failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn the_count_and_the_characteristic_function_agree(model in models(), start in 0.9..1.1) {
+        assert_agree(&model, (0..40).map(|step| 2.0 * start * (1.0 + 0.1 * f64::from(step)).powi(3)));
+    }
+
+    /// Expected: as many modes lie below a low frequency as the rigid motions tell.
+    #[test]
+    fn the_modes_at_zero_are_the_rigid_motions(model in models()) {
+        let counter = Counter::new(&model);
+        prop_assert_eq!(counter.below(1e-4), counter.rigid());
+    }
+}

@@ -1,0 +1,95 @@
+//! Natural frequencies, damped modes and mode shapes as data.
+
+use num_complex::Complex64;
+
+/// The modes of a model up to a frequency.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Modes {
+    /// Upper end of the search, Hz: modes with |omega| up to 2 pi times it.
+    pub to: f64,
+    /// How many undamped modes lie below `to`, rigid-body modes included (Wittrick & Williams 1971).
+    pub undamped: usize,
+    /// The modes with damping, by rising |omega|.
+    pub modes: Vec<Mode>,
+    /// Some that lie beyond `to`: a change of the model may bring them into the range.
+    pub beyond: Vec<Mode>,
+    /// Whether the damped list is known to hold every mode.
+    pub completeness: Completeness,
+}
+
+/// A root of the damped system.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Mode {
+    /// Complex angular frequency, rad/s: Re >= 0; Im > 0 decays.
+    pub omega: Complex64,
+    /// What kind of motion it is.
+    pub kind: ModeKind,
+}
+
+/// What kind of motion a mode is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ModeKind {
+    /// Nothing pulls it back: 0 Hz.
+    RigidBody,
+    /// It oscillates, decaying or not.
+    Oscillating,
+    /// It creeps back without oscillating: damping ratio 1.
+    Overdamped,
+}
+
+/// Whether a list of damped modes is known to hold every mode.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Completeness {
+    /// As many as the argument principle counts.
+    Certain,
+    /// Another number than the argument principle counts.
+    Doubtful,
+}
+
+impl Mode {
+    /// |omega| / 2 pi, Hz.
+    pub fn frequency(&self) -> f64 {
+        self.omega.norm() / std::f64::consts::TAU
+    }
+
+    /// Im omega / |omega|; 0 for a rigid-body mode.
+    pub fn damping_ratio(&self) -> f64 {
+        match self.kind {
+            ModeKind::RigidBody => 0.0,
+            ModeKind::Oscillating => self.omega.im / self.omega.norm(),
+            ModeKind::Overdamped => 1.0,
+        }
+    }
+}
+
+/// How a mode moves.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shape {
+    /// Places along the beam, m, rising, from 0 to the length.
+    pub positions: Vec<f64>,
+    /// w at each place, m.
+    pub w: Vec<Complex64>,
+    /// psi at each place, rad.
+    pub psi: Vec<Complex64>,
+    /// v at each place, m.
+    pub v: Vec<Complex64>,
+    /// Motion (y, z, theta) of each enabled subsystem's mass, in the model's order, m and rad.
+    pub masses: Vec<[Complex64; 3]>,
+    /// Who moves.
+    pub shares: Shares,
+}
+
+/// Shares of a mode's kinetic energy; they add up to 1. The beam's is that of its centroid and that about it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Shares {
+    /// Bending along y: of the centroid, w + `z_c` psi.
+    pub bending_y: f64,
+    /// Bending along z (v).
+    pub bending_z: f64,
+    /// Twist: psi about the centroid.
+    pub twist: f64,
+    /// The masses of the subsystems.
+    pub subsystems: f64,
+    /// The masses and inertias of the supports.
+    pub supports: f64,
+}

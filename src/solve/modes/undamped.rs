@@ -1,0 +1,107 @@
+//! The undamped natural frequencies: none missed by the count, each polished on the characteristic function.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use num_complex::Complex64;
+
+use super::bracket::bracketed;
+use super::characteristic::Characteristic;
+use super::count::Counter;
+
+/// Relative width to which the count alone brings a root.
+const NARROW: f64 = 4e-14;
+
+/// Roots closer than this (relative) are told apart by the count alone: between them the characteristic function is
+/// smaller than its rounding.
+const CLOSE: f64 = 1e-5;
+
+/// How near the count must agree with a polished root (relative); where waves of very different lengths meet it has
+/// fewer digits than the characteristic function.
+const CONFIRMED: [f64; 3] = [1e-10, 1e-9, 1e-8];
+
+/// The search for the undamped roots of a model.
+pub(super) struct Search<'a> {
+    pub(super) counter: &'a Counter,
+    pub(super) characteristic: &'a Characteristic,
+    pub(super) cancel: &'a AtomicBool,
+}
+
+/// A frequency with its count.
+#[derive(Debug, Clone, Copy)]
+struct Counted {
+    omega: f64,
+    below: usize,
+}
+
+impl Search<'_> {
+    /// All roots from 0 to `to` (rad/s), rising, as often as they occur; rigid-body modes are 0. `None` where cancelled.
+    pub(super) fn up_to(&self, to: f64) -> Option<Vec<f64>> {
+        let rigid = self.counter.rigid();
+        let high = self.counted(to);
+        let low = self.floor(high, rigid);
+        let mut roots = vec![0.0; low.below];
+        roots.extend(self.between(low, high)?);
+        Some(roots)
+    }
+
+    fn counted(&self, omega: f64) -> Counted {
+        Counted {
+            omega,
+            below: self.counter.below(omega),
+        }
+    }
+
+    /// A frequency with no mode below it but those at 0. What is slower than any beam moves counts as 0.
+    fn floor(&self, high: Counted, rigid: usize) -> Counted {
+        const SLOWEST: f64 = 1e-10;
+        let mut low = high;
+        while low.below > rigid && low.omega > SLOWEST * high.omega {
+            low = self.counted(low.omega / 8.0);
+        }
+        low
+    }
+
+    /// The roots above `low` up to `high`.
+    fn between(&self, low: Counted, high: Counted) -> Option<Vec<f64>> {
+        if self.cancel.load(Ordering::Relaxed) {
+            return None;
+        }
+        let roots = high.below.saturating_sub(low.below);
+        if roots == 0 {
+            return Some(Vec::new());
+        }
+        let width = high.omega / low.omega - 1.0;
+        if width < NARROW {
+            return Some(vec![0.5 * (low.omega + high.omega); roots]);
+        }
+        if roots == 1
+            && width > CLOSE
+            && let Some(root) = self.polished(low, high)
+        {
+            return Some(vec![root]);
+        }
+        let middle = self.counted((low.omega * high.omega).sqrt());
+        let (left, right) =
+            rayon::join(|| self.between(low, middle), || self.between(middle, high));
+        let mut roots = left?;
+        roots.extend(right?);
+        Some(roots)
+    }
+
+    /// The one root between two frequencies, where the count confirms it.
+    fn polished(&self, low: Counted, high: Counted) -> Option<f64> {
+        let start = self.characteristic.at(low.omega.into());
+        let value = |omega: f64| {
+            self.characteristic
+                .at(Complex64::from(omega))
+                .ratio(&start)
+                .re
+        };
+        let root = bracketed(low.omega, high.omega, value)?;
+        let beside = |share: f64| self.counter.below(root * (1.0 + share));
+        CONFIRMED
+            .iter()
+            .any(|&share| beside(-share) == low.below && beside(share) == high.below)
+            .then_some(root)
+    }
+}

@@ -1,0 +1,127 @@
+//! Points that half-power bands need: close together at a mode or an anti-resonance, farther apart away from it.
+
+use super::{NEAREST, UNDAMPED};
+
+/// A mode, or a zero of a response, on the frequency axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Feature {
+    /// Hz.
+    pub(super) centre: f64,
+    /// Hz; 0 without damping.
+    pub(super) half_width: f64,
+}
+
+impl Feature {
+    /// True where nothing rounds it off, so that no point may lie on it.
+    pub(super) fn is_sharp(self) -> bool {
+        self.half_width <= UNDAMPED * self.centre
+    }
+
+    /// Where points must be: on the centre, or on both sides of a sharp one.
+    fn marks(self) -> Vec<Mark> {
+        let mark = |frequency| Mark {
+            frequency,
+            clearance: self.clearance(),
+        };
+        if self.is_sharp() {
+            let distance = NEAREST * self.centre;
+            vec![mark(self.centre - distance), mark(self.centre + distance)]
+        } else {
+            vec![mark(self.centre)]
+        }
+    }
+
+    /// How near (Hz) another point does as well as one that it needs: 0.01 dB at the top of a band.
+    pub(super) fn clearance(self) -> f64 {
+        const NEAR_ENOUGH: f64 = 0.05;
+        if self.is_sharp() {
+            NEAR_ENOUGH * NEAREST * self.centre
+        } else {
+            NEAR_ENOUGH * self.half_width
+        }
+    }
+
+    /// The longest step (Hz) that it allows at a distance (Hz) from its centre.
+    fn longest_step(self, distance: f64) -> f64 {
+        /// In half-widths: five points to a half-power band.
+        const IN_BAND: f64 = 0.5;
+        /// In distances: points farther away come at ratios of 2.
+        const AWAY: f64 = 1.0;
+        let nearest = if self.is_sharp() {
+            // From mark to mark, and some room for rounding.
+            2.5 * NEAREST * self.centre
+        } else {
+            IN_BAND * self.half_width
+        };
+        nearest + AWAY * distance
+    }
+}
+
+/// A point that a feature needs.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Mark {
+    /// Hz.
+    pub(super) frequency: f64,
+    /// It is not needed where another point is as near as this, Hz.
+    pub(super) clearance: f64,
+}
+
+/// The least distance of two points, relative to their frequency: a few units in the last place.
+const LEAST_GAP: f64 = 16.0 * f64::EPSILON;
+
+/// True where `frequency` lies between two others and is a number of its own, farther than `clearance` from both.
+pub(super) fn fits_between(left: f64, frequency: f64, right: f64, clearance: f64) -> bool {
+    let gap = clearance.max(LEAST_GAP * frequency);
+    frequency - left > gap && right - frequency > gap
+}
+
+/// Features by rising centre.
+pub(super) fn by_centre(features: impl IntoIterator<Item = Feature>) -> Vec<Feature> {
+    let mut features: Vec<Feature> = features.into_iter().collect();
+    features.sort_by(|a, b| a.centre.total_cmp(&b.centre));
+    features
+}
+
+/// The points (Hz, rising) to add to a rising grid so that no step is longer than features, by rising centre, allow.
+pub(super) fn missing(grid: &[f64], features: &[Feature]) -> Vec<f64> {
+    let mut marks: Vec<Mark> = features.iter().flat_map(|f| f.marks()).collect();
+    marks.sort_by(|a, b| a.frequency.total_cmp(&b.frequency));
+    let mut marks = marks.into_iter().peekable();
+    let mut added = Vec::new();
+    for pair in grid.windows(2) {
+        let mut left = pair[0];
+        while let Some(mark) = marks.next_if(|mark| mark.frequency < pair[1]) {
+            if fits_between(left, mark.frequency, pair[1], mark.clearance) {
+                divide(left, mark.frequency, features, &mut added);
+                added.push(mark.frequency);
+                left = mark.frequency;
+            }
+        }
+        divide(left, pair[1], features, &mut added);
+    }
+    added
+}
+
+/// Halves a step until no feature finds a part of it too long.
+fn divide(left: f64, right: f64, features: &[Feature], added: &mut Vec<f64>) {
+    let middle = 0.5 * (left + right);
+    if fits_between(left, middle, right, 0.0) && is_too_long(left, right, features) {
+        divide(left, middle, features, added);
+        added.push(middle);
+        divide(middle, right, features, added);
+    }
+}
+
+/// True where some feature allows no step from `left` to `right`. Features are by rising centre.
+fn is_too_long(left: f64, right: f64, features: &[Feature]) -> bool {
+    let length = right - left;
+    // A feature farther away than the step is long allows it.
+    let first = features.partition_point(|f| f.centre < left - length);
+    let near = features[first..]
+        .iter()
+        .take_while(|f| f.centre <= right + length);
+    near.into_iter().any(|f| {
+        let distance = (left - f.centre).max(f.centre - right).max(0.0);
+        length > f.longest_step(distance)
+    })
+}

@@ -1,0 +1,275 @@
+//! Natural frequencies of the literature: one file a source under `tests/literature/`.
+//!
+//! A case states a model and either printed numbers, with the tolerance that the print supports, or the name of a
+//! frequency equation, which is solved here by code that shares nothing with the solver but the model. In both, the list
+//! is compared as a whole, so a mode too many or too few fails. A source's sentences without numbers are held by tests
+//! elsewhere, which its file names. The README's table is made here, one row a source, and a test holds it equal.
+
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
+#[path = "literature/coupled.rs"]
+mod coupled;
+#[path = "literature/roots.rs"]
+mod roots;
+#[path = "literature/source.rs"]
+mod source;
+#[path = "literature/sprung_mass.rs"]
+mod sprung_mass;
+#[path = "literature/uncoupled.rs"]
+mod uncoupled;
+
+use std::sync::atomic::AtomicBool;
+
+use beamtune::model::Model;
+use beamtune::solve::modes;
+use source::{Case, ClosedForm, Equation, Published, Source, Unit};
+
+/// A difference below this is rounding; the table does not tell its digits.
+const ROUNDING: f64 = 1e-9;
+
+/// One mode beside its source.
+struct Comparison {
+    case: String,
+    /// Counted from 1 among the modes above 0 Hz.
+    mode: usize,
+    unit: Unit,
+    published: f64,
+    ours: f64,
+}
+
+impl Comparison {
+    fn difference(&self) -> f64 {
+        self.ours / self.published - 1.0
+    }
+}
+
+fn sources() -> Vec<Source> {
+    let mut paths: Vec<_> = std::fs::read_dir("tests/literature")
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| {
+            path.extension()
+                .is_some_and(|extension| extension == "toml")
+        })
+        .collect();
+    paths.sort();
+    paths
+        .iter()
+        .map(|path| {
+            let text = std::fs::read_to_string(path).unwrap();
+            toml::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+        })
+        .collect()
+}
+
+/// What one case found: the modes side by side, and every fault.
+#[derive(Default)]
+struct Outcome {
+    compared: Vec<Comparison>,
+    faults: Vec<String>,
+}
+
+/// The whole list of a model up to `to` Hz beside the expected one, in its unit; differences lie from `least` to `most`.
+fn side_by_side(
+    place: &str,
+    model: &Model,
+    (expected, unit): (&[f64], Unit),
+    to: f64,
+    (least, most): (f64, f64),
+) -> Outcome {
+    let all = modes::undamped(model, to, &AtomicBool::new(false)).unwrap();
+    let ours: Vec<f64> = all
+        .into_iter()
+        .filter(|&hertz| hertz > 0.0)
+        .map(|hertz| unit.of_hertz(hertz, model))
+        .collect();
+    let mut outcome = Outcome::default();
+    if ours.len() != expected.len() || expected.is_empty() {
+        let fault = format!("{place}: {ours:?} against {expected:?} {}", unit.word());
+        outcome.faults.push(fault);
+        return outcome;
+    }
+    for (index, (&ours, &published)) in ours.iter().zip(expected).enumerate() {
+        let mode = index + 1;
+        let comparison = Comparison {
+            case: place.to_owned(),
+            mode,
+            unit,
+            published,
+            ours,
+        };
+        let difference = comparison.difference();
+        if !(least..=most).contains(&difference) {
+            let unit = unit.word();
+            outcome.faults.push(format!(
+                "{place}, mode {mode}: {ours} against {published} {unit}, {difference:e}"
+            ));
+        }
+        outcome.compared.push(comparison);
+    }
+    outcome
+}
+
+/// Printed numbers against ours.
+fn hold_published(model: &Model, case: &Case, published: &Published) -> Outcome {
+    let Published {
+        unit,
+        values,
+        tolerance,
+        ours_lie_above,
+    } = published;
+    let least = if *ours_lie_above { 0.0 } else { -tolerance };
+    // A frequency goes as the square of beta L, and so does the tolerance's room.
+    let to = values.last().map_or(0.0, |&last| {
+        unit.to_hertz(last, model) * (1.0 + 2.0 * tolerance)
+    });
+    side_by_side(&case.name, model, (values, *unit), to, (least, *tolerance))
+}
+
+/// A frequency equation's roots against ours.
+fn hold_closed_form(model: &Model, case: &Case, form: &ClosedForm) -> Outcome {
+    let ClosedForm {
+        equation,
+        to,
+        tolerance,
+    } = *form;
+    let mut expected = match equation {
+        Equation::Uncoupled => uncoupled::frequencies(model, to),
+        Equation::Sinusoidal => coupled::sinusoidal(model, to),
+        Equation::Determinant => coupled::determinant(model, to),
+        Equation::SprungMass => sprung_mass::frequencies(model, to),
+    };
+    expected.sort_by(f64::total_cmp);
+    let range = (-tolerance, tolerance);
+    side_by_side(&case.name, model, (&expected, Unit::Hertz), to, range)
+}
+
+/// Every comparison of a source; those with printed numbers, where it has any, are the ones that the table tells.
+fn compare(source: &Source) -> Outcome {
+    let (mut published, mut closed) = (Outcome::default(), Outcome::default());
+    for case in &source.cases {
+        let model = source.model(case);
+        let mut held = 0;
+        if let Some(print) = &case.published {
+            published.extend(hold_published(&model, case, print));
+            held += 1;
+        }
+        if let Some(form) = &case.closed_form {
+            closed.extend(hold_closed_form(&model, case, form));
+            held += 1;
+        }
+        assert!(held > 0, "{}: nothing is expected", case.name);
+    }
+    if published.compared.is_empty() && published.faults.is_empty() {
+        return closed;
+    }
+    published.faults.extend(closed.faults);
+    published
+}
+
+impl Outcome {
+    fn extend(&mut self, other: Self) {
+        self.compared.extend(other.compared);
+        self.faults.extend(other.faults);
+    }
+}
+
+/// The comparison that the table tells: the worst, or the first where all differ by rounding only.
+fn worst(compared: &[Comparison]) -> &Comparison {
+    let size = |comparison: &Comparison| comparison.difference().abs();
+    compared.iter().fold(&compared[0], |worst, next| {
+        // The first of equals, whatever their rounding.
+        let beyond = size(worst).max(ROUNDING) * 1.001;
+        if size(next) > beyond { next } else { worst }
+    })
+}
+
+/// A number with nine significant digits at most.
+fn rounded(value: f64) -> String {
+    let digits: f64 = format!("{value:.8e}").parse().unwrap();
+    digits.to_string()
+}
+
+/// A source's row of the README's table; its faults go to the list.
+fn row(source: &Source, faults: &mut Vec<String>) -> String {
+    let name = format!("{} {}", source.authors, source.year);
+    if source.cases.is_empty() {
+        let all = source.statements.len();
+        let departing = source
+            .statements
+            .iter()
+            .filter(|held| !held.departs.is_empty())
+            .count();
+        return format!(
+            "| {} | {name} | {all} sentences | {} hold, {departing} in part | `tests/presets.rs` |\n",
+            source.subject,
+            all - departing
+        );
+    }
+    let Outcome {
+        compared,
+        faults: found,
+    } = compare(source);
+    faults.extend(found.into_iter().map(|fault| format!("{name}: {fault}")));
+    if compared.is_empty() {
+        return String::new();
+    }
+    let told = worst(&compared);
+    let difference = told.difference();
+    let difference = if difference.abs() < ROUNDING {
+        "< 1e-9".to_owned()
+    } else {
+        format!("{difference:+.1e}")
+    };
+    format!(
+        "| {}: {}, mode {} ({} compared) | {name} | {} {unit} | {} {unit} | {difference} |\n",
+        source.subject,
+        told.case,
+        told.mode,
+        compared.len(),
+        rounded(told.published),
+        rounded(told.ours),
+        unit = told.unit.word(),
+    )
+}
+
+#[test]
+fn every_source_is_met_and_the_readme_says_so() {
+    let mut table = String::from("| case | source | published | ours | relative difference |\n");
+    table.push_str("| --- | --- | --- | --- | --- |\n");
+    let mut faults = Vec::new();
+    for source in sources() {
+        assert!(!source.title.is_empty() && !source.doubtful.is_empty());
+        table.push_str(&row(&source, &mut faults));
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    let readme = std::fs::read_to_string("README.md").unwrap();
+    let (_, rest) = readme.split_once("<!-- literature: ").unwrap();
+    let (_, rest) = rest.split_once("-->\n").unwrap();
+    let (shown, _) = rest.split_once("<!-- end of literature -->").unwrap();
+    assert_eq!(
+        shown.trim(),
+        table.trim(),
+        "copy the table on the right into the README"
+    );
+}
+
+#[test]
+fn every_sentence_names_the_test_that_holds_it() {
+    let tests = std::fs::read_to_string("tests/presets.rs").unwrap();
+    let sources = sources();
+    let statements: Vec<_> = sources
+        .iter()
+        .flat_map(|source| &source.statements)
+        .collect();
+    assert!(!statements.is_empty());
+    for statement in statements {
+        assert!(
+            tests.contains(&format!("#[test]\nfn {}()", statement.test)),
+            "{}: {:?} is held by no test {}",
+            statement.figure,
+            statement.sentence,
+            statement.test
+        );
+    }
+}

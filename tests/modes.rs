@@ -1,0 +1,428 @@
+//! Natural frequencies, damped modes and mode shapes.
+//!
+//! Expected values: a closed form or a high-precision solution, as each test says; counts and shapes are held against
+//! the frequency responses, which come another way.
+
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
+#[allow(dead_code, reason = "the property tests use the rest")]
+mod common;
+
+use std::f64::consts::{PI, TAU};
+use std::sync::atomic::AtomicBool;
+
+use beamtune::model::{
+    self, BeamMotion, Elastic, Model, Place, Restraint, Spring, Subsystem, Support, Target,
+};
+use beamtune::presets;
+use beamtune::solve::modes::{
+    Completeness, ModeKind, Modes, count, follow, modes, shape, undamped,
+};
+use common::{models, respond, unit_force};
+use num_complex::Complex64;
+use proptest::prelude::*;
+
+static NEVER: AtomicBool = AtomicBool::new(false);
+
+fn preset(name: &str) -> Model {
+    model::read(presets::find(name).unwrap().text).unwrap()
+}
+
+fn damped(model: &Model, to: f64) -> Modes {
+    let found = modes(model, to, &NEVER).unwrap();
+    assert_eq!(found.completeness, Completeness::Certain, "{found:?}");
+    found
+}
+
+fn assert_close(got: f64, want: f64, tolerance: f64) {
+    assert!(
+        (got - want).abs() <= tolerance * want.abs(),
+        "{got} and {want}"
+    );
+}
+
+/// The paper's beam with both ends pinned and no offset: bending and torsion apart.
+fn pinned_beam(second_moment_z: f64) -> Model {
+    let mut model = preset("fig06");
+    model.supports.left = Support::PINNED;
+    model.supports.right = Support::PINNED;
+    model.beam.section.centroid_offset = 0.0;
+    model.beam.section.second_moment_z = second_moment_z;
+    model
+}
+
+/// Closed form of a pinned beam: bending (n pi / L)^2 sqrt(E I / rho A), torsion with warping likewise.
+fn pinned_frequencies(model: &Model, to: f64) -> Vec<f64> {
+    let (material, section) = (&model.beam.material, &model.beam.section);
+    let mass = material.density * section.area;
+    let polar = material.density * section.polar_moment;
+    let mut all = Vec::new();
+    for n in 1..200 {
+        let k = f64::from(n) * PI / model.beam.length;
+        for second in [section.second_moment_y, section.second_moment_z] {
+            all.push(k * k * (material.young_modulus * second / mass).sqrt() / TAU);
+        }
+        let twisting = material.young_modulus * section.warping_constant * k * k
+            + material.shear_modulus * section.torsion_constant;
+        all.push(k * (twisting / polar).sqrt() / TAU);
+    }
+    all.retain(|&hertz| hertz <= to);
+    all.sort_by(f64::total_cmp);
+    all
+}
+
+/// Expected: `|omega| / 2 pi` and damping ratios of a high-precision solution of the state equation (20 modes).
+#[test]
+fn the_damped_modes_of_the_papers_beam() {
+    let text = include_str!("data/paper_beam_modes.json");
+    let expected: Vec<(f64, f64)> = serde_json::from_str(text).unwrap();
+    let found = damped(&preset("fig05a"), 250.0);
+    assert_eq!(found.modes[0].kind, ModeKind::RigidBody);
+    assert_eq!(found.modes.len(), 1 + expected.len());
+    for (mode, (hertz, damping)) in found.modes[1..].iter().zip(expected) {
+        assert_close(mode.frequency(), hertz, 1e-12);
+        assert_close(mode.damping_ratio(), damping, 1e-10);
+    }
+}
+
+/// Expected: closed form; with equal second moments every bending mode occurs twice, with nearly equal ones they
+/// differ by 5e-10 of themselves.
+#[test]
+fn double_and_nearly_double_roots() {
+    let second_moment_y = preset("fig06").beam.section.second_moment_y;
+    for share in [1.0, 1.0 + 1e-9, 1.0 + 1e-6] {
+        let model = pinned_beam(second_moment_y * share);
+        let expected = pinned_frequencies(&model, 2000.0);
+        let got = undamped(&model, 2000.0, &NEVER).unwrap();
+        assert_eq!(got.len(), expected.len());
+        for (got, want) in got.iter().zip(expected) {
+            assert_close(*got, want, 1e-10);
+        }
+    }
+}
+
+/// Expected: closed form. With a loss factor on E and G alone every omega^2 turns by 1 + i eta.
+#[test]
+fn a_loss_factor_turns_every_root() {
+    let second_moment_y = preset("fig06").beam.section.second_moment_y;
+    for share in [1.1, 1.0 + 1e-8] {
+        let mut model = pinned_beam(second_moment_y * share);
+        model.beam.material.loss_factor = 0.03;
+        let root = Complex64::new(1.0, 0.03).sqrt();
+        // |omega| grows with the loss factor: one undamped mode less may lie below.
+        let expected: Vec<f64> = pinned_frequencies(&model, 1500.0)
+            .into_iter()
+            .map(|hertz| hertz * root.norm())
+            .filter(|&hertz| hertz <= 1500.0)
+            .collect();
+        let found = damped(&model, 1500.0);
+        assert_eq!(found.modes.len(), expected.len());
+        for (mode, want) in found.modes.iter().zip(expected) {
+            assert_close(mode.frequency(), want, 1e-10);
+            assert_close(mode.damping_ratio(), root.im / root.norm(), 1e-8);
+        }
+    }
+}
+
+fn mass_on_springs(position: f64, spring: Spring) -> Subsystem {
+    Subsystem {
+        name: "M".into(),
+        enabled: true,
+        position,
+        mass: 10.0,
+        inertia: 1.0,
+        y_left: spring,
+        y_right: spring,
+        z_left: spring,
+        z_right: spring,
+        arm_left: 0.2,
+        arm_right: 0.2,
+        mount_y: 0.2,
+        mount_z: 0.0,
+    }
+}
+
+/// A mass on springs and dampers on a beam that is far stiffer.
+fn mass_on_stiff_beam(stiffness: f64, damping: f64) -> Model {
+    let mut model = preset("fig06");
+    model.beam.section.torsion_constant *= 100.0;
+    model.supports.left = Support::CLAMPED;
+    model.supports.right = Support::CLAMPED;
+    model.subsystems = vec![mass_on_springs(1.0, Spring { stiffness, damping })];
+    model
+}
+
+/// Expected: closed form, `m omega^2 - i c omega - k = 0` for y, z and theta; the beam gives way by less than 5e-3.
+#[test]
+fn a_mass_on_a_stiff_beam_oscillates_or_creeps() {
+    // Damping ratios of 0.3 (oscillating), 3 (two ways of creeping back), and one between.
+    for share in [0.3_f64, 0.9, 3.0] {
+        let (k, m) = (1e4_f64, 10.0_f64);
+        let c = share * (2.0 * k * m).sqrt();
+        let model = mass_on_stiff_beam(k, c);
+        let mut expected = Vec::new();
+        // (stiffness, damping, inertia) of y, z, theta.
+        for (k, c, m) in [
+            (2.0 * k, 2.0 * c, m),
+            (2.0 * k, 2.0 * c, m),
+            (0.08 * k, 0.08 * c, 1.0),
+        ] {
+            let discriminant = Complex64::from(4.0 * k * m - c * c).sqrt();
+            for sign in [1.0, -1.0] {
+                let omega = (Complex64::new(0.0, c) + sign * discriminant) / (2.0 * m);
+                if omega.re > -1e-9 {
+                    expected.push(omega);
+                }
+            }
+        }
+        expected.sort_by(|a, b| a.norm().total_cmp(&b.norm()));
+        let found = damped(&model, 100.0);
+        assert_eq!(
+            found.modes.len(),
+            expected.len(),
+            "{share}: {:?}",
+            found.modes
+        );
+        for (mode, want) in found.modes.iter().zip(expected) {
+            assert!(
+                (mode.omega - want).norm() < 5e-3 * want.norm(),
+                "{share}: {mode:?} {want}"
+            );
+            let creeps = want.re.abs() < 1e-9;
+            assert_eq!(mode.kind == ModeKind::Overdamped, creeps);
+        }
+    }
+}
+
+/// Expected: counted by hand.
+#[test]
+fn rigid_body_modes_are_at_zero() {
+    let zeros = |model: &Model| {
+        let found = damped(model, 100.0);
+        let rigid = found
+            .modes
+            .iter()
+            .filter(|mode| mode.kind == ModeKind::RigidBody);
+        assert!(rigid.clone().all(|mode| mode.frequency() == 0.0));
+        assert_eq!(
+            rigid.clone().count(),
+            undamped(model, 100.0, &NEVER)
+                .unwrap()
+                .iter()
+                .filter(|&&hertz| hertz == 0.0)
+                .count()
+        );
+        rigid.count()
+    };
+    let mut model = preset("fig06");
+    model.supports.left = Support::FREE;
+    model.supports.right = Support::FREE;
+    // Two translations, two rotations, one about the axis.
+    assert_eq!(zeros(&model), 5);
+    model.supports.left[BeamMotion::W] = Restraint::Fixed;
+    assert_eq!(zeros(&model), 4);
+    model.supports.right[BeamMotion::W] = Restraint::Elastic(Elastic {
+        stiffness: 1e-3,
+        ..Elastic::default()
+    });
+    assert_eq!(zeros(&model), 3);
+    // A mass without springs moves in three ways; with y springs alone in two.
+    model.subsystems = vec![mass_on_springs(0.7, Spring::default())];
+    assert_eq!(zeros(&model), 6);
+    model.subsystems[0].y_left.stiffness = 1e5;
+    assert_eq!(zeros(&model), 5);
+    // Its y spring and the beam's soft support are in series: still held.
+    model.subsystems[0].inertia = 0.0;
+    assert_eq!(zeros(&model), 4);
+}
+
+/// Fifty random absorbers on a free beam.
+fn fifty_absorbers(seed: u64) -> Model {
+    let mut model = preset("fig08");
+    let mut state = seed;
+    let mut next = |from: f64, to: f64| {
+        // A linear congruential generator (Knuth's MMIX).
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        from + (to - from) * (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    model.subsystems = (0..50)
+        .map(|index| {
+            let spring = Spring {
+                stiffness: next(1e4, 4e6),
+                damping: next(0.0, 200.0),
+            };
+            Subsystem {
+                name: format!("A{index}"),
+                position: next(0.0, 3.2),
+                mass: next(2.0, 10.0),
+                inertia: next(0.1, 1.0),
+                arm_left: next(0.05, 0.4),
+                arm_right: next(0.05, 0.4),
+                mount_y: next(0.05, 0.2),
+                mount_z: next(-0.2, 0.2),
+                ..mass_on_springs(0.0, spring)
+            }
+        })
+        .collect();
+    model.forces.clear();
+    model.responses.clear();
+    model
+}
+
+/// Expected: the count of Wittrick & Williams on both sides of each root, which shares nothing with what polished it.
+#[test]
+fn every_root_of_fifty_random_absorbers_is_where_the_count_steps() {
+    let model = fifty_absorbers(1);
+    let roots = undamped(&model, 200.0, &NEVER).unwrap();
+    assert_eq!(roots.len(), count(&model, 200.0));
+    assert!(roots.len() > 140, "{}", roots.len());
+    for (index, &root) in roots
+        .iter()
+        .enumerate()
+        .skip_while(|(_, root)| **root == 0.0)
+    {
+        assert!(count(&model, root * (1.0 - 1e-9)) <= index, "{root}");
+        assert!(count(&model, root * (1.0 + 1e-9)) > index, "{root}");
+    }
+    damped(&model, 200.0);
+}
+
+/// Expected: the same list, from a search that starts afresh.
+#[test]
+fn modes_that_are_followed_are_those_found_afresh() {
+    let mut model = preset("fig05a");
+    let mut followed = damped(&model, 400.0);
+    for step in 0..8 {
+        for subsystem in &mut model.subsystems {
+            subsystem.mass *= 1.03;
+            subsystem.z_left.damping *= 1.1;
+        }
+        model.supports.left[BeamMotion::W] = Restraint::Elastic(Elastic {
+            stiffness: 4e7 * (1.0 - 0.05 * f64::from(step)),
+            damping: 800.0,
+            inertia: 0.0,
+        });
+        followed = follow(&model, &followed, &NEVER).unwrap();
+        let afresh = damped(&model, 400.0);
+        assert_eq!(followed.completeness, Completeness::Certain);
+        assert_eq!(followed.undamped, afresh.undamped);
+        assert_eq!(followed.modes.len(), afresh.modes.len());
+        for (a, b) in followed.modes.iter().zip(&afresh.modes) {
+            assert!(
+                (a.omega - b.omega).norm() <= 1e-11 * b.omega.norm(),
+                "{a:?} {b:?}"
+            );
+        }
+    }
+}
+
+/// Expected: the residue of a receptance at a pole. Between two places it is the product of the mode's motions there:
+/// `H = phi_a phi_b / (2 omega_k (omega_k - omega))` beside `omega_k`, from the normalisation.
+#[test]
+fn shapes_are_normalised_to_modal_mass_one() {
+    let model = preset("fig05a");
+    let found = damped(&model, 120.0);
+    let (a, b) = (
+        Target::Beam(Place::Left, BeamMotion::W),
+        Target::Beam(Place::Right, BeamMotion::Psi),
+    );
+    for index in [1, 2, 3, 7, 13] {
+        let mode = found.modes[index];
+        let shape = shape(&model, &found, index, 3);
+        let product = shape.w[0] * shape.psi[2];
+        let residue = |target: &Target| {
+            let hertz = mode.omega.re / TAU;
+            let from = respond(
+                &model,
+                vec![unit_force(target.clone())],
+                &[b.clone()],
+                hertz,
+            )[0];
+            from * 2.0 * mode.omega * (mode.omega - mode.omega.re)
+        };
+        let got = residue(&a);
+        // What the other modes add: their distance against the damping.
+        assert!(
+            (got - product).norm() < 0.02 * product.norm(),
+            "mode {index}: {got} {product}"
+        );
+        let shares = shape.shares;
+        let sum = shares.bending_y
+            + shares.bending_z
+            + shares.twist
+            + shares.subsystems
+            + shares.supports;
+        assert_close(sum, 1.0, 1e-12);
+    }
+}
+
+/// Expected: closed form. A pinned beam of modal mass 1 moves by sqrt(2 / (rho A L)) sin(n pi x / L).
+#[test]
+fn the_shape_of_a_pinned_beam_is_a_sine() {
+    let model = pinned_beam(1e-4);
+    let found = damped(&model, 1000.0);
+    let mass = model.beam.material.density * model.beam.section.area * model.beam.length;
+    let mut bending = 0;
+    for index in 0..found.modes.len() {
+        let shape = shape(&model, &found, index, 41);
+        if shape.shares.bending_y < 0.5 {
+            continue;
+        }
+        bending += 1;
+        let sign = shape.w[1].re.signum();
+        for (x, w) in shape.positions.iter().zip(&shape.w) {
+            let want =
+                (2.0 / mass).sqrt() * (f64::from(bending) * PI * x / model.beam.length).sin();
+            assert!(
+                (w - sign * want).norm() < 1e-7 * (2.0 / mass).sqrt(),
+                "{bending} {x} {w} {want}"
+            );
+        }
+        assert_close(shape.shares.bending_y, 1.0, 1e-9);
+    }
+    assert!(bending >= 3);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 60, rng_seed: prop::test_runner::RngSeed::Fixed(5), failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// A mass without springs touches nothing: it splits a span, and has its three modes at 0.
+    #[test]
+    fn the_count_does_not_depend_on_how_stations_are_split(model in models(), places in prop::collection::vec(0.0..=1.0, 1..4), hertz in 1.0..500.0) {
+        let mut split = model.clone();
+        for (index, share) in places.iter().enumerate() {
+            let mut idle = mass_on_springs(share * model.beam.length, Spring::default());
+            idle.name = format!("idle {index}");
+            split.subsystems.push(idle);
+        }
+        prop_assert_eq!(count(&split, hertz), count(&model, hertz) + 3 * places.len());
+    }
+
+    /// Interlacing: one spring more moves every mode up, and none past the next.
+    #[test]
+    fn a_spring_moves_the_count_by_one_at_most(model in models(), power in 2.0..10.0, at in 0_usize..6, hertz in 1.0..500.0) {
+        let motion = BeamMotion::ALL[at];
+        let mut stiffer = model.clone();
+        let restraint = &mut stiffer.supports.left[motion];
+        *restraint = match *restraint {
+            Restraint::Fixed => Restraint::Fixed,
+            Restraint::Free => Restraint::Elastic(Elastic { stiffness: 10.0_f64.powf(power), ..Elastic::default() }),
+            Restraint::Elastic(elastic) => Restraint::Elastic(Elastic { stiffness: elastic.stiffness + 10.0_f64.powf(power), ..elastic }),
+        };
+        let (before, after) = (count(&model, hertz), count(&stiffer, hertz));
+        prop_assert!(after == before || after + 1 == before, "{} {}", before, after);
+    }
+
+    /// The argument principle counts what was found, whatever the model.
+    #[test]
+    fn every_damped_list_is_certain(model in models()) {
+        let found = modes(&model, 150.0, &NEVER).unwrap();
+        prop_assert_eq!(found.completeness, Completeness::Certain);
+        for pair in found.modes.windows(2) {
+            prop_assert!(pair[0].frequency() <= pair[1].frequency());
+        }
+        prop_assert!(found.modes.iter().all(|mode| mode.omega.im >= -1e-12 * mode.omega.norm()));
+    }
+}

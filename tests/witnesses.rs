@@ -1,0 +1,375 @@
+//! The two witnesses beside the exact solution: finite elements, and the paper's chain of transfer matrices.
+//!
+//! Expected values are the exact solution's, which `high_precision.rs` holds to a solution of the state equation in ball
+//! arithmetic. The finite elements must come to them with the fourth power of the elements' length, the order of
+//! Hermite's cubics in bending (Strang & Fix 1973, Section 4.4: 2 (4 - 2) for frequencies).
+
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
+use std::sync::atomic::AtomicBool;
+
+use beamtune::model::{
+    self, BeamMotion, Elastic, MassMotion, Measure, Model, Place, Quantity, Response, Restraint,
+    Support, Target,
+};
+use beamtune::solve::chain::{self, NotApplicable};
+use beamtune::solve::compare::differences;
+use beamtune::solve::fem::{self, FiniteElements};
+use beamtune::{presets, solve};
+
+fn preset(name: &str) -> Model {
+    model::read(presets::find(name).unwrap().text).unwrap()
+}
+
+fn never() -> AtomicBool {
+    AtomicBool::new(false)
+}
+
+/// The largest relative difference of finite elements from the exact solution.
+fn difference(model: &Model, mesh: &FiniteElements, hertz: &[f64]) -> f64 {
+    let exact = solve::sweep(model, hertz, &never()).unwrap();
+    let frf = mesh.sweep(hertz, &never()).unwrap();
+    let all = differences(model, &exact, &frf).into_iter().flatten();
+    all.map(|difference| difference.expect("a finite exact response").relative)
+        .fold(0.0, f64::max)
+}
+
+/// Holds a model to the exact solution: with `elements` within `tolerance`, with twice as many by the fourth power closer.
+fn hold(name: &str, model: &Model, elements: usize, hertz: &[f64], tolerance: f64) {
+    assert_eq!(model::check(model), [], "{name}");
+    let mesh = FiniteElements::new(model, elements);
+    let coarse = difference(model, &mesh, hertz);
+    let fine = difference(model, &mesh.halved(), hertz);
+    let order = (coarse / fine).log2();
+    assert!(coarse < tolerance, "{name}: {coarse:e}");
+    assert!(order > 3.7, "{name}: {coarse:e} {fine:e}, order {order}");
+}
+
+/// Frequencies between the resonances and on their slopes.
+const HERTZ: [f64; 7] = [3.0, 17.0, 41.0, 88.0, 133.0, 240.0, 390.0];
+
+fn beam(place: Place, motion: BeamMotion) -> Target {
+    Target::Beam(place, motion)
+}
+
+fn force(target: Target, amplitude: f64) -> model::Force {
+    model::Force {
+        enabled: true,
+        target,
+        amplitude,
+        phase: 30.0,
+    }
+}
+
+fn respond(target: Target) -> Response {
+    Response {
+        name: format!("{target:?}"),
+        enabled: true,
+        quantity: Quantity::Motion(target, Measure::Displacement),
+    }
+}
+
+/// The paper's beam with every kind of load and response.
+fn loaded_everywhere() -> Model {
+    let mut model = preset("fig05a");
+    let inside = |x, motion| beam(Place::Position(x), motion);
+    model.forces = vec![
+        force(inside(0.55, BeamMotion::W), 1.0),
+        force(inside(1.0, BeamMotion::WSlope), 0.4),
+        force(inside(1.9, BeamMotion::VSlope), -0.7),
+        force(inside(2.9, BeamMotion::Psi), 0.2),
+        force(beam(Place::Right, BeamMotion::VSlope), 0.5),
+        force(Target::Mass("S2".into(), MassMotion::Theta), 0.3),
+        force(Target::Mass("S3".into(), MassMotion::Y), 0.3),
+    ];
+    let mut targets: Vec<Target> = BeamMotion::ALL
+        .into_iter()
+        .flat_map(|motion| {
+            [
+                inside(0.3, motion),
+                inside(1.9, motion),
+                beam(Place::Right, motion),
+            ]
+        })
+        .collect();
+    targets.extend(MassMotion::ALL.map(|motion| Target::Mass("S2".into(), motion)));
+    model.responses = targets.into_iter().map(respond).collect();
+    for measure in [Measure::Velocity, Measure::Acceleration] {
+        model.responses.push(Response {
+            name: format!("{measure:?}"),
+            enabled: true,
+            quantity: Quantity::Motion(Target::Mass("S1".into(), MassMotion::Z), measure),
+        });
+    }
+    model.responses.push(Response {
+        name: "E_V".into(),
+        enabled: true,
+        quantity: Quantity::Energy,
+    });
+    model
+}
+
+/// Springs, dampers and inertias on all six motions.
+fn elastic() -> Support {
+    let of = |stiffness, damping, inertia| {
+        Restraint::Elastic(Elastic {
+            stiffness,
+            damping,
+            inertia,
+        })
+    };
+    Support([
+        of(4e7, 800.0, 12.0),
+        of(1.5e6, 300.0, 0.4),
+        of(3e7, 650.0, 7.5),
+        of(2e6, 90.0, 0.9),
+        of(4e3, 2.0, 1e-3),
+        of(1e6, 40.0, 0.3),
+    ])
+}
+
+#[test]
+fn elements_agree_on_the_papers_figures() {
+    for name in ["fig05a", "fig05b", "fig05c", "fig06", "fig08", "fig13"] {
+        hold(name, &preset(name), 120, &HERTZ, 1e-2);
+    }
+}
+
+#[test]
+fn elements_agree_on_other_sections_and_supports() {
+    hold("cantilever", &preset("cantilever"), 60, &HERTZ, 1e-4);
+    let name = "symmetric_section";
+    hold(name, &preset(name), 40, &[2.0, 30.0, 70.0, 150.0], 1e-4);
+    let name = "semicircular_cantilever";
+    hold(name, &preset(name), 40, &[12.0, 70.0, 300.0, 900.0], 1e-3);
+    let name = "hundred_absorbers";
+    hold(name, &preset(name), 150, &[11.0, 120.0, 450.0, 900.0], 1e-2);
+}
+
+#[test]
+fn elements_agree_whatever_holds_the_ends() {
+    let supports = [Support::FREE, Support::PINNED, Support::CLAMPED, elastic()];
+    for left in supports {
+        for right in [Support::FREE, elastic()] {
+            let mut model = loaded_everywhere();
+            (model.supports.left, model.supports.right) = (left, right);
+            model.beam.material.loss_factor = 0.02;
+            let name = format!("{} {}", left.kind(), right.kind());
+            hold(&name, &model, 120, &HERTZ, 1e-3);
+        }
+    }
+}
+
+/// Without warping stiffness a torque makes the rate of twist jump, and a held end has a layer of no length.
+#[test]
+fn elements_agree_without_warping_stiffness() {
+    for left in [Support::FREE, Support::PINNED, Support::CLAMPED, elastic()] {
+        for centroid_offset in [0.0, -0.05] {
+            let mut model = loaded_everywhere();
+            (model.supports.left, model.supports.right) = (left, elastic());
+            model.beam.material.loss_factor = 0.02;
+            model.beam.section.warping_constant = 0.0;
+            model.beam.section.centroid_offset = centroid_offset;
+            let name = format!("{} {centroid_offset}", left.kind());
+            hold(&name, &model, 120, &HERTZ, 1e-2);
+        }
+    }
+}
+
+/// Subsystems at the ends, two at one place, one without inertia, springs that are missing.
+#[test]
+fn elements_agree_on_subsystems_of_any_kind() {
+    let mut model = loaded_everywhere();
+    model.beam.material.loss_factor = 0.01;
+    model.subsystems[0].position = 0.0;
+    model.subsystems[1].position = 3.2;
+    model.subsystems[2].position = 1.9;
+    let mut twin = model.subsystems[2].clone();
+    twin.name = "S4".into();
+    twin.inertia = 0.0;
+    twin.y_right.stiffness = 0.0;
+    model.subsystems.push(twin);
+    let mut hung = model.subsystems[2].clone();
+    hung.name = "S5".into();
+    (hung.z_left, hung.z_right) = Default::default();
+    hung.inertia = 0.0;
+    model.subsystems.push(hung);
+    hold("subsystems", &model, 120, &HERTZ, 2e-3);
+}
+
+/// With the default mesh the difference is far below `validate`'s tolerance, on the sweep's own frequencies.
+#[test]
+fn the_default_mesh_is_fine_enough_for_every_preset() {
+    for preset in presets::ALL {
+        let mut model = model::read(preset.text).unwrap();
+        model.sweep.points = 40;
+        let hertz = solve::frequencies(&model.sweep);
+        let mesh = FiniteElements::new(&model, fem::default_elements(&model));
+        let found = difference(&model, &mesh, &hertz);
+        assert!(found < 2e-3, "{}: {found:e}", preset.name);
+    }
+}
+
+#[test]
+fn elements_that_are_cancelled_give_nothing() {
+    let model = preset("fig05a");
+    assert_eq!(fem::sweep(&model, 20, &HERTZ, &AtomicBool::new(true)), None);
+    let cancelled = chain::sweep(&model, &HERTZ, &AtomicBool::new(true));
+    assert_eq!(cancelled, Ok(None));
+}
+
+#[test]
+fn without_loads_nothing_moves() {
+    let mut model = preset("fig05a");
+    model.forces.clear();
+    let frf = fem::sweep(&model, 20, &HERTZ, &never()).unwrap();
+    let all = || frf.columns.iter().flat_map(|column| &column.values);
+    assert!(all().all(|value| value.norm() == 0.0));
+}
+
+/// Expected: closed form of a pinned beam's bending and of free torsion, `(n pi / L)^2 sqrt(E I / rho A)`; the discrete ones
+/// lie above (Rayleigh) by a share of (k h)^4 / 1440.
+#[test]
+fn natural_frequencies_come_down_to_the_closed_form() {
+    let mut model = preset("symmetric_section");
+    model.subsystems.clear();
+    let (section, material) = (model.beam.section, model.beam.material);
+    let wave = std::f64::consts::PI / model.beam.length;
+    let stiffness = material.young_modulus * section.second_moment_z.min(section.second_moment_y);
+    let rate = (stiffness / (material.density * section.area)).sqrt();
+    let exact = wave * wave * rate / std::f64::consts::TAU;
+    let nearest = |elements| {
+        let all = fem::natural_frequencies(&model, elements, 6);
+        assert!(all.windows(2).all(|pair| pair[0] <= pair[1]), "{all:?}");
+        let above = all.into_iter().map(|hertz| hertz / exact - 1.0);
+        above.min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap()
+    };
+    let (coarse, fine) = (nearest(4), nearest(8));
+    let kh = wave * model.beam.length / 4.0;
+    // The mesh has a node at every response, so that it may be finer than asked.
+    assert!(
+        coarse > 0.0 && coarse < 1.1 * kh.powi(4) / 1440.0,
+        "{coarse:e}"
+    );
+    assert!(
+        fine > 0.0 && (coarse / fine).log2() > 3.7,
+        "{coarse:e} {fine:e}"
+    );
+}
+
+/// Expected: a free beam has two translations, two rotations and the twist; and every mass adds to the count.
+#[test]
+fn rigid_body_motions_are_near_zero() {
+    let mut model = preset("fig06");
+    model.supports = model::Supports::default();
+    let all = fem::natural_frequencies(&model, 20, 7);
+    assert!(all[4] < 1e-2 && all[5] > 1.0, "{all:?}");
+}
+
+/// Expected: the modes of the high-precision solution of the preset's notes, 63.79, 137.69, 278.36, 484.78 and 663.84 Hz of w
+/// and psi together, given to 0.01 Hz.
+#[test]
+fn natural_frequencies_are_those_of_the_literature_case() {
+    let found = fem::natural_frequencies(&preset("semicircular_cantilever"), 40, 9);
+    for expected in [63.79, 137.69, 278.36, 484.78, 663.84] {
+        assert!(
+            found.iter().any(|hertz| (hertz - expected).abs() < 0.006),
+            "{expected}: {found:?}"
+        );
+    }
+}
+
+/// The least number of right digits of the chain, of all responses, at each frequency.
+fn digits(model: &Model, hertz: &[f64]) -> Vec<f64> {
+    let exact = solve::sweep(model, hertz, &never()).unwrap();
+    let frf = chain::sweep(model, hertz, &never()).unwrap().unwrap();
+    let found = differences(model, &exact, &frf);
+    (0..hertz.len())
+        .map(|row| {
+            let worst = found.iter().map(|column| column[row].unwrap().relative);
+            -worst.fold(f64::MIN_POSITIVE, f64::max).log10()
+        })
+        .collect()
+}
+
+/// Expected: the digits that e^(2 beta l) leaves of sixteen; the bounds are what double precision gives here, with room.
+#[test]
+fn the_chain_is_right_at_low_frequencies_and_loses_all_digits_at_high_ones() {
+    let mut model = preset("fig05a");
+    model.responses.retain(|response| response.name == "P1 w");
+    let left = digits(&model, &[10.0, 100.0, 350.0, 1000.0]);
+    assert!(left[0] > 12.0, "{left:?}");
+    assert!(left[1] > 10.0, "{left:?}");
+    assert!(left[2] < 6.0, "{left:?}");
+    assert!(left[3] < 1.0, "{left:?}");
+}
+
+#[test]
+fn the_chain_takes_loads_at_ends_inside_and_on_subsystems() {
+    for left in [Support::FREE, Support::PINNED, Support::CLAMPED, elastic()] {
+        let mut model = loaded_everywhere();
+        (model.supports.left, model.supports.right) = (left, elastic());
+        model.beam.material.loss_factor = 0.02;
+        let bimoment = beam(Place::Position(0.7), BeamMotion::PsiSlope);
+        model.forces.push(force(bimoment, 0.1));
+        let found = digits(&model, &[3.0, 40.0, 90.0]);
+        assert!(found.iter().all(|digits| *digits > 7.0), "{found:?}");
+    }
+}
+
+#[test]
+fn the_chain_agrees_on_presets_at_low_frequencies() {
+    for name in ["fig05b", "fig05c", "fig06", "fig08", "fig13", "cantilever"] {
+        let found = digits(&preset(name), &[3.0, 10.0, 60.0]);
+        assert!(
+            found.iter().all(|digits| *digits > 7.5),
+            "{name}: {found:?}"
+        );
+    }
+}
+
+#[test]
+fn the_chain_says_where_the_papers_formulas_divide_by_zero() {
+    let solve = |model: &Model| chain::sweep(model, &[10.0], &never()).map(|_| ());
+    assert_eq!(
+        solve(&preset("symmetric_section")),
+        Err(NotApplicable::NoOffset)
+    );
+    let mut model = preset("fig05a");
+    model.beam.section.warping_constant = 0.0;
+    assert_eq!(solve(&model), Err(NotApplicable::NoWarping));
+}
+
+/// Expected: the natural frequencies of the finite elements come down to the exact ones (Rayleigh), with the fourth power
+/// of the elements' length.
+#[test]
+fn natural_frequencies_come_down_to_the_exact_ones() {
+    for name in [
+        "fig05a",
+        "fig06",
+        "fig08",
+        "cantilever",
+        "semicircular_cantilever",
+    ] {
+        let model = preset(name);
+        let exact = solve::modes::undamped(&model, 250.0, &never()).unwrap();
+        assert!(exact.len() > 3, "{name}: {exact:?}");
+        let errors = |elements| -> Vec<f64> {
+            let found = fem::natural_frequencies(&model, elements, exact.len());
+            let pairs = found.iter().zip(&exact);
+            // Rigid-body modes are 0; the others' rounding is far below their discretisation here.
+            pairs
+                .filter(|(_, exact)| **exact > 0.1)
+                .map(|(found, exact)| found / exact - 1.0)
+                .collect()
+        };
+        let (coarse, fine) = (errors(16), errors(32));
+        assert!(fine.iter().all(|error| *error > -1e-7), "{name}: {fine:?}");
+        let worst = |errors: &[f64]| errors.iter().copied().fold(0.0, f64::max);
+        let order = (worst(&coarse) / worst(&fine)).log2();
+        assert!(
+            worst(&fine) < 1e-3 && order > 3.5,
+            "{name}: {coarse:?} {fine:?}"
+        );
+    }
+}

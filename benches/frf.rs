@@ -68,5 +68,29 @@ fn sweeps(criterion: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, sweeps);
+/// Adds what peaks and anti-resonances need to a solved sweep, modes known, on all cores.
+fn resolving(criterion: &mut Criterion) {
+    let never = AtomicBool::new(false);
+    let mut group = criterion.benchmark_group("resolved");
+    group.sample_size(10);
+    for name in ["fig05a", "fig08", "hundred_absorbers"] {
+        let model = preset(name);
+        let modes = solve::modes::modes(&model, model.sweep.to, &never).expect("nothing cancels");
+        let base = solve::frequencies(&model.sweep);
+        let solved = solve::sweep(&model, &base, &never).expect("nothing cancels");
+        group.bench_function(BenchmarkId::from_parameter(name), |bencher| {
+            bencher.iter(|| {
+                black_box(solve::peaks::resolved(
+                    &model,
+                    &modes,
+                    solved.clone(),
+                    &never,
+                ))
+            });
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, sweeps, resolving);
 criterion_main!(benches);

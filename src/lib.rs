@@ -7,8 +7,8 @@
 //! | --- | --- | --- |
 //! | [`model`] | what the engineer edits: plain types in SI, TOML in and out, rules, parameter paths | nothing |
 //! | [`presets`] | the figures of the paper and more, embedded | `model` |
-//! | [`solve`] | the exact solver: waves, subsystems, a recursion of reflections | `model` |
-//! | [`worker`] | the background thread: newest request wins | `model`, `solve` |
+//! | [`solve`] | the exact solver: waves, subsystems, a recursion of reflections; [modes](solve::modes) and [peaks](solve::peaks) from it; two witnesses, [finite elements](solve::fem) and [the paper's chain](solve::chain) | `model` |
+//! | [`worker`] | the background threads: newest request wins | `model`, `solve` |
 //! | [`tui`] | the designer: state, keys, views, the chart | all above |
 //! | [`cli`] | the commands | all above |
 //!

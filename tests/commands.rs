@@ -417,14 +417,9 @@ fn bad_usage_exits_2_with_an_error() {
 
 #[test]
 fn commands_to_come_say_so_and_exit_1() {
-    for call in [
-        &["modes", "fig05a"][..],
-        &["tune", "fig05a", "-o", "x.toml"],
-    ] {
-        let (code, message) = failure(call);
-        assert_eq!(code, 1);
-        assert!(message.contains("not there yet"), "{message}");
-    }
+    let (code, message) = failure(&["tune", "fig05a", "-o", "x.toml"]);
+    assert_eq!(code, 1);
+    assert!(message.contains("not there yet"), "{message}");
     assert!(!Path::new("x.toml").exists());
 }
 
@@ -516,4 +511,77 @@ fn validate_says_where_a_method_has_no_answer() {
         .output()
         .unwrap();
     assert_eq!(nowhere.status.code(), Some(1));
+}
+
+#[test]
+fn modes_are_a_table_and_a_statement_that_it_is_complete() {
+    let output = beamtune(&["modes", "fig05a", "--to", "250"])
+        .output()
+        .unwrap();
+    assert!(output.status.success());
+    let text = String::from_utf8(output.stdout).unwrap();
+    let rows = rows(&text);
+    assert_eq!(rows[0], ["mode", "frequency_hz", "damping_ratio"]);
+    assert_eq!(rows.len(), 22);
+    assert_eq!(rows[1], ["1", "0.0", "0.0"]);
+    for (index, row) in rows[1..].iter().enumerate() {
+        assert_eq!(row[0], (index + 1).to_string());
+    }
+    let stated = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(stated.trim(), "21 of 21 modes below 250 Hz");
+}
+
+#[test]
+fn mode_shapes_go_to_a_file_of_their_own() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("shapes.csv");
+    output(&[
+        "modes",
+        "fig05a",
+        "--to",
+        "20",
+        "--shapes",
+        file.to_str().unwrap(),
+    ]);
+    let text = std::fs::read_to_string(&file).unwrap();
+    let rows = rows(&text);
+    assert_eq!(
+        rows[0],
+        ["mode", "at", "position_m", "direction", "re", "im"]
+    );
+    // Three modes: 101 places with three motions, three masses with three.
+    assert_eq!(rows.len(), 1 + 3 * (101 * 3 + 3 * 3));
+    assert!(
+        rows[1..]
+            .iter()
+            .all(|row| row[4].parse::<f64>().unwrap().is_finite())
+    );
+    assert_eq!(rows[1][..4], ["1", "beam", "0.0", "w"]);
+}
+
+#[test]
+fn a_model_without_modes_in_range_has_an_empty_table() {
+    let output = beamtune(&["modes", "semicircular_cantilever", "--to", "5"])
+        .output()
+        .unwrap();
+    assert!(output.status.success());
+    assert_eq!(
+        String::from_utf8(output.stdout).unwrap(),
+        "mode,frequency_hz,damping_ratio\n"
+    );
+    assert!(
+        String::from_utf8(output.stderr)
+            .unwrap()
+            .starts_with("0 of 0 modes")
+    );
+}
+
+#[test]
+fn modes_refuses_a_range_that_is_none() {
+    for bad in ["0", "-3", "nan", "inf", "x"] {
+        let output = beamtune(&["modes", "fig06", &format!("--to={bad}")])
+            .output()
+            .unwrap();
+        assert_eq!(output.status.code(), Some(2), "{bad}");
+    }
 }

@@ -2,27 +2,35 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+// Other tests use the rest of it.
+#[allow(dead_code)]
+mod common;
+
 use std::f64::consts::{PI, TAU};
 use std::sync::atomic::AtomicBool;
 
-use beamtune::model::{self, Model, Place, Quantity, Target};
-use beamtune::presets;
+use beamtune::model::{
+    self, BeamMotion, Measure, Model, Place, Quantity, Response, Restraint, Spacing, Sweep, Target,
+};
 use beamtune::solve::modes::{Completeness, Mode, ModeKind, Modes};
 use beamtune::solve::peaks::{Peak, peaks, refined, resolved};
-use beamtune::solve::{Column, Frf, frequencies, sweep};
+use beamtune::solve::{Column, ColumnKind, Frf, frequencies, sweep};
+use beamtune::{presets, solve};
 use num_complex::Complex64;
+use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 
 /// What a drawn peak or dip may miss, as a factor: 0.05 dB.
 const FACTOR: f64 = 1.005_773;
 
 static NEVER: AtomicBool = AtomicBool::new(false);
 
-fn solve(model: &Model, frequencies: &[f64]) -> Frf {
+fn solved(model: &Model, frequencies: &[f64]) -> Frf {
     sweep(model, frequencies, &NEVER).unwrap()
 }
 
 fn resolve(model: &Model, modes: &Modes, base: &[f64]) -> Frf {
-    resolved(model, modes, solve(model, base), &NEVER).unwrap()
+    resolved(model, modes, solved(model, base), &NEVER).unwrap()
 }
 
 fn linear(from: f64, to: f64, points: usize) -> Vec<f64> {
@@ -341,6 +349,17 @@ fn sizes(column: &Column) -> Vec<f64> {
     column.values.iter().map(|v| v.norm()).collect()
 }
 
+/// What is below this in a column may be rounding.
+fn rounding(column: &Column) -> f64 {
+    let largest = sizes(column).into_iter().fold(0.0, f64::max);
+    match column.kind {
+        ColumnKind::Energy => 1e-20 * largest,
+        // A motion that nothing but rounding makes.
+        ColumnKind::Complex if largest < 1e-13 => f64::INFINITY,
+        ColumnKind::Complex => 1e-10 * largest,
+    }
+}
+
 /// Scans between the neighbours of each turn of each column: nothing there goes beyond the turn by 0.05 dB. Poles and
 /// sharp zeros, known by a width below `least` of the frequency, are left out. Returns how many turns were scanned.
 fn assert_turns_are_drawn(model: &Model, frf: &Frf, least: f64) -> usize {
@@ -348,15 +367,17 @@ fn assert_turns_are_drawn(model: &Model, frf: &Frf, least: f64) -> usize {
     let mut places = Vec::new();
     let mut frequencies = Vec::new();
     for (column, values) in frf.columns.iter().map(sizes).enumerate() {
+        // What is exactly or by rounding zero has no turns.
+        let least_size = rounding(&frf.columns[column]);
         for (row, way) in turns(&values) {
             let (from, to) = (frf.frequencies[row - 1], frf.frequencies[row + 1]);
-            if to - from > least * from {
+            if to - from > least * from && values[row] > least_size {
                 places.push((column, row, way, values[row]));
                 frequencies.extend(linear(from, to, SCAN));
             }
         }
     }
-    let scanned = solve(model, &frequencies);
+    let scanned = solved(model, &frequencies);
     for (index, &(column, row, way, drawn)) in places.iter().enumerate() {
         let values = &scanned.columns[column].values[index * SCAN..(index + 1) * SCAN];
         for (value, hertz) in values.iter().zip(&frequencies[index * SCAN..]) {
@@ -378,8 +399,9 @@ fn assert_no_peak_is_missing(frf: &Frf, scan: &Frf, modes: &Modes) -> usize {
     for (resolved, scanned) in frf.columns.iter().zip(&scan.columns) {
         let table = peaks(&frf.frequencies, resolved, modes);
         let values = sizes(scanned);
+        let least_size = rounding(scanned);
         for (row, way) in turns(&values) {
-            if way < 0.0 || !stands_out(&values, row) {
+            if way < 0.0 || values[row] < least_size || !stands_out(&values, row) {
                 continue;
             }
             count += 1;
@@ -411,12 +433,12 @@ fn stands_out(values: &[f64], top: usize) -> bool {
 
 /// Frequencies within four half-widths of each mode, and some everywhere.
 fn scan_frequencies(modes: &Modes, from: f64, to: f64) -> Vec<f64> {
-    let mut all = linear(from, to, 3001);
+    let mut all = linear(from, to, 1501);
     for mode in &modes.modes {
         let centre = mode.omega.re / TAU;
         let width = (mode.omega.im / TAU).max(1e-6 * centre);
         all.extend(
-            linear(-4.0, 4.0, 160)
+            linear(-4.0, 4.0, 64)
                 .into_iter()
                 .map(|t| centre + t * width),
         );
@@ -433,11 +455,9 @@ fn every_peak_and_dip_of_a_damped_beam_is_drawn() {
         let (model, modes) = pinned(10f64.powi(-exponent));
         let base = linear(5.0, 900.0, 400);
         let frf = resolve(&model, &modes, &base);
-        println!("eta 1e-{exponent}: {} rows", frf.frequencies.len());
         let turns = assert_turns_are_drawn(&model, &frf, 1e-12);
-        let scan = solve(&model, &scan_frequencies(&modes, 5.0, 900.0));
+        let scan = solved(&model, &scan_frequencies(&modes, 5.0, 900.0));
         let found = assert_no_peak_is_missing(&frf, &scan, &modes);
-        println!("{turns} turns, {found} peaks");
         assert!(found >= 20 && turns >= 30, "{turns}, {found}");
     }
 }
@@ -489,7 +509,7 @@ fn undamped_modes_are_poles() {
     }
     assert!(frf.frequencies.len() < base.len() + 80 * 5 * modes.modes.len());
     let turns = assert_turns_are_drawn(&model, &frf, 1e-7);
-    println!("{} rows, {turns} turns", frf.frequencies.len());
+    assert!(turns > 20, "{turns}");
     let dips: Vec<f64> = frf.columns[..4]
         .iter()
         .map(|column| {
@@ -501,6 +521,24 @@ fn undamped_modes_are_poles() {
         })
         .collect();
     assert!(dips.iter().all(|&depth| depth < 1e-12), "{dips:?}");
+}
+
+/// Expected, closed form: all modes have the damping ratio eta / 2. In `E_V` each peak is so high above what the other
+/// modes add that its half-power band is its mode's.
+#[test]
+fn the_half_power_band_of_an_energy_is_that_of_its_mode() {
+    let eta = 1e-7;
+    let (model, modes) = pinned(eta);
+    let frf = resolve(&model, &modes, &linear(5.0, 900.0, 400));
+    let table = peaks(&frf.frequencies, &frf.columns[4], &modes);
+    assert!(table.len() >= 12, "{table:?}");
+    for peak in table {
+        let mode = &modes.modes[peak.mode.unwrap()];
+        assert!((mode.damping_ratio() / (0.5 * eta) - 1.0).abs() < 1e-3);
+        let measured = peak.half_power_damping.unwrap();
+        assert!((measured / (0.5 * eta) - 1.0).abs() < 0.005, "{peak:?}");
+        assert_eq!((peak.phase, peak.overlaps, peak.pole), (None, false, false));
+    }
 }
 
 #[test]
@@ -516,7 +554,7 @@ fn the_base_is_kept_and_points_are_added_between() {
         assert!(kept.iter().all(|f| all.contains(f)));
         assert!(frequencies.len() > base.len() + modes.modes.len());
         let frf = resolve(&model, &modes, &base);
-        assert_eq!(frf, solve(&model, &frequencies));
+        assert_eq!(frf, solved(&model, &frequencies));
     }
 }
 
@@ -526,7 +564,7 @@ fn a_coarse_base_loses_nothing() {
     let (model, modes) = pinned(1e-3);
     let frf = resolve(&model, &modes, &[5.0, 900.0]);
     assert_turns_are_drawn(&model, &frf, 1e-12);
-    let scan = solve(&model, &scan_frequencies(&modes, 5.0, 900.0));
+    let scan = solved(&model, &scan_frequencies(&modes, 5.0, 900.0));
     assert!(assert_no_peak_is_missing(&frf, &scan, &modes) >= 20);
 }
 
@@ -535,8 +573,8 @@ fn nothing_is_returned_once_cancelled() {
     let (model, modes) = pinned(1e-3);
     let cancelled = AtomicBool::new(true);
     assert_eq!(refined(&model, &modes, &[5.0, 900.0], &cancelled), None);
-    let solved = solve(&model, &[5.0, 900.0]);
-    assert_eq!(resolved(&model, &modes, solved, &cancelled), None);
+    let base = solved(&model, &[5.0, 900.0]);
+    assert_eq!(resolved(&model, &modes, base, &cancelled), None);
 }
 
 /// Expected: with as much inertia and stiffness along z as along y and a loss factor, w and v of a section without
@@ -596,7 +634,6 @@ fn rounding_is_not_resolved() {
     *place = Place::Position(0.5 * model.beam.length);
     let base = linear(5.0, 900.0, 400);
     let frf = resolve(&model, &modes, &base);
-    println!("{} rows", frf.frequencies.len());
     let sizes = sizes(&frf.columns[0]);
     assert!(sizes.iter().fold(0.0, |a: f64, &b| a.max(b)) < 1e-15);
     assert!(turns(&sizes).len() > 200);
@@ -605,25 +642,86 @@ fn rounding_is_not_resolved() {
     assert!(frf.frequencies.len() < 3 * without.frequencies.len());
 }
 
-/// Every peak and dip of every response of every preset, against dense scans.
+/// Resolves the sweep of a model and holds it against dense scans. Turns within `least` of their frequency are sharp.
+fn assert_is_resolved(model: &Model, least: f64) {
+    let (from, to) = (model.sweep.from, model.sweep.to);
+    let base = frequencies(&model.sweep);
+    let modes = solve::modes::modes(model, to, &NEVER).unwrap();
+    let frf = resolve(model, &modes, &base);
+    assert!(frf.singular().is_empty());
+    let turns = assert_turns_are_drawn(model, &frf, least);
+    let scan = solved(model, &scan_frequencies(&modes, from, to));
+    let found = assert_no_peak_is_missing(&frf, &scan, &modes);
+    println!(
+        "{}: {} modes, {} rows more, {turns} turns, {found} peaks",
+        model.title,
+        modes.modes.len(),
+        frf.frequencies.len() - base.len(),
+    );
+    assert!(found > 0);
+}
+
 #[test]
 fn every_peak_and_dip_of_every_preset_is_drawn() {
     for preset in presets::ALL {
-        let model = model::read(preset.text).unwrap();
-        let base = frequencies(&model.sweep);
-        let (from, to) = (model.sweep.from, model.sweep.to);
-        let modes = beamtune::solve::modes::modes(&model, to, &NEVER).unwrap();
-        let frf = resolve(&model, &modes, &base);
-        let turns = assert_turns_are_drawn(&model, &frf, 1e-7);
-        let scan = solve(&model, &scan_frequencies(&modes, from, to));
-        let found = assert_no_peak_is_missing(&frf, &scan, &modes);
-        println!(
-            "{}: {} modes, {} and {} rows, {turns} turns, {found} peaks",
-            preset.name,
-            modes.modes.len(),
-            base.len(),
-            frf.frequencies.len() - base.len()
-        );
-        assert!(found > 0, "{}", preset.name);
+        assert_is_resolved(&model::read(preset.text).unwrap(), 1e-7);
+    }
+}
+
+/// Damping ratios down to 1e-8, and none.
+#[test]
+fn every_peak_and_dip_is_drawn_with_hardly_any_damping() {
+    for (factor, least) in [(0.01, 1e-10), (0.0, 1e-7)] {
+        for name in ["fig05a", "fig06", "fig13", "cantilever"] {
+            let preset = presets::find(name).unwrap();
+            let model = with_damping(model::read(preset.text).unwrap(), factor);
+            assert_is_resolved(&model, least);
+        }
+    }
+}
+
+/// The same with all damping times `factor`.
+fn with_damping(mut model: Model, factor: f64) -> Model {
+    model.beam.material.loss_factor *= factor;
+    for subsystem in &mut model.subsystems {
+        let [left, right] = [&mut subsystem.z_left, &mut subsystem.z_right];
+        for spring in [&mut subsystem.y_left, &mut subsystem.y_right, left, right] {
+            spring.damping *= factor;
+        }
+    }
+    for support in [&mut model.supports.left, &mut model.supports.right] {
+        for restraint in &mut support.0 {
+            if let Restraint::Elastic(elastic) = restraint {
+                elastic.damping *= factor;
+            }
+        }
+    }
+    model
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, rng_seed: RngSeed::Fixed(3), ..ProptestConfig::default() })]
+
+    /// Random beams, supports and subsystems under a force, seen at two places, on a coarse base.
+    #[test]
+    fn every_peak_and_dip_of_random_models_is_drawn(
+        model in common::models(),
+        force in common::targets(),
+        seen in [common::targets(), common::targets()],
+        lighter in prop_oneof![Just(1.0), Just(1e-3)],
+    ) {
+        let mut model = with_damping(model, lighter);
+        let [force, first, second] = [force, seen[0].clone(), seen[1].clone()].map(|target| {
+            if common::exists(&model, &target) { target } else { Target::Beam(Place::Position(1.0), BeamMotion::W) }
+        });
+        model.forces = vec![common::unit_force(force)];
+        let quantities = [Quantity::Motion(first, Measure::Displacement), Quantity::Motion(second, Measure::Velocity), Quantity::Energy];
+        model.responses = quantities.into_iter().enumerate().map(|(index, quantity)| Response {
+            name: format!("R{index}"),
+            enabled: true,
+            quantity,
+        }).collect();
+        model.sweep = Sweep { from: 3.0, to: 300.0, points: 60, spacing: Spacing::Linear };
+        assert_is_resolved(&model, 1e-10);
     }
 }

@@ -8,6 +8,9 @@
 //! paper's product of 12x12 transfer matrices, which loses all digits above a few hundred hertz. No matrix is larger
 //! than 6x6.
 //!
+//! [`modes`] finds the natural frequencies and damped modes; [`peaks`] puts points where peaks and anti-resonances need
+//! them, and lists the peaks.
+//!
 //! Two witnesses of it share none of its formulas: [`fem`], finite elements, and [`chain`], the paper's own product.
 //! `layout` lays a model out for both, [`compare`] says how far they are from the exact responses.
 

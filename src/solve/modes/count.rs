@@ -7,11 +7,13 @@
 
 use std::ops::Range;
 
-use nalgebra::{Matrix3, Matrix6, SMatrix, SymmetricEigen, Vector6};
+use nalgebra::Matrix6;
 
 use super::inertia::{eliminate, negatives};
+use super::rigid;
 use super::span::{Field, Span, symmetric};
-use crate::model::{Beam, BeamMotion, Elastic, Model, Restraint, Subsystem, Support};
+use super::station::{End, Mass, Units};
+use crate::model::{Beam, Model};
 
 /// A model laid out to be counted.
 #[derive(Debug, Clone)]
@@ -29,32 +31,6 @@ pub(super) struct Counter {
     longest: usize,
     /// How many modes have the frequency 0.
     rigid: usize,
-}
-
-/// An end: which motions it holds, and the springs and inertias on the others.
-#[derive(Debug, Clone, Copy)]
-struct End {
-    fixed: [bool; 6],
-    elastic: [Elastic; 6],
-}
-
-/// A subsystem's stiffness over (y, z, theta | w, psi, v), and its inertia.
-#[derive(Debug, Clone)]
-struct Mass {
-    position: f64,
-    stiffness: Matrix6<f64>,
-    inertia: [f64; 3],
-}
-
-/// What numbers are measured by at one frequency.
-#[derive(Debug, Clone, Copy)]
-struct Units {
-    /// m.
-    length: f64,
-    /// N/m.
-    stiffness: f64,
-    /// Size of a unit of each of the six motions, in SI.
-    motion: [f64; 6],
 }
 
 impl Counter {
@@ -83,7 +59,12 @@ impl Counter {
             spans,
             rigid: 0,
         };
-        counter.rigid = counter.count_rigid();
+        counter.rigid = rigid::count(
+            &counter.left,
+            &counter.right,
+            &counter.masses,
+            counter.beam.length,
+        );
         counter
     }
 
@@ -144,44 +125,6 @@ impl Counter {
             coupling: inertia * section.centroid_offset / radius_square.sqrt(),
         }
     }
-
-    /// The modes at frequency 0: motions of the rigid beam and the masses that stretch no spring.
-    fn count_rigid(&self) -> usize {
-        // Of w, psi, v at the left end and the two slopes; a rigid beam has no rate of twist.
-        let mut rigid = SMatrix::<f64, 5, 5>::zeros();
-        let mut free = 0;
-        for (end, x) in [(&self.left, 0.0), (&self.right, self.beam.length)] {
-            for (row, motion) in rigid_motions(x).iter().enumerate() {
-                let stiffness = if end.fixed[row] {
-                    self.held_stiffness()
-                } else {
-                    end.elastic[row].stiffness
-                };
-                rigid += stiffness * motion * motion.transpose();
-            }
-        }
-        for mass in &self.masses {
-            let (condensed, loose) = mass.condensed_static();
-            let motions = rigid_motions(mass.position);
-            for row in 0..3 {
-                for column in 0..3 {
-                    rigid += condensed[(row, column)] * motions[row] * motions[column].transpose();
-                }
-            }
-            free += loose;
-        }
-        free + 5 - rank(&rigid)
-    }
-
-    /// A stiffness as large as any of the model: what is fixed is certainly no mode at frequency 0.
-    fn held_stiffness(&self) -> f64 {
-        let ends = [&self.left, &self.right];
-        let springs = ends
-            .iter()
-            .flat_map(|end| end.elastic.iter().map(|elastic| elastic.stiffness));
-        let masses = self.masses.iter().map(|mass| mass.stiffness.amax());
-        springs.chain(masses).fold(1.0, f64::max)
-    }
 }
 
 /// Whether the warping of an end dies out within so little of the beam that no digit of a count shows it.
@@ -190,43 +133,6 @@ fn decays_at_once(beam: &Beam) -> bool {
     let (material, section) = (&beam.material, &beam.section);
     material.young_modulus * section.warping_constant
         < NEGLIGIBLE * material.shear_modulus * section.torsion_constant * beam.length.powi(2)
-}
-
-/// w, psi, v and their slopes at x, as functions of (w, psi, v, w', v') of a rigid beam at its left end.
-fn rigid_motions(x: f64) -> [SMatrix<f64, 5, 1>; 6] {
-    [
-        [1.0, 0.0, 0.0, x, 0.0],
-        [0.0, 1.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 1.0, 0.0, x],
-        [0.0, 0.0, 0.0, 1.0, 0.0],
-        [0.0; 5],
-        [0.0, 0.0, 0.0, 0.0, 1.0],
-    ]
-    .map(SMatrix::<f64, 5, 1>::from)
-}
-
-/// The rank of a positive semidefinite matrix, each motion in its own unit.
-fn rank<const N: usize>(stiffness: &SMatrix<f64, N, N>) -> usize
-where
-    nalgebra::Const<N>: nalgebra::DimSub<nalgebra::U1>,
-    nalgebra::DefaultAllocator: nalgebra::allocator::Allocator<nalgebra::Const<N>>
-        + nalgebra::allocator::Allocator<nalgebra::DimDiff<nalgebra::Const<N>, nalgebra::U1>>,
-{
-    const RESOLVED: f64 = 1e-11;
-    let scale = |index: usize| {
-        let diagonal = stiffness[(index, index)];
-        if diagonal > 0.0 {
-            diagonal.sqrt().recip()
-        } else {
-            0.0
-        }
-    };
-    let scaled = SMatrix::<f64, N, N>::from_fn(|i, j| stiffness[(i, j)] * scale(i) * scale(j));
-    SymmetricEigen::new(scaled)
-        .eigenvalues
-        .iter()
-        .filter(|&&x| x > RESOLVED)
-        .count()
 }
 
 /// The masses at each place, ends included, and the lengths between the places.
@@ -348,121 +254,5 @@ fn hold(stiffness: &mut Matrix6<f64>, fixed: [bool; 6]) {
         stiffness.row_mut(row).fill(0.0);
         stiffness.column_mut(row).fill(0.0);
         stiffness[(row, row)] = 1.0;
-    }
-}
-
-impl End {
-    /// Where a section does not warp, the rate of twist is no degree of freedom: it is held at no cost.
-    fn new(support: &Support, warps: bool) -> Self {
-        let mut end = Self {
-            fixed: [false; 6],
-            elastic: [Elastic::default(); 6],
-        };
-        for motion in BeamMotion::ALL {
-            match support[motion] {
-                _ if motion == BeamMotion::PsiSlope && !warps => {
-                    end.fixed[motion as usize] = true;
-                }
-                Restraint::Free => {}
-                Restraint::Fixed => end.fixed[motion as usize] = true,
-                Restraint::Elastic(elastic) => end.elastic[motion as usize] = elastic,
-            }
-        }
-        end
-    }
-
-    fn stiffness(&self, omega: f64, units: &Units) -> Matrix6<f64> {
-        Matrix6::from_diagonal(&Vector6::from_fn(|row, _| {
-            let elastic = self.elastic[row];
-            (elastic.stiffness - omega * omega * elastic.inertia) * units.motion[row].powi(2)
-                / units.stiffness
-        }))
-    }
-}
-
-impl Mass {
-    /// Chen & Liu 2022, Appendix A, without damping.
-    fn new(subsystem: &Subsystem) -> Self {
-        let y = subsystem.y_left.stiffness + subsystem.y_right.stiffness;
-        let (left, right) = (subsystem.z_left.stiffness, subsystem.z_right.stiffness);
-        // Each spring's stretch as a row over (y, z, theta | w, psi, v).
-        let stretches = [
-            (y, [1.0, 0.0, 0.0, -1.0, -subsystem.mount_z, 0.0]),
-            (
-                left,
-                [0.0, 1.0, -subsystem.arm_left, 0.0, subsystem.mount_y, -1.0],
-            ),
-            (
-                right,
-                [0.0, 1.0, subsystem.arm_right, 0.0, -subsystem.mount_y, -1.0],
-            ),
-        ];
-        let mut stiffness = Matrix6::zeros();
-        for (spring, row) in stretches {
-            let row = Vector6::from(row);
-            stiffness += spring * row * row.transpose();
-        }
-        let mut inertia = [subsystem.mass, subsystem.mass, subsystem.inertia];
-        if subsystem.inertia == 0.0 && stiffness[(2, 2)] == 0.0 {
-            // Nothing turns it and nothing resists: no degree of freedom.
-            stiffness[(2, 2)] = 1.0;
-            inertia[2] = 0.0;
-        }
-        Self {
-            position: subsystem.position,
-            stiffness,
-            inertia,
-        }
-    }
-
-    /// The stiffness over (w, psi, v) with the mass eliminated, without dimension, and the count of the blocked mass.
-    fn condensed(&self, omega: f64, units: &Units) -> (Matrix3<f64>, usize) {
-        let scale = |index: usize| match index {
-            0 | 1 => 1.0,
-            2 => units.motion[1],
-            beam => units.motion[beam - 3],
-        };
-        let full = Matrix6::from_fn(|i, j| {
-            let inertia = if i == j && i < 3 {
-                omega * omega * self.inertia[i]
-            } else {
-                0.0
-            };
-            (self.stiffness[(i, j)] - inertia) * scale(i) * scale(j) / units.stiffness
-        });
-        let across = full.fixed_view::<3, 3>(0, 3).into_owned();
-        let own = eliminate(&full.fixed_view::<3, 3>(0, 0).into_owned(), &across);
-        let condensed = full.fixed_view::<3, 3>(3, 3) - across.transpose() * own.solution;
-        (condensed, own.negatives)
-    }
-
-    /// The static stiffness over (w, psi, v) with the mass following, and how many of its motions meet no spring.
-    fn condensed_static(&self) -> (Matrix3<f64>, usize) {
-        const RESOLVED: f64 = 1e-12;
-        let own = self.stiffness.fixed_view::<3, 3>(0, 0).into_owned();
-        let across = self.stiffness.fixed_view::<3, 3>(0, 3);
-        let direct = self.stiffness.fixed_view::<3, 3>(3, 3);
-        let eigen = SymmetricEigen::new(own);
-        let least = RESOLVED * eigen.eigenvalues.amax();
-        let mut condensed = direct.into_owned();
-        let mut loose = 0;
-        for (value, vector) in eigen
-            .eigenvalues
-            .iter()
-            .zip(eigen.eigenvectors.column_iter())
-        {
-            if *value > least {
-                let pulled = across.transpose() * vector;
-                condensed -= pulled * pulled.transpose() / *value;
-            } else {
-                loose += 1;
-            }
-        }
-        // A mass that can follow leaves nothing but rounding.
-        let scale = direct.amax();
-        (
-            condensed.map(|x| if x.abs() < RESOLVED * scale { 0.0 } else { x }),
-            loose,
-        )
     }
 }

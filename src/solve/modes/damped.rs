@@ -12,6 +12,7 @@ use rayon::prelude::*;
 
 use super::characteristic::Characteristic;
 use super::eigenspace::Probe;
+use super::tracker::{Tracker, inverse, newton};
 use super::types::{Completeness, Mode, ModeKind};
 use super::winding::{Region, count};
 use crate::model::Model;
@@ -132,7 +133,8 @@ impl<'a> Search<'a> {
                 .enumerate()
                 .for_each(|(index, tracker)| {
                     if !tracker.arrived {
-                        tracker.step(characteristic, self.push(&now, index));
+                        let push = self.push(&now, index);
+                        tracker.step(characteristic, push, !self.is_hysteretic());
                     }
                 });
             if trackers.iter().all(|tracker| tracker.arrived) {
@@ -147,13 +149,20 @@ impl<'a> Search<'a> {
         )
     }
 
+    /// Whether the model has a loss factor: no root is then the mirror image of another.
+    fn is_hysteretic(&self) -> bool {
+        self.model.beam.material.loss_factor != 0.0
+    }
+
     /// The sum of 1 / (z - other) over all other known roots: trackers, their mirror images, and those at 0.
     fn push(&self, all: &[Complex64], index: usize) -> Complex64 {
         let z = all[index];
         let others = all.iter().enumerate().filter(|&(other, _)| other != index);
         let mut push: Complex64 = others.map(|(_, other)| inverse(z - other)).sum();
-        // A root on the imaginary axis is its own image.
-        let images = all.iter().filter(|other| other.re != 0.0);
+        // A root on the imaginary axis is its own image; with a loss factor there are none.
+        let images = all
+            .iter()
+            .filter(|other| other.re != 0.0 && !self.is_hysteretic());
         push += images
             .map(|other| inverse(z + other.conj()))
             .sum::<Complex64>();
@@ -162,16 +171,17 @@ impl<'a> Search<'a> {
 
     /// Keeps what arrived, and adds roots without oscillation where some are missing in the range.
     fn certify(&self, roots: Vec<Option<Complex64>>, to: f64) -> Option<Found> {
-        let mut roots = self.parted(roots.into_iter().flatten().collect());
+        let arrived = roots.into_iter().flatten();
+        let mut roots = self.parted(arrived.filter(|root| root.re >= 0.0).collect());
         let slowest = roots.iter().map(|root| root.norm()).fold(to, f64::min);
         let mut modes = sorted(&roots);
         let region = Region {
             inner: 1e-4 * slowest,
             outer: boundary(&modes, to),
-            hysteretic: self.model.beam.material.loss_factor != 0.0,
+            hysteretic: self.is_hysteretic(),
         };
         let counted = count(&self.characteristic, &region, &modes);
-        if counted != region.weigh(&modes) && !region.hysteretic {
+        if counted != region.weigh(&modes) {
             roots.retain(|&root| mode(root).kind == ModeKind::Oscillating);
             // A tracker may run out of the region: try again from other places.
             for offset in [0.5, 0.2, 0.8] {
@@ -191,7 +201,8 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// Roots without oscillation: on the imaginary axis the function is real, and trackers that start there stay.
+    /// Roots without oscillation: on the imaginary axis the function is real, and trackers that start there stay. With
+    /// a loss factor such roots lie beside it.
     fn overdamped(
         &self,
         (missing, offset): (i64, f64),
@@ -202,11 +213,14 @@ impl<'a> Search<'a> {
         let starts: Vec<Complex64> = (0..missing.max(0))
             .map(|index| {
                 let share = (index as f64 + offset) / missing as f64;
-                Complex64::new(0.0, region.inner * ratio.powf(share))
+                let aside = if region.hysteretic { 0.05 } else { 0.0 };
+                Complex64::new(aside, 1.0) * region.inner * ratio.powf(share)
             })
             .collect();
         let arrived = self.settle(&self.characteristic, &starts, known)?;
-        let inside = |root: &Complex64| (region.inner..region.outer).contains(&root.norm());
+        let inside = |root: &Complex64| {
+            root.re >= 0.0 && (region.inner..region.outer).contains(&root.norm())
+        };
         Some(arrived.into_iter().flatten().filter(inside).collect())
     }
 
@@ -241,78 +255,6 @@ fn sorted(roots: &[Complex64]) -> Vec<Mode> {
     let mut modes: Vec<Mode> = roots.iter().map(|&root| mode(root)).collect();
     modes.sort_by(|a, b| a.omega.norm().total_cmp(&b.omega.norm()));
     modes
-}
-
-/// A root on its way.
-#[derive(Debug, Clone, Copy)]
-struct Tracker {
-    z: Complex64,
-    /// Whether it stays on the imaginary axis, where the function is real.
-    on_axis: bool,
-    last_step: f64,
-    arrived: bool,
-}
-
-impl Tracker {
-    fn new(z: Complex64) -> Self {
-        Self {
-            z,
-            on_axis: z.re == 0.0,
-            last_step: f64::INFINITY,
-            arrived: false,
-        }
-    }
-
-    /// One step of Aberth: 1 / (F'/F - push).
-    fn step(&mut self, characteristic: &Characteristic, push: Complex64) {
-        const ROUNDING: f64 = 1e-14;
-        // Two roots in one place are seen to the root of the rounding only.
-        const STALLED: f64 = 1e-6;
-        const LONGEST: f64 = 0.3;
-        let size = self.z.norm();
-        let alone = newton(characteristic, self.z);
-        let step = if alone == Complex64::ZERO {
-            alone
-        } else {
-            inverse(alone.inv() - push)
-        };
-        let relative = step.norm() / size;
-        if !relative.is_finite() {
-            return;
-        }
-        // Rounding of the function shows as steps that no longer shrink. A push can stop a tracker off any root.
-        let stopped = relative < ROUNDING || relative > 0.5 * self.last_step;
-        self.arrived = stopped && relative < STALLED && alone.norm() < STALLED * size;
-        self.last_step = relative;
-        if relative < ROUNDING || !self.arrived {
-            self.z -= step * (LONGEST / relative).min(1.0);
-        }
-        // The mirror image of a root is a root.
-        let re = if self.on_axis { 0.0 } else { self.z.re.abs() };
-        self.z = Complex64::new(re, self.z.im);
-    }
-}
-
-/// F / F' at z; the derivative by a difference over so little that its error only slows the last steps.
-fn newton(characteristic: &Characteristic, z: Complex64) -> Complex64 {
-    const DIFFERENCE: f64 = 1e-7;
-    // Along the radius: on the imaginary axis the function is real.
-    let step = DIFFERENCE * z;
-    let here = characteristic.at(z);
-    if here.log == f64::NEG_INFINITY {
-        // On the root to the last digit.
-        return Complex64::ZERO;
-    }
-    step * inverse(characteristic.at(z + step).ratio(&here) - 1.0)
-}
-
-/// 1/z, and 0 where z is 0: a tracker on top of another leaves by its own step.
-fn inverse(z: Complex64) -> Complex64 {
-    if z.norm_sqr() == 0.0 {
-        Complex64::ZERO
-    } else {
-        z.inv()
-    }
 }
 
 /// The mode of a root.

@@ -9,6 +9,7 @@
 use nalgebra::{DMatrix, DVector, Schur};
 use num_complex::Complex64;
 
+use super::motion::{Motion, combined, stretches};
 use super::quadrature::{Sample, samples};
 use crate::model::{
     BeamMotion, Elastic, Force, MassMotion, Measure, Model, Place, Quantity, Response, Restraint,
@@ -24,19 +25,6 @@ pub(super) struct Eigenspace {
     pub(super) roots: Vec<Complex64>,
     /// The motion of each, normalised to `phi^T (2 omega M - i C) phi = 2 omega`.
     pub(super) motions: Vec<Motion>,
-}
-
-/// Everything that moves.
-#[derive(Debug, Clone)]
-pub(super) struct Motion {
-    /// (w, psi, v) at the places to look at, then at those of the quadrature.
-    pub(super) beam: Vec<[Complex64; 3]>,
-    /// The six motions of the left and of the right end.
-    pub(super) ends: [[Complex64; 6]; 2],
-    /// (y, z, theta) of each enabled subsystem.
-    pub(super) masses: Vec<[Complex64; 3]>,
-    /// (w, psi, v) of the beam at each enabled subsystem.
-    pub(super) mounts: Vec<[Complex64; 3]>,
 }
 
 /// A model with the places where its motion is read.
@@ -268,55 +256,11 @@ pub(super) fn elastic(restraint: Restraint) -> Elastic {
     }
 }
 
-/// Stretches of the four springs (y left, y right, z left, z right).
-fn stretches(
-    subsystem: &crate::model::Subsystem,
-    mass: &[Complex64; 3],
-    mount: &[Complex64; 3],
-) -> [Complex64; 4] {
-    let y = mass[0] - mount[0] - subsystem.mount_z * mount[1];
-    let left = mass[1] - subsystem.arm_left * mass[2] - mount[2] + subsystem.mount_y * mount[1];
-    let right = mass[1] + subsystem.arm_right * mass[2] - mount[2] - subsystem.mount_y * mount[1];
-    [y, y, left, right]
-}
-
 fn response(target: Target) -> Response {
     Response {
         name: String::new(),
         enabled: true,
         quantity: Quantity::Motion(target, Measure::Displacement),
-    }
-}
-
-fn combined(answers: &[&Motion], vector: &DVector<Complex64>) -> Motion {
-    let mut sum = answers[0].times(vector[0]);
-    for (answer, &share) in answers.iter().zip(vector.iter()).skip(1) {
-        sum.add(answer, share);
-    }
-    sum
-}
-
-impl Motion {
-    fn all_mut(&mut self) -> impl Iterator<Item = &mut Complex64> {
-        let triples = self
-            .beam
-            .iter_mut()
-            .chain(&mut self.masses)
-            .chain(&mut self.mounts);
-        triples.flatten().chain(self.ends.iter_mut().flatten())
-    }
-
-    fn times(&self, factor: Complex64) -> Self {
-        let mut out = self.clone();
-        out.all_mut().for_each(|value| *value *= factor);
-        out
-    }
-
-    fn add(&mut self, other: &Self, factor: Complex64) {
-        let mut other = other.clone();
-        for (value, other) in self.all_mut().zip(other.all_mut()) {
-            *value += factor * *other;
-        }
     }
 }
 

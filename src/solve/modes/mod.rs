@@ -1,4 +1,11 @@
-//! Natural frequencies, damped modes and mode shapes.
+//! Natural frequencies, damped modes and mode shapes: none missed, and the list says so.
+//!
+//! Undamped: `count` says how many modes lie below a frequency (Wittrick & Williams 1971), from `span`, `series`,
+//! `station`, `rigid` and `inertia`; `undamped` halves intervals by it and polishes each root, by `bracket`, on the
+//! `characteristic` function, which comes from the reflections of the frequency responses and shares nothing with the
+//! count. Damped: `damped` moves all roots of that function together, each a `tracker`, and `winding` counts them by
+//! the argument principle. Shapes: `eigenspace` finds the `motion` of modes that lie close together from responses
+//! beside them, with the integrals of `quadrature`; `shape` is what people see.
 
 mod bracket;
 mod characteristic;
@@ -6,10 +13,14 @@ mod count;
 mod damped;
 mod eigenspace;
 mod inertia;
+mod motion;
 mod quadrature;
+mod rigid;
 mod series;
 mod shape;
 mod span;
+mod station;
+mod tracker;
 mod types;
 mod undamped;
 mod winding;

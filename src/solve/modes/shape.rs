@@ -2,7 +2,8 @@
 
 use num_complex::Complex64;
 
-use super::eigenspace::{Motion, Probe, elastic};
+use super::eigenspace::{Probe, elastic};
+use super::motion::Motion;
 use super::types::{Mode, ModeKind, Modes, Shape, Shares};
 use crate::model::{BeamMotion, Model};
 

@@ -98,6 +98,10 @@ impl Search<'_> {
                 .re
         };
         let root = bracketed(low.omega, high.omega, value)?;
+        // Where a neighbour may be close beyond the bracket, a sign may have been rounding.
+        if root > low.omega * (1.0 + CLOSE) && root < high.omega * (1.0 - CLOSE) {
+            return Some(root);
+        }
         let beside = |share: f64| self.counter.below(root * (1.0 + share));
         CONFIRMED
             .iter()

@@ -123,6 +123,18 @@ impl Fit {
         }
     }
 
+    /// Slope of |g|^2 (of an energy: of g) at one of the samples over its value at the middle, as a change over the
+    /// bracket.
+    pub(super) fn slope(&self, frequency: f64) -> f64 {
+        let [_, first, second] = self.coefficients;
+        let t = self.t(frequency);
+        let slope = first + 2.0 * t * second;
+        match self.kind {
+            ColumnKind::Complex => 2.0 * (self.g(t.into()).conj() * slope).re,
+            ColumnKind::Energy => slope.re,
+        }
+    }
+
     /// The response at a frequency (Hz) near the samples.
     pub(super) fn value(&self, frequency: f64) -> Complex64 {
         let g = self.unit * self.g(self.t(frequency).into());
@@ -201,5 +213,50 @@ impl Fit {
             return UNKNOWN;
         }
         (square / curvature).sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn fit_of(turn: Turn, response: impl Fn(f64) -> Complex64) -> Fit {
+        let column = Column {
+            name: String::new(),
+            kind: ColumnKind::Complex,
+            unit: "m",
+            values: [99.98, 100.003, 100.05].map(response).into(),
+        };
+        Fit::new(
+            column.kind,
+            turn,
+            &samples(&[99.98, 100.003, 100.05], &column),
+        )
+        .unwrap()
+    }
+
+    /// Closed form: 1/H = c (f - p) of a lone mode is a polynomial, so that the fit has no error.
+    #[test]
+    fn a_lone_mode_is_fitted_exactly() {
+        let mode = Complex64::new(100.0, 0.01);
+        let factor = Complex64::new(3e5, -4e5);
+        let fit = fit_of(Turn::Peak, |f| (factor * (f - mode)).inv());
+        let top = fit.extremum();
+        assert!((top.centre - 100.0).abs() < 1e-9 && (top.half_width - 0.01).abs() < 1e-9);
+        assert!((fit.root(top) - mode).norm() < 1e-9);
+        assert!((fit.value(top.centre).norm() / (1.0 / (5e5 * 0.01)) - 1.0).abs() < 1e-9);
+        let level = 5e5 * 0.01 * 2.0_f64.sqrt();
+        assert!((fit.crossing(100.003, 100.05, level) - 100.01).abs() < 1e-9);
+    }
+
+    /// Closed form: H = c (f - z) next to a zero; without damping |H| has a corner there.
+    #[test]
+    fn a_lone_zero_is_fitted_exactly() {
+        for width in [0.01, 0.0] {
+            let fit = fit_of(Turn::Dip, |f| 1e-7 * (f - Complex64::new(100.0, width)));
+            let bottom = fit.extremum();
+            assert!((bottom.centre - 100.0).abs() < 1e-9, "{bottom:?}");
+            assert!((bottom.half_width - width).abs() < 1e-9, "{bottom:?}");
+        }
     }
 }

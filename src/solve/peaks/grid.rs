@@ -46,7 +46,7 @@ impl Feature {
         /// In half-widths: five points to a half-power band.
         const IN_BAND: f64 = 0.5;
         /// In distances: points farther away come at ratios of 2.
-        const AWAY: f64 = 1.0;
+        const AWAY: f64 = 0.5;
         let nearest = if self.is_sharp() {
             // From mark to mark, and some room for rounding.
             2.5 * NEAREST * self.centre
@@ -64,6 +64,41 @@ pub(super) struct Mark {
     pub(super) frequency: f64,
     /// It is not needed where another point is as near as this, Hz.
     pub(super) clearance: f64,
+}
+
+impl Mark {
+    /// A point that no other serves as well as.
+    pub(super) fn bare(frequency: f64) -> Self {
+        Self {
+            frequency,
+            clearance: 0.0,
+        }
+    }
+}
+
+/// True where `frequency` (Hz) is nearer to an undamped mode than points may be. `modes` are by rising centre.
+pub(super) fn is_on_pole(frequency: f64, modes: &[Feature]) -> bool {
+    /// Leaves the points that were put beside it.
+    const NEARER: f64 = 0.9 * NEAREST;
+    let margin = NEARER * frequency;
+    let first = modes.partition_point(|mode| mode.centre < frequency - margin);
+    modes[first..]
+        .iter()
+        .take_while(|mode| mode.centre <= frequency + margin)
+        .any(|mode| mode.is_sharp())
+}
+
+/// The frequencies of marks, rising, without those that another one serves.
+pub(super) fn in_order(mut marks: Vec<Mark>) -> Vec<f64> {
+    marks.sort_by(|a, b| a.frequency.total_cmp(&b.frequency));
+    let mut frequencies: Vec<f64> = Vec::new();
+    for mark in marks {
+        let last = frequencies.last().copied().unwrap_or(f64::NEG_INFINITY);
+        if fits_between(last, mark.frequency, f64::INFINITY, mark.clearance) {
+            frequencies.push(mark.frequency);
+        }
+    }
+    frequencies
 }
 
 /// The least distance of two points, relative to their frequency: a few units in the last place.
@@ -124,4 +159,32 @@ fn is_too_long(left: f64, right: f64, features: &[Feature]) -> bool {
         let distance = (left - f.centre).max(f.centre - right).max(0.0);
         length > f.longest_step(distance)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_grow_away_from_features_and_nothing_is_missing_afterwards() {
+        let feature = |centre, half_width| Feature { centre, half_width };
+        let features = by_centre([
+            feature(30.0, 0.0),
+            feature(50.0, 5e-6),
+            feature(49.0, 2.0),
+            feature(200.0, 1.0),
+        ]);
+        let base = [10.0, 20.0, 30.0 + 1e-10, 45.0, 100.0];
+        let added = missing(&base, &features);
+        let mut grid = [&base[..], &added].concat();
+        grid.sort_by(f64::total_cmp);
+        for step in grid.windows(2) {
+            assert!(step[0] < step[1]);
+            assert!(!is_too_long(step[0], step[1], &features), "{step:?}");
+        }
+        assert!(missing(&grid, &features).is_empty());
+        assert!(added.contains(&50.0) && !added.contains(&30.0));
+        // Ten octaves from the marks at 1e-9 and 20 from the narrow band, at most four points each.
+        assert!(added.len() < 250, "{}", added.len());
+    }
 }

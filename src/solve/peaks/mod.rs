@@ -10,6 +10,7 @@
 
 mod fit;
 mod grid;
+mod lacks;
 mod resolve;
 mod table;
 

@@ -2,12 +2,15 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::fit::{Fit, Sample, Turn, samples, turns};
-use super::grid::{Feature, Mark, by_centre, fits_between, missing};
-use super::{NEAREST, centre, half_width};
+use rayon::prelude::*;
+
+use super::fit::{Sample, samples};
+use super::grid::{Feature, Mark, by_centre, in_order, is_on_pole, missing};
+use super::lacks::{Lacks, hidden};
+use super::{centre, half_width};
 use crate::model::Model;
 use crate::solve::modes::{ModeKind, Modes};
-use crate::solve::{Column, Frf, sweep};
+use crate::solve::{Column, ColumnKind, Frf, sweep};
 
 /// Most passes over the grid; a dip without damping takes about ten.
 const MOST_PASSES: usize = 24;
@@ -29,18 +32,21 @@ pub fn refined(
 /// The curves `solved` of a model with the points added that peaks and anti-resonances need.
 ///
 /// The base is kept bit for bit; what is added lies between its first and its last frequency. `modes` are the model's
-/// up to that last frequency or higher. Around each of them steps are at most half a half-width, and away from them at
-/// most the distance, so that no peak falls between two points. Then each local maximum and minimum of each response
-/// is drawn in by fits through three samples until a point is within a tenth of its half-width, 0.05 dB, of it.
-/// Without damping there is no top and no bottom: points go as near as 1e-9 of the frequency on both sides, none on it.
+/// up to that last frequency or higher. Around each of them steps are at most half a half-width and half the distance
+/// from it, so that no resonance falls between two points. Then each maximum and minimum of each response is drawn in
+/// by fits through three samples until a point is within a twentieth of its half-width of it: 0.01 dB, and 0.05 dB with
+/// all that a fit may err. Without damping there is no top and no bottom: points go as near as 1e-9 of the frequency on
+/// both sides, none on it. A response that is nothing but rounding, as where a symmetry cancels it, is left as it is.
 ///
-/// A mode costs about `10 + 2 log2(distance to the next point / half-width)` points, an anti-resonance as many.
+/// A mode or an anti-resonance costs some tens of points, more where it is narrow: their steps double away from it.
 /// `None` where `cancel` became true before the end.
 pub fn resolved(model: &Model, modes: &Modes, solved: Frf, cancel: &AtomicBool) -> Option<Frf> {
     let features = features(modes);
     let mut wanted = missing(&solved.frequencies, &features);
     let mut frf = solved;
     for pass in 0..MOST_PASSES {
+        // A frequency of the base without a finite answer is on the grid, though no sample.
+        wanted.retain(|f| !is_among(*f, &frf.frequencies));
         if !wanted.is_empty() {
             frf = merged(&frf, &sweep(model, &wanted, cancel)?);
         }
@@ -50,6 +56,11 @@ pub fn resolved(model: &Model, modes: &Modes, solved: Frf, cancel: &AtomicBool) 
         }
     }
     Some(frf)
+}
+
+/// True where a rising grid has a frequency.
+fn is_among(frequency: f64, grid: &[f64]) -> bool {
+    grid.binary_search_by(|f| f.total_cmp(&frequency)).is_ok()
 }
 
 /// The half-power bands of all modes that have one, by rising centre.
@@ -71,113 +82,33 @@ fn most_extrema(modes: usize, pass: usize) -> usize {
     (WITHOUT_MODES + A_MODE * modes) >> (pass / PASSES_TO_HALF)
 }
 
-/// The points (Hz, rising) that draw extrema in; once all are, those that dips need around them.
+/// The points (Hz, rising) that draw extrema in; once all are, those that dips need around them and those that may show
+/// more.
 ///
 /// `modes` are by rising centre; `most` as [`most_extrema`] says.
 fn next_points(frf: &Frf, modes: &[Feature], most: usize) -> Vec<f64> {
-    let mut wanted = Vec::new();
-    let mut dips = Vec::new();
-    for column in &frf.columns {
-        let samples = samples(&frf.frequencies, column);
-        let mut unsettled = Vec::new();
-        for (middle, turn) in turns(&samples) {
-            let three = &samples[middle - 1..=middle + 1];
-            let fit = Fit::new(column.kind, turn, three).filter(|_| !is_flat(three));
-            let Some(extremum) = fit.map(|fit| fit.extremum()) else {
-                continue;
-            };
-            let mut points = points_at(three, extremum);
-            points.retain(|mark| !is_on_pole(mark.frequency, modes));
-            if points.is_empty() && turn == Turn::Dip {
-                dips.push(extremum);
-            }
-            unsettled.extend((!points.is_empty()).then_some(points));
-        }
-        if unsettled.len() <= most {
-            wanted.extend(unsettled.into_iter().flatten());
-        }
+    let curves: Vec<(ColumnKind, Vec<Sample>)> = frf
+        .columns
+        .par_iter()
+        .map(|column| (column.kind, samples(&frf.frequencies, column)))
+        .collect();
+    let lacks: Vec<Lacks> = curves
+        .par_iter()
+        .map(|(kind, samples)| Lacks::new(*kind, samples, modes, most))
+        .collect();
+    let unsettled: Vec<Mark> = lacks.iter().flat_map(|l| l.extrema.concat()).collect();
+    if !unsettled.is_empty() {
+        return in_order(unsettled);
     }
-    if wanted.is_empty() {
-        return missing(&frf.frequencies, &by_centre(dips));
-    }
-    in_order(wanted)
-}
-
-/// True where `frequency` (Hz) is nearer to an undamped mode than points may be.
-fn is_on_pole(frequency: f64, modes: &[Feature]) -> bool {
-    /// Leaves the points that were put beside it.
-    const NEARER: f64 = 0.9 * NEAREST;
-    let margin = NEARER * frequency;
-    let first = modes.partition_point(|mode| mode.centre < frequency - margin);
-    modes[first..]
-        .iter()
-        .take_while(|mode| mode.centre <= frequency + margin)
-        .any(|mode| mode.is_sharp())
-}
-
-/// True where a turn is no more than rounding, or its top as good as flat: all three within 0.002 dB and in phase.
-fn is_flat(three: &[Sample]) -> bool {
-    const FLAT: f64 = 2e-4;
-    let middle = three[1];
-    let differs = |other: &Sample| (other.value - middle.value).norm() > FLAT * middle.size;
-    !differs(&three[0]) && !differs(&three[2])
-}
-
-/// What is missing about an extremum between three samples: a point at it, and one near it on each side, which make
-/// the next fit hold.
-fn points_at(three: &[Sample], extremum: Feature) -> Vec<Mark> {
-    /// How near those at its sides are, in half-widths. A zero next to a peak distorts a wider fit.
-    const SIDE: f64 = 0.125;
-    /// How much farther a point may be that serves as such.
-    const FARTHEST: f64 = 1.5;
-    let [left, middle, right] = [0, 1, 2].map(|i| three[i].frequency);
-    let centre = extremum.centre;
-    let clearance = extremum.clearance();
-    let needs_centre = !extremum.is_sharp() && (centre - middle).abs() > clearance;
-    let side = if extremum.is_sharp() {
-        NEAREST * centre
-    } else {
-        SIDE * extremum.half_width
-    };
-    let beside = needs_centre || extremum.is_sharp();
-    let below = if beside && middle < centre {
-        middle
-    } else {
-        left
-    };
-    let above = if beside && middle > centre {
-        middle
-    } else {
-        right
-    };
-    let candidates = [
-        (needs_centre, centre),
-        (centre - below > FARTHEST * side, centre - side),
-        (above - centre > FARTHEST * side, centre + side),
-    ];
-    let is_new =
-        |point| fits_between(left, point, middle, 0.0) || fits_between(middle, point, right, 0.0);
-    candidates
-        .into_iter()
-        .filter(|&(needed, point)| needed && is_new(point))
-        .map(|(_, frequency)| Mark {
-            frequency,
-            clearance,
-        })
-        .collect()
-}
-
-/// The frequencies of marks, rising, without those that another one serves.
-fn in_order(mut marks: Vec<Mark>) -> Vec<f64> {
-    marks.sort_by(|a, b| a.frequency.total_cmp(&b.frequency));
-    let mut frequencies: Vec<f64> = Vec::new();
-    for mark in marks {
-        let last = frequencies.last().copied().unwrap_or(f64::NEG_INFINITY);
-        if fits_between(last, mark.frequency, f64::INFINITY, mark.clearance) {
-            frequencies.push(mark.frequency);
-        }
-    }
-    frequencies
+    let dips = by_centre(lacks.into_iter().flat_map(|lacks| lacks.dips));
+    let mut bare = missing(&frf.frequencies, &dips);
+    bare.extend(
+        curves
+            .iter()
+            .flat_map(|(kind, samples)| hidden(*kind, samples, most)),
+    );
+    bare.retain(|&frequency| !is_on_pole(frequency, modes));
+    in_order(bare.into_iter().map(Mark::bare).collect())
 }
 
 /// The rows of two responses of the same model, by rising frequency.

@@ -1,0 +1,82 @@
+//! Time to find modes: run with `cargo bench --bench modes`.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
+
+use std::hint::black_box;
+use std::sync::atomic::AtomicBool;
+
+use beamtune::model::{self, Model};
+use beamtune::presets;
+use beamtune::solve::modes::{count, follow, modes, undamped};
+use criterion::{Criterion, criterion_group, criterion_main};
+
+static NEVER: AtomicBool = AtomicBool::new(false);
+
+fn thousand() -> Model {
+    model::read(include_str!("../tests/data/thousand.toml")).unwrap()
+}
+
+/// The first fifty subsystems of the thousand.
+fn fifty() -> Model {
+    let mut model = thousand();
+    let every = model.subsystems.len() / 50;
+    model.subsystems = model.subsystems.into_iter().step_by(every).collect();
+    model
+}
+
+/// A frequency (Hz) with at least `wanted` modes below it and few more.
+fn frequency_of(model: &Model, wanted: usize) -> f64 {
+    let (mut low, mut high) = (0.01, 1.0);
+    while count(model, high) < wanted {
+        (low, high) = (high, 2.0 * high);
+    }
+    for _ in 0..20 {
+        let middle = 0.5 * (low + high);
+        if count(model, middle) < wanted {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    high
+}
+
+fn benches(criterion: &mut Criterion) {
+    let paper = model::read(presets::find("fig05a").unwrap().text).unwrap();
+    let hundred = model::read(presets::find("hundred_absorbers").unwrap().text).unwrap();
+    let (fifty, thousand) = (fifty(), thousand());
+    let hundredth = frequency_of(&thousand, 100);
+    let mut group = criterion.benchmark_group("modes");
+    group.sample_size(10);
+    for (name, model, to) in [
+        ("fig05a to 600 Hz", &paper, 600.0),
+        ("50 absorbers to 200 Hz", &fifty, 200.0),
+        ("hundred_absorbers to 400 Hz", &hundred, 400.0),
+        ("1,000 absorbers, first 100 modes", &thousand, hundredth),
+    ] {
+        let found = modes(model, to, &NEVER).unwrap();
+        println!(
+            "{name}: {} modes, {} without damping",
+            found.modes.len(),
+            found.undamped
+        );
+        group.bench_function(format!("{name}, undamped"), |bencher| {
+            bencher.iter(|| undamped(black_box(model), to, &NEVER));
+        });
+        group.bench_function(format!("{name}, damped"), |bencher| {
+            bencher.iter(|| modes(black_box(model), to, &NEVER));
+        });
+        group.bench_function(format!("{name}, followed"), |bencher| {
+            let mut changed = model.clone();
+            changed.subsystems[0].mass *= 1.01;
+            bencher.iter(|| follow(black_box(&changed), &found, &NEVER));
+        });
+        group.bench_function(format!("{name}, one count"), |bencher| {
+            bencher.iter(|| count(black_box(model), 0.7 * to));
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(all, benches);
+criterion_main!(all);

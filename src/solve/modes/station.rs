@@ -1,0 +1,148 @@
+//! What stands at a station of the undamped beam: an end's support, a subsystem's mass on its springs.
+
+use nalgebra::{Matrix3, Matrix6, SymmetricEigen, Vector6};
+
+use super::inertia::eliminate;
+use crate::model::{BeamMotion, Elastic, Restraint, Subsystem, Support};
+
+/// An end: which motions it holds, and the springs and inertias on the others.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct End {
+    pub(super) fixed: [bool; 6],
+    pub(super) elastic: [Elastic; 6],
+}
+
+/// A subsystem's stiffness over (y, z, theta | w, psi, v), and its inertia.
+#[derive(Debug, Clone)]
+pub(super) struct Mass {
+    pub(super) position: f64,
+    pub(super) stiffness: Matrix6<f64>,
+    pub(super) inertia: [f64; 3],
+}
+
+/// What numbers are measured by at one frequency.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Units {
+    /// m.
+    pub(super) length: f64,
+    /// N/m.
+    pub(super) stiffness: f64,
+    /// Size of a unit of each of the six motions, in SI.
+    pub(super) motion: [f64; 6],
+}
+
+impl End {
+    /// Where a section does not warp, the rate of twist is no degree of freedom: it is held at no cost.
+    pub(super) fn new(support: &Support, warps: bool) -> Self {
+        let mut end = Self {
+            fixed: [false; 6],
+            elastic: [Elastic::default(); 6],
+        };
+        for motion in BeamMotion::ALL {
+            match support[motion] {
+                _ if motion == BeamMotion::PsiSlope && !warps => {
+                    end.fixed[motion as usize] = true;
+                }
+                Restraint::Free => {}
+                Restraint::Fixed => end.fixed[motion as usize] = true,
+                Restraint::Elastic(elastic) => end.elastic[motion as usize] = elastic,
+            }
+        }
+        end
+    }
+
+    pub(super) fn stiffness(&self, omega: f64, units: &Units) -> Matrix6<f64> {
+        Matrix6::from_diagonal(&Vector6::from_fn(|row, _| {
+            let elastic = self.elastic[row];
+            (elastic.stiffness - omega * omega * elastic.inertia) * units.motion[row].powi(2)
+                / units.stiffness
+        }))
+    }
+}
+
+impl Mass {
+    /// Chen & Liu 2022, Appendix A, without damping.
+    pub(super) fn new(subsystem: &Subsystem) -> Self {
+        let y = subsystem.y_left.stiffness + subsystem.y_right.stiffness;
+        let (left, right) = (subsystem.z_left.stiffness, subsystem.z_right.stiffness);
+        // Each spring's stretch as a row over (y, z, theta | w, psi, v).
+        let stretches = [
+            (y, [1.0, 0.0, 0.0, -1.0, -subsystem.mount_z, 0.0]),
+            (
+                left,
+                [0.0, 1.0, -subsystem.arm_left, 0.0, subsystem.mount_y, -1.0],
+            ),
+            (
+                right,
+                [0.0, 1.0, subsystem.arm_right, 0.0, -subsystem.mount_y, -1.0],
+            ),
+        ];
+        let mut stiffness = Matrix6::zeros();
+        for (spring, row) in stretches {
+            let row = Vector6::from(row);
+            stiffness += spring * row * row.transpose();
+        }
+        let mut inertia = [subsystem.mass, subsystem.mass, subsystem.inertia];
+        if subsystem.inertia == 0.0 && stiffness[(2, 2)] == 0.0 {
+            // Nothing turns it and nothing resists: no degree of freedom.
+            stiffness[(2, 2)] = 1.0;
+            inertia[2] = 0.0;
+        }
+        Self {
+            position: subsystem.position,
+            stiffness,
+            inertia,
+        }
+    }
+
+    /// The stiffness over (w, psi, v) with the mass eliminated, without dimension, and the count of the blocked mass.
+    pub(super) fn condensed(&self, omega: f64, units: &Units) -> (Matrix3<f64>, usize) {
+        let scale = |index: usize| match index {
+            0 | 1 => 1.0,
+            2 => units.motion[1],
+            beam => units.motion[beam - 3],
+        };
+        let full = Matrix6::from_fn(|i, j| {
+            let inertia = if i == j && i < 3 {
+                omega * omega * self.inertia[i]
+            } else {
+                0.0
+            };
+            (self.stiffness[(i, j)] - inertia) * scale(i) * scale(j) / units.stiffness
+        });
+        let across = full.fixed_view::<3, 3>(0, 3).into_owned();
+        let own = eliminate(&full.fixed_view::<3, 3>(0, 0).into_owned(), &across);
+        let condensed = full.fixed_view::<3, 3>(3, 3) - across.transpose() * own.solution;
+        (condensed, own.negatives)
+    }
+
+    /// The static stiffness over (w, psi, v) with the mass following, and how many of its motions meet no spring.
+    pub(super) fn condensed_static(&self) -> (Matrix3<f64>, usize) {
+        const RESOLVED: f64 = 1e-12;
+        let own = self.stiffness.fixed_view::<3, 3>(0, 0).into_owned();
+        let across = self.stiffness.fixed_view::<3, 3>(0, 3);
+        let direct = self.stiffness.fixed_view::<3, 3>(3, 3);
+        let eigen = SymmetricEigen::new(own);
+        let least = RESOLVED * eigen.eigenvalues.amax();
+        let mut condensed = direct.into_owned();
+        let mut loose = 0;
+        for (value, vector) in eigen
+            .eigenvalues
+            .iter()
+            .zip(eigen.eigenvectors.column_iter())
+        {
+            if *value > least {
+                let pulled = across.transpose() * vector;
+                condensed -= pulled * pulled.transpose() / *value;
+            } else {
+                loose += 1;
+            }
+        }
+        // A mass that can follow leaves nothing but rounding.
+        let scale = direct.amax();
+        (
+            condensed.map(|x| if x.abs() < RESOLVED * scale { 0.0 } else { x }),
+            loose,
+        )
+    }
+}

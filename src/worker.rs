@@ -1,34 +1,47 @@
-//! The one place that knows a background thread: it solves the newest request and drops what is overtaken.
+//! The one place that knows background threads: each works on the newest request and drops what is overtaken.
 //!
-//! A request replaces the one in work, which is cancelled between chunks of frequencies. Where the whole sweep would
-//! take longer than [`PROMPT`], a coarse one over every few frequencies comes first. A panic inside a solve becomes
-//! the answer's error; the thread lives on.
+//! Curves are answered in stages: where the whole sweep would take longer than [`PROMPT`], a coarse one over every few
+//! frequencies comes first; then the whole sweep; then the modes, and the sweep with the points that they need. New
+//! curves cancel everything of older ones, and wait for none of it: modes, shapes and the finite-element witness have
+//! threads of their own. A panic inside a solve becomes the answer's error; the thread lives on.
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{Receiver, Sender, channel};
-use std::sync::{Arc, Mutex, PoisonError};
-use std::thread::JoinHandle;
-use std::time::{Duration, Instant};
+mod curves;
+mod lane;
+mod members;
+mod resolve;
+mod witness;
 
-use crate::model::{Model, path};
-use crate::solve::{Frf, frequencies, sweep};
+use std::sync::Arc;
+use std::time::Duration;
+
+use lane::{Lane, guarded};
+use resolve::{Resolver, Unresolved};
+
+use crate::model::Model;
+use crate::solve::Frf;
+use crate::solve::modes::{Modes, Shape, Shares, shape};
+use crate::solve::peaks::Peak;
 
 /// A sweep that would take longer than this is preceded by a coarse one.
 pub const PROMPT: Duration = Duration::from_millis(30);
 
-/// Frequencies of the timing sample, spread over the whole range.
-const SAMPLE: usize = 8;
+/// Points along the beam at which a shape is given.
+pub const SHAPE_POINTS: usize = 201;
 
-/// A coarse curve that would take longer than this is left out: it cannot be cancelled.
-const LONGEST_COARSE: Duration = Duration::from_secs(1);
-
-/// The fewest frequencies of a coarse curve.
-const COARSEST: usize = 50;
-
-/// Curves that are asked for.
+/// What is asked of the worker.
 #[derive(Debug, Clone)]
-pub struct Request {
+pub enum Request {
+    /// Curves, modes and peaks. It cancels all else.
+    Curves(Subject),
+    /// The shape of a mode.
+    Shape(ShapeRequest),
+    /// The curves of a finite-element model, at the frequencies of the sweep.
+    Witness(Subject),
+}
+
+/// What curves are asked for.
+#[derive(Debug, Clone)]
+pub struct Subject {
     /// The model's generation; comes back with the answer.
     pub generation: u64,
     /// A checked model.
@@ -37,9 +50,33 @@ pub struct Request {
     pub study: Option<usize>,
 }
 
+/// Which shape is asked for.
+#[derive(Debug, Clone)]
+pub struct ShapeRequest {
+    /// The model's generation; comes back with the answer.
+    pub generation: u64,
+    /// A checked model.
+    pub model: Arc<Model>,
+    /// Its modes.
+    pub modes: Arc<Modes>,
+    /// The index of one of them.
+    pub index: usize,
+}
+
+/// What the worker has found.
+#[derive(Debug, Clone)]
+pub enum Answer {
+    /// Curves, in stages.
+    Curves(CurvesAnswer),
+    /// The shape of a mode.
+    Shape(ShapeAnswer),
+    /// Finite-element curves.
+    Witness(WitnessAnswer),
+}
+
 /// Curves, or why there are none.
 #[derive(Debug, Clone)]
-pub struct Answer {
+pub struct CurvesAnswer {
     /// Of the request.
     pub generation: u64,
     /// How complete it is.
@@ -55,8 +92,10 @@ pub struct Answer {
 pub enum Stage {
     /// Few frequencies; the rest follows.
     Coarse,
-    /// All frequencies.
+    /// All frequencies of the sweep; peaks may lie between them.
     Full,
+    /// Those, and the ones that peaks and anti-resonances need, with the modes.
+    Resolved,
 }
 
 /// The curves of a model or of a study's members.
@@ -64,6 +103,8 @@ pub enum Stage {
 pub struct Curves {
     /// One without a study; otherwise one for each member.
     pub members: Vec<Member>,
+    /// The modes of the model itself, also under a study; none before the curves are resolved.
+    pub modes: Option<ModalModel>,
 }
 
 /// The curves of one model.
@@ -73,227 +114,136 @@ pub struct Member {
     pub label: Option<String>,
     /// Its responses.
     pub frf: Frf,
+    /// The peaks of each response; none before the curves are resolved.
+    pub peaks: Vec<Vec<Peak>>,
+    /// The damping ratios of its modes, which peaks refer to; none before the curves are resolved.
+    pub damping_ratios: Vec<f64>,
 }
 
-/// A background thread that solves. Dropping it cancels the work and joins the thread.
+/// The modes of a model up to the end of its sweep.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ModalModel {
+    /// The modes.
+    pub modes: Arc<Modes>,
+    /// Who moves in each.
+    pub shares: Vec<Shares>,
+}
+
+/// The shape of a mode, or why there is none.
+#[derive(Debug, Clone)]
+pub struct ShapeAnswer {
+    /// Of the request.
+    pub generation: u64,
+    /// The mode's index.
+    pub index: usize,
+    /// The shape at [`SHAPE_POINTS`] places, or one line that says what went wrong.
+    pub result: Result<Shape, String>,
+}
+
+/// Finite-element curves, or why there are none.
+#[derive(Debug, Clone)]
+pub struct WitnessAnswer {
+    /// Of the request.
+    pub generation: u64,
+    /// In the order of the curves' members, or one line that says what went wrong.
+    pub result: Result<Vec<WitnessMember>, String>,
+}
+
+/// The finite-element curves of one model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WitnessMember {
+    /// How many elements the beam has.
+    pub elements: usize,
+    /// Its responses at the frequencies of the sweep.
+    pub frf: Frf,
+    /// The largest difference of each response to the exact one; none where they have no finite ratio.
+    pub differences: Vec<Option<Difference>>,
+}
+
+/// How far two curves are apart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Difference {
+    /// Of the magnitudes, dB.
+    pub decibels: f64,
+    /// Where, Hz.
+    pub frequency: f64,
+}
+
+/// Background threads that solve. Dropping it cancels the work and joins them.
 #[derive(Debug)]
 pub struct Worker {
-    jobs: Option<Sender<Job>>,
-    /// Cancels the newest job.
-    cancel: Mutex<Arc<AtomicBool>>,
-    thread: Option<JoinHandle<()>>,
-}
-
-/// A request, and what ends it early.
-#[derive(Debug)]
-struct Job {
-    request: Request,
-    cancel: Arc<AtomicBool>,
+    curves: Lane<Subject>,
+    /// Whoever solves curves hands them on to it.
+    resolving: Arc<Lane<Unresolved>>,
+    shapes: Lane<ShapeRequest>,
+    witness: Lane<Subject>,
 }
 
 impl Worker {
-    /// Starts the thread; it hands its answers to `notify`.
-    pub fn start(notify: impl Fn(Answer) + Send + 'static) -> Self {
-        let (jobs, inbox) = channel();
-        let thread = std::thread::spawn(move || work(&inbox, &notify));
-        Self {
-            jobs: Some(jobs),
-            cancel: Mutex::default(),
-            thread: Some(thread),
-        }
-    }
-
-    /// Asks for curves; what was asked before is cancelled and may stay without its full answer.
-    pub fn request(&self, request: Request) {
-        let cancel = Arc::new(AtomicBool::new(false));
-        let overtaken = std::mem::replace(
-            &mut *self.cancel.lock().unwrap_or_else(PoisonError::into_inner),
-            Arc::clone(&cancel),
-        );
-        overtaken.store(true, Ordering::Relaxed);
-        if let Some(jobs) = &self.jobs {
-            // The thread ends only after this sender, so the job arrives.
-            let _ = jobs.send(Job { request, cancel });
-        }
-    }
-}
-
-impl Drop for Worker {
-    fn drop(&mut self) {
-        self.cancel
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .store(true, Ordering::Relaxed);
-        self.jobs = None;
-        if let Some(thread) = self.thread.take() {
-            // A panic of the thread has been reported by its hook.
-            let _ = thread.join();
-        }
-    }
-}
-
-/// Works on the newest job until the last sender is gone.
-fn work(inbox: &Receiver<Job>, notify: &impl Fn(Answer)) {
-    while let Ok(mut job) = inbox.recv() {
-        while let Ok(newer) = inbox.try_recv() {
-            job = newer;
-        }
-        let generation = job.request.generation;
-        let start = Instant::now();
-        let answer = |stage, result| Answer {
-            generation,
-            stage,
-            result,
-            elapsed: start.elapsed(),
-        };
-        let full = catch_unwind(AssertUnwindSafe(|| {
-            let Some(members) = members(&job)? else {
-                return Ok(None);
-            };
-            if let Some(coarse) = coarse(&members) {
-                notify(answer(Stage::Coarse, Ok(coarse)));
+    /// Starts the threads; they hand their answers to `notify`.
+    pub fn start(notify: impl Fn(Answer) + Clone + Send + 'static) -> Self {
+        let mut resolver = Resolver::default();
+        let tell = notify.clone();
+        let resolving = Arc::new(Lane::start(move |unresolved, cancel| {
+            if let Some(answer) = resolver.answer(unresolved, cancel) {
+                tell(Answer::Curves(answer));
             }
-            Ok(solve_all(&members, 1, &job.cancel))
         }));
-        match full {
-            Ok(Ok(Some(curves))) => notify(answer(Stage::Full, Ok(curves))),
-            Ok(Ok(None)) => {}
-            Ok(Err(message)) => notify(answer(Stage::Full, Err(message))),
-            Err(_) => notify(answer(
-                Stage::Full,
-                Err("the solver stopped at a fault of its own".into()),
-            )),
+        let tell = notify.clone();
+        let next = Arc::clone(&resolving);
+        let curves = Lane::start(move |subject, cancel| {
+            let tell = |answer| tell(Answer::Curves(answer));
+            if let Some(unresolved) = curves::answer(subject, cancel, &tell) {
+                next.give(unresolved);
+            }
+        });
+        let tell = notify.clone();
+        let shapes = Lane::start(move |request, _| {
+            if let Some(answer) = shape_of(&request) {
+                tell(Answer::Shape(answer));
+            }
+        });
+        let witness = Lane::start(move |subject, cancel| {
+            if let Some(answer) = witness::answer(&subject, cancel) {
+                notify(Answer::Witness(answer));
+            }
+        });
+        Self {
+            curves,
+            resolving,
+            shapes,
+            witness,
+        }
+    }
+
+    /// Asks for something; what was asked of its kind before is cancelled and may stay without its full answer.
+    pub fn request(&self, request: Request) {
+        match request {
+            Request::Curves(subject) => {
+                self.resolving.cancel();
+                self.witness.cancel();
+                self.curves.give(subject);
+            }
+            Request::Shape(request) => self.shapes.give(request),
+            Request::Witness(subject) => self.witness.give(subject),
         }
     }
 }
 
-/// A model to solve, and what tells it from the others of its study.
-type Labelled = (Option<String>, Arc<Model>);
-
-/// The models to solve, with their labels; none where cancelled.
-fn members(Job { request, cancel }: &Job) -> Result<Option<Vec<Labelled>>, String> {
-    let Some(study) = request
-        .study
-        .and_then(|index| request.model.studies.get(index))
-    else {
-        return Ok(Some(vec![(None, Arc::clone(&request.model))]));
-    };
-    let mut members = Vec::new();
-    for (index, label) in path::family_labels(&study.family).into_iter().enumerate() {
-        if cancel.load(Ordering::Relaxed) {
-            return Ok(None);
-        }
-        let model = path::apply(&request.model, &study.family, index).map_err(|faults| {
-            let first = faults.first().map(ToString::to_string).unwrap_or_default();
-            format!("{}, {label}: {first}", study.name)
-        })?;
-        members.push((Some(label), Arc::new(model)));
-    }
-    Ok(Some(members))
-}
-
-/// Few frequencies, where all would take longer than [`PROMPT`]. Never cancelled: it is what keeps a held key alive.
-fn coarse(members: &[Labelled]) -> Option<Curves> {
-    let (_, model) = members.first()?;
-    let all = frequencies(&model.sweep);
-    let every = (all.len() / SAMPLE).max(1);
-    let sample: Vec<f64> = all.iter().step_by(every).copied().collect();
-    let never = AtomicBool::new(false);
-    let start = Instant::now();
-    sweep(model, &sample, &never)?;
-    let each = start.elapsed().as_secs_f64() / sample.len() as f64 * members.len() as f64;
-    let affordable = 0.5 * PROMPT.as_secs_f64() / each;
-    let too_long = each * COARSEST as f64 > LONGEST_COARSE.as_secs_f64();
-    if 2.0 * affordable >= all.len() as f64 || too_long {
-        return None;
-    }
-    let points = (affordable as usize).max(COARSEST);
-    let stride = all.len().div_ceil(points);
-    (stride > 1)
-        .then(|| solve_all(members, stride, &never))
-        .flatten()
-}
-
-/// Every member at every `stride`-th frequency of its sweep and the last; none where cancelled.
-fn solve_all(members: &[Labelled], stride: usize, cancel: &AtomicBool) -> Option<Curves> {
-    let solved = members.iter().map(|(label, model)| {
-        let all = frequencies(&model.sweep);
-        let last = all.len() - 1;
-        let some: Vec<f64> = all
-            .iter()
-            .enumerate()
-            .filter(|(index, _)| index % stride == 0 || *index == last)
-            .map(|(_, &f)| f)
-            .collect();
-        Some(Member {
-            label: label.clone(),
-            frf: sweep(model, &some, cancel)?,
-        })
-    });
-    Some(Curves {
-        members: solved.collect::<Option<_>>()?,
+fn shape_of(request: &ShapeRequest) -> Option<ShapeAnswer> {
+    let ShapeRequest {
+        generation,
+        model,
+        modes,
+        index,
+    } = request;
+    let result = guarded(|| Ok(Some(shape(model, modes, *index, SHAPE_POINTS))))?;
+    Some(ShapeAnswer {
+        generation: *generation,
+        index: *index,
+        result,
     })
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::presets;
-
-    fn model(preset: &str) -> Arc<Model> {
-        Arc::new(crate::model::read(presets::find(preset).unwrap().text).unwrap())
-    }
-
-    fn full(receiver: &Receiver<Answer>, generation: u64) -> Answer {
-        receiver
-            .iter()
-            .find(|a| a.generation == generation && a.stage == Stage::Full)
-            .unwrap()
-    }
-
-    #[test]
-    fn the_newest_request_is_answered_in_full() {
-        let (sender, receiver) = channel();
-        let worker = Worker::start(move |answer| sender.send(answer).unwrap());
-        let model = model("fig08");
-        for generation in 1..=20 {
-            worker.request(Request {
-                generation,
-                model: Arc::clone(&model),
-                study: None,
-            });
-        }
-        let answer = full(&receiver, 20);
-        let expected = sweep(&model, &frequencies(&model.sweep), &AtomicBool::new(false)).unwrap();
-        assert_eq!(answer.result.unwrap().members[0].frf, expected);
-    }
-
-    #[test]
-    fn a_study_gives_one_labelled_member_for_each_value() {
-        let (sender, receiver) = channel();
-        let worker = Worker::start(move |answer| sender.send(answer).unwrap());
-        worker.request(Request {
-            generation: 7,
-            model: model("fig08"),
-            study: Some(0),
-        });
-        let curves = full(&receiver, 7).result.unwrap();
-        assert_eq!(curves.members.len(), 4);
-        assert!(curves.members.iter().all(|member| member.label.is_some()));
-        assert_ne!(curves.members[0].frf, curves.members[3].frf);
-    }
-
-    #[test]
-    fn dropping_the_worker_ends_its_thread() {
-        let (sender, receiver) = channel();
-        let worker = Worker::start(move |answer| sender.send(answer).unwrap());
-        worker.request(Request {
-            generation: 1,
-            model: model("hundred_absorbers"),
-            study: None,
-        });
-        drop(worker);
-        // The thread held the only sender: the channel ends once the thread has.
-        assert!(receiver.iter().all(|answer| answer.generation == 1));
-    }
-}
+mod tests;

@@ -223,3 +223,31 @@ fn signals_give_the_terminal_back() {
         assert_eq!(program.end(), 128 + number, "SIG{signal}");
     }
 }
+
+/// A shape moves by itself, and stands still again by the same key.
+#[test]
+fn a_shape_moves_while_it_shall() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut program = Program::start(&["fig06"], folder.path());
+    program.press("m");
+    program.wait_for("Modes: ");
+    program.press("jM");
+    // The axis is drawn last.
+    program.wait("a shape", |screen| {
+        screen.contains("psi  ") && screen.contains("2.5    3 m")
+    });
+    // A blank that was written is no other picture than one that was not.
+    let picture = |screen: &str| -> Vec<String> {
+        let lines = screen.lines();
+        lines.map(|line| line.trim_end().to_owned()).collect()
+    };
+    let still = picture(&program.text());
+    program.press("A");
+    program.wait("a frame", |screen| picture(screen) != still);
+    let frame = picture(&program.text());
+    program.wait("the next frame", |screen| picture(screen) != frame);
+    program.press("A");
+    program.wait("the shape at its widest", |screen| picture(screen) == still);
+    program.press("q");
+    assert_eq!(program.end(), 0);
+}

@@ -11,10 +11,15 @@ mod effect;
 mod files;
 mod fresh;
 mod history;
+mod modal;
 mod overlay;
 mod prompt;
+mod request;
 mod selection;
+mod shape;
 mod structure;
+mod tables;
+mod witness;
 
 use std::sync::Arc;
 
@@ -23,14 +28,17 @@ use crossterm::event::KeyEvent;
 pub use curves::{Curves, Member, Picture, Shown, Trace};
 pub use document::Document;
 pub use effect::{Effect, Guard, Reply};
+pub use modal::{Completeness, Modal, ModeKind, ModeList, ModeRow, Shares};
 pub use overlay::{Asked, AskedKind, List, Next, Overlay, Prompt, Purpose, ReplaceReason};
 pub use selection::Selection;
+pub use shape::{Shape, Shaping};
+pub use tables::{Anchor, Table, Tables};
+pub use witness::{Witness, WitnessCurves, WitnessPicture};
 
 use crate::model::Model;
 use crate::tui::Opened;
 use crate::tui::event::Event;
 use crate::tui::keys::{self, Command, Scope};
-use crate::worker::Request;
 
 /// What the last line says in place of the hints, until the next key.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -50,6 +58,14 @@ pub struct App {
     pub selection: Selection,
     /// The chart.
     pub curves: Curves,
+    /// The modes and the shape of one.
+    pub modal: Modal,
+    /// The tables of modes and peaks.
+    pub tables: Tables,
+    /// What the chart's cursor stays with.
+    pub anchor: Anchor,
+    /// The finite-element curves.
+    pub witness: Witness,
     /// The box that takes the keys, if there is one.
     pub overlay: Option<Overlay>,
     /// The last line's message.
@@ -58,6 +74,8 @@ pub struct App {
     after_save: Option<Next>,
     /// What was sent to be solved last.
     requested: Option<(Arc<Model>, Option<usize>)>,
+    /// The generation whose finite-element curves were asked for last.
+    witnessed: Option<u64>,
     /// The screen is too small to show anything.
     pub unseen: bool,
 }
@@ -71,17 +89,22 @@ impl App {
             selection: Selection::new(model),
             curves: Curves::new(model, 0),
             document,
+            modal: Modal::default(),
+            tables: Tables::default(),
+            anchor: Anchor::default(),
+            witness: Witness::default(),
             overlay: None,
             message: None,
             after_save: None,
             requested: None,
+            witnessed: None,
             unseen: false,
         }
     }
 
     /// What is to be done when the designer starts.
     pub fn start(&mut self) -> Vec<Effect> {
-        self.request().into_iter().collect()
+        self.request()
     }
 
     /// The model as it stands.
@@ -91,7 +114,11 @@ impl App {
 
     /// Which keys have their meaning now.
     pub fn scope(&self) -> Scope {
-        self.overlay.as_ref().map_or(Scope::Main, Overlay::scope)
+        match (&self.overlay, self.tables.open) {
+            (Some(overlay), _) => overlay.scope(),
+            (None, Some(_)) => Scope::Table,
+            (None, None) => Scope::Main,
+        }
     }
 
     /// Takes an event; what is to be done then.
@@ -103,11 +130,17 @@ impl App {
             Event::Paste(text) => self.paste(&text),
             Event::Resize => Vec::new(),
             Event::Answer(answer) => {
-                self.curves.take(answer);
+                self.take(answer);
+                Vec::new()
+            }
+            Event::Tick => {
+                self.modal.shaping = self.modal.shaping.next();
                 Vec::new()
             }
             Event::Quit(signal) => return self.end(signal),
         };
+        // Another curve may be the first one now.
+        self.tables.peaks.set_rows(self.peaks().len());
         effects.extend(self.request());
         effects
     }
@@ -139,7 +172,8 @@ impl App {
             _ => {}
         }
         match self.scope() {
-            Scope::Main | Scope::Any => self.main_command(command),
+            Scope::Table if self.table_command(command) => Vec::new(),
+            Scope::Main | Scope::Any | Scope::Table => self.main_command(command),
             Scope::Prompt => self.prompt_command(command),
             Scope::Picker | Scope::Reader => self.list_command(command),
             Scope::Unsaved | Scope::Replace => self.answer_question(command),
@@ -153,7 +187,9 @@ impl App {
             Command::Open => return self.leave(Next::AskPath),
             Command::Presets => self.overlay = Some(Overlay::presets(self.preset_row())),
             Command::Help => self.overlay = Some(Overlay::Help(List::default())),
-            _ if self.move_selection(command) || self.change_chart(command) => {}
+            _ if self.move_selection(command)
+                || self.change_chart(command)
+                || self.change_modes(command) => {}
             _ => self.change_model(command),
         }
         Vec::new()
@@ -233,24 +269,6 @@ impl App {
         let model = Arc::clone(self.document.model());
         self.selection.follow(before, &model);
         self.curves.follow(before, &model);
-    }
-
-    /// Asks for curves if those asked for last are not the model's.
-    fn request(&mut self) -> Option<Effect> {
-        let (model, study) = (Arc::clone(self.document.model()), self.curves.study);
-        if let Some((last, last_study)) = &self.requested
-            && Arc::ptr_eq(last, &model)
-            && *last_study == study
-        {
-            return None;
-        }
-        self.curves.generation += 1;
-        self.requested = Some((Arc::clone(&model), study));
-        Some(Effect::Solve(Request {
-            generation: self.curves.generation,
-            model,
-            study,
-        }))
     }
 
     fn done(&mut self, text: impl Into<String>) {

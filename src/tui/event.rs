@@ -13,8 +13,10 @@ pub enum Event {
     Paste(String),
     /// The terminal has another size, or its contents are lost: everything is drawn again.
     Resize,
-    /// The worker has curves, or says why there are none.
+    /// The worker has found something, or says why not.
     Answer(Answer),
+    /// It is time for the next frame of what moves.
+    Tick,
     /// A signal with this number asks the program to end.
     Quit(i32),
 }

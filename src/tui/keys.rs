@@ -1,6 +1,7 @@
 //! The one key table. Dispatch, the hint line, the help screen and the README's table all come from it.
 
 mod boxes;
+mod modes;
 mod table;
 
 use std::fmt::Write as _;
@@ -82,6 +83,20 @@ pub enum Command {
     NextExtremum,
     /// Move the cursor to the peak or dip before.
     PreviousExtremum,
+    /// Open or close the table of modes.
+    ModeTable,
+    /// Open or close the table of peaks.
+    PeakTable,
+    /// Select the next mode and move the cursor to it.
+    NextMode,
+    /// Select the mode before and move the cursor to it.
+    PreviousMode,
+    /// Show or hide the shape of the selected mode.
+    Shape,
+    /// Let the shape move, or stand still.
+    Animate,
+    /// Show or hide the finite-element curves.
+    Witness,
     /// Save to the file.
     Save,
     /// Save to another file.
@@ -113,6 +128,8 @@ pub enum Command {
 pub enum Scope {
     /// The tree and the chart.
     Main,
+    /// A table below the chart; other keys are those of the tree and the chart.
+    Table,
     /// A box in which a value, a name or a path is typed.
     Prompt,
     /// The list of presets.
@@ -146,6 +163,8 @@ pub enum Hint {
     List(&'static str),
     /// On a list or another group.
     Group(&'static str),
+    /// While a table is open.
+    Table(&'static str),
 }
 
 /// What kind of row is selected, for the hints.
@@ -277,7 +296,11 @@ pub fn command(scope: Scope, event: &KeyEvent) -> Option<Command> {
             .find(|binding| binding.keys.iter().any(|key| key.matches(event)))
             .map(|binding| binding.command)
     };
-    in_scope(scope).or_else(|| in_scope(Scope::Any))
+    let beneath = match scope {
+        Scope::Table => in_scope(Scope::Main),
+        _ => None,
+    };
+    in_scope(scope).or(beneath).or_else(|| in_scope(Scope::Any))
 }
 
 /// The first key of a command, by name; empty where it has none.
@@ -292,15 +315,27 @@ pub fn key_of(wanted: Command) -> String {
 
 /// The hints of a scope on a kind of row, as (key, words): first what the row allows, then help and the rest.
 pub fn hints(scope: Scope, row: RowKind) -> Vec<(String, &'static str)> {
-    let mut shown: Vec<_> = bindings(scope)
-        .filter_map(|binding| Some((binding, binding.hint.text_on(row)?)))
-        .collect();
-    // What does not fit is cut off at the end, and help leads to it.
-    shown.sort_by_key(|(binding, _)| match (binding.hint, binding.command) {
-        (Hint::Always(_), Command::Help) => 1,
-        (Hint::Always(_), _) => 2,
-        _ => 0,
-    });
+    let of_row = |scope| {
+        let mut shown: Vec<_> = bindings(scope)
+            .filter_map(|binding| Some((binding, binding.hint.text_on(row)?)))
+            .collect();
+        // What does not fit is cut off at the end, and help leads to it.
+        shown.sort_by_key(|(binding, _)| match (binding.hint, binding.command) {
+            (Hint::Always(_), Command::Help) => 1,
+            (Hint::Always(_), _) => 2,
+            _ => 0,
+        });
+        shown
+    };
+    let mut shown = of_row(scope);
+    if scope == Scope::Table {
+        let of_table = |binding: &'static Binding| match binding.hint {
+            Hint::Table(text) => Some((binding, text)),
+            _ => None,
+        };
+        shown.extend(bindings(Scope::Main).filter_map(of_table));
+        shown.extend(of_row(Scope::Main));
+    }
     shown
         .into_iter()
         .map(|(binding, text)| (binding.keys[0].name(), text))

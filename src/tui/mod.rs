@@ -2,7 +2,8 @@
 //!
 //! A key becomes a command by the one table of [`keys`], a command changes the state of [`app`], the state is drawn
 //! by `view`. What is to be done outside of the state (solving, files) are effects, performed by `effects` here; the
-//! program waits on one channel of [`event::Event`]s and draws only when one has arrived.
+//! program waits on one channel of [`event::Event`]s and draws only when one has arrived. There is no clock but while a
+//! shape moves.
 
 pub mod app;
 mod effects;
@@ -16,7 +17,8 @@ pub mod view;
 
 use std::io::{self, Write as _};
 use std::path::PathBuf;
-use std::sync::mpsc;
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
+use std::time::{Duration, Instant};
 
 use app::App;
 use effects::Performer;
@@ -24,6 +26,9 @@ use event::Event;
 use theme::Theme;
 
 use crate::model::Model;
+
+/// From one frame of what moves to the next.
+const FRAME: Duration = Duration::from_millis(100);
 
 /// Where a model came from.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -86,6 +91,7 @@ pub fn run(opened: Opened) -> io::Result<Option<u8>> {
     let mut app = App::new(opened);
     let mut effects = app.start();
     let mut rescued = None;
+    let mut next_frame = Instant::now();
     loop {
         for effect in effects.drain(..) {
             match performer.perform(effect, &mut app) {
@@ -100,11 +106,29 @@ pub fn run(opened: Opened) -> io::Result<Option<u8>> {
             }
         }
         session.draw(|frame| view::draw(frame, &mut app, theme))?;
-        // An idle program waits here.
-        let Ok(event) = events.recv() else {
+        let Some(event) = wait(&events, &app, &mut next_frame) else {
             return Ok(None);
         };
         effects = take(&mut app, event, &events);
+    }
+}
+
+/// Waits for the next event: without a clock, but while something moves. `None` where no event can come any more.
+fn wait(events: &Receiver<Event>, app: &App, next_frame: &mut Instant) -> Option<Event> {
+    if !app.moves() {
+        // An idle program waits here.
+        return events.recv().ok();
+    }
+    let now = Instant::now();
+    // A frame that was missed is not made up for.
+    *next_frame = (*next_frame).clamp(now, now + FRAME);
+    match events.recv_timeout(*next_frame - now) {
+        Ok(event) => Some(event),
+        Err(RecvTimeoutError::Timeout) => {
+            *next_frame += FRAME;
+            Some(Event::Tick)
+        }
+        Err(RecvTimeoutError::Disconnected) => None,
     }
 }
 
@@ -117,7 +141,7 @@ fn tell(rescued: Option<&str>) {
 }
 
 /// Takes an event and all that wait behind it, so that a burst is drawn once; the effects of all.
-fn take(app: &mut App, first: Event, events: &mpsc::Receiver<Event>) -> Vec<app::Effect> {
+fn take(app: &mut App, first: Event, events: &Receiver<Event>) -> Vec<app::Effect> {
     let mut effects = app.update(first);
     while let Ok(event) = events.try_recv() {
         effects.extend(app.update(event));

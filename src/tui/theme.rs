@@ -53,6 +53,11 @@ impl Theme {
         Style::new().add_modifier(Modifier::REVERSED)
     }
 
+    /// The selected row while the arrows are another panel's.
+    pub fn selection_aside(self) -> Style {
+        Style::new().add_modifier(Modifier::BOLD | Modifier::UNDERLINED)
+    }
+
     /// What is secondary.
     pub fn dim(self) -> Style {
         Style::new().add_modifier(Modifier::DIM)
@@ -82,6 +87,15 @@ impl Theme {
         }
     }
 
+    /// The points of a finite-element curve beside the curve with this number.
+    pub fn witness(self, number: usize) -> Style {
+        if self.colour {
+            self.curve(number + CURVES.len() / 2)
+        } else {
+            self.key()
+        }
+    }
+
     /// The marker of the curve with this number.
     pub const fn marker(self, number: usize) -> char {
         MARKERS[number % MARKERS.len()]
@@ -94,6 +108,7 @@ impl Theme {
             title: self.accent(),
             grid: self.dim(),
             message: self.dim(),
+            selected_mark: self.accent().add_modifier(Modifier::REVERSED),
             ..ChartStyles::default()
         }
     }

@@ -4,8 +4,12 @@ mod boxes;
 mod chart;
 mod details;
 mod help;
+mod modes;
+mod peaks;
+mod shape;
 mod status;
 mod summary;
+mod table;
 mod text;
 mod tree;
 
@@ -15,7 +19,7 @@ use ratatui::style::Modifier;
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Paragraph, Wrap};
 
-use super::app::App;
+use super::app::{App, Shaping, Table};
 use super::theme::Theme;
 
 /// The smallest screen that is drawn, columns and rows.
@@ -27,18 +31,33 @@ const DETAILED: u16 = 20;
 /// Rows of the details below the tree, their rule included.
 const DETAILS: u16 = 6;
 
-/// Where the panels are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// From this height of the right side on the shape stands below the chart, not in its place.
+const SHAPED: u16 = 20;
+/// A table takes at most this share of the right side's height, in percent.
+const TABLED: u16 = 45;
+
+/// Where the panels are. What does not show has no height.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct Panels {
     pub(crate) status: Rect,
     pub(crate) tree: Rect,
     pub(crate) details: Rect,
     pub(crate) chart: Rect,
+    pub(crate) shape: Rect,
+    pub(crate) table: Rect,
     pub(crate) hints: Rect,
 }
 
+/// What shows beside the model and the chart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Beside {
+    /// The rows that a table wants, if there is one.
+    table: Option<u16>,
+    shape: bool,
+}
+
 /// The panels of a screen, if it is large enough.
-pub(crate) fn panels(area: Rect) -> Option<Panels> {
+fn panels(area: Rect, wanted: Beside) -> Option<Panels> {
     if area.width < SMALLEST.0 || area.height < SMALLEST.1 {
         return None;
     }
@@ -48,24 +67,28 @@ pub(crate) fn panels(area: Rect) -> Option<Panels> {
         Constraint::Length(1),
     ])
     .areas(area);
-    let (tree, details, chart) = if area.width >= BESIDE {
-        beside(middle)
+    let mut panels = if area.width >= BESIDE {
+        beside(middle, wanted)
     } else {
-        stacked(middle)
+        stacked(middle, wanted)
     };
-    Some(Panels {
-        status,
-        tree,
-        details,
-        chart,
-        hints,
-    })
+    (panels.status, panels.hints) = (status, hints);
+    if wanted.shape {
+        let rows = if panels.chart.height >= SHAPED {
+            panels.chart.height / 2
+        } else {
+            panels.chart.height
+        };
+        [panels.chart, panels.shape] =
+            Layout::vertical([Constraint::Fill(1), Constraint::Length(rows)]).areas(panels.chart);
+    }
+    Some(panels)
 }
 
-/// Tree and details at the left, the chart at the right.
-fn beside(area: Rect) -> (Rect, Rect, Rect) {
+/// Tree and details at the left, the chart and a table below it at the right.
+fn beside(area: Rect, wanted: Beside) -> Panels {
     let width = (area.width / 3).clamp(36, 42);
-    let [left, chart] =
+    let [left, right] =
         Layout::horizontal([Constraint::Length(width), Constraint::Fill(1)]).areas(area);
     let details = if area.height + 2 >= DETAILED {
         DETAILS
@@ -74,31 +97,77 @@ fn beside(area: Rect) -> (Rect, Rect, Rect) {
     };
     let [tree, details] =
         Layout::vertical([Constraint::Fill(1), Constraint::Length(details)]).areas(left);
-    (tree, details, chart)
+    let rows = wanted
+        .table
+        .map_or(0, |rows| rows.min(right.height * TABLED / 100));
+    let [chart, table] =
+        Layout::vertical([Constraint::Fill(1), Constraint::Length(rows)]).areas(right);
+    Panels {
+        tree,
+        details,
+        chart,
+        table,
+        ..Panels::default()
+    }
 }
 
-/// The chart above, tree and details below.
-fn stacked(area: Rect) -> (Rect, Rect, Rect) {
+/// The chart above; below it tree and details, or a table in their place.
+fn stacked(area: Rect, wanted: Beside) -> Panels {
+    let below = (area.height / 2).saturating_sub(1);
     let [chart, below] =
-        Layout::vertical([Constraint::Fill(1), Constraint::Length(area.height / 2)]).areas(area);
+        Layout::vertical([Constraint::Fill(1), Constraint::Length(below)]).areas(area);
+    let panels = Panels {
+        chart,
+        ..Panels::default()
+    };
+    if wanted.table.is_some() {
+        return Panels {
+            table: below,
+            ..panels
+        };
+    }
     let [tree, details] =
         Layout::horizontal([Constraint::Length(36), Constraint::Fill(1)]).areas(below);
-    (tree, details, chart)
+    Panels {
+        tree,
+        details,
+        ..panels
+    }
 }
 
 /// Draws everything; tells the state how many rows there is room for.
 pub fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme) {
-    let Some(panels) = panels(frame.area()) else {
+    let list = app.tables.open.map(|table| match table {
+        Table::Modes => app.tables.modes,
+        Table::Peaks => app.tables.peaks,
+    });
+    let wanted = Beside {
+        table: list.map(|list| (list.rows.max(1) as u16).saturating_add(table::FRAME_ROWS)),
+        shape: app.modal.shaping != Shaping::Hidden,
+    };
+    let Some(panels) = panels(frame.area(), wanted) else {
         app.unseen = true;
         return too_small(frame);
     };
     app.unseen = false;
     let tree = block_inside(panels.tree);
-    app.selection.set_height(usize::from(tree.height));
+    if tree.height > 0 {
+        app.selection.set_height(usize::from(tree.height));
+    }
     status::draw(frame, app, theme, panels.status);
     tree::draw(frame, app, theme, panels.tree);
     details::draw(frame, app, theme, panels.details);
-    chart::draw(frame, app, theme, panels.chart);
+    if panels.chart.height > 0 {
+        chart::draw(frame, app, theme, panels.chart);
+    }
+    if panels.shape.height > 0 {
+        shape::draw(frame, app, theme, panels.shape);
+    }
+    match app.tables.open {
+        None => {}
+        Some(Table::Modes) => modes::draw(frame, app, theme, panels.table),
+        Some(Table::Peaks) => peaks::draw(frame, app, theme, panels.table),
+    }
     status::draw_hints(frame, app, theme, panels.hints);
     boxes::draw(frame, app, theme, &panels);
 }
@@ -121,6 +190,18 @@ fn rule(title: &str, theme: Theme) -> Line<'static> {
         Span::styled("─", theme.dim()),
         Span::styled(format!(" {title} "), style),
     ])
+}
+
+/// A panel with a rule at the top: its title there, and a note at the right where there is room for both.
+fn panel(title: Line<'static>, note: Line<'static>, columns: u16) -> Block<'static> {
+    let block = Block::new().borders(Borders::TOP);
+    let room = usize::from(columns).saturating_sub(title.width() + 1);
+    let block = block.title(title);
+    if note.width() <= room {
+        block.title(note.right_aligned())
+    } else {
+        block
+    }
 }
 
 /// A panel with its title in a rule at the top and a rule at its right.

@@ -1,17 +1,17 @@
 //! Presses keys, answers requests at once, and reads the screen.
 
 use std::fmt::Write as _;
-use std::sync::atomic::AtomicBool;
+use std::sync::mpsc::channel;
 use std::time::Duration;
 
 use beamtune::model::{self, Model, path};
+use beamtune::presets;
 use beamtune::tui::app::{App, Effect, Reply};
 use beamtune::tui::event::Event;
 use beamtune::tui::keys::SECTIONS;
 use beamtune::tui::theme::Theme;
 use beamtune::tui::{Opened, Source, tree, view};
-use beamtune::worker::{Answer, Curves, Member, Request, Stage};
-use beamtune::{presets, solve};
+use beamtune::worker::{Answer, CurvesAnswer, Request, Stage, Subject, Worker};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
@@ -35,20 +35,26 @@ impl Driver {
     }
 
     pub fn opened(model: Model, text: String, source: Source) -> Self {
+        let mut driver = Self::waiting(model, text, source);
+        driver.answers = true;
+        let effects = driver.app.start();
+        driver.perform(effects);
+        driver
+    }
+
+    /// A designer whose requests stay without answers.
+    fn waiting(model: Model, text: String, source: Source) -> Self {
         let app = App::new(Opened {
             model,
             text,
             source,
         });
-        let mut driver = Self {
+        Self {
             app,
             theme: Theme::new(true),
-            answers: true,
+            answers: false,
             ended: false,
-        };
-        let effects = driver.app.start();
-        driver.perform(effects);
-        driver
+        }
     }
 
     pub fn without_answers(&mut self) -> &mut Self {
@@ -101,15 +107,24 @@ impl Driver {
     }
 
     /// Answers the last request as changed by `change`.
-    pub fn answered(&mut self, change: impl FnOnce(&mut Answer)) -> &mut Self {
+    pub fn answered(&mut self, change: impl FnOnce(&mut CurvesAnswer)) -> &mut Self {
         let (generation, model) = (self.app.curves.generation, self.app.model().clone());
-        let mut answer = solved(&Request {
+        let request = Request::Curves(Subject {
             generation,
             model,
             study: None,
         });
-        change(&mut answer);
-        self.app.update(Event::Answer(answer));
+        if let Some(Answer::Curves(mut answer)) = solved(request).pop() {
+            change(&mut answer);
+            self.app.update(Event::Answer(Answer::Curves(answer)));
+        }
+        self
+    }
+
+    /// The time of the next frame has come.
+    pub fn tick(&mut self) -> &mut Self {
+        assert!(self.app.moves());
+        self.app.update(Event::Tick);
         self
     }
 
@@ -125,16 +140,17 @@ impl Driver {
                 one
             })
             .collect();
-        *self = Self::opened(model, String::new(), Source::Stdin).without_answers_at_all();
+        *self = Self::waiting(model, String::new(), Source::Stdin);
     }
 
     fn perform(&mut self, effects: Vec<Effect>) {
         for effect in effects {
             match effect {
                 Effect::Solve(request) if self.answers => {
-                    let answer = Event::Answer(solved(&request));
-                    let more = self.app.update(answer);
-                    self.perform(more);
+                    for answer in solved(request) {
+                        let more = self.app.update(Event::Answer(answer));
+                        self.perform(more);
+                    }
                 }
                 Effect::Save { path, .. } => {
                     let more = self
@@ -165,38 +181,30 @@ impl Driver {
     }
 }
 
-/// Solves a request as the worker does, in no time.
-fn solved(request: &Request) -> Answer {
-    let models = match request
-        .study
-        .map(|study| &request.model.studies[study].family)
-    {
-        None => vec![(None, Model::clone(&request.model))],
-        Some(family) => path::family_labels(family)
-            .into_iter()
-            .enumerate()
-            .map(|(i, label)| {
-                (
-                    Some(label),
-                    path::apply(&request.model, family, i).expect("a possible member"),
-                )
-            })
-            .collect(),
-    };
-    let members = models.into_iter().map(|(label, model)| {
-        let frequencies = solve::frequencies(&model.sweep);
-        let frf =
-            solve::sweep(&model, &frequencies, &AtomicBool::new(false)).expect("not cancelled");
-        Member { label, frf }
-    });
-    Answer {
-        generation: request.generation,
-        stage: Stage::Full,
-        result: Ok(Curves {
-            members: members.collect(),
-        }),
-        elapsed: Duration::from_millis(4),
+/// What the worker answers to a request at last, and the curves of the whole sweep before that.
+fn solved(request: Request) -> Vec<Answer> {
+    let (sender, receiver) = channel();
+    // Nobody listens to what comes after the last answer.
+    let worker = Worker::start(move |answer| drop(sender.send(answer)));
+    worker.request(request);
+    let mut answers = Vec::new();
+    for mut answer in receiver {
+        let last = match &mut answer {
+            Answer::Curves(curves) => {
+                curves.elapsed = Duration::from_millis(4);
+                curves.stage == Stage::Resolved || curves.result.is_err()
+            }
+            Answer::Shape(_) | Answer::Witness(_) => true,
+        };
+        // Whether there is a coarse one depends on the machine.
+        if !matches!(&answer, Answer::Curves(curves) if curves.stage == Stage::Coarse) {
+            answers.push(answer);
+        }
+        if last {
+            break;
+        }
     }
+    answers
 }
 
 /// The key with this name in help.
@@ -227,7 +235,7 @@ fn in_words(buffer: &Buffer) -> String {
             line.push_str(cell.symbol());
             styled.push(letter(&mut styles, cell.style()));
         }
-        let _ = writeln!(symbols, "|{line}|");
+        let _ = writeln!(symbols, "|{}|", without_count(&line));
         let _ = writeln!(letters, "{}", styled.trim_end_matches('.'));
     }
     let mut text = format!("{symbols}{letters}");
@@ -240,6 +248,16 @@ fn in_words(buffer: &Buffer) -> String {
         );
     }
     text
+}
+
+/// How many points peaks need depends on the last digit of everything: the number is left out.
+fn without_count(line: &str) -> String {
+    let Some((before, after)) = line.split_once("solved ") else {
+        return line.to_owned();
+    };
+    let count = after.find(" x ").unwrap_or(0);
+    let masked = after[..count].replace(|c: char| c.is_ascii_digit(), "#");
+    format!("{before}solved {masked}{}", &after[count..])
 }
 
 const LETTERS: &[u8] = b".abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{App, Shown};
+use super::{Anchor, App, Shown};
 use crate::model::Model;
 use crate::tui::keys::Command;
 use crate::tui::tree::{self, Node};
@@ -26,6 +26,15 @@ impl App {
             Command::PreviousExtremum => self.seek_extremum(false),
             Command::Cancel => self.curves.cursor = None,
             _ => return false,
+        }
+        if matches!(
+            command,
+            Command::Cursor(_)
+                | Command::NextExtremum
+                | Command::PreviousExtremum
+                | Command::Cancel
+        ) {
+            self.anchor = Anchor::Frequency;
         }
         true
     }

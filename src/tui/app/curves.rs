@@ -4,8 +4,9 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crate::model::{BeamMotion, MassMotion, Measure, Model, Quantity, Spacing, Target};
-use crate::solve::ColumnKind;
-use crate::worker::{self, Answer, Stage};
+use crate::solve::peaks::Peak;
+use crate::solve::{Column, ColumnKind};
+use crate::worker::{self, CurvesAnswer, Stage};
 
 /// Magnitudes of one response.
 #[derive(Debug)]
@@ -18,6 +19,8 @@ pub struct Trace {
     pub energy: bool,
     /// One for each frequency.
     pub magnitudes: Vec<f64>,
+    /// Its peaks, by rising frequency; none before the curves are resolved.
+    pub peaks: Vec<Peak>,
 }
 
 /// The responses of the model, or of one member of a study.
@@ -29,6 +32,8 @@ pub struct Member {
     pub frequencies: Vec<f64>,
     /// In the order of the model's responses.
     pub traces: Vec<Trace>,
+    /// The damping ratios of its modes, which the peaks refer to.
+    pub damping_ratios: Vec<f64>,
 }
 
 /// Curves of one model.
@@ -36,7 +41,7 @@ pub struct Member {
 pub struct Picture {
     /// The model's generation.
     pub generation: u64,
-    /// Whether these are all frequencies, or a coarse first answer.
+    /// Whether these are a coarse first answer, all frequencies of the sweep, or those that the peaks need too.
     pub stage: Stage,
     /// How long they took.
     pub elapsed: Duration,
@@ -76,21 +81,28 @@ impl Picture {
 }
 
 fn member(member: worker::Member) -> Member {
-    let trace = |column: crate::solve::Column| {
-        let energy = column.kind == ColumnKind::Energy;
-        let magnitude =
-            |value: &num_complex::Complex64| if energy { value.re } else { value.norm() };
-        Trace {
-            magnitudes: column.values.iter().map(magnitude).collect(),
-            response: column.name,
-            unit: column.unit,
-            energy,
-        }
-    };
+    let mut peaks = member.peaks.into_iter();
+    let columns = member.frf.columns.iter();
     Member {
         label: member.label,
-        frequencies: member.frf.frequencies,
-        traces: member.frf.columns.into_iter().map(trace).collect(),
+        traces: columns
+            .map(|column| trace(column, peaks.next().unwrap_or_default()))
+            .collect(),
+        frequencies: member.frf.frequencies.clone(),
+        damping_ratios: member.damping_ratios,
+    }
+}
+
+/// The magnitudes of a response.
+pub(super) fn trace(column: &Column, peaks: Vec<Peak>) -> Trace {
+    let energy = column.kind == ColumnKind::Energy;
+    let magnitude = |value: &num_complex::Complex64| if energy { value.re } else { value.norm() };
+    Trace {
+        magnitudes: column.values.iter().map(magnitude).collect(),
+        response: column.name.clone(),
+        unit: column.unit,
+        energy,
+        peaks,
     }
 }
 
@@ -115,6 +127,8 @@ pub struct Curves {
     oldest: u64,
     /// What stands on the chart.
     pub shown: Shown,
+    /// The newest resolved curves, perhaps older than what stands on the chart; the value axis stays by them.
+    pub resolved: Option<Arc<Picture>>,
     /// The curves frozen for comparison.
     pub reference: Option<Arc<Picture>>,
     /// Names of the responses that show.
@@ -141,6 +155,7 @@ impl Curves {
             generation,
             oldest: generation,
             shown: Shown::Nothing,
+            resolved: None,
             reference: None,
             visible: first_enabled
                 .map(|response| response.name.clone())
@@ -169,34 +184,58 @@ impl Curves {
 
     /// The first curve that shows.
     pub fn first_trace(&self) -> Option<(&Member, &Trace)> {
-        let picture = self.picture()?;
+        self.first_of(self.picture()?)
+    }
+
+    /// The first curve that shows, as it was resolved last.
+    pub fn first_resolved(&self) -> Option<(&Member, &Trace)> {
+        self.first_of(self.resolved.as_ref()?)
+    }
+
+    fn first_of<'a>(&self, picture: &'a Picture) -> Option<(&'a Member, &'a Trace)> {
+        let member = picture.members.first()?;
         let mut names = self.visible.iter();
         names.find_map(|name| {
-            let member = picture.members.first()?;
             let trace = member.traces.iter().find(|trace| trace.response == *name)?;
             Some((member, trace))
         })
     }
 
-    /// Takes an answer, unless a newer one stands there already.
-    pub fn take(&mut self, answer: Answer) {
+    /// Whether the curves are resolved and the model's own.
+    pub fn is_resolved(&self) -> bool {
+        matches!(&self.shown, Shown::Picture(picture)
+            if picture.generation == self.generation && picture.stage == Stage::Resolved)
+    }
+
+    /// Takes an answer, unless a newer one stands there already; whether its curves stand there now.
+    pub fn take(&mut self, answer: CurvesAnswer) -> bool {
         let newest = self
             .picture()
             .map_or(self.oldest, |picture| picture.generation);
         if answer.generation < newest || answer.generation > self.generation {
-            return;
+            return false;
         }
-        self.shown = match answer.result {
-            Ok(curves) => Shown::Picture(Arc::new(Picture::new(
-                answer.generation,
-                answer.stage,
-                answer.elapsed,
-                curves,
-            ))),
+        match answer.result {
+            Ok(curves) => {
+                let picture = Arc::new(Picture::new(
+                    answer.generation,
+                    answer.stage,
+                    answer.elapsed,
+                    curves,
+                ));
+                if answer.stage == Stage::Resolved {
+                    self.resolved = Some(Arc::clone(&picture));
+                }
+                self.shown = Shown::Picture(picture);
+                true
+            }
             // An older model's failure says nothing of this one.
-            Err(_) if answer.generation != self.generation => return,
-            Err(reason) => Shown::Failed(reason, self.picture().cloned()),
-        };
+            Err(_) if answer.generation != self.generation => false,
+            Err(reason) => {
+                self.shown = Shown::Failed(reason, self.picture().cloned());
+                false
+            }
+        }
     }
 
     /// Shows one response alone; if it does already, all that can stand on its axis. Whether it is alone now.

@@ -9,7 +9,7 @@ use crate::worker::Request;
 /// Something to be done outside of the state: input and output are not done by it.
 #[derive(Debug)]
 pub enum Effect {
-    /// Solve a model.
+    /// Ask the worker.
     Solve(Request),
     /// Save a text.
     Save {

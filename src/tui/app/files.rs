@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use super::{
-    App, Curves, Document, Effect, Guard, List, Next, Overlay, Prompt, Purpose, ReplaceReason,
-    Reply, Selection,
+    Anchor, App, Curves, Document, Effect, Guard, List, Modal, Next, Overlay, Prompt, Purpose,
+    ReplaceReason, Reply, Selection, Tables,
 };
 use crate::model;
 use crate::presets;
@@ -57,6 +57,14 @@ impl App {
         self.curves = Curves::new(model, self.curves.generation + 1);
         self.curves.reference = reference;
         self.curves.decibels = decibels;
+        let shaping = self.modal.shaping;
+        self.modal = Modal::default();
+        self.modal.shaping = shaping;
+        let open = self.tables.open;
+        self.tables = Tables::default();
+        self.tables.open = open;
+        self.anchor = Anchor::default();
+        self.witness.forget();
         self.overlay = None;
         let name = self.document.source().name();
         self.done(format!("opened {name}"));

@@ -138,6 +138,24 @@ impl List {
         }
     }
 
+    /// The first row on the screen, so that the selected one is about in the middle.
+    pub fn first(&self) -> usize {
+        let last = self.rows.saturating_sub(self.height);
+        self.row.saturating_sub(self.height / 2).min(last)
+    }
+
+    /// Another number of rows.
+    pub fn set_rows(&mut self, rows: usize) {
+        self.rows = rows;
+        self.row = self.row.min(rows.saturating_sub(1));
+    }
+
+    /// Moves by a screen.
+    pub fn page(&mut self, forward: bool) {
+        let rows = self.height.saturating_sub(1).max(1).cast_signed();
+        self.step(if forward { rows } else { -rows });
+    }
+
     /// Moves by rows; stops at the ends.
     pub fn step(&mut self, rows: isize) {
         self.row = self

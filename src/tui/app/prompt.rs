@@ -130,12 +130,11 @@ impl App {
         else {
             return Vec::new();
         };
-        let page = list.height.saturating_sub(1).max(1).cast_signed();
         match command {
             Command::Up => list.step(-1),
             Command::Down => list.step(1),
-            Command::PageUp => list.step(-page),
-            Command::PageDown => list.step(page),
+            Command::PageUp => list.page(false),
+            Command::PageDown => list.page(true),
             Command::First => list.step(isize::MIN),
             Command::Last => list.step(isize::MAX),
             Command::Accept => {

@@ -7,6 +7,9 @@ use crate::model::path;
 use crate::presets;
 use crate::tui::Source;
 use crate::tui::tree::{self, Node};
+use crate::worker::{self, Answer, CurvesAnswer, Request, Stage};
+
+mod modes;
 
 fn app(preset: &str) -> App {
     let preset = presets::find(preset).unwrap();
@@ -72,7 +75,9 @@ fn a_typed_value_is_taken_and_undone_by_name() {
     select(&mut app, STIFFNESS);
     press(&mut app, KeyCode::Enter);
     let effects = enter(&mut app, "40 MN/m");
-    assert!(matches!(&effects[..], [Effect::Solve(request)] if request.generation == 2));
+    assert!(
+        matches!(&effects[..], [Effect::Solve(Request::Curves(subject))] if subject.generation == 2)
+    );
     assert_eq!(number(&app, STIFFNESS), 4e7);
     assert!(app.overlay.is_none() && app.document.is_changed());
     keys(&mut app, "u");
@@ -382,7 +387,9 @@ fn every_edit_asks_for_curves_and_an_older_answer_stays_stale() {
     select(&mut app, STIFFNESS);
     let first = answer(1, &app);
     let effects = keys(&mut app, "+");
-    assert!(matches!(&effects[..], [Effect::Solve(request)] if request.generation == 2));
+    assert!(
+        matches!(&effects[..], [Effect::Solve(Request::Curves(subject))] if subject.generation == 2)
+    );
     app.update(Event::Answer(first));
     assert!(app.curves.is_stale());
     let second = answer(2, &app);
@@ -398,7 +405,7 @@ fn every_edit_asks_for_curves_and_an_older_answer_stays_stale() {
     assert!(app.curves.reference.is_none());
 }
 
-fn answer(generation: u64, app: &App) -> crate::worker::Answer {
+fn answer(generation: u64, app: &App) -> Answer {
     let frequencies = [10.0, 20.0, 30.0, 40.0];
     let frf = crate::solve::sweep(
         app.model(),
@@ -406,15 +413,20 @@ fn answer(generation: u64, app: &App) -> crate::worker::Answer {
         &std::sync::atomic::AtomicBool::new(false),
     )
     .unwrap();
-    let member = crate::worker::Member { label: None, frf };
-    crate::worker::Answer {
+    Answer::Curves(CurvesAnswer {
         generation,
-        stage: crate::worker::Stage::Full,
-        result: Ok(crate::worker::Curves {
-            members: vec![member],
+        stage: Stage::Full,
+        result: Ok(worker::Curves {
+            members: vec![worker::Member {
+                label: None,
+                frf,
+                peaks: Vec::new(),
+                damping_ratios: Vec::new(),
+            }],
+            modes: None,
         }),
         elapsed: std::time::Duration::ZERO,
-    }
+    })
 }
 
 #[test]
@@ -449,7 +461,9 @@ fn the_study_goes_on_and_off() {
     let mut app = app("fig08");
     assert_eq!(app.curves.study, None);
     let effects = keys(&mut app, "t");
-    assert!(matches!(&effects[..], [Effect::Solve(request)] if request.study == Some(0)));
+    assert!(
+        matches!(&effects[..], [Effect::Solve(Request::Curves(subject))] if subject.study == Some(0))
+    );
     keys(&mut app, "t");
     assert_eq!(app.curves.study, None);
 }

@@ -3,6 +3,7 @@
 use crossterm::event::KeyCode;
 
 use super::boxes::{PICKER, PROMPT, READER, REPLACE, UNSAVED};
+use super::modes::{MODES, TABLE};
 use super::{Binding, Command, Hint, Key, Scope, Section, bind, control, key, special};
 
 /// Every binding, in the order of help.
@@ -23,6 +24,11 @@ pub const SECTIONS: &[Section] = &[
         bindings: CURVES,
     },
     Section {
+        title: "Modes, peaks and finite elements",
+        scope: Scope::Main,
+        bindings: MODES,
+    },
+    Section {
         title: "Files and program",
         scope: Scope::Main,
         bindings: FILES,
@@ -31,6 +37,11 @@ pub const SECTIONS: &[Section] = &[
         title: "Everywhere",
         scope: Scope::Any,
         bindings: ANYWHERE,
+    },
+    Section {
+        title: "In a table of modes or peaks (all other keys as without it)",
+        scope: Scope::Table,
+        bindings: TABLE,
     },
     Section {
         title: "While typing",

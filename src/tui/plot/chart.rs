@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 use ratatui::widgets::Widget;
 
-use super::axis::Axis;
+use super::axis::{Axis, Ruler};
 use super::curve::{Curve, Level, LineStyle};
 use super::dots::{Dots, rulers};
 use super::frame;
@@ -39,8 +39,23 @@ pub struct ChartStyles {
     pub legend: Style,
     /// The cursor's line.
     pub cursor: Style,
+    /// The ticks of [`Marks`].
+    pub mark: Style,
+    /// The selected one of them.
+    pub selected_mark: Style,
     /// The words in an empty plot.
     pub message: Style,
+}
+
+/// Values of the horizontal axis that are ticked in a row of their own beneath its labels.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Marks {
+    /// What they are, in a word left of the row.
+    pub name: &'static str,
+    /// The values; those off the axis are left out.
+    pub values: Vec<f64>,
+    /// The index of the one that stands out.
+    pub selected: Option<usize>,
 }
 
 /// Curves over a horizontal axis, in general frequency responses.
@@ -62,6 +77,8 @@ pub struct Chart<'a> {
     pub legend: Legend,
     /// A value of the horizontal axis at which a vertical line stands.
     pub cursor: Option<f64>,
+    /// Ticks of their own, if there are any.
+    pub marks: Marks,
     /// Whether faint lines run through the major ticks.
     pub grid: bool,
     /// The characters to draw with.
@@ -81,6 +98,7 @@ impl<'a> Chart<'a> {
             curves,
             legend: Legend::default(),
             cursor: None,
+            marks: Marks::default(),
             grid: false,
             glyphs: Glyphs::default(),
             styles: ChartStyles::default(),
@@ -103,7 +121,8 @@ impl<'a> Chart<'a> {
         self.cell(plot, self.cursor?)
     }
 
-    fn cell(&self, plot: Rect, value: f64) -> Option<u16> {
+    /// The column of a value within the plot.
+    pub(super) fn cell(&self, plot: Rect, value: f64) -> Option<u16> {
         let [across, _] = rulers(plot.width, plot.height, self.glyphs);
         across.cell(self.x.fraction(value))
     }
@@ -121,7 +140,9 @@ impl<'a> Chart<'a> {
     pub(super) fn body(&self, index: usize) -> char {
         match self.curves[index].line {
             LineStyle::Dotted => '.',
-            LineStyle::Solid | LineStyle::Dashed => self.marker(index).unwrap_or('*'),
+            LineStyle::Solid | LineStyle::Dashed | LineStyle::Points { .. } => {
+                self.marker(index).unwrap_or('*')
+            }
         }
     }
 
@@ -136,17 +157,43 @@ impl<'a> Chart<'a> {
             .map(|index| (index, self.trace_curve(index, &mut dots)))
             .collect();
         for (index, covered) in &traced {
-            if self.curves[*index].marker.is_some() {
-                mark(&mut dots, covered, *index, [*index, self.curves.len()]);
+            match self.curves[*index] {
+                Curve {
+                    line: LineStyle::Points { apart },
+                    ..
+                } => self.mark_samples(*index, apart, &mut dots),
+                Curve {
+                    marker: Some(_), ..
+                } => mark(&mut dots, covered, *index, [*index, self.curves.len()]),
+                _ => {}
             }
         }
         dots
+    }
+
+    /// Puts the marker of a curve at its samples, some cells apart.
+    fn mark_samples(&self, index: usize, apart: u16, dots: &mut Dots) {
+        let mut free = 0;
+        for (abscissa, magnitude) in self.curves[index].samples() {
+            let column = dots.across.cell(self.x.fraction(abscissa));
+            let value = self.level.value(magnitude);
+            let row = dots.down.cell(self.y.fraction(value));
+            if let (Some(column), Some(row)) = (column, row)
+                && (column >= free || apart == 0)
+            {
+                dots.mark(column, row, index);
+                free = column + apart;
+            }
+        }
     }
 
     fn trace_curve(&self, index: usize, dots: &mut Dots) -> Vec<Option<(u16, u16)>> {
         let curve = &self.curves[index];
         let (across, down) = (dots.across, dots.down);
         let mut pen = Pen::new(dots, index, curve.line);
+        if matches!(curve.line, LineStyle::Points { .. }) {
+            return pen.finish();
+        }
         for (abscissa, magnitude) in curve.samples() {
             let value = self.level.value(magnitude);
             pen.draw_to(
@@ -154,12 +201,40 @@ impl<'a> Chart<'a> {
                 down.dot(self.y.fraction(value)),
             );
         }
-        pen.finish()
+        let mut covered = pen.finish();
+        for column in self.pole_dots(index, across) {
+            let below = usize::from(column).saturating_sub(1)..=usize::from(column) + 1;
+            let bottom = covered.get(below).into_iter().flatten().flatten();
+            let bottom = bottom.map(|rows| rows.1).max().unwrap_or(0);
+            for row in 0..=bottom {
+                dots.draw(column, row, index);
+            }
+            covered[usize::from(column)] = Some((0, bottom));
+        }
+        covered
+    }
+
+    /// The dot columns of a curve's poles.
+    fn pole_dots(&self, index: usize, across: Ruler) -> impl Iterator<Item = u16> {
+        let poles = self.curves[index].poles.iter();
+        poles
+            .filter(|pole| self.x.contains(**pole))
+            .map(move |pole| across.dot(self.x.fraction(*pole)).round() as u16)
+    }
+
+    /// The cells at the plot's top to which a curve goes up at a pole, and the curve.
+    fn pole_cells(&self, across: Ruler) -> Vec<(u16, usize)> {
+        let cells = |index| {
+            let dots = self.pole_dots(index, across);
+            dots.map(move |dot| (dot / across.dots_per_cell, index))
+        };
+        (0..self.curves.len()).flat_map(cells).collect()
     }
 
     /// Paints the plot cell by cell: a curve, or the cursor, or the grid.
     fn paint(&self, layout: &Layout, dots: &Dots, buffer: &mut Buffer) {
         let cursor = self.cursor_cell(layout.plot);
+        let poles = self.pole_cells(dots.across);
         let [grid_columns, grid_rows] = if self.grid {
             [0, 1].map(|axis| {
                 let major = layout.ticks[axis]
@@ -180,8 +255,10 @@ impl<'a> Chart<'a> {
                 column > 0 && grid_columns.contains(&column),
                 grid_rows.contains(&row),
             ];
-            let ink = self
-                .curve_ink(dots, column, row)
+            let pole = poles.iter().find(|pole| row == 0 && pole.0 == column);
+            let ink = pole
+                .map(|(_, index)| self.pole_ink(*index))
+                .or_else(|| self.curve_ink(dots, column, row))
                 .or_else(|| (cursor == Some(column)).then(|| self.cursor_ink()))
                 .or_else(|| self.grid_ink(on_grid));
             if let (Some((glyph, style)), Some(cell)) = (ink, buffer.cell_mut(position)) {
@@ -199,6 +276,14 @@ impl<'a> Chart<'a> {
             (Glyphs::Ascii, _) => self.body(index),
         };
         Some((glyph, self.curves[index].ink()))
+    }
+
+    fn pole_ink(&self, index: usize) -> (char, Style) {
+        let glyph = match self.glyphs {
+            Glyphs::Braille => '↑',
+            Glyphs::Ascii => '^',
+        };
+        (glyph, self.curves[index].ink())
     }
 
     fn cursor_ink(&self) -> (char, Style) {

@@ -6,6 +6,10 @@ use super::axis::{Axis, Notation, Scale};
 
 /// Decades below the largest magnitude that automatic bounds reach at most.
 const DEEPEST_DECADES: f64 = 12.0;
+/// Relative distance to a pole within which a curve's height is not the axis's concern.
+const NEAR_POLE: f64 = 1e-3;
+/// Parts of the horizontal axis; a dip that is narrower than one may leave the plot at the bottom.
+const PARTS: f64 = 100.0;
 /// Automatic bounds in decibels are multiples of this.
 const DECIBEL_STEP: f64 = 10.0;
 
@@ -19,6 +23,11 @@ pub enum LineStyle {
     Dashed,
     /// Single dots.
     Dotted,
+    /// No line: the marker at every sample that is at least so many cells right of the last marked one.
+    Points {
+        /// Columns from one marker to the next; 0 marks every sample.
+        apart: u16,
+    },
 }
 
 impl LineStyle {
@@ -28,6 +37,7 @@ impl LineStyle {
             Self::Solid => true,
             Self::Dashed => passed % 9 < 5,
             Self::Dotted => passed.is_multiple_of(3),
+            Self::Points { .. } => false,
         }
     }
 }
@@ -49,6 +59,8 @@ pub struct Curve<'a> {
     pub line: LineStyle,
     /// Drawn dim and beneath the others: the curve is stale or only a reference.
     pub dim: bool,
+    /// Abscissae at which the curve is infinite: a line goes up to the top there, with a mark.
+    pub poles: Vec<f64>,
 }
 
 impl<'a> Curve<'a> {
@@ -62,6 +74,7 @@ impl<'a> Curve<'a> {
             marker: None,
             line: LineStyle::default(),
             dim: false,
+            poles: Vec::new(),
         }
     }
 
@@ -72,6 +85,15 @@ impl<'a> Curve<'a> {
         } else {
             self.style
         }
+    }
+
+    /// Whether an abscissa is so near to a pole that the curve's height there says nothing but that.
+    fn is_at_pole(&self, abscissa: f64) -> bool {
+        let after = self.poles.partition_point(|pole| *pole < abscissa);
+        let around = self.poles[after.saturating_sub(1)..].iter().take(2);
+        around
+            .into_iter()
+            .any(|pole| (abscissa - pole).abs() < NEAR_POLE * pole)
     }
 
     /// The samples as pairs.
@@ -106,22 +128,20 @@ impl Level {
     /// A value axis around what `curves` show within the bounds of `x`.
     ///
     /// A logarithmic axis in whole decades for magnitudes, a linear one in tens of decibels else; both
-    /// reach at most twelve decades below the largest value.
+    /// reach at most twelve decades below the largest value, and not down to the end of a dip that is narrower than a
+    /// hundredth of the horizontal axis: an anti-resonance without damping has none. What is next to a pole does not
+    /// count either.
     pub fn axis(self, curves: &[Curve<'_>], x: &Axis, unit: impl Into<String>) -> Axis {
         // Both are rounded in steps: decades as logarithms, decibels in tens.
         let (step, deepest) = match self {
             Self::Magnitude => (1.0, DEEPEST_DECADES),
             Self::Decibel { factor, .. } => (DECIBEL_STEP, factor.abs() * DEEPEST_DECADES),
         };
-        let heights = curves
+        let (low, high) = curves
             .iter()
-            .flat_map(Curve::samples)
-            .filter(|(abscissa, _)| x.contains(*abscissa))
-            .map(|(_, magnitude)| self.height(magnitude))
-            .filter(|height| height.is_finite());
-        let (low, high) = heights
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), height| {
-                (low.min(height), high.max(height))
+            .map(|curve| self.extent(curve, x))
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), extent| {
+                (low.min(extent.0), high.max(extent.1))
             });
         let bounds = if low > high {
             [0.0, step]
@@ -133,6 +153,28 @@ impl Level {
                 .with_notation(Notation::Power),
             Self::Decibel { .. } => Axis::new(Scale::Linear, bounds, unit),
         }
+    }
+
+    /// The lowest and the highest place that a curve needs within the bounds of `x`; infinities where it has none.
+    fn extent(self, curve: &Curve<'_>, x: &Axis) -> (f64, f64) {
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        // The part of the axis one is in, and the curve's highest place in it.
+        let mut part = (f64::NAN, f64::INFINITY);
+        for (abscissa, magnitude) in curve.samples() {
+            let height = self.height(magnitude);
+            if !height.is_finite() || !x.contains(abscissa) || curve.is_at_pole(abscissa) {
+                continue;
+            }
+            high = high.max(height);
+            let number = (x.fraction(abscissa) * PARTS).floor();
+            if number == part.0 {
+                part.1 = part.1.max(height);
+            } else {
+                low = low.min(part.1);
+                part = (number, height);
+            }
+        }
+        (low.min(part.1), high)
     }
 
     /// The place of a magnitude among others: its decimal logarithm, or its level in dB.
@@ -162,7 +204,7 @@ mod tests {
     };
 
     fn bounds(level: Level, y: &[f64]) -> [f64; 2] {
-        let x = vec![1.0; y.len()];
+        let x: Vec<f64> = (1..=y.len()).map(|k| 0.2 * k as f64).collect();
         let axis = Axis::new(Scale::Linear, [0.0, 2.0], "");
         level.axis(&[Curve::new(&x, y)], &axis, "").bounds()
     }
@@ -200,5 +242,23 @@ mod tests {
         let x = Axis::new(Scale::Linear, [0.0, 2.0], "");
         let zoomed = Level::Magnitude.axis(&[Curve::new(&[1.0, 3.0], &[2e-4, 5.0])], &x, "");
         assert_close(zoomed.bounds(), [1e-4, 1e-3]);
+    }
+
+    #[test]
+    fn narrow_dips_and_poles_do_not_squeeze_the_rest() {
+        let x: Vec<f64> = (0..2000).map(|k| 0.001 * f64::from(k)).collect();
+        let mut y = vec![2e-5; x.len()];
+        y[700..1000].fill(3e-7);
+        // A peak of one sample keeps its height; a dip as narrow has none.
+        (y[300], y[500]) = (4e-3, 1e-11);
+        let axis = Axis::new(Scale::Linear, [0.0, 2.0], "");
+        let curve = Curve::new(&x, &y);
+        let bounds = |curve| Level::Magnitude.axis(&[curve], &axis, "").bounds();
+        assert_close(bounds(curve.clone()), [1e-7, 1e-2]);
+        let pole = Curve {
+            poles: vec![0.3],
+            ..curve
+        };
+        assert_close(bounds(pole), [1e-7, 1e-4]);
     }
 }

@@ -18,6 +18,8 @@ struct Lines {
     value_ticks: [char; 2],
     abscissa_ticks: [char; 2],
     cursor: char,
+    /// One mark in a column, two, and more.
+    marks: [char; 3],
 }
 
 const BOX_LINES: Lines = Lines {
@@ -27,6 +29,7 @@ const BOX_LINES: Lines = Lines {
     value_ticks: ['┤', '├'],
     abscissa_ticks: ['┬', '┴'],
     cursor: '▲',
+    marks: ['╵', '╹', '┃'],
 };
 
 const ASCII_LINES: Lines = Lines {
@@ -36,6 +39,7 @@ const ASCII_LINES: Lines = Lines {
     value_ticks: ['+', '-'],
     abscissa_ticks: ['+', '|'],
     cursor: '^',
+    marks: ['\'', '"', '#'],
 };
 
 /// The columns a text takes.
@@ -71,6 +75,35 @@ pub(super) fn draw(chart: &Chart<'_>, layout: &Layout, buffer: &mut Buffer) {
     }
     if layout.rows_below > 1 {
         draw_abscissa_labels(chart, layout, buffer);
+    }
+    if layout.rows_below > 2 {
+        draw_marks(chart, layout, lines, buffer);
+    }
+}
+
+/// The row of marks: a tick each, a heavier one where several share a column.
+fn draw_marks(chart: &Chart<'_>, layout: &Layout, lines: &Lines, buffer: &mut Buffer) {
+    let (plot, styles) = (layout.plot, &chart.styles);
+    let y = plot.bottom() + 2;
+    let name = Rect::new(layout.area.x, y, plot.x - layout.area.x, 1);
+    if width(chart.marks.name) <= name.width {
+        put(buffer, name, chart.marks.name, (chart.glyphs, styles.mark));
+    }
+    let mut counts = vec![0_usize; usize::from(plot.width)];
+    let cells = chart.marks.values.iter().map(|x| chart.cell(plot, *x));
+    cells
+        .flatten()
+        .for_each(|cell| counts[usize::from(cell)] += 1);
+    for (x, count) in (plot.x..).zip(counts) {
+        if count > 0 {
+            set(buffer, x, y, lines.marks[count.min(3) - 1], styles.mark);
+        }
+    }
+    let selected = chart.marks.selected.and_then(|i| chart.marks.values.get(i));
+    if let Some(cell) = selected.and_then(|x| chart.cell(plot, *x))
+        && let Some(cell) = buffer.cell_mut((plot.x + cell, y))
+    {
+        cell.set_style(styles.selected_mark);
     }
 }
 

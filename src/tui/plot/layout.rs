@@ -12,6 +12,9 @@ const LABELLED_COLUMNS: u16 = 10;
 /// Fewest columns of an area with a value axis.
 const AXIS_COLUMNS: u16 = 4;
 
+/// Fewest rows of plot, axis and labels beneath which marks have a row.
+const MARKED_ROWS: u16 = 6;
+
 /// Where the parts of a chart go.
 #[derive(Debug)]
 pub(super) struct Layout {
@@ -24,7 +27,7 @@ pub(super) struct Layout {
     pub(super) value_axis: Option<u16>,
     /// Columns for the value labels, left of the axis.
     pub(super) label_columns: u16,
-    /// Rows beneath the plot: none, the axis, or the axis and its labels.
+    /// Rows beneath the plot: none, the axis, the axis and its labels, or these and the marks.
     pub(super) rows_below: u16,
     /// Ticks across and down the plot.
     pub(super) ticks: [Vec<Tick>; 2],
@@ -38,6 +41,7 @@ impl Layout {
         let rows_below = match rest.height {
             0..=2 => 0,
             3..=4 => 1,
+            MARKED_ROWS.. if !chart.marks.values.is_empty() => 3,
             _ => 2,
         };
         rest.height -= rows_below;

@@ -54,6 +54,7 @@ fn entries<'c>(chart: &'c Chart<'_>) -> Vec<Entry<'c>> {
     named
         .map(|(index, curve)| {
             let body = match (chart.glyphs, curve.line) {
+                (_, LineStyle::Points { .. }) => ' ',
                 (Glyphs::Ascii, _) => chart.body(index),
                 (Glyphs::Braille, LineStyle::Solid) => '─',
                 (Glyphs::Braille, LineStyle::Dashed) => '╌',

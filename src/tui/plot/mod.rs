@@ -23,7 +23,7 @@ mod pen;
 mod ticks;
 
 pub use axis::{Axis, Notation, Scale};
-pub use chart::{Chart, ChartStyles, Glyphs};
+pub use chart::{Chart, ChartStyles, Glyphs, Marks};
 pub use curve::{Curve, Level, LineStyle};
 pub use legend::Legend;
 

@@ -481,3 +481,70 @@ fn pictures() {
          1     2       5     10    20      50   100   200   Hz
     ");
 }
+
+#[test]
+fn marks_stand_at_their_values_below_the_labels() {
+    let (x, y) = ([0.0, 10.0], [1e-2, 1e-1]);
+    let curves = [Curve::new(&x, &y)];
+    let mut chart = plain(&curves);
+    chart.marks = Marks {
+        name: "modes",
+        // Two in one column, three in another, one off the axis.
+        values: vec![0.0, 2.0, 2.001, 7.0, 7.001, 7.002, 12.0],
+        selected: Some(1),
+    };
+    chart.styles.selected_mark = Style::new().add_modifier(Modifier::REVERSED);
+    let buffer = render(&chart, 60, 12);
+    let marks = &lines(&buffer)[11];
+    let column = |value| usize::from(chart.column(buffer.area, value).unwrap());
+    for (value, mark) in [(0.0, '╵'), (2.0, '╹'), (7.0, '┃')] {
+        assert_eq!(marks.chars().nth(column(value)), Some(mark), "{marks}");
+    }
+    assert_eq!(
+        marks.chars().filter(|c| *c != ' ').count(),
+        3 + "modes".len()
+    );
+    let selected = &buffer[(column(2.0) as u16, 11)];
+    assert!(selected.modifier.contains(Modifier::REVERSED));
+    // Without room for them the plot has it.
+    assert!(!lines(&render(&chart, 60, 5))[4].contains('╵'));
+}
+
+#[test]
+fn a_pole_reaches_the_top_with_a_mark() {
+    let (x, y) = ([0.0, 10.0], [1e-3, 1e-3]);
+    let curves = [Curve {
+        poles: vec![4.0, 40.0],
+        ..Curve::new(&x, &y)
+    }];
+    let chart = plain(&curves);
+    let buffer = render(&chart, 40, 12);
+    let plot = chart.plot_area(buffer.area);
+    let column = chart.column(buffer.area, 4.0).unwrap();
+    assert_eq!(buffer[(column, plot.y)].symbol(), "↑");
+    // The curve lies three quarters down.
+    for y in plot.y + 1..plot.y + 3 * plot.height / 4 {
+        assert_ne!(buffer[(column, y)].symbol(), " ", "row {y}");
+    }
+    assert_eq!(lines(&buffer)[usize::from(plot.y)].matches('↑').count(), 1);
+}
+
+#[test]
+fn points_are_marked_some_cells_apart() {
+    let x: Vec<f64> = (0..=1000).map(|k| 0.01 * f64::from(k)).collect();
+    let y = vec![1e-2; x.len()];
+    let marked = |apart| {
+        let curves = [Curve {
+            marker: Some('o'),
+            line: LineStyle::Points { apart },
+            ..Curve::new(&x, &y)
+        }];
+        let chart = plain(&curves);
+        let buffer = render(&chart, 50, 12);
+        let columns = usize::from(chart.plot_area(buffer.area).width);
+        (lines(&buffer).concat().matches('o').count(), columns)
+    };
+    let (every, columns) = marked(0);
+    assert_eq!(every, columns);
+    assert_eq!(marked(4).0, columns.div_ceil(4));
+}

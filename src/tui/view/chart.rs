@@ -7,9 +7,12 @@ use ratatui::text::Line;
 use ratatui::widgets::{Block, Borders, Paragraph, Wrap};
 
 use crate::model::Unit;
-use crate::tui::app::{App, Curves, Member, Picture, Shown, Trace};
-use crate::tui::plot::{Axis, Chart, Curve, Level, LineStyle, Scale};
+use crate::tui::app::{Anchor, App, Curves, Member, Picture, Shaping, Shown, Table, Trace};
+use crate::tui::plot::{Axis, Chart, Curve, Level, LineStyle, Marks, Scale};
 use crate::tui::theme::Theme;
+
+/// Columns from one point of a finite-element curve to the next.
+const POINTS: u16 = 3;
 
 pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
     let block = Block::new()
@@ -38,11 +41,56 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
     };
     let x = Axis::new(scale, [sweep.from, sweep.to], "Hz");
     let (level, unit) = level(app);
-    let y = level.axis(&curves, &x, unit);
+    let y = level.axis(&spanning(app, &curves), &x, unit);
     let mut chart = Chart::new(x, y, level, &curves);
     chart.cursor = app.curves.cursor;
+    chart.marks = marks(app);
     chart.styles = theme.chart();
+    if app
+        .modal
+        .list
+        .as_ref()
+        .is_some_and(|list| list.generation != app.curves.generation)
+    {
+        chart.styles.mark = theme.dim();
+    }
     frame.render_widget(&chart, inside);
+}
+
+/// The modes, ticked beneath the axis.
+fn marks(app: &App) -> Marks {
+    let Some(list) = &app.modal.list else {
+        return Marks::default();
+    };
+    let chosen = app.anchor == Anchor::Mode
+        || app.tables.open == Some(Table::Modes)
+        || app.modal.shaping != Shaping::Hidden;
+    Marks {
+        name: "modes",
+        values: list.rows.iter().map(|mode| mode.frequency).collect(),
+        selected: chosen.then_some(app.tables.modes.row),
+    }
+}
+
+/// What the value axis spans: the curves, and what they will be once they are resolved, which is about what the
+/// resolved ones before are; so that it stands still while a parameter is turned.
+fn spanning<'a>(app: &'a App, drawn: &[Curve<'a>]) -> Vec<Curve<'a>> {
+    let mut curves = drawn.to_vec();
+    let is_resolved = app.curves.is_resolved();
+    if let (false, Some(resolved)) = (is_resolved, &app.curves.resolved) {
+        let resolved = traces(resolved, &app.curves).into_iter();
+        curves.extend(resolved.map(|(.., member, trace)| curve(member, trace)));
+    }
+    curves
+}
+
+/// A curve with its poles.
+fn curve<'a>(member: &'a Member, trace: &'a Trace) -> Curve<'a> {
+    let poles = trace.peaks.iter().filter(|peak| peak.pole);
+    Curve {
+        poles: poles.map(|peak| peak.frequency).collect(),
+        ..Curve::new(&member.frequencies, &trace.magnitudes)
+    }
 }
 
 /// The frequency nearest to the cursor, and the first curve's value there.
@@ -134,7 +182,7 @@ fn curves(app: &App, theme: Theme) -> Vec<Curve<'_>> {
     let mut curves = Vec::new();
     if let Some(reference) = &state.reference {
         for (place, number, member, trace) in traces(reference, state) {
-            let mut curve = Curve::new(&member.frequencies, &trace.magnitudes);
+            let mut curve = curve(member, trace);
             curve.style = theme.curve(colour(state, place, number));
             curve.line = LineStyle::Dotted;
             curve.dim = true;
@@ -150,7 +198,7 @@ fn curves(app: &App, theme: Theme) -> Vec<Curve<'_>> {
     let shown = traces(picture, state);
     let several = shown.len() > 1;
     for (index, (place, number, member, trace)) in shown.into_iter().enumerate() {
-        let mut curve = Curve::new(&member.frequencies, &trace.magnitudes);
+        let mut curve = curve(member, trace);
         curve.label = label(state, trace, member);
         curve.style = theme.curve(colour(state, place, number));
         curve.marker = several.then(|| theme.marker(index));
@@ -160,6 +208,33 @@ fn curves(app: &App, theme: Theme) -> Vec<Curve<'_>> {
     // One curve alone is named in the heading.
     if let [only] = curves.as_mut_slice() {
         only.label.clear();
+    }
+    curves.extend(witnesses(app, theme));
+    curves
+}
+
+/// The finite-element curves of the responses that show, as points.
+fn witnesses(app: &App, theme: Theme) -> Vec<Curve<'_>> {
+    let state = &app.curves;
+    let Some(picture) = app.witness.picture() else {
+        return Vec::new();
+    };
+    let mut curves: Vec<Curve<'_>> = Vec::new();
+    for (place, name) in state.visible.iter().enumerate() {
+        for (number, member) in picture.members.iter().enumerate() {
+            let traces = member.traces.iter();
+            for trace in traces.filter(|trace| trace.response == *name) {
+                let mut curve = Curve::new(&member.frequencies, &trace.magnitudes);
+                curve.style = theme.witness(colour(state, place, number));
+                curve.marker = Some('•');
+                curve.line = LineStyle::Points { apart: POINTS };
+                curve.dim = picture.generation != state.generation;
+                if curves.is_empty() {
+                    "FEM".clone_into(&mut curve.label);
+                }
+                curves.push(curve);
+            }
+        }
     }
     curves
 }
@@ -188,7 +263,7 @@ fn label(state: &Curves, trace: &Trace, member: &Member) -> String {
 }
 
 /// What the value axis shows, and its unit.
-fn level(app: &App) -> (Level, String) {
+pub(super) fn level(app: &App) -> (Level, String) {
     let state = &app.curves;
     let mut units: Vec<&str> = Vec::new();
     let (mut energy, mut motion) = (false, false);

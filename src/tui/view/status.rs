@@ -4,17 +4,20 @@ use ratatui::Frame;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use super::text::{cut, width};
+use super::text::{cut, significant, width};
 use crate::model::Unit;
-use crate::tui::app::{App, Message, Picture, Shown};
+use crate::tui::app::{App, Message, Picture, Shown, Witness, WitnessPicture};
 use crate::tui::keys::{self, RowKind};
 use crate::tui::theme::Theme;
 use crate::tui::tree::{self, Node};
 use crate::worker::Stage;
 
 pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
-    let (solver, wrong) = solver(app);
-    let solver = cut(&solver, usize::from(area.width / 2));
+    let half = usize::from(area.width / 2);
+    let (said, wrong) = solver(app);
+    // The first that fits; it is said shorter where there is less room.
+    let fits = said.iter().find(|text| width(text) <= half);
+    let solver = cut(fits.or(said.last()).map_or("", String::as_str), half);
     let changed = if app.document.is_changed() {
         " · changed"
     } else {
@@ -36,36 +39,95 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
     frame.render_widget(right, area);
 }
 
-/// What the solver has to say, and whether it is bad news.
-fn solver(app: &App) -> (String, bool) {
+/// What the solver has to say, from long to short, and whether it is bad news.
+fn solver(app: &App) -> (Vec<String>, bool) {
+    let solving = || (vec!["solving".to_owned()], false);
     match &app.curves.shown {
-        Shown::Nothing => ("solving".to_owned(), false),
-        Shown::Failed(reason, _) => (format!("not solved: {reason}"), true),
-        Shown::Picture(picture) if picture.generation != app.curves.generation => {
-            ("solving".to_owned(), false)
-        }
+        Shown::Nothing => solving(),
+        Shown::Failed(reason, _) => (vec![format!("not solved: {reason}")], true),
+        Shown::Picture(picture) if picture.generation != app.curves.generation => solving(),
         Shown::Picture(picture) if picture.stage == Stage::Coarse => {
-            (format!("coarse {}, solving", extent(picture)), false)
+            (vec![format!("coarse {}, solving", extent(picture))], false)
         }
-        Shown::Picture(picture) => match picture.singular.as_slice() {
-            [] => (
-                format!("solved {} in {}", extent(picture), elapsed(picture)),
-                false,
-            ),
-            [first] => (
-                format!("no finite answer at {}", Unit::HERTZ.format(*first)),
+        Shown::Picture(picture) => match (picture.singular.as_slice(), &app.witness) {
+            (_, Witness::Failed(reason)) => (vec![format!("no finite elements: {reason}")], true),
+            (_, Witness::Waiting(_)) => (vec!["finite elements in work".to_owned()], false),
+            (_, Witness::Shown(witness)) => (difference(app, witness), false),
+            ([], Witness::Off) => (solved(app, picture), false),
+            ([first], _) => (
+                vec![format!(
+                    "no finite answer at {}",
+                    Unit::HERTZ.format(*first)
+                )],
                 true,
             ),
-            [first, ..] => (
-                format!(
+            ([first, ..], _) => (
+                vec![format!(
                     "no finite answer at {} frequencies, first {}",
                     tree::grouped(picture.singular.len()),
                     Unit::HERTZ.format(*first)
-                ),
+                )],
                 true,
             ),
         },
     }
+}
+
+/// How much was solved, in which time; and the modes, above all whether one was lost or won.
+fn solved(app: &App, picture: &Picture) -> Vec<String> {
+    let solved = format!("solved {} in {}", extent(picture), elapsed(picture));
+    let list = app.modal.list.as_ref();
+    let Some(list) = list.filter(|_| picture.stage == Stage::Resolved) else {
+        let short = format!("{} in {}", extent(picture), elapsed(picture));
+        return [solved, short]
+            .into_iter()
+            .map(|text| format!("{text}, modes in work"))
+            .chain(["modes in work".to_owned()])
+            .collect();
+    };
+    let modes = match list.rows.len() {
+        1 => "1 mode".to_owned(),
+        count => format!("{} modes", tree::grouped(count)),
+    };
+    let change = match list.change {
+        None | Some(0) => return vec![format!("{modes}, {solved}"), solved],
+        Some(1) => "one more".to_owned(),
+        Some(-1) => "one fewer".to_owned(),
+        Some(change @ 2..) => format!("{change} more"),
+        Some(change) => format!("{} fewer", change.unsigned_abs()),
+    };
+    vec![
+        format!("{modes}, {change} than before, {solved}"),
+        format!("{modes}, {change} than before"),
+        format!("{modes}, {change}"),
+    ]
+}
+
+/// The largest difference between the finite-element curves that show and the exact ones.
+fn difference(app: &App, witness: &WitnessPicture) -> Vec<String> {
+    let largest = witness
+        .members
+        .iter()
+        .flat_map(|member| member.traces.iter().zip(&member.differences))
+        .filter(|(trace, _)| app.curves.shows(&trace.response))
+        .filter_map(|(_, difference)| *difference)
+        .max_by(|a, b| a.decibels.total_cmp(&b.decibels));
+    let Some(largest) = largest else {
+        return vec!["finite elements: nothing to compare".to_owned()];
+    };
+    let decibels = significant(largest.decibels, 3);
+    let at = Unit::HERTZ.format(largest.frequency);
+    let elements = witness
+        .members
+        .iter()
+        .map(|member| member.elements)
+        .max()
+        .unwrap_or(0);
+    vec![
+        format!("{elements} finite elements: at most {decibels} dB off, at {at}"),
+        format!("FEM at most {decibels} dB off, at {at}"),
+        format!("FEM: {decibels} dB at {at}"),
+    ]
 }
 
 /// Points x responses, and x curves of a study.

@@ -48,9 +48,38 @@ pub(super) fn wrapped(text: &str, columns: usize) -> Vec<String> {
     lines
 }
 
+/// A number with so many significant digits, without a power of ten where it can be read so.
+pub(super) fn significant(value: f64, digits: usize) -> String {
+    let digits = digits.max(2);
+    let power = format!("{value:.*e}", digits - 1);
+    let exponent = power
+        .split_once('e')
+        .and_then(|(_, exponent)| exponent.parse::<i32>().ok());
+    let least = (digits as i32 - 7).max(-3);
+    match exponent {
+        _ if value == 0.0 => "0".to_owned(),
+        Some(exponent) if (least..6).contains(&exponent) => {
+            let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
+            format!("{value:.decimals$}")
+        }
+        _ => format!("{value:.*e}", (digits - 2).min(2)),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn digits_are_kept_and_powers_avoided() {
+        assert_eq!(significant(7.413_04, 6), "7.41304");
+        assert_eq!(significant(1_234.567_89, 6), "1234.57");
+        assert_eq!(significant(999_999.7, 6), "1.00e6");
+        assert_eq!(significant(0.0, 6), "0");
+        assert_eq!(significant(0.012_345_67, 6), "1.23e-2");
+        assert_eq!(significant(0.001_2, 4), "0.001200");
+        assert_eq!(significant(1e-9, 3), "1.0e-9");
+    }
 
     #[test]
     fn a_cut_text_says_so() {

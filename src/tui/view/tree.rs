@@ -26,7 +26,11 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
         let (number, row) = row;
         frame.render_widget(row_line(app, theme, *row, line.width), line);
         if number == app.selection.cursor() {
-            frame.buffer_mut().set_style(line, theme.selection());
+            let style = match app.tables.open {
+                None => theme.selection(),
+                Some(_) => theme.selection_aside(),
+            };
+            frame.buffer_mut().set_style(line, style);
         }
     }
 }

@@ -1,0 +1,95 @@
+//! What the worker is asked for, and what it has found.
+
+use std::sync::Arc;
+
+use super::{App, Effect, Witness};
+use crate::worker::{Answer, CurvesAnswer, Request, ShapeRequest, Subject};
+
+impl App {
+    /// Takes what the worker has found.
+    pub(super) fn take(&mut self, answer: Answer) {
+        match answer {
+            Answer::Curves(answer) => self.take_curves(answer),
+            Answer::Shape(answer) => {
+                let subsystems = self.model().subsystems.iter();
+                let places: Vec<f64> = subsystems
+                    .filter(|one| one.enabled)
+                    .map(|one| one.position)
+                    .collect();
+                if let Err(reason) = self.modal.take_shape(answer, &places) {
+                    self.refuse(format!("no shape: {reason}"));
+                }
+            }
+            Answer::Witness(answer) => self.witness.take(answer, self.curves.generation),
+        }
+    }
+
+    fn take_curves(&mut self, mut answer: CurvesAnswer) {
+        let before = self.selected();
+        let generation = answer.generation;
+        let found = answer.result.as_mut().ok();
+        let modes = found.and_then(|curves| curves.modes.take());
+        if self.curves.take(answer)
+            && let Some(modes) = modes
+        {
+            self.modal.take(generation, modes);
+            self.follow_solution(&before);
+        }
+    }
+
+    /// Asks the worker for what is to be seen and was not asked for yet.
+    pub(super) fn request(&mut self) -> Vec<Effect> {
+        let mut requests: Vec<Request> = self.want_curves().into_iter().collect();
+        requests.extend(self.want_shape());
+        requests.extend(self.want_witness());
+        requests.into_iter().map(Effect::Solve).collect()
+    }
+
+    /// What is solved: the model with its study.
+    fn subject(&self) -> Subject {
+        Subject {
+            generation: self.curves.generation,
+            model: Arc::clone(self.document.model()),
+            study: self.curves.study,
+        }
+    }
+
+    /// Curves, if those asked for last are not the model's.
+    fn want_curves(&mut self) -> Option<Request> {
+        let (model, study) = (Arc::clone(self.document.model()), self.curves.study);
+        if let Some((last, last_study)) = &self.requested
+            && Arc::ptr_eq(last, &model)
+            && *last_study == study
+        {
+            return None;
+        }
+        self.curves.generation += 1;
+        self.witness.outdate();
+        self.requested = Some((model, study));
+        Some(Request::Curves(self.subject()))
+    }
+
+    /// The shape of the selected mode, if it shows.
+    fn want_shape(&mut self) -> Option<Request> {
+        let generation = self.curves.generation;
+        let row = self.tables.modes.row;
+        let (modes, index) = self.modal.want_shape(generation, row)?;
+        Some(Request::Shape(ShapeRequest {
+            generation,
+            model: Arc::clone(self.document.model()),
+            modes,
+            index,
+        }))
+    }
+
+    /// The finite-element curves, if they show, once the exact ones are there.
+    fn want_witness(&mut self) -> Option<Request> {
+        let generation = self.curves.generation;
+        let waits = matches!(self.witness, Witness::Waiting(_));
+        if !waits || self.witnessed == Some(generation) || !self.curves.is_resolved() {
+            return None;
+        }
+        self.witnessed = Some(generation);
+        Some(Request::Witness(self.subject()))
+    }
+}

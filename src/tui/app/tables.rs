@@ -1,0 +1,248 @@
+//! The tables of modes and peaks: which one is open, which row is selected; and the cursor that goes with it.
+
+use super::{App, List, ModeKind, Shaping};
+use crate::solve::peaks::Peak;
+use crate::tui::keys::Command;
+
+/// A table below the chart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Table {
+    /// The modes of the model.
+    Modes,
+    /// The peaks of the first curve that shows.
+    Peaks,
+}
+
+/// The tables' state.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Tables {
+    /// The one that shows.
+    pub open: Option<Table>,
+    /// The modes; one is selected also while they do not show.
+    pub modes: List,
+    /// The peaks.
+    pub peaks: List,
+}
+
+/// What the chart's cursor stays with when the model changes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Anchor {
+    /// Its frequency.
+    #[default]
+    Frequency,
+    /// The selected mode.
+    Mode,
+    /// The selected peak.
+    Peak,
+}
+
+impl App {
+    /// Does what a key asks for while a table is open; false where it is no matter of the table's.
+    pub(super) fn table_command(&mut self, command: Command) -> bool {
+        let Some(table) = self.tables.open else {
+            return false;
+        };
+        let list = match table {
+            Table::Modes => &mut self.tables.modes,
+            Table::Peaks => &mut self.tables.peaks,
+        };
+        match command {
+            Command::Up => list.step(-1),
+            Command::Down => list.step(1),
+            Command::PageUp => list.page(false),
+            Command::PageDown => list.page(true),
+            Command::First => list.step(isize::MIN),
+            Command::Last => list.step(isize::MAX),
+            Command::Cancel => {
+                self.tables.open = None;
+                return true;
+            }
+            _ => return false,
+        }
+        self.anchor = match table {
+            Table::Modes => Anchor::Mode,
+            Table::Peaks => Anchor::Peak,
+        };
+        self.follow_anchor();
+        true
+    }
+
+    /// Commands of modes and peaks; false where the command is another one.
+    pub(super) fn change_modes(&mut self, command: Command) -> bool {
+        match command {
+            Command::ModeTable => self.toggle_table(Table::Modes),
+            Command::PeakTable => self.toggle_table(Table::Peaks),
+            Command::NextMode => self.seek_mode(true),
+            Command::PreviousMode => self.seek_mode(false),
+            Command::Shape => self.toggle_shape(),
+            Command::Animate => self.animate(),
+            Command::Witness => self.toggle_witness(),
+            _ => return false,
+        }
+        true
+    }
+
+    fn toggle_table(&mut self, table: Table) {
+        self.tables.open = (self.tables.open != Some(table)).then_some(table);
+    }
+
+    /// Selects the next mode that is on the axis, from where the cursor stands.
+    fn seek_mode(&mut self, forward: bool) {
+        let sweep = self.model().sweep;
+        let Some(list) = &self.modal.list else {
+            return self.refuse("the modes are not solved yet");
+        };
+        let frequency = |i: usize| list.rows[i].frequency;
+        let shown = |i: &usize| (sweep.from..=sweep.to).contains(&frequency(*i));
+        let (row, cursor) = (self.tables.modes.row, self.curves.cursor);
+        // Two modes may have one frequency: from a mode that the cursor stands on it goes by their order.
+        let at_mode = row < list.rows.len() && cursor == Some(frequency(row));
+        let beyond = |i: &usize| match (cursor, forward) {
+            (Some(_), true) if at_mode => *i > row,
+            (Some(_), false) if at_mode => *i < row,
+            (Some(cursor), true) => frequency(*i) > cursor,
+            (Some(cursor), false) => frequency(*i) < cursor,
+            (None, _) => true,
+        };
+        let mut candidates = (0..list.rows.len()).filter(|i| shown(i) && beyond(i));
+        let found = if forward {
+            candidates.next()
+        } else {
+            candidates.next_back()
+        };
+        match found {
+            Some(found) => {
+                self.tables.modes.row = found;
+                self.anchor = Anchor::Mode;
+                self.follow_anchor();
+                self.say_mode(found);
+            }
+            None if list.rows.is_empty() => {
+                let to = crate::model::Unit::HERTZ.format(list.to);
+                self.refuse(format!("there is no mode below {to}"));
+            }
+            None => self.refuse("there is no further mode in the sweep"),
+        }
+    }
+
+    fn say_mode(&mut self, index: usize) {
+        let Some(list) = &self.modal.list else {
+            return;
+        };
+        let (mode, all) = (&list.rows[index], list.rows.len());
+        let frequency = crate::model::Unit::HERTZ.format(mode.frequency);
+        let number = index + 1;
+        self.done(format!("mode {number} of {all}: {frequency}"));
+    }
+
+    fn toggle_shape(&mut self) {
+        self.modal.shaping = match self.modal.shaping {
+            Shaping::Hidden => Shaping::Still,
+            Shaping::Still | Shaping::Moving(_) => Shaping::Hidden,
+        };
+    }
+
+    fn animate(&mut self) {
+        if let Shaping::Moving(_) = self.modal.shaping {
+            self.modal.shaping = Shaping::Still;
+            return;
+        }
+        let row = self.tables.modes.row;
+        let kind = self.modal.list.as_ref().map(|list| list.rows.get(row));
+        match kind.map(|row| row.map(|row| row.kind)) {
+            None => self.refuse("the modes are not solved yet"),
+            Some(None) => self.refuse("there is no mode to move"),
+            Some(Some(ModeKind::Oscillating)) => self.modal.shaping = Shaping::Moving(0),
+            Some(Some(_)) => self.refuse("the selected mode does not oscillate"),
+        }
+    }
+
+    /// Whether something on the screen moves by itself.
+    pub fn moves(&self) -> bool {
+        let oscillates = |app: &Self| {
+            let shape = app.modal.shape.as_ref()?;
+            let row = app.modal.list.as_ref()?.rows.get(shape.mode)?;
+            Some(row.kind == ModeKind::Oscillating)
+        };
+        matches!(self.modal.shaping, Shaping::Moving(_))
+            && self.overlay.is_none()
+            && !self.unseen
+            && oscillates(self) == Some(true)
+    }
+
+    fn toggle_witness(&mut self) {
+        if self.witness.toggle() {
+            self.witnessed = None;
+            self.done("finite elements as points; w leaves them out again");
+        } else {
+            self.done("without finite elements");
+        }
+    }
+
+    /// The peaks of the first curve that shows, as they were resolved last.
+    pub fn peaks(&self) -> &[Peak] {
+        self.curves
+            .first_resolved()
+            .map_or(&[], |(_, trace)| &trace.peaks)
+    }
+
+    /// Moves the cursor to what it is anchored at; off the chart where that is not on the axis.
+    pub(super) fn follow_anchor(&mut self) {
+        let frequency = match self.anchor {
+            Anchor::Frequency => return,
+            Anchor::Mode => self
+                .modal
+                .list
+                .as_ref()
+                .and_then(|list| list.rows.get(self.tables.modes.row))
+                .map(|row| row.frequency),
+            Anchor::Peak => self
+                .peaks()
+                .get(self.tables.peaks.row)
+                .map(|peak| peak.frequency),
+        };
+        let sweep = self.model().sweep;
+        self.curves.cursor = frequency.filter(|f| (sweep.from..=sweep.to).contains(f));
+    }
+
+    /// Lets the selected rows and the cursor follow new modes and peaks: each stays with what is nearest.
+    pub(super) fn follow_solution(&mut self, before: &Selected) {
+        let modes = self.modal.list.as_ref();
+        let modes: Vec<f64> = modes.map_or(Vec::new(), |list| {
+            list.rows.iter().map(|row| row.frequency).collect()
+        });
+        let peaks: Vec<f64> = self.peaks().iter().map(|peak| peak.frequency).collect();
+        follow(&mut self.tables.modes, &modes, before.mode);
+        follow(&mut self.tables.peaks, &peaks, before.peak);
+        self.follow_anchor();
+    }
+
+    /// What is selected in the tables.
+    pub(super) fn selected(&self) -> Selected {
+        let list = self.modal.list.as_ref();
+        let mode = list.and_then(|list| list.rows.get(self.tables.modes.row));
+        let peak = self.peaks().get(self.tables.peaks.row);
+        Selected {
+            mode: mode.map(|row| row.frequency),
+            peak: peak.map(|peak| peak.frequency),
+        }
+    }
+}
+
+/// The frequencies (Hz) of the selected mode and the selected peak.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Selected {
+    mode: Option<f64>,
+    peak: Option<f64>,
+}
+
+/// As many rows as frequencies. The selected one stays if there are as many as before; otherwise it is the nearest.
+fn follow(list: &mut List, frequencies: &[f64], before: Option<f64>) {
+    let as_many = list.rows == frequencies.len();
+    list.set_rows(frequencies.len());
+    if let (false, Some(before)) = (as_many, before) {
+        let distance = |i: &usize| (frequencies[*i] - before).abs();
+        let nearest = (0..frequencies.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        list.row = nearest.unwrap_or(0);
+    }
+}

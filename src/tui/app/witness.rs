@@ -1,0 +1,107 @@
+//! The finite-element curves beside the exact ones.
+
+use super::Trace;
+use super::curves::trace;
+use crate::worker::{Difference, WitnessAnswer, WitnessMember};
+
+/// Finite-element curves of one state of the model.
+#[derive(Debug)]
+pub struct WitnessPicture {
+    /// The model's generation.
+    pub generation: u64,
+    /// In the order of the picture's members.
+    pub members: Vec<WitnessCurves>,
+}
+
+/// Finite-element curves of the model, or of one member of a study.
+#[derive(Debug)]
+pub struct WitnessCurves {
+    /// How many elements the beam has.
+    pub elements: usize,
+    /// Hz.
+    pub frequencies: Vec<f64>,
+    /// Magnitudes, in the order of the model's responses.
+    pub traces: Vec<Trace>,
+    /// The largest difference of each to the exact one, if they can be compared.
+    pub differences: Vec<Option<Difference>>,
+}
+
+/// Whether there are finite-element curves.
+#[derive(Debug, Default)]
+pub enum Witness {
+    /// They are not wanted.
+    #[default]
+    Off,
+    /// They are in work, or wait for the exact ones; with those of before.
+    Waiting(Option<WitnessPicture>),
+    /// They are there.
+    Shown(WitnessPicture),
+    /// There are none, and why.
+    Failed(String),
+}
+
+impl Witness {
+    /// Wanted, or not wanted any more; whether they are now.
+    pub(super) fn toggle(&mut self) -> bool {
+        let wanted = matches!(self, Self::Off);
+        *self = if wanted {
+            Self::Waiting(None)
+        } else {
+            Self::Off
+        };
+        wanted
+    }
+
+    /// The model has changed: what there is belongs to an older one.
+    pub(super) fn outdate(&mut self) {
+        *self = match std::mem::take(self) {
+            Self::Off => Self::Off,
+            Self::Shown(picture) => Self::Waiting(Some(picture)),
+            Self::Waiting(picture) => Self::Waiting(picture),
+            Self::Failed(_) => Self::Waiting(None),
+        };
+    }
+
+    /// Another model was opened: what there is says nothing of it.
+    pub(super) fn forget(&mut self) {
+        if !matches!(self, Self::Off) {
+            *self = Self::Waiting(None);
+        }
+    }
+
+    /// Takes an answer about the model with this generation.
+    pub(super) fn take(&mut self, answer: WitnessAnswer, generation: u64) {
+        if matches!(self, Self::Off) || answer.generation != generation {
+            return;
+        }
+        *self = match answer.result {
+            Ok(members) => Self::Shown(WitnessPicture {
+                generation,
+                members: members.into_iter().map(curves).collect(),
+            }),
+            Err(reason) => Self::Failed(reason),
+        };
+    }
+
+    /// The curves to draw, if there are any.
+    pub fn picture(&self) -> Option<&WitnessPicture> {
+        match self {
+            Self::Off | Self::Failed(_) | Self::Waiting(None) => None,
+            Self::Shown(picture) | Self::Waiting(Some(picture)) => Some(picture),
+        }
+    }
+}
+
+fn curves(member: WitnessMember) -> WitnessCurves {
+    WitnessCurves {
+        elements: member.elements,
+        frequencies: member.frf.frequencies,
+        traces: member
+            .frf
+            .columns
+            .iter()
+            .map(|column| trace(column, Vec::new()))
+            .collect(),
+        differences: member.differences,
+    }
+}

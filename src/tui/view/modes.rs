@@ -1,0 +1,99 @@
+//! The table of modes.
+
+use ratatui::Frame;
+use ratatui::layout::Rect;
+
+use super::table::{self, Column, Content};
+use super::text::significant;
+use crate::model::Unit;
+use crate::tui::app::{App, Completeness, ModeKind, ModeList, ModeRow};
+use crate::tui::theme::Theme;
+
+/// The columns, in what there is room for.
+const LAYOUTS: [&[Column]; 3] = [
+    &[
+        ("mode", 6),
+        ("Hz", 11),
+        ("damping %", 12),
+        ("bending y %", 13),
+        ("bending z %", 13),
+        ("twist %", 9),
+        ("subsystems %", 14),
+        ("supports %", 12),
+    ],
+    &[
+        ("mode", 5),
+        ("Hz", 10),
+        ("damping %", 11),
+        ("bending y %", 12),
+        ("bending z %", 12),
+        ("twist %", 8),
+        ("subsystems %", 13),
+    ],
+    &[
+        ("no", 4),
+        ("Hz", 9),
+        ("damping%", 9),
+        ("y%", 4),
+        ("z%", 4),
+        ("twist%", 7),
+        ("subs%", 6),
+    ],
+];
+
+pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rect) {
+    let columns = table::fitting(&LAYOUTS, area.width);
+    let list = app.modal.list.as_ref();
+    let rows = list.map_or(&[][..], |list| &list.rows);
+    let empty = match list {
+        None => "solving the modes".to_owned(),
+        Some(list) => format!("no mode below {}", Unit::HERTZ.format(list.to)),
+    };
+    let content = Content {
+        title: list.map_or("Modes".to_owned(), title),
+        warns: list.is_some_and(|list| list.completeness != Completeness::Certain),
+        note: "shares of kinetic energy".to_owned(),
+        columns,
+        row: &|row| {
+            rows.get(row).map_or(Vec::new(), |mode| {
+                cells(row, mode, columns == LAYOUTS[LAYOUTS.len() - 1])
+            })
+        },
+        empty: &empty,
+        stale: list.is_some_and(|list| list.generation != app.curves.generation),
+    };
+    table::draw(frame, &content, &mut app.tables.modes, theme, area);
+}
+
+/// How many there are, and whether these are all.
+fn title(list: &ModeList) -> String {
+    let found = list.rows.len();
+    let to = Unit::HERTZ.format(list.to);
+    match list.completeness {
+        Completeness::Certain => format!("Modes: {found} of {found} below {to}"),
+        Completeness::Doubtful => format!("Modes: {found} below {to}, perhaps not all"),
+    }
+}
+
+fn cells(row: usize, mode: &ModeRow, narrow: bool) -> Vec<String> {
+    let damping = match mode.kind {
+        ModeKind::RigidBody => "rigid".to_owned(),
+        ModeKind::Oscillating => significant(100.0 * mode.damping_ratio, 4),
+        ModeKind::Overdamped if narrow => "overd.".to_owned(),
+        ModeKind::Overdamped => "overdamped".to_owned(),
+    };
+    let shares = mode.shares;
+    let decimals = usize::from(!narrow);
+    // A rounding error below 0 is 0.
+    let share = |share: f64| format!("{:.decimals$}", 100.0 * share.max(0.0));
+    vec![
+        format!("{}", row + 1),
+        significant(mode.frequency, 6),
+        damping,
+        share(shares.bending_y),
+        share(shares.bending_z),
+        share(shares.twist),
+        share(shares.subsystems),
+        share(shares.supports),
+    ]
+}

@@ -1,0 +1,107 @@
+//! A table below the chart: numbers in columns, one row selected.
+
+use ratatui::Frame;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+use ratatui::text::{Line, Span};
+
+use super::text::{cut, width};
+use crate::tui::app::List;
+use crate::tui::theme::Theme;
+
+/// Rows beside those of the list: the rule with the title, and the heading.
+pub(super) const FRAME_ROWS: u16 = 2;
+
+/// A column: its heading, and how many cells it takes with the space before it.
+pub(super) type Column = (&'static str, usize);
+
+/// What a table says.
+pub(super) struct Content<'a> {
+    /// In the rule.
+    pub(super) title: String,
+    /// Whether the title is bad news.
+    pub(super) warns: bool,
+    /// At the right of the rule.
+    pub(super) note: String,
+    /// The columns.
+    pub(super) columns: &'static [Column],
+    /// The cells of a row, right-aligned, as many as columns.
+    pub(super) row: &'a dyn Fn(usize) -> Vec<String>,
+    /// Where there are no rows.
+    pub(super) empty: &'a str,
+    /// The rows are older than the model.
+    pub(super) stale: bool,
+}
+
+/// The widest of some layouts that fits; the last one where none does.
+pub(super) fn fitting(layouts: &[&'static [Column]], columns: u16) -> &'static [Column] {
+    let fits = |layout: &&&'static [Column]| {
+        layout.iter().map(|column| column.1).sum::<usize>() <= usize::from(columns)
+    };
+    layouts
+        .iter()
+        .find(fits)
+        .or(layouts.last())
+        .copied()
+        .unwrap_or_default()
+}
+
+/// Draws a table; tells the list how many rows there is room for.
+pub(super) fn draw(
+    frame: &mut Frame<'_>,
+    content: &Content<'_>,
+    list: &mut List,
+    theme: Theme,
+    area: Rect,
+) {
+    let columns = usize::from(area.width);
+    let title = cut(&content.title, columns.saturating_sub(4));
+    let mut rule = super::rule(&title, theme);
+    if content.warns {
+        rule.spans[1].style = theme.refusal();
+    }
+    let note = Line::styled(format!(" {} ", content.note), theme.dim());
+    let note = Some(note).filter(|_| !content.note.is_empty());
+    let block = super::panel(rule, note.unwrap_or_default(), area.width).border_style(theme.dim());
+    let inside = block.inner(area);
+    frame.render_widget(block, area);
+    let mut lines = inside.rows();
+    let Some(heading) = lines.next() else {
+        return;
+    };
+    list.height = usize::from(inside.height).saturating_sub(1).max(1);
+    if list.rows == 0 {
+        let text = cut(&format!(" {}", content.empty), columns);
+        frame.render_widget(Line::styled(text, theme.dim()), heading);
+        return;
+    }
+    let names = content.columns.iter().map(|column| column.0.to_owned());
+    draw_row(frame, content, names, theme.dim(), heading);
+    let style = if content.stale {
+        theme.dim()
+    } else {
+        Style::new()
+    };
+    for (line, row) in lines.zip(list.first()..list.rows) {
+        draw_row(frame, content, (content.row)(row).into_iter(), style, line);
+        if row == list.row {
+            frame.buffer_mut().set_style(line, theme.selection());
+        }
+    }
+}
+
+fn draw_row(
+    frame: &mut Frame<'_>,
+    content: &Content<'_>,
+    cells: impl Iterator<Item = String>,
+    style: Style,
+    line: Rect,
+) {
+    let cells = content.columns.iter().zip(cells);
+    let spans = cells.map(|((_, columns), text)| {
+        let text = cut(&text, columns.saturating_sub(1));
+        let blank = " ".repeat(columns.saturating_sub(width(&text)));
+        Span::styled(format!("{blank}{text}"), style)
+    });
+    frame.render_widget(spans.collect::<Line<'_>>(), line);
+}

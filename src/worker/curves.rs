@@ -1,0 +1,106 @@
+//! Curves: first few frequencies, then all of the sweep.
+
+use std::sync::atomic::AtomicBool;
+use std::time::{Duration, Instant};
+
+use super::lane::guarded;
+use super::members::{Labelled, members};
+use super::resolve::Unresolved;
+use super::{Curves, CurvesAnswer, Member, PROMPT, Stage, Subject};
+use crate::solve::{frequencies, sweep};
+
+/// Frequencies of the timing sample, spread over the whole range.
+const SAMPLE: usize = 8;
+
+/// A coarse curve that would take longer than this is left out: it cannot be cancelled.
+const LONGEST_COARSE: Duration = Duration::from_secs(1);
+
+/// The fewest frequencies of a coarse curve.
+const COARSEST: usize = 50;
+
+/// Answers coarsely where that helps, then in full; what is left to resolve. `None` where cancelled or not possible.
+pub(super) fn answer(
+    subject: Subject,
+    cancel: &AtomicBool,
+    notify: &impl Fn(CurvesAnswer),
+) -> Option<Unresolved> {
+    let start = Instant::now();
+    let tell = |stage, result| {
+        notify(CurvesAnswer {
+            generation: subject.generation,
+            stage,
+            result,
+            elapsed: start.elapsed(),
+        });
+    };
+    let solved = guarded(|| {
+        let Some(members) = members(&subject, cancel)? else {
+            return Ok(None);
+        };
+        if let Some(coarse) = coarse(&members) {
+            tell(Stage::Coarse, Ok(coarse));
+        }
+        Ok(solve_all(&members, 1, cancel).map(|curves| (members, curves)))
+    });
+    match solved? {
+        Ok((members, curves)) => {
+            tell(Stage::Full, Ok(curves.clone()));
+            Some(Unresolved {
+                subject,
+                members,
+                curves,
+                start,
+            })
+        }
+        Err(message) => {
+            tell(Stage::Full, Err(message));
+            None
+        }
+    }
+}
+
+/// Few frequencies, where all would take longer than [`PROMPT`]. Never cancelled: it is what keeps a held key alive.
+fn coarse(members: &[Labelled]) -> Option<Curves> {
+    let (_, model) = members.first()?;
+    let all = frequencies(&model.sweep);
+    let every = (all.len() / SAMPLE).max(1);
+    let sample: Vec<f64> = all.iter().step_by(every).copied().collect();
+    let never = AtomicBool::new(false);
+    let start = Instant::now();
+    sweep(model, &sample, &never)?;
+    let each = start.elapsed().as_secs_f64() / sample.len() as f64 * members.len() as f64;
+    let affordable = 0.5 * PROMPT.as_secs_f64() / each;
+    let too_long = each * COARSEST as f64 > LONGEST_COARSE.as_secs_f64();
+    if 2.0 * affordable >= all.len() as f64 || too_long {
+        return None;
+    }
+    let points = (affordable as usize).max(COARSEST);
+    let stride = all.len().div_ceil(points);
+    (stride > 1)
+        .then(|| solve_all(members, stride, &never))
+        .flatten()
+}
+
+/// Every member at every `stride`-th frequency of its sweep and the last; none where cancelled.
+fn solve_all(members: &[Labelled], stride: usize, cancel: &AtomicBool) -> Option<Curves> {
+    let solved = members.iter().map(|(label, model)| {
+        let all = frequencies(&model.sweep);
+        let last = all.len() - 1;
+        let some: Vec<f64> = all
+            .iter()
+            .enumerate()
+            .filter(|(index, _)| index % stride == 0 || *index == last)
+            .map(|(_, &f)| f)
+            .collect();
+        Some(Member {
+            label: label.clone(),
+            frf: sweep(model, &some, cancel)?,
+            peaks: Vec::new(),
+            damping_ratios: Vec::new(),
+        })
+    });
+    Some(Curves {
+        members: solved.collect::<Option<_>>()?,
+        modes: None,
+    })
+}

@@ -1,0 +1,159 @@
+use std::sync::atomic::AtomicBool;
+use std::sync::mpsc::{Receiver, channel};
+
+use super::*;
+use crate::presets;
+use crate::solve::{frequencies, sweep};
+
+fn model(preset: &str) -> Arc<Model> {
+    Arc::new(crate::model::read(presets::find(preset).unwrap().text).unwrap())
+}
+
+fn worker() -> (Worker, Receiver<Answer>) {
+    let (sender, receiver) = channel();
+    // A receiver that is gone has heard enough.
+    let worker = Worker::start(move |answer| drop(sender.send(answer)));
+    (worker, receiver)
+}
+
+fn subject(generation: u64, model: &Arc<Model>, study: Option<usize>) -> Subject {
+    Subject {
+        generation,
+        model: Arc::clone(model),
+        study,
+    }
+}
+
+fn curves(receiver: &Receiver<Answer>, generation: u64, stage: Stage) -> Curves {
+    let wanted = |answer: Answer| match answer {
+        Answer::Curves(a) if a.generation == generation && a.stage == stage => Some(a.result),
+        _ => None,
+    };
+    receiver.iter().find_map(wanted).unwrap().unwrap()
+}
+
+#[test]
+fn the_newest_request_is_answered_in_full() {
+    let (worker, receiver) = worker();
+    let model = model("fig08");
+    for generation in 1..=20 {
+        worker.request(Request::Curves(subject(generation, &model, None)));
+    }
+    let full = curves(&receiver, 20, Stage::Full);
+    let expected = sweep(&model, &frequencies(&model.sweep), &AtomicBool::new(false)).unwrap();
+    assert_eq!(full.members[0].frf, expected);
+}
+
+#[test]
+fn resolved_curves_hold_every_frequency_of_the_sweep_and_more() {
+    let (worker, receiver) = worker();
+    let model = model("fig08");
+    worker.request(Request::Curves(subject(1, &model, None)));
+    let full = curves(&receiver, 1, Stage::Full);
+    let resolved = curves(&receiver, 1, Stage::Resolved);
+    let [full, resolved_frf] = [&full, &resolved].map(|curves| &curves.members[0].frf);
+    assert!(resolved_frf.frequencies.len() > full.frequencies.len());
+    assert!(resolved_frf.frequencies.is_sorted_by(|a, b| a < b));
+    for (row, f) in full.frequencies.iter().enumerate() {
+        let place = resolved_frf
+            .frequencies
+            .iter()
+            .position(|g| g == f)
+            .unwrap();
+        for (column, resolved) in full.columns.iter().zip(&resolved_frf.columns) {
+            assert_eq!(column.values[row], resolved.values[place], "{f} Hz");
+        }
+    }
+    let modal = resolved.modes.as_ref().unwrap();
+    assert_eq!(modal.modes.to, model.sweep.to);
+    assert_eq!(modal.shares.len(), modal.modes.modes.len());
+    assert_eq!(resolved.members[0].peaks.len(), resolved_frf.columns.len());
+}
+
+#[test]
+fn followed_modes_are_those_found_anew() {
+    let before = model("fig08");
+    let mut changed = Model::clone(&before);
+    changed.beam.length *= 1.01;
+    let changed = Arc::new(changed);
+    let modes_of = |models: &[&Arc<Model>]| {
+        let (worker, receiver) = worker();
+        let mut modes = None;
+        for (generation, model) in (1..).zip(models) {
+            worker.request(Request::Curves(subject(generation, model, None)));
+            modes = curves(&receiver, generation, Stage::Resolved).modes;
+        }
+        modes.unwrap().modes
+    };
+    let (followed, anew) = (modes_of(&[&before, &changed]), modes_of(&[&changed]));
+    assert_eq!(followed.modes.len(), anew.modes.len());
+    assert_eq!(followed.completeness, anew.completeness);
+    for (a, b) in followed.modes.iter().zip(&anew.modes) {
+        // Either is right to 1e-10 of itself.
+        assert!((a.omega - b.omega).norm() <= 1e-9 * b.omega.norm() + 1e-9);
+    }
+}
+
+#[test]
+fn a_study_gives_one_labelled_member_for_each_value_and_the_modes_of_the_model_itself() {
+    let (worker, receiver) = worker();
+    let model = model("fig08");
+    worker.request(Request::Curves(subject(6, &model, None)));
+    let alone = curves(&receiver, 6, Stage::Resolved);
+    worker.request(Request::Curves(subject(7, &model, Some(0))));
+    let study = curves(&receiver, 7, Stage::Resolved);
+    assert_eq!(study.members.len(), 4);
+    assert!(study.members.iter().all(|member| member.label.is_some()));
+    assert_ne!(study.members[0].frf, study.members[3].frf);
+    assert_ne!(study.members[0].peaks, study.members[3].peaks);
+    assert_eq!(study.modes, alone.modes);
+}
+
+#[test]
+fn a_shape_has_its_places_and_every_mass() {
+    let (worker, receiver) = worker();
+    let model = model("fig08");
+    worker.request(Request::Curves(subject(1, &model, None)));
+    let modal = curves(&receiver, 1, Stage::Resolved).modes.unwrap();
+    worker.request(Request::Shape(ShapeRequest {
+        generation: 1,
+        model: Arc::clone(&model),
+        modes: modal.modes,
+        index: 2,
+    }));
+    let shape = receiver.iter().find_map(|answer| match answer {
+        Answer::Shape(answer) => Some(answer.result.unwrap()),
+        _ => None,
+    });
+    let shape = shape.unwrap();
+    assert_eq!(shape.w.len(), SHAPE_POINTS);
+    assert_eq!(shape.masses.len(), model.subsystems.len());
+}
+
+#[test]
+fn the_witness_stands_beside_every_member() {
+    let (worker, receiver) = worker();
+    let model = model("fig08");
+    worker.request(Request::Witness(subject(3, &model, Some(0))));
+    let members = receiver.iter().find_map(|answer| match answer {
+        Answer::Witness(answer) => Some(answer.result.unwrap()),
+        _ => None,
+    });
+    let members = members.unwrap();
+    assert_eq!(members.len(), 4);
+    for member in members {
+        assert_eq!(member.frf.frequencies, frequencies(&model.sweep));
+        assert_eq!(member.differences.len(), member.frf.columns.len());
+    }
+}
+
+#[test]
+fn dropping_the_worker_ends_its_threads() {
+    let (worker, receiver) = worker();
+    let model = model("hundred_absorbers");
+    worker.request(Request::Curves(subject(1, &model, None)));
+    worker.request(Request::Witness(subject(1, &model, None)));
+    drop(worker);
+    // The threads held the only senders: the channel ends once they have.
+    assert!(receiver.iter().count() <= 4);
+}

@@ -337,7 +337,7 @@ fn shapes_are_normalised_to_modal_mass_one() {
             let from = respond(
                 &model,
                 vec![unit_force(target.clone())],
-                &[b.clone()],
+                std::slice::from_ref(&b),
                 hertz,
             )[0];
             from * 2.0 * mode.omega * (mode.omega - mode.omega.re)

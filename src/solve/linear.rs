@@ -75,6 +75,14 @@ impl Magnified {
     }
 
     /// This over another.
+    pub(super) fn over(&self, other: &Self) -> Self {
+        Self {
+            log: self.log - other.log,
+            direction: self.direction * other.direction.conj(),
+        }
+    }
+
+    /// This over another, as a number.
     pub(super) fn ratio(&self, other: &Self) -> Complex64 {
         self.direction * other.direction.conj() * (self.log - other.log).exp()
     }

@@ -10,6 +10,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use num_complex::Complex64;
 use rayon::prelude::*;
 
+use super::blocked::Blocked;
 use super::characteristic::Characteristic;
 use super::eigenspace::Probe;
 use super::tracker::{Tracker, inverse, newton};
@@ -21,6 +22,7 @@ use crate::model::Model;
 pub(super) struct Search<'a> {
     model: &'a Model,
     characteristic: Characteristic,
+    blocked: Blocked,
     /// How many modes have the frequency 0 without damping.
     rigid: usize,
     cancel: &'a AtomicBool,
@@ -51,6 +53,7 @@ impl<'a> Search<'a> {
         Self {
             model,
             characteristic: Characteristic::new(model),
+            blocked: Blocked::new(model),
             rigid,
             cancel,
         }
@@ -122,6 +125,14 @@ impl<'a> Search<'a> {
     ) -> Option<Vec<Option<Complex64>>> {
         const MOST_STEPS: usize = 100;
         let mut trackers: Vec<Tracker> = starts.iter().map(|&z| Tracker::new(z)).collect();
+        // Roots that no tracker seeks: about where their masses would be on a blocked beam.
+        let sought = starts
+            .iter()
+            .chain(known)
+            .map(|z| z.norm())
+            .fold(0.0, f64::max);
+        let masses = self.blocked.roots.iter().copied();
+        let beyond: Vec<Complex64> = masses.filter(|root| root.norm() > sought).collect();
         for _ in 0..MOST_STEPS {
             if self.cancel.load(Ordering::Relaxed) {
                 return None;
@@ -133,7 +144,7 @@ impl<'a> Search<'a> {
                 .enumerate()
                 .for_each(|(index, tracker)| {
                     if !tracker.arrived {
-                        let push = self.push(&now, index);
+                        let push = self.push(&now, index, &beyond);
                         tracker.step(characteristic, push, !self.is_hysteretic());
                     }
                 });
@@ -154,8 +165,8 @@ impl<'a> Search<'a> {
         self.model.beam.material.loss_factor != 0.0
     }
 
-    /// The sum of 1 / (z - other) over all other known roots: trackers, their mirror images, and those at 0.
-    fn push(&self, all: &[Complex64], index: usize) -> Complex64 {
+    /// The sum of 1 / (z - other) over all other known roots: trackers, their mirror images, those at 0, and far ones.
+    fn push(&self, all: &[Complex64], index: usize, beyond: &[Complex64]) -> Complex64 {
         let z = all[index];
         let others = all.iter().enumerate().filter(|&(other, _)| other != index);
         let mut push: Complex64 = others.map(|(_, other)| inverse(z - other)).sum();
@@ -165,6 +176,10 @@ impl<'a> Search<'a> {
             .filter(|other| other.re != 0.0 && !self.is_hysteretic());
         push += images
             .map(|other| inverse(z + other.conj()))
+            .sum::<Complex64>();
+        push += beyond
+            .iter()
+            .map(|other| inverse(z - other))
             .sum::<Complex64>();
         push + 2.0 * self.rigid as f64 * inverse(z)
     }
@@ -180,7 +195,7 @@ impl<'a> Search<'a> {
             outer: boundary(&modes, to),
             hysteretic: self.is_hysteretic(),
         };
-        let counted = count(&self.characteristic, &region, &modes);
+        let counted = count(&self.characteristic, &self.blocked, &region, &modes);
         if counted != region.weigh(&modes) {
             roots.retain(|&root| mode(root).kind == ModeKind::Oscillating);
             // A tracker may run out of the region: try again from other places.

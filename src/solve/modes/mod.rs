@@ -4,9 +4,10 @@
 //! `station`, `rigid` and `inertia`; `undamped` halves intervals by it and polishes each root, by `bracket`, on the
 //! `characteristic` function, which comes from the reflections of the frequency responses and shares nothing with the
 //! count. Damped: `damped` moves all roots of that function together, each a `tracker`, and `winding` counts them by
-//! the argument principle. Shapes: `eigenspace` finds the `motion` of modes that lie close together from responses
+//! the argument principle, divided by those of the `blocked` masses. Shapes: `eigenspace` finds the `motion` of modes that lie close together from responses
 //! beside them, with the integrals of `quadrature`; `shape` is what people see.
 
+mod blocked;
 mod bracket;
 mod characteristic;
 mod count;

@@ -5,6 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use num_complex::Complex64;
 use rayon::prelude::*;
 
+use super::blocked::Blocked;
 use super::characteristic::Characteristic;
 use super::types::{Mode, ModeKind};
 use crate::solve::linear::Magnified;
@@ -25,6 +26,13 @@ pub(super) struct Region {
 }
 
 impl Region {
+    /// Whether a root lies in it.
+    fn holds(&self, omega: Complex64) -> bool {
+        let ring = (self.inner..self.outer).contains(&omega.norm());
+        let low = -BELOW.tan() * omega.re.abs();
+        ring && omega.im > low && (omega.re > 0.0 || !self.hysteretic)
+    }
+
     /// How many roots of the whole region the modes stand for.
     pub(super) fn weigh(&self, modes: &[Mode]) -> i64 {
         let inside = modes
@@ -40,9 +48,39 @@ impl Region {
     }
 }
 
+/// The characteristic function over the roots of the blocked masses: it turns by about pi a mode, whatever the masses.
+struct Turning<'a> {
+    characteristic: &'a Characteristic,
+    blocked: Blocked,
+}
+
+impl Turning<'_> {
+    fn at(&self, omega: Complex64) -> Magnified {
+        self.characteristic.at(omega).over(&self.blocked.at(omega))
+    }
+}
+
 /// The roots in the region, as often as they occur. `modes` (by rising |omega|) say where the function turns fast.
-pub(super) fn count(characteristic: &Characteristic, region: &Region, modes: &[Mode]) -> i64 {
-    // The function turns by about pi a mode.
+pub(super) fn count(
+    characteristic: &Characteristic,
+    blocked: &Blocked,
+    region: &Region,
+    modes: &[Mode],
+) -> i64 {
+    // On the way itself a root would be half inside.
+    let mut blocked = blocked.clone();
+    blocked
+        .roots
+        .retain(|root| !region.hysteretic || root.re.abs() > 1e-3 * root.norm());
+    let masses = blocked
+        .roots
+        .iter()
+        .filter(|root| region.holds(**root))
+        .count();
+    let turning = Turning {
+        characteristic,
+        blocked,
+    };
     const FEW: usize = 16;
     let turn = |from: f64, to: f64, radius: f64, steps: usize| {
         arc(from, to, steps)
@@ -61,9 +99,9 @@ pub(super) fn count(characteristic: &Characteristic, region: &Region, modes: &[M
         back.reverse();
         path.extend(back.into_iter().map(|radius| Complex64::new(0.0, radius)));
     }
-    let turned = phase_along(characteristic, &path);
+    let turned = phase_along(&turning, &path);
     let whole = if region.hysteretic { 2.0 * PI } else { PI };
-    (turned / whole).round() as i64
+    (turned / whole).round() as i64 + masses as i64
 }
 
 fn arc(from: f64, to: f64, steps: usize) -> impl Iterator<Item = f64> {
@@ -96,8 +134,8 @@ fn radii(region: &Region, modes: &[Mode]) -> Vec<f64> {
 }
 
 /// The change of the function's phase along a path, rad.
-fn phase_along(characteristic: &Characteristic, path: &[Complex64]) -> f64 {
-    let values: Vec<Magnified> = path.par_iter().map(|&z| characteristic.at(z)).collect();
+fn phase_along(turning: &Turning, path: &[Complex64]) -> f64 {
+    let values: Vec<Magnified> = path.par_iter().map(|&z| turning.at(z)).collect();
     (1..path.len())
         .into_par_iter()
         .map(|index| {
@@ -105,14 +143,14 @@ fn phase_along(characteristic: &Characteristic, path: &[Complex64]) -> f64 {
                 (path[index - 1], values[index - 1]),
                 (path[index], values[index]),
             ];
-            phase_between(characteristic, ends[0], ends[1], 0)
+            phase_between(turning, ends[0], ends[1], 0)
         })
         .sum()
 }
 
 /// The change between two points, halved until it is small.
 fn phase_between(
-    characteristic: &Characteristic,
+    turning: &Turning,
     from: (Complex64, Magnified),
     to: (Complex64, Magnified),
     depth: usize,
@@ -126,7 +164,6 @@ fn phase_between(
         return change;
     }
     let middle = 0.5 * (from.0 + to.0);
-    let middle = (middle, characteristic.at(middle));
-    phase_between(characteristic, from, middle, depth + 1)
-        + phase_between(characteristic, middle, to, depth + 1)
+    let middle = (middle, turning.at(middle));
+    phase_between(turning, from, middle, depth + 1) + phase_between(turning, middle, to, depth + 1)
 }

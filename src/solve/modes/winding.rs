@@ -13,6 +13,9 @@ use crate::solve::linear::Magnified;
 /// How far below the real axis the region reaches, rad: undamped roots lie inside.
 const BELOW: f64 = 0.05;
 
+/// Steps of an arc beside which no mode lies.
+const FEW: usize = 16;
+
 /// A part of the plane of omega: a half ring about 0 whose right half is walked around; its left half is the mirror
 /// image. With a loss factor nothing is mirrored, and the region is the right half alone.
 #[derive(Debug, Clone, Copy)]
@@ -81,7 +84,6 @@ pub(super) fn count(
         characteristic,
         blocked,
     };
-    const FEW: usize = 16;
     let turn = |from: f64, to: f64, radius: f64, steps: usize| {
         arc(from, to, steps)
             .map(|angle| Complex64::from_polar(radius, angle))

@@ -318,6 +318,19 @@ fn modes_that_are_followed_are_those_found_afresh() {
     }
 }
 
+/// Expected: the argument principle counts as many as were found, and Wittrick and Williams as many without damping.
+#[test]
+fn every_preset_has_all_its_modes() {
+    for preset in presets::ALL {
+        let model = model::read(preset.text).unwrap();
+        let to = model.sweep.to.min(400.0);
+        let found = damped(&model, to);
+        let undamped = undamped(&model, to, &NEVER).unwrap();
+        assert_eq!(found.undamped, undamped.len(), "{}", preset.name);
+        assert!(!found.modes.is_empty(), "{}", preset.name);
+    }
+}
+
 /// Expected: the residue of a receptance at a pole. Between two places it is the product of the mode's motions there:
 /// `H = phi_a phi_b / (2 omega_k (omega_k - omega))` beside `omega_k`, from the normalisation.
 #[test]

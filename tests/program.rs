@@ -151,6 +151,15 @@ fn a_parameter_is_tuned_and_saved() {
     assert_eq!(comments(&saved), comments(text));
 }
 
+/// The title of the panel that tells of the selected row.
+fn details(screen: &str) -> Option<&str> {
+    let titles = screen.lines().filter_map(|line| line.strip_prefix("─ "));
+    titles
+        .filter_map(|title| title.split_once(" ─"))
+        .map(|(title, _)| title)
+        .find(|title| *title != "Model")
+}
+
 /// Goes from parameter to parameter until the details are those of `name`.
 fn select(program: &mut Program, name: &str) {
     for _ in 0..60 {
@@ -159,7 +168,10 @@ fn select(program: &mut Program, name: &str) {
             return;
         }
         program.press("\t");
-        program.wait("the next parameter", |screen| screen != before);
+        // Not any change will do: new curves may arrive at any time.
+        program.wait("the next parameter", |screen| {
+            details(screen).is_some() && details(screen) != details(&before)
+        });
     }
     panic!("{name} not found; the screen is\n{}", program.text());
 }

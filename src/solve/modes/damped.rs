@@ -195,13 +195,19 @@ impl<'a> Search<'a> {
             outer: boundary(&modes, to),
             hysteretic: self.is_hysteretic(),
         };
-        let counted = count(&self.characteristic, &self.blocked, &region, &modes);
+        let counted = count(
+            &self.characteristic,
+            &self.blocked,
+            &region,
+            &modes,
+            self.cancel,
+        )?;
         if counted != region.weigh(&modes) {
             roots.retain(|&root| mode(root).kind == ModeKind::Oscillating);
             // A tracker may run out of the region: try again from other places.
-            for offset in [0.5, 0.2, 0.8] {
+            for start in [(0.5, 0.05), (0.2, 0.3), (0.8, 1.0)] {
                 let missing = counted - region.weigh(&sorted(&roots));
-                roots.extend(self.overdamped((missing, offset), &roots, &region)?);
+                roots.extend(self.overdamped(missing, start, &roots, &region)?);
             }
             modes = sorted(&self.parted(roots));
         }
@@ -220,7 +226,8 @@ impl<'a> Search<'a> {
     /// a loss factor such roots lie beside it.
     fn overdamped(
         &self,
-        (missing, offset): (i64, f64),
+        missing: i64,
+        (offset, aside): (f64, f64),
         known: &[Complex64],
         region: &Region,
     ) -> Option<Vec<Complex64>> {
@@ -228,7 +235,7 @@ impl<'a> Search<'a> {
         let starts: Vec<Complex64> = (0..missing.max(0))
             .map(|index| {
                 let share = (index as f64 + offset) / missing as f64;
-                let aside = if region.hysteretic { 0.05 } else { 0.0 };
+                let aside = if region.hysteretic { aside } else { 0.0 };
                 Complex64::new(aside, 1.0) * region.inner * ratio.powf(share)
             })
             .collect();
@@ -276,14 +283,14 @@ fn sorted(roots: &[Complex64]) -> Vec<Mode> {
 fn mode(omega: Complex64) -> Mode {
     const OVERDAMPED: f64 = 1e-7;
     // A root that no damper reaches lies on the real axis but for rounding.
-    const UNDAMPED: f64 = 1e-15;
+    const UNDAMPED: f64 = 1e-13;
     if omega.re < OVERDAMPED * omega.im {
         return Mode {
             omega: Complex64::new(0.0, omega.im),
             kind: ModeKind::Overdamped,
         };
     }
-    let decay = if omega.im.abs() < UNDAMPED * omega.re {
+    let decay = if omega.im < UNDAMPED * omega.re {
         0.0
     } else {
         omega.im

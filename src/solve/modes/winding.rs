@@ -1,6 +1,7 @@
 //! How many roots of the characteristic function lie in a region: the argument principle.
 
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -63,13 +64,15 @@ impl Turning<'_> {
     }
 }
 
-/// The roots in the region, as often as they occur. `modes` (by rising |omega|) say where the function turns fast.
+/// The roots in the region, as often as they occur; `None` where cancelled. `modes` (by rising |omega|) say where the
+/// function turns fast.
 pub(super) fn count(
     characteristic: &Characteristic,
     blocked: &Blocked,
     region: &Region,
     modes: &[Mode],
-) -> i64 {
+    cancel: &AtomicBool,
+) -> Option<i64> {
     // On the way itself a root would be half inside.
     let mut blocked = blocked.clone();
     blocked
@@ -101,9 +104,9 @@ pub(super) fn count(
         back.reverse();
         path.extend(back.into_iter().map(|radius| Complex64::new(0.0, radius)));
     }
-    let turned = phase_along(&turning, &path);
+    let turned = phase_along(&turning, &path, cancel)?;
     let whole = if region.hysteretic { 2.0 * PI } else { PI };
-    (turned / whole).round() as i64 + masses as i64
+    Some((turned / whole).round() as i64 + masses as i64)
 }
 
 fn arc(from: f64, to: f64, steps: usize) -> impl Iterator<Item = f64> {
@@ -135,19 +138,22 @@ fn radii(region: &Region, modes: &[Mode]) -> Vec<f64> {
     radii
 }
 
-/// The change of the function's phase along a path, rad.
-fn phase_along(turning: &Turning, path: &[Complex64]) -> f64 {
-    let values: Vec<Magnified> = path.par_iter().map(|&z| turning.at(z)).collect();
-    (1..path.len())
-        .into_par_iter()
-        .map(|index| {
-            let ends = [
-                (path[index - 1], values[index - 1]),
-                (path[index], values[index]),
-            ];
-            phase_between(turning, ends[0], ends[1], 0)
-        })
-        .sum()
+/// The change of the function's phase along a path, rad; `None` where cancelled.
+fn phase_along(turning: &Turning, path: &[Complex64], cancel: &AtomicBool) -> Option<f64> {
+    let goes_on = || !cancel.load(Ordering::Relaxed);
+    let values: Option<Vec<Magnified>> = path
+        .par_iter()
+        .map(|&z| goes_on().then(|| turning.at(z)))
+        .collect();
+    let values = values?;
+    let changes = (1..path.len()).into_par_iter().map(|index| {
+        let ends = [
+            (path[index - 1], values[index - 1]),
+            (path[index], values[index]),
+        ];
+        goes_on().then(|| phase_between(turning, ends[0], ends[1], 0))
+    });
+    changes.sum()
 }
 
 /// The change between two points, halved until it is small.

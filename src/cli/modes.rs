@@ -93,11 +93,7 @@ fn write_shapes(out: &mut dyn Write, model: &Model, found: &Modes) -> std::io::R
             row("beam", x, "psi", shape.psi[place])?;
             row("beam", x, "v", shape.v[place])?;
         }
-        let attached = model
-            .subsystems
-            .iter()
-            .filter(|subsystem| subsystem.enabled);
-        for (subsystem, motion) in attached.zip(&shape.masses) {
+        for (subsystem, motion) in model.attached().zip(&shape.masses) {
             let name = cell(&subsystem.name);
             for (direction, value) in ["y", "z", "theta"].into_iter().zip(motion) {
                 row(&name, subsystem.position, direction, *value)?;

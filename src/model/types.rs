@@ -28,6 +28,13 @@ pub struct Model {
     pub tune: Option<Tune>,
 }
 
+impl Model {
+    /// The subsystems that are attached: those enabled, in the order of the file.
+    pub fn attached(&self) -> impl Iterator<Item = &Subsystem> {
+        self.subsystems.iter().filter(|subsystem| subsystem.enabled)
+    }
+}
+
 /// The uniform beam.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Beam {
@@ -207,6 +214,14 @@ pub enum Restraint {
 }
 
 impl Restraint {
+    /// The spring, damper and inertia; none of them where it is free or fixed.
+    pub fn elastic(self) -> Elastic {
+        match self {
+            Self::Elastic(elastic) => elastic,
+            Self::Free | Self::Fixed => Elastic::default(),
+        }
+    }
+
     /// Its word: `free`, `fixed` or `elastic`.
     pub const fn kind(self) -> &'static str {
         match self {

@@ -11,6 +11,7 @@
 use num_complex::Complex64;
 
 use super::linear::{Matrix, ZERO, solve, zeros};
+use super::reflection::Contact;
 use crate::model::{Spring, Subsystem};
 
 /// Unknowns of an attachment: the forces of the three channels, and theta.
@@ -115,18 +116,9 @@ impl Attachment {
     }
 
     /// The unknowns as functions of what comes from the right.
-    ///
-    /// `receptance` (3x3) is the displacement of the beam per jump of its internal forces, `moved` (3x6) the
-    /// displacement per wave from the right, `still` the displacement with neither.
-    pub(super) fn channels(
-        &self,
-        omega: Complex64,
-        receptance: &Matrix<3, 3>,
-        moved: &Matrix<3, 6>,
-        still: &[Complex64; 3],
-    ) -> Channels {
+    pub(super) fn channels(&self, omega: Complex64, contact: &Contact) -> Channels {
         let k = self.stiffness(omega);
-        let driving = self.driving(omega, moved, still);
+        let driving = self.driving(omega, &contact.moved, &contact.still);
         let mut b = zeros::<UNKNOWNS, 7>();
         for column in 0..7 {
             let pulled = k.times(driving.map(|row| row[column]));
@@ -137,7 +129,7 @@ impl Attachment {
         if !self.is_idle(&k) {
             b[3][6] = -self.load[2];
         }
-        split(&solve(self.system(omega, receptance), b))
+        split(&solve(self.system(omega, &contact.receptance), b))
     }
 
     /// The matrix of the unknowns: each channel's force against its stretch, and the balance of theta.

@@ -51,7 +51,6 @@ pub(super) enum Reading {
 impl<'a> Layout<'a> {
     /// Lays out a checked model; places nearer than `merge` (m) to their left neighbour are taken as one with it.
     pub(super) fn new(model: &'a Model, merge: f64) -> Self {
-        let subsystems = || model.subsystems.iter().filter(|s| s.enabled);
         let mut layout = Self {
             model,
             merge,
@@ -61,7 +60,8 @@ impl<'a> Layout<'a> {
             readings: Vec::new(),
         };
         layout.loads = vec![[Complex64::ZERO; 6]; layout.positions.len()];
-        layout.masses = subsystems()
+        layout.masses = model
+            .attached()
             .map(|subsystem| Mass {
                 subsystem,
                 place: layout.place(subsystem.position),
@@ -187,10 +187,9 @@ fn positions(model: &Model, merge: f64) -> Vec<f64> {
         Target::Beam(place, _) => Some(distance(model, *place)),
         Target::Mass(..) => None,
     };
-    let subsystems = model.subsystems.iter().filter(|s| s.enabled);
     let forces = model.forces.iter().filter(|force| force.enabled);
     let responses = model.responses.iter().filter(|response| response.enabled);
-    let mut all: Vec<f64> = subsystems.map(|s| s.position).collect();
+    let mut all: Vec<f64> = model.attached().map(|s| s.position).collect();
     all.extend(forces.filter_map(|force| beam_place(&force.target)));
     all.extend(responses.filter_map(|response| match &response.quantity {
         Quantity::Motion(target, _) => beam_place(target),

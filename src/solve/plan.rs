@@ -134,7 +134,7 @@ impl<'a> Layout<'a> {
     }
 
     fn place_subsystems(&mut self) {
-        for subsystem in self.model.subsystems.iter().filter(|s| s.enabled) {
+        for subsystem in self.model.attached() {
             self.masses.insert(&subsystem.name, self.stations.len());
             self.stations.push(Station {
                 position: subsystem.position,

@@ -106,7 +106,10 @@ impl Workspace {
             at.propagate(&self.decays[span]);
             let left = at.clone();
             let channels = match &station.event {
-                Event::Attachment(attachment) => Some(at.attach(waves, omega, attachment)),
+                Event::Attachment(attachment) => {
+                    let contact = at.contact(waves);
+                    Some(at.attach(&contact, omega, attachment))
+                }
                 Event::Load(load) => {
                     at.load(waves, load);
                     None

@@ -18,6 +18,19 @@ pub(super) struct Reflection {
     pub(super) s: Amplitudes,
 }
 
+/// The beam at a place where something is to be attached.
+#[derive(Debug)]
+pub(super) struct Contact {
+    /// Displacement (w, psi, v) per wave from the right.
+    pub(super) moved: Matrix<3, 6>,
+    /// Displacement with nothing arriving from the right.
+    pub(super) still: [Complex64; 3],
+    /// Displacement per jump of the internal forces.
+    pub(super) receptance: Matrix<3, 3>,
+    /// (I + R) X: waves per jump of the internal forces.
+    outgoing: Matrix<6, 3>,
+}
+
 impl Channels {
     /// The unknowns for waves `b` just right of the station.
     pub(super) fn at(&self, b: &Amplitudes) -> [Complex64; UNKNOWNS] {
@@ -41,19 +54,27 @@ impl Reflection {
         }
     }
 
+    /// What a subsystem meets here.
+    pub(super) fn contact(&self, waves: &Waves) -> Contact {
+        let arriving = self.plus_identity();
+        let outgoing = radiating(&arriving, &waves.from_force);
+        Contact {
+            moved: product3(&waves.displacement, &arriving),
+            still: std::array::from_fn(|row| dot(&waves.displacement[row], &self.s)),
+            receptance: receptance(&waves.displacement, &outgoing),
+            outgoing,
+        }
+    }
+
     /// Past a subsystem: its jump f of the internal forces radiates X f both ways.
     pub(super) fn attach(
         &mut self,
-        waves: &Waves,
+        contact: &Contact,
         omega: Complex64,
         attachment: &Attachment,
     ) -> Channels {
-        let arriving = self.plus_identity();
-        let moved = product3(&waves.displacement, &arriving);
-        let still = std::array::from_fn(|row| dot(&waves.displacement[row], &self.s));
-        let outgoing = radiating(&arriving, &waves.from_force);
-        let receptance = receptance(&waves.displacement, &outgoing);
-        let channels = attachment.channels(omega, &receptance, &moved, &still);
+        let outgoing = &contact.outgoing;
+        let channels = attachment.channels(omega, contact);
         for column in 0..6 {
             let unknowns = std::array::from_fn(|row| channels.from_waves[row][column]);
             let jump = attachment.jump(&unknowns);
@@ -66,12 +87,6 @@ impl Reflection {
             self.s[row] += dot3(&outgoing[row], &jump);
         }
         channels
-    }
-
-    /// The displacement (w, psi, v) per jump of the internal forces, with nothing arriving from the right.
-    pub(super) fn receptance(&self, waves: &Waves) -> Matrix<3, 3> {
-        let outgoing = radiating(&self.plus_identity(), &waves.from_force);
-        receptance(&waves.displacement, &outgoing)
     }
 
     /// Past loads: s <- s + (I + R) X f + (I - R) Y m.

@@ -100,8 +100,7 @@ impl Resolver {
 
 /// Whether the modes of two models up to the end of their sweeps are as many, but for a few.
 fn is_alike(one: &Model, other: &Model) -> bool {
-    let attached = |model: &Model| model.subsystems.iter().filter(|s| s.enabled).count();
-    one.sweep.to == other.sweep.to && attached(one) == attached(other)
+    one.sweep.to == other.sweep.to && one.attached().count() == other.attached().count()
 }
 
 fn resolve_member(

@@ -5,8 +5,10 @@ use std::sync::atomic::AtomicBool;
 use super::lane::guarded;
 use super::members::members;
 use super::{Difference, Subject, WitnessAnswer, WitnessMember};
+use crate::model::Model;
+use crate::solve::compare::differences;
 use crate::solve::fem::{FiniteElements, default_elements};
-use crate::solve::{Column, ColumnKind, Frf, frequencies, sweep};
+use crate::solve::{Frf, frequencies, sweep};
 
 /// The curves of a finite-element model of each member, held against the exact ones; none where cancelled.
 pub(super) fn answer(subject: &Subject, cancel: &AtomicBool) -> Option<WitnessAnswer> {
@@ -21,7 +23,7 @@ pub(super) fn answer(subject: &Subject, cancel: &AtomicBool) -> Option<WitnessAn
             let exact = sweep(&model, &frequencies, cancel)?;
             Some(WitnessMember {
                 elements: mesh.elements(),
-                differences: differences(&frf, &exact),
+                differences: largest(&model, &exact, &frf),
                 frf,
             })
         });
@@ -33,28 +35,20 @@ pub(super) fn answer(subject: &Subject, cancel: &AtomicBool) -> Option<WitnessAn
     })
 }
 
-/// The largest difference of each response.
-fn differences(frf: &Frf, exact: &Frf) -> Vec<Option<Difference>> {
-    let columns = frf.columns.iter().zip(&exact.columns);
+/// The largest difference of each response, dB.
+fn largest(model: &Model, exact: &Frf, other: &Frf) -> Vec<Option<Difference>> {
+    let columns = differences(model, exact, other).into_iter();
     columns
-        .map(|(column, exact)| largest(&frf.frequencies, column, exact))
+        .map(|column| {
+            let places = exact.frequencies.iter().zip(column);
+            let all = places.filter_map(|(&frequency, difference)| {
+                Some(Difference {
+                    decibels: difference?.decibels,
+                    frequency,
+                })
+            });
+            all.filter(|difference| difference.decibels.is_finite())
+                .max_by(|a, b| a.decibels.total_cmp(&b.decibels))
+        })
         .collect()
-}
-
-fn largest(frequencies: &[f64], column: &Column, exact: &Column) -> Option<Difference> {
-    // Ten decibels are a decade of an energy, twenty one of an amplitude.
-    let factor = match column.kind {
-        ColumnKind::Energy => 10.0,
-        ColumnKind::Complex => 20.0,
-    };
-    let values = column.values.iter().zip(&exact.values);
-    let all = frequencies.iter().zip(values).map(|(&frequency, (a, b))| {
-        let decibels = factor * (a.norm() / b.norm()).log10().abs();
-        Difference {
-            decibels,
-            frequency,
-        }
-    });
-    all.filter(|difference| difference.decibels.is_finite())
-        .max_by(|a, b| a.decibels.total_cmp(&b.decibels))
 }

@@ -18,12 +18,8 @@ pub(super) struct Blocked {
 impl Blocked {
     /// Of a checked model.
     pub(super) fn new(model: &Model) -> Self {
-        let attached = model
-            .subsystems
-            .iter()
-            .filter(|subsystem| subsystem.enabled);
         Self {
-            roots: attached.flat_map(of_mass).collect(),
+            roots: model.attached().flat_map(of_mass).collect(),
         }
     }
 

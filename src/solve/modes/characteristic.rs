@@ -51,10 +51,11 @@ impl Characteristic {
         for (station, &span) in plan.stations.iter().zip(&plan.spans) {
             at.propagate(&decays[span]);
             if let Event::Attachment(attachment) = &station.event {
-                let receptance = at.receptance(&waves);
-                multiply_determinant(&mut product, attachment.system(omega, &receptance));
+                let contact = at.contact(&waves);
+                let system = attachment.system(omega, &contact.receptance);
+                multiply_determinant(&mut product, system);
                 product.times(omega.powu(4));
-                at.attach(&waves, omega, attachment);
+                at.attach(&contact, omega, attachment);
             }
         }
         at.propagate(&decays[plan.last_span()]);

@@ -40,12 +40,7 @@ impl Counter {
         if decays_at_once(&beam) {
             beam.section.warping_constant = 0.0;
         }
-        let mut masses: Vec<Mass> = model
-            .subsystems
-            .iter()
-            .filter(|subsystem| subsystem.enabled)
-            .map(Mass::new)
-            .collect();
+        let mut masses: Vec<Mass> = model.attached().map(Mass::new).collect();
         masses.sort_by(|a, b| a.position.total_cmp(&b.position));
         let (nodes, spans) = nodes(&masses, beam.length);
         let warps = beam.section.warping_constant > 0.0;

@@ -16,6 +16,7 @@ use super::eigenspace::Probe;
 use super::tracker::{Tracker, inverse, newton};
 use super::types::{Completeness, Mode, ModeKind};
 use super::winding::{Region, count};
+use super::with_damping_times;
 use crate::model::Model;
 
 /// The search for the damped roots of a model.
@@ -308,11 +309,4 @@ fn boundary(modes: &[Mode], to: f64) -> f64 {
     let below = inside.map_or(0.9 * to, |mode| mode.omega.norm().max(0.9 * to));
     let above = outside.map_or(1.1 * to, |mode| mode.omega.norm().min(1.1 * to));
     (below * above).sqrt()
-}
-
-/// The model with its dampers and loss factor times a share.
-fn with_damping_times(model: &Model, share: f64) -> Model {
-    let mut model = model.clone();
-    super::scale_damping(&mut model, share);
-    model
 }

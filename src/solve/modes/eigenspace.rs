@@ -12,8 +12,7 @@ use num_complex::Complex64;
 use super::motion::{Motion, combined, stretches};
 use super::quadrature::{Sample, samples};
 use crate::model::{
-    BeamMotion, Elastic, Force, MassMotion, Measure, Model, Place, Quantity, Response, Restraint,
-    Target,
+    BeamMotion, Force, MassMotion, Measure, Model, Place, Quantity, Response, Target,
 };
 use crate::solve::plan::Plan;
 use crate::solve::recursion::Workspace;
@@ -118,12 +117,7 @@ impl<'a> Probe<'a> {
                 targets.push((Target::Beam(place, motion), arm));
             }
         }
-        for subsystem in self
-            .model
-            .subsystems
-            .iter()
-            .filter(|subsystem| subsystem.enabled)
-        {
+        for subsystem in self.model.attached() {
             let turn = (subsystem.inertia / subsystem.mass).sqrt();
             for (motion, arm) in [
                 (MassMotion::Y, 1.0),
@@ -155,14 +149,14 @@ impl<'a> Probe<'a> {
             .iter()
             .copied()
             .chain(self.samples.iter().map(|s| s.position));
-        let mounts = self.subsystems().map(|subsystem| subsystem.position);
+        let mounts = self.model.attached().map(|subsystem| subsystem.position);
         for x in places.chain(mounts) {
             targets.extend(DISPLACEMENTS.map(|motion| Target::Beam(Place::Position(x), motion)));
         }
         for place in [Place::Left, Place::Right] {
             targets.extend(BeamMotion::ALL.map(|motion| Target::Beam(place, motion)));
         }
-        for subsystem in self.subsystems() {
+        for subsystem in self.model.attached() {
             let of = |motion| Target::Mass(subsystem.name.clone(), motion);
             targets.extend(MassMotion::ALL.map(of));
         }
@@ -177,7 +171,7 @@ impl<'a> Probe<'a> {
                 .collect()
         };
         let (beam, rest) = values.split_at(3 * (self.looked_at.len() + self.samples.len()));
-        let (mounts, rest) = rest.split_at(3 * self.subsystems().count());
+        let (mounts, rest) = rest.split_at(3 * self.model.attached().count());
         let (ends, masses) = rest.split_at(12);
         Motion {
             beam: triples(beam),
@@ -190,30 +184,11 @@ impl<'a> Probe<'a> {
         }
     }
 
-    fn subsystems(&self) -> impl Iterator<Item = &crate::model::Subsystem> {
-        self.model
-            .subsystems
-            .iter()
-            .filter(|subsystem| subsystem.enabled)
-    }
-
     /// `a^T (2 omega M - i C) b`.
     fn form(&self, omega: Complex64, a: &Motion, b: &Motion) -> Complex64 {
-        let (material, section) = (&self.model.beam.material, &self.model.beam.section);
-        let mut mass = Complex64::ZERO;
-        let first = self.looked_at.len();
-        for (sample, (p, q)) in self
-            .samples
-            .iter()
-            .zip(a.beam[first..].iter().zip(&b.beam[first..]))
-        {
-            let polar = section.polar_moment / section.area;
-            let coupled = section.centroid_offset * (p[0] * q[1] + p[1] * q[0]);
-            let density = p[0] * q[0] + p[2] * q[2] + polar * p[1] * q[1] + coupled;
-            mass += sample.weight * material.density * section.area * density;
-        }
+        let mut mass = self.mass_of_beam(a, b);
         let mut damping = Complex64::ZERO;
-        for (index, subsystem) in self.subsystems().enumerate() {
+        for (index, subsystem) in self.model.attached().enumerate() {
             let (p, q) = (&a.masses[index], &b.masses[index]);
             mass += subsystem.mass * (p[0] * q[0] + p[1] * q[1]) + subsystem.inertia * p[2] * q[2];
             let stretch = |motion: &Motion| {
@@ -232,29 +207,31 @@ impl<'a> Probe<'a> {
         let supports = [&self.model.supports.left, &self.model.supports.right];
         for (support, (p, q)) in supports.iter().zip(a.ends.iter().zip(&b.ends)) {
             for motion in BeamMotion::ALL {
-                let Elastic {
-                    damping: c,
-                    inertia,
-                    ..
-                } = elastic(support[motion]);
+                let elastic = support[motion].elastic();
                 let product = p[motion as usize] * q[motion as usize];
-                mass += inertia * product;
-                damping += c * product;
+                mass += elastic.inertia * product;
+                damping += elastic.damping * product;
             }
         }
         2.0 * omega * mass - Complex64::I * damping
     }
+
+    /// `a^T M b` of the beam alone.
+    fn mass_of_beam(&self, a: &Motion, b: &Motion) -> Complex64 {
+        let (material, section) = (&self.model.beam.material, &self.model.beam.section);
+        let polar = section.polar_moment / section.area;
+        let first = self.looked_at.len();
+        let motions = a.beam[first..].iter().zip(&b.beam[first..]);
+        let shares = self.samples.iter().zip(motions).map(|(sample, (p, q))| {
+            let coupled = section.centroid_offset * (p[0] * q[1] + p[1] * q[0]);
+            let density = p[0] * q[0] + p[2] * q[2] + polar * p[1] * q[1] + coupled;
+            sample.weight * material.density * section.area * density
+        });
+        shares.sum()
+    }
 }
 
 const DISPLACEMENTS: [BeamMotion; 3] = [BeamMotion::W, BeamMotion::Psi, BeamMotion::V];
-
-/// What an end's motion meets; nothing where it is free or fixed.
-pub(super) fn elastic(restraint: Restraint) -> Elastic {
-    match restraint {
-        Restraint::Elastic(elastic) => elastic,
-        Restraint::Free | Restraint::Fixed => Elastic::default(),
-    }
-}
 
 fn response(target: Target) -> Response {
     Response {

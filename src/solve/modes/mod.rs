@@ -46,12 +46,7 @@ pub fn count(model: &Model, frequency: f64) -> usize {
 ///
 /// Dampers and the loss factor are left out. The list is complete by the count of Wittrick & Williams (1971).
 pub fn undamped(model: &Model, to: f64, cancel: &AtomicBool) -> Option<Vec<f64>> {
-    let search = undamped::Search {
-        counter: &count::Counter::new(model),
-        characteristic: &characteristic::Characteristic::new(&without_damping(model)),
-        cancel,
-    };
-    let roots = search.up_to(TAU * to)?;
+    let roots = undamped::Search::new(model, cancel).up_to(TAU * to)?;
     Some(roots.into_iter().map(|omega| omega / TAU).collect())
 }
 
@@ -62,13 +57,9 @@ pub fn undamped(model: &Model, to: f64, cancel: &AtomicBool) -> Option<Vec<f64>>
 pub fn modes(model: &Model, to: f64, cancel: &AtomicBool) -> Option<Modes> {
     // Damping slows a mode: some from beyond the range may come into it.
     const BEYOND: f64 = 1.1;
-    let counter = count::Counter::new(model);
-    let search = undamped::Search {
-        counter: &counter,
-        characteristic: &characteristic::Characteristic::new(&without_damping(model)),
-        cancel,
-    };
+    let search = undamped::Search::new(model, cancel);
     let undamped = search.up_to(TAU * to * BEYOND)?;
+    let counter = search.counter;
     let oscillating = &undamped[counter.rigid().min(undamped.len())..];
     let found = if is_damped(model) {
         damped::Search::new(model, counter.rigid(), cancel)
@@ -125,13 +116,12 @@ fn is_damped(model: &Model) -> bool {
 
 /// The model with every damper and the loss factor at zero.
 fn without_damping(model: &Model) -> Model {
-    let mut model = model.clone();
-    scale_damping(&mut model, 0.0);
-    model
+    with_damping_times(model, 0.0)
 }
 
-/// Every damper and the loss factor times a share.
-fn scale_damping(model: &mut Model, share: f64) {
+/// The model with every damper and the loss factor times a share.
+fn with_damping_times(model: &Model, share: f64) -> Model {
+    let mut model = model.clone();
     model.beam.material.loss_factor *= share;
     for end in [&mut model.supports.left, &mut model.supports.right] {
         for restraint in &mut end.0 {
@@ -150,6 +140,7 @@ fn scale_damping(model: &mut Model, share: f64) {
             spring.damping *= share;
         }
     }
+    model
 }
 
 #[cfg(test)]

@@ -32,9 +32,7 @@ pub(super) fn samples(model: &Model, omega: Complex64) -> Vec<Sample> {
         .filter(|kappa| kappa.is_finite());
     let largest = largest.fold(0.0, f64::max);
     let mut places: Vec<f64> = model
-        .subsystems
-        .iter()
-        .filter(|subsystem| subsystem.enabled)
+        .attached()
         .map(|subsystem| subsystem.position)
         .chain([0.0, model.beam.length])
         .collect();

@@ -83,55 +83,50 @@ pub(super) fn bending(stiffness: f64, mass: f64, h: f64) -> Transfer<2> {
 
 /// Twist over h, `Gamma psi'''' - J psi'' = b psi`; degrees of freedom (psi, psi').
 pub(super) fn twist(field: &Field, h: f64) -> Transfer<2> {
+    let alone = Field {
+        coupling: 0.0,
+        mass: 0.0,
+        ..*field
+    };
     by_columns(|&[[psi, rate], [torque, bimoment]]| {
-        let alone = Field {
-            coupling: 0.0,
-            mass: 0.0,
-            ..*field
-        };
         let start = [[0.0, psi, 0.0, rate], [0.0, torque, 0.0, bimoment]];
-        let [q, p] = bend_and_twist(&alone, h, &start);
-        [[q[1], q[3]], [p[1], p[3]]]
-    })
-}
-
-/// Twist over h without warping stiffness, `-J psi'' = b psi`; degrees of freedom (psi, psi') as with warping.
-pub(super) fn twist_without_warping(torsion: f64, polar: f64, h: f64) -> Transfer<2> {
-    by_columns(|&[[psi, rate], [torque, bimoment]]| {
-        let alone = Field {
-            bending_v: 1.0,
-            warping: 0.0,
-            torsion,
-            mass: 0.0,
-            polar,
-            coupling: 0.0,
-        };
-        let start = [[0.0, psi, 0.0, rate], [0.0, torque, 0.0, bimoment]];
-        let [q, p] = bend_and_twist_without_warping(&alone, h, &start);
+        let [q, p] = end(&alone, h, &start);
         [[q[1], q[3]], [p[1], p[3]]]
     })
 }
 
 /// w and psi together; degrees of freedom (w, psi, w', psi').
 pub(super) fn coupled(field: &Field, h: f64) -> Transfer<4> {
+    by_columns(|start| end(field, h, start))
+}
+
+/// The state of w and psi at the end from that at the start.
+fn end(field: &Field, h: f64, start: &[[f64; 4]; 2]) -> [[f64; 4]; 2] {
     if field.warping == 0.0 {
-        by_columns(|start| bend_and_twist_without_warping(field, h, start))
+        bend_and_twist_without_warping(field, h, start)
     } else {
-        by_columns(|start| bend_and_twist(field, h, start))
+        bend_and_twist(field, h, start)
     }
+}
+
+/// The first terms of w: all that follow come from the equation of motion.
+fn first_of_w(h: f64, start: &[[f64; 4]; 2]) -> [f64; 4] {
+    let [[w, _, slope, _], [force, _, moment, _]] = *start;
+    let square = h * h;
+    [
+        w,
+        slope * h,
+        0.5 * moment * square,
+        -force * square * h / 6.0,
+    ]
 }
 
 /// `w'''' = m w + d psi`, `Gamma psi'''' - J psi'' = d w + b psi`.
 fn bend_and_twist(field: &Field, h: f64, start: &[[f64; 4]; 2]) -> [[f64; 4]; 2] {
     let square = h * h;
-    let [[w, psi, slope, rate], [force, torque, moment, bimoment]] = *start;
+    let [[_, psi, _, rate], [_, torque, _, bimoment]] = *start;
     let third = (field.torsion * rate - torque) / field.warping;
-    let mut c = [
-        w,
-        slope * h,
-        0.5 * moment * square,
-        -force * square * h / 6.0,
-    ];
+    let mut c = first_of_w(h, start);
     let mut e = [
         psi,
         rate * h,
@@ -159,13 +154,8 @@ fn bend_and_twist(field: &Field, h: f64, start: &[[f64; 4]; 2]) -> [[f64; 4]; 2]
 /// foundation that nothing else touches stands in its place and adds no mode.
 fn bend_and_twist_without_warping(field: &Field, h: f64, start: &[[f64; 4]; 2]) -> [[f64; 4]; 2] {
     let square = h * h;
-    let [[w, psi, slope, rate], [force, torque, moment, bimoment]] = *start;
-    let mut c = [
-        w,
-        slope * h,
-        0.5 * moment * square,
-        -force * square * h / 6.0,
-    ];
+    let [[_, psi, _, rate], [_, torque, _, bimoment]] = *start;
+    let mut c = first_of_w(h, start);
     let mut e = [psi, torque / field.torsion * h];
     let mut sums = [Sums::default(); 2];
     for n in 0..TERMS {

@@ -2,7 +2,7 @@
 
 use num_complex::Complex64;
 
-use super::eigenspace::{Probe, elastic};
+use super::eigenspace::Probe;
 use super::motion::Motion;
 use super::types::{Mode, ModeKind, Modes, Shape, Shares};
 use crate::model::{BeamMotion, Model};
@@ -82,11 +82,7 @@ fn shares(probe: &Probe, model: &Model, motion: &Motion, skip: usize) -> Shares 
         shares.bending_z += mass * v.norm_sqr();
         shares.twist += mass * about_centroid * psi.norm_sqr();
     }
-    let subsystems = model
-        .subsystems
-        .iter()
-        .filter(|subsystem| subsystem.enabled);
-    for (subsystem, [y, z, theta]) in subsystems.zip(&motion.masses) {
+    for (subsystem, [y, z, theta]) in model.attached().zip(&motion.masses) {
         shares.subsystems +=
             subsystem.mass * (y.norm_sqr() + z.norm_sqr()) + subsystem.inertia * theta.norm_sqr();
     }
@@ -96,7 +92,7 @@ fn shares(probe: &Probe, model: &Model, motion: &Motion, skip: usize) -> Shares 
     {
         for beam_motion in BeamMotion::ALL {
             shares.supports +=
-                elastic(support[beam_motion]).inertia * moved[beam_motion as usize].norm_sqr();
+                support[beam_motion].elastic().inertia * moved[beam_motion as usize].norm_sqr();
         }
     }
     normalised(shares)

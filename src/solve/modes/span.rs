@@ -9,7 +9,7 @@
 use nalgebra::{Matrix6, SMatrix};
 
 use super::inertia::eliminate;
-use super::series::{bending, coupled, twist, twist_without_warping};
+use super::series::{bending, coupled, twist};
 
 /// The coefficients of the equations of motion, without dimension.
 #[derive(Debug, Clone, Copy)]
@@ -88,7 +88,7 @@ impl Field {
             );
             span.put(
                 [1, 4],
-                joined(length, |h| self.twist(h), |h| self.is_short(h)),
+                joined(length, |h| twist(self, h), |h| self.is_short(h)),
             );
         } else {
             span.put(
@@ -113,14 +113,6 @@ impl Field {
             1 << both
         } else {
             1
-        }
-    }
-
-    fn twist(&self, h: f64) -> Transfer<2> {
-        if self.warping == 0.0 {
-            twist_without_warping(self.torsion, self.polar, h)
-        } else {
-            twist(self, h)
         }
     }
 

@@ -7,6 +7,8 @@ use num_complex::Complex64;
 use super::bracket::bracketed;
 use super::characteristic::Characteristic;
 use super::count::Counter;
+use super::without_damping;
+use crate::model::Model;
 
 /// Relative width to which the count alone brings a root.
 const NARROW: f64 = 4e-14;
@@ -21,9 +23,9 @@ const CONFIRMED: [f64; 3] = [1e-10, 1e-9, 1e-8];
 
 /// The search for the undamped roots of a model.
 pub(super) struct Search<'a> {
-    pub(super) counter: &'a Counter,
-    pub(super) characteristic: &'a Characteristic,
-    pub(super) cancel: &'a AtomicBool,
+    pub(super) counter: Counter,
+    characteristic: Characteristic,
+    cancel: &'a AtomicBool,
 }
 
 /// A frequency with its count.
@@ -33,7 +35,16 @@ struct Counted {
     below: usize,
 }
 
-impl Search<'_> {
+impl<'a> Search<'a> {
+    /// For a checked model; its dampers and loss factor are left out.
+    pub(super) fn new(model: &Model, cancel: &'a AtomicBool) -> Self {
+        Self {
+            counter: Counter::new(model),
+            characteristic: Characteristic::new(&without_damping(model)),
+            cancel,
+        }
+    }
+
     /// All roots from 0 to `to` (rad/s), rising, as often as they occur; rigid-body modes are 0. `None` where cancelled.
     pub(super) fn up_to(&self, to: f64) -> Option<Vec<f64>> {
         let rigid = self.counter.rigid();

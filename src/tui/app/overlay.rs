@@ -6,7 +6,7 @@ use tui_input::Input;
 
 use crate::model::{Fault, Unit};
 use crate::presets;
-use crate::tui::keys::Scope;
+use crate::tui::keys::{Command, Scope};
 use crate::tui::tree::Node;
 
 /// A box over the designer.
@@ -154,6 +154,20 @@ impl List {
     pub fn page(&mut self, forward: bool) {
         let rows = self.height.saturating_sub(1).max(1).cast_signed();
         self.step(if forward { rows } else { -rows });
+    }
+
+    /// Moves as a key asks; false where the command is no movement.
+    pub fn obey(&mut self, command: Command) -> bool {
+        match command {
+            Command::Up => self.step(-1),
+            Command::Down => self.step(1),
+            Command::PageUp => self.page(false),
+            Command::PageDown => self.page(true),
+            Command::First => self.step(isize::MIN),
+            Command::Last => self.step(isize::MAX),
+            _ => return false,
+        }
+        true
     }
 
     /// Moves by rows; stops at the ends.

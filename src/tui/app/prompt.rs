@@ -130,21 +130,15 @@ impl App {
         else {
             return Vec::new();
         };
-        match command {
-            Command::Up => list.step(-1),
-            Command::Down => list.step(1),
-            Command::PageUp => list.page(false),
-            Command::PageDown => list.page(true),
-            Command::First => list.step(isize::MIN),
-            Command::Last => list.step(isize::MAX),
-            Command::Accept => {
-                let row = list.row;
-                self.overlay = None;
-                return self.leave(Next::Preset(row));
-            }
-            _ => self.overlay = None,
+        if list.obey(command) {
+            return Vec::new();
         }
-        Vec::new()
+        let row = list.row;
+        self.overlay = None;
+        match command {
+            Command::Accept => self.leave(Next::Preset(row)),
+            _ => Vec::new(),
+        }
     }
 
     /// The row of the preset that is open, in the list of presets.

@@ -46,18 +46,12 @@ impl App {
             Table::Modes => &mut self.tables.modes,
             Table::Peaks => &mut self.tables.peaks,
         };
-        match command {
-            Command::Up => list.step(-1),
-            Command::Down => list.step(1),
-            Command::PageUp => list.page(false),
-            Command::PageDown => list.page(true),
-            Command::First => list.step(isize::MIN),
-            Command::Last => list.step(isize::MAX),
-            Command::Cancel => {
-                self.tables.open = None;
-                return true;
-            }
-            _ => return false,
+        if command == Command::Cancel {
+            self.tables.open = None;
+            return true;
+        }
+        if !list.obey(command) {
+            return false;
         }
         self.anchor = match table {
             Table::Modes => Anchor::Mode,

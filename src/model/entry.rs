@@ -241,7 +241,10 @@ fn scaled(number: &str, power: i32) -> Result<f64, String> {
     } else {
         i64::MAX / 2
     };
-    let exponent = exponent.parse().unwrap_or(beyond) + i64::from(power);
+    let exponent = exponent
+        .parse()
+        .unwrap_or(beyond)
+        .saturating_add(i64::from(power));
     let value: f64 = format!("{mantissa}e{exponent}")
         .parse()
         .map_err(|_| format!("\"{number}\" is no number"))?;
@@ -367,6 +370,7 @@ mod tests {
             "1e-400",
             "1e99999999999999999999",
             "1e-99999999999999999999",
+            "1e9223372036854775807G",
             "*1e300",
             "/0",
             "/-0",

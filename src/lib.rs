@@ -38,6 +38,7 @@
 pub mod cli;
 pub mod model;
 pub mod presets;
+mod rehearsal;
 pub mod solve;
 pub mod tui;
 pub mod worker;

@@ -585,3 +585,88 @@ fn modes_refuses_a_range_that_is_none() {
         assert_eq!(output.status.code(), Some(2), "{bad}");
     }
 }
+
+/// The program with a home of its own and no other folder in the environment.
+fn at_home(home: &Path, arguments: &[&str]) -> Command {
+    let mut command = beamtune(arguments);
+    command.env_clear().env("HOME", home).env("TERM", "xterm");
+    command
+}
+
+#[test]
+fn paths_are_those_of_the_environment_and_nothing_is_made() {
+    let home = tempfile::tempdir().unwrap();
+    let folder = home.path();
+    let text = |command: &mut Command| {
+        let output = command.output().unwrap();
+        assert!(output.status.success(), "{output:?}");
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let paths = text(&mut at_home(folder, &["paths"]));
+    let shown = folder.display();
+    assert_eq!(
+        paths,
+        format!(
+            "configuration  {shown}/.config/beamtune/config.toml\n\
+             memory         {shown}/.local/state/beamtune/memory.toml\n\
+             recovery       {shown}/.local/state/beamtune/recovery\n\
+             log            {shown}/.local/state/beamtune/beamtune.log\n"
+        )
+    );
+    let mut elsewhere = at_home(folder, &["paths"]);
+    elsewhere
+        .env("XDG_CONFIG_HOME", "/c")
+        .env("XDG_STATE_HOME", "not/absolute");
+    let paths = text(&mut elsewhere);
+    assert!(
+        paths.starts_with("configuration  /c/beamtune/config.toml\n"),
+        "{paths}"
+    );
+    assert!(
+        paths.contains(&format!("memory         {shown}/.local/state/")),
+        "{paths}"
+    );
+    assert_eq!(std::fs::read_dir(folder).unwrap().count(), 0);
+}
+
+#[test]
+fn without_a_home_paths_says_what_to_set() {
+    let output = at_home(Path::new("relative"), &["paths"]).output().unwrap();
+    assert_eq!(output.status.code(), Some(1));
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(
+        said.starts_with("error: ") && said.contains("set HOME"),
+        "{said}"
+    );
+    let mut told = at_home(Path::new("relative"), &["paths"]);
+    told.env("XDG_CONFIG_HOME", "/c")
+        .env("XDG_STATE_HOME", "/s");
+    assert!(told.output().unwrap().status.success());
+}
+
+#[test]
+fn completions_and_the_manual_page_name_every_command() {
+    let help = output(&["--help"]);
+    let commands = help.lines().skip_while(|line| *line != "Commands:").skip(1);
+    let commands: Vec<&str> = commands
+        .take_while(|line| !line.is_empty())
+        .filter_map(|line| line.split_whitespace().next())
+        .collect();
+    assert!(commands.len() > 8, "{help}");
+    let page = output(&["man"]);
+    for command in &commands {
+        assert!(page.contains(&format!(".SS {command}\n")), "{command}");
+    }
+    for shell in ["bash", "zsh", "fish"] {
+        let script = output(&["completions", shell]);
+        for word in commands
+            .iter()
+            .chain(&["semicircular_cantilever", "marker", "study"])
+        {
+            assert!(script.contains(word), "{shell} {word}");
+        }
+    }
+    let (code, said) = failure(&["completions", "csh"]);
+    assert_eq!(code, 2);
+    assert!(said.contains("bash, zsh, fish"), "{said}");
+}

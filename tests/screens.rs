@@ -1,13 +1,19 @@
 //! The designer on a screen in memory: what is drawn after some keys, symbols and styles.
 #![allow(clippy::expect_used)] // The driver's functions are no tests themselves.
 
+#[path = "fuzz/dice.rs"]
+#[allow(dead_code)]
+mod dice;
 #[path = "screens/driver.rs"]
 mod driver;
 #[path = "screens/random.rs"]
 mod random;
 
+use std::time::Duration;
+
 use beamtune::model::{Model, Restraint, Unit};
 use beamtune::tui::Source;
+use beamtune::tui::app::{Lost, Outside, Reply};
 use beamtune::worker::Stage;
 use driver::Driver;
 
@@ -61,6 +67,85 @@ fn presets() {
     driver.keys("p Down Down");
     screen!("presets_80x24", driver, 80 x 24);
     screen!("presets_120x40", driver, 120 x 40);
+}
+
+#[test]
+fn palette() {
+    let mut driver = Driver::preset("fig05a");
+    driver.keys(":").typed("mode");
+    screen!("palette_80x24", driver, 80 x 24);
+    driver.typed("s2 mass");
+    screen!("palette_parameter_120x40", driver, 120 x 40);
+    driver.typed("no such thing").keys("Down");
+    screen!("palette_in_vain_60x18", driver, 60 x 18);
+}
+
+#[test]
+fn search() {
+    let mut driver = Driver::preset("fig05a");
+    driver.keys("/").typed("stiff");
+    screen!("search_80x24", driver, 80 x 24);
+    driver.keys("Down Down Enter");
+    screen!("searched_120x40", driver, 120 x 40);
+}
+
+#[test]
+fn a_count_is_shown() {
+    let mut driver = Driver::preset("fig05a");
+    driver.keys("1 0");
+    let screen = driver.screen(80, 24);
+    let last = screen.lines().nth(23).unwrap_or_default();
+    assert!(
+        last.starts_with("| 10 times the next key; Esc drops"),
+        "{last}"
+    );
+}
+
+#[test]
+fn recovery() {
+    let found = || {
+        let mut driver = Driver::preset("fig05a");
+        let lost = |name: &str, seconds| Lost {
+            name: name.to_owned(),
+            age: Duration::from_secs(seconds),
+        };
+        driver.app.offer(vec![
+            lost("/home/ada/rig/three absorbers.toml", 125),
+            lost("fig08", 200_000),
+        ]);
+        driver
+    };
+    screen!("recovery_80x24", found(), 80 x 24);
+    screen!("recovery_120x40", found(), 120 x 40);
+    let many = (0..40).map(|i| Lost {
+        name: format!("{i}"),
+        age: Duration::ZERO,
+    });
+    let mut driver = Driver::preset("fig05a");
+    driver.app.offer(many.collect());
+    driver.keys(&"Down ".repeat(39));
+    let screen = driver.screen(60, 18);
+    assert!(screen.contains("Unsaved changes  40 of 40"), "{screen}");
+    assert!(screen.contains("discard"), "{screen}");
+}
+
+#[test]
+fn zoomed() {
+    let mut driver = Driver::preset("fig05a");
+    driver.keys("} } } z z z");
+    screen!("zoomed_80x24", driver, 80 x 24);
+    screen!("zoomed_120x40", driver, 120 x 40);
+}
+
+#[test]
+fn a_file_that_another_program_changed_is_marked() {
+    let mut driver = Driver::preset("fig05a");
+    driver.app.reply(Reply::Compared(Outside::Changed));
+    assert!(status(&mut driver).contains("· changed on disk"));
+    driver.select("beam.length").keys("+");
+    assert!(status(&mut driver).contains("· changed, also on disk"));
+    driver.app.reply(Reply::Compared(Outside::Gone));
+    assert!(status(&mut driver).contains("· gone from disk"));
 }
 
 #[test]

@@ -1,18 +1,26 @@
 //! The commands: arguments to calls, results to standard output, failures to exit codes.
 
+mod completions;
 mod csv;
 mod frf;
+mod man;
 mod modes;
+mod paths;
 mod source;
 mod validate;
 
 use std::io::{IsTerminal, Write};
 use std::process::ExitCode;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, CommandFactory as _, Parser, Subcommand};
 
 use crate::model::Fault;
-use crate::{presets, tui};
+use crate::presets;
+use crate::tui::options::LookArguments;
+use crate::tui::user::config::{self, Config};
+use crate::tui::user::folders::Folders;
+use crate::tui::user::read_if_there;
+use crate::tui::{self, Ended, Setup};
 
 /// Designs a thin-walled beam with spring-damper-mass subsystems: exact frequency responses in the terminal.
 #[derive(Debug, Parser)]
@@ -36,6 +44,8 @@ struct ModelArguments {
     model: String,
     #[command(flatten)]
     sets: Sets,
+    #[command(flatten)]
+    look: LookArguments,
 }
 
 #[derive(Debug, Args)]
@@ -65,6 +75,12 @@ enum Command {
     Modes(modes::Arguments),
     /// Holds finite elements and the paper's transfer matrices beside the exact responses.
     Validate(validate::Arguments),
+    /// Prints where configuration, memory, recovery files and log are.
+    Paths,
+    /// Prints what a shell needs to complete the arguments.
+    Completions(completions::Arguments),
+    /// Prints the manual page; `beamtune man | man -l -` shows it.
+    Man,
     /// The optimiser (not there yet).
     #[command(disable_help_flag = true)]
     Tune(Later),
@@ -136,6 +152,11 @@ fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
         Some(Command::Frf(arguments)) => frf::run(&arguments)?,
         Some(Command::Modes(arguments)) => modes::run(&arguments)?,
         Some(Command::Validate(arguments)) => return validate::run(&arguments),
+        Some(Command::Paths) => paths::run()?,
+        Some(Command::Completions(arguments)) => {
+            completions::run(&arguments, completion_commands())?;
+        }
+        Some(Command::Man) => man::run(Arguments::command())?,
         Some(Command::Tune(_)) => return Err(not_yet("tune")),
     }
     Ok(ExitCode::SUCCESS)
@@ -148,10 +169,42 @@ fn design(arguments: &ModelArguments) -> Result<ExitCode, Failure> {
             "the designer needs a terminal on standard output; `beamtune frf` writes to files and pipes",
         ));
     }
-    let signal = tui::run(opened)?;
-    Ok(ExitCode::from(
-        signal.map_or(0, |signal| 128_u8.saturating_add(signal)),
-    ))
+    let folders = Folders::of_user();
+    let setup = Setup {
+        options: arguments.look.options(),
+        config: configuration(folders.as_ref().ok())?,
+        // Without a home nothing is kept for the user; the designer runs all the same.
+        folders: folders.ok(),
+    };
+    let code = match tui::run(opened, &setup)? {
+        Ended::Left => 0,
+        Ended::Signal(signal) => 128_u8.saturating_add(signal),
+        Ended::Fault => 101,
+    };
+    Ok(ExitCode::from(code))
+}
+
+/// What the completions are made of.
+fn completion_commands() -> completions::Commands {
+    let bare = clap::Command::new("beamtune").version(env!("CARGO_PKG_VERSION"));
+    let options = LookArguments::augment_args(Sets::augment_args(bare));
+    completions::Commands {
+        whole: Arguments::command(),
+        without_model: Command::augment_subcommands(options),
+    }
+}
+
+/// The user's configuration, if there is one.
+fn configuration(folders: Option<&Folders>) -> Result<Config, Failure> {
+    let Some(path) = folders.map(Folders::config_file) else {
+        return Ok(Config::default());
+    };
+    let name = path.display().to_string();
+    match read_if_there(&path) {
+        Ok(Some(text)) => config::read(&text).map_err(|faults| Failure::faults(&name, &faults)),
+        Ok(None) => Ok(Config::default()),
+        Err(error) => Err(Failure::input(format!("{name}: cannot be read: {error}"))),
+    }
 }
 
 fn not_yet(command: &str) -> Failure {

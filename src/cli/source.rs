@@ -1,6 +1,5 @@
 //! The MODEL argument: a file, a preset or standard input, with the changes of `--set`.
 
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use super::Failure;
@@ -43,17 +42,20 @@ pub(super) fn open(argument: &str, sets: &[String]) -> Result<Opened, Failure> {
 
 fn text_of(argument: &str) -> Result<(Source, String), Failure> {
     if argument == "-" {
-        let mut bytes = Vec::new();
-        std::io::stdin().lock().read_to_end(&mut bytes)?;
-        return Ok((Source::Stdin, utf8(bytes, "standard input")?));
+        let text = model::text_of(std::io::stdin().lock())
+            .map_err(|error| Failure::input(format!("standard input: cannot be read: {error}")))?;
+        return Ok((Source::Stdin, text));
     }
     if Path::new(argument).exists() {
-        let bytes = std::fs::read(argument)
+        let text = model::load(Path::new(argument))
             .map_err(|error| Failure::input(format!("{argument}: cannot be read: {error}")))?;
-        return Ok((
-            Source::File(PathBuf::from(argument)),
-            utf8(bytes, argument)?,
-        ));
+        // What came through a pipe is not there to be saved to.
+        let source = if Path::new(argument).is_file() {
+            Source::File(PathBuf::from(argument))
+        } else {
+            Source::Stdin
+        };
+        return Ok((source, text));
     }
     match presets::find(argument) {
         Some(preset) => Ok((Source::Preset(preset.name), preset.text.to_owned())),
@@ -61,15 +63,6 @@ fn text_of(argument: &str) -> Result<(Source, String), Failure> {
             "no file and no preset is named `{argument}`; `beamtune presets` lists the presets"
         ))),
     }
-}
-
-fn utf8(bytes: Vec<u8>, label: &str) -> Result<String, Failure> {
-    String::from_utf8(bytes).map_err(|error| {
-        let at = error.utf8_error().valid_up_to();
-        Failure::input(format!(
-            "{label}: byte {at} is not UTF-8; a model file is UTF-8 text"
-        ))
-    })
 }
 
 /// Sets one `PATH=VALUE`, unchecked: several may only together make a possible model.

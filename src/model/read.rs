@@ -4,15 +4,16 @@ mod loads;
 mod parts;
 mod place;
 mod plans;
-mod reader;
-mod table;
-mod value;
+pub(crate) mod reader;
+pub(crate) mod table;
+pub(crate) mod value;
 
 use super::check::check;
 use super::fault::Fault;
 use super::types::Model;
 use reader::Reader;
 use table::Table;
+use toml::Spanned;
 use toml::de::DeTable;
 
 /// Reads a model file of the format `beamtune/1`.
@@ -22,23 +23,10 @@ use toml::de::DeTable;
 /// and missing keys, wrong types, numbers that are not finite, and whatever [`check()`] refuses.
 pub fn read(text: &str) -> Result<Model, Vec<Fault>> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let (document, errors) = DeTable::parse_recoverable(text);
     let mut reader = Reader::default();
-    if !errors.is_empty() {
-        for error in errors {
-            let span = error.span().unwrap_or_default();
-            let found = text
-                .get(span.clone())
-                .filter(|found| !found.is_empty() && !found.contains('\n'));
-            let found = found.map_or_else(String::new, |found| format!(" at `{found}`"));
-            reader.fault(
-                span.start,
-                "",
-                format!("broken TOML{found}: {}", error.message()),
-            );
-        }
+    let Some(document) = document(text, &mut reader) else {
         return Err(reader.into_faults(text));
-    }
+    };
     let model = parts::model(Table::root(document.get_ref()), &mut reader);
     reader.adopt(check(&model));
     if reader.is_content() {
@@ -46,6 +34,27 @@ pub fn read(text: &str) -> Result<Model, Vec<Fault>> {
     } else {
         Err(reader.into_faults(text))
     }
+}
+
+/// The tables of a text without byte order mark; none where it is broken TOML, with all that is wrong as faults.
+pub(crate) fn document<'a>(text: &'a str, reader: &mut Reader) -> Option<Spanned<DeTable<'a>>> {
+    let (document, errors) = DeTable::parse_recoverable(text);
+    if errors.is_empty() {
+        return Some(document);
+    }
+    for error in errors {
+        let span = error.span().unwrap_or_default();
+        let found = text
+            .get(span.clone())
+            .filter(|found| !found.is_empty() && !found.contains('\n'));
+        let found = found.map_or_else(String::new, |found| format!(" at `{found}`"));
+        reader.fault(
+            span.start,
+            "",
+            format!("broken TOML{found}: {}", error.message()),
+        );
+    }
+    None
 }
 
 #[cfg(test)]

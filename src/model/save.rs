@@ -1,6 +1,6 @@
 //! Putting a text on disk so that no reader ever meets half of it.
 
-use std::io;
+use std::io::{self, Read as _};
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
@@ -56,6 +56,36 @@ pub fn save_with(
     file.persist(&target).map_err(|error| error.error)?;
     sync_folder(&folder);
     Ok(())
+}
+
+/// The longest model file that is read, bytes: what has no end, as some devices have none, is not waited for.
+const LONGEST: u64 = 1 << 28;
+
+/// The text of a model file, or of what else can be read.
+///
+/// # Errors
+/// It cannot be read, is not UTF-8, or is longer than 256 MiB.
+pub fn load(path: &Path) -> io::Result<String> {
+    text_of(fs::File::open(path)?)
+}
+
+/// As [`load`], of what is open already.
+///
+/// # Errors
+/// As those of [`load`].
+pub fn text_of(source: impl io::Read) -> io::Result<String> {
+    let mut bytes = Vec::new();
+    source.take(LONGEST + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > LONGEST {
+        return Err(io::Error::other(
+            "it is longer than 256 MiB, which no model file is",
+        ));
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        let words = format!("byte {at} is not UTF-8; a model file is UTF-8 text");
+        io::Error::new(io::ErrorKind::InvalidData, words)
+    })
 }
 
 /// The file behind a chain of symbolic links; a dangling link leads to the file it names.
@@ -125,6 +155,14 @@ mod tests {
             "text"
         );
         assert!(save(&folder.path().join("missing/model.toml"), "text").is_err());
+    }
+
+    #[test]
+    fn what_has_no_end_is_not_waited_for() {
+        assert!(text_of(io::repeat(b'a')).is_err());
+        assert_eq!(text_of(&b"text"[..]).unwrap(), "text");
+        let error = text_of(&b"te\xff"[..]).unwrap_err().to_string();
+        assert_eq!(error, "byte 2 is not UTF-8; a model file is UTF-8 text");
     }
 
     #[test]

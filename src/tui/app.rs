@@ -4,6 +4,7 @@
 //! [`App::reply`].
 
 mod chart;
+mod commands;
 mod curves;
 mod document;
 mod edit;
@@ -12,33 +13,49 @@ mod files;
 mod fresh;
 mod history;
 mod modal;
+mod mouse;
+mod outside;
 mod overlay;
+mod palette;
 mod prompt;
+mod recovery;
+mod remember;
+mod repeat;
 mod request;
+mod screen;
+mod search;
 mod selection;
 mod shape;
 mod structure;
 mod tables;
 mod witness;
+mod zoom;
 
 use std::sync::Arc;
 
-use crossterm::event::KeyEvent;
-
 pub use curves::{Curves, Member, Picture, Shown, Trace};
 pub use document::Document;
-pub use effect::{Effect, Guard, Reply};
+pub use effect::{Effect, Guard, Lost, Reply};
 pub use modal::{Completeness, Modal, ModeKind, ModeList, ModeRow, Shares};
+pub use outside::Outside;
 pub use overlay::{Asked, AskedKind, List, Next, Overlay, Prompt, Purpose, ReplaceReason};
+pub use palette::{Entry, Found, Palette};
+pub use screen::{Plot, Rows, Screen};
+pub use search::Search;
 pub use selection::Selection;
 pub use shape::{Shape, Shaping};
 pub use tables::{Anchor, Table, Tables};
 pub use witness::{Witness, WitnessCurves, WitnessPicture};
 
+pub use crate::worker::Stage;
+
 use crate::model::Model;
 use crate::tui::Opened;
 use crate::tui::event::Event;
-use crate::tui::keys::{self, Command, Scope};
+use crate::tui::keys::{KeyMap, Scope};
+use crate::tui::theme::Theme;
+use crate::tui::user::memory::{Memory, RememberedOptions};
+use repeat::LastChange;
 
 /// What the last line says in place of the hints, until the next key.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -52,6 +69,10 @@ pub enum Message {
 /// The designer.
 #[derive(Debug)]
 pub struct App {
+    /// Which keys do what.
+    pub keys: KeyMap,
+    /// Colours and characters.
+    pub theme: Theme,
     /// The model and its file.
     pub document: Document,
     /// The tree.
@@ -68,8 +89,30 @@ pub struct App {
     pub witness: Witness,
     /// The box that takes the keys, if there is one.
     pub overlay: Option<Overlay>,
+    /// The search of the tree, while it is typed and after.
+    pub search: Option<Search>,
+    /// The count typed before a command.
+    pub count: Option<u32>,
     /// The last line's message.
     pub message: Option<Message>,
+    /// What another program did to the file.
+    pub outside: Outside,
+    /// Whether the mouse is the designer's.
+    pub mouse: bool,
+    /// Where things are on the screen, as it was drawn last.
+    pub screen: Screen,
+    /// What is remembered of other models.
+    memory: Memory,
+    /// Options that were turned here.
+    turned: RememberedOptions,
+    /// What is not saved is kept at the end, although the program was left.
+    pub keeps: bool,
+    /// The change that can be done again.
+    last_change: Option<LastChange>,
+    /// The model that was kept for recovery last, and whether it was changed.
+    kept: Option<(Arc<Model>, bool)>,
+    /// The row that the mouse holds: the wheel turns its value.
+    held: Option<crate::tui::tree::Node>,
     /// What comes after a save that was asked for by a question.
     after_save: Option<Next>,
     /// What was sent to be solved last.
@@ -86,25 +129,40 @@ impl App {
         let document = Document::new(opened);
         let model = document.model();
         Self {
+            keys: KeyMap::default(),
+            theme: Theme::new(true),
             selection: Selection::new(model),
             curves: Curves::new(model, 0),
-            document,
             modal: Modal::default(),
             tables: Tables::default(),
             anchor: Anchor::default(),
             witness: Witness::default(),
             overlay: None,
+            search: None,
+            count: None,
             message: None,
+            outside: Outside::default(),
+            mouse: false,
+            screen: Screen::default(),
+            memory: Memory::default(),
+            turned: RememberedOptions::default(),
+            keeps: false,
+            last_change: None,
+            kept: None,
+            held: None,
             after_save: None,
             requested: None,
             witnessed: None,
             unseen: false,
+            document,
         }
     }
 
     /// What is to be done when the designer starts.
     pub fn start(&mut self) -> Vec<Effect> {
-        self.request()
+        let mut effects = self.keep();
+        effects.extend(self.request());
+        effects
     }
 
     /// The model as it stands.
@@ -116,6 +174,7 @@ impl App {
     pub fn scope(&self) -> Scope {
         match (&self.overlay, self.tables.open) {
             (Some(overlay), _) => overlay.scope(),
+            (None, _) if self.is_searching() => Scope::Search,
             (None, Some(_)) => Scope::Table,
             (None, None) => Scope::Main,
         }
@@ -124,10 +183,12 @@ impl App {
     /// Takes an event; what is to be done then.
     pub fn update(&mut self, event: Event) -> Vec<Effect> {
         let mut effects = match event {
-            // Nobody can see what a key would do.
-            Event::Key(_) | Event::Paste(_) if self.unseen => Vec::new(),
+            Event::Key(key) if self.unseen => self.key_unseen(&key),
+            // Nobody can see what it would do.
+            Event::Paste(_) | Event::Mouse(_) if self.unseen => Vec::new(),
             Event::Key(key) => self.key(&key),
             Event::Paste(text) => self.paste(&text),
+            Event::Mouse(event) => self.mouse(event),
             Event::Resize => Vec::new(),
             Event::Answer(answer) => {
                 self.take(answer);
@@ -137,136 +198,28 @@ impl App {
                 self.modal.shaping = self.modal.shaping.next();
                 Vec::new()
             }
-            Event::Quit(signal) => return self.end(signal),
+            Event::Touched => self.compare(),
+            Event::Trouble(sentence) => {
+                self.refuse(sentence);
+                Vec::new()
+            }
+            Event::Suspend => vec![Effect::Suspend],
+            Event::Resume => vec![Effect::Resume],
+            Event::Quit(signal) => return Self::end(signal),
         };
         // Another curve may be the first one now.
         self.tables.peaks.set_rows(self.peaks().len());
+        effects.extend(self.keep());
         effects.extend(self.request());
         effects
-    }
-
-    /// Ends by a signal: there is nobody to ask, so what is not saved goes into a file of its own.
-    fn end(&self, signal: i32) -> Vec<Effect> {
-        let rescue = self.document.is_changed().then(|| Effect::Rescue {
-            path: self.document.source().rescue_path(),
-            text: self.document.text(),
-        });
-        let quit = Effect::Quit(Some(signal.unsigned_abs() as u8));
-        rescue.into_iter().chain([quit]).collect()
-    }
-
-    fn key(&mut self, key: &KeyEvent) -> Vec<Effect> {
-        let command = keys::command(self.scope(), key);
-        self.message = None;
-        match command {
-            Some(command) => self.command(command),
-            None => self.type_key(key),
-        }
-    }
-
-    /// Does what a key asks for; what is to be done outside then.
-    pub fn command(&mut self, command: Command) -> Vec<Effect> {
-        match command {
-            Command::Redraw => return vec![Effect::Redraw],
-            Command::Quit => return self.leave(Next::Quit),
-            _ => {}
-        }
-        match self.scope() {
-            Scope::Table if self.table_command(command) => Vec::new(),
-            Scope::Main | Scope::Any | Scope::Table => self.main_command(command),
-            Scope::Prompt => self.prompt_command(command),
-            Scope::Picker | Scope::Reader => self.list_command(command),
-            Scope::Unsaved | Scope::Replace => self.answer_question(command),
-        }
-    }
-
-    fn main_command(&mut self, command: Command) -> Vec<Effect> {
-        match command {
-            Command::Save => return self.save(),
-            Command::SaveAs => self.ask_save_path(),
-            Command::Open => return self.leave(Next::AskPath),
-            Command::Presets => self.overlay = Some(Overlay::presets(self.preset_row())),
-            Command::Help => self.overlay = Some(Overlay::Help(List::default())),
-            _ if self.move_selection(command)
-                || self.change_chart(command)
-                || self.change_modes(command) => {}
-            _ => self.change_model(command),
-        }
-        Vec::new()
-    }
-
-    /// Moves in the tree; false where the command is another one.
-    fn move_selection(&mut self, command: Command) -> bool {
-        let model = Arc::clone(self.document.model());
-        let selection = &mut self.selection;
-        match command {
-            Command::Up => selection.step(-1),
-            Command::Down => selection.step(1),
-            Command::PageUp => selection.page(false),
-            Command::PageDown => selection.page(true),
-            Command::First => selection.first(),
-            Command::Last => selection.last(),
-            Command::Collapse => selection.collapse(&model),
-            Command::Expand => selection.expand(&model),
-            Command::ExpandAll => selection.expand_all(&model),
-            Command::CollapseAll => selection.collapse_all(&model),
-            Command::NextParameter => selection.next_parameter(&model, true),
-            Command::PreviousParameter => selection.next_parameter(&model, false),
-            Command::NextAlike => self.go_alike(true),
-            Command::PreviousAlike => self.go_alike(false),
-            _ => return false,
-        }
-        true
-    }
-
-    /// Changes the model, or takes a change back.
-    fn change_model(&mut self, command: Command) {
-        match command {
-            Command::Undo => self.travel(true),
-            Command::Redo => self.travel(false),
-            Command::Edit => self.edit(),
-            Command::Cycle => self.cycle_or_toggle(),
-            Command::Nudge(thousandths) => self.nudge(thousandths),
-            Command::Revert => self.revert(),
-            Command::Add => self.add(),
-            Command::Duplicate => self.duplicate(),
-            Command::Rename => self.ask_name(),
-            Command::Delete => self.delete(),
-            Command::Enable => self.switch(),
-            _ => {}
-        }
-    }
-
-    /// Goes to the same row of the neighbouring subsystem, force, response or support.
-    fn go_alike(&mut self, forward: bool) {
-        let model = Arc::clone(self.document.model());
-        match crate::tui::tree::alike(&model, self.selection.node(), forward) {
-            Some(node) => self.selection.select(&model, node),
-            None if forward => self.refuse("there is no further one like this"),
-            None => self.refuse("there is none like this before"),
-        }
-    }
-
-    /// Undoes or redoes a step.
-    fn travel(&mut self, back: bool) {
-        let before = Arc::clone(self.document.model());
-        let step = if back {
-            self.document.undo()
-        } else {
-            self.document.redo()
-        };
-        match (step, back) {
-            (Some(name), true) => self.done(format!("undo: {name}")),
-            (Some(name), false) => self.done(format!("redo: {name}")),
-            (None, true) => self.refuse("nothing to undo"),
-            (None, false) => self.refuse("nothing to redo"),
-        }
-        self.follow(&before);
     }
 
     /// Lets the tree and the chart follow a model that has changed.
     fn follow(&mut self, before: &Model) {
         let model = Arc::clone(self.document.model());
+        if let Some(search) = &mut self.search {
+            search.refresh(&model);
+        }
         self.selection.follow(before, &model);
         self.curves.follow(before, &model);
     }

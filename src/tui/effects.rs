@@ -1,21 +1,31 @@
-//! Does what the state asks for: solving, files.
+//! Does what the state asks for: solving, files, what is kept for the user.
 
 use std::fs;
 use std::io;
-use std::iter;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::Sender;
 
-use super::app::{App, Effect, Guard, Reply};
+use super::app::{App, Effect, Guard, Lost, Outside, Reply};
 use super::event::Event;
+use super::user::recovery::{self, Found, Keeper, Kept, Left};
+use super::user::why;
+use super::watch::Watch;
 use super::{Opened, Source};
 use crate::model;
+use crate::presets;
 use crate::worker::Worker;
 
 /// Does what the state asks for.
 #[derive(Debug)]
 pub struct Performer {
     worker: Worker,
+    watch: Watch,
+    /// None where the user has no folder for it.
+    keeper: Option<Keeper>,
+    /// Unsaved changes that were found, in the order in which they are offered.
+    found: Vec<Found>,
+    /// Those that were taken, until they are kept anew.
+    taken: Vec<Found>,
 }
 
 /// What is left to the caller.
@@ -23,37 +33,83 @@ pub struct Performer {
 pub enum Outcome {
     /// Nothing.
     Done,
-    /// What is not saved was written to a file, or why not, in a sentence.
-    Rescued(String),
     /// The whole screen is to be drawn anew.
     Redraw,
+    /// The terminal is to be given back until the shell goes on with the program.
+    Suspend,
+    /// The terminal is to be taken again.
+    Resume,
+    /// The mouse is to be taken, or left to the terminal.
+    Mouse(bool),
+    /// A text goes to the terminal's clipboard.
+    Copy(String),
     /// The program ends, by this signal if there is one.
     Quit(Option<u8>),
 }
 
 impl Performer {
-    /// A performer whose worker answers on this channel.
-    pub fn new(answers: Sender<Event>) -> Self {
+    /// A performer whose worker answers on this channel, and which keeps unsaved changes in this folder.
+    pub fn new(events: &Sender<Event>, recovery: Option<PathBuf>) -> Self {
+        let found = recovery.as_deref().map(recovery::found);
+        let answers = events.clone();
         // An answer that comes when the designer is gone is of no use.
         let notify = move |answer| drop(answers.send(Event::Answer(answer)));
+        let troubles = events.clone();
+        let report = move |sentence| drop(troubles.send(Event::Trouble(sentence)));
         Self {
             worker: Worker::start(notify),
+            watch: Watch::start(events.clone()),
+            keeper: recovery.map(|folder| Keeper::start(folder, report)),
+            found: found.unwrap_or_default(),
+            taken: Vec::new(),
         }
     }
 
+    /// The unsaved changes that were found; those of this source first.
+    pub fn lost(&mut self, source: &Source) -> Vec<Lost> {
+        let own = absolute(source);
+        self.found
+            .sort_by_key(|found| absolute(&found.source) != own);
+        let lost = self.found.iter().map(|found| Lost {
+            name: match &found.source {
+                Source::File(path) => path.display().to_string(),
+                other => other.name(),
+            },
+            age: found.age,
+        });
+        lost.collect()
+    }
+
+    /// Looks from time to time whether this is changed by other programs.
+    pub fn watch(&self, source: &Source) {
+        self.watch.set(match source {
+            Source::File(path) => Some(path),
+            Source::Preset(_) | Source::Stdin => None,
+        });
+    }
+
     /// Performs an effect, and those that follow from what came of it.
-    pub fn perform(&self, effect: Effect, app: &mut App) -> Outcome {
+    pub fn perform(&mut self, effect: Effect, app: &mut App) -> Outcome {
         let reply = match effect {
             Effect::Solve(request) => {
                 self.worker.request(request);
                 return Outcome::Done;
             }
-            Effect::Rescue { path, text } => return Outcome::Rescued(rescue(&path, &text)),
+            Effect::Keep(kept) => return self.keep(Some(kept)),
+            Effect::Forget => return self.keep(None),
+            Effect::Discard(number) => return self.discard(number, app),
             Effect::Redraw => return Outcome::Redraw,
+            Effect::Suspend => return Outcome::Suspend,
+            Effect::Resume => return Outcome::Resume,
+            Effect::Mouse(taken) => return Outcome::Mouse(taken),
+            Effect::Copy(text) => return Outcome::Copy(text),
             Effect::Quit(signal) => return Outcome::Quit(signal),
             Effect::Save { path, text, guard } => save(path, text, &guard),
-            Effect::Open(path) => open(path),
+            Effect::Open(path) => open(path, Reply::Opened),
+            Effect::Reload(path) => open(path, Reply::Reloaded),
+            Effect::Compare { path, text } => Reply::Compared(compare(&path, &text)),
             Effect::Complete(text) => Reply::Completed(complete(&text)),
+            Effect::Recover(number) => self.recover(number),
         };
         let mut outcome = Outcome::Done;
         for effect in app.reply(reply) {
@@ -64,49 +120,112 @@ impl Performer {
         }
         outcome
     }
-}
 
-/// Writes unsaved changes beside the model, or else to the folder for temporary files, never over another file.
-fn rescue(path: &Path, text: &str) -> String {
-    let elsewhere = path.file_name().map(|name| std::env::temp_dir().join(name));
-    let mut reason = String::new();
-    for wanted in iter::once(path.to_owned()).chain(elsewhere) {
-        let place = unused(&wanted);
-        match model::save(&place, text) {
-            Ok(()) => return format!("unsaved changes are in {}", place.display()),
-            Err(error) => reason = why(&error),
+    fn keep(&mut self, kept: Option<Kept>) -> Outcome {
+        if let Some(keeper) = &self.keeper {
+            match kept {
+                Some(kept) => keeper.keep(kept),
+                None => keeper.clear(),
+            }
+        }
+        Outcome::Done
+    }
+
+    /// The changes with this number as a model, beside the text of the file or preset that they belong to.
+    fn recover(&mut self, number: usize) -> Reply {
+        let found = self.found.remove(number);
+        let model = match model::read(&found.text) {
+            Ok(model) => model,
+            Err(faults) => return Reply::Faulty(found.path.clone(), faults),
+        };
+        let base = match &found.source {
+            Source::File(path) => model::load(path).ok(),
+            Source::Preset(name) => presets::find(name).map(|preset| preset.text.to_owned()),
+            Source::Stdin => None,
+        };
+        let base = base.filter(|text| model::read(text).is_ok());
+        let based = base.is_some();
+        let opened = Opened {
+            model,
+            text: base.unwrap_or_else(|| found.text.clone()),
+            source: found.source.clone(),
+        };
+        self.taken.push(found);
+        Reply::Recovered {
+            opened: Box::new(opened),
+            based,
+            others: self.found.len(),
         }
     }
-    format!(
-        "unsaved changes are lost: {} cannot be written: {reason}",
-        path.display()
-    )
+
+    fn discard(&mut self, number: usize, app: &mut App) -> Outcome {
+        let found = self.found.remove(number);
+        let place = found.path.display().to_string();
+        if let Err(error) = found.discard() {
+            app.update(Event::Trouble(format!(
+                "{place} is not removed: {}",
+                why(&error)
+            )));
+        }
+        Outcome::Done
+    }
+
+    /// Ends: keeps what is not saved, if it is given, or nothing. A sentence on where it is, or why it is lost.
+    pub fn finish(self, unsaved: Option<Kept>) -> Option<String> {
+        let nothing = unsaved.is_none();
+        let left = match (self.keeper, unsaved) {
+            (Some(keeper), unsaved) => keeper.finish(unsaved),
+            (None, Some(unsaved)) => recovery::leave_elsewhere(&unsaved),
+            (None, None) => return None,
+        };
+        let sentence = match left {
+            Ok(Left::Nothing) => None,
+            Ok(Left::Offered(path)) => Some(format!(
+                "unsaved changes are in {}; the next start offers them",
+                path.display()
+            )),
+            Ok(Left::Elsewhere(path)) => Some(format!(
+                "unsaved changes are in {}; it is a model file",
+                path.display()
+            )),
+            Err(error) if nothing => Some(format!("what was kept is not removed: {}", why(&error))),
+            Err(error) => {
+                return Some(format!("unsaved changes are lost: {}", why(&error)));
+            }
+        };
+        // What they were found in is kept anew by now, saved, or dropped on purpose.
+        for found in self.taken {
+            let _ = found.discard();
+        }
+        sentence
+    }
 }
 
-/// The path, or the first of `NAME.2.toml`, `NAME.3.toml`, .. that is not there yet.
-fn unused(path: &Path) -> PathBuf {
-    let numbered = (2..).map(|number| path.with_extension(format!("{number}.toml")));
-    iter::once(path.to_owned())
-        .chain(numbered)
-        .find(|path| fs::symlink_metadata(path).is_err())
-        .unwrap_or_else(|| path.to_owned())
+fn absolute(source: &Source) -> Source {
+    match source {
+        Source::File(path) => {
+            Source::File(std::path::absolute(path).unwrap_or_else(|_| path.clone()))
+        }
+        other => other.clone(),
+    }
 }
 
-/// An error of the system without the name of the temporary file.
-fn why(error: &io::Error) -> String {
-    let text = error.to_string();
-    text.split(" at path ").next().unwrap_or(&text).to_owned()
+/// What became of a file that held this text.
+fn compare(path: &Path, text: &str) -> Outside {
+    match model::load(path) {
+        Ok(found) if found == text => Outside::Same,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Outside::Gone,
+        _ => Outside::Changed,
+    }
 }
 
 fn save(path: PathBuf, text: String, guard: &Guard) -> Reply {
     if path.is_dir() {
         return Reply::NotSaved(path, "it is a folder; a file's name is wanted".to_owned());
     }
-    let there = fs::read_to_string(&path);
-    match (guard, there) {
-        (Guard::Absent, Err(error)) if error.kind() == io::ErrorKind::NotFound => {}
-        (Guard::Absent, _) => return Reply::Exists(path),
-        (Guard::Holds(expected), Ok(found)) if found != *expected => {
+    match guard {
+        Guard::Absent if is_there(&path) => return Reply::Exists(path),
+        Guard::Holds(expected) if compare(&path, expected) == Outside::Changed => {
             return Reply::ChangedOutside(path);
         }
         _ => {}
@@ -117,13 +236,22 @@ fn save(path: PathBuf, text: String, guard: &Guard) -> Reply {
     }
 }
 
-fn open(path: PathBuf) -> Reply {
-    let text = match fs::read_to_string(&path) {
+/// Whether there is a file, or something that cannot be looked at.
+fn is_there(path: &Path) -> bool {
+    !matches!(fs::metadata(path), Err(error) if error.kind() == io::ErrorKind::NotFound)
+}
+
+/// Opens a file; what is none, as a pipe, might be waited for without end.
+fn open(path: PathBuf, reply: impl FnOnce(Box<Opened>) -> Reply) -> Reply {
+    if fs::metadata(&path).is_ok_and(|found| !found.is_file()) {
+        return Reply::NotRead(path, "it is no file".to_owned());
+    }
+    let text = match model::load(&path) {
         Ok(text) => text,
         Err(error) => return Reply::NotRead(path, error.to_string()),
     };
     match model::read(&text) {
-        Ok(model) => Reply::Opened(Box::new(Opened {
+        Ok(model) => reply(Box::new(Opened {
             model,
             text,
             source: Source::File(path),

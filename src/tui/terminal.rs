@@ -1,68 +1,71 @@
-//! The terminal: taken at the start, given back as it was found on every way out.
+//! The terminal: taken at the start, given back as it was found on every way out and on every pause.
 
-use std::io::{self, BufWriter, IsTerminal, Stdout, Write};
-use std::sync::OnceLock;
+mod input;
+mod jobs;
+mod panic;
+
+use std::fs::File;
+use std::io::{self, IsTerminal as _};
+use std::os::fd::AsFd as _;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::Sender;
-use std::thread::{self, ThreadId};
-use std::time::Duration;
 
-use crossterm::event::{DisableBracketedPaste, EnableBracketedPaste, KeyEventKind};
+use crossterm::clipboard::CopyToClipboard;
+use crossterm::event::{DisableBracketedPaste, EnableBracketedPaste};
+use crossterm::style::Print;
 use crossterm::terminal::{
-    BeginSynchronizedUpdate, EndSynchronizedUpdate, EnterAlternateScreen, LeaveAlternateScreen,
-    disable_raw_mode, enable_raw_mode,
+    self, EndSynchronizedUpdate, EnterAlternateScreen, LeaveAlternateScreen, disable_raw_mode,
+    enable_raw_mode,
 };
-use crossterm::{cursor, event, execute, queue};
-use ratatui::backend::CrosstermBackend;
+use crossterm::{cursor, execute};
+use ratatui::layout::Size;
 use ratatui::{Frame, Terminal};
-use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
-use signal_hook::iterator::Signals;
 
-use super::event::Event;
+use super::backend::Wire;
 
-/// Room for a whole frame, so that it goes out in one write.
-const FRAME_BYTES: usize = 65_536;
+pub use self::input::events;
+pub use self::jobs::can_suspend;
+pub use self::panic::set_panic_sink;
 
-/// How often it is looked whether the terminal is still there, where the hang-up signal is ignored.
-const LOOK_EVERY: Duration = Duration::from_millis(500);
-
-/// How long the program has to end by itself once its terminal is gone.
-const GRACE: Duration = Duration::from_millis(400);
+/// Presses and the wheel, dragging, and places in decimals: modes 1000, 1002 and 1006 of xterm. Moves without a button
+/// (1003) would be sent for nothing.
+const TAKE_MOUSE: &str = "\x1b[?1000h\x1b[?1002h\x1b[?1006h";
+/// The same in reverse.
+const LEAVE_MOUSE: &str = "\x1b[?1006l\x1b[?1002l\x1b[?1000l";
 
 /// True while the terminal is ours.
 static TAKEN: AtomicBool = AtomicBool::new(false);
-
-/// The thread whose panic ends the program.
-static OWNER: OnceLock<ThreadId> = OnceLock::new();
+/// True while its mouse is, too.
+static MOUSE: AtomicBool = AtomicBool::new(false);
 
 /// The terminal in raw mode on its alternate screen. Dropping it gives the terminal back.
+#[derive(Debug)]
 pub struct Session {
-    terminal: Terminal<CrosstermBackend<BufWriter<Stdout>>>,
+    terminal: Terminal<Wire<File>>,
+    /// The mouse is wanted.
+    mouse: bool,
+    /// The terminal was taken again after a pause of which the signal thread is still to tell.
+    resumed: bool,
+    /// The program goes on behind another one, to which the terminal listens.
+    behind: bool,
 }
 
 impl Session {
-    /// Takes the terminal.
+    /// Takes the terminal, and its mouse where that is wanted.
     ///
     /// # Errors
     /// Where it cannot be put into raw mode or written to; it is then given back.
-    pub fn start() -> io::Result<Self> {
-        install_panic_hook();
-        enable_raw_mode()?;
-        TAKEN.store(true, Ordering::SeqCst);
-        let started = execute!(
-            io::stdout(),
-            EnterAlternateScreen,
-            EnableBracketedPaste,
-            cursor::Hide
-        )
-        .and_then(|()| {
-            Terminal::new(CrosstermBackend::new(BufWriter::with_capacity(
-                FRAME_BYTES,
-                io::stdout(),
-            )))
-        });
+    pub fn start(mouse: bool) -> io::Result<Self> {
+        panic::install_hook();
+        // Standard output itself would split a frame into lines.
+        let writer = File::from(io::stdout().as_fd().try_clone_to_owned()?);
+        let started = take(mouse).and_then(|()| Terminal::new(Wire::new(writer, size)));
         match started {
-            Ok(terminal) => Ok(Self { terminal }),
+            Ok(terminal) => Ok(Self {
+                terminal,
+                mouse,
+                resumed: false,
+                behind: false,
+            }),
             Err(error) => {
                 give_back();
                 Err(error)
@@ -70,15 +73,15 @@ impl Session {
         }
     }
 
-    /// Draws a frame in one synchronised update.
+    /// Draws a frame in one synchronised update; nothing while another program has the terminal.
     ///
     /// # Errors
     /// Where the terminal cannot be written to.
     pub fn draw(&mut self, render: impl FnOnce(&mut Frame)) -> io::Result<()> {
-        queue!(self.terminal.backend_mut(), BeginSynchronizedUpdate)?;
-        self.terminal.draw(render)?;
-        queue!(self.terminal.backend_mut(), EndSynchronizedUpdate)?;
-        self.terminal.backend_mut().flush()
+        if !self.behind {
+            self.terminal.draw(render)?;
+        }
+        Ok(())
     }
 
     /// Paints everything anew at the next draw, without asking the terminal for anything.
@@ -89,6 +92,73 @@ impl Session {
         let size = self.terminal.size()?;
         self.terminal.resize(size.into())
     }
+
+    /// Takes the mouse, or leaves it to the terminal.
+    ///
+    /// # Errors
+    /// Where the terminal cannot be written to.
+    pub fn set_mouse(&mut self, mouse: bool) -> io::Result<()> {
+        self.mouse = mouse;
+        if MOUSE.swap(mouse, Ordering::SeqCst) == mouse {
+            return Ok(());
+        }
+        let modes = if mouse { TAKE_MOUSE } else { LEAVE_MOUSE };
+        execute!(io::stdout(), Print(modes))
+    }
+
+    /// Sends a text to the clipboard of the terminal (OSC 52). Whether it takes it there is no way to know.
+    ///
+    /// # Errors
+    /// Where the terminal cannot be written to.
+    pub fn copy(&mut self, text: &str) -> io::Result<()> {
+        execute!(io::stdout(), CopyToClipboard::to_clipboard_from(text))
+    }
+
+    /// Gives the terminal back and stops until the shell goes on with the program; takes it again then. There must be
+    /// a shell that can, see [`can_suspend`].
+    ///
+    /// # Errors
+    /// Where the terminal cannot be taken again.
+    pub fn suspend(&mut self) -> io::Result<()> {
+        give_back();
+        jobs::stop()?;
+        self.resumed = true;
+        self.take_again()
+    }
+
+    /// Takes the terminal again after the program was stopped from outside and goes on.
+    ///
+    /// # Errors
+    /// Where the terminal cannot be taken again.
+    pub fn resume(&mut self) -> io::Result<()> {
+        if std::mem::take(&mut self.resumed) && !self.behind {
+            return Ok(());
+        }
+        // The shell has changed the modes since; those from before are put back, so that they are kept for the end.
+        give_back();
+        self.take_again()
+    }
+
+    fn take_again(&mut self) -> io::Result<()> {
+        // Whoever changes the modes from behind is stopped.
+        self.behind = !jobs::is_in_front();
+        if self.behind {
+            return Ok(());
+        }
+        take(self.mouse)?;
+        self.terminal.backend_mut().forget();
+        self.repaint()
+    }
+}
+
+/// Whether the terminal has gone: a line that dropped, a window that was closed.
+pub fn is_gone() -> bool {
+    !io::stdout().is_terminal()
+}
+
+fn size() -> io::Result<Size> {
+    let (width, height) = terminal::size()?;
+    Ok(Size { width, height })
 }
 
 impl Drop for Session {
@@ -97,83 +167,36 @@ impl Drop for Session {
     }
 }
 
-/// Undoes what [`Session::start`] did, once, in reverse order. Failures leave nothing more to try.
+/// Puts the terminal into raw mode, onto its alternate screen, without a cursor.
+fn take(mouse: bool) -> io::Result<()> {
+    enable_raw_mode()?;
+    TAKEN.store(true, Ordering::SeqCst);
+    let mut out = io::stdout();
+    execute!(
+        out,
+        EnterAlternateScreen,
+        EnableBracketedPaste,
+        cursor::Hide
+    )?;
+    MOUSE.store(mouse, Ordering::SeqCst);
+    if mouse {
+        execute!(out, Print(TAKE_MOUSE))?;
+    }
+    Ok(())
+}
+
+/// Undoes what [`take`] did, once, in reverse order. Failures leave nothing more to try.
 fn give_back() {
     if TAKEN.swap(false, Ordering::SeqCst) {
+        let mouse = MOUSE.swap(false, Ordering::SeqCst);
         let _ = execute!(
             io::stdout(),
             EndSynchronizedUpdate,
+            Print(if mouse { LEAVE_MOUSE } else { "" }),
             cursor::Show,
             DisableBracketedPaste,
             LeaveAlternateScreen
         );
         let _ = disable_raw_mode();
     }
-}
-
-/// A panic of the thread that draws gives the terminal back before it is reported. One of another thread comes as
-/// an answer's error and must not write over the screen.
-fn install_panic_hook() {
-    if OWNER.set(thread::current().id()).is_err() {
-        return;
-    }
-    let report = std::panic::take_hook();
-    std::panic::set_hook(Box::new(move |panic| {
-        if OWNER.get() == Some(&thread::current().id()) {
-            give_back();
-        }
-        if !TAKEN.load(Ordering::SeqCst) {
-            report(panic);
-        }
-    }));
-}
-
-/// Starts the threads that send keys, signals and the loss of the terminal.
-///
-/// # Errors
-/// Where signals cannot be caught.
-pub fn events(sender: &Sender<Event>) -> io::Result<()> {
-    let signals = Signals::new([SIGTERM, SIGINT, SIGHUP])?;
-    let to = sender.clone();
-    thread::spawn(move || forward_signals(signals, &to));
-    let to = sender.clone();
-    thread::spawn(move || forward_input(&to));
-    let to = sender.clone();
-    thread::spawn(move || watch_terminal(&to));
-    Ok(())
-}
-
-fn forward_signals(mut signals: Signals, to: &Sender<Event>) {
-    for signal in signals.forever() {
-        if to.send(Event::Quit(signal)).is_err() {
-            return;
-        }
-    }
-}
-
-fn forward_input(to: &Sender<Event>) {
-    loop {
-        let event = match event::read() {
-            Ok(event::Event::Key(key)) if key.kind == KeyEventKind::Press => Event::Key(key),
-            Ok(event::Event::Paste(text)) => Event::Paste(text),
-            Ok(event::Event::Resize(..)) => Event::Resize,
-            Ok(_) => continue,
-            Err(_) => Event::Quit(SIGHUP),
-        };
-        let last = matches!(event, Event::Quit(_));
-        if to.send(event).is_err() || last {
-            return;
-        }
-    }
-}
-
-/// Ends the program once its terminal is gone, also where the hang-up signal is ignored and reading would spin.
-fn watch_terminal(to: &Sender<Event>) {
-    while io::stdout().is_terminal() {
-        thread::sleep(LOOK_EVERY);
-    }
-    let _ = to.send(Event::Quit(SIGHUP));
-    thread::sleep(GRACE);
-    // Still here: the drawing thread hangs on a terminal that is no more.
-    std::process::exit(128 + SIGHUP);
 }

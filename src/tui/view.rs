@@ -5,6 +5,7 @@ mod chart;
 mod details;
 mod help;
 mod modes;
+mod palette;
 mod peaks;
 mod shape;
 mod status;
@@ -19,8 +20,11 @@ use ratatui::style::Modifier;
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Paragraph, Wrap};
 
-use super::app::{App, Shaping, Table};
+use super::app::{App, Rows, Screen, Shaping, Table};
+use super::ascii;
+use super::keys::{Command, Scope};
 use super::theme::Theme;
+use crate::rehearsal;
 
 /// The smallest screen that is drawn, columns and rows.
 pub const SMALLEST: (u16, u16) = (60, 18);
@@ -136,7 +140,16 @@ fn stacked(area: Rect, wanted: Beside) -> Panels {
 }
 
 /// Draws everything; tells the state how many rows there is room for.
-pub fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme) {
+pub fn draw(frame: &mut Frame<'_>, app: &mut App) {
+    rehearsal::fault("drawing", &app.model().title);
+    let theme = app.theme;
+    draw_panels(frame, app, theme);
+    if theme.is_ascii() {
+        ascii::flatten(frame.buffer_mut());
+    }
+}
+
+fn draw_panels(frame: &mut Frame<'_>, app: &mut App, theme: Theme) {
     let list = app.tables.open.map(|table| match table {
         Table::Modes => app.tables.modes,
         Table::Peaks => app.tables.peaks,
@@ -147,36 +160,44 @@ pub fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme) {
     };
     let Some(panels) = panels(frame.area(), wanted) else {
         app.unseen = true;
-        return too_small(frame);
+        let key = app.keys.key_of_in(Scope::Any, Command::Quit);
+        return too_small(frame, &key);
     };
     app.unseen = false;
     let tree = block_inside(panels.tree);
     if tree.height > 0 {
         app.selection.set_height(usize::from(tree.height));
     }
+    app.screen = Screen {
+        tree: Rows {
+            area: tree,
+            first: app.selection.rows().1,
+        },
+        details: panels.details,
+        ..Screen::default()
+    };
     status::draw(frame, app, theme, panels.status);
     tree::draw(frame, app, theme, panels.tree);
     details::draw(frame, app, theme, panels.details);
     if panels.chart.height > 0 {
-        chart::draw(frame, app, theme, panels.chart);
+        app.screen.plot = chart::draw(frame, app, theme, panels.chart);
     }
     if panels.shape.height > 0 {
         shape::draw(frame, app, theme, panels.shape);
     }
-    match app.tables.open {
-        None => {}
-        Some(Table::Modes) => modes::draw(frame, app, theme, panels.table),
-        Some(Table::Peaks) => peaks::draw(frame, app, theme, panels.table),
-    }
+    app.screen.table = app.tables.open.map(|table| match table {
+        Table::Modes => modes::draw(frame, app, theme, panels.table),
+        Table::Peaks => peaks::draw(frame, app, theme, panels.table),
+    });
     status::draw_hints(frame, app, theme, panels.hints);
     boxes::draw(frame, app, theme, &panels);
 }
 
-fn too_small(frame: &mut Frame<'_>) {
+fn too_small(frame: &mut Frame<'_>, leave: &str) {
     let area = frame.area();
     let (width, height) = SMALLEST;
     let text = format!(
-        "The designer needs {width} columns and {height} rows; here are {} and {}. Keys wait until it has them.",
+        "The designer needs {width} columns and {height} rows; here are {} and {}. {leave} leaves it and keeps what is not saved.",
         area.width, area.height
     );
     frame.render_widget(Paragraph::new(text).wrap(Wrap { trim: true }), area);

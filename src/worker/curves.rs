@@ -7,6 +7,7 @@ use super::lane::guarded;
 use super::members::{Labelled, members};
 use super::resolve::Unresolved;
 use super::{Curves, CurvesAnswer, Member, PROMPT, Stage, Subject};
+use crate::rehearsal;
 use crate::solve::{frequencies, sweep};
 
 /// Frequencies of the timing sample, spread over the whole range.
@@ -34,6 +35,7 @@ pub(super) fn answer(
         });
     };
     let solved = guarded(|| {
+        rehearsal::fault("worker", &subject.model.title);
         let Some(members) = members(&subject, cancel)? else {
             return Ok(None);
         };

@@ -8,7 +8,7 @@ use beamtune::model::{self, Model, path};
 use beamtune::presets;
 use beamtune::tui::app::{App, Effect, Reply};
 use beamtune::tui::event::Event;
-use beamtune::tui::keys::SECTIONS;
+use beamtune::tui::keys::Key;
 use beamtune::tui::theme::Theme;
 use beamtune::tui::{Opened, Source, tree, view};
 use beamtune::worker::{Answer, CurvesAnswer, Request, Stage, Subject, Worker};
@@ -21,7 +21,6 @@ use ratatui::style::Style;
 /// The designer with somebody at its keys.
 pub struct Driver {
     pub app: App,
-    theme: Theme,
     answers: bool,
     /// The code or signal with which it ended.
     pub ended: bool,
@@ -51,7 +50,6 @@ impl Driver {
         });
         Self {
             app,
-            theme: Theme::new(true),
             answers: false,
             ended: false,
         }
@@ -68,7 +66,7 @@ impl Driver {
     }
 
     pub fn without_colours(&mut self) -> &mut Self {
-        self.theme = Theme::new(false);
+        self.app.theme = Theme::new(false);
         self
     }
 
@@ -90,7 +88,12 @@ impl Driver {
     }
 
     pub fn press(&mut self, key: KeyEvent) {
-        let effects = self.app.update(Event::Key(key));
+        self.happen(Event::Key(key));
+    }
+
+    /// Lets something happen.
+    pub fn happen(&mut self, event: Event) {
+        let effects = self.app.update(event);
         self.perform(effects);
     }
 
@@ -165,8 +168,7 @@ impl Driver {
                     self.perform(more);
                 }
                 Effect::Quit(_) => self.ended = true,
-                Effect::Solve(_) | Effect::Rescue { .. } | Effect::Redraw | Effect::Complete(_) => {
-                }
+                _ => {}
             }
         }
     }
@@ -175,7 +177,7 @@ impl Driver {
     pub fn screen(&mut self, width: u16, height: u16) -> String {
         let mut terminal = Terminal::new(TestBackend::new(width, height)).expect("a screen");
         terminal
-            .draw(|frame| view::draw(frame, &mut self.app, self.theme))
+            .draw(|frame| view::draw(frame, &mut self.app))
             .expect("a frame");
         in_words(terminal.backend().buffer())
     }
@@ -209,20 +211,8 @@ fn solved(request: Request) -> Vec<Answer> {
 
 /// The key with this name in help.
 fn named(name: &str) -> KeyEvent {
-    let keys = SECTIONS
-        .iter()
-        .flat_map(|section| section.bindings)
-        .flat_map(|binding| binding.keys);
-    let key = keys
-        .copied()
-        .find(|key| key.name() == name)
-        .unwrap_or_else(|| panic!("no key is named {name}"));
-    let modifiers = if key.control {
-        KeyModifiers::CONTROL
-    } else {
-        KeyModifiers::NONE
-    };
-    KeyEvent::new(key.code, modifiers)
+    let key = Key::parse(name).unwrap_or_else(|| panic!("no key is named {name}"));
+    key.event()
 }
 
 fn in_words(buffer: &Buffer) -> String {

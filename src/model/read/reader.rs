@@ -15,7 +15,7 @@ struct Found {
 
 /// The faults found so far, and where each path stands in the text.
 #[derive(Default)]
-pub(super) struct Reader {
+pub(crate) struct Reader {
     found: Vec<Found>,
     /// Paths about which no more is to be said, nor about anything below them.
     spoken: HashSet<String>,
@@ -34,7 +34,7 @@ impl Reader {
     }
 
     /// Notes a fault.
-    pub(super) fn fault(&mut self, offset: usize, path: &str, message: impl Into<String>) {
+    pub(crate) fn fault(&mut self, offset: usize, path: &str, message: impl Into<String>) {
         self.silence(path);
         self.found.push(Found {
             offset,
@@ -107,12 +107,12 @@ impl Reader {
     }
 
     /// True when nothing is wrong.
-    pub(super) fn is_content(&self) -> bool {
+    pub(crate) fn is_content(&self) -> bool {
         self.found.is_empty()
     }
 
     /// The faults in the order of the text, with lines and columns.
-    pub(super) fn into_faults(mut self, text: &str) -> Vec<Fault> {
+    pub(crate) fn into_faults(mut self, text: &str) -> Vec<Fault> {
         let mut offsets: Vec<_> = self
             .found
             .iter()
@@ -157,7 +157,7 @@ fn last(path: &str) -> &str {
 }
 
 /// A text in quotes, cut off where it is very long.
-pub(super) fn quoted(text: &str) -> String {
+pub(crate) fn quoted(text: &str) -> String {
     const LONGEST: usize = 60;
     match text.char_indices().nth(LONGEST) {
         Some((end, _)) => format!("{:?}...", &text[..end]),

@@ -7,7 +7,7 @@ use super::value::{Node, number, text, wrong_type};
 use toml::de::{DeTable, DeValue};
 
 /// A table and what has been asked of it so far; [`finish`](Self::finish) says what is left over or missing.
-pub(super) struct Table<'a> {
+pub(crate) struct Table<'a> {
     /// Path, empty for the root.
     pub(super) path: String,
     /// Byte offset of the header or brace.
@@ -19,7 +19,7 @@ pub(super) struct Table<'a> {
 
 impl<'a> Table<'a> {
     /// The whole text.
-    pub(super) fn root(content: &'a DeTable<'a>) -> Self {
+    pub(crate) fn root(content: &'a DeTable<'a>) -> Self {
         Self {
             path: String::new(),
             start: 0,
@@ -56,19 +56,19 @@ impl<'a> Table<'a> {
     }
 
     /// Whether the text has a key.
-    pub(super) fn has(&self, key: &str) -> bool {
+    pub(crate) fn has(&self, key: &str) -> bool {
         self.content.contains_key(key)
     }
 
     /// A key that is no fault, whether it is looked at or not.
-    pub(super) fn accept(&mut self, key: &'a str) {
+    pub(crate) fn accept(&mut self, key: &'a str) {
         if !self.known.contains(&key) {
             self.known.push(key);
         }
     }
 
     /// Path and value of a key, if the text has it.
-    pub(super) fn take(&mut self, key: &'a str, reader: &mut Reader) -> Option<(String, Node<'a>)> {
+    pub(crate) fn take(&mut self, key: &'a str, reader: &mut Reader) -> Option<(String, Node<'a>)> {
         self.accept(key);
         let node = self.content.get(key)?;
         let path = self.at(key);
@@ -91,7 +91,7 @@ impl<'a> Table<'a> {
     }
 
     /// An inner table that may be left out.
-    pub(super) fn table(&mut self, key: &'a str, reader: &mut Reader) -> Option<Self> {
+    pub(crate) fn table(&mut self, key: &'a str, reader: &mut Reader) -> Option<Self> {
         let (path, node) = self.take(key, reader)?;
         Self::open(path, node, reader)
     }
@@ -197,17 +197,21 @@ impl<'a> Table<'a> {
 
     /// A switch, on where it is left out.
     pub(super) fn enabled(&mut self, reader: &mut Reader) -> bool {
-        let Some((path, node)) = self.take("enabled", reader) else {
-            return true;
-        };
-        node.get_ref().as_bool().unwrap_or_else(|| {
+        self.flag("enabled", reader).unwrap_or(true)
+    }
+
+    /// A switch; none where it is left out or neither on nor off.
+    pub(crate) fn flag(&mut self, key: &'a str, reader: &mut Reader) -> Option<bool> {
+        let (path, node) = self.take(key, reader)?;
+        let flag = node.get_ref().as_bool();
+        if flag.is_none() {
             reader.fault(node.span().start, &path, wrong_type(node, "true or false"));
-            true
-        })
+        }
+        flag
     }
 
     /// The index of one of some words; its default, or none where it is missing or another word.
-    pub(super) fn word(
+    pub(crate) fn word(
         &mut self,
         key: &'a str,
         words: &[&str],
@@ -243,7 +247,7 @@ impl<'a> Table<'a> {
     }
 
     /// Says which keys are unknown and which are missing. A key that is missing because it is misspelt is said once.
-    pub(super) fn finish(self, reader: &mut Reader) {
+    pub(crate) fn finish(self, reader: &mut Reader) {
         let mut misspelt = Vec::new();
         for (key, _) in self.content {
             let word = key.get_ref().as_ref();

@@ -5,7 +5,7 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 /// A value with its place in the text.
-pub(super) type Node<'a> = &'a Spanned<DeValue<'a>>;
+pub(crate) type Node<'a> = &'a Spanned<DeValue<'a>>;
 
 /// A value that must be a finite number; NaN where it is not. A whole number is one as well.
 pub(super) fn number(path: &str, node: Node<'_>, expected: &str, reader: &mut Reader) -> f64 {
@@ -55,7 +55,7 @@ pub(super) fn text(path: &str, node: Node<'_>, reader: &mut Reader) -> Option<St
 }
 
 /// What is said of a value of another type.
-pub(super) fn wrong_type(node: Node<'_>, expected: &str) -> String {
+pub(crate) fn wrong_type(node: Node<'_>, expected: &str) -> String {
     let found = match node.get_ref() {
         DeValue::String(text) => format!("the text {}", quoted(text)),
         DeValue::Integer(integer) => integer.to_string(),

@@ -17,14 +17,17 @@ impl App {
             Command::Show => self.show_response(),
             Command::Solo => self.solo_response(),
             Command::Study => self.next_study(),
-            Command::Decibels => self.curves.decibels = !self.curves.decibels,
+            Command::Decibels => {
+                self.curves.decibels = !self.curves.decibels;
+                self.turned.decibels = Some(self.curves.decibels);
+            }
             Command::LogFrequency => self.curves.log_frequency = !self.curves.log_frequency,
             Command::Freeze => self.freeze(),
             Command::Unfreeze => self.unfreeze(),
             Command::Cursor(steps) => self.move_cursor(steps),
             Command::NextExtremum => self.seek_extremum(true),
             Command::PreviousExtremum => self.seek_extremum(false),
-            Command::Cancel => self.curves.cursor = None,
+            Command::Cancel => self.take_away(),
             _ => return false,
         }
         if matches!(
@@ -35,8 +38,16 @@ impl App {
                 | Command::Cancel
         ) {
             self.anchor = Anchor::Frequency;
+            self.reveal_cursor();
         }
         true
+    }
+
+    /// Ends the search of the tree, or takes the cursor off the chart.
+    fn take_away(&mut self) {
+        if self.search.take().is_none() && self.curves.cursor.take().is_none() {
+            self.refuse("there is no count, search or cursor to take away");
+        }
     }
 
     /// The response of the selected row, if it can be drawn.
@@ -48,7 +59,8 @@ impl App {
         let response = &self.model().responses[i];
         let name = response.name.clone();
         if !response.enabled {
-            self.refuse(format!("{name} is disabled: e enables it"));
+            let key = self.keys.key_of(Command::Enable);
+            self.refuse(format!("{name} is disabled: {key} enables it"));
             return None;
         }
         Some(name)
@@ -97,6 +109,8 @@ impl App {
     /// Moves the cursor along the frequency axis; it first appears in the middle.
     fn move_cursor(&mut self, steps: i32) {
         let sweep = self.model().sweep;
+        let before = self.curves.cursor;
+        let shown = self.shown_frequencies();
         let place = |frequency: f64| {
             if self.curves.log_frequency {
                 frequency.ln()
@@ -104,7 +118,7 @@ impl App {
                 frequency
             }
         };
-        let (low, high) = (place(sweep.from), place(sweep.to));
+        let (low, high) = (place(shown[0]), place(shown[1]));
         let new = match self.curves.cursor {
             Some(old) => place(old) + f64::from(steps) * (high - low) / CURSOR_STEPS,
             None => f64::midpoint(low, high),
@@ -115,6 +129,9 @@ impl App {
             new
         };
         self.curves.cursor = Some(new.clamp(sweep.from, sweep.to));
+        if self.curves.cursor == before {
+            self.refuse("the sweep ends here");
+        }
     }
 
     /// Moves the cursor to the next peak or dip of the first curve.
@@ -145,16 +162,21 @@ impl App {
             (Shown::Picture(_), Some(picture)) => {
                 self.curves.reference = Some(Arc::clone(picture));
                 self.document.seal();
-                self.done("curves frozen as a dotted reference; F drops it");
+                let key = self.keys.key_of(Command::Unfreeze);
+                self.done(format!(
+                    "curves frozen as a dotted reference; {key} drops it"
+                ));
             }
             _ => self.refuse("there are no curves to freeze yet"),
         }
     }
 
     fn unfreeze(&mut self) {
-        match self.curves.reference.take() {
-            Some(_) => self.done("reference dropped"),
-            None => self.refuse("no reference is frozen; f freezes one"),
+        if self.curves.reference.take().is_some() {
+            self.done("reference dropped");
+        } else {
+            let key = self.keys.key_of(Command::Freeze);
+            self.refuse(format!("no reference is frozen; {key} freezes one"));
         }
     }
 }

@@ -141,6 +141,8 @@ pub struct Curves {
     pub log_frequency: bool,
     /// The frequency (Hz) at which the chart is read.
     pub cursor: Option<f64>,
+    /// The band of the sweep that shows, Hz; none where all of it does.
+    pub window: Option<[f64; 2]>,
 }
 
 impl Curves {
@@ -164,6 +166,7 @@ impl Curves {
             decibels: false,
             log_frequency: model.sweep.spacing == Spacing::Log,
             cursor: None,
+            window: None,
         }
     }
 

@@ -7,6 +7,7 @@ use super::history::{Change, History, Step};
 use crate::model::path::{self, Parameter, Value};
 use crate::model::{self, Fault, Model};
 use crate::tui::tree;
+use crate::tui::user::recovery::Kept;
 use crate::tui::{Opened, Source};
 
 /// A model with its source, its text as opened or saved, and its history.
@@ -14,10 +15,12 @@ use crate::tui::{Opened, Source};
 pub struct Document {
     model: Arc<Model>,
     saved: Model,
-    text: String,
+    text: Arc<str>,
     source: Source,
     history: History,
     changed: bool,
+    /// The model's own text is in no file.
+    homeless: bool,
 }
 
 /// A value to be given to a parameter.
@@ -37,17 +40,31 @@ impl Document {
     /// The document of an opened model. Where the model differs from its text (values set on the command line), that
     /// is a first step.
     pub fn new(opened: Opened) -> Self {
+        Self::differing(opened, "values from the command line")
+    }
+
+    /// The document of unsaved changes that were found. `based`: the text is the file's own; otherwise the model is
+    /// in no file, and stays unsaved until it is saved.
+    pub fn recovered(opened: Opened, based: bool) -> Self {
+        let mut document = Self::differing(opened, "recovered changes");
+        document.homeless = !based;
+        document.compare();
+        document
+    }
+
+    fn differing(opened: Opened, step: &str) -> Self {
         let saved = model::read(&opened.text).unwrap_or_else(|_| opened.model.clone());
         let mut document = Self {
             model: Arc::new(saved.clone()),
             saved,
-            text: opened.text,
+            text: opened.text.into(),
             source: opened.source,
             history: History::default(),
             changed: false,
+            homeless: false,
         };
         if opened.model != document.saved {
-            document.replace("values from the command line".to_owned(), opened.model);
+            document.replace(step.to_owned(), opened.model);
         }
         document
     }
@@ -75,6 +92,15 @@ impl Document {
     /// The text as opened or saved last.
     pub fn saved_text(&self) -> &str {
         &self.text
+    }
+
+    /// What it takes to keep the changes for recovery, if something is not saved.
+    pub fn unsaved(&self) -> Option<Kept> {
+        self.changed.then(|| Kept {
+            source: self.source.clone(),
+            model: Arc::clone(&self.model),
+            base: Arc::clone(&self.text),
+        })
     }
 
     /// The model as text, with the comments and the order of what was opened.
@@ -133,14 +159,14 @@ impl Document {
     /// Takes the last step back; its name.
     pub fn undo(&mut self) -> Option<String> {
         let name = self.history.undo(&mut self.model)?.to_owned();
-        self.changed = *self.model != self.saved;
+        self.compare();
         Some(name)
     }
 
     /// Takes an undone step again; its name.
     pub fn redo(&mut self) -> Option<String> {
         let name = self.history.redo(&mut self.model)?.to_owned();
-        self.changed = *self.model != self.saved;
+        self.compare();
         Some(name)
     }
 
@@ -152,15 +178,28 @@ impl Document {
     /// Notes that the model was saved as this text in this file.
     pub fn mark_saved(&mut self, path: PathBuf, text: String) {
         self.saved = Model::clone(&self.model);
-        self.text = text;
+        self.text = text.into();
         self.source = Source::File(path);
+        self.homeless = false;
         self.changed = false;
         self.history.seal();
     }
 
+    /// Takes what another program saved in the file, as a step that can be taken back.
+    pub fn reload(&mut self, model: Model, text: String) {
+        self.saved = model.clone();
+        self.text = text.into();
+        self.homeless = false;
+        self.replace("read the file again".to_owned(), model);
+    }
+
     fn take(&mut self, after: Arc<Model>) {
         self.model = after;
-        self.changed = *self.model != self.saved;
+        self.compare();
+    }
+
+    fn compare(&mut self) {
+        self.changed = self.homeless || *self.model != self.saved;
     }
 
     /// Adds a nudge to the one before it, if there is one of the same parameter; the name of both together.

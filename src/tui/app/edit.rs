@@ -6,7 +6,8 @@ use super::document::Edit;
 use super::{App, Asked, AskedKind, Overlay, Prompt, Purpose};
 use crate::model::names::segment;
 use crate::model::path::{self, Parameter, Value};
-use crate::model::{Fault, Model};
+use crate::model::{Fault, Model, entry};
+use crate::tui::keys::Command;
 use crate::tui::tree::{self, Node};
 
 /// Digits kept by a nudge.
@@ -55,22 +56,49 @@ impl App {
     }
 
     fn ask(&mut self, node: Node, parameter: Parameter) {
-        let (kind, text) = match &parameter.value {
-            Value::Number(old) => {
-                let text = parameter.unit.format_exact(*old);
-                (AskedKind::Number(*old, parameter.unit), text)
-            }
-            Value::Count(old) => (AskedKind::Count(*old), old.to_string()),
-            other => (AskedKind::Text, tree::of_parameter(&parameter, other)),
+        let text = exact(&parameter);
+        let asked = self.asked_of(node, parameter);
+        self.overlay = Some(Overlay::Prompt(Prompt::new(Purpose::Value(asked), text)));
+    }
+
+    /// The selected value with all its digits, if the row has one.
+    pub(super) fn exact_value(&self) -> Option<String> {
+        let parameter = parameter(self.model(), self.selection.node())?.ok()?;
+        Some(exact(&parameter))
+    }
+
+    /// How the selected row's value is asked for, if it is typed.
+    pub(super) fn asked(&self) -> Option<Asked> {
+        let node = self.selection.node();
+        let parameter = parameter(self.model(), node)?.ok()?;
+        parameter
+            .choices
+            .is_empty()
+            .then(|| self.asked_of(node, parameter))
+    }
+
+    fn asked_of(&self, node: Node, parameter: Parameter) -> Asked {
+        let kind = match &parameter.value {
+            Value::Number(old) => AskedKind::Number(*old, parameter.unit),
+            Value::Count(old) => AskedKind::Count(*old),
+            _ => AskedKind::Text,
         };
-        let asked = Asked {
+        Asked {
             node,
             subject: tree::subject(self.model(), node),
             path: parameter.path,
             range: parameter.range,
             kind,
-        };
-        self.overlay = Some(Overlay::Prompt(Prompt::new(Purpose::Value(asked), text)));
+        }
+    }
+
+    /// Gives a parameter a value that was typed.
+    ///
+    /// # Errors
+    /// Why it is refused, in a line.
+    pub(super) fn give(&mut self, asked: &Asked, value: Value) -> Result<(), String> {
+        self.set(&asked.subject, &asked.path, value, false)
+            .map_err(|faults| faults_in_words(&faults, &asked.path, &asked.subject))
     }
 
     fn cycle(&mut self, node: Node, parameter: &Parameter) {
@@ -104,31 +132,38 @@ impl App {
         }
     }
 
-    /// Changes a number by thousandths of itself.
-    pub(super) fn nudge(&mut self, thousandths: i32) {
+    /// Changes a number by thousandths of itself, so many times.
+    pub(super) fn nudge(&mut self, thousandths: i32, times: u32) {
         let model = Arc::clone(self.document.model());
         let node = self.selection.node();
         let parameter = match parameter(&model, node) {
             Some(Ok(parameter)) => parameter,
             Some(Err(fault)) => return self.refuse(faults_in_words(&[fault], "", "")),
             None => {
-                return self.refuse("a nudge changes a number: select one, Tab goes to the next");
+                let tab = self.keys.key_of(Command::NextParameter);
+                return self.refuse(format!(
+                    "a nudge changes a number: select one, {tab} goes to the next"
+                ));
             }
         };
         let subject = tree::subject(&model, node);
         let factor = 1.0 + f64::from(thousandths) / 1000.0;
         let value = match parameter.value {
             Value::Number(0.0) => {
+                let enter = self.keys.key_of(Command::Edit);
                 return self.refuse(format!(
-                    "{subject} is 0, of which no percentage is more: Enter types a value"
+                    "{subject} is 0, of which no percentage is more: {enter} types a value"
                 ));
             }
-            Value::Number(old) => Value::Number(rounded(old * factor)),
-            Value::Count(old) => Value::Count(nudged_count(old, factor)),
+            Value::Number(old) => {
+                Value::Number((0..times).fold(old, |value, _| rounded(value * factor)))
+            }
+            Value::Count(old) => {
+                Value::Count((0..times).fold(old, |count, _| nudged_count(count, factor)))
+            }
             _ => {
-                return self.refuse(format!(
-                    "{subject} is not a number: Enter or Space changes it"
-                ));
+                let enter = self.keys.key_of(Command::Edit);
+                return self.refuse(format!("{subject} is not a number: {enter} changes it"));
             }
         };
         if let Err(faults) = self.set(&subject, &parameter.path, value, true) {
@@ -206,6 +241,24 @@ fn places(model: &Model) -> Vec<Value> {
         .collect()
 }
 
+/// A value as it is typed, with all its digits.
+fn exact(parameter: &Parameter) -> String {
+    match &parameter.value {
+        Value::Number(value) => parameter.unit.format_exact(*value),
+        Value::Count(count) => count.to_string(),
+        other => tree::of_parameter(parameter, other),
+    }
+}
+
+/// A typed value.
+pub(super) fn read(kind: &AskedKind, text: &str) -> Result<Value, String> {
+    match kind {
+        AskedKind::Number(old, unit) => entry::number(text, *old, unit).map(Value::Number),
+        AskedKind::Text => Ok(Value::Text(text.to_owned())),
+        AskedKind::Count(old) => entry::count(text, *old).map(Value::Count),
+    }
+}
+
 /// A number with as many digits as a nudge keeps.
 fn rounded(value: f64) -> f64 {
     format!("{value:.*e}", NUDGE_DIGITS - 1)
@@ -217,7 +270,7 @@ fn rounded(value: f64) -> f64 {
 fn nudged_count(old: usize, factor: f64) -> usize {
     let new = (old as f64 * factor).round() as usize;
     if factor > 1.0 {
-        new.max(old + 1)
+        new.max(old.saturating_add(1))
     } else {
         new.min(old.saturating_sub(1))
     }

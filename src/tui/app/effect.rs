@@ -1,9 +1,12 @@
 //! What the designer wants done outside, and what came of it.
 
 use std::path::PathBuf;
+use std::time::Duration;
 
+use super::Outside;
 use crate::model::Fault;
 use crate::tui::Opened;
+use crate::tui::user::recovery::Kept;
 use crate::worker::Request;
 
 /// Something to be done outside of the state: input and output are not done by it.
@@ -20,13 +23,31 @@ pub enum Effect {
         /// What must be there before.
         guard: Guard,
     },
-    /// Save a text that would be lost, whatever is in the file.
-    Rescue {
+    /// Keep changes that are not saved, so that a killed program does not lose them.
+    Keep(Kept),
+    /// Nothing is unsaved any more.
+    Forget,
+    /// Take the unsaved changes with this number of those that were found.
+    Recover(usize),
+    /// Remove them for good.
+    Discard(usize),
+    /// See whether a file still holds this text.
+    Compare {
         /// The file.
         path: PathBuf,
-        /// What it shall hold.
+        /// What it held when it was opened or saved.
         text: String,
     },
+    /// Read a file that is open again.
+    Reload(PathBuf),
+    /// Send a text to the terminal's clipboard.
+    Copy(String),
+    /// Take the mouse, or leave it to the terminal.
+    Mouse(bool),
+    /// Give the terminal back and stop, until the shell goes on with the program.
+    Suspend,
+    /// Take the terminal again after others had it.
+    Resume,
     /// Open a file.
     Open(PathBuf),
     /// Complete a path that is being typed.
@@ -67,4 +88,26 @@ pub enum Reply {
     NotRead(PathBuf, String),
     /// The path as far as it is unambiguous.
     Completed(String),
+    /// What another program did to the file.
+    Compared(Outside),
+    /// A file that is open was read again.
+    Reloaded(Box<Opened>),
+    /// Unsaved changes that were found were taken.
+    Recovered {
+        /// The model, beside the text it belongs to.
+        opened: Box<Opened>,
+        /// Whether that text is its file's.
+        based: bool,
+        /// How many others there are.
+        others: usize,
+    },
+}
+
+/// Unsaved changes that were found.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Lost {
+    /// The file or preset they belong to.
+    pub name: String,
+    /// How long ago the last of them was made.
+    pub age: Duration,
 }

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use super::{
-    Anchor, App, Curves, Document, Effect, Guard, List, Modal, Next, Overlay, Prompt, Purpose,
-    ReplaceReason, Reply, Selection, Tables,
+    Anchor, App, Curves, Document, Effect, Guard, List, Modal, Next, Outside, Overlay, Prompt,
+    Purpose, ReplaceReason, Reply, Selection, Tables,
 };
 use crate::model;
 use crate::presets;
@@ -14,10 +14,12 @@ use crate::tui::{Opened, Source};
 impl App {
     /// Goes on to something that drops the model: asks first when it is not saved.
     pub(super) fn leave(&mut self, next: Next) -> Vec<Effect> {
+        self.after_save = None;
         if !self.document.is_changed() {
             return self.go_on(next);
         }
-        self.overlay = Some(Overlay::Unsaved(next));
+        let beneath = self.overlay.take().map(Box::new);
+        self.overlay = Some(Overlay::Unsaved { next, beneath });
         Vec::new()
     }
 
@@ -29,6 +31,8 @@ impl App {
                 self.overlay = Some(Overlay::Prompt(Prompt::new(Purpose::Open, String::new())));
             }
             Next::Preset(row) => self.open_preset(row),
+            Next::Recover(number) => return vec![Effect::Recover(number)],
+            Next::Reload => return self.reload_now(),
         }
         Vec::new()
     }
@@ -47,9 +51,17 @@ impl App {
         }
     }
 
-    /// Takes an opened model in the place of this one. The frozen reference stays, to compare with.
+    /// Takes an opened model in the place of this one.
     fn open(&mut self, opened: Opened) {
-        self.document = Document::new(opened);
+        self.open_document(Document::new(opened));
+        let name = self.document.source().name();
+        self.done(format!("opened {name}"));
+    }
+
+    /// Takes a document in the place of this one. The frozen reference stays, to compare with.
+    pub(super) fn open_document(&mut self, document: Document) {
+        self.remember_view();
+        self.document = document;
         let model = self.document.model();
         self.selection = Selection::new(model);
         let reference = self.curves.reference.take();
@@ -66,8 +78,9 @@ impl App {
         self.anchor = Anchor::default();
         self.witness.forget();
         self.overlay = None;
-        let name = self.document.source().name();
-        self.done(format!("opened {name}"));
+        self.search = None;
+        self.outside = Outside::default();
+        self.recall_view();
     }
 
     fn list_faults(&mut self, path: PathBuf, faults: Vec<model::Fault>) {
@@ -82,7 +95,7 @@ impl App {
             return Vec::new();
         };
         let path = path.clone();
-        if !self.document.is_changed() {
+        if !self.document.is_changed() && self.outside == Outside::Same {
             self.done(format!("{} is saved already", path.display()));
             return Vec::new();
         }
@@ -110,11 +123,15 @@ impl App {
     /// Answers the question that is asked.
     pub(super) fn answer_question(&mut self, command: Command) -> Vec<Effect> {
         match (self.overlay.take(), command) {
-            (Some(Overlay::Unsaved(next)), Command::Save) => {
+            (Some(Overlay::Unsaved { next, .. }), Command::Save) => {
                 self.after_save = Some(next);
                 self.save()
             }
-            (Some(Overlay::Unsaved(next)), Command::Discard) => self.go_on(next),
+            (Some(Overlay::Unsaved { next, .. }), Command::Discard) => self.go_on(next),
+            (Some(Overlay::Unsaved { beneath, .. }), Command::Cancel) => {
+                self.overlay = beneath.map(|beneath| *beneath);
+                Vec::new()
+            }
             (Some(Overlay::Replace { path, .. }), Command::Replace) => {
                 vec![self.save_to(path, Guard::Anything)]
             }
@@ -123,7 +140,6 @@ impl App {
                 self.refuse("not saved");
                 Vec::new()
             }
-            (_, Command::Cancel) => Vec::new(),
             (overlay, _) => {
                 self.overlay = overlay;
                 Vec::new()
@@ -158,7 +174,24 @@ impl App {
                 self.complete(text);
                 Vec::new()
             }
+            Reply::Compared(outside) => {
+                self.note_outside(outside);
+                Vec::new()
+            }
+            Reply::Reloaded(opened) => {
+                self.reloaded(*opened);
+                Vec::new()
+            }
+            Reply::Recovered {
+                opened,
+                based,
+                others,
+            } => {
+                self.recovered(*opened, based, others);
+                Vec::new()
+            }
         };
+        effects.extend(self.keep());
         effects.extend(self.request());
         effects
     }
@@ -167,6 +200,7 @@ impl App {
         self.overlay = None;
         self.done(format!("saved {}", path.display()));
         self.document.mark_saved(path, text);
+        self.outside = Outside::Same;
         match self.after_save.take() {
             Some(next) => self.go_on(next),
             None => Vec::new(),

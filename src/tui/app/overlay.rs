@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use tui_input::Input;
 
+use super::{Lost, Palette};
 use crate::model::{Fault, Unit};
 use crate::presets;
 use crate::tui::keys::{Command, Scope};
@@ -14,6 +15,8 @@ use crate::tui::tree::Node;
 pub enum Overlay {
     /// Something is typed.
     Prompt(Prompt),
+    /// Every command and parameter is searched.
+    Palette(Palette),
     /// A preset is chosen.
     Presets(List),
     /// Help is read.
@@ -27,14 +30,26 @@ pub enum Overlay {
         /// Which part is shown.
         list: List,
     },
-    /// Asks what becomes of unsaved changes before this.
-    Unsaved(Next),
+    /// Asks what becomes of unsaved changes.
+    Unsaved {
+        /// What comes then.
+        next: Next,
+        /// The box that stood there before, and comes back where the question is not answered.
+        beneath: Option<Box<Overlay>>,
+    },
     /// Asks whether a file is replaced.
     Replace {
         /// The file.
         path: PathBuf,
         /// Why there is a question.
         reason: ReplaceReason,
+    },
+    /// Unsaved changes of programs that were killed are offered.
+    Recovery {
+        /// Whose they are and how old.
+        lost: Vec<Lost>,
+        /// The selected ones.
+        list: List,
     },
 }
 
@@ -56,6 +71,10 @@ pub enum Next {
     AskPath,
     /// A preset is opened.
     Preset(usize),
+    /// Unsaved changes that were found are taken.
+    Recover(usize),
+    /// The file is read again.
+    Reload,
 }
 
 /// A box in which a line is typed.
@@ -189,10 +208,29 @@ impl Overlay {
     pub fn scope(&self) -> Scope {
         match self {
             Self::Prompt(_) => Scope::Prompt,
+            Self::Palette(_) => Scope::Palette,
             Self::Presets(_) => Scope::Picker,
             Self::Help(_) | Self::Faults { .. } => Scope::Reader,
-            Self::Unsaved(_) => Scope::Unsaved,
+            Self::Unsaved { .. } => Scope::Unsaved,
             Self::Replace { .. } => Scope::Replace,
+            Self::Recovery { .. } => Scope::Recovery,
+        }
+    }
+
+    /// The list that shows, of entries or of lines.
+    pub(super) fn list(&mut self) -> Option<&mut List> {
+        match self {
+            Self::Help(list) | Self::Faults { list, .. } => Some(list),
+            _ => self.choices(),
+        }
+    }
+
+    /// The list of which one entry is chosen.
+    pub(super) fn choices(&mut self) -> Option<&mut List> {
+        match self {
+            Self::Presets(list) | Self::Recovery { list, .. } => Some(list),
+            Self::Palette(palette) => Some(&mut palette.list),
+            _ => None,
         }
     }
 }

@@ -6,31 +6,69 @@ use crossterm::event::{Event as TerminalEvent, KeyEvent};
 use tui_input::backend::crossterm::EventHandler;
 use tui_input::{Input, InputRequest};
 
-use super::edit::faults_in_words;
+use super::edit::read;
+use super::repeat::LastChange;
 use super::{App, Asked, AskedKind, Effect, Guard, Next, Overlay, Prompt, Purpose};
-use crate::model::entry;
 use crate::model::path::{self, Value};
 use crate::presets;
-use crate::tui::keys::Command;
+use crate::tui::keys::{Command, Key};
 use crate::tui::tree::{self, Node};
+
+/// The longest line that is typed or pasted, in bytes.
+const MOST_TYPED: usize = 4_096;
 
 impl App {
     /// A key without a meaning of its own is typed, where something is typed.
     pub(super) fn type_key(&mut self, key: &KeyEvent) -> Vec<Effect> {
-        if let Some(Overlay::Prompt(prompt)) = &mut self.overlay {
-            prompt.input.handle_event(&TerminalEvent::Key(*key));
+        let mut full = false;
+        self.type_into(|input| {
+            full = Key::of(key).is_typed() && input.value().len() >= MOST_TYPED;
+            if !full {
+                input.handle_event(&TerminalEvent::Key(*key));
+            }
+        });
+        if full {
+            self.refuse_prompt(format!("more than {MOST_TYPED} bytes are not taken"));
         }
         Vec::new()
     }
 
     /// What is pasted is typed, where something is typed.
     pub(super) fn paste(&mut self, text: &str) -> Vec<Effect> {
-        if let Some(Overlay::Prompt(prompt)) = &mut self.overlay {
-            for c in text.chars().filter(|c| !c.is_control()) {
-                prompt.input.handle(InputRequest::InsertChar(c));
+        if !self.scope().is_typing() {
+            let edit = self.keys.key_of(Command::Edit);
+            self.refuse(format!(
+                "nothing is typed here: {edit} opens a value to paste into"
+            ));
+            return Vec::new();
+        }
+        let mut full = false;
+        self.type_into(|input| {
+            full = input.value().len() + text.len() > MOST_TYPED;
+            let letters = text.chars().filter(|c| !c.is_control() && !full);
+            for c in letters {
+                input.handle(InputRequest::InsertChar(c));
             }
+        });
+        if full {
+            self.refuse_prompt(format!(
+                "what was pasted makes more than {MOST_TYPED} bytes: nothing is taken of it"
+            ));
         }
         Vec::new()
+    }
+
+    /// Changes the line that is typed.
+    fn type_into(&mut self, change: impl FnOnce(&mut Input)) {
+        match &mut self.overlay {
+            Some(Overlay::Prompt(prompt)) => {
+                prompt.refusal = None;
+                change(&mut prompt.input);
+            }
+            Some(Overlay::Palette(palette)) => palette.type_into(change),
+            Some(_) => {}
+            None => self.type_search(change),
+        }
     }
 
     pub(super) fn prompt_command(&mut self, command: Command) -> Vec<Effect> {
@@ -74,12 +112,12 @@ impl App {
     }
 
     fn accept_value(&mut self, asked: &Asked, text: &str) {
-        let result = read(&asked.kind, text).and_then(|value| {
-            self.set(&asked.subject, &asked.path, value, false)
-                .map_err(|faults| faults_in_words(&faults, &asked.path, &asked.subject))
-        });
+        let result = read(&asked.kind, text).and_then(|value| self.give(asked, value));
         match result {
-            Ok(()) => self.overlay = None,
+            Ok(()) => {
+                self.overlay = None;
+                self.last_change = Some(LastChange::Typed(text.to_owned()));
+            }
             Err(refusal) => self.refuse_prompt(refusal),
         }
     }
@@ -160,14 +198,5 @@ impl App {
             }
             _ => Guard::Absent,
         }
-    }
-}
-
-/// A typed value.
-fn read(kind: &AskedKind, text: &str) -> Result<Value, String> {
-    match kind {
-        AskedKind::Number(old, unit) => entry::number(text, *old, unit).map(Value::Number),
-        AskedKind::Text => Ok(Value::Text(text.to_owned())),
-        AskedKind::Count(old) => entry::count(text, *old).map(Value::Count),
     }
 }

@@ -50,6 +50,26 @@ impl Selection {
         self.cursor
     }
 
+    /// The groups that are open, in the tree's order.
+    pub(super) fn open(&self) -> impl Iterator<Item = Node> {
+        let open = self.rows.iter().filter(|row| row.open == Some(true));
+        open.map(|row| row.node)
+    }
+
+    /// Opens these groups and no others, and selects a row, if there is one.
+    pub(super) fn restore(&mut self, model: &Model, open: HashSet<Node>, selected: Option<Node>) {
+        self.open = open;
+        self.refresh(model);
+        if let Some(node) = selected {
+            self.select(model, node);
+        }
+    }
+
+    /// What a movement changes: the selected row and how many there are.
+    pub(super) fn state(&self) -> (usize, usize) {
+        (self.cursor, self.rows.len())
+    }
+
     /// Makes the rows anew after the model or what is open has changed; the selection stays on its node, or on what
     /// held it.
     pub fn refresh(&mut self, model: &Model) {
@@ -171,8 +191,8 @@ impl Selection {
         self.go(self.cursor);
     }
 
-    /// Selects the next or previous parameter of the model, shown or not.
-    pub fn next_parameter(&mut self, model: &Model, forward: bool) {
+    /// Selects the next or previous parameter of the model, or the one so many further, shown or not.
+    pub fn next_parameter(&mut self, model: &Model, forward: bool, times: usize) {
         let all = tree::all_rows(model);
         let here = self.node();
         let Some(at) = all.iter().position(|row| row.node == here) else {
@@ -181,9 +201,9 @@ impl Selection {
         let parameter =
             |row: &&Row| row.open.is_none() && tree::parameter_path(model, row.node).is_some();
         let found = if forward {
-            all[at + 1..].iter().find(parameter)
+            all[at + 1..].iter().filter(parameter).take(times).last()
         } else {
-            all[..at].iter().rev().find(parameter)
+            all[..at].iter().rev().filter(parameter).take(times).last()
         };
         if let Some(row) = found {
             self.select(model, row.node);

@@ -13,6 +13,19 @@ pub enum Table {
     Peaks,
 }
 
+impl Table {
+    /// Every table.
+    pub const ALL: [Self; 2] = [Self::Modes, Self::Peaks];
+
+    /// The word by which it is remembered.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Modes => "modes",
+            Self::Peaks => "peaks",
+        }
+    }
+}
+
 /// The tables' state.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Tables {
@@ -36,29 +49,56 @@ pub enum Anchor {
     Peak,
 }
 
+impl Tables {
+    /// The list of a table.
+    pub(super) fn list_mut(&mut self, table: Table) -> &mut List {
+        match table {
+            Table::Modes => &mut self.modes,
+            Table::Peaks => &mut self.peaks,
+        }
+    }
+}
+
+impl Anchor {
+    /// The selected row of a table.
+    pub(super) const fn of(table: Table) -> Self {
+        match table {
+            Table::Modes => Self::Mode,
+            Table::Peaks => Self::Peak,
+        }
+    }
+}
+
 impl App {
     /// Does what a key asks for while a table is open; false where it is no matter of the table's.
     pub(super) fn table_command(&mut self, command: Command) -> bool {
         let Some(table) = self.tables.open else {
             return false;
         };
-        let list = match table {
-            Table::Modes => &mut self.tables.modes,
-            Table::Peaks => &mut self.tables.peaks,
-        };
         if command == Command::Cancel {
             self.tables.open = None;
             return true;
         }
+        let list = self.tables.list_mut(table);
+        let before = list.row;
         if !list.obey(command) {
             return false;
         }
-        self.anchor = match table {
-            Table::Modes => Anchor::Mode,
-            Table::Peaks => Anchor::Peak,
-        };
+        if list.row == before {
+            self.refuse(match command {
+                Command::Up | Command::PageUp | Command::First => "this is the first row",
+                _ => "this is the last row",
+            });
+        }
+        self.anchor = Anchor::of(table);
         self.follow_anchor();
         true
+    }
+
+    /// Does it so many times, as far as it goes.
+    pub(super) fn table_commands(&mut self, command: Command, times: u32) -> bool {
+        let times = if command.counts() { times } else { 1 };
+        (0..times).all(|_| self.table_command(command) && !self.is_refused()) || self.is_refused()
     }
 
     /// Commands of modes and peaks; false where the command is another one.
@@ -167,7 +207,10 @@ impl App {
     fn toggle_witness(&mut self) {
         if self.witness.toggle() {
             self.witnessed = None;
-            self.done("finite elements as points; w leaves them out again");
+            let key = self.keys.key_of(Command::Witness);
+            self.done(format!(
+                "finite elements as points; {key} leaves them out again"
+            ));
         } else {
             self.done("without finite elements");
         }
@@ -197,6 +240,7 @@ impl App {
         };
         let sweep = self.model().sweep;
         self.curves.cursor = frequency.filter(|f| (sweep.from..=sweep.to).contains(f));
+        self.reveal_cursor();
     }
 
     /// Lets the selected rows and the cursor follow new modes and peaks: each stays with what is nearest.

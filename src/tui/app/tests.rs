@@ -9,7 +9,13 @@ use crate::tui::Source;
 use crate::tui::tree::{self, Node};
 use crate::worker::{self, Answer, CurvesAnswer, Request, Stage};
 
+mod counts;
 mod modes;
+mod mouse;
+mod outside;
+mod recall;
+mod search;
+mod zoom;
 
 fn app(preset: &str) -> App {
     let preset = presets::find(preset).unwrap();
@@ -76,7 +82,7 @@ fn a_typed_value_is_taken_and_undone_by_name() {
     press(&mut app, KeyCode::Enter);
     let effects = enter(&mut app, "40 MN/m");
     assert!(
-        matches!(&effects[..], [Effect::Solve(Request::Curves(subject))] if subject.generation == 2)
+        matches!(&effects[..], [Effect::Keep(_), Effect::Solve(Request::Curves(subject))] if subject.generation == 2)
     );
     assert_eq!(number(&app, STIFFNESS), 4e7);
     assert!(app.overlay.is_none() && app.document.is_changed());
@@ -313,7 +319,7 @@ fn saving_before_quitting_goes_through_the_path_and_the_question() {
         }]
     ));
     let effects = app.reply(Reply::Saved(path.clone(), text.clone()));
-    assert!(matches!(&effects[..], [Effect::Quit(None)]));
+    assert!(matches!(&effects[..], [Effect::Quit(None), Effect::Forget]));
     assert_eq!(
         app.document.source(),
         &Source::File(PathBuf::from("mine.toml"))
@@ -336,10 +342,8 @@ fn a_kept_file_cancels_quitting_too() {
     let [Effect::Save { path, text, .. }] = &effects[..] else {
         panic!("{effects:?}");
     };
-    assert!(
-        app.reply(Reply::Saved(path.clone(), text.clone()))
-            .is_empty()
-    );
+    let effects = app.reply(Reply::Saved(path.clone(), text.clone()));
+    assert!(matches!(&effects[..], [Effect::Forget]), "{effects:?}");
 }
 
 #[test]
@@ -366,18 +370,22 @@ fn a_preset_is_opened_from_the_list() {
 }
 
 #[test]
-fn a_signal_rescues_what_is_not_saved() {
+fn every_edit_is_kept_until_nothing_is_unsaved() {
     let mut app = app("fig05a");
-    assert!(matches!(
-        &app.update(Event::Quit(15))[..],
-        [Effect::Quit(Some(15))]
-    ));
     select(&mut app, STIFFNESS);
-    keys(&mut app, "+");
-    let effects = app.update(Event::Quit(15));
+    let mut effects = keys(&mut app, "+");
+    let Effect::Keep(kept) = effects.remove(0) else {
+        panic!("{effects:?}")
+    };
+    assert_eq!(kept.model, *app.model());
+    assert_eq!(&*kept.base, app.document.saved_text());
+    // A movement keeps nothing anew.
+    assert!(press(&mut app, KeyCode::Down).is_empty());
+    let effects = keys(&mut app, "u");
+    assert!(matches!(effects[0], Effect::Forget), "{effects:?}");
     assert!(matches!(
-        &effects[..],
-        [Effect::Rescue { .. }, Effect::Quit(Some(15))]
+        app.update(Event::Quit(15))[..],
+        [Effect::Quit(Some(15))]
     ));
 }
 
@@ -388,7 +396,7 @@ fn every_edit_asks_for_curves_and_an_older_answer_stays_stale() {
     let first = answer(1, &app);
     let effects = keys(&mut app, "+");
     assert!(
-        matches!(&effects[..], [Effect::Solve(Request::Curves(subject))] if subject.generation == 2)
+        matches!(&effects[..], [Effect::Keep(_), Effect::Solve(Request::Curves(subject))] if subject.generation == 2)
     );
     app.update(Event::Answer(first));
     assert!(app.curves.is_stale());

@@ -62,6 +62,17 @@ impl Axis {
         (coordinate(self.scale, value) - low) / (high - low)
     }
 
+    /// The value at a fraction of the axis; the inverse of [`Axis::fraction`].
+    pub fn value(&self, fraction: f64) -> f64 {
+        let [low, high] = self.span;
+        let place = low + fraction * (high - low);
+        let value = match self.scale {
+            Scale::Linear => place,
+            Scale::Log => 10_f64.powf(place),
+        };
+        value.clamp(self.bounds[0], self.bounds[1])
+    }
+
     /// Whether `value` lies within the bounds.
     pub(super) fn contains(&self, value: f64) -> bool {
         on_axis(self.fraction(value))
@@ -129,6 +140,13 @@ impl Ruler {
         }
     }
 
+    /// The fraction in the middle of a cell, for an axis that runs to the right.
+    pub(super) fn middle(self, cell: u16) -> f64 {
+        let last = f64::from(self.dots().saturating_sub(1).max(1));
+        let per_cell = f64::from(self.dots_per_cell);
+        (f64::from(cell) * per_cell + (per_cell - 1.0) / 2.0) / last
+    }
+
     /// The cell that holds `fraction`, if it lies on the axis.
     pub(super) fn cell(self, fraction: f64) -> Option<u16> {
         (on_axis(fraction) && self.cells > 0)
@@ -152,6 +170,24 @@ mod tests {
         assert_eq!(bounds(Scale::Log, [10.0, 10.0]), [1.0, 100.0]);
         assert_eq!(bounds(Scale::Log, [0.0, 10.0]), [1.0, 100.0]);
         assert_eq!(bounds(Scale::Log, [-3.0, -1.0]), [1.0, 10.0]);
+    }
+
+    #[test]
+    fn the_middle_of_a_cell_is_in_it() {
+        for dots_per_cell in [1, 2] {
+            let ruler = Ruler {
+                direction: Direction::Right,
+                cells: 37,
+                dots_per_cell,
+            };
+            for scale in [Scale::Linear, Scale::Log] {
+                let axis = Axis::new(scale, [2.0, 700.0], "Hz");
+                for cell in 0..37 {
+                    let value = axis.value(ruler.middle(cell));
+                    assert_eq!(ruler.cell(axis.fraction(value)), Some(cell));
+                }
+            }
+        }
     }
 
     #[test]

@@ -17,9 +17,13 @@ use super::pen::Pen;
 /// The characters a chart is made of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Glyphs {
-    /// Curves in braille dots, axes in box-drawing characters.
+    /// Curves in braille dots, 2 x 4 a cell; axes in box-drawing characters.
     #[default]
     Braille,
+    /// Curves in quarters of cells; axes as with braille.
+    Block,
+    /// Curves of a bullet a cell; axes as with braille.
+    Dot,
     /// ASCII only; curves are drawn with their markers.
     Ascii,
 }
@@ -116,6 +120,12 @@ impl<'a> Chart<'a> {
         self.cell(plot, value).map(|cell| plot.x + cell)
     }
 
+    /// The value of the horizontal axis in the middle of a column of the plot.
+    pub fn value_in(&self, plot: Rect, cell: u16) -> f64 {
+        let [across, _] = rulers(plot.width, plot.height, self.glyphs);
+        self.x.value(across.middle(cell))
+    }
+
     /// The column of the cursor within the plot.
     pub(super) fn cursor_cell(&self, plot: Rect) -> Option<u16> {
         self.cell(plot, self.cursor?)
@@ -140,9 +150,8 @@ impl<'a> Chart<'a> {
     pub(super) fn body(&self, index: usize) -> char {
         match self.curves[index].line {
             LineStyle::Dotted => '.',
-            LineStyle::Solid | LineStyle::Dashed | LineStyle::Points { .. } => {
-                self.marker(index).unwrap_or('*')
-            }
+            LineStyle::Dashed => self.marker(index).unwrap_or('-'),
+            LineStyle::Solid | LineStyle::Points { .. } => self.marker(index).unwrap_or('*'),
         }
     }
 
@@ -273,23 +282,27 @@ impl<'a> Chart<'a> {
         let glyph = match (self.glyphs, self.marker(index)) {
             (_, Some(marker)) if cell.marked => marker,
             (Glyphs::Braille, _) => cell.braille(),
+            (Glyphs::Block, _) => cell.quarters(),
+            (Glyphs::Dot, _) => '•',
             (Glyphs::Ascii, _) => self.body(index),
         };
         Some((glyph, self.curves[index].ink()))
     }
 
     fn pole_ink(&self, index: usize) -> (char, Style) {
-        let glyph = match self.glyphs {
-            Glyphs::Braille => '↑',
-            Glyphs::Ascii => '^',
+        let glyph = if self.glyphs == Glyphs::Ascii {
+            '^'
+        } else {
+            '↑'
         };
         (glyph, self.curves[index].ink())
     }
 
     fn cursor_ink(&self) -> (char, Style) {
-        let glyph = match self.glyphs {
-            Glyphs::Braille => '│',
-            Glyphs::Ascii => '|',
+        let glyph = if self.glyphs == Glyphs::Ascii {
+            '|'
+        } else {
+            '│'
         };
         (glyph, self.styles.cursor)
     }
@@ -297,11 +310,11 @@ impl<'a> Chart<'a> {
     fn grid_ink(&self, on_grid: [bool; 2]) -> Option<(char, Style)> {
         let glyph = match (self.glyphs, on_grid) {
             (_, [false, false]) => None,
-            (Glyphs::Braille, [true, false]) => Some('┊'),
-            (Glyphs::Braille, [false, true]) => Some('┈'),
-            (Glyphs::Braille, [true, true]) => Some('┼'),
             // Lines of ASCII characters would pass for curves.
             (Glyphs::Ascii, _) => (on_grid == [true, true]).then_some('+'),
+            (_, [true, false]) => Some('┊'),
+            (_, [false, true]) => Some('┈'),
+            (_, [true, true]) => Some('┼'),
         };
         glyph.map(|glyph| (glyph, self.styles.grid))
     }

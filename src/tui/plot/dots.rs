@@ -1,6 +1,7 @@
 //! The dots of a plot area, gathered in cells.
 
 use ratatui::symbols::braille::BRAILLE;
+use ratatui::symbols::pixel::QUADRANTS as QUARTERS;
 
 use super::axis::{Direction, Ruler};
 use super::chart::Glyphs;
@@ -17,13 +18,18 @@ pub(super) struct Cell {
 }
 
 impl Cell {
-    /// The dots as a braille character.
+    /// Two columns of four dots as a braille character.
     pub(super) fn braille(self) -> char {
         BRAILLE[usize::from(self.bits)]
     }
+
+    /// Two columns of two dots as quarters of a block.
+    pub(super) fn quarters(self) -> char {
+        QUARTERS[usize::from(self.bits % 16)]
+    }
 }
 
-/// A grid of cells, each of 2 x 4 dots in braille and one in ASCII.
+/// A grid of cells, each of as many dots as its character can show.
 #[derive(Debug)]
 pub(super) struct Dots {
     pub(super) across: Ruler,
@@ -80,7 +86,8 @@ impl Dots {
 pub(super) fn rulers(columns: u16, rows: u16, glyphs: Glyphs) -> [Ruler; 2] {
     let (wide, high) = match glyphs {
         Glyphs::Braille => (2, 4),
-        Glyphs::Ascii => (1, 1),
+        Glyphs::Block => (2, 2),
+        Glyphs::Dot | Glyphs::Ascii => (1, 1),
     };
     [
         Ruler {

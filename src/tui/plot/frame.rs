@@ -8,6 +8,7 @@ use ratatui::text::Span;
 use super::chart::{Chart, Glyphs};
 use super::layout::Layout;
 use super::ticks::place;
+use crate::tui::ascii;
 
 /// The characters of the axes.
 struct Lines {
@@ -53,20 +54,19 @@ pub(super) fn put(buffer: &mut Buffer, row: Rect, text: &str, (glyphs, style): (
         return;
     }
     let columns = usize::from(row.width);
-    match glyphs {
-        Glyphs::Braille => buffer.set_stringn(row.x, row.y, text, columns, style),
-        Glyphs::Ascii => {
-            let plain = text.replace(|letter: char| !letter.is_ascii(), "?");
-            buffer.set_stringn(row.x, row.y, plain, columns, style)
-        }
-    };
+    if glyphs == Glyphs::Ascii {
+        buffer.set_stringn(row.x, row.y, ascii::text(text), columns, style);
+    } else {
+        buffer.set_stringn(row.x, row.y, text, columns, style);
+    }
 }
 
 /// Draws everything around the plot.
 pub(super) fn draw(chart: &Chart<'_>, layout: &Layout, buffer: &mut Buffer) {
-    let lines = match chart.glyphs {
-        Glyphs::Braille => &BOX_LINES,
-        Glyphs::Ascii => &ASCII_LINES,
+    let lines = if chart.glyphs == Glyphs::Ascii {
+        &ASCII_LINES
+    } else {
+        &BOX_LINES
     };
     draw_heading(chart, layout, buffer);
     draw_value_axis(chart, layout, lines, buffer);

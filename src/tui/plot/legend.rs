@@ -56,9 +56,9 @@ fn entries<'c>(chart: &'c Chart<'_>) -> Vec<Entry<'c>> {
             let body = match (chart.glyphs, curve.line) {
                 (_, LineStyle::Points { .. }) => ' ',
                 (Glyphs::Ascii, _) => chart.body(index),
-                (Glyphs::Braille, LineStyle::Solid) => '─',
-                (Glyphs::Braille, LineStyle::Dashed) => '╌',
-                (Glyphs::Braille, LineStyle::Dotted) => '┈',
+                (_, LineStyle::Solid) => '─',
+                (_, LineStyle::Dashed) => '╌',
+                (_, LineStyle::Dotted) => '┈',
             };
             let marker = chart.marker(index).unwrap_or(body);
             Entry {
@@ -194,10 +194,7 @@ impl Entry<'_> {
                 break;
             }
         }
-        short.push(match glyphs {
-            Glyphs::Braille => '…',
-            Glyphs::Ascii => '~',
-        });
+        short.push(if glyphs == Glyphs::Ascii { '~' } else { '…' });
         short
     }
 }

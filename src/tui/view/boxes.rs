@@ -1,18 +1,22 @@
 //! The boxes over the designer: prompts, lists and questions.
 
 use std::path::Path;
+use std::time::Duration;
 
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Position, Rect};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Clear, Padding, Paragraph};
+use tui_input::Input;
 
 use super::text::{cut, width, wrapped};
-use super::{Panels, help};
+use super::{Panels, help, palette};
 use crate::model::{Fault, entry};
 use crate::presets;
-use crate::tui::app::{App, AskedKind, List, Next, Overlay, Prompt, Purpose, ReplaceReason};
-use crate::tui::keys::{self, RowKind, Scope};
+use crate::tui::app::{
+    App, AskedKind, List, Lost, Next, Overlay, Prompt, Purpose, ReplaceReason, Rows,
+};
+use crate::tui::keys::{Command, RowKind, Scope};
 use crate::tui::theme::Theme;
 
 /// Columns of a box at most.
@@ -27,13 +31,28 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, panels: &
         .cursor()
         .saturating_sub(offset)
         .min(rows.len());
-    let below = panels.tree.y + 2 + row as u16;
+    // Where the tree does not show there is no row to stand under.
+    let below = if panels.tree.height > 0 {
+        panels.tree.y + 2 + row as u16
+    } else {
+        0
+    };
+    let complete = app.keys.key_of_in(Scope::Prompt, Command::Complete);
+    app.screen.list = None;
     match &mut app.overlay {
         None => {}
-        Some(Overlay::Prompt(prompt)) => draw_prompt(frame, prompt, theme, below),
-        Some(Overlay::Presets(list)) => draw_presets(frame, list, theme),
+        Some(Overlay::Prompt(prompt)) => draw_prompt(frame, prompt, &complete, theme, below),
+        Some(Overlay::Palette(palette)) => {
+            let model = app.document.model();
+            app.screen.list = Some(palette::draw(frame, palette, model, theme));
+        }
+        Some(Overlay::Presets(list)) => app.screen.list = Some(draw_presets(frame, list, theme)),
+        Some(Overlay::Recovery { lost, list }) => {
+            let answers = app.keys.hints(Scope::Recovery, RowKind::Group);
+            app.screen.list = Some(draw_recovery(frame, lost, list, answers, theme));
+        }
         Some(Overlay::Help(list)) => {
-            let lines = help::lines(theme, usize::from(boxed_width(area)));
+            let lines = help::lines(&app.keys, theme, usize::from(boxed_width(area)));
             draw_reader(frame, " Keys ", lines, list, theme);
         }
         Some(Overlay::Faults { path, faults, list }) => {
@@ -41,13 +60,25 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, panels: &
             let lines = fault_lines(faults, theme, usize::from(boxed_width(area)));
             draw_reader(frame, &title, lines, list, theme);
         }
-        Some(Overlay::Unsaved(next)) => {
+        Some(Overlay::Unsaved { next, .. }) => {
             let text = unsaved_words(*next, &source);
-            draw_question(frame, " Not saved ", &text, Scope::Unsaved, theme);
+            draw_question(
+                frame,
+                " Not saved ",
+                &text,
+                app.keys.hints(Scope::Unsaved, RowKind::Group),
+                theme,
+            );
         }
         Some(Overlay::Replace { path, reason }) => {
             let text = replace_words(*reason, path);
-            draw_question(frame, " Replace? ", &text, Scope::Replace, theme);
+            draw_question(
+                frame,
+                " Replace? ",
+                &text,
+                app.keys.hints(Scope::Replace, RowKind::Group),
+                theme,
+            );
         }
     }
 }
@@ -57,6 +88,8 @@ fn unsaved_words(next: Next, source: &str) -> String {
         Next::Quit => "quitting",
         Next::AskPath => "opening a file",
         Next::Preset(_) => "opening the preset",
+        Next::Reload => "reading the file again",
+        Next::Recover(_) => "taking the unsaved changes that were found",
     };
     format!("The changes to {source} are not saved. Save them before {before}?")
 }
@@ -77,7 +110,7 @@ fn boxed_width(area: Rect) -> u16 {
 }
 
 /// Clears a place and draws a border around it; what is inside.
-fn open_box(frame: &mut Frame<'_>, area: Rect, title: &str, theme: Theme) -> Rect {
+pub(super) fn open_box(frame: &mut Frame<'_>, area: Rect, title: &str, theme: Theme) -> Rect {
     let block = Block::bordered()
         .border_style(theme.accent())
         .title(Span::styled(
@@ -92,7 +125,7 @@ fn open_box(frame: &mut Frame<'_>, area: Rect, title: &str, theme: Theme) -> Rec
 }
 
 /// A box in the middle for so many lines of text.
-fn middle(area: Rect, lines: usize) -> Rect {
+pub(super) fn middle(area: Rect, lines: usize) -> Rect {
     let height = (lines as u16)
         .saturating_add(2)
         .min(area.height.saturating_sub(2));
@@ -105,9 +138,9 @@ fn middle(area: Rect, lines: usize) -> Rect {
     )
 }
 
-fn draw_prompt(frame: &mut Frame<'_>, prompt: &Prompt, theme: Theme, below: u16) {
+fn draw_prompt(frame: &mut Frame<'_>, prompt: &Prompt, complete: &str, theme: Theme, below: u16) {
     let area = frame.area();
-    let (title, allowed) = prompt_words(&prompt.purpose);
+    let (title, allowed) = prompt_words(&prompt.purpose, complete);
     let columns = 56.min(area.width.saturating_sub(2));
     let text = usize::from(columns.saturating_sub(4));
     let (lines, style) = match &prompt.refusal {
@@ -115,12 +148,13 @@ fn draw_prompt(frame: &mut Frame<'_>, prompt: &Prompt, theme: Theme, below: u16)
         None => (wrapped(&allowed, text), theme.dim()),
     };
     let height = lines.len() as u16 + 3;
-    // Under the selected row, or above it where there is no room.
+    // Under the selected row, or above it where there is no room; on the screen in any case.
     let y = if below + height < area.height {
         below
     } else {
         below.saturating_sub(height + 1)
     };
+    let y = y.min(area.height.saturating_sub(height));
     let place = Rect::new(
         2.min(area.width - columns),
         y,
@@ -129,7 +163,7 @@ fn draw_prompt(frame: &mut Frame<'_>, prompt: &Prompt, theme: Theme, below: u16)
     );
     let inside = open_box(frame, place, &title, theme);
     let [line, rest] = Layout::vertical([Constraint::Length(1), Constraint::Fill(1)]).areas(inside);
-    draw_input(frame, prompt, line);
+    draw_input(frame, &prompt.input, line);
     let lines: Vec<Line<'_>> = lines
         .into_iter()
         .map(|line| Line::styled(line, style))
@@ -138,8 +172,8 @@ fn draw_prompt(frame: &mut Frame<'_>, prompt: &Prompt, theme: Theme, below: u16)
 }
 
 /// The title of a prompt, and what may be typed.
-fn prompt_words(purpose: &Purpose) -> (String, String) {
-    let path = || "path; Tab completes it".to_owned();
+fn prompt_words(purpose: &Purpose, complete: &str) -> (String, String) {
+    let path = || format!("path; {complete} completes it");
     match purpose {
         Purpose::Open => (" Open a file ".to_owned(), path()),
         Purpose::SaveAs => (" Save as ".to_owned(), path()),
@@ -155,16 +189,16 @@ fn prompt_words(purpose: &Purpose) -> (String, String) {
 }
 
 /// The typed line with the terminal's cursor in it.
-fn draw_input(frame: &mut Frame<'_>, prompt: &Prompt, area: Rect) {
+pub(super) fn draw_input(frame: &mut Frame<'_>, input: &Input, area: Rect) {
     let room = usize::from(area.width.max(1) - 1);
-    let scroll = prompt.input.visual_scroll(room);
-    let line = Paragraph::new(prompt.input.value()).scroll((0, scroll as u16));
+    let scroll = input.visual_scroll(room);
+    let line = Paragraph::new(input.value()).scroll((0, scroll as u16));
     frame.render_widget(line, area);
-    let column = prompt.input.visual_cursor().saturating_sub(scroll) as u16;
+    let column = input.visual_cursor().saturating_sub(scroll) as u16;
     frame.set_cursor_position(Position::new(area.x + column, area.y));
 }
 
-fn draw_presets(frame: &mut Frame<'_>, list: &mut List, theme: Theme) {
+fn draw_presets(frame: &mut Frame<'_>, list: &mut List, theme: Theme) -> Rows {
     let place = middle(frame.area(), presets::ALL.len());
     let title = format!(" Presets  {} of {} ", list.row + 1, list.rows);
     let inside = open_box(frame, place, &title, theme);
@@ -191,6 +225,66 @@ fn draw_presets(frame: &mut Frame<'_>, list: &mut List, theme: Theme) {
         if row == list.row {
             frame.buffer_mut().set_style(line, theme.selection());
         }
+    }
+    Rows {
+        area: inside,
+        first,
+    }
+}
+
+/// Unsaved changes of programs that were killed, a line each, and the keys that answer.
+fn draw_recovery(
+    frame: &mut Frame<'_>,
+    lost: &[Lost],
+    list: &mut List,
+    answers: Vec<(String, &str)>,
+    theme: Theme,
+) -> Rows {
+    const WORDS: &str = "A designer ended without saving. Its changes were kept:";
+    let words = wrapped(WORDS, usize::from(boxed_width(frame.area())));
+    let place = middle(frame.area(), words.len() + lost.len() + 3);
+    let title = format!(" Unsaved changes  {} of {} ", list.row + 1, lost.len());
+    let inside = open_box(frame, place, &title, theme);
+    let [head, rows, foot] = Layout::vertical([
+        Constraint::Length(words.len() as u16 + 1),
+        Constraint::Fill(1),
+        Constraint::Length(2),
+    ])
+    .areas(inside);
+    frame.render_widget(
+        Paragraph::new(words.into_iter().map(Line::from).collect::<Vec<_>>()),
+        head,
+    );
+    list.height = usize::from(rows.height).max(1);
+    let first = list.first();
+    for (line, (row, one)) in rows.rows().zip(lost.iter().enumerate().skip(first)) {
+        let age = ago(one.age);
+        let room = usize::from(line.width).saturating_sub(width(&age) + 1);
+        let name = cut(&one.name, room);
+        frame.render_widget(Line::raw(format!("{name:<room$} {age}")), line);
+        if row == list.row {
+            frame.buffer_mut().set_style(line, theme.selection());
+        }
+    }
+    let answers = Paragraph::new(vec![Line::default(), answer_line(answers, theme)]);
+    frame.render_widget(answers, foot);
+    Rows { area: rows, first }
+}
+
+/// How long ago something was, as precisely as one would say it.
+fn ago(age: Duration) -> String {
+    const UNITS: [(u64, &str); 4] = [
+        (86_400, "day"),
+        (3_600, "hour"),
+        (60, "minute"),
+        (1, "second"),
+    ];
+    let seconds = age.as_secs().max(1);
+    let unit = UNITS.into_iter().find(|(length, _)| seconds >= *length);
+    let (length, name) = unit.unwrap_or((1, "second"));
+    match seconds / length {
+        1 => format!("1 {name} ago"),
+        count => format!("{count} {name}s ago"),
     }
 }
 
@@ -240,20 +334,29 @@ fn fault_lines(faults: &[Fault], theme: Theme, columns: usize) -> Vec<Line<'stat
 }
 
 /// A question with the keys that answer it.
-fn draw_question(frame: &mut Frame<'_>, title: &str, text: &str, scope: Scope, theme: Theme) {
+fn draw_question(
+    frame: &mut Frame<'_>,
+    title: &str,
+    text: &str,
+    answers: Vec<(String, &str)>,
+    theme: Theme,
+) {
     let area = frame.area();
     let columns = usize::from(boxed_width(area));
     let mut lines: Vec<Line<'_>> = wrapped(text, columns).into_iter().map(Line::from).collect();
-    let answers = keys::hints(scope, RowKind::Group)
-        .into_iter()
-        .flat_map(|(key, words)| {
-            [
-                Span::styled(key, theme.key()),
-                Span::raw(format!(" {words}   ")),
-            ]
-        });
     lines.push(Line::default());
-    lines.push(answers.collect());
+    lines.push(answer_line(answers, theme));
     let inside = open_box(frame, middle(area, lines.len()), title, theme);
     frame.render_widget(Paragraph::new(lines), inside);
+}
+
+/// The keys that answer, with what they mean.
+fn answer_line(answers: Vec<(String, &str)>, theme: Theme) -> Line<'static> {
+    let answers = answers.into_iter().flat_map(|(key, words)| {
+        [
+            Span::styled(key, theme.key()),
+            Span::raw(format!(" {words}   ")),
+        ]
+    });
+    answers.collect()
 }

@@ -7,14 +7,16 @@ use ratatui::text::Line;
 use ratatui::widgets::{Block, Borders, Paragraph, Wrap};
 
 use crate::model::Unit;
-use crate::tui::app::{Anchor, App, Curves, Member, Picture, Shaping, Shown, Table, Trace};
+use crate::tui::app::{Anchor, App, Curves, Member, Picture, Plot, Shaping, Shown, Table, Trace};
+use crate::tui::keys::Command;
 use crate::tui::plot::{Axis, Chart, Curve, Level, LineStyle, Marks, Scale};
 use crate::tui::theme::Theme;
 
 /// Columns from one point of a finite-element curve to the next.
 const POINTS: u16 = 3;
 
-pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
+/// Draws the chart; where its curves are, if there are any.
+pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) -> Option<Plot> {
     let block = Block::new()
         .borders(Borders::TOP)
         .border_style(theme.dim())
@@ -31,21 +33,21 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
             text.style(theme.dim()),
             inside.centered_vertically(Constraint::Length(2)),
         );
-        return;
+        return None;
     }
-    let sweep = &app.model().sweep;
     let scale = if app.curves.log_frequency {
         Scale::Log
     } else {
         Scale::Linear
     };
-    let x = Axis::new(scale, [sweep.from, sweep.to], "Hz");
+    let x = Axis::new(scale, app.shown_frequencies(), "Hz");
     let (level, unit) = level(app);
     let y = level.axis(&spanning(app, &curves), &x, unit);
     let mut chart = Chart::new(x, y, level, &curves);
     chart.cursor = app.curves.cursor;
     chart.marks = marks(app);
     chart.styles = theme.chart();
+    chart.glyphs = theme.glyphs();
     if app
         .modal
         .list
@@ -55,6 +57,12 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
         chart.styles.mark = theme.dim();
     }
     frame.render_widget(&chart, inside);
+    let area = chart.plot_area(inside);
+    let frequencies = (0..area.width).map(|cell| chart.value_in(area, cell));
+    Some(Plot {
+        area,
+        frequencies: frequencies.collect(),
+    })
 }
 
 /// The modes, ticked beneath the axis.
@@ -153,9 +161,15 @@ fn why_empty(app: &App) -> String {
             .iter()
             .all(|response| !response.enabled) =>
         {
-            " no response is asked for: a on Responses adds one".to_owned()
+            format!(
+                " no response is asked for: {} on Responses adds one",
+                app.keys.key_of(Command::Add)
+            )
         }
-        _ if app.curves.visible.is_empty() => " no response shows: select one, then v".to_owned(),
+        _ if app.curves.visible.is_empty() => format!(
+            " no response shows: select one, then {}",
+            app.keys.key_of(Command::Show)
+        ),
         Shown::Failed(reason, _) => format!(" no curves: {reason}"),
         Shown::Nothing => " solving".to_owned(),
         Shown::Picture(_) => " the responses that show have no curves yet".to_owned(),
@@ -226,7 +240,7 @@ fn witnesses(app: &App, theme: Theme) -> Vec<Curve<'_>> {
             for trace in traces.filter(|trace| trace.response == *name) {
                 let mut curve = Curve::new(&member.frequencies, &trace.magnitudes);
                 curve.style = theme.witness(colour(state, place, number));
-                curve.marker = Some('•');
+                curve.marker = Some(theme.point());
                 curve.line = LineStyle::Points { apart: POINTS };
                 curve.dim = picture.generation != state.generation;
                 if curves.is_empty() {

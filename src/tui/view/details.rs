@@ -40,7 +40,7 @@ fn indented(mut line: Line<'static>) -> Line<'static> {
 fn lines(app: &App, theme: Theme, node: Node, columns: usize) -> Vec<Line<'static>> {
     let model = app.model();
     let Some(path) = tree::parameter_path(model, node) else {
-        return plain(&summary::of(model, node), columns);
+        return plain(&summary::of(model, node, &app.keys), columns);
     };
     let parameter = match path::parameter(model, &path) {
         Ok(parameter) => parameter,

@@ -3,38 +3,34 @@
 use ratatui::text::{Line, Span};
 
 use super::text::{width, wrapped};
-use crate::tui::keys::SECTIONS;
+use crate::tui::keys::KeyMap;
 use crate::tui::theme::Theme;
 
 /// Every key and what it does, in lines of at most so many columns.
-pub(super) fn lines(theme: Theme, columns: usize) -> Vec<Line<'static>> {
-    let names = |keys: &[crate::tui::keys::Key]| -> String {
-        keys.iter()
-            .map(|key| key.name())
-            .collect::<Vec<_>>()
-            .join(" ")
-    };
-    let bindings = SECTIONS.iter().flat_map(|section| section.bindings);
-    let widest = bindings
-        .map(|binding| width(&names(binding.keys)))
+pub(super) fn lines(keys: &KeyMap, theme: Theme, columns: usize) -> Vec<Line<'static>> {
+    let widest = keys
+        .rows()
+        .map(|row| width(&row.names()))
         .max()
         .unwrap_or(0);
+    let room = columns.saturating_sub(widest + 3);
     let mut lines = Vec::new();
-    for section in SECTIONS {
-        if !lines.is_empty() {
-            lines.push(Line::default());
-        }
-        lines.push(Line::styled(section.title, theme.accent()));
-        for binding in section.bindings {
-            let keys = names(binding.keys);
-            let room = columns.saturating_sub(widest + 3);
-            for (number, words) in wrapped(binding.help, room).into_iter().enumerate() {
-                let key = if number == 0 { keys.as_str() } else { "" };
-                lines.push(Line::from(vec![
-                    Span::styled(format!(" {key:<widest$}  "), theme.key()),
-                    Span::raw(words),
-                ]));
+    let mut heading = "";
+    for row in keys.rows() {
+        if row.section.title != heading {
+            if !lines.is_empty() {
+                lines.push(Line::default());
             }
+            heading = row.section.title;
+            lines.push(Line::styled(heading, theme.accent()));
+        }
+        let names = row.names();
+        for (number, words) in wrapped(row.binding.help, room).into_iter().enumerate() {
+            let key = if number == 0 { names.as_str() } else { "" };
+            lines.push(Line::from(vec![
+                Span::styled(format!(" {key:<widest$}  "), theme.key()),
+                Span::raw(words),
+            ]));
         }
     }
     lines

@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use super::table::{self, Column, Content};
 use super::text::significant;
 use crate::model::Unit;
-use crate::tui::app::{App, Completeness, ModeKind, ModeList, ModeRow};
+use crate::tui::app::{App, Completeness, ModeKind, ModeList, ModeRow, Rows};
 use crate::tui::theme::Theme;
 
 /// The columns, in what there is room for.
@@ -41,7 +41,7 @@ const LAYOUTS: [&[Column]; 3] = [
     ],
 ];
 
-pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rect) {
+pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rect) -> Rows {
     let columns = table::fitting(&LAYOUTS, area.width);
     let list = app.modal.list.as_ref();
     let rows = list.map_or(&[][..], |list| &list.rows);
@@ -62,7 +62,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
         empty: &empty,
         stale: list.is_some_and(|list| list.generation != app.curves.generation),
     };
-    table::draw(frame, &content, &mut app.tables.modes, theme, area);
+    table::draw(frame, &content, &mut app.tables.modes, theme, area)
 }
 
 /// How many there are, and whether these are all.

@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use super::chart;
 use super::table::{self, Column, Content};
 use super::text::significant;
-use crate::tui::app::App;
+use crate::tui::app::{App, Rows};
 use crate::tui::plot::Level;
 use crate::tui::theme::Theme;
 
@@ -30,7 +30,7 @@ const LAYOUTS: [&[Column]; 2] = [
     ],
 ];
 
-pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rect) {
+pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rect) -> Rows {
     let mut list = app.tables.peaks;
     let level = chart::level(app);
     let resolved = app.curves.first_resolved();
@@ -63,8 +63,9 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
         },
         stale: !app.curves.is_resolved(),
     };
-    table::draw(frame, &content, &mut list, theme, area);
+    let rows = table::draw(frame, &content, &mut list, theme, area);
     app.tables.peaks = list;
+    rows
 }
 
 fn cells(app: &App, row: usize, level: Level) -> Vec<String> {

@@ -54,6 +54,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
     let mut chart = Chart::new(x, y, Level::Magnitude, &curves);
     chart.legend = Legend::Line;
     chart.styles = theme.chart();
+    chart.glyphs = theme.glyphs();
     frame.render_widget(&chart, inside);
 }
 

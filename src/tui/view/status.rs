@@ -1,16 +1,18 @@
 //! The first line, what is open and what is solved; and the last, what can be done.
 
 use ratatui::Frame;
-use ratatui::layout::Rect;
+use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::text::{Line, Span};
 
+use super::boxes::draw_input;
 use super::text::{cut, significant, width};
 use crate::model::Unit;
-use crate::tui::app::{App, Message, Picture, Shown, Witness, WitnessPicture};
-use crate::tui::keys::{self, RowKind};
+use crate::tui::app::{
+    App, Message, Outside, Picture, Search, Shown, Stage, Witness, WitnessPicture,
+};
+use crate::tui::keys::{Command, RowKind, Scope};
 use crate::tui::theme::Theme;
 use crate::tui::tree::{self, Node};
-use crate::worker::Stage;
 
 pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
     let half = usize::from(area.width / 2);
@@ -18,10 +20,12 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
     // The first that fits; it is said shorter where there is less room.
     let fits = said.iter().find(|text| width(text) <= half);
     let solver = cut(fits.or(said.last()).map_or("", String::as_str), half);
-    let changed = if app.document.is_changed() {
-        " · changed"
-    } else {
-        ""
+    let changed = match (app.document.is_changed(), app.outside) {
+        (false, Outside::Same) => "",
+        (true, Outside::Same) => " · changed",
+        (false, Outside::Changed) => " · changed on disk",
+        (true, Outside::Changed) => " · changed, also on disk",
+        (_, Outside::Gone) => " · gone from disk",
     };
     let room = usize::from(area.width).saturating_sub(width(&solver) + width(changed) + 3);
     let name = cut(&app.document.source().name(), room);
@@ -152,7 +156,11 @@ fn elapsed(picture: &Picture) -> String {
 
 pub(super) fn draw_hints(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
     let columns = usize::from(area.width.saturating_sub(1));
+    if let Some(search) = app.search.as_ref().filter(|search| search.typing) {
+        return draw_search(frame, app, search, theme, area);
+    }
     let line = match &app.message {
+        _ if app.count.is_some() => counted(app, theme, columns),
         Some(Message::Done(text)) => Line::raw(cut(text, columns)),
         Some(Message::Refused(text)) => Line::styled(cut(text, columns), theme.refusal()),
         None => hints(app, theme, columns),
@@ -162,11 +170,51 @@ pub(super) fn draw_hints(frame: &mut Frame<'_>, app: &App, theme: Theme, area: R
     frame.render_widget(line, area);
 }
 
+/// The count that was typed, and what it is for.
+fn counted(app: &App, theme: Theme, columns: usize) -> Line<'static> {
+    let count = app.count.unwrap_or(1).to_string();
+    let escape = app.keys.key_of(Command::Cancel);
+    let words = format!(" times the next key; {escape} drops the count");
+    let words = cut(&words, columns.saturating_sub(width(&count)));
+    Line::from(vec![
+        Span::styled(count, theme.key()),
+        Span::styled(words, theme.dim()),
+    ])
+}
+
+/// The line of the search, and how much was found.
+fn draw_search(frame: &mut Frame<'_>, app: &App, search: &Search, theme: Theme, area: Rect) {
+    let place = search.place(app.selection.node());
+    let found = match (search.input.value().trim(), place) {
+        ("", _) => format!(
+            "parts of a name; {} stays there, {} goes back",
+            app.keys.key_of_in(Scope::Search, Command::Accept),
+            app.keys.key_of_in(Scope::Search, Command::Cancel)
+        ),
+        (_, None) if search.found.is_empty() => "none found".to_owned(),
+        (_, place) => format!(
+            "{} of {}",
+            place.map_or_else(|| "-".to_owned(), |place| place.to_string()),
+            tree::grouped(search.found.len())
+        ),
+    };
+    let found = format!(" {found} ");
+    let [mark, typed, found_area] = Layout::horizontal([
+        Constraint::Length(2),
+        Constraint::Fill(1),
+        Constraint::Length(width(&found) as u16),
+    ])
+    .areas(area);
+    frame.render_widget(Line::styled(" /", theme.key()), mark);
+    draw_input(frame, &search.input, typed);
+    frame.render_widget(Line::styled(found, theme.dim()), found_area);
+}
+
 /// As many hints as there is room for, whole ones.
 fn hints(app: &App, theme: Theme, columns: usize) -> Line<'static> {
     let mut spans = Vec::new();
     let mut taken = 0;
-    for (key, words) in keys::hints(app.scope(), row_kind(app)) {
+    for (key, words) in app.keys.hints(app.scope(), row_kind(app)) {
         let needed = width(&key) + 1 + width(words);
         if taken + needed > columns {
             break;

@@ -3,23 +3,28 @@
 use std::f64::consts::PI;
 
 use crate::model::{Beam, Material, Model, Section, Subsystem, Unit};
+use crate::tui::keys::{Command, KeyMap};
 use crate::tui::tree::{self, Node};
 
 /// What the details say of a row that is no parameter, a line for each thing.
-pub(super) fn of(model: &Model, node: Node) -> String {
+pub(super) fn of(model: &Model, node: Node, keys: &KeyMap) -> String {
     match node {
         Node::Beam => beam(&model.beam),
         Node::Material => material(&model.beam.material),
         Node::Section => section(&model.beam.section),
-        Node::Supports => "what holds the two ends; Space on an end takes the next kind".to_owned(),
-        Node::Subsystems => counted(model.subsystems.iter().map(|one| one.enabled)),
-        Node::Forces => counted(model.forces.iter().map(|one| one.enabled)),
-        Node::Responses => counted(model.responses.iter().map(|one| one.enabled)),
+        Node::Supports => format!(
+            "what holds the two ends; {} on an end takes the next kind",
+            keys.key_of(Command::Cycle)
+        ),
+        Node::Subsystems => counted(model.subsystems.iter().map(|one| one.enabled), keys),
+        Node::Forces => counted(model.forces.iter().map(|one| one.enabled), keys),
+        Node::Responses => counted(model.responses.iter().map(|one| one.enabled), keys),
         Node::Subsystem(i) => subsystem(&model.subsystems[i]),
         Node::Force(_) | Node::Response(_) => tree::value(model, node),
         Node::Sweep => format!("{} frequencies", tree::grouped(model.sweep.points)),
         Node::Studies | Node::Study(_) => {
-            "Enter shows a study's curves, t the next study's".to_owned()
+            let (edit, study) = (keys.key_of(Command::Edit), keys.key_of(Command::Study));
+            format!("{edit} shows a study's curves, {study} the next study's")
         }
         Node::StudyLine(..) => tree::label(model, node).into_owned(),
         Node::Tune | Node::TuneVariable(_) | Node::TuneObjective => {
@@ -63,11 +68,11 @@ fn subsystem(one: &Subsystem) -> String {
     )
 }
 
-fn counted(enabled: impl ExactSizeIterator<Item = bool>) -> String {
+fn counted(enabled: impl ExactSizeIterator<Item = bool>, keys: &KeyMap) -> String {
     let all = enabled.len();
     let enabled = enabled.filter(|enabled| *enabled).count();
     match all {
-        0 => "none; a adds one".to_owned(),
+        0 => format!("none; {} adds one", keys.key_of(Command::Add)),
         _ if enabled == all => format!("{all}, all enabled"),
         _ => format!("{all}, of which {enabled} enabled"),
     }

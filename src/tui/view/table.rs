@@ -6,7 +6,7 @@ use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 
 use super::text::{cut, width};
-use crate::tui::app::List;
+use crate::tui::app::{List, Rows};
 use crate::tui::theme::Theme;
 
 /// Rows beside those of the list: the rule with the title, and the heading.
@@ -46,14 +46,14 @@ pub(super) fn fitting(layouts: &[&'static [Column]], columns: u16) -> &'static [
         .unwrap_or_default()
 }
 
-/// Draws a table; tells the list how many rows there is room for.
+/// Draws a table; tells the list how many rows there is room for, and where they are.
 pub(super) fn draw(
     frame: &mut Frame<'_>,
     content: &Content<'_>,
     list: &mut List,
     theme: Theme,
     area: Rect,
-) {
+) -> Rows {
     let columns = usize::from(area.width);
     let title = cut(&content.title, columns.saturating_sub(4));
     let mut rule = super::rule(&title, theme);
@@ -67,13 +67,13 @@ pub(super) fn draw(
     frame.render_widget(block, area);
     let mut lines = inside.rows();
     let Some(heading) = lines.next() else {
-        return;
+        return Rows::default();
     };
     list.height = usize::from(inside.height).saturating_sub(1).max(1);
     if list.rows == 0 {
         let text = cut(&format!(" {}", content.empty), columns);
         frame.render_widget(Line::styled(text, theme.dim()), heading);
-        return;
+        return Rows::default();
     }
     let names = content.columns.iter().map(|column| column.0.to_owned());
     draw_row(frame, content, names, theme.dim(), heading);
@@ -82,12 +82,19 @@ pub(super) fn draw(
     } else {
         Style::new()
     };
-    for (line, row) in lines.zip(list.first()..list.rows) {
+    let first = list.first();
+    for (line, row) in lines.zip(first..list.rows) {
         draw_row(frame, content, (content.row)(row).into_iter(), style, line);
         if row == list.row {
             frame.buffer_mut().set_style(line, theme.selection());
         }
     }
+    let area = Rect {
+        y: inside.y + 1,
+        height: inside.height - 1,
+        ..inside
+    };
+    Rows { area, first }
 }
 
 fn draw_row(

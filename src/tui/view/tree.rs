@@ -6,7 +6,7 @@ use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 
 use super::text::{cut, width};
-use crate::tui::app::App;
+use crate::tui::app::{App, Search};
 use crate::tui::theme::Theme;
 use crate::tui::tree::{self, Node, Row};
 
@@ -59,6 +59,11 @@ fn row_line(app: &App, theme: Theme, row: Row, columns: u16) -> Line<'static> {
     );
     let gap = " ".repeat(room.saturating_sub(width(&label) + width(&value)));
     let style = row_style(app, theme, row);
+    let found = |search: &Search| search.found.contains(&row.node);
+    let name_style = match &app.search {
+        Some(search) if found(search) => style.patch(theme.found()),
+        _ => style,
+    };
     let mut spans = vec![
         Span::styled(mark, theme.changed()),
         Span::raw(indent),
@@ -66,7 +71,7 @@ fn row_line(app: &App, theme: Theme, row: Row, columns: u16) -> Line<'static> {
     ];
     spans.extend(swatch);
     spans.extend([
-        Span::styled(label, style),
+        Span::styled(label, name_style),
         Span::raw(gap),
         Span::styled(value, style),
         Span::raw(" "),

@@ -1,0 +1,130 @@
+//! Bytes and times at a terminal: run with `cargo bench --bench thrift`.
+//!
+//! The real program in a pseudo-terminal of 120 x 40 with fig05a: what is written for a nudge of each parameter, for a
+//! full repaint and while nothing happens, and how long it takes from the key to the end of what it had written.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
+
+use std::io::{Read, Write};
+use std::sync::mpsc::{Receiver, channel};
+use std::time::{Duration, Instant};
+
+use portable_pty::{CommandBuilder, PtySize, native_pty_system};
+
+/// After this long without a byte a key has had its effect.
+const QUIET: Duration = Duration::from_millis(300);
+
+/// Parameters from the first one on.
+const PARAMETERS: usize = 24;
+
+/// Nudges of each.
+const NUDGES: usize = 8;
+
+struct Program {
+    keys: Box<dyn Write + Send>,
+    output: Receiver<usize>,
+}
+
+impl Program {
+    fn start(home: &std::path::Path, arguments: &[String]) -> Self {
+        let size = PtySize {
+            rows: 40,
+            cols: 120,
+            ..PtySize::default()
+        };
+        let pair = native_pty_system().openpty(size).unwrap();
+        let mut command = CommandBuilder::new(env!("CARGO_BIN_EXE_beamtune"));
+        command.args(arguments);
+        command.cwd(home);
+        command.env("HOME", home);
+        command.env("TERM", "xterm-256color");
+        command.env("LC_ALL", "C.UTF-8");
+        for variable in [
+            "NO_COLOR",
+            "COLORFGBG",
+            "COLORTERM",
+            "XDG_STATE_HOME",
+            "XDG_CONFIG_HOME",
+        ] {
+            command.env_remove(variable);
+        }
+        let mut child = pair.slave.spawn_command(command).unwrap();
+        drop(pair.slave);
+        let mut reader = pair.master.try_clone_reader().unwrap();
+        let keys = pair.master.take_writer().unwrap();
+        let (sender, output) = channel();
+        std::thread::spawn(move || {
+            let mut bytes = [0; 8192];
+            while let Ok(count @ 1..) = reader.read(&mut bytes) {
+                if sender.send(count).is_err() {
+                    break;
+                }
+            }
+            let _ = child.wait();
+            drop(pair.master);
+        });
+        Self { keys, output }
+    }
+
+    /// The bytes that follow a key, and how long the last of them took.
+    fn press(&mut self, key: &str) -> (usize, Duration) {
+        let start = Instant::now();
+        self.keys.write_all(key.as_bytes()).unwrap();
+        self.keys.flush().unwrap();
+        let (mut count, mut last) = (0, Duration::ZERO);
+        while let Ok(more) = self.output.recv_timeout(QUIET) {
+            count += more;
+            last = start.elapsed();
+        }
+        (count, last)
+    }
+}
+
+fn median<T: Copy + PartialOrd>(values: &mut [T]) -> T {
+    values.sort_by(|a, b| a.partial_cmp(b).unwrap());
+    values[values.len() / 2]
+}
+
+fn main() {
+    let home = tempfile::tempdir().unwrap();
+    let arguments: Vec<String> = std::env::args()
+        .skip(1)
+        .filter(|argument| argument != "--bench")
+        .collect();
+    let mut program = Program::start(home.path(), &arguments);
+    let (start, _) = program.press("");
+    println!("start: {start} bytes");
+    let (mut bytes, mut times, mut shares) = (Vec::new(), Vec::new(), Vec::new());
+    for _ in 0..PARAMETERS {
+        program.press("\t");
+        let (repaint, _) = program.press("\u{c}");
+        for _ in 0..NUDGES {
+            let (count, time) = program.press("+");
+            // A parameter of 0 has nothing to nudge.
+            if count > 0 {
+                bytes.push(count);
+                times.push(time.as_secs_f64() * 1e3);
+                shares.push(count as f64 / repaint as f64);
+            }
+        }
+    }
+    let repaint = program.press("\u{c}").0;
+    let worst = bytes.iter().max().copied().unwrap();
+    println!("full repaint: {repaint} bytes");
+    println!(
+        "nudge: median {} bytes, worst {worst}, of {}; of a repaint: median {:.2}",
+        median(&mut bytes),
+        bytes.len(),
+        median(&mut shares)
+    );
+    println!(
+        "key to picture: median {:.1} ms, worst {:.1} ms",
+        median(&mut times),
+        times.iter().copied().fold(0.0, f64::max)
+    );
+    std::thread::sleep(Duration::from_secs(2));
+    let idle: usize = program.output.try_iter().sum();
+    println!("idle for 2 s: {idle} bytes");
+    program.press("q");
+    program.press("d");
+}

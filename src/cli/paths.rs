@@ -1,0 +1,18 @@
+//! `beamtune paths`: where the files of the user are.
+
+use super::Failure;
+use crate::tui::user::folders::Folders;
+
+/// A line each: what it is, and where. None of them need be there.
+pub(super) fn run() -> Result<(), Failure> {
+    let folders = Folders::of_user().map_err(Failure::Other)?;
+    let lines = [
+        ("configuration", folders.config_file()),
+        ("memory", folders.memory_file()),
+        ("recovery", folders.recovery_folder()),
+        ("log", folders.log_file()),
+    ];
+    let line =
+        |(name, path): &(&str, std::path::PathBuf)| format!("{name:13}  {}\n", path.display());
+    super::print(&lines.iter().map(line).collect::<String>())
+}

@@ -1,0 +1,159 @@
+//! The mouse: all that it does is done by keys too.
+
+use std::sync::Arc;
+
+use crossterm::event::{KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
+use ratatui::layout::Position;
+
+use super::{Anchor, App, Effect, Overlay, Table};
+use crate::tui::keys::{Command, Scope};
+
+/// Rows that a list moves by a notch of the wheel.
+const NOTCH: isize = 3;
+/// Thousandths by which a notch turns a value, and by which one with Control does.
+const TURN: [i32; 2] = [10, 100];
+
+impl App {
+    pub(super) fn toggle_mouse(&mut self) -> Vec<Effect> {
+        self.mouse = !self.mouse;
+        self.turned.mouse = Some(self.mouse);
+        let key = self.keys.key_of(Command::Mouse);
+        self.done(if self.mouse {
+            format!("the mouse is the designer's; with Shift it selects text, {key} leaves it to the terminal")
+        } else {
+            format!("the mouse is the terminal's; {key} takes it")
+        });
+        vec![Effect::Mouse(self.mouse)]
+    }
+
+    /// Takes what the mouse did.
+    pub(super) fn mouse(&mut self, event: MouseEvent) -> Vec<Effect> {
+        let place = Position::new(event.column, event.row);
+        let coarse = event.modifiers.contains(KeyModifiers::CONTROL);
+        match event.kind {
+            MouseEventKind::Down(MouseButton::Left) => self.click(place),
+            MouseEventKind::Drag(MouseButton::Left) if self.overlay.is_none() => {
+                self.point(place);
+                Vec::new()
+            }
+            MouseEventKind::ScrollUp => self.turn(place, 1, coarse),
+            MouseEventKind::ScrollDown => self.turn(place, -1, coarse),
+            _ => Vec::new(),
+        }
+    }
+
+    fn click(&mut self, place: Position) -> Vec<Effect> {
+        self.message = None;
+        self.count = None;
+        self.held = None;
+        if self.overlay.is_some() {
+            return self.click_in_box(place);
+        }
+        if self.is_searching() {
+            self.search_command(Command::Accept);
+        }
+        if let Some(row) = self.screen.tree.at(place) {
+            return self.click_in_tree(row);
+        }
+        let table = self.screen.table.and_then(|rows| rows.at(place));
+        match (table, self.tables.open) {
+            (Some(row), Some(table)) => self.click_in_table(table, row),
+            _ => self.point(place),
+        }
+        Vec::new()
+    }
+
+    /// A click selects a row; one on the selected row is as Enter.
+    fn click_in_tree(&mut self, row: usize) -> Vec<Effect> {
+        let model = Arc::clone(self.document.model());
+        let Some(node) = self.selection.rows().0.get(row).map(|row| row.node) else {
+            return Vec::new();
+        };
+        let again = self.selection.node() == node;
+        self.selection.select(&model, node);
+        self.held = Some(node);
+        if again {
+            return self.repeated(Command::Edit, 1);
+        }
+        Vec::new()
+    }
+
+    fn click_in_table(&mut self, table: Table, row: usize) {
+        let list = self.tables.list_mut(table);
+        if row < list.rows {
+            list.row = row;
+            self.anchor = Anchor::of(table);
+            self.follow_anchor();
+        }
+    }
+
+    /// A click selects an entry of a list; one on the selected entry takes it.
+    fn click_in_box(&mut self, place: Position) -> Vec<Effect> {
+        let row = self.screen.list.and_then(|rows| rows.at(place));
+        let list = self.overlay.as_mut().and_then(Overlay::choices);
+        if let (Some(row), Some(list)) = (row, list)
+            && row < list.rows
+        {
+            if list.row == row {
+                return self.command(Command::Accept);
+            }
+            list.row = row;
+        }
+        Vec::new()
+    }
+
+    /// Puts the chart's cursor to a place.
+    fn point(&mut self, place: Position) {
+        let plot = self.screen.plot.as_ref();
+        if let Some(frequency) = plot.and_then(|plot| plot.frequency(place)) {
+            self.curves.cursor = Some(frequency);
+            self.anchor = Anchor::Frequency;
+        }
+    }
+
+    /// A notch of the wheel, up (1) or down (-1): it turns the value of the row that was clicked, or of the details;
+    /// it zooms the chart, and moves lists.
+    fn turn(&mut self, place: Position, up: i32, coarse: bool) -> Vec<Effect> {
+        self.message = None;
+        let rows = NOTCH * if up > 0 { -1 } else { 1 };
+        if let Some(overlay) = &mut self.overlay {
+            if let Some(list) = overlay.list() {
+                list.step(rows);
+            }
+            return Vec::new();
+        }
+        if self.is_held(place) {
+            return self.repeated(Command::Nudge(up * TURN[usize::from(coarse)]), 1);
+        }
+        self.held = None;
+        let frequency = self
+            .screen
+            .plot
+            .as_ref()
+            .and_then(|plot| plot.frequency(place));
+        if let Some(frequency) = frequency {
+            self.zoom(if up > 0 { 0.8 } else { 1.25 }, Some(frequency));
+        } else if self.screen.tree.area.contains(place) {
+            self.selection.step(rows);
+        } else if self.scope() == Scope::Table
+            && self
+                .screen
+                .table
+                .is_some_and(|rows| rows.area.contains(place))
+        {
+            let command = if up > 0 { Command::Up } else { Command::Down };
+            self.table_command(command);
+        }
+        Vec::new()
+    }
+
+    /// Whether the wheel turns the selected value there: on its details, or on its row after a click on it. Elsewhere
+    /// in the tree the wheel moves, and what comes under the mouse then is not turned.
+    fn is_held(&self, place: Position) -> bool {
+        let row = self.screen.tree.at(place);
+        let on_held = self.held.is_some_and(|node| {
+            node == self.selection.node() && row == Some(self.selection.cursor())
+        });
+        on_held || self.screen.details.contains(place)
+    }
+}

@@ -1,0 +1,120 @@
+//! What goes out of the designer and comes in from other programs: the clipboard, the file as others change it.
+
+use std::sync::Arc;
+
+use super::{App, Effect, Next};
+use crate::tui::keys::Command;
+use crate::tui::tree;
+use crate::tui::{Opened, Source};
+
+/// The longest text that is sent to a clipboard, bytes; terminals drop longer ones without a word.
+const MOST_COPIED: usize = 74_000;
+
+/// What another program did to the model's file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Outside {
+    /// It holds what was opened or saved here.
+    #[default]
+    Same,
+    /// It holds something else.
+    Changed,
+    /// It is gone.
+    Gone,
+}
+
+impl App {
+    /// Sends the selected value to the clipboard.
+    pub(super) fn copy_value(&mut self) -> Vec<Effect> {
+        if let Some(value) = self.exact_value() {
+            return self.copy(value.clone(), &value);
+        }
+        self.refuse("this row has no value to copy");
+        Vec::new()
+    }
+
+    /// Sends the model's text to the clipboard.
+    pub(super) fn copy_model(&mut self) -> Vec<Effect> {
+        let text = self.document.text();
+        let size = text.len();
+        if size > MOST_COPIED {
+            let save = self.keys.key_of(Command::SaveAs);
+            self.refuse(format!(
+                "the text has {} bytes, of which terminals take {} at most: {save} saves it to a file",
+                tree::grouped(size),
+                tree::grouped(MOST_COPIED)
+            ));
+            return Vec::new();
+        }
+        self.copy(text, "the model's text")
+    }
+
+    fn copy(&mut self, text: String, what: &str) -> Vec<Effect> {
+        // Whether it arrives, no terminal says.
+        self.done(format!("sent to the terminal's clipboard: {what}"));
+        vec![Effect::Copy(text)]
+    }
+
+    /// Looks whether the file is still as it was.
+    pub(super) fn compare(&mut self) -> Vec<Effect> {
+        match self.document.source() {
+            Source::File(path) => vec![Effect::Compare {
+                path: path.clone(),
+                text: self.document.saved_text().to_owned(),
+            }],
+            Source::Preset(_) | Source::Stdin => Vec::new(),
+        }
+    }
+
+    pub(super) fn note_outside(&mut self, outside: Outside) {
+        if outside == self.outside {
+            return;
+        }
+        self.outside = outside;
+        let name = self.document.source().name();
+        match outside {
+            Outside::Same => self.done(format!("{name} is again as it was")),
+            Outside::Changed => {
+                let key = self.keys.key_of(Command::Reload);
+                self.refuse(format!(
+                    "{name} was changed on disk by another program: {key} reads it again"
+                ));
+            }
+            Outside::Gone => {
+                self.refuse(format!("{name} is no more on disk; saving writes it again"));
+            }
+        }
+    }
+
+    /// Reads the file again; asks first where something is not saved.
+    pub(super) fn reload(&mut self) -> Vec<Effect> {
+        if let Source::File(_) = self.document.source() {
+            return self.leave(Next::Reload);
+        }
+        let name = self.document.source().name();
+        self.refuse(format!("{name} is no file that could be read again"));
+        Vec::new()
+    }
+
+    pub(super) fn reload_now(&self) -> Vec<Effect> {
+        let source = self.document.source();
+        let path = match source {
+            Source::File(path) => Some(path.clone()),
+            Source::Preset(_) | Source::Stdin => None,
+        };
+        path.map(Effect::Reload).into_iter().collect()
+    }
+
+    pub(super) fn reloaded(&mut self, opened: Opened) {
+        self.outside = Outside::Same;
+        if opened.text == self.document.saved_text() {
+            return self.done("the file is as it was");
+        }
+        let before = Arc::clone(self.document.model());
+        self.document.reload(opened.model, opened.text);
+        self.follow(&before);
+        let undo = self.keys.key_of(Command::Undo);
+        self.done(format!(
+            "read the file again; {undo} brings back what was here"
+        ));
+    }
+}

@@ -1,0 +1,159 @@
+//! The palette: every command and every parameter, found by parts of their names.
+
+use std::cmp::Reverse;
+use std::sync::Arc;
+
+use tui_input::Input;
+
+use super::{App, Effect, List, Overlay};
+use crate::tui::fuzzy;
+use crate::tui::keys::{Command, Scope};
+use crate::tui::tree::{self, Node};
+
+/// What people type by habit, and the command that they mean.
+const HABITS: [(&str, Command); 5] = [
+    ("w", Command::Save),
+    ("write", Command::Save),
+    ("q", Command::Quit),
+    ("exit", Command::Quit),
+    ("e", Command::Open),
+];
+
+/// What an entry leads to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Found {
+    /// A command is done.
+    Command(Command),
+    /// A row of the tree is selected, and edited where it is typed.
+    Row(Node),
+}
+
+/// A line of the palette.
+#[derive(Debug, Clone)]
+pub struct Entry {
+    /// What it leads to.
+    pub found: Found,
+    /// The command's name, or the row's full name.
+    pub name: String,
+    /// What a command does; empty for a row.
+    pub help: &'static str,
+    /// The command's keys; empty for a row, whose value is said in their place.
+    pub keys: String,
+}
+
+/// The palette's state.
+#[derive(Debug)]
+pub struct Palette {
+    /// What is typed.
+    pub input: Input,
+    /// The list of what was found.
+    pub list: List,
+    entries: Vec<Entry>,
+    /// Indices of entries, the best first.
+    ranked: Vec<usize>,
+}
+
+impl Palette {
+    /// All entries, commands first.
+    fn new(entries: Vec<Entry>) -> Self {
+        let mut palette = Self {
+            input: Input::default(),
+            list: List::default(),
+            entries,
+            ranked: Vec::new(),
+        };
+        palette.rank();
+        palette
+    }
+
+    /// What was found, the best first.
+    pub fn found(&self) -> impl Iterator<Item = &Entry> {
+        self.ranked.iter().map(|index| &self.entries[*index])
+    }
+
+    /// Changes what is typed and searches anew.
+    pub(super) fn type_into(&mut self, change: impl FnOnce(&mut Input)) {
+        let before = self.input.value().to_owned();
+        change(&mut self.input);
+        if self.input.value() != before {
+            self.rank();
+        }
+    }
+
+    fn rank(&mut self) {
+        let query = fuzzy::Query::new(self.input.value());
+        let typed = self.input.value().trim();
+        let habit = HABITS.iter().find(|(habit, _)| *habit == typed);
+        let meant = habit.map(|(_, command)| Found::Command(*command));
+        let scored = self
+            .entries
+            .iter()
+            .enumerate()
+            .filter_map(|(index, entry)| {
+                let is_meant = meant == Some(entry.found);
+                let score = query.score(&entry.name).max(query.score_beside(entry.help));
+                // Equal ones stay in the order of the table and the tree.
+                let rank = (!is_meant, Reverse(score), index);
+                (is_meant || score.is_some()).then_some(rank)
+            });
+        let mut scored: Vec<_> = scored.collect();
+        scored.sort_unstable();
+        self.ranked = scored.into_iter().map(|(.., index)| index).collect();
+        self.list.rows = self.ranked.len();
+        self.list.row = 0;
+    }
+}
+
+impl App {
+    pub(super) fn open_palette(&mut self) {
+        let commands = self.keys.of(Scope::Main).chain(self.keys.of(Scope::Any));
+        let mut entries: Vec<Entry> = commands
+            .filter(|row| row.binding.command != Command::Palette)
+            .map(|row| Entry {
+                found: Found::Command(row.binding.command),
+                name: row.binding.name.replace('-', " "),
+                help: row.binding.help,
+                keys: row.names(),
+            })
+            .collect();
+        let model = Arc::clone(self.document.model());
+        entries.extend(tree::all_rows(&model).into_iter().map(|row| Entry {
+            found: Found::Row(row.node),
+            name: tree::subject(&model, row.node),
+            help: "",
+            keys: String::new(),
+        }));
+        self.overlay = Some(Overlay::Palette(Palette::new(entries)));
+    }
+
+    pub(super) fn palette_command(&mut self, command: Command) -> Vec<Effect> {
+        let Some(Overlay::Palette(palette)) = &mut self.overlay else {
+            return Vec::new();
+        };
+        if palette.list.obey(command) {
+            return Vec::new();
+        }
+        let chosen = palette.found().nth(palette.list.row).map(|one| one.found);
+        if command == Command::Accept && chosen.is_none() {
+            return Vec::new();
+        }
+        self.overlay = None;
+        match (command, chosen) {
+            (Command::Accept, Some(Found::Command(command))) => self.command(command),
+            (Command::Accept, Some(Found::Row(node))) => {
+                self.go_to(node);
+                Vec::new()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// Selects a row, and asks for its value where that is typed.
+    fn go_to(&mut self, node: Node) {
+        let model = Arc::clone(self.document.model());
+        self.selection.select(&model, node);
+        if self.asked().is_some() {
+            self.edit();
+        }
+    }
+}

@@ -1,0 +1,82 @@
+//! Changes that are not saved survive the program.
+
+use std::sync::Arc;
+
+use super::{App, Document, Effect, List, Lost, Next, Overlay};
+use crate::tui::Opened;
+use crate::tui::keys::Command;
+
+impl App {
+    /// Keeps what is not saved, when that has changed.
+    pub(super) fn keep(&mut self) -> Vec<Effect> {
+        let changed = self.document.is_changed();
+        let model = self.document.model();
+        let same = |(kept, was): &(Arc<_>, bool)| Arc::ptr_eq(kept, model) && *was == changed;
+        if self.kept.as_ref().is_some_and(same) {
+            return Vec::new();
+        }
+        let first = self.kept.is_none();
+        self.kept = Some((Arc::clone(model), changed));
+        match self.document.unsaved() {
+            Some(kept) => vec![Effect::Keep(kept)],
+            None if first => Vec::new(),
+            None => vec![Effect::Forget],
+        }
+    }
+
+    /// Ends by a signal: there is nobody to ask, so what is not saved stays kept.
+    pub(super) fn end(signal: i32) -> Vec<Effect> {
+        vec![Effect::Quit(Some(signal.unsigned_abs() as u8))]
+    }
+
+    /// Offers unsaved changes that were found.
+    pub fn offer(&mut self, lost: Vec<Lost>) {
+        if !lost.is_empty() {
+            let list = List::new(lost.len(), 0);
+            self.overlay = Some(Overlay::Recovery { lost, list });
+        }
+    }
+
+    pub(super) fn recovery_command(&mut self, command: Command) -> Vec<Effect> {
+        let Some(Overlay::Recovery { lost, list }) = &mut self.overlay else {
+            return Vec::new();
+        };
+        if list.obey(command) {
+            return Vec::new();
+        }
+        let number = list.row;
+        match command {
+            Command::Accept => self.leave(Next::Recover(number)),
+            Command::Discard => {
+                let name = lost.remove(number).name;
+                list.set_rows(lost.len());
+                if lost.is_empty() {
+                    self.overlay = None;
+                }
+                self.done(format!("unsaved changes to {name} discarded"));
+                vec![Effect::Discard(number)]
+            }
+            _ => {
+                self.overlay = None;
+                self.done("unsaved changes are kept; the next start offers them again");
+                Vec::new()
+            }
+        }
+    }
+
+    pub(super) fn recovered(&mut self, opened: Opened, based: bool, others: usize) {
+        self.open_document(Document::recovered(opened, based));
+        let (save, undo) = (
+            self.keys.key_of(Command::Save),
+            self.keys.key_of(Command::Undo),
+        );
+        let mut words = vec![format!("unsaved changes recovered: {save} saves them")];
+        if based {
+            words.push(format!("{undo} goes back to the file"));
+        }
+        if others > 0 {
+            words.push(format!("{others} more are kept for the next start"));
+        }
+        self.done(words.join(", "));
+    }
+}

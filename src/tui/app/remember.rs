@@ -1,0 +1,129 @@
+//! What is remembered for the next time: options, and how each model was looked at last.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use super::{App, Table};
+use crate::model::Model;
+use crate::tui::Source;
+use crate::tui::tree::{self, Node};
+use crate::tui::user::memory::{Memory, View};
+
+/// How many open groups are remembered.
+const MOST_OPEN: usize = 200;
+
+impl App {
+    /// Takes up what is remembered.
+    pub fn recall(&mut self, memory: Memory) {
+        if let Some(decibels) = memory.options.decibels {
+            self.curves.decibels = decibels;
+        }
+        self.memory = memory;
+        self.recall_view();
+    }
+
+    /// What is to be remembered, this model's view included.
+    pub fn remembered(&self) -> Memory {
+        let mut memory = self.memory.clone();
+        memory.options = self.turned.clone();
+        if let Some(view) = self.view() {
+            memory.remember(view);
+        }
+        memory
+    }
+
+    /// The next theme.
+    pub(super) fn next_theme(&mut self) {
+        self.theme = self.theme.next();
+        self.turned.theme = Some(self.theme.word().to_owned());
+        self.done(format!("theme: {}", self.theme.name()));
+    }
+
+    /// Remembers how the model was looked at, before another one is opened.
+    pub(super) fn remember_view(&mut self) {
+        if let Some(view) = self.view() {
+            self.memory.remember(view);
+        }
+    }
+
+    /// How the model is looked at; none for one that cannot be known again.
+    fn view(&self) -> Option<View> {
+        let source = key(self.document.source())?;
+        let model = Arc::clone(self.document.model());
+        let study = self.curves.study.and_then(|study| model.studies.get(study));
+        Some(View {
+            source,
+            selected: trail(&model, self.selection.node()),
+            open: self
+                .selection
+                .open()
+                .take(MOST_OPEN)
+                .map(|node| trail(&model, node))
+                .collect(),
+            visible: self.curves.visible.clone(),
+            study: study.map(|study| study.name.clone()),
+            log_frequency: self.curves.log_frequency,
+            cursor: self.curves.cursor,
+            window: self.curves.window,
+            table: self.tables.open.map(|table| table.key().to_owned()),
+        })
+    }
+
+    /// Looks at the model as it was looked at last.
+    pub(super) fn recall_view(&mut self) {
+        let view = key(self.document.source()).and_then(|source| self.memory.view(&source));
+        let Some(view) = view.cloned() else {
+            return;
+        };
+        let model = Arc::clone(self.document.model());
+        let has = |name: &String| {
+            model
+                .responses
+                .iter()
+                .any(|one| one.name == *name && one.enabled)
+        };
+        let visible: Vec<String> = view.visible.into_iter().filter(has).collect();
+        if !visible.is_empty() {
+            self.curves.visible = visible;
+        }
+        let study = view.study.as_ref();
+        self.curves.study =
+            study.and_then(|name| model.studies.iter().position(|one| one.name == *name));
+        self.curves.log_frequency = view.log_frequency;
+        let sweep = model.sweep.from..=model.sweep.to;
+        self.curves.cursor = view.cursor.filter(|cursor| sweep.contains(cursor));
+        self.curves.window = view
+            .window
+            .filter(|[low, high]| low < high && sweep.contains(low) && sweep.contains(high));
+        self.tables.open = Table::ALL
+            .into_iter()
+            .find(|table| view.table.as_deref() == Some(table.key()));
+        let rows = tree::all_rows(&model);
+        let trails: HashMap<Vec<String>, Node> = rows
+            .iter()
+            .map(|row| (trail(&model, row.node), row.node))
+            .collect();
+        let open = view
+            .open
+            .iter()
+            .filter_map(|trail| trails.get(trail).copied());
+        let selected = trails.get(&view.selected).copied();
+        self.selection.restore(&model, open.collect(), selected);
+    }
+}
+
+/// How a model is known again; nothing that came through a pipe is.
+fn key(source: &Source) -> Option<String> {
+    match source {
+        Source::File(path) => Some(std::path::absolute(path).ok()?.to_str()?.to_owned()),
+        Source::Preset(name) => Some(format!("preset:{name}")),
+        Source::Stdin => None,
+    }
+}
+
+/// A row's label and those of the groups that hold it, from the outermost on.
+fn trail(model: &Model, node: Node) -> Vec<String> {
+    let mut trail = tree::parent(node).map_or_else(Vec::new, |parent| trail(model, parent));
+    trail.push(tree::label(model, node).into_owned());
+    trail
+}

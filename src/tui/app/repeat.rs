@@ -1,0 +1,69 @@
+//! Counts before commands, and the last change done again.
+
+use super::edit::read;
+use super::{App, Effect, Message};
+use crate::tui::keys::Command;
+
+/// A change that can be done again on another row.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum LastChange {
+    /// A command, so many times.
+    Command(Command, u32),
+    /// A value that was typed.
+    Typed(String),
+}
+
+impl App {
+    /// Does a command so many times, as far as it goes.
+    pub(super) fn repeated(&mut self, command: Command, times: u32) -> Vec<Effect> {
+        let before = self.document.model().clone();
+        let mut effects = Vec::new();
+        match command {
+            // One step, however many percent.
+            Command::Nudge(thousandths) => self.nudge(thousandths, times),
+            // Not through the whole tree each time.
+            Command::NextParameter => self.seek_parameter(true, times),
+            Command::PreviousParameter => self.seek_parameter(false, times),
+            _ if command.counts() => {
+                for _ in 0..times {
+                    effects.extend(self.main_command(command));
+                    if self.is_refused() {
+                        break;
+                    }
+                }
+            }
+            _ => effects = self.main_command(command),
+        }
+        if command.repeats() && !std::sync::Arc::ptr_eq(&before, self.document.model()) {
+            self.last_change = Some(LastChange::Command(command, times));
+        }
+        effects
+    }
+
+    /// Does the last change again.
+    pub(super) fn repeat(&mut self) {
+        match self.last_change.clone() {
+            None => self.refuse("there is no change to do again yet"),
+            Some(LastChange::Command(command, times)) => drop(self.repeated(command, times)),
+            Some(LastChange::Typed(text)) => self.type_again(&text),
+        }
+    }
+
+    /// Gives the selected parameter what was typed for another one.
+    fn type_again(&mut self, text: &str) {
+        let Some(asked) = self.asked() else {
+            return self.refuse(format!(
+                "`{text}` was typed; select a number or a text for it"
+            ));
+        };
+        let result = read(&asked.kind, text).and_then(|value| self.give(&asked, value));
+        if let Err(refusal) = result {
+            self.refuse(refusal);
+        }
+    }
+
+    /// Whether the last command was refused.
+    pub(super) fn is_refused(&self) -> bool {
+        matches!(self.message, Some(Message::Refused(_)))
+    }
+}

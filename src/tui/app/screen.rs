@@ -1,0 +1,53 @@
+//! Where things are on the screen, for the mouse.
+
+use ratatui::layout::{Position, Rect};
+
+/// Rows of a list on the screen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Rows {
+    /// Where they are.
+    pub area: Rect,
+    /// The list's row in the topmost of them.
+    pub first: usize,
+}
+
+impl Rows {
+    /// The list's row at a place.
+    pub fn at(&self, place: Position) -> Option<usize> {
+        let below = usize::from(place.y.checked_sub(self.area.y)?);
+        self.area.contains(place).then_some(self.first + below)
+    }
+}
+
+/// The curves on the screen.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plot {
+    /// Where they are.
+    pub area: Rect,
+    /// The frequency in the middle of each column, Hz.
+    pub frequencies: Vec<f64>,
+}
+
+impl Plot {
+    /// The frequency (Hz) at a place.
+    pub fn frequency(&self, place: Position) -> Option<f64> {
+        let column = usize::from(place.x.checked_sub(self.area.x)?);
+        let frequency = self.frequencies.get(column).copied();
+        frequency.filter(|_| self.area.contains(place))
+    }
+}
+
+/// Where things are on the screen, as it was drawn last.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Screen {
+    /// The tree.
+    pub tree: Rows,
+    /// What is said of the selected row.
+    pub details: Rect,
+    /// The chart's curves.
+    pub plot: Option<Plot>,
+    /// The table below the chart.
+    pub table: Option<Rows>,
+    /// The list of the box over all.
+    pub list: Option<Rows>,
+}

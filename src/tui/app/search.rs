@@ -1,0 +1,154 @@
+//! The search of the tree.
+
+use std::sync::Arc;
+
+use tui_input::Input;
+
+use super::{App, Effect};
+use crate::model::Model;
+use crate::tui::fuzzy::Query;
+use crate::tui::keys::Command;
+use crate::tui::tree::{self, Node};
+
+/// A search of the tree.
+#[derive(Debug)]
+pub struct Search {
+    /// What is typed.
+    pub input: Input,
+    /// Whether it still is typed.
+    pub typing: bool,
+    /// The rows that were found, in the tree's order.
+    pub found: Vec<Node>,
+    /// The row where it began.
+    origin: Node,
+}
+
+impl Search {
+    /// Searches a model that has changed.
+    pub(super) fn refresh(&mut self, model: &Model) {
+        let query = Query::new(self.input.value());
+        let rows = tree::all_rows(model).into_iter().map(|row| row.node);
+        self.found = rows
+            .filter(|node| query.stands_in(&tree::subject(model, *node)))
+            .collect();
+    }
+
+    /// The number of a row among those found, from 1.
+    pub fn place(&self, node: Node) -> Option<usize> {
+        let place = self.found.iter().position(|found| *found == node)?;
+        Some(place + 1)
+    }
+}
+
+impl App {
+    /// Whether the tree's search is being typed.
+    pub fn is_searching(&self) -> bool {
+        self.search.as_ref().is_some_and(|search| search.typing)
+    }
+
+    pub(super) fn start_search(&mut self) {
+        self.search = Some(Search {
+            input: Input::default(),
+            typing: true,
+            found: Vec::new(),
+            origin: self.selection.node(),
+        });
+    }
+
+    /// Changes what is sought; the selection goes to the first row found from where the search began.
+    pub(super) fn type_search(&mut self, change: impl FnOnce(&mut Input)) {
+        let model = Arc::clone(self.document.model());
+        let Some(search) = &mut self.search else {
+            return;
+        };
+        let before = search.input.value().to_owned();
+        change(&mut search.input);
+        if search.input.value() == before {
+            return;
+        }
+        search.refresh(&model);
+        let origin = search.origin;
+        let rows = tree::all_rows(&model);
+        let mut from_origin = rows.iter().skip_while(|row| row.node != origin);
+        let next = from_origin.find(|row| search.found.contains(&row.node));
+        let found = next.map(|row| row.node).or(search.found.first().copied());
+        self.selection.select(&model, found.unwrap_or(origin));
+    }
+
+    pub(super) fn search_command(&mut self, command: Command) -> Vec<Effect> {
+        match command {
+            Command::Down => self.seek_found(true),
+            Command::Up => self.seek_found(false),
+            Command::Cancel => {
+                let model = Arc::clone(self.document.model());
+                if let Some(search) = self.search.take() {
+                    self.selection.select(&model, search.origin);
+                }
+            }
+            _ => self.accept_search(),
+        }
+        Vec::new()
+    }
+
+    fn accept_search(&mut self) {
+        let Some(search) = &mut self.search else {
+            return;
+        };
+        search.typing = false;
+        let (sought, count) = (search.input.value().to_owned(), search.found.len());
+        let next = self.keys.key_of(Command::NextAlike);
+        if sought.trim().is_empty() {
+            self.search = None;
+        } else if count == 0 {
+            self.search = None;
+            self.refuse(format!("no row has `{sought}` in its name"));
+        } else {
+            let end = self.keys.key_of(Command::Cancel);
+            self.done(format!(
+                "`{sought}`: {count} rows; {next} goes to the next, {end} ends the search"
+            ));
+        }
+    }
+
+    /// Goes to the next or the last row found, round and round.
+    pub(super) fn seek_found(&mut self, forward: bool) {
+        let model = Arc::clone(self.document.model());
+        let Some(search) = &self.search else {
+            return;
+        };
+        let count = search.found.len();
+        if count == 0 {
+            let sought = search.input.value();
+            return self.refuse(format!("no row has `{sought}` in its name"));
+        }
+        let here = self.selection.node();
+        let next = match (search.place(here), forward) {
+            (Some(place), true) => place % count,
+            (Some(place), false) => (place + count - 2) % count,
+            (None, _) => self.nearest_found(forward),
+        };
+        let node = search.found[next];
+        let sought = search.input.value().to_owned();
+        self.selection.select(&model, node);
+        self.done(format!("`{sought}`: {} of {count} rows", next + 1));
+    }
+
+    /// The index of the row found that is next to the selected one, which is none of them.
+    fn nearest_found(&self, forward: bool) -> usize {
+        let Some(search) = &self.search else {
+            return 0;
+        };
+        let here = self.selection.node();
+        let rows = tree::all_rows(self.model());
+        let before = rows.iter().take_while(|row| row.node != here);
+        let passed = before
+            .filter(|row| search.found.contains(&row.node))
+            .count();
+        let count = search.found.len();
+        if forward {
+            passed % count
+        } else {
+            (passed + count - 1) % count
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! Counts before commands, the last change again, and commands that cannot run.
+
+use super::*;
+use crate::tui::keys::{Command, SECTIONS};
+
+fn message(app: &App) -> &str {
+    match &app.message {
+        Some(Message::Done(text) | Message::Refused(text)) => text,
+        None => "",
+    }
+}
+
+#[test]
+fn a_count_does_a_nudge_so_many_times_in_one_step() {
+    let mut counted = app("fig05a");
+    select(&mut counted, STIFFNESS);
+    let before = number(&counted, STIFFNESS);
+    keys(&mut counted, "10+");
+    let mut pressed = app("fig05a");
+    select(&mut pressed, STIFFNESS);
+    keys(&mut pressed, "++++++++++");
+    assert_eq!(number(&counted, STIFFNESS), number(&pressed, STIFFNESS));
+    keys(&mut counted, "u");
+    assert_eq!(number(&counted, STIFFNESS), before);
+}
+
+#[test]
+fn a_count_moves_and_undoes_so_many_times_and_stops_where_there_is_no_more() {
+    let mut app = app("fig05a");
+    let start = app.selection.cursor();
+    keys(&mut app, "3j");
+    assert_eq!(app.selection.cursor(), start + 3);
+    select(&mut app, STIFFNESS);
+    let text = app.document.text();
+    // A movement between them parts the steps.
+    keys(&mut app, "+f+f+");
+    keys(&mut app, "9999u");
+    assert_eq!(app.document.text(), text);
+    assert_eq!(message(&app), "nothing to undo");
+}
+
+#[test]
+fn a_count_is_dropped_by_escape_and_does_not_reach_a_later_command() {
+    let mut app = app("fig05a");
+    select(&mut app, STIFFNESS);
+    let before = number(&app, STIFFNESS);
+    keys(&mut app, "20");
+    assert_eq!(app.count, Some(20));
+    press(&mut app, KeyCode::Esc);
+    keys(&mut app, "+");
+    assert!((number(&app, STIFFNESS) / before - 1.01).abs() < 1e-5);
+    keys(&mut app, "0");
+    assert_eq!(app.count, None, "a count does not start with 0");
+    keys(&mut app, "123456");
+    assert_eq!(app.count, Some(9_999));
+}
+
+#[test]
+fn the_last_change_is_done_again_on_another_row() {
+    let mut app = app("fig05a");
+    select(&mut app, "subsystems.S1.mass");
+    press(&mut app, KeyCode::Enter);
+    enter(&mut app, "*1.5");
+    let before = number(&app, "subsystems.S2.mass");
+    select(&mut app, "subsystems.S2.mass");
+    keys(&mut app, ";");
+    assert_eq!(number(&app, "subsystems.S2.mass"), before * 1.5);
+    keys(&mut app, "3>");
+    select(&mut app, "subsystems.S3.mass");
+    keys(&mut app, ";");
+    let expected = [0; 3].iter().fold(before, |mass, _| {
+        format!("{:.5e}", mass * 1.1).parse().unwrap()
+    });
+    assert_eq!(number(&app, "subsystems.S3.mass"), expected);
+}
+
+#[test]
+fn a_typed_value_that_does_not_fit_is_refused_when_done_again() {
+    let mut app = app("fig05a");
+    keys(&mut app, ";");
+    assert_eq!(message(&app), "there is no change to do again yet");
+    select(&mut app, "subsystems.S1.mass");
+    press(&mut app, KeyCode::Enter);
+    enter(&mut app, "120 kg");
+    select(&mut app, STIFFNESS);
+    let before = app.document.text();
+    keys(&mut app, ";");
+    assert!(matches!(app.message, Some(Message::Refused(_))));
+    assert_eq!(app.document.text(), before);
+}
+
+#[test]
+fn a_key_without_meaning_says_where_the_keys_are() {
+    let mut app = app("fig05a");
+    keys(&mut app, "%");
+    assert_eq!(message(&app), "% has no meaning here: ? shows every key");
+}
+
+/// What a command can change, in words.
+fn state(app: &App) -> String {
+    let (rows, _) = app.selection.rows();
+    format!(
+        "{:?} {} {:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?}",
+        app.selection.node(),
+        rows.len(),
+        app.document.model(),
+        app.curves.visible,
+        (
+            app.curves.study,
+            app.curves.decibels,
+            app.curves.log_frequency
+        ),
+        (
+            app.curves.cursor,
+            app.curves.window,
+            app.curves.reference.is_some()
+        ),
+        app.tables.open,
+        app.modal.shaping,
+        (
+            app.overlay.is_some(),
+            app.search.is_some(),
+            app.theme,
+            app.mouse
+        ),
+        (app.tables.modes.row, app.tables.peaks.row),
+        app.witness.picture().is_some(),
+    )
+}
+
+#[test]
+fn a_command_that_does_nothing_says_why() {
+    let commands: Vec<Command> = SECTIONS
+        .iter()
+        .filter(|section| section.scope == Scope::Main)
+        .flat_map(|section| section.bindings)
+        .map(|binding| binding.command)
+        .collect();
+    for preset in ["fig05a", "fig06", "fig08"] {
+        let rows = app(preset).selection.rows().0.len();
+        for row in 0..rows {
+            for solved in [false, true] {
+                for command in &commands {
+                    let mut app = app(preset);
+                    if solved {
+                        let first = answer(1, &app);
+                        app.update(Event::Answer(first));
+                    }
+                    app.selection.first();
+                    app.selection.step(row.cast_signed());
+                    app.message = None;
+                    let before = state(&app);
+                    let effects = app.command(*command);
+                    let said = app.message.is_some();
+                    assert!(
+                        said || !effects.is_empty() || state(&app) != before,
+                        "{command:?} does nothing on {:?} of {preset} and does not say why",
+                        app.selection.node()
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_count_moves_in_a_table_and_among_parameters() {
+    let mut app = app("fig05a");
+    let first = answer(1, &app);
+    app.update(Event::Answer(first));
+    keys(&mut app, "P");
+    let rows = app.tables.peaks.rows;
+    keys(&mut app, "5j");
+    assert_eq!(app.tables.peaks.row, 5.min(rows.saturating_sub(1)));
+    press(&mut app, KeyCode::Esc);
+    let mut pressed = super::app("fig05a");
+    keys(&mut app, "7");
+    press(&mut app, KeyCode::Tab);
+    for _ in 0..7 {
+        press(&mut pressed, KeyCode::Tab);
+    }
+    assert_eq!(app.selection.node(), pressed.selection.node());
+    keys(&mut app, "9999");
+    press(&mut app, KeyCode::Tab);
+    assert_eq!(app.message, None);
+    press(&mut app, KeyCode::Tab);
+    assert_eq!(message(&app), "there is no further parameter");
+}

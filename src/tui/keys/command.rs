@@ -1,0 +1,183 @@
+//! What a key can ask for.
+
+/// What a key asks for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Command {
+    /// One row up.
+    Up,
+    /// One row down.
+    Down,
+    /// One screen up.
+    PageUp,
+    /// One screen down.
+    PageDown,
+    /// The first row.
+    First,
+    /// The last row.
+    Last,
+    /// Close the group, or go to the group that holds the row.
+    Collapse,
+    /// Open the group, or go to its first row.
+    Expand,
+    /// Open every group.
+    ExpandAll,
+    /// Close every group.
+    CollapseAll,
+    /// The next parameter of the model, opening what holds it.
+    NextParameter,
+    /// The parameter before.
+    PreviousParameter,
+    /// The same parameter of the next subsystem, force, response or support.
+    NextAlike,
+    /// The same parameter of the one before.
+    PreviousAlike,
+    /// Edit the value, cycle the choice, or open and close the group.
+    Edit,
+    /// Cycle the choice, or open and close the group.
+    Cycle,
+    /// Change a number by this many thousandths of itself.
+    Nudge(i32),
+    /// Do the last change again, on the selected row.
+    Repeat,
+    /// Put the file's value back.
+    Revert,
+    /// Take the last step back.
+    Undo,
+    /// Take an undone step again.
+    Redo,
+    /// Add a subsystem, force or response.
+    Add,
+    /// Add a copy of the selected one.
+    Duplicate,
+    /// Give the selected one another name.
+    Rename,
+    /// Delete the selected one.
+    Delete,
+    /// Enable or disable the selected one.
+    Enable,
+    /// Search the tree.
+    Search,
+    /// Search every command and every parameter.
+    Palette,
+    /// Show or hide the response's curve.
+    Show,
+    /// Show this response's curve alone.
+    Solo,
+    /// The next study, or none.
+    Study,
+    /// Decibels or powers of ten.
+    Decibels,
+    /// Logarithmic or linear frequency axis.
+    LogFrequency,
+    /// Keep the curves as a dotted reference.
+    Freeze,
+    /// Drop the reference.
+    Unfreeze,
+    /// Move the cursor on the chart by steps of a two-hundredth of the axis.
+    Cursor(i32),
+    /// Halve the frequencies that show, about the cursor.
+    ZoomIn,
+    /// Double the frequencies that show.
+    ZoomOut,
+    /// Show the whole sweep.
+    ZoomWhole,
+    /// Show lower (below 0) or higher frequencies, by quarters of those that show.
+    Pan(i32),
+    /// Move the cursor to the next peak or dip.
+    NextExtremum,
+    /// Move the cursor to the peak or dip before.
+    PreviousExtremum,
+    /// Open or close the table of modes.
+    ModeTable,
+    /// Open or close the table of peaks.
+    PeakTable,
+    /// Select the next mode and move the cursor to it.
+    NextMode,
+    /// Select the mode before and move the cursor to it.
+    PreviousMode,
+    /// Show or hide the shape of the selected mode.
+    Shape,
+    /// Let the shape move, or stand still.
+    Animate,
+    /// Show or hide the finite-element curves.
+    Witness,
+    /// Save to the file.
+    Save,
+    /// Save to another file.
+    SaveAs,
+    /// Open a file.
+    Open,
+    /// Read the file again.
+    Reload,
+    /// Choose a preset.
+    Presets,
+    /// Send the value to the terminal's clipboard.
+    CopyValue,
+    /// Send the model's text to the terminal's clipboard.
+    CopyModel,
+    /// The next theme.
+    Theme,
+    /// Take or leave the mouse.
+    Mouse,
+    /// Show every key.
+    Help,
+    /// Draw the screen anew.
+    Redraw,
+    /// Stop, until the shell goes on with it.
+    Suspend,
+    /// End the program.
+    Quit,
+    /// Take what was typed or chosen.
+    Accept,
+    /// Close the box, changing nothing.
+    Cancel,
+    /// Complete the path.
+    Complete,
+    /// Yes: replace the file.
+    Replace,
+    /// Drop what is not saved.
+    Discard,
+}
+
+impl Command {
+    /// Whether a count before it does it so many times.
+    pub const fn counts(self) -> bool {
+        matches!(
+            self,
+            Self::Up
+                | Self::Down
+                | Self::PageUp
+                | Self::PageDown
+                | Self::NextParameter
+                | Self::PreviousParameter
+                | Self::NextAlike
+                | Self::PreviousAlike
+                | Self::Nudge(_)
+                | Self::Undo
+                | Self::Redo
+                | Self::Study
+                | Self::ZoomIn
+                | Self::ZoomOut
+                | Self::Pan(_)
+                | Self::NextExtremum
+                | Self::PreviousExtremum
+                | Self::Cursor(_)
+                | Self::NextMode
+                | Self::PreviousMode
+        )
+    }
+
+    /// Whether it is a change of the model that can be done again on another row.
+    pub const fn repeats(self) -> bool {
+        matches!(
+            self,
+            Self::Nudge(_)
+                | Self::Cycle
+                | Self::Revert
+                | Self::Add
+                | Self::Duplicate
+                | Self::Delete
+                | Self::Enable
+        )
+    }
+}

@@ -1,0 +1,296 @@
+//! What the look of the designer depends on: what the user asks for, and what the environment says of the terminal.
+
+use clap::builder::PossibleValue;
+use clap::{Args, ValueEnum};
+
+/// An enum of choices, each with the word that names it on the command line and in a configuration file.
+macro_rules! choices {
+    (
+        $(#[$meta:meta])*
+        $name:ident { $($(#[doc = $doc:literal])+ $choice:ident = $word:literal,)+ }
+    ) => {
+        $(#[$meta])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        pub enum $name {
+            $($(#[doc = $doc])+ $choice,)+
+        }
+
+        impl $name {
+            /// All of them, in the order in which they are listed.
+            pub const ALL: &'static [Self] = &[$(Self::$choice),+];
+
+            /// The word that names it.
+            pub const fn word(self) -> &'static str {
+                match self {
+                    $(Self::$choice => $word,)+
+                }
+            }
+
+            /// The one that a word names.
+            pub fn from_word(word: &str) -> Option<Self> {
+                Self::ALL.iter().copied().find(|choice| choice.word() == word)
+            }
+        }
+
+        impl ValueEnum for $name {
+            fn value_variants<'a>() -> &'a [Self] {
+                Self::ALL
+            }
+
+            fn to_possible_value(&self) -> Option<PossibleValue> {
+                let help = match self {
+                    $(Self::$choice => concat!($($doc),+).trim().trim_end_matches('.'),)+
+                };
+                Some(PossibleValue::new(self.word()).help(help))
+            }
+        }
+    };
+}
+
+choices! {
+    /// How many colours are used.
+    Colours {
+        /// As many as the terminal says it has; none where `NO_COLOR` is set.
+        Auto = "auto",
+        /// The same, whatever `NO_COLOR` says.
+        Always = "always",
+        /// None: bold, dim, underlined and reversed instead.
+        Never = "never",
+        /// The terminal's own sixteen.
+        Sixteen = "16",
+        /// The fixed palette of 256.
+        TwoFiftySix = "256",
+        /// Red, green and blue, a byte each.
+        Truecolor = "truecolor",
+    }
+}
+
+choices! {
+    /// The ground on which the terminal writes.
+    Ground {
+        /// As the environment says, else unknown.
+        Auto = "auto",
+        /// Light letters on a dark ground.
+        Dark = "dark",
+        /// Dark letters on a light ground.
+        Light = "light",
+    }
+}
+
+choices! {
+    /// The characters of which curves are made.
+    Marker {
+        /// Dots, eight a cell.
+        Braille = "braille",
+        /// Quarters of a cell.
+        Block = "block",
+        /// A bullet a cell.
+        Dot = "dot",
+        /// ASCII letters and signs.
+        Ascii = "ascii",
+    }
+}
+
+/// The options of the look; what is `None` was not asked for.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Options {
+    /// How many colours.
+    pub colours: Option<Colours>,
+    /// The ground they stand on.
+    pub ground: Option<Ground>,
+    /// Nothing but ASCII on the whole screen.
+    pub ascii: Option<bool>,
+    /// The characters of curves.
+    pub marker: Option<Marker>,
+    /// Whether the mouse is the program's, not the terminal's.
+    pub mouse: Option<bool>,
+}
+
+impl Options {
+    /// These options, and those of `beneath` where these say nothing.
+    #[must_use]
+    pub fn over(self, beneath: Self) -> Self {
+        Self {
+            colours: self.colours.or(beneath.colours),
+            ground: self.ground.or(beneath.ground),
+            ascii: self.ascii.or(beneath.ascii),
+            marker: self.marker.or(beneath.marker),
+            mouse: self.mouse.or(beneath.mouse),
+        }
+    }
+}
+
+/// The options of the look on the command line.
+#[derive(Debug, Clone, Copy, Default, Args)]
+#[command(next_help_heading = "Look")]
+pub struct LookArguments {
+    /// How many colours to use.
+    #[arg(long, value_name = "WHEN")]
+    pub color: Option<Colours>,
+    /// The terminal's ground, for which colours are chosen.
+    #[arg(long, value_name = "GROUND")]
+    pub theme: Option<Ground>,
+    /// Draws with ASCII characters only.
+    #[arg(long)]
+    pub ascii: bool,
+    /// The characters of which curves are made.
+    #[arg(long, value_name = "KIND")]
+    pub marker: Option<Marker>,
+    /// Leaves the mouse to the terminal.
+    #[arg(long)]
+    pub no_mouse: bool,
+}
+
+impl LookArguments {
+    /// As options; a flag that was not given says nothing.
+    pub fn options(self) -> Options {
+        Options {
+            colours: self.color,
+            ground: self.theme,
+            ascii: self.ascii.then_some(true),
+            marker: self.marker,
+            mouse: self.no_mouse.then_some(false),
+        }
+    }
+}
+
+/// What the environment variables say of the terminal.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Environment {
+    /// `NO_COLOR` is set and not empty (no-color.org).
+    pub no_color: bool,
+    /// `COLORTERM`.
+    pub colorterm: Option<String>,
+    /// `TERM`.
+    pub term: Option<String>,
+    /// `COLORFGBG`: the numbers of the letters' and the ground's colour, such as `15;0`.
+    pub colorfgbg: Option<String>,
+    /// `LC_ALL`, `LC_CTYPE` or `LANG`: the first that is set and not empty (POSIX.1-2017, 8.2).
+    pub locale: Option<String>,
+}
+
+impl Environment {
+    /// What it says to this process.
+    pub fn of_process() -> Self {
+        let variable = |name: &str| {
+            let value = std::env::var_os(name)?;
+            (!value.is_empty()).then(|| value.to_string_lossy().into_owned())
+        };
+        Self {
+            no_color: variable("NO_COLOR").is_some(),
+            colorterm: variable("COLORTERM"),
+            term: variable("TERM"),
+            colorfgbg: variable("COLORFGBG"),
+            locale: ["LC_ALL", "LC_CTYPE", "LANG"]
+                .into_iter()
+                .find_map(variable),
+        }
+    }
+
+    /// Whether the terminal shows more than ASCII: the locale is one of UTF-8, and the terminal is none of the
+    /// consoles whose fonts lack braille and box drawing.
+    pub fn is_unicode(&self) -> bool {
+        let locale = self.locale.as_deref().unwrap_or("C").to_ascii_lowercase();
+        // The code set stands after the full stop; Darwin knows a bare `UTF-8` too.
+        let unicode = locale.contains("utf-8") || locale.contains("utf8");
+        unicode && !self.is_plain()
+    }
+
+    /// Whether the terminal is a console, a hardware terminal or none at all.
+    fn is_plain(&self) -> bool {
+        let term = self.term.as_deref().unwrap_or("dumb");
+        term == "dumb" || term == "linux" || term == "unknown" || term.starts_with("vt")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+
+    use super::*;
+
+    #[derive(Parser)]
+    struct Line {
+        #[command(flatten)]
+        look: LookArguments,
+    }
+
+    fn options(arguments: &[&str]) -> Options {
+        let line = std::iter::once(&"beamtune").chain(arguments);
+        Line::try_parse_from(line).unwrap().look.options()
+    }
+
+    #[test]
+    fn every_word_names_one_choice() {
+        for colours in Colours::ALL {
+            assert_eq!(Colours::from_word(colours.word()), Some(*colours));
+            let expected = Options {
+                colours: Some(*colours),
+                ..Options::default()
+            };
+            assert_eq!(options(&["--color", colours.word()]), expected);
+        }
+        for marker in Marker::ALL {
+            assert_eq!(Marker::from_word(marker.word()), Some(*marker));
+        }
+        for ground in Ground::ALL {
+            assert_eq!(Ground::from_word(ground.word()), Some(*ground));
+        }
+        assert_eq!(Colours::from_word("88"), None);
+    }
+
+    #[test]
+    fn flags_that_were_not_given_say_nothing() {
+        assert_eq!(options(&[]), Options::default());
+        let given = options(&["--ascii", "--no-mouse", "--marker=dot", "--theme=light"]);
+        let expected = Options {
+            colours: None,
+            ground: Some(Ground::Light),
+            ascii: Some(true),
+            marker: Some(Marker::Dot),
+            mouse: Some(false),
+        };
+        assert_eq!(given, expected);
+    }
+
+    #[test]
+    fn what_is_asked_for_last_lies_above() {
+        let above = options(&["--ascii", "--color", "16"]);
+        let beneath = Options {
+            colours: Some(Colours::Never),
+            ground: Some(Ground::Dark),
+            ascii: Some(false),
+            marker: None,
+            mouse: Some(true),
+        };
+        let expected = Options {
+            colours: Some(Colours::Sixteen),
+            ground: Some(Ground::Dark),
+            ascii: Some(true),
+            marker: None,
+            mouse: Some(true),
+        };
+        assert_eq!(above.over(beneath), expected);
+    }
+
+    #[test]
+    fn only_a_unicode_terminal_in_a_unicode_locale_shows_more_than_ascii() {
+        let shows = |locale: Option<&str>, term: Option<&str>| {
+            let environment = Environment {
+                locale: locale.map(str::to_owned),
+                term: term.map(str::to_owned),
+                ..Environment::default()
+            };
+            environment.is_unicode()
+        };
+        assert!(shows(Some("de_DE.UTF-8"), Some("xterm")));
+        assert!(shows(Some("C.utf8"), Some("tmux-256color")));
+        assert!(!shows(Some("de_DE.ISO-8859-1"), Some("xterm")));
+        assert!(!shows(Some("C"), Some("xterm")));
+        assert!(!shows(None, Some("xterm")));
+        assert!(!shows(Some("en_US.UTF-8"), Some("linux")));
+        assert!(!shows(Some("en_US.UTF-8"), Some("vt220")));
+        assert!(!shows(Some("en_US.UTF-8"), Some("dumb")));
+        assert!(!shows(Some("en_US.UTF-8"), None));
+    }
+}

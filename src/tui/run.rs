@@ -1,0 +1,259 @@
+//! The loop: waits for events, lets the state take them, performs what it asks for, and draws.
+
+use std::io::{self, Write as _};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
+use std::time::{Duration, Instant};
+
+use signal_hook::consts::SIGHUP;
+
+use super::app::{App, Effect};
+use super::effects::{Outcome, Performer};
+use super::event::Event;
+use super::options::{Environment, Options};
+use super::pace::{Pace, Reason};
+use super::terminal::{self, Session};
+use super::theme::Theme;
+use super::user::config::Config;
+use super::user::folders::Folders;
+use super::user::log;
+use super::user::memory::{self, Memory};
+use super::{Opened, view};
+
+/// From one frame of what moves to the next.
+const FRAME: Duration = Duration::from_millis(100);
+
+/// What the designer starts with beside the model.
+#[derive(Debug, Default)]
+pub struct Setup {
+    /// The options of the command line.
+    pub options: Options,
+    /// The user's configuration.
+    pub config: Config,
+    /// Where the user's files are; none where the user has no home.
+    pub folders: Option<Folders>,
+}
+
+/// How the designer ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ended {
+    /// It was left.
+    Left,
+    /// By the signal with this number.
+    Signal(u8),
+    /// By a fault of its own, which has been reported.
+    Fault,
+}
+
+/// Runs the designer until it ends.
+///
+/// # Errors
+/// Where the terminal cannot be set up or written to.
+pub fn run(opened: Opened, setup: &Setup) -> io::Result<Ended> {
+    let (sender, events) = mpsc::channel();
+    let log_file = setup.folders.as_ref().map(Folders::log_file);
+    terminal::set_panic_sink(log_file.clone());
+    let mut app = App::new(opened);
+    let troubles = configure(&mut app, setup);
+    let mut session = Session::start(app.mouse)?;
+    terminal::events(&sender)?;
+    let recovery = setup.folders.as_ref().map(Folders::recovery_folder);
+    let mut performer = Performer::new(&sender, recovery);
+    app.offer(performer.lost(app.document.source()));
+    for sentence in troubles {
+        if let Some(file) = &log_file {
+            log::append(file, &sentence);
+        }
+        tell_app(&sender, sentence);
+    }
+    let mut stage = Stage {
+        app: &mut app,
+        performer: &mut performer,
+        session: &mut session,
+        events: &events,
+    };
+    // A panic is reported by the hook, which gives the terminal back; what is not saved is kept all the same.
+    let ended = catch_unwind(AssertUnwindSafe(|| stage.play()));
+    drop(session);
+    let ended = match ended.unwrap_or(Ok(Ended::Fault)) {
+        // Drawing may come upon it before the signal does.
+        Err(_) if terminal::is_gone() => Ok(Ended::Signal(SIGHUP as u8)),
+        ended => ended,
+    };
+    let unsaved = match ended {
+        Ok(Ended::Left) if !app.keeps => None,
+        _ => app.document.unsaved(),
+    };
+    if let Some(sentence) = performer.finish(unsaved) {
+        // Whoever ended the program may have closed standard error too.
+        let _ = writeln!(io::stderr(), "{sentence}");
+    }
+    // Last, for it may wait for another program; and not of a state that a fault may have left half changed.
+    if let (Some(folders), Ok(Ended::Left | Ended::Signal(_))) = (&setup.folders, &ended) {
+        store_memory(&app, folders);
+    }
+    ended
+}
+
+/// Options and keys, and what is remembered; sentences on what could not be read.
+fn configure(app: &mut App, setup: &Setup) -> Vec<String> {
+    let mut troubles = Vec::new();
+    let folders = setup.folders.as_ref();
+    let memory = match folders.map(|folders| Memory::load(&folders.memory_file())) {
+        Some(Ok(memory)) => memory,
+        Some(Err(sentence)) => {
+            troubles.push(sentence);
+            Memory::default()
+        }
+        None => Memory::default(),
+    };
+    let asked = setup.options.over(setup.config.options);
+    app.theme = Theme::resolve(&asked, &Environment::of_process());
+    if asked.colours.is_none() && asked.ground.is_none() {
+        app.theme = app.theme.recalled(memory.options.theme.as_deref());
+    }
+    app.mouse = asked.mouse.or(memory.options.mouse).unwrap_or(true);
+    app.keys = setup.config.keys.clone();
+    app.recall(memory);
+    troubles
+}
+
+fn tell_app(sender: &Sender<Event>, sentence: String) {
+    // The receiver lives as long as the loop.
+    let _ = sender.send(Event::Trouble(sentence));
+}
+
+/// Remembers options and views. What cannot be stored is a convenience lost, and goes to the log.
+fn store_memory(app: &App, folders: &Folders) {
+    let stored = memory::store(&folders.memory_file(), &app.remembered());
+    if let Err(sentence) = stored {
+        log::append(&folders.log_file(), &sentence);
+    }
+}
+
+/// What came of waiting.
+enum Waited {
+    /// An event.
+    Event(Event),
+    /// It is time to draw.
+    Long,
+    /// No event can come any more.
+    InVain,
+}
+
+/// All that takes part.
+struct Stage<'a> {
+    app: &'a mut App,
+    performer: &'a mut Performer,
+    session: &'a mut Session,
+    events: &'a Receiver<Event>,
+}
+
+impl Stage<'_> {
+    /// Plays until the program ends.
+    fn play(&mut self) -> io::Result<Ended> {
+        let effects = self.app.start();
+        if let Some(ended) = self.perform(effects)? {
+            return Ok(ended);
+        }
+        let mut pace = Pace::new();
+        pace.wants(Reason::Shows, Instant::now());
+        let mut next_frame = Instant::now();
+        loop {
+            if pace.due().is_some_and(|due| due <= Instant::now()) {
+                self.draw(&mut pace)?;
+            }
+            let ended = match self.wait(pace.due(), &mut next_frame) {
+                Waited::Event(event) => self.take(event, &mut pace)?,
+                Waited::Long => None,
+                Waited::InVain => Some(Ended::Left),
+            };
+            if let Some(ended) = ended {
+                return Ok(ended);
+            }
+        }
+    }
+
+    fn draw(&mut self, pace: &mut Pace) -> io::Result<()> {
+        let began = Instant::now();
+        let app = &mut *self.app;
+        self.session.draw(|frame| view::draw(frame, app))?;
+        pace.drew(began, Instant::now());
+        Ok(())
+    }
+
+    /// Waits for the next event, or until something is to be drawn. An idle program waits without a clock.
+    fn wait(&self, due: Option<Instant>, next_frame: &mut Instant) -> Waited {
+        let now = Instant::now();
+        let moves = self.app.moves();
+        if moves {
+            // A frame that was missed is not made up for.
+            *next_frame = (*next_frame).clamp(now, now + FRAME);
+        }
+        let until = match (due, moves) {
+            (None, false) => return self.events.recv().map_or(Waited::InVain, Waited::Event),
+            (Some(due), false) => due,
+            (None, true) => *next_frame,
+            (Some(due), true) => due.min(*next_frame),
+        };
+        match self
+            .events
+            .recv_timeout(until.saturating_duration_since(now))
+        {
+            Ok(event) => Waited::Event(event),
+            Err(RecvTimeoutError::Timeout) if moves && until == *next_frame => {
+                *next_frame += FRAME;
+                Waited::Event(Event::Tick)
+            }
+            Err(RecvTimeoutError::Timeout) => Waited::Long,
+            Err(RecvTimeoutError::Disconnected) => Waited::InVain,
+        }
+    }
+
+    /// Takes an event and all that wait behind it, so that a burst is drawn once.
+    fn take(&mut self, first: Event, pace: &mut Pace) -> io::Result<Option<Ended>> {
+        let mut next = Some(first);
+        while let Some(event) = next {
+            let reason = Reason::of(&event);
+            let quiet = matches!(event, Event::Touched);
+            let said = self.app.message.clone();
+            let effects = self.app.update(event);
+            let solves = effects
+                .iter()
+                .any(|effect| matches!(effect, Effect::Solve(_)));
+            if let Some(ended) = self.perform(effects)? {
+                return Ok(Some(ended));
+            }
+            // A look at the file that found nothing draws nothing.
+            if !quiet || self.app.message != said {
+                pace.wants(reason.asking(solves), Instant::now());
+            }
+            next = self.events.try_recv().ok();
+        }
+        self.performer.watch(self.app.document.source());
+        Ok(None)
+    }
+
+    /// Says that there is nothing to go back to.
+    fn say_alone(&mut self) {
+        let words = "the terminal runs nothing but this program: no shell could go on with it";
+        self.app.update(Event::Trouble(words.to_owned()));
+    }
+
+    fn perform(&mut self, effects: Vec<Effect>) -> io::Result<Option<Ended>> {
+        for effect in effects {
+            match self.performer.perform(effect, self.app) {
+                Outcome::Done => {}
+                Outcome::Redraw => self.session.repaint()?,
+                Outcome::Suspend if terminal::can_suspend() => self.session.suspend()?,
+                Outcome::Suspend => self.say_alone(),
+                Outcome::Resume => self.session.resume()?,
+                Outcome::Mouse(taken) => self.session.set_mouse(taken)?,
+                Outcome::Copy(text) => self.session.copy(&text)?,
+                Outcome::Quit(None) => return Ok(Some(Ended::Left)),
+                Outcome::Quit(Some(signal)) => return Ok(Some(Ended::Signal(signal))),
+            }
+        }
+        Ok(None)
+    }
+}

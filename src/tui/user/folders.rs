@@ -1,0 +1,82 @@
+//! Where the user's files are: the XDG base directories, on every system.
+
+use std::path::PathBuf;
+
+use etcetera::BaseStrategy as _;
+use etcetera::base_strategy::Xdg;
+
+/// The program's folder in each of the base directories.
+const FOLDER: &str = "beamtune";
+
+/// The folders of one user. They need not be there.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Folders {
+    config: PathBuf,
+    state: PathBuf,
+}
+
+impl Folders {
+    /// Those of the user who runs the program: `beamtune` in `XDG_CONFIG_HOME` and `XDG_STATE_HOME`, where these are
+    /// absolute paths, or else in `~/.config` and `~/.local/state` (XDG base directory specification 0.8).
+    ///
+    /// # Errors
+    /// What to set, where the user has no home.
+    pub fn of_user() -> Result<Self, String> {
+        let homeless = || {
+            "the user's home folder is unknown; set HOME, or XDG_CONFIG_HOME and XDG_STATE_HOME, to absolute paths"
+                .to_owned()
+        };
+        let base = Xdg::new().map_err(|_| homeless())?;
+        let config = base.config_dir().join(FOLDER);
+        let state = base.state_dir().ok_or_else(homeless)?.join(FOLDER);
+        // An empty HOME would lead into whatever folder the program was started in.
+        if config.is_absolute() && state.is_absolute() {
+            Ok(Self { config, state })
+        } else {
+            Err(homeless())
+        }
+    }
+
+    /// Any two folders, for tests.
+    pub fn at(config: impl Into<PathBuf>, state: impl Into<PathBuf>) -> Self {
+        Self {
+            config: config.into(),
+            state: state.into(),
+        }
+    }
+
+    /// The configuration file, which only the user writes.
+    pub fn config_file(&self) -> PathBuf {
+        self.config.join("config.toml")
+    }
+
+    /// What is remembered from one run to the next.
+    pub fn memory_file(&self) -> PathBuf {
+        self.state.join("memory.toml")
+    }
+
+    /// The folder of edits that are not saved.
+    pub fn recovery_folder(&self) -> PathBuf {
+        self.state.join("recovery")
+    }
+
+    /// What went wrong, in sentences.
+    pub fn log_file(&self) -> PathBuf {
+        self.state.join("beamtune.log")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+
+    #[test]
+    fn every_file_is_in_the_program_s_folders() {
+        let folders = Folders::at("/c", "/s");
+        assert_eq!(folders.config_file(), Path::new("/c/config.toml"));
+        assert_eq!(folders.memory_file(), Path::new("/s/memory.toml"));
+        assert_eq!(folders.recovery_folder(), Path::new("/s/recovery"));
+        assert_eq!(folders.log_file(), Path::new("/s/beamtune.log"));
+    }
+}

@@ -1,0 +1,370 @@
+//! Keeping the edits of the running program.
+
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::thread::{self, JoinHandle};
+use std::time::{Duration, Instant};
+
+use super::slot::{self, Slot};
+use super::text;
+use crate::model::{self, Model};
+use crate::tui::Source;
+use crate::tui::user::why;
+
+/// After a state the thread rests this many times as long as it worked: under a key that repeats, a model of a
+/// thousand subsystems, whose text takes tens of milliseconds, takes a fifth of a processor and no more.
+const REST: u32 = 4;
+/// A disk that stalls is no reason to rest.
+const LONGEST_REST: Duration = Duration::from_millis(500);
+
+/// A model that is not saved.
+#[derive(Debug, Clone)]
+pub struct Kept {
+    /// Where it came from.
+    pub source: Source,
+    /// The model as it stands.
+    pub model: Arc<Model>,
+    /// The text it was read from, whose comments and order it keeps.
+    pub base: Arc<str>,
+}
+
+/// What the thread is to do.
+enum Job {
+    Keep(Kept),
+    /// Nothing is unsaved.
+    Clear,
+}
+
+/// What a program leaves at its end.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Left {
+    /// Nothing: all was saved.
+    Nothing,
+    /// A recovery file, which the next program is offered.
+    Offered(PathBuf),
+    /// A file in the folder for temporary files, of which the next program does not know.
+    Elsewhere(PathBuf),
+}
+
+/// Keeps the newest state of a model in the recovery folder, in a thread of its own.
+///
+/// States that come faster than they are written are passed over; the last one is always written. They are not forced
+/// to disk: a killed program or a lost line loses nothing by that, and a nudge stays cheap; only [`finish`] does it.
+/// Dropping the keeper waits for the thread and leaves the file, as the end of the process does.
+///
+/// [`finish`]: Self::finish
+#[derive(Debug)]
+pub struct Keeper {
+    folder: PathBuf,
+    jobs: Option<Sender<Job>>,
+    thread: Option<JoinHandle<Files>>,
+}
+
+impl Keeper {
+    /// A keeper that writes to this folder, which is made when there is something to keep. `report` is given a
+    /// sentence when edits cannot be kept, once for each distinct trouble.
+    pub fn start(folder: PathBuf, report: impl Fn(String) + Send + 'static) -> Self {
+        let (jobs, inbox) = channel();
+        let files = Files::new(folder.clone());
+        Self {
+            folder,
+            jobs: Some(jobs),
+            thread: Some(thread::spawn(move || work(&inbox, files, report))),
+        }
+    }
+
+    /// Keeps a state in the place of the one before.
+    pub fn keep(&self, state: Kept) {
+        self.give(Job::Keep(state));
+    }
+
+    /// Removes what is kept: nothing is unsaved.
+    pub fn clear(&self) {
+        self.give(Job::Clear);
+    }
+
+    fn give(&self, job: Job) {
+        if let Some(jobs) = &self.jobs {
+            // The thread ends only after this sender, unless it panicked, which its hook has reported.
+            let _ = jobs.send(job);
+        }
+    }
+
+    /// Ends the thread; writes the last state to disk, where there is one, and leaves it for the next program, or
+    /// else removes what is kept. Where the folder cannot be written, the folder for temporary files is.
+    ///
+    /// # Errors
+    /// Neither folder can be written: the state is lost. Or nothing is unsaved and the file cannot be removed.
+    pub fn finish(mut self, last: Option<Kept>) -> io::Result<Left> {
+        let folder = self.folder.clone();
+        let mut files = self.stop().unwrap_or_else(|| Files::new(folder));
+        let Some(last) = last else {
+            return files.clear().map(|()| Left::Nothing);
+        };
+        match files.keep(&last, true) {
+            Ok(path) => Ok(Left::Offered(path)),
+            Err(error) => leave_elsewhere(&last).map_err(|_| error),
+        }
+    }
+
+    /// Waits until all is written. `None` where the thread panicked or was stopped before.
+    fn stop(&mut self) -> Option<Files> {
+        self.jobs = None;
+        self.thread.take()?.join().ok()
+    }
+}
+
+impl Drop for Keeper {
+    fn drop(&mut self) {
+        self.stop();
+    }
+}
+
+/// Does the newest job until the keeper is gone; what is held then.
+fn work(inbox: &Receiver<Job>, mut files: Files, report: impl Fn(String)) -> Files {
+    let mut told = Vec::new();
+    let mut given = None;
+    while let Some(job) = given.take().or_else(|| inbox.recv().ok()) {
+        let newest = inbox.try_iter().last().unwrap_or(job);
+        let began = Instant::now();
+        let done = match newest {
+            Job::Keep(state) => files.keep(&state, false).map(drop),
+            Job::Clear => files.clear(),
+        };
+        if let Err(error) = done {
+            let folder = files.folder.display();
+            let sentence = format!("unsaved changes are not kept in {folder}: {}", why(&error));
+            if !told.contains(&sentence) {
+                told.push(sentence.clone());
+                report(sentence);
+            }
+        }
+        given = rest(inbox, LONGEST_REST.min(REST * began.elapsed()));
+    }
+    files
+}
+
+/// Leaves the processor to the solver for a while, but not once the keeper is gone; the newest job given meanwhile.
+fn rest(inbox: &Receiver<Job>, time: Duration) -> Option<Job> {
+    let until = Instant::now() + time;
+    let mut newest = None;
+    while let Ok(job) = inbox.recv_timeout(until.saturating_duration_since(Instant::now())) {
+        newest = Some(job);
+    }
+    newest
+}
+
+/// What the program holds in the recovery folder.
+#[derive(Debug)]
+struct Files {
+    folder: PathBuf,
+    held: Option<(Source, Slot)>,
+}
+
+impl Files {
+    fn new(folder: PathBuf) -> Self {
+        Self { folder, held: None }
+    }
+
+    /// Writes a state; the file it is in.
+    fn keep(&mut self, state: &Kept, durable: bool) -> io::Result<PathBuf> {
+        let text = recovery_text(state);
+        if let Some((source, slot)) = &self.held
+            && *source == state.source
+            && slot.is_there()
+        {
+            slot.write(&text, durable)?;
+            return Ok(slot.path().to_owned());
+        }
+        let slot = Slot::claim(&self.folder, &state.source)?;
+        if let Err(error) = slot.write(&text, durable) {
+            // What stopped the writing is the better reason.
+            let _ = slot.clear();
+            return Err(error);
+        }
+        let path = slot.path().to_owned();
+        // Not before the new one is there.
+        if let Some((_, old)) = self.held.replace((state.source.clone(), slot)) {
+            old.clear()?;
+        }
+        Ok(path)
+    }
+
+    /// Removes what is held.
+    fn clear(&mut self) -> io::Result<()> {
+        self.held.take().map_or(Ok(()), |(_, slot)| slot.clear())
+    }
+}
+
+fn recovery_text(state: &Kept) -> String {
+    text::write(&state.source, &model::write(&state.model, &state.base))
+}
+
+/// Writes a state to the folder for temporary files, for a user without a folder of their own.
+///
+/// # Errors
+/// That folder cannot be written either.
+pub fn leave_elsewhere(state: &Kept) -> io::Result<Left> {
+    in_folder(&std::env::temp_dir(), state).map(Left::Elsewhere)
+}
+
+fn in_folder(folder: &Path, state: &Kept) -> io::Result<PathBuf> {
+    let prefix = format!("beamtune-{}-", slot::stem(&state.source));
+    let mut file = tempfile::Builder::new()
+        .prefix(&prefix)
+        .suffix(".toml")
+        .tempfile_in(folder)?;
+    file.write_all(recovery_text(state).as_bytes())?;
+    file.as_file().sync_all()?;
+    Ok(file.keep()?.1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::found;
+    use super::*;
+    use crate::presets;
+    use std::fs;
+    use std::sync::Mutex;
+
+    /// The preset of a name with another length, m.
+    fn state(name: &str, length: f64) -> Kept {
+        let preset = presets::find(name).unwrap();
+        let mut model = model::read(preset.text).unwrap();
+        model.beam.length = length;
+        Kept {
+            source: Source::Preset(preset.name),
+            model: Arc::new(model),
+            base: preset.text.into(),
+        }
+    }
+
+    fn keeper(folder: &Path) -> Keeper {
+        Keeper::start(folder.to_owned(), |sentence| panic!("{sentence}"))
+    }
+
+    /// The lengths of the models that are offered, m.
+    fn lengths(folder: &Path) -> Vec<f64> {
+        let mut lengths: Vec<f64> = found(folder)
+            .iter()
+            .map(|found| model::read(&found.text).unwrap().beam.length)
+            .collect();
+        lengths.sort_by(f64::total_cmp);
+        lengths
+    }
+
+    #[test]
+    fn a_program_that_dies_leaves_its_last_edit() {
+        let folder = tempfile::tempdir().unwrap();
+        let dying = keeper(folder.path());
+        for step in 0..50 {
+            dying.keep(state("fig06", 3.5 + f64::from(step)));
+        }
+        // The kernel does the same to a killed process: no farewell, the lock released.
+        drop(dying);
+        assert_eq!(lengths(folder.path()), [52.5]);
+        let found = found(folder.path());
+        assert_eq!(found[0].source, Source::Preset("fig06"));
+        let edited = state("fig06", 52.5);
+        assert_eq!(found[0].text, model::write(&edited.model, &edited.base));
+    }
+
+    #[test]
+    fn nothing_unsaved_leaves_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        let recovery = folder.path().join("recovery");
+        assert_eq!(keeper(&recovery).finish(None).unwrap(), Left::Nothing);
+        assert!(!recovery.exists());
+        let saving = keeper(&recovery);
+        saving.keep(state("fig06", 4.0));
+        saving.clear();
+        drop(saving);
+        let quitting = keeper(&recovery);
+        quitting.keep(state("fig06", 4.0));
+        assert_eq!(quitting.finish(None).unwrap(), Left::Nothing);
+        assert_eq!(fs::read_dir(&recovery).map_or(0, Iterator::count), 0);
+    }
+
+    #[test]
+    fn the_last_state_is_left_where_it_is_said_to_be() {
+        let folder = tempfile::tempdir().unwrap();
+        let ending = keeper(folder.path());
+        ending.keep(state("fig06", 4.0));
+        let left = ending.finish(Some(state("fig06", 5.0))).unwrap();
+        let found = found(folder.path());
+        assert_eq!(found.len(), 1);
+        assert_eq!(left, Left::Offered(found[0].path.clone()));
+        assert_eq!(model::read(&found[0].text).unwrap().beam.length, 5.0);
+    }
+
+    #[test]
+    fn two_programs_on_one_model_keep_their_own() {
+        let folder = tempfile::tempdir().unwrap();
+        let (one, two) = (keeper(folder.path()), keeper(folder.path()));
+        one.keep(state("fig06", 4.0));
+        two.keep(state("fig06", 5.0));
+        drop((one, two));
+        assert_eq!(lengths(folder.path()), [4.0, 5.0]);
+    }
+
+    #[test]
+    fn another_model_takes_the_place_of_the_one_before() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut files = Files::new(folder.path().to_owned());
+        let first = files.keep(&state("fig06", 4.0), false).unwrap();
+        assert_eq!(files.keep(&state("fig06", 5.0), false).unwrap(), first);
+        let second = files.keep(&state("fig08", 6.0), false).unwrap();
+        assert!(!first.exists() && second.exists());
+        drop(files);
+        assert_eq!(lengths(folder.path()), [6.0]);
+    }
+
+    #[test]
+    fn a_folder_that_was_cleared_meanwhile_is_made_again() {
+        let folder = tempfile::tempdir().unwrap();
+        let recovery = folder.path().join("recovery");
+        let mut files = Files::new(recovery.clone());
+        files.keep(&state("fig06", 4.0), false).unwrap();
+        fs::remove_dir_all(&recovery).unwrap();
+        files.keep(&state("fig06", 5.0), false).unwrap();
+        drop(files);
+        assert_eq!(lengths(&recovery), [5.0]);
+    }
+
+    #[test]
+    fn a_trouble_is_told_once_and_the_temporary_folder_takes_the_last_state() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("file");
+        fs::write(&file, "").unwrap();
+        let told = Arc::new(Mutex::new(Vec::new()));
+        let tell = Arc::clone(&told);
+        let keeper = Keeper::start(file.join("recovery"), move |sentence| {
+            tell.lock().unwrap().push(sentence);
+        });
+        keeper.keep(state("fig06", 4.0));
+        keeper.keep(state("fig06", 5.0));
+        let left = keeper.finish(Some(state("fig06", 6.0))).unwrap();
+        let Left::Elsewhere(path) = left else {
+            panic!("{left:?}");
+        };
+        let written = fs::read_to_string(&path).unwrap();
+        fs::remove_file(&path).unwrap();
+        assert!(path.starts_with(std::env::temp_dir()), "{}", path.display());
+        assert_eq!(model::read(&written).unwrap().beam.length, 6.0);
+        let told = told.lock().unwrap();
+        assert_eq!(told.len(), 1, "{told:?}");
+        assert!(
+            told[0].starts_with("unsaved changes are not kept in "),
+            "{told:?}"
+        );
+    }
+
+    #[test]
+    fn no_folder_at_all_is_an_error() {
+        let folder = tempfile::tempdir().unwrap();
+        let missing = folder.path().join("missing");
+        assert!(in_folder(&missing, &state("fig06", 4.0)).is_err());
+    }
+}

@@ -1,0 +1,186 @@
+//! The files of one program in the recovery folder.
+
+use std::ffi::OsStr;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+
+use crate::tui::Source;
+
+/// Ending of a recovery file.
+pub(super) const MODEL: &str = "toml";
+/// Ending of the file that is locked as long as its program lives.
+pub(super) const LOCK: &str = "lock";
+/// Ending of a recovery file that is being written.
+pub(super) const PART: &str = "part";
+
+/// A name in the recovery folder that no other program uses while this value lives. Dropping it leaves its files for
+/// the next program, as the program's end does.
+#[derive(Debug)]
+pub(super) struct Slot {
+    /// The recovery file; it need not be there.
+    path: PathBuf,
+    /// Locked; closing it releases the lock.
+    _lock: File,
+}
+
+impl Slot {
+    /// Takes a new name after the source.
+    ///
+    /// # Errors
+    /// The folder cannot be made or written, or files in it cannot be locked.
+    pub(super) fn claim(folder: &Path, source: &Source) -> io::Result<Self> {
+        super::super::make_private(folder)?;
+        // Locked before it has its name, so that nobody meets it unlocked.
+        let unnamed = tempfile::Builder::new()
+            .prefix(".lock-")
+            .tempfile_in(folder)?;
+        unnamed.as_file().try_lock()?;
+        let random = unnamed.path().file_name().map(OsStr::to_string_lossy);
+        let random = random
+            .as_deref()
+            .map_or("", |name| name.trim_start_matches(".lock-"));
+        let path = folder.join(format!("{}-{random}.{MODEL}", stem(source)));
+        let lock = unnamed
+            .persist_noclobber(path.with_extension(LOCK))
+            .map_err(|error| error.error)?;
+        Ok(Self { path, _lock: lock })
+    }
+
+    /// The recovery file.
+    pub(super) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Whether the lock is still what others will meet: somebody may have cleared the folder.
+    pub(super) fn is_there(&self) -> bool {
+        self.path.with_extension(LOCK).exists()
+    }
+
+    /// Replaces the recovery file atomically; `durable` lets it outlast a loss of power too. Where that fails, the
+    /// file is as it was.
+    pub(super) fn write(&self, text: &str, durable: bool) -> io::Result<()> {
+        let part = self.path.with_extension(PART);
+        let written = write_new(&part, text, durable).and_then(|()| fs::rename(&part, &self.path));
+        if written.is_err() {
+            // Half a text is of no use, and the disk may be full.
+            let _ = fs::remove_file(&part);
+        }
+        written
+    }
+
+    /// Removes the files.
+    pub(super) fn clear(self) -> io::Result<()> {
+        remove(&self.path)
+    }
+}
+
+/// Writes a file that only the user can read.
+fn write_new(path: &Path, text: &str, durable: bool) -> io::Result<()> {
+    let mut options = OpenOptions::new();
+    options.write(true).create(true).truncate(true);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::OpenOptionsExt as _;
+        options.mode(0o600);
+    }
+    let mut file = options.open(path)?;
+    file.write_all(text.as_bytes())?;
+    if durable {
+        file.sync_all()?;
+    }
+    Ok(())
+}
+
+/// Removes a recovery file and what belongs to it, the lock last, so that nobody meets the others without it.
+pub(super) fn remove(path: &Path) -> io::Result<()> {
+    for ending in [MODEL, PART, LOCK] {
+        match fs::remove_file(path.with_extension(ending)) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+/// The start of a file's name that tells a person what is in it: letters, digits, dashes and underscores.
+pub(super) fn stem(source: &Source) -> String {
+    const LONGEST: usize = 40;
+    let name = match source {
+        Source::File(path) => path
+            .file_stem()
+            .map(OsStr::to_string_lossy)
+            .unwrap_or_default(),
+        Source::Preset(name) => (*name).into(),
+        Source::Stdin => "standard-input".into(),
+    };
+    let plain = |c: char| {
+        if c.is_ascii_alphanumeric() || "-_".contains(c) {
+            c
+        } else {
+            '_'
+        }
+    };
+    let stem: String = name.chars().take(LONGEST).map(plain).collect();
+    if stem.is_empty() {
+        "model".to_owned()
+    } else {
+        stem
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(folder: &Path) -> Vec<String> {
+        let entries = fs::read_dir(folder).unwrap();
+        let mut names: Vec<String> = entries
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn a_slot_is_a_locked_name_and_clearing_it_leaves_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        let folder = folder.path().join("recovery");
+        let slot = Slot::claim(&folder, &Source::File("/b/my beam.toml".into())).unwrap();
+        slot.write("one", false).unwrap();
+        slot.write("two", true).unwrap();
+        assert_eq!(fs::read_to_string(slot.path()).unwrap(), "two");
+        let names_then = names(&folder);
+        assert_eq!(names_then.len(), 2, "{names_then:?}");
+        assert!(names_then.iter().all(|name| name.starts_with("my_beam-")));
+        let lock = File::open(slot.path().with_extension(LOCK)).unwrap();
+        assert!(lock.try_lock().is_err());
+        slot.clear().unwrap();
+        assert_eq!(names(&folder), [""; 0]);
+    }
+
+    #[test]
+    fn names_are_readable_and_harmless() {
+        let of = |path: &str| stem(&Source::File(path.into()));
+        assert_eq!(of("/a/beam.v2.toml"), "beam_v2");
+        assert_eq!(of("/a/../\n\"é\".toml"), "____");
+        assert_eq!(of("/"), "model");
+        assert_eq!(of(&"x".repeat(300)), "x".repeat(40));
+        assert_eq!(stem(&Source::Preset("fig06")), "fig06");
+        assert_eq!(stem(&Source::Stdin), "standard-input");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn folder_and_file_are_the_user_s_alone() {
+        use std::os::unix::fs::PermissionsExt as _;
+        let folder = tempfile::tempdir().unwrap();
+        let state = folder.path().join("state");
+        let slot = Slot::claim(&state.join("recovery"), &Source::Stdin).unwrap();
+        slot.write("", false).unwrap();
+        let mode = |path: &Path| fs::metadata(path).unwrap().permissions().mode() & 0o777;
+        assert_eq!(mode(&state), 0o700);
+        assert_eq!(mode(&state.join("recovery")), 0o700);
+        assert_eq!(mode(slot.path()), 0o600);
+    }
+}

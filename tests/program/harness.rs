@@ -1,0 +1,372 @@
+//! A terminal with somebody at its keys.
+//!
+//! Every step waits for what should appear; the only clock is the one that ends a test that hangs.
+
+use std::io::Read;
+use std::path::Path;
+use std::process::Command;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
+
+use portable_pty::{CommandBuilder, ExitStatus, MasterPty, PtySize, native_pty_system};
+use vt100::{MouseProtocolMode, Parser};
+
+pub use super::home::{BEAMTUNE, Home, names};
+pub use super::pty::picture;
+use super::pty::{find, parser, settings, signal, typist};
+
+/// After this long a test has failed.
+pub const PATIENCE: Duration = Duration::from_secs(60);
+
+/// Columns and rows of a small terminal.
+pub const SMALL: (u16, u16) = (80, 24);
+
+/// Columns and rows of a large one.
+pub const LARGE: (u16, u16) = (120, 40);
+
+/// Escape as a key of its own, also where other keys follow at once.
+pub const ESCAPE: &str = "\u{1b}[27u";
+
+/// What is sent to begin the painting of a whole screen.
+const CLEAR: &[u8] = b"\x1b[2J";
+
+/// What is sent behind every picture.
+const SHOWN: &[u8] = b"\x1b[?2026l";
+
+/// A running program and its terminal.
+pub struct Program {
+    master: Option<Box<dyn MasterPty + Send>>,
+    keys: Option<Sender<Vec<u8>>>,
+    writer: Option<JoinHandle<()>>,
+    id: u32,
+    ended: Receiver<ExitStatus>,
+    reader: Option<JoinHandle<()>>,
+    /// The reader is to stop at what comes next.
+    let_go: Arc<AtomicBool>,
+    output: Receiver<Vec<u8>>,
+    screen: Parser,
+    /// All that the program has written.
+    pub raw: Vec<u8>,
+    /// The terminal's settings before the program.
+    settings: String,
+}
+
+impl Program {
+    /// The designer in a small terminal.
+    pub fn start(home: &Home, arguments: &[&str]) -> Self {
+        Self::launch(home.beamtune(arguments), SMALL)
+    }
+
+    /// The designer in a terminal of this size.
+    pub fn sized(home: &Home, arguments: &[&str], size: (u16, u16)) -> Self {
+        Self::launch(home.beamtune(arguments), size)
+    }
+
+    /// The designer with other variables; an empty one is not set.
+    pub fn with(home: &Home, arguments: &[&str], variables: &[(&str, &str)]) -> Self {
+        let mut command = home.beamtune(arguments);
+        for (name, value) in variables {
+            match *value {
+                "" => command.env_remove(name),
+                value => command.env(name, value),
+            }
+        }
+        Self::launch(command, SMALL)
+    }
+
+    /// A script of the shell, in which `"$BEAMTUNE"` is the designer.
+    pub fn script(home: &Home, script: &str) -> Self {
+        let mut command = home.program(Path::new("/bin/sh"));
+        command.args(["-c", script]);
+        Self::launch(command, SMALL)
+    }
+
+    /// A shell with a prompt, as people have it.
+    pub fn shell(home: &Home) -> Self {
+        let mut command = home.program(Path::new("/bin/bash"));
+        // Without editing, which has modes of the terminal of its own.
+        command.args(["--norc", "--noprofile", "--noediting", "-i"]);
+        command.env("PS1", "prompt> ");
+        Self::launch(command, SMALL)
+    }
+
+    fn launch(command: CommandBuilder, (columns, rows): (u16, u16)) -> Self {
+        let pair = native_pty_system()
+            .openpty(PtySize {
+                rows,
+                cols: columns,
+                ..Default::default()
+            })
+            .unwrap();
+        let settings = settings(pair.master.tty_name().as_deref());
+        let mut child = pair.slave.spawn_command(command).unwrap();
+        drop(pair.slave);
+        let id = child.process_id().unwrap();
+        let (end, ended) = channel();
+        std::thread::spawn(move || end.send(child.wait().unwrap()));
+        let mut reader = pair.master.try_clone_reader().unwrap();
+        let (sender, output) = channel();
+        let let_go = Arc::new(AtomicBool::new(false));
+        let stop = Arc::clone(&let_go);
+        let reader = std::thread::spawn(move || {
+            let mut bytes = vec![0; 65_536];
+            while let Ok(count @ 1..) = reader.read(&mut bytes) {
+                let sent = sender.send(bytes[..count].to_vec());
+                if sent.is_err() || stop.load(Ordering::SeqCst) {
+                    break;
+                }
+            }
+        });
+        let (keys, writer) = typist(pair.master.take_writer().unwrap());
+        Self {
+            keys: Some(keys),
+            writer: Some(writer),
+            master: Some(pair.master),
+            id,
+            ended,
+            reader: Some(reader),
+            let_go,
+            output,
+            screen: parser(columns, rows),
+            raw: Vec::new(),
+            settings,
+        }
+    }
+
+    pub fn press(&mut self, keys: &str) {
+        self.send(keys.as_bytes());
+    }
+
+    pub fn send(&mut self, bytes: &[u8]) {
+        // A program that has ended is noticed by what waits for it.
+        let _ = self.keys.as_ref().unwrap().send(bytes.to_vec());
+    }
+
+    /// Gives the terminal another size.
+    pub fn resize(&mut self, (columns, rows): (u16, u16)) {
+        let size = PtySize {
+            rows,
+            cols: columns,
+            ..Default::default()
+        };
+        self.master.as_ref().unwrap().resize(size).unwrap();
+        let (rows, columns) = (rows.try_into().unwrap(), columns.try_into().unwrap());
+        self.screen.screen_mut().set_size(rows, columns);
+    }
+
+    /// Sends a signal to the process that was started.
+    pub fn signal(&self, name: &str) {
+        signal(self.id, name);
+    }
+
+    /// The screen as it is now.
+    pub fn screen(&self) -> &vt100::Screen {
+        self.screen.screen()
+    }
+
+    /// Its text.
+    pub fn text(&self) -> String {
+        self.screen().contents()
+    }
+
+    /// Its text as one sees it: a blank that was written is none other than one that was not.
+    pub fn picture(&self) -> Vec<String> {
+        picture(&self.text())
+    }
+
+    /// The settings of the terminal now, in the words of `stty -g`.
+    pub fn settings(&self) -> String {
+        settings(self.master.as_ref().unwrap().tty_name().as_deref())
+    }
+
+    /// Whether nobody has changed the terminal's settings.
+    pub fn is_plain(&self) -> bool {
+        self.settings() == self.settings
+    }
+
+    /// Reads until the screen is as wanted.
+    pub fn wait(&mut self, what: &str, mut wanted: impl FnMut(&str) -> bool) {
+        let end = Instant::now() + PATIENCE;
+        while !wanted(&self.text()) {
+            self.read_on(what, end);
+        }
+    }
+
+    pub fn wait_for(&mut self, text: &str) {
+        self.wait(text, |screen| screen.contains(text));
+    }
+
+    /// Reads what is written next.
+    fn read_on(&mut self, what: &str, end: Instant) {
+        let left = end.saturating_duration_since(Instant::now());
+        match self.output.recv_timeout(left) {
+            Ok(bytes) => self.take(&bytes),
+            Err(error) => panic!(
+                "{error} while waiting for {what}; the screen is\n{}",
+                self.text()
+            ),
+        }
+    }
+
+    fn take(&mut self, bytes: &[u8]) {
+        self.screen.process(bytes);
+        self.raw.extend(bytes);
+    }
+
+    /// Waits until all that was pressed has been done and shown: asks for a new painting and reads to its end. What
+    /// it wrote for that.
+    pub fn settle(&mut self) -> Vec<u8> {
+        let from = self.pending();
+        self.press("\u{c}");
+        self.read_past(from, &[CLEAR, SHOWN], "a new painting")
+    }
+
+    /// Waits for a picture of what was done last.
+    pub fn painted(&mut self) {
+        let from = self.raw.len();
+        self.read_past(from, &[SHOWN], "a picture");
+    }
+
+    /// Waits for a painting of the whole screen that was not asked for.
+    pub fn painted_anew(&mut self) {
+        let from = self.raw.len();
+        self.read_past(from, &[CLEAR, SHOWN], "a new painting");
+    }
+
+    /// Takes what is on its way already; how much has been written up to now.
+    pub fn pending(&mut self) -> usize {
+        while let Ok(bytes) = self.output.try_recv() {
+            self.take(&bytes);
+        }
+        self.raw.len()
+    }
+
+    /// Reads until some pieces have come in their order; all from where it looked to the last one's end.
+    fn read_past(&mut self, from: usize, pieces: &[&[u8]], what: &str) -> Vec<u8> {
+        let end = Instant::now() + PATIENCE;
+        loop {
+            let new = &self.raw[from..];
+            let past = pieces.iter().try_fold(0, |at, piece| {
+                find(&new[at..], piece).map(|found| at + found + piece.len())
+            });
+            if let Some(to) = past {
+                return new[..to].to_vec();
+            }
+            self.read_on(what, end);
+        }
+    }
+
+    /// Asks for new paintings until something outside of the terminal has come about.
+    pub fn until(&mut self, what: &str, mut come: impl FnMut() -> bool) {
+        let end = Instant::now() + PATIENCE;
+        while !come() {
+            assert!(
+                Instant::now() < end,
+                "no {what}; the screen is\n{}",
+                self.text()
+            );
+            self.settle();
+        }
+    }
+
+    /// Takes the terminal away, as a line that drops does. The program's end is left to wait for.
+    pub fn hang_up(mut self) -> Orphan {
+        self.let_go.store(true, Ordering::SeqCst);
+        // The reader holds the terminal until it has read something.
+        self.press("\u{c}");
+        self.reader.take().unwrap().join().unwrap();
+        drop(self.keys.take());
+        self.writer.take().unwrap().join().unwrap();
+        drop(self.master.take());
+        let (_, never) = channel();
+        Orphan {
+            since: Instant::now(),
+            ended: std::mem::replace(&mut self.ended, never),
+        }
+    }
+
+    /// Waits for the program's end; its exit code. The terminal must be given back as it was found.
+    pub fn end(mut self) -> u32 {
+        let code = self.exit();
+        let screen = self.screen();
+        assert!(!screen.alternate_screen(), "still on the alternate screen");
+        assert!(!screen.hide_cursor(), "the cursor stays hidden");
+        assert!(!screen.bracketed_paste(), "bracketed paste stays on");
+        assert_eq!(screen.mouse_protocol_mode(), MouseProtocolMode::None);
+        assert!(
+            self.is_plain(),
+            "{} is not {}",
+            self.settings(),
+            self.settings
+        );
+        code
+    }
+
+    /// [`Program::end`], with all that the terminal shows then.
+    pub fn last_words(mut self) -> (u32, String) {
+        self.read_out();
+        let text = self.text();
+        (self.end(), text)
+    }
+
+    /// Waits for the end, however it leaves the terminal; the exit code.
+    pub fn exit(&mut self) -> u32 {
+        self.read_out();
+        let status = self.ended.recv_timeout(PATIENCE).unwrap();
+        self.id = 0;
+        status.exit_code()
+    }
+
+    /// Reads all that is written until nobody is left to write.
+    fn read_out(&mut self) {
+        loop {
+            match self.output.recv_timeout(PATIENCE) {
+                Ok(bytes) => self.take(&bytes),
+                Err(std::sync::mpsc::RecvTimeoutError::Disconnected) => return,
+                Err(error) => panic!("{error} while waiting for the end:\n{}", self.text()),
+            }
+        }
+    }
+}
+
+/// A test that fails leaves no program behind.
+impl Drop for Program {
+    fn drop(&mut self) {
+        if std::thread::panicking() && self.id != 0 {
+            // It may have ended by itself in the meantime.
+            let _ = Command::new("kill")
+                .args(["-KILL", &self.id.to_string()])
+                .status();
+        }
+    }
+}
+
+/// A program whose terminal has gone.
+pub struct Orphan {
+    since: Instant,
+    ended: Receiver<ExitStatus>,
+}
+
+impl Orphan {
+    /// Waits for its end; the exit code and how long that took.
+    pub fn end(self) -> (u32, Duration) {
+        let status = self.ended.recv_timeout(PATIENCE).unwrap();
+        (status.exit_code(), self.since.elapsed())
+    }
+}
+
+/// The harness itself sees what a program leaves behind.
+#[test]
+fn a_terminal_that_is_not_given_back_is_noticed() {
+    let home = Home::new();
+    let mut program = Program::script(&home, "stty raw -echo; printf '\\033[?1049h\\033[?25l'");
+    assert_eq!(program.exit(), 0);
+    assert!(program.screen().alternate_screen() && program.screen().hide_cursor());
+    assert!(!program.is_plain());
+    let mut program = Program::script(&home, "stty raw; stty sane; exit 3");
+    assert_eq!(program.exit(), 3);
+    assert!(program.screen().contents().is_empty());
+}

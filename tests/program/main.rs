@@ -1,0 +1,23 @@
+//! The real binary in a pseudo-terminal, as an engineer uses it, and under every fault it shall survive.
+
+#![cfg(unix)]
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
+#[path = "../fuzz/dice.rs"]
+#[allow(dead_code)]
+mod dice;
+mod editing;
+mod files;
+mod harness;
+mod home;
+mod input;
+mod jobs;
+mod line;
+mod looks;
+mod panics;
+mod pty;
+mod random;
+mod recovery;
+mod signals;
+mod thrift;
+mod usage;

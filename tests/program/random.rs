@@ -1,0 +1,201 @@
+//! Ten thousand keys at random, twenty times over, by the real terminal: no panic, a possible model at any time, and
+//! a way back to the file as it was opened, to the last byte.
+
+use std::fs;
+
+use beamtune::model;
+use beamtune::tui::keys::{Key, KeyMap};
+use crossterm::event::{KeyCode, KeyModifiers};
+
+use super::dice::Dice;
+use super::harness::{ESCAPE, Home, Program};
+
+/// As many at once as a reader of the terminal may find waiting; then it is looked whether all is well.
+const BURST: usize = 1_000;
+
+/// Bursts of one seed.
+const BURSTS: usize = 10;
+
+/// Leaving, other files, and what stops the program are out of reach; so is saving over the file. F9 to F11 are not
+/// among what is pressed at random.
+const CONFIGURATION: &str = "
+[keys.model]
+quit = []
+save = []
+save-as = [\"F9\"]
+open = []
+presets = []
+palette = []
+[keys.everywhere]
+suspend = []
+end = [\"F10\"]
+[keys.unsaved]
+save = [\"F11\"]
+";
+
+/// What is typed into boxes, and where none is open does what its letters do.
+const TYPED: [&str; 12] = [
+    "4e7",
+    "*1.1",
+    "/2",
+    "+5%",
+    "-1",
+    "0",
+    "1.6",
+    "left",
+    "S1",
+    "new name",
+    "S.1 \"x\"",
+    "\u{b5}\u{df}\u{4e2d}",
+];
+
+/// Sequences of no key, broken ones, and what terminals say of themselves.
+const STRANGE: [&str; 8] = [
+    "\u{1b}[I",
+    "\u{1b}[O",
+    "\u{1b}[99~",
+    "\u{1b}[12;40R",
+    "\u{1b}[?62;4c",
+    "\u{1b}[200~pasted\u{1b}[201~",
+    "\u{1b}x",
+    "\u{1b}[1;5C",
+];
+
+/// What a terminal sends for a key.
+fn bytes(key: Key) -> String {
+    let number = match key.code {
+        KeyCode::Char(c) if key.modifiers.contains(KeyModifiers::CONTROL) => {
+            return char::from(c as u8 & 0x1f).to_string();
+        }
+        KeyCode::Char(c) => return c.to_string(),
+        KeyCode::Enter => return "\r".to_owned(),
+        KeyCode::Tab => return "\t".to_owned(),
+        KeyCode::Backspace => return "\u{7f}".to_owned(),
+        KeyCode::Esc => return ESCAPE.to_owned(),
+        KeyCode::BackTab => return "\u{1b}[Z".to_owned(),
+        KeyCode::F(1) => return "\u{1b}OP".to_owned(),
+        KeyCode::Up => "A",
+        KeyCode::Down => "B",
+        KeyCode::Right => "C",
+        KeyCode::Left => "D",
+        KeyCode::Home => "H",
+        KeyCode::End => "F",
+        KeyCode::Delete => "3~",
+        KeyCode::PageUp => "5~",
+        KeyCode::PageDown => "6~",
+        other => panic!("a key that is not sent here: {other:?}"),
+    };
+    let held = if key.modifiers.contains(KeyModifiers::SHIFT) {
+        "1;2"
+    } else {
+        ""
+    };
+    format!("\u{1b}[{held}{number}")
+}
+
+/// Some key, or what else comes from a keyboard and a mouse.
+fn roll(dice: &mut Dice, keys: &[String]) -> String {
+    match dice.roll(40) {
+        0..3 => format!("\u{15}{}\r", dice.pick(&TYPED)),
+        3..6 => dice.roll(30).to_string(),
+        6..10 => {
+            // Buttons, dragging, letting go, the wheel; also outside of the screen.
+            let button = [0, 0, 1, 2, 32, 64, 65][dice.roll(7)];
+            let end = ["M", "M", "m"][dice.roll(3)];
+            format!(
+                "\u{1b}[<{button};{};{}{end}",
+                1 + dice.roll(90),
+                1 + dice.roll(30)
+            )
+        }
+        10 => dice.pick(&STRANGE).to_owned(),
+        11 => char::from(dice.roll(128) as u8)
+            .to_string()
+            .replace(['\u{1b}', '\u{1a}', '\u{3}'], ""),
+        _ => keys[dice.roll(keys.len())].clone(),
+    }
+}
+
+fn play(seed: u64, keys: &[String]) {
+    let home = Home::new();
+    home.configure(CONFIGURATION);
+    let text = home.preset(
+        ["fig08", "fig13", "fig16", "fig05a"][seed as usize % 4],
+        "beam.toml",
+    );
+    let mut dice = Dice(seed);
+    let mut program = Program::start(&home, &["beam.toml"]);
+    program.wait_for("solved");
+    for _ in 0..BURSTS {
+        let burst: String = (0..BURST).map(|_| roll(&mut dice, keys)).collect();
+        program.press(&burst);
+        program.settle();
+        // What is kept is the model as it stood a moment ago.
+        for kept in home.recovery() {
+            let kept = fs::read_to_string(kept).unwrap_or_else(|_| text.to_owned());
+            assert_eq!(model::read(&kept).err(), None, "seed {seed}");
+        }
+    }
+    program.press(&ESCAPE.repeat(4));
+    program.press("9999u");
+    program.wait("nothing to undo", |screen| {
+        screen.contains("nothing to undo") && !screen.contains("· changed")
+    });
+    // F9.
+    program.press("\u{1b}[20~\u{15}back.toml\r");
+    program.wait_for("saved back.toml");
+    assert_eq!(
+        fs::read_to_string(home.file("back.toml")).unwrap(),
+        text,
+        "seed {seed}"
+    );
+    assert_eq!(
+        fs::read_to_string(home.file("beam.toml")).unwrap(),
+        text,
+        "seed {seed}"
+    );
+    program.signal("TERM");
+    assert_eq!(program.end(), 143, "seed {seed}");
+    assert!(home.recovery().is_empty(), "seed {seed}");
+    assert!(
+        !home.state("beamtune.log").exists(),
+        "seed {seed} left a report"
+    );
+}
+
+/// Four lots of five seeds, side by side.
+fn play_lot(lot: u64) {
+    let map = KeyMap::default();
+    let left_out = [
+        "suspend", "end", "quit", "save", "save-as", "open", "presets", "palette",
+    ];
+    let rows = map
+        .rows()
+        .filter(|row| !left_out.contains(&row.binding.name));
+    let keys: Vec<String> = rows
+        .flat_map(|row| row.keys.iter().map(|key| bytes(*key)))
+        .collect();
+    for seed in lot * 5..lot * 5 + 5 {
+        play(seed, &keys);
+    }
+}
+
+#[test]
+fn random_keys_break_nothing_1() {
+    play_lot(0);
+}
+
+#[test]
+fn random_keys_break_nothing_2() {
+    play_lot(1);
+}
+
+#[test]
+fn random_keys_break_nothing_3() {
+    play_lot(2);
+}
+
+#[test]
+fn random_keys_break_nothing_4() {
+    play_lot(3);
+}

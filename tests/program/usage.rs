@@ -1,0 +1,48 @@
+//! Started where there is no terminal.
+
+use std::process::{Command, Output, Stdio};
+
+use super::harness::{BEAMTUNE, Home, Program};
+
+fn run(home: &Home, arguments: &[&str], input: Stdio) -> Output {
+    Command::new(BEAMTUNE)
+        .args(arguments)
+        .env_clear()
+        .envs(home.environment())
+        .current_dir(home.work())
+        .stdin(input)
+        .output()
+        .unwrap()
+}
+
+/// Standard output is a pipe: the designer says what it needs, and writes nothing else.
+#[test]
+fn the_designer_needs_a_terminal_to_draw_on() {
+    let home = Home::new();
+    let output = run(&home, &["fig08"], Stdio::null());
+    assert_eq!(output.status.code(), Some(2));
+    assert!(output.stdout.is_empty());
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(
+        said.starts_with("error: ") && said.contains("terminal"),
+        "{said}"
+    );
+    assert_eq!(said.lines().count(), 1, "{said}");
+    assert_eq!(home.names(), [""; 0]);
+}
+
+/// Standard input is no terminal, but standard output is: keys come from the terminal all the same.
+#[test]
+fn keys_come_from_the_terminal_also_where_input_is_a_pipe() {
+    let home = Home::new();
+    home.preset("fig08", "beam.toml");
+    for script in [
+        "true | \"$BEAMTUNE\" beam.toml",
+        "\"$BEAMTUNE\" - < beam.toml",
+    ] {
+        let mut program = Program::script(&home, script);
+        program.wait_for("modes,");
+        program.press("q");
+        assert_eq!(program.end(), 0, "{script}");
+    }
+}

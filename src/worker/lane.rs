@@ -5,25 +5,24 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::thread::JoinHandle;
 
-/// A thread with its jobs. A new job cancels the one in work; dropping the lane cancels and joins.
+/// A thread with its jobs. A new job cancels the one in work; dropping the lane cancels it too, and does not wait.
 #[derive(Debug)]
 pub(super) struct Lane<J> {
-    jobs: Option<Sender<(J, Arc<AtomicBool>)>>,
+    jobs: Sender<(J, Arc<AtomicBool>)>,
     /// Cancels the newest job.
     cancel: Mutex<Arc<AtomicBool>>,
-    thread: Option<JoinHandle<()>>,
 }
 
 impl<J: Send + 'static> Lane<J> {
     /// Starts the thread; `run` does a job, and ends early once its flag is true.
     pub(super) fn start(run: impl FnMut(J, &AtomicBool) + Send + 'static) -> Self {
         let (jobs, inbox) = channel();
+        // Whoever ends the program shall not wait for a solver; the thread ends with its inbox.
+        std::thread::spawn(move || work(&inbox, run));
         Self {
-            jobs: Some(jobs),
+            jobs,
             cancel: Mutex::default(),
-            thread: Some(std::thread::spawn(move || work(&inbox, run))),
         }
     }
 
@@ -31,10 +30,8 @@ impl<J: Send + 'static> Lane<J> {
     pub(super) fn give(&self, job: J) {
         let cancel = Arc::new(AtomicBool::new(false));
         self.replace_flag(Arc::clone(&cancel));
-        if let Some(jobs) = &self.jobs {
-            // The thread ends only after this sender, so the job arrives.
-            let _ = jobs.send((job, cancel));
-        }
+        // The thread ends only after this sender, so the job arrives.
+        let _ = self.jobs.send((job, cancel));
     }
 }
 
@@ -53,11 +50,6 @@ impl<J> Lane<J> {
 impl<J> Drop for Lane<J> {
     fn drop(&mut self) {
         self.cancel();
-        self.jobs = None;
-        if let Some(thread) = self.thread.take() {
-            // A panic of the thread has been reported by its hook.
-            let _ = thread.join();
-        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! How many roots of the characteristic function lie in a region: the argument principle.
 
 use std::f64::consts::{FRAC_PI_2, PI};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -13,6 +13,9 @@ use crate::solve::linear::Magnified;
 
 /// How far below the real axis the region reaches, rad: undamped roots lie inside.
 const BELOW: f64 = 0.05;
+
+/// Points at which the function is looked at between those of the path, at most. Where it is noise, halving finds no end.
+const MOST_HALVINGS: usize = 1 << 20;
 
 /// Steps of an arc beside which no mode lies.
 const FEW: usize = 16;
@@ -56,15 +59,21 @@ impl Region {
 struct Turning<'a> {
     characteristic: &'a Characteristic,
     blocked: Blocked,
+    halvings: AtomicUsize,
 }
 
 impl Turning<'_> {
+    /// Whether another point may be looked at.
+    fn may_halve(&self) -> bool {
+        self.halvings.fetch_add(1, Ordering::Relaxed) < MOST_HALVINGS
+    }
+
     fn at(&self, omega: Complex64) -> Magnified {
         self.characteristic.at(omega).over(&self.blocked.at(omega))
     }
 }
 
-/// The roots in the region, as often as they occur; `None` where cancelled. `modes` (by rising |omega|) say where the
+/// The roots in the region, as often as they occur, or -1 where the function is too noisy to count; `None` where cancelled. `modes` (by rising |omega|) say where the
 /// function turns fast.
 pub(super) fn count(
     characteristic: &Characteristic,
@@ -86,6 +95,7 @@ pub(super) fn count(
     let turning = Turning {
         characteristic,
         blocked,
+        halvings: AtomicUsize::new(0),
     };
     let turn = |from: f64, to: f64, radius: f64, steps: usize| {
         arc(from, to, steps)
@@ -105,6 +115,10 @@ pub(super) fn count(
         path.extend(back.into_iter().map(|radius| Complex64::new(0.0, radius)));
     }
     let turned = phase_along(&turning, &path, cancel)?;
+    if turned.is_nan() {
+        // No list has so few modes: none is taken for complete.
+        return Some(-1);
+    }
     let whole = if region.hysteretic { 2.0 * PI } else { PI };
     Some((turned / whole).round() as i64 + masses as i64)
 }
@@ -151,27 +165,35 @@ fn phase_along(turning: &Turning, path: &[Complex64], cancel: &AtomicBool) -> Op
             (path[index - 1], values[index - 1]),
             (path[index], values[index]),
         ];
-        goes_on().then(|| phase_between(turning, ends[0], ends[1], 0))
+        phase_between(turning, ends[0], ends[1], 0, cancel)
     });
     changes.sum()
 }
 
-/// The change between two points, halved until it is small.
+/// The change between two points, halved until it is small; not a number where that finds no end.
 fn phase_between(
     turning: &Turning,
     from: (Complex64, Magnified),
     to: (Complex64, Magnified),
     depth: usize,
-) -> f64 {
+    cancel: &AtomicBool,
+) -> Option<f64> {
     const SMALL: f64 = 0.9;
     const DEEPEST: usize = 30;
     let change = (to.1.direction * from.1.direction.conj()).arg();
     // Size and phase change alike: a full turn that looks like none shows in the size.
     let larger = change.abs().max((to.1.log - from.1.log).abs());
     if larger < SMALL || depth == DEEPEST || from.0 == to.0 {
-        return change;
+        return Some(change);
+    }
+    if cancel.load(Ordering::Relaxed) {
+        return None;
+    }
+    if larger.is_nan() || !turning.may_halve() {
+        return Some(f64::NAN);
     }
     let middle = 0.5 * (from.0 + to.0);
     let middle = (middle, turning.at(middle));
-    phase_between(turning, from, middle, depth + 1) + phase_between(turning, middle, to, depth + 1)
+    let before = phase_between(turning, from, middle, depth + 1, cancel)?;
+    Some(before + phase_between(turning, middle, to, depth + 1, cancel)?)
 }

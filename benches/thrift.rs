@@ -1,7 +1,8 @@
 //! Bytes and times at a terminal: run with `cargo bench --bench thrift`.
 //!
 //! The real program in a pseudo-terminal of 120 x 40 with fig05a: what is written for a nudge of each parameter, for a
-//! full repaint and while nothing happens, and how long it takes from the key to the end of what it had written.
+//! full repaint and while nothing happens, and how long it takes from the key to the first and the last picture of it.
+//! A model can be named: `cargo bench --bench thrift -- tests/data/thousand.toml`, from the folder of the project.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
 
@@ -15,7 +16,7 @@ use portable_pty::{CommandBuilder, PtySize, native_pty_system};
 const QUIET: Duration = Duration::from_millis(300);
 
 /// Parameters from the first one on.
-const PARAMETERS: usize = 24;
+const PARAMETERS: usize = 25;
 
 /// Nudges of each.
 const NUDGES: usize = 8;
@@ -35,7 +36,7 @@ impl Program {
         let pair = native_pty_system().openpty(size).unwrap();
         let mut command = CommandBuilder::new(env!("CARGO_BIN_EXE_beamtune"));
         command.args(arguments);
-        command.cwd(home);
+        command.cwd(std::env::current_dir().unwrap());
         command.env("HOME", home);
         command.env("TERM", "xterm-256color");
         command.env("LC_ALL", "C.UTF-8");
@@ -66,18 +67,32 @@ impl Program {
         Self { keys, output }
     }
 
-    /// The bytes that follow a key, and how long the last of them took.
-    fn press(&mut self, key: &str) -> (usize, Duration) {
+    /// What follows a key.
+    fn press(&mut self, key: &str) -> Written {
         let start = Instant::now();
         self.keys.write_all(key.as_bytes()).unwrap();
         self.keys.flush().unwrap();
-        let (mut count, mut last) = (0, Duration::ZERO);
+        let mut written = Written::default();
         while let Ok(more) = self.output.recv_timeout(QUIET) {
-            count += more;
-            last = start.elapsed();
+            let now = start.elapsed().as_secs_f64() * 1e3;
+            if written.bytes == 0 {
+                written.first = now;
+            }
+            written.bytes += more;
+            written.last = now;
         }
-        (count, last)
+        written
     }
+}
+
+/// What is written after a key.
+#[derive(Default)]
+struct Written {
+    bytes: usize,
+    /// Until the first byte, ms: a picture is written in one piece.
+    first: f64,
+    /// Until the last one, ms.
+    last: f64,
 }
 
 fn median<T: Copy + PartialOrd>(values: &mut [T]) -> T {
@@ -92,23 +107,24 @@ fn main() {
         .filter(|argument| argument != "--bench")
         .collect();
     let mut program = Program::start(home.path(), &arguments);
-    let (start, _) = program.press("");
-    println!("start: {start} bytes");
-    let (mut bytes, mut times, mut shares) = (Vec::new(), Vec::new(), Vec::new());
+    println!("start: {} bytes", program.press("").bytes);
+    let (mut bytes, mut shares) = (Vec::new(), Vec::new());
+    let (mut first, mut last) = (Vec::new(), Vec::new());
     for _ in 0..PARAMETERS {
         program.press("\t");
-        let (repaint, _) = program.press("\u{c}");
+        let repaint = program.press("\u{c}").bytes;
         for _ in 0..NUDGES {
-            let (count, time) = program.press("+");
+            let written = program.press("+");
             // A parameter of 0 has nothing to nudge.
-            if count > 0 {
-                bytes.push(count);
-                times.push(time.as_secs_f64() * 1e3);
-                shares.push(count as f64 / repaint as f64);
+            if written.bytes > 0 {
+                bytes.push(written.bytes);
+                first.push(written.first);
+                last.push(written.last);
+                shares.push(written.bytes as f64 / repaint as f64);
             }
         }
     }
-    let repaint = program.press("\u{c}").0;
+    let repaint = program.press("\u{c}").bytes;
     let worst = bytes.iter().max().copied().unwrap();
     println!("full repaint: {repaint} bytes");
     println!(
@@ -117,11 +133,13 @@ fn main() {
         bytes.len(),
         median(&mut shares)
     );
-    println!(
-        "key to picture: median {:.1} ms, worst {:.1} ms",
-        median(&mut times),
-        times.iter().copied().fold(0.0, f64::max)
-    );
+    for (what, times) in [("first", &mut first), ("last", &mut last)] {
+        println!(
+            "key to the {what} picture: median {:.1} ms, worst {:.1} ms",
+            median(times),
+            times.iter().copied().fold(0.0, f64::max)
+        );
+    }
     std::thread::sleep(Duration::from_secs(2));
     let idle: usize = program.output.try_iter().sum();
     println!("idle for 2 s: {idle} bytes");

@@ -7,6 +7,8 @@ mod help;
 mod modes;
 mod palette;
 mod peaks;
+mod prompt;
+mod questions;
 mod shape;
 mod status;
 mod summary;

@@ -35,12 +35,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) -
         );
         return None;
     }
-    let scale = if app.curves.log_frequency {
-        Scale::Log
-    } else {
-        Scale::Linear
-    };
-    let x = Axis::new(scale, app.shown_frequencies(), "Hz");
+    let x = frequency_axis(app);
     let (level, unit) = level(app);
     let y = level.axis(&spanning(app, &curves), &x, unit);
     let mut chart = Chart::new(x, y, level, &curves);
@@ -48,12 +43,8 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) -
     chart.marks = marks(app);
     chart.styles = theme.chart();
     chart.glyphs = theme.glyphs();
-    if app
-        .modal
-        .list
-        .as_ref()
-        .is_some_and(|list| list.generation != app.curves.generation)
-    {
+    let modes = app.modal.list.as_ref();
+    if modes.is_some_and(|list| list.generation != app.curves.generation) {
         chart.styles.mark = theme.dim();
     }
     frame.render_widget(&chart, inside);
@@ -63,6 +54,16 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) -
         area,
         frequencies: frequencies.collect(),
     })
+}
+
+/// The axis of the frequencies that show.
+fn frequency_axis(app: &App) -> Axis {
+    let scale = if app.curves.log_frequency {
+        Scale::Log
+    } else {
+        Scale::Linear
+    };
+    Axis::new(scale, app.shown_frequencies(), "Hz")
 }
 
 /// The modes, ticked beneath the axis.

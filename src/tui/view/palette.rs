@@ -4,7 +4,8 @@ use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::text::{Line, Span};
 
-use super::boxes::{draw_input, middle, open_box};
+use super::boxes::{middle, open_box};
+use super::prompt::draw_input;
 use super::text::{cut, width};
 use crate::model::Model;
 use crate::tui::app::{Entry, Found, Palette, Rows};

@@ -4,7 +4,7 @@ use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::text::{Line, Span};
 
-use super::boxes::draw_input;
+use super::prompt::draw_input;
 use super::text::{cut, significant, width};
 use crate::model::Unit;
 use crate::tui::app::{

@@ -38,7 +38,8 @@ impl Reason {
     pub fn of(event: &Event) -> Self {
         match event {
             Event::Answer(Answer::Curves(answer))
-                if answer.stage != Stage::Resolved && answer.result.is_ok() =>
+                // A coarse curve comes where the full one takes long.
+                if answer.stage == Stage::Full && answer.result.is_ok() =>
             {
                 Self::Awaits
             }
@@ -179,7 +180,7 @@ mod tests {
                 modes: None,
             })
         };
-        assert_eq!(Reason::of(&answer(Stage::Coarse, curves())), Reason::Awaits);
+        assert_eq!(Reason::of(&answer(Stage::Coarse, curves())), Reason::Shows);
         assert_eq!(Reason::of(&answer(Stage::Full, curves())), Reason::Awaits);
         assert_eq!(
             Reason::of(&answer(Stage::Resolved, curves())),

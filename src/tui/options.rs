@@ -130,9 +130,9 @@ pub struct LookArguments {
     /// The terminal's ground, for which colours are chosen.
     #[arg(long, value_name = "GROUND")]
     pub theme: Option<Ground>,
-    /// Draws with ASCII characters only.
-    #[arg(long)]
-    pub ascii: bool,
+    /// Draws with ASCII characters only; `--ascii=false` with all, whatever the locale says.
+    #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    pub ascii: Option<bool>,
     /// The characters of which curves are made.
     #[arg(long, value_name = "KIND")]
     pub marker: Option<Marker>,
@@ -147,7 +147,7 @@ impl LookArguments {
         Options {
             colours: self.color,
             ground: self.theme,
-            ascii: self.ascii.then_some(true),
+            ascii: self.ascii,
             marker: self.marker,
             mouse: self.no_mouse.then_some(false),
         }
@@ -255,6 +255,7 @@ mod tests {
 
     #[test]
     fn what_is_asked_for_last_lies_above() {
+        assert_eq!(options(&["--ascii=false"]).ascii, Some(false));
         let above = options(&["--ascii", "--color", "16"]);
         let beneath = Options {
             colours: Some(Colours::Never),

@@ -1,0 +1,128 @@
+//! Model files: opened, compared and saved; and paths completed while they are typed.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use crate::model;
+use crate::tui::app::{Guard, Outside, Reply};
+use crate::tui::user::why;
+use crate::tui::{Opened, Source};
+
+/// What became of a file that held this text.
+pub(super) fn compare(path: &Path, text: &str) -> Outside {
+    match model::load(path) {
+        Ok(found) if found == text => Outside::Same,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Outside::Gone,
+        _ => Outside::Changed,
+    }
+}
+
+pub(super) fn save(path: PathBuf, text: String, guard: &Guard) -> Reply {
+    if path.is_dir() {
+        return Reply::NotSaved(path, "it is a folder; a file's name is wanted".to_owned());
+    }
+    match guard {
+        Guard::Absent if is_there(&path) => return Reply::Exists(path),
+        Guard::Holds(expected) if compare(&path, expected) == Outside::Changed => {
+            return Reply::ChangedOutside(path);
+        }
+        _ => {}
+    }
+    match model::save(&path, &text) {
+        Ok(()) => Reply::Saved(path, text),
+        Err(error) => Reply::NotSaved(path, why(&error)),
+    }
+}
+
+/// Whether there is a file, or something that cannot be looked at.
+fn is_there(path: &Path) -> bool {
+    !matches!(fs::metadata(path), Err(error) if error.kind() == io::ErrorKind::NotFound)
+}
+
+/// Opens a file; what is none, as a pipe, might be waited for without end.
+pub(super) fn open(path: PathBuf, reply: impl FnOnce(Box<Opened>) -> Reply) -> Reply {
+    if fs::metadata(&path).is_ok_and(|found| !found.is_file()) {
+        return Reply::NotRead(path, "it is no file".to_owned());
+    }
+    let text = match model::load(&path) {
+        Ok(text) => text,
+        Err(error) => return Reply::NotRead(path, error.to_string()),
+    };
+    match model::read(&text) {
+        Ok(model) => reply(Box::new(Opened {
+            model,
+            text,
+            source: Source::File(path),
+        })),
+        Err(faults) => Reply::Faulty(path, faults),
+    }
+}
+
+/// The path as far as the names in its folder leave no choice.
+pub(super) fn complete(text: &str) -> String {
+    let (folder, start) = match text.rfind('/') {
+        Some(slash) => text.split_at(slash + 1),
+        None => ("", text),
+    };
+    let listed = if folder.is_empty() { "." } else { folder };
+    let Ok(entries) = fs::read_dir(Path::new(listed)) else {
+        return text.to_owned();
+    };
+    let names = entries.flatten().filter_map(|entry| {
+        let name = entry.file_name().into_string().ok()?;
+        let slash = if entry.path().is_dir() { "/" } else { "" };
+        name.starts_with(start).then(|| format!("{name}{slash}"))
+    });
+    match names.reduce(|common, name| common_start(&common, &name)) {
+        Some(common) => format!("{folder}{common}"),
+        None => text.to_owned(),
+    }
+}
+
+fn common_start(a: &str, b: &str) -> String {
+    a.chars()
+        .zip(b.chars())
+        .take_while(|(a, b)| a == b)
+        .map(|(a, _)| a)
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_path_completes_to_what_is_common() {
+        let folder = tempfile::tempdir().unwrap();
+        for name in ["beam one.toml", "beam two.toml", "other.toml"] {
+            fs::write(folder.path().join(name), "").unwrap();
+        }
+        let path = |name: &str| format!("{}/{name}", folder.path().display());
+        assert_eq!(complete(&path("b")), path("beam "));
+        assert_eq!(complete(&path("o")), path("other.toml"));
+        assert_eq!(complete(&path("x")), path("x"));
+    }
+
+    #[test]
+    fn a_file_is_replaced_only_as_the_guard_allows() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("model.toml");
+        let save = |guard: Guard| save(path.clone(), "new".to_owned(), &guard);
+        fs::write(&path, "old").unwrap();
+        assert!(matches!(save(Guard::Absent), Reply::Exists(_)));
+        assert!(matches!(
+            save(Guard::Holds("other".to_owned())),
+            Reply::ChangedOutside(_)
+        ));
+        assert!(matches!(
+            save(Guard::Holds("old".to_owned())),
+            Reply::Saved(..)
+        ));
+        assert_eq!(fs::read_to_string(&path).unwrap(), "new");
+        fs::write(&path, "old").unwrap();
+        assert!(matches!(save(Guard::Anything), Reply::Saved(..)));
+        fs::remove_file(&path).unwrap();
+        assert!(matches!(save(Guard::Absent), Reply::Saved(..)));
+    }
+}

@@ -2,7 +2,7 @@
 
 mod files;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::mpsc::Sender;
 
 use super::app::{App, Effect, Lost, Reply};
@@ -25,8 +25,6 @@ pub struct Performer {
     keeper: Option<Keeper>,
     /// Unsaved changes that were found, in the order in which they are offered.
     found: Vec<Found>,
-    /// Those that were taken, until they are kept anew.
-    taken: Vec<Found>,
 }
 
 /// What is left to the caller.
@@ -62,7 +60,6 @@ impl Performer {
             watch: Watch::start(events.clone()),
             keeper: recovery.map(|folder| Keeper::start(folder, report)),
             found: found.unwrap_or_default(),
-            taken: Vec::new(),
         }
     }
 
@@ -151,10 +148,14 @@ impl Performer {
             text: base.unwrap_or_else(|| found.text.clone()),
             source: found.source.clone(),
         };
-        self.taken.push(found);
+        let overtaken = based && is_newer(&found.source, &found.path);
+        if let Some(keeper) = &self.keeper {
+            keeper.adopt(found);
+        }
         Reply::Recovered {
             opened: Box::new(opened),
             based,
+            overtaken,
             others: self.found.len(),
         }
     }
@@ -179,7 +180,7 @@ impl Performer {
             (None, Some(unsaved)) => recovery::leave_elsewhere(&unsaved),
             (None, None) => return None,
         };
-        let sentence = match left {
+        match left {
             Ok(Left::Nothing) => None,
             Ok(Left::Offered(path)) => Some(format!(
                 "unsaved changes are in {}; the next start offers them",
@@ -190,16 +191,18 @@ impl Performer {
                 path.display()
             )),
             Err(error) if nothing => Some(format!("what was kept is not removed: {}", why(&error))),
-            Err(error) => {
-                return Some(format!("unsaved changes are lost: {}", why(&error)));
-            }
-        };
-        // What they were found in is kept anew by now, saved, or dropped on purpose.
-        for found in self.taken {
-            let _ = found.discard();
+            Err(error) => Some(format!("unsaved changes are lost: {}", why(&error))),
         }
-        sentence
     }
+}
+
+/// Whether the file of a model was written after what is kept of it.
+fn is_newer(source: &Source, kept: &Path) -> bool {
+    let Source::File(path) = source else {
+        return false;
+    };
+    let written = |path: &Path| std::fs::metadata(path)?.modified();
+    matches!((written(path), written(kept)), (Ok(file), Ok(kept)) if file > kept)
 }
 
 fn absolute(source: &Source) -> Source {

@@ -21,6 +21,8 @@ pub struct Document {
     changed: bool,
     /// The model's own text is in no file.
     homeless: bool,
+    /// The file was changed after the changes that were recovered.
+    overtaken: bool,
 }
 
 /// A value to be given to a parameter.
@@ -52,6 +54,18 @@ impl Document {
         document
     }
 
+    /// The same, of a file that was changed after the changes that were recovered: it is not replaced without a question.
+    #[must_use]
+    pub fn overtaken(mut self) -> Self {
+        self.overtaken = true;
+        self
+    }
+
+    /// Whether the file was changed after the changes that were recovered.
+    pub fn is_overtaken(&self) -> bool {
+        self.overtaken
+    }
+
     fn differing(opened: Opened, step: &str) -> Self {
         let saved = model::read(&opened.text).unwrap_or_else(|_| opened.model.clone());
         let mut document = Self {
@@ -62,6 +76,7 @@ impl Document {
             history: History::default(),
             changed: false,
             homeless: false,
+            overtaken: false,
         };
         if opened.model != document.saved {
             document.replace(step.to_owned(), opened.model);
@@ -181,6 +196,7 @@ impl Document {
         self.text = text.into();
         self.source = Source::File(path);
         self.homeless = false;
+        self.overtaken = false;
         self.changed = false;
         self.history.seal();
     }
@@ -190,6 +206,7 @@ impl Document {
         self.saved = model.clone();
         self.text = text.into();
         self.homeless = false;
+        self.overtaken = false;
         self.replace("read the file again".to_owned(), model);
     }
 

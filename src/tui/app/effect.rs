@@ -98,6 +98,8 @@ pub enum Reply {
         opened: Box<Opened>,
         /// Whether that text is its file's.
         based: bool,
+        /// Whether the file was changed after them.
+        overtaken: bool,
         /// How many others there are.
         others: usize,
     },

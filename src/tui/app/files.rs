@@ -14,11 +14,14 @@ use crate::tui::{Opened, Source};
 impl App {
     /// Goes on to something that drops the model: asks first when it is not saved.
     pub(super) fn leave(&mut self, next: Next) -> Vec<Effect> {
-        self.after_save = None;
         if !self.document.is_changed() {
             return self.go_on(next);
         }
-        let beneath = self.overlay.take().map(Box::new);
+        let beneath = match self.overlay.take() {
+            // Asked again: it is the same question.
+            Some(Overlay::Unsaved { beneath, .. }) => beneath,
+            other => other.map(Box::new),
+        };
         self.overlay = Some(Overlay::Unsaved { next, beneath });
         Vec::new()
     }
@@ -129,6 +132,9 @@ impl App {
             }
             (Some(Overlay::Unsaved { next, .. }), Command::Discard) => self.go_on(next),
             (Some(Overlay::Unsaved { beneath, .. }), Command::Cancel) => {
+                if beneath.is_none() {
+                    self.after_save = None;
+                }
                 self.overlay = beneath.map(|beneath| *beneath);
                 Vec::new()
             }
@@ -185,9 +191,15 @@ impl App {
             Reply::Recovered {
                 opened,
                 based,
+                overtaken,
                 others,
             } => {
-                self.recovered(*opened, based, others);
+                let document = if overtaken {
+                    Document::recovered(*opened, based).overtaken()
+                } else {
+                    Document::recovered(*opened, based)
+                };
+                self.recovered(document, based, others);
                 Vec::new()
             }
         };

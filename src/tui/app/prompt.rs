@@ -193,7 +193,7 @@ impl App {
     /// What the file must be to be replaced without a question.
     pub(super) fn guard(&self, path: &std::path::Path) -> Guard {
         match self.document.source() {
-            crate::tui::Source::File(own) if own == path => {
+            crate::tui::Source::File(own) if own == path && !self.document.is_overtaken() => {
                 Guard::Holds(self.document.saved_text().to_owned())
             }
             _ => Guard::Absent,

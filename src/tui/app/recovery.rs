@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use super::{App, Document, Effect, List, Lost, Next, Overlay};
-use crate::tui::Opened;
 use crate::tui::keys::Command;
 
 impl App {
@@ -64,18 +63,22 @@ impl App {
         }
     }
 
-    pub(super) fn recovered(&mut self, opened: Opened, based: bool, others: usize) {
-        self.open_document(Document::recovered(opened, based));
+    pub(super) fn recovered(&mut self, document: Document, based: bool, others: usize) {
+        let overtaken = document.is_overtaken();
+        self.open_document(document);
         let (save, undo) = (
             self.keys.key_of(Command::Save),
             self.keys.key_of(Command::Undo),
         );
         let mut words = vec![format!("unsaved changes recovered: {save} saves them")];
         if based {
-            words.push(format!("{undo} goes back to the file"));
+            words.push(format!("{undo} drops them"));
         }
         if others > 0 {
-            words.push(format!("{others} more are kept for the next start"));
+            words.insert(0, format!("{others} more are kept"));
+        }
+        if overtaken {
+            words.insert(0, "the file was changed after them".to_owned());
         }
         self.done(words.join(", "));
     }

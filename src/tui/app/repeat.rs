@@ -26,8 +26,10 @@ impl App {
             Command::PreviousParameter => self.seek_parameter(false, times),
             _ if command.counts() => {
                 for _ in 0..times {
+                    let before = self.message.take();
                     effects.extend(self.main_command(command));
                     if self.is_refused() {
+                        self.add_to(before);
                         break;
                     }
                 }
@@ -38,6 +40,15 @@ impl App {
             self.last_change = Some(LastChange::Command(command, times));
         }
         effects
+    }
+
+    /// Says what was done before the last command, which was refused.
+    fn add_to(&mut self, before: Option<Message>) {
+        if let (Some(Message::Done(done)), Some(Message::Refused(refusal))) =
+            (before, &self.message)
+        {
+            self.message = Some(Message::Refused(format!("{refusal} ({done})")));
+        }
     }
 
     /// Does the last change again.

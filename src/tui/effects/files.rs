@@ -18,7 +18,16 @@ pub(super) fn compare(path: &Path, text: &str) -> Outside {
     }
 }
 
+/// A path as people type it: `~/` is the user's home.
+fn from_home(path: PathBuf) -> PathBuf {
+    match (path.strip_prefix("~"), std::env::home_dir()) {
+        (Ok(rest), Some(home)) => home.join(rest),
+        _ => path,
+    }
+}
+
 pub(super) fn save(path: PathBuf, text: String, guard: &Guard) -> Reply {
+    let path = from_home(path);
     if path.is_dir() {
         return Reply::NotSaved(path, "it is a folder; a file's name is wanted".to_owned());
     }
@@ -42,6 +51,7 @@ fn is_there(path: &Path) -> bool {
 
 /// Opens a file; what is none, as a pipe, might be waited for without end.
 pub(super) fn open(path: PathBuf, reply: impl FnOnce(Box<Opened>) -> Reply) -> Reply {
+    let path = from_home(path);
     if fs::metadata(&path).is_ok_and(|found| !found.is_file()) {
         return Reply::NotRead(path, "it is no file".to_owned());
     }

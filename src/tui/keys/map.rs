@@ -144,10 +144,17 @@ impl KeyMap {
 
     /// The first key of a command in a scope, by name; where it has none, how the palette finds it.
     pub fn key_of_in(&self, scope: Scope, wanted: Command) -> String {
-        let row = self.of(scope).find(|row| row.binding.command == wanted);
-        match row.map(|row| (row.keys.first(), row.binding.name)) {
-            Some((Some(key), _)) => key.name(),
-            Some((None, name)) => format!(":{name}"),
+        let key_of = |scope: Scope, wanted| {
+            let row = self.of(scope).find(|row| row.binding.command == wanted)?;
+            Some((row.keys.first().map(|key| key.name()), row.binding.name))
+        };
+        let palette = || key_of(Scope::Main, Command::Palette)?.0;
+        match key_of(scope, wanted) {
+            Some((Some(key), _)) => key,
+            Some((None, name)) => match palette() {
+                Some(palette) => format!("{palette} {name}"),
+                None => format!("`{name}`"),
+            },
             None => String::new(),
         }
     }
@@ -268,7 +275,7 @@ mod tests {
         assert_eq!(command("Q"), Some(Command::Undo));
         assert_eq!(command("u"), None);
         assert_eq!(map.key_of(Command::Undo), "Ctrl-y");
-        assert_eq!(map.key_of(Command::Redo), ":redo");
+        assert_eq!(map.key_of(Command::Redo), ": redo");
     }
 
     #[test]

@@ -155,7 +155,8 @@ impl Row {
             return None;
         };
         if list.is_empty() && self.is_needed() {
-            let message = "is empty; must have a key, or nothing would close what is open";
+            let message =
+                "is empty; must have a key, or what is open could not be answered or closed";
             reader.fault(node.span().start, &self.path, message);
         }
         let mut keys: Vec<Given> = Vec::new();
@@ -189,6 +190,12 @@ impl Row {
                 quoted(text)
             )
         })?;
+        if self.takes_counts(key) {
+            return Err(format!(
+                "is {}, which is part of a count before a command; must be another key, such as Q, Ctrl-y or F5",
+                quoted(text)
+            ));
+        }
         if self.takes_typing(key) {
             return Err(format!(
                 "is {}, which is needed where something is typed; must be another key, such as Ctrl-z, Alt-x or F5",
@@ -196,6 +203,13 @@ impl Row {
             ));
         }
         Ok(key)
+    }
+
+    /// Whether no count with this digit could be typed any more.
+    fn takes_counts(&self, key: Key) -> bool {
+        let counted = matches!(self.scope, Scope::Main | Scope::Table | Scope::Any);
+        let digit = matches!(key.code, KeyCode::Char(c) if c.is_ascii_digit());
+        counted && digit && key.is_typed()
     }
 
     /// Whether nobody could type any more what the key is for.
@@ -215,7 +229,7 @@ impl Row {
         match self.scope {
             Scope::Main | Scope::Table => false,
             Scope::Any => self.name == "end",
-            _ => self.name == "cancel",
+            _ => matches!(self.name, "cancel" | "accept" | "discard" | "replace"),
         }
     }
 }

@@ -36,6 +36,8 @@ fn a_count_moves_and_undoes_so_many_times_and_stops_where_there_is_no_more() {
     keys(&mut app, "+f+f+");
     keys(&mut app, "9999u");
     assert_eq!(app.document.text(), text);
+    assert!(message(&app).starts_with("nothing to undo (undo: S1 z_left stiffness"));
+    keys(&mut app, "u");
     assert_eq!(message(&app), "nothing to undo");
 }
 

@@ -130,6 +130,7 @@ fn recovered_changes_are_a_step_away_from_the_file() {
     let effects = app.reply(Reply::Recovered {
         opened: Box::new(opened),
         based: true,
+        overtaken: false,
         others: 0,
     });
     assert!(matches!(effects[0], Effect::Keep(_)));
@@ -151,6 +152,7 @@ fn recovered_changes_without_a_file_stay_unsaved_until_they_are_saved() {
     app.reply(Reply::Recovered {
         opened: Box::new(opened),
         based: false,
+        overtaken: false,
         others: 0,
     });
     assert!(app.document.is_changed());
@@ -218,4 +220,52 @@ fn a_screen_too_small_can_be_left_and_loses_nothing() {
     let effects = app.update(Event::Key(control_c));
     assert!(matches!(effects[..], [Effect::Quit(None)]));
     assert!(app.keeps && app.document.unsaved().is_some());
+}
+
+#[test]
+fn the_same_question_asked_again_is_one_question() {
+    let mut app = of_file();
+    select(&mut app, "beam.length");
+    keys(&mut app, "+");
+    let control_c = KeyEvent::new(KeyCode::Char('c'), crossterm::event::KeyModifiers::CONTROL);
+    for _ in 0..3 {
+        app.update(Event::Key(control_c));
+    }
+    press(&mut app, KeyCode::Esc);
+    assert_eq!(app.scope(), Scope::Main);
+}
+
+#[test]
+fn a_file_changed_after_what_was_recovered_is_not_replaced_without_a_question() {
+    for overtaken in [false, true] {
+        let mut app = of_file();
+        let (model, _) = text_with_length(4.0);
+        let opened = Opened {
+            model,
+            text: presets::find("fig05a").unwrap().text.to_owned(),
+            source: Source::File("mine.toml".into()),
+        };
+        app.reply(Reply::Recovered {
+            opened: Box::new(opened),
+            based: true,
+            overtaken,
+            others: 0,
+        });
+        let effects = keys(&mut app, "s");
+        let [Effect::Save { guard, path, text }] = &effects[..] else {
+            panic!("{effects:?}");
+        };
+        assert_eq!(*guard == Guard::Absent, overtaken);
+        app.reply(Reply::Saved(path.clone(), text.clone()));
+        select(&mut app, "beam.length");
+        keys(&mut app, "+");
+        let effects = keys(&mut app, "s");
+        assert!(matches!(
+            &effects[..],
+            [Effect::Save {
+                guard: Guard::Holds(_),
+                ..
+            }]
+        ));
+    }
 }

@@ -7,6 +7,7 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
+use super::found::Found;
 use super::slot::{self, Slot};
 use super::text;
 use crate::model::{self, Model};
@@ -35,6 +36,8 @@ enum Job {
     Keep(Kept),
     /// Nothing is unsaved.
     Clear,
+    /// Changes that were found live on here: what was found goes once the next job is done.
+    Adopt(Found),
 }
 
 /// What a program leaves at its end.
@@ -85,6 +88,11 @@ impl Keeper {
         self.give(Job::Clear);
     }
 
+    /// Takes over changes that were found: their own file goes once the next state is kept, or nothing is unsaved.
+    pub fn adopt(&self, found: Found) {
+        self.give(Job::Adopt(found));
+    }
+
     fn give(&self, job: Job) {
         if let Some(jobs) = &self.jobs {
             // The thread ends only after this sender, unless it panicked, which its hook has reported.
@@ -100,13 +108,15 @@ impl Keeper {
     pub fn finish(mut self, last: Option<Kept>) -> io::Result<Left> {
         let folder = self.folder.clone();
         let mut files = self.stop().unwrap_or_else(|| Files::new(folder));
-        let Some(last) = last else {
-            return files.clear().map(|()| Left::Nothing);
-        };
-        match files.keep(&last, true) {
-            Ok(path) => Ok(Left::Offered(path)),
-            Err(error) => leave_elsewhere(&last).map_err(|_| error),
-        }
+        let left = match last {
+            None => files.clear().map(|()| Left::Nothing),
+            Some(last) => match files.keep(&last, true) {
+                Ok(path) => Ok(Left::Offered(path)),
+                Err(error) => leave_elsewhere(&last).map_err(|_| error),
+            },
+        }?;
+        files.drop_adopted();
+        Ok(left)
     }
 
     /// Waits until all is written. `None` where the thread panicked or was stopped before.
@@ -125,13 +135,20 @@ impl Drop for Keeper {
 /// Does the newest job until the keeper is gone; what is held then.
 fn work(inbox: &Receiver<Job>, mut files: Files, report: impl Fn(String)) -> Files {
     let mut told = Vec::new();
-    let mut given = None;
-    while let Some(job) = given.take().or_else(|| inbox.recv().ok()) {
-        let newest = inbox.try_iter().last().unwrap_or(job);
+    let mut given = Vec::new();
+    loop {
+        if given.is_empty() {
+            match inbox.recv() {
+                Ok(job) => given.push(job),
+                Err(_) => return files,
+            }
+        }
+        given.extend(inbox.try_iter());
         let began = Instant::now();
-        let done = match newest {
-            Job::Keep(state) => files.keep(&state, false).map(drop),
-            Job::Clear => files.clear(),
+        let done = match files.newest(given) {
+            Some(Job::Keep(state)) => files.keep(&state, false).map(|_| files.drop_adopted()),
+            Some(Job::Clear) => files.clear().map(|()| files.drop_adopted()),
+            Some(Job::Adopt(_)) | None => Ok(()),
         };
         if let Err(error) = done {
             let folder = files.folder.display();
@@ -143,17 +160,16 @@ fn work(inbox: &Receiver<Job>, mut files: Files, report: impl Fn(String)) -> Fil
         }
         given = rest(inbox, LONGEST_REST.min(REST * began.elapsed()));
     }
-    files
 }
 
-/// Leaves the processor to the solver for a while, but not once the keeper is gone; the newest job given meanwhile.
-fn rest(inbox: &Receiver<Job>, time: Duration) -> Option<Job> {
+/// Leaves the processor to the solver for a while, but not once the keeper is gone; the jobs given meanwhile.
+fn rest(inbox: &Receiver<Job>, time: Duration) -> Vec<Job> {
     let until = Instant::now() + time;
-    let mut newest = None;
+    let mut given = Vec::new();
     while let Ok(job) = inbox.recv_timeout(until.saturating_duration_since(Instant::now())) {
-        newest = Some(job);
+        given.push(job);
     }
-    newest
+    given
 }
 
 /// What the program holds in the recovery folder.
@@ -161,11 +177,39 @@ fn rest(inbox: &Receiver<Job>, time: Duration) -> Option<Job> {
 struct Files {
     folder: PathBuf,
     held: Option<(Source, Slot)>,
+    /// What goes once something is kept or cleared.
+    adopted: Vec<Found>,
 }
 
 impl Files {
     fn new(folder: PathBuf) -> Self {
-        Self { folder, held: None }
+        Self {
+            folder,
+            held: None,
+            adopted: Vec::new(),
+        }
+    }
+
+    /// The last of some jobs. What was given before something was adopted belongs to another model.
+    fn newest(&mut self, jobs: Vec<Job>) -> Option<Job> {
+        let mut newest = None;
+        for job in jobs {
+            newest = match job {
+                Job::Adopt(found) => {
+                    self.adopted.push(found);
+                    None
+                }
+                job => Some(job),
+            };
+        }
+        newest
+    }
+
+    /// Removes what was adopted. What cannot be removed is offered once more, which loses nothing.
+    fn drop_adopted(&mut self) {
+        for found in self.adopted.drain(..) {
+            let _ = found.discard();
+        }
     }
 
     /// Writes a state; the file it is in.
@@ -253,6 +297,30 @@ mod tests {
             .collect();
         lengths.sort_by(f64::total_cmp);
         lengths
+    }
+
+    #[test]
+    fn what_was_found_goes_once_it_is_kept_anew_or_saved() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path();
+        for saved in [false, true] {
+            std::mem::forget(keeper(path).finish(Some(state("fig06", 4.0))));
+            let mut offered = found(path);
+            assert_eq!(offered.len(), 1);
+            let keeper = keeper(path);
+            keeper.adopt(offered.remove(0));
+            if saved {
+                keeper.clear();
+            } else {
+                keeper.keep(state("fig06", 5.0));
+            }
+            // As a killed program ends: the file is left.
+            drop(keeper);
+            assert_eq!(lengths(path), if saved { vec![] } else { vec![5.0] });
+            for left in found(path) {
+                left.discard().unwrap();
+            }
+        }
     }
 
     #[test]

@@ -10,31 +10,6 @@ const SAMPLE: &str = include_str!("../presets/fig05a.toml");
 /// Whole numbers up to this are floats of their own (2^53, rounded down).
 const MOST: usize = 9_000_000_000_000_000;
 
-/// Every unit of the model.
-const UNITS: &[Unit] = &[
-    Unit::ONE,
-    Unit::METRE,
-    Unit::AREA,
-    Unit::METRE_4,
-    Unit::METRE_6,
-    Unit::PASCAL,
-    Unit::DENSITY,
-    Unit::KILOGRAM,
-    Unit::INERTIA,
-    Unit::STIFFNESS,
-    Unit::DAMPING,
-    Unit::ROTATIONAL_STIFFNESS,
-    Unit::ROTATIONAL_DAMPING,
-    Unit::WARPING_STIFFNESS,
-    Unit::WARPING_DAMPING,
-    Unit::WARPING_INERTIA,
-    Unit::FORCE,
-    Unit::TORQUE,
-    Unit::BIMOMENT,
-    Unit::DEGREE,
-    Unit::HERTZ,
-];
-
 /// Reading a text gives a possible model that goes out and in again, or faults with places; whether it was a model.
 pub fn model_file(text: &str) -> bool {
     match model::read(text) {
@@ -98,7 +73,7 @@ fn has_a_place(fault: &Fault, text: &str) {
 
 /// What is typed for a number, for every kind of parameter, and as a path.
 pub fn value(unit: usize, old: f64, text: &str) {
-    let unit = &UNITS[unit % UNITS.len()];
+    let unit = &Unit::ALL[unit % Unit::ALL.len()];
     if old.is_finite() {
         typed_number(text, old, unit);
         exact_text(old, unit);

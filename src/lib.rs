@@ -9,7 +9,8 @@
 //! | [`presets`] | the figures of the paper and more, embedded | `model` |
 //! | [`solve`] | the exact solver: waves, subsystems, a recursion of reflections; [modes](solve::modes) and [peaks](solve::peaks) from it; two witnesses, [finite elements](solve::fem) and [the paper's chain](solve::chain) | `model` |
 //! | [`worker`] | the background threads: newest request wins | `model`, `solve` |
-//! | [`tui`] | the designer: state, keys, views, the chart | all above |
+//! | [`tui`] | the designer: state and commands ([`tui::app`]), keys, views, the chart, the terminal and its bytes ([`tui::backend`]), what is kept for the user ([`tui::user`]) | all above |
+//! | `rehearsal` | faults on purpose, in debug builds, for tests | nothing |
 //! | [`cli`] | the commands | all above |
 //!
 //! # What always holds

@@ -33,7 +33,7 @@ const FILES: Terms = &[
     ),
 ];
 
-/// A configuration file with the values that hold without one.
+/// An example of a configuration file.
 const CONFIGURATION: &str = r#"[options]
 color = "auto"      # auto, always, never, 16, 256, truecolor
 theme = "auto"      # auto, dark, light
@@ -210,7 +210,7 @@ fn keys(roff: &mut Roff) {
 /// The configuration file by example.
 fn configuration(roff: &mut Roff) {
     roff.control("SH", ["CONFIGURATION"]);
-    roff.text([roman("A file with the values that hold without one:")]);
+    roff.text([roman("An example, with every option and one command:")]);
     roff.control("PP", []);
     roff.control("nf", []);
     let lines = CONFIGURATION.lines();

@@ -63,6 +63,30 @@ macro_rules! plain {
 }
 
 impl Unit {
+    /// Every unit of the model.
+    pub const ALL: &[Self] = &[
+        Self::ONE,
+        Self::METRE,
+        Self::AREA,
+        Self::METRE_4,
+        Self::METRE_6,
+        Self::PASCAL,
+        Self::DENSITY,
+        Self::KILOGRAM,
+        Self::INERTIA,
+        Self::STIFFNESS,
+        Self::DAMPING,
+        Self::ROTATIONAL_STIFFNESS,
+        Self::ROTATIONAL_DAMPING,
+        Self::WARPING_STIFFNESS,
+        Self::WARPING_DAMPING,
+        Self::WARPING_INERTIA,
+        Self::FORCE,
+        Self::TORQUE,
+        Self::BIMOMENT,
+        Self::DEGREE,
+        Self::HERTZ,
+    ];
     /// A pure number.
     pub const ONE: Self = plain!("");
     /// Length, m.

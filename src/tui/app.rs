@@ -34,7 +34,7 @@ mod zoom;
 use std::sync::Arc;
 
 pub use curves::{Curves, Member, Picture, Shown, Trace};
-pub use document::Document;
+pub use document::{Base, Document};
 pub use effect::{Effect, Guard, Lost, Reply};
 pub use modal::{Completeness, Modal, ModeKind, ModeList, ModeRow, Shares};
 pub use outside::Outside;
@@ -205,7 +205,8 @@ impl App {
             }
             Event::Suspend => vec![Effect::Suspend],
             Event::Resume => vec![Effect::Resume],
-            Event::Quit(signal) => return Self::end(signal),
+            // There is nobody to ask: what is not saved stays kept.
+            Event::Quit(signal) => return vec![Effect::Quit(Some(signal.unsigned_abs() as u8))],
         };
         // Another curve may be the first one now.
         self.tables.peaks.set_rows(self.peaks().len());

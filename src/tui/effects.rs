@@ -5,7 +5,7 @@ mod files;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::Sender;
 
-use super::app::{App, Effect, Lost, Reply};
+use super::app::{App, Base, Effect, Lost, Reply};
 use super::event::Event;
 use super::user::recovery::{self, Found, Keeper, Kept, Left};
 use super::user::why;
@@ -65,9 +65,9 @@ impl Performer {
 
     /// The unsaved changes that were found; those of this source first.
     pub fn lost(&mut self, source: &Source) -> Vec<Lost> {
-        let own = absolute(source);
+        let own = source.absolute();
         self.found
-            .sort_by_key(|found| absolute(&found.source) != own);
+            .sort_by_key(|found| found.source.absolute() != own);
         let lost = self.found.iter().map(|found| Lost {
             name: match &found.source {
                 Source::File(path) => path.display().to_string(),
@@ -142,20 +142,22 @@ impl Performer {
             Source::Stdin => None,
         };
         let base = base.filter(|text| model::read(text).is_ok());
-        let based = base.is_some();
+        let kind = match base {
+            None => Base::Missing,
+            Some(_) if is_newer(&found.source, &found.path) => Base::Newer,
+            Some(_) => Base::Own,
+        };
         let opened = Opened {
             model,
             text: base.unwrap_or_else(|| found.text.clone()),
             source: found.source.clone(),
         };
-        let overtaken = based && is_newer(&found.source, &found.path);
         if let Some(keeper) = &self.keeper {
             keeper.adopt(found);
         }
         Reply::Recovered {
             opened: Box::new(opened),
-            based,
-            overtaken,
+            base: kind,
             others: self.found.len(),
         }
     }
@@ -203,13 +205,4 @@ fn is_newer(source: &Source, kept: &Path) -> bool {
     };
     let written = |path: &Path| std::fs::metadata(path)?.modified();
     matches!((written(path), written(kept)), (Ok(file), Ok(kept)) if file > kept)
-}
-
-fn absolute(source: &Source) -> Source {
-    match source {
-        Source::File(path) => {
-            Source::File(std::path::absolute(path).unwrap_or_else(|_| path.clone()))
-        }
-        other => other.clone(),
-    }
 }

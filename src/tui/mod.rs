@@ -52,6 +52,17 @@ impl Source {
             Self::Stdin => "standard input".to_owned(),
         }
     }
+
+    /// The same, found from any folder.
+    #[must_use]
+    pub fn absolute(&self) -> Self {
+        match self {
+            Self::File(path) => {
+                Self::File(std::path::absolute(path).unwrap_or_else(|_| path.clone()))
+            }
+            other => other.clone(),
+        }
+    }
 }
 
 /// A model that was opened.

@@ -215,8 +215,8 @@ impl Stage<'_> {
         let mut next = Some(first);
         while let Some(event) = next {
             let reason = Reason::of(&event);
-            let quiet = matches!(event, Event::Touched);
-            let said = self.app.message.clone();
+            // A look at the file that found nothing draws nothing.
+            let silent = matches!(event, Event::Touched).then(|| self.app.message.clone());
             let effects = self.app.update(event);
             let solves = effects
                 .iter()
@@ -224,8 +224,7 @@ impl Stage<'_> {
             if let Some(ended) = self.perform(effects)? {
                 return Ok(Some(ended));
             }
-            // A look at the file that found nothing draws nothing.
-            if !quiet || self.app.message != said {
+            if silent.is_none_or(|said| self.app.message != said) {
                 pace.wants(reason.asking(solves), Instant::now());
             }
             next = self.events.try_recv().ok();

@@ -142,15 +142,6 @@ impl Theme {
         Self { scheme, ..self }
     }
 
-    /// The ground for which its colours are, if for one.
-    pub const fn ground(self) -> Option<Ground> {
-        match self.scheme {
-            Scheme::Dark => Some(Ground::Dark),
-            Scheme::Light => Some(Ground::Light),
-            Scheme::Plain | Scheme::Terminal | Scheme::Between => None,
-        }
-    }
-
     /// Nothing but ASCII is to be drawn.
     pub const fn is_ascii(self) -> bool {
         self.ascii

@@ -19,10 +19,18 @@ pub struct Document {
     source: Source,
     history: History,
     changed: bool,
-    /// The model's own text is in no file.
-    homeless: bool,
-    /// The file was changed after the changes that were recovered.
-    overtaken: bool,
+    base: Base,
+}
+
+/// Where the text is to which the model is compared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Base {
+    /// Where the model came from.
+    Own,
+    /// In the file, which was changed after the changes that were recovered.
+    Newer,
+    /// In no file: recovered changes whose file is gone, or which had none.
+    Missing,
 }
 
 /// A value to be given to a parameter.
@@ -45,25 +53,18 @@ impl Document {
         Self::differing(opened, "values from the command line")
     }
 
-    /// The document of unsaved changes that were found. `based`: the text is the file's own; otherwise the model is
-    /// in no file, and stays unsaved until it is saved.
-    pub fn recovered(opened: Opened, based: bool) -> Self {
+    /// The document of unsaved changes that were found. Without a base it stays unsaved until it is saved; a newer base
+    /// is not replaced without a question.
+    pub fn recovered(opened: Opened, base: Base) -> Self {
         let mut document = Self::differing(opened, "recovered changes");
-        document.homeless = !based;
+        document.base = base;
         document.compare();
         document
     }
 
-    /// The same, of a file that was changed after the changes that were recovered: it is not replaced without a question.
-    #[must_use]
-    pub fn overtaken(mut self) -> Self {
-        self.overtaken = true;
-        self
-    }
-
-    /// Whether the file was changed after the changes that were recovered.
-    pub fn is_overtaken(&self) -> bool {
-        self.overtaken
+    /// Where the text is to which the model is compared.
+    pub fn base(&self) -> Base {
+        self.base
     }
 
     fn differing(opened: Opened, step: &str) -> Self {
@@ -75,8 +76,7 @@ impl Document {
             source: opened.source,
             history: History::default(),
             changed: false,
-            homeless: false,
-            overtaken: false,
+            base: Base::Own,
         };
         if opened.model != document.saved {
             document.replace(step.to_owned(), opened.model);
@@ -195,8 +195,7 @@ impl Document {
         self.saved = Model::clone(&self.model);
         self.text = text.into();
         self.source = Source::File(path);
-        self.homeless = false;
-        self.overtaken = false;
+        self.base = Base::Own;
         self.changed = false;
         self.history.seal();
     }
@@ -205,8 +204,7 @@ impl Document {
     pub fn reload(&mut self, model: Model, text: String) {
         self.saved = model.clone();
         self.text = text.into();
-        self.homeless = false;
-        self.overtaken = false;
+        self.base = Base::Own;
         self.replace("read the file again".to_owned(), model);
     }
 
@@ -216,7 +214,7 @@ impl Document {
     }
 
     fn compare(&mut self) {
-        self.changed = self.homeless || *self.model != self.saved;
+        self.changed = self.base == Base::Missing || *self.model != self.saved;
     }
 
     /// Adds a nudge to the one before it, if there is one of the same parameter; the name of both together.

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use super::Outside;
+use super::{Base, Outside};
 use crate::model::Fault;
 use crate::tui::Opened;
 use crate::tui::user::recovery::Kept;
@@ -96,10 +96,8 @@ pub enum Reply {
     Recovered {
         /// The model, beside the text it belongs to.
         opened: Box<Opened>,
-        /// Whether that text is its file's.
-        based: bool,
-        /// Whether the file was changed after them.
-        overtaken: bool,
+        /// Where that text is.
+        base: Base,
         /// How many others there are.
         others: usize,
     },

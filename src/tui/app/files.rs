@@ -190,16 +190,10 @@ impl App {
             }
             Reply::Recovered {
                 opened,
-                based,
-                overtaken,
+                base,
                 others,
             } => {
-                let document = if overtaken {
-                    Document::recovered(*opened, based).overtaken()
-                } else {
-                    Document::recovered(*opened, based)
-                };
-                self.recovered(document, based, others);
+                self.recovered(*opened, base, others);
                 Vec::new()
             }
         };

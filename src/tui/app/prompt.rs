@@ -8,7 +8,7 @@ use tui_input::{Input, InputRequest};
 
 use super::edit::read;
 use super::repeat::LastChange;
-use super::{App, Asked, AskedKind, Effect, Guard, Next, Overlay, Prompt, Purpose};
+use super::{App, Asked, AskedKind, Base, Effect, Guard, Next, Overlay, Prompt, Purpose};
 use crate::model::path::{self, Value};
 use crate::presets;
 use crate::tui::keys::{Command, Key};
@@ -193,7 +193,7 @@ impl App {
     /// What the file must be to be replaced without a question.
     pub(super) fn guard(&self, path: &std::path::Path) -> Guard {
         match self.document.source() {
-            crate::tui::Source::File(own) if own == path && !self.document.is_overtaken() => {
+            crate::tui::Source::File(own) if own == path && self.document.base() != Base::Newer => {
                 Guard::Holds(self.document.saved_text().to_owned())
             }
             _ => Guard::Absent,

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use super::{App, Document, Effect, List, Lost, Next, Overlay};
+use super::{App, Base, Document, Effect, List, Lost, Next, Overlay};
+use crate::tui::Opened;
 use crate::tui::keys::Command;
 
 impl App {
@@ -21,11 +22,6 @@ impl App {
             None if first => Vec::new(),
             None => vec![Effect::Forget],
         }
-    }
-
-    /// Ends by a signal: there is nobody to ask, so what is not saved stays kept.
-    pub(super) fn end(signal: i32) -> Vec<Effect> {
-        vec![Effect::Quit(Some(signal.unsigned_abs() as u8))]
     }
 
     /// Offers unsaved changes that were found.
@@ -63,21 +59,20 @@ impl App {
         }
     }
 
-    pub(super) fn recovered(&mut self, document: Document, based: bool, others: usize) {
-        let overtaken = document.is_overtaken();
-        self.open_document(document);
+    pub(super) fn recovered(&mut self, opened: Opened, base: Base, others: usize) {
+        self.open_document(Document::recovered(opened, base));
         let (save, undo) = (
             self.keys.key_of(Command::Save),
             self.keys.key_of(Command::Undo),
         );
         let mut words = vec![format!("unsaved changes recovered: {save} saves them")];
-        if based {
+        if base != Base::Missing {
             words.push(format!("{undo} drops them"));
         }
         if others > 0 {
             words.insert(0, format!("{others} more are kept"));
         }
-        if overtaken {
+        if base == Base::Newer {
             words.insert(0, "the file was changed after them".to_owned());
         }
         self.done(words.join(", "));

@@ -114,8 +114,8 @@ impl App {
 
 /// How a model is known again; nothing that came through a pipe is.
 fn key(source: &Source) -> Option<String> {
-    match source {
-        Source::File(path) => Some(std::path::absolute(path).ok()?.to_str()?.to_owned()),
+    match source.absolute() {
+        Source::File(path) => Some(path.to_str()?.to_owned()),
         Source::Preset(name) => Some(format!("preset:{name}")),
         Source::Stdin => None,
     }

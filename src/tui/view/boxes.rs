@@ -17,11 +17,14 @@ use crate::tui::theme::Theme;
 const WIDEST: u16 = 72;
 
 pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, panels: &Panels) {
+    app.screen.list = None;
+    if app.overlay.is_none() {
+        return;
+    }
     let area = frame.area();
     let source = app.document.source().name();
     let below = prompt::row_below(app, panels);
     let complete = app.keys.key_of_in(Scope::Prompt, Command::Complete);
-    app.screen.list = None;
     match &mut app.overlay {
         None => {}
         Some(Overlay::Prompt(prompt)) => prompt::draw(frame, prompt, &complete, theme, below),

@@ -129,8 +129,7 @@ fn recovered_changes_are_a_step_away_from_the_file() {
     };
     let effects = app.reply(Reply::Recovered {
         opened: Box::new(opened),
-        based: true,
-        overtaken: false,
+        base: Base::Own,
         others: 0,
     });
     assert!(matches!(effects[0], Effect::Keep(_)));
@@ -151,8 +150,7 @@ fn recovered_changes_without_a_file_stay_unsaved_until_they_are_saved() {
     };
     app.reply(Reply::Recovered {
         opened: Box::new(opened),
-        based: false,
-        overtaken: false,
+        base: Base::Missing,
         others: 0,
     });
     assert!(app.document.is_changed());
@@ -237,7 +235,7 @@ fn the_same_question_asked_again_is_one_question() {
 
 #[test]
 fn a_file_changed_after_what_was_recovered_is_not_replaced_without_a_question() {
-    for overtaken in [false, true] {
+    for base in [Base::Own, Base::Newer] {
         let mut app = of_file();
         let (model, _) = text_with_length(4.0);
         let opened = Opened {
@@ -247,15 +245,14 @@ fn a_file_changed_after_what_was_recovered_is_not_replaced_without_a_question() 
         };
         app.reply(Reply::Recovered {
             opened: Box::new(opened),
-            based: true,
-            overtaken,
+            base,
             others: 0,
         });
         let effects = keys(&mut app, "s");
         let [Effect::Save { guard, path, text }] = &effects[..] else {
             panic!("{effects:?}");
         };
-        assert_eq!(*guard == Guard::Absent, overtaken);
+        assert_eq!(*guard == Guard::Absent, base == Base::Newer);
         app.reply(Reply::Saved(path.clone(), text.clone()));
         select(&mut app, "beam.length");
         keys(&mut app, "+");

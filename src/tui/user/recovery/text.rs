@@ -58,15 +58,12 @@ pub(super) fn read(file: &str) -> Option<(Source, String)> {
 }
 
 fn write_source(source: &Source) -> String {
-    match source {
-        Source::File(path) => {
-            // The next program may be started in another folder.
-            let path = std::path::absolute(path).unwrap_or_else(|_| path.clone());
-            match path.to_str() {
-                Some(text) => format!("{FILE}{}", quoted(text)),
-                None => format!("{FILE_BYTES}\"{}\"", hexadecimal(&path)),
-            }
-        }
+    // The next program may be started in another folder.
+    match source.absolute() {
+        Source::File(path) => match path.to_str() {
+            Some(text) => format!("{FILE}{}", quoted(text)),
+            None => format!("{FILE_BYTES}\"{}\"", hexadecimal(&path)),
+        },
         Source::Preset(name) => format!("{PRESET}{}", quoted(name)),
         Source::Stdin => STANDARD_INPUT.to_owned(),
     }

@@ -337,7 +337,7 @@ pub enum Quantity {
 }
 
 /// Which time derivative of a motion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
 pub enum Measure {
     /// Receptance.
     #[default]

@@ -9,7 +9,7 @@
 //! than 6x6.
 //!
 //! [`modes`] finds the natural frequencies and damped modes; [`peaks`] puts points where peaks and anti-resonances need
-//! them, and lists the peaks.
+//! them, and lists the peaks. [`form`] brings a response to its six forms.
 //!
 //! Two witnesses of it share none of its formulas: [`fem`], finite elements, and [`chain`], the paper's own product.
 //! `layout` lays a model out for both, [`compare`] says how far they are from the exact responses.
@@ -20,6 +20,7 @@ pub mod compare;
 mod ends;
 mod energy;
 pub mod fem;
+pub mod form;
 mod layout;
 mod linear;
 pub mod modes;

@@ -1,0 +1,317 @@
+//! The six forms of a frequency response, and the units they have.
+//!
+//! A response to one force is a ratio: receptance, mobility and accelerance are displacement, velocity and acceleration
+//! over force; dynamic stiffness, impedance and apparent mass are their inverses (Ewins, Modal Testing, 2nd ed. 2000,
+//! section 2.1.2). An inverse here is that of one entry, not an entry of the inverse matrix. Under several forces that
+//! act together there is no such ratio: then the first three are the motion itself, and the inverses are not defined.
+
+use num_complex::Complex64;
+
+use crate::model::{BeamMotion, MassMotion, Measure, Model, Quantity, Target};
+
+/// What moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Moves {
+    /// A translation, m.
+    Length,
+    /// A rotation, rad.
+    Angle,
+    /// A rate of twist, rad/m.
+    TwistRate,
+}
+
+/// What a response is divided by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Load {
+    /// N.
+    Force,
+    /// A moment or torque, N m.
+    Moment,
+    /// N m2.
+    Bimoment,
+}
+
+/// What the values of a motion's curve are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Dimension {
+    /// What moves.
+    pub moves: Moves,
+    /// How its motion is measured.
+    pub measure: Measure,
+    /// What it is divided by; none where it is the motion itself, zero to peak.
+    pub per: Option<Load>,
+}
+
+/// A form of a frequency response.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Form {
+    /// Displacement over force.
+    Receptance,
+    /// Velocity over force.
+    Mobility,
+    /// Acceleration over force.
+    Accelerance,
+    /// Force over displacement.
+    DynamicStiffness,
+    /// Force over velocity.
+    Impedance,
+    /// Force over acceleration.
+    ApparentMass,
+}
+
+impl Form {
+    /// All six.
+    pub const ALL: [Self; 6] = [
+        Self::Receptance,
+        Self::Mobility,
+        Self::Accelerance,
+        Self::DynamicStiffness,
+        Self::Impedance,
+        Self::ApparentMass,
+    ];
+
+    /// Its name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Receptance => "receptance",
+            Self::Mobility => "mobility",
+            Self::Accelerance => "accelerance",
+            Self::DynamicStiffness => "dynamic stiffness",
+            Self::Impedance => "impedance",
+            Self::ApparentMass => "apparent mass",
+        }
+    }
+
+    /// The measure of the motion in it.
+    pub const fn measure(self) -> Measure {
+        match self {
+            Self::Receptance | Self::DynamicStiffness => Measure::Displacement,
+            Self::Mobility | Self::Impedance => Measure::Velocity,
+            Self::Accelerance | Self::ApparentMass => Measure::Acceleration,
+        }
+    }
+
+    /// Whether the force stands above the motion.
+    pub const fn is_inverse(self) -> bool {
+        matches!(
+            self,
+            Self::DynamicStiffness | Self::Impedance | Self::ApparentMass
+        )
+    }
+}
+
+impl Load {
+    const fn unit(self) -> &'static str {
+        match self {
+            Self::Force => "N",
+            Self::Moment => "N m",
+            Self::Bimoment => "N m2",
+        }
+    }
+
+    /// What acts along a motion.
+    pub const fn along(target: &Target) -> Self {
+        match target {
+            Target::Beam(_, BeamMotion::W | BeamMotion::V)
+            | Target::Mass(_, MassMotion::Y | MassMotion::Z) => Self::Force,
+            Target::Beam(_, BeamMotion::PsiSlope) => Self::Bimoment,
+            Target::Beam(..) | Target::Mass(_, MassMotion::Theta) => Self::Moment,
+        }
+    }
+}
+
+/// The one force of a model by which its responses can be divided.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reference {
+    /// What it is.
+    pub load: Load,
+    /// Its complex amplitude, zero to peak, N, N m or N m2.
+    pub amplitude: Complex64,
+}
+
+impl Reference {
+    /// The only enabled force of a model; none where there are several, or where it is 0.
+    pub fn of(model: &Model) -> Option<Self> {
+        let mut forces = model.forces.iter().filter(|force| force.enabled);
+        let (force, None) = (forces.next()?, forces.next()) else {
+            return None;
+        };
+        let amplitude = Complex64::from_polar(force.amplitude, force.phase.to_radians());
+        (amplitude != Complex64::ZERO).then(|| Self {
+            load: Load::along(&force.target),
+            amplitude,
+        })
+    }
+}
+
+impl Dimension {
+    /// What a response of a model is when divided by `reference`; none for an energy.
+    pub fn of(quantity: &Quantity, reference: Option<&Reference>) -> Option<Self> {
+        let Quantity::Motion(target, measure) = quantity else {
+            return None;
+        };
+        Some(Self {
+            moves: match Load::along(target) {
+                Load::Force => Moves::Length,
+                Load::Moment => Moves::Angle,
+                Load::Bimoment => Moves::TwistRate,
+            },
+            measure: *measure,
+            per: reference.map(|reference| reference.load),
+        })
+    }
+
+    /// The form in which it is given; none where it is not divided by a force.
+    pub fn form(&self) -> Option<Form> {
+        self.per.map(|_| match self.measure {
+            Measure::Displacement => Form::Receptance,
+            Measure::Velocity => Form::Mobility,
+            Measure::Acceleration => Form::Accelerance,
+        })
+    }
+
+    /// Whether it can be brought to a form: an inverse needs a force.
+    pub fn has(&self, form: Form) -> bool {
+        !form.is_inverse() || self.per.is_some()
+    }
+
+    /// A value at a frequency (Hz) in a form; not finite where the inverse of 0 is asked for.
+    ///
+    /// Displacement, velocity and acceleration differ by i omega.
+    pub fn converted(&self, value: Complex64, frequency: f64, form: Form) -> Complex64 {
+        let omega = std::f64::consts::TAU * frequency;
+        let steps = order(form.measure()) - order(self.measure);
+        let motion = value * Complex64::new(0.0, omega).powi(steps);
+        if form.is_inverse() {
+            motion.finv()
+        } else {
+            motion
+        }
+    }
+
+    /// The unit of its values in a form, SI.
+    pub fn unit(&self, form: Form) -> String {
+        let moved = match self.moves {
+            Moves::Length => "m",
+            Moves::Angle => "rad",
+            Moves::TwistRate => "rad/m",
+        };
+        let second = ["", "s", "s2"][order(form.measure()).unsigned_abs() as usize];
+        let load = self.per.map_or("", Load::unit);
+        match (form, self.moves, self.per) {
+            (Form::ApparentMass, Moves::Length, Some(Load::Force)) => "kg".to_owned(),
+            (form, Moves::TwistRate, _) if form.is_inverse() => {
+                over(&format!("{load} m {second}"), "rad")
+            }
+            (form, ..) if form.is_inverse() => over(&format!("{load} {second}"), moved),
+            (_, Moves::TwistRate, _) => over("rad", &format!("m {load} {second}")),
+            _ => over(moved, &format!("{load} {second}")),
+        }
+    }
+}
+
+/// How often a measure is the displacement's rate of change.
+const fn order(measure: Measure) -> i32 {
+    match measure {
+        Measure::Displacement => 0,
+        Measure::Velocity => 1,
+        Measure::Acceleration => 2,
+    }
+}
+
+/// One unit over another: "m/(N s)".
+fn over(above: &str, below: &str) -> String {
+    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let (above, below) = (words(above), words(below));
+    match below.as_str() {
+        "" => above,
+        one if !one.contains(' ') => format!("{above}/{one}"),
+        more => format!("{above}/({more})"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn dimension(moves: Moves, per: Option<Load>) -> Dimension {
+        Dimension {
+            moves,
+            measure: Measure::Displacement,
+            per,
+        }
+    }
+
+    #[test]
+    fn units_are_those_of_the_ratio() {
+        let units = |moves, per| Form::ALL.map(|form| dimension(moves, per).unit(form));
+        assert_eq!(
+            units(Moves::Length, Some(Load::Force)),
+            ["m/N", "m/(N s)", "m/(N s2)", "N/m", "N s/m", "kg"]
+        );
+        assert_eq!(
+            units(Moves::Angle, Some(Load::Moment)),
+            [
+                "rad/(N m)",
+                "rad/(N m s)",
+                "rad/(N m s2)",
+                "N m/rad",
+                "N m s/rad",
+                "N m s2/rad"
+            ]
+        );
+        assert_eq!(units(Moves::Length, Some(Load::Moment))[0], "m/(N m)");
+        assert_eq!(
+            units(Moves::Angle, Some(Load::Force))[..2],
+            ["rad/N", "rad/(N s)"]
+        );
+        assert_eq!(
+            units(Moves::TwistRate, Some(Load::Bimoment))[0],
+            "rad/(m N m2)"
+        );
+        assert_eq!(
+            units(Moves::TwistRate, Some(Load::Bimoment))[3],
+            "N m2 m/rad"
+        );
+        assert_eq!(units(Moves::TwistRate, None)[2], "rad/(m s2)");
+        assert_eq!(units(Moves::Length, None)[..3], ["m", "m/s", "m/s2"]);
+    }
+
+    #[test]
+    fn a_mass_and_a_spring_have_the_forms_of_the_books() {
+        // Closed form: a free mass m has accelerance 1/m, apparent mass m, impedance i omega m, mobility 1/(i omega m).
+        let (mass, frequency) = (2.5, 3.0);
+        let omega = std::f64::consts::TAU * frequency;
+        let receptance = Complex64::from(-1.0 / (omega * omega * mass));
+        let of = |form| {
+            dimension(Moves::Length, Some(Load::Force)).converted(receptance, frequency, form)
+        };
+        let near =
+            |a: Complex64, b: Complex64| assert!((a - b).norm() < 1e-12 * b.norm(), "{a} {b}");
+        near(of(Form::Receptance), receptance);
+        near(of(Form::Accelerance), (1.0 / mass).into());
+        near(of(Form::ApparentMass), mass.into());
+        near(of(Form::Impedance), Complex64::new(0.0, omega * mass));
+        near(
+            of(Form::Mobility),
+            Complex64::new(0.0, -1.0 / (omega * mass)),
+        );
+        near(of(Form::DynamicStiffness), (-omega * omega * mass).into());
+    }
+
+    #[test]
+    fn only_one_force_makes_a_ratio() {
+        let preset = |name| crate::model::read(crate::presets::find(name).unwrap().text).unwrap();
+        let mut one = preset("fig05a");
+        one.forces.truncate(1);
+        one.forces[0].amplitude = 2.0;
+        one.forces[0].phase = 90.0;
+        let reference = Reference::of(&one).unwrap();
+        assert_eq!(reference.load, Load::Force);
+        assert!((reference.amplitude - Complex64::new(0.0, 2.0)).norm() < 1e-15);
+        one.forces.push(one.forces[0].clone());
+        assert_eq!(Reference::of(&one), None);
+        one.forces[1].enabled = false;
+        assert!(Reference::of(&one).is_some());
+    }
+}

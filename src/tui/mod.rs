@@ -16,6 +16,7 @@ pub mod options;
 pub mod pace;
 pub mod plot;
 mod run;
+pub mod scene;
 pub mod terminal;
 pub mod theme;
 pub mod tree;

@@ -16,7 +16,7 @@ use beamtune::model::{
 };
 use beamtune::presets;
 use beamtune::solve::modes::{
-    Completeness, ModeKind, Modes, count, follow, modes, shape, undamped,
+    Completeness, MOST_MODES, ModeKind, Modes, count, follow, modes, shape, undamped,
 };
 use common::{models, respond, unit_force};
 use num_complex::Complex64;
@@ -438,4 +438,14 @@ proptest! {
         }
         prop_assert!(found.modes.iter().all(|mode| mode.omega.im >= -1e-12 * mode.omega.norm()));
     }
+}
+
+#[test]
+fn more_modes_than_anybody_could_list_are_not_sought() {
+    // A beam round the earth many times over: by its wave numbers it has far more than ten million modes.
+    let mut model = preset("fig06");
+    model.beam.length = 1e13;
+    let never = AtomicBool::new(false);
+    assert!(count(&model, model.sweep.to) > MOST_MODES);
+    assert!(modes(&model, model.sweep.to, &never).is_none());
 }

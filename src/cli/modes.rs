@@ -10,7 +10,7 @@ use num_complex::Complex64;
 use super::csv::{self, cell, number};
 use super::{Failure, Sets, source};
 use crate::model::Model;
-use crate::solve::modes::{Completeness, Modes, modes, shape};
+use crate::solve::modes::{Completeness, MOST_MODES, Modes, modes, shape};
 
 /// Places along the beam where a shape is written.
 const PLACES: usize = 101;
@@ -36,7 +36,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let model = source::open(&arguments.model, &arguments.sets.sets)?.model;
     let to = arguments.to.unwrap_or(model.sweep.to);
     let Some(found) = modes(&model, to, &AtomicBool::new(false)) else {
-        return Err(Failure::Other("the search for modes was cancelled".into()));
+        return Err(Failure::input(format!(
+            "there are more than {MOST_MODES} modes below {to} Hz; --to asks for fewer"
+        )));
     };
     csv::write(arguments.output.as_deref(), |out| write_modes(out, &found))?;
     if let Some(file) = &arguments.shapes {

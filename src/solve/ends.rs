@@ -49,7 +49,7 @@ fn end_row(waves: &Waves, omega: Complex64, end: &End, motion: BeamMotion, outwa
 }
 
 /// K + i omega C - omega^2 m, N/m or N m/rad.
-fn stiffness(elastic: Elastic, omega: Complex64) -> Complex64 {
+pub(super) fn stiffness(elastic: Elastic, omega: Complex64) -> Complex64 {
     let damper = Complex64::I * omega * elastic.damping;
     elastic.stiffness + damper - omega * omega * elastic.inertia
 }

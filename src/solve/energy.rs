@@ -1,4 +1,4 @@
-//! The vibration energy `E_V` in closed form: integrals of products of exponentials.
+//! The vibration energy `E_V` and the strain energy in closed form: integrals of products of exponentials.
 
 use num_complex::Complex64;
 
@@ -7,11 +7,11 @@ use super::plan::Plan;
 use super::reflection::Amplitudes;
 use super::waves::Waves;
 
-/// What the energy of a span is made of, for each distinct span length at one frequency.
+/// What an energy of a span is made of, for each distinct span length at one frequency.
 ///
 /// With amplitudes a at the span's left end and b at its right end the displacements are
 /// `Q (exp(-kappa x) a + exp(-kappa (l - x)) b)`, so that the energy is the Hermitian form
-/// `a* A a + b* A b + 2 Re(a* C b)` with the inertia-weighted shapes and the integrals over the span.
+/// `a* A a + b* A b + 2 Re(a* C b)` with the weighted shapes and the integrals over the span.
 #[derive(Debug)]
 pub(super) struct SpanEnergy {
     forms: Vec<Form>,
@@ -27,20 +27,31 @@ struct Form {
 }
 
 impl SpanEnergy {
-    /// The forms of all spans.
-    pub(super) fn new(plan: &Plan, waves: &Waves, decays: &[Amplitudes]) -> Self {
-        let weights = weights(plan, waves);
+    /// The forms of `E_V`, kg m2 (times the square of the loads' unit).
+    pub(super) fn vibration(plan: &Plan, waves: &Waves, decays: &[Amplitudes]) -> Self {
+        Self::new(plan, waves, &inertia_weights(plan, waves), decays)
+    }
+
+    /// The forms of twice the strain energy `int E Iy |w''|^2 + E Iz |v''|^2 + E G0 |psi''|^2 + G J |psi'|^2 dx`, with
+    /// the real parts of the moduli, J.
+    ///
+    /// Source: the strain energy of Vlasov's beam, as Chen & Liu 2022, Section 2, derive their equations from.
+    pub(super) fn strain(plan: &Plan, waves: &Waves, decays: &[Amplitudes]) -> Self {
+        Self::new(plan, waves, &strain_weights(plan, waves), decays)
+    }
+
+    fn new(plan: &Plan, waves: &Waves, weights: &Weights, decays: &[Amplitudes]) -> Self {
         let forms = plan
             .lengths
             .iter()
             .zip(decays)
-            .map(|(&length, decay)| form(waves, &weights, length, decay));
+            .map(|(&length, decay)| form(waves, weights, length, decay));
         Self {
             forms: forms.collect(),
         }
     }
 
-    /// `E_V` of a span, kg m2 (times the square of the loads' unit): a at its left end, b at its right end.
+    /// The energy of a span: a at its left end, b at its right end.
     pub(super) fn of(&self, span: usize, a: &Amplitudes, b: &Amplitudes) -> Sum {
         let form = &self.forms[span];
         let mut sum = Sum::default();
@@ -83,20 +94,66 @@ impl Sum {
     }
 }
 
+/// What stands before the product of each pair of waves.
+struct Weights {
+    /// Of waves that travel the same way.
+    same: Matrix<6, 6>,
+    /// Of waves that travel against each other.
+    against: Matrix<6, 6>,
+}
+
 /// rho A (W* W + V* V) + rho `I_0` Psi* Psi of each pair of waves.
-fn weights(plan: &Plan, waves: &Waves) -> Matrix<6, 6> {
+fn inertia_weights(plan: &Plan, waves: &Waves) -> Weights {
     let [w, psi, v] = &waves.displacement;
-    let mut out = zeros::<6, 6>();
+    let mut same = zeros::<6, 6>();
     for i in 0..6 {
         for j in 0..6 {
-            out[i][j] = plan.beam.mass * (w[i].conj() * w[j] + v[i].conj() * v[j])
+            same[i][j] = plan.beam.mass * (w[i].conj() * w[j] + v[i].conj() * v[j])
                 + plan.beam.polar * psi[i].conj() * psi[j];
         }
     }
-    out
+    Weights {
+        same,
+        against: same,
+    }
 }
 
-fn form(waves: &Waves, weights: &Matrix<6, 6>, length: f64, decay: &Amplitudes) -> Form {
+/// E Iy W''* W'' + E Iz V''* V'' + E G0 Psi''* Psi'' + G J Psi'* Psi' of each pair of waves.
+fn strain_weights(plan: &Plan, waves: &Waves) -> Weights {
+    let curvatures = [0, 1, 2].map(|row| curvature(waves, row));
+    let stiffness = [
+        plan.beam.bending_w.re,
+        plan.beam.warping.re,
+        plan.beam.bending_v.re,
+    ];
+    let rate = &waves.slope[1];
+    let (mut same, mut against) = (zeros::<6, 6>(), zeros::<6, 6>());
+    for i in 0..6 {
+        for j in 0..6 {
+            // The wave that decays over no length stores nothing.
+            if waves.kappa[i].re.is_infinite() || waves.kappa[j].re.is_infinite() {
+                continue;
+            }
+            let bending: Complex64 = curvatures
+                .iter()
+                .zip(stiffness)
+                .map(|(curvature, stiffness)| stiffness * curvature[i].conj() * curvature[j])
+                .sum();
+            // The rate of twist of a wave that goes left has the other sign.
+            let twist = plan.beam.torsion.re * rate[i].conj() * rate[j];
+            same[i][j] = bending + twist;
+            against[i][j] = bending - twist;
+        }
+    }
+    Weights { same, against }
+}
+
+/// The second derivative kappa S of each wave in a row (w, psi, v).
+fn curvature(waves: &Waves, row: usize) -> Amplitudes {
+    std::array::from_fn(|wave| waves.kappa[wave] * waves.slope[row][wave])
+}
+
+fn form(waves: &Waves, weights: &Weights, length: f64, decay: &Amplitudes) -> Form {
     let mut form = Form {
         same: zeros(),
         against: zeros(),
@@ -104,18 +161,18 @@ fn form(waves: &Waves, weights: &Matrix<6, 6>, length: f64, decay: &Amplitudes) 
     for i in 0..6 {
         for j in 0..6 {
             // Also passes over the wave without displacement and without finite wave number.
-            if weights[i][j] == ZERO {
+            if weights.same[i][j] == ZERO && weights.against[i][j] == ZERO {
                 continue;
             }
             let (left, right) = (waves.kappa[i].conj(), waves.kappa[j]);
-            form.same[i][j] = weights[i][j] * length * mean_decay((left + right) * length);
+            form.same[i][j] = weights.same[i][j] * length * mean_decay((left + right) * length);
             // int exp(-left x) exp(-right (l - x)) dx, drawn from the slower of the two.
             let against = if left.re >= right.re {
                 decay[j] * mean_decay((left - right) * length)
             } else {
                 decay[i].conj() * mean_decay((right - left) * length)
             };
-            form.against[i][j] = weights[i][j] * length * against;
+            form.against[i][j] = weights.against[i][j] * length * against;
         }
     }
     form

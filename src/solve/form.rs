@@ -161,13 +161,14 @@ impl Dimension {
         })
     }
 
-    /// The form in which it is given; none where it is not divided by a force.
-    pub fn form(&self) -> Option<Form> {
-        self.per.map(|_| match self.measure {
+    /// The form, without an inverse, that its measure makes it; of a motion that is not divided by a force the one with
+    /// the same measure.
+    pub const fn form_of_measure(&self) -> Form {
+        match self.measure {
             Measure::Displacement => Form::Receptance,
             Measure::Velocity => Form::Mobility,
             Measure::Acceleration => Form::Accelerance,
-        })
+        }
     }
 
     /// Whether it can be brought to a form: an inverse needs a force.

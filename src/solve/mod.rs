@@ -9,12 +9,14 @@
 //! than 6x6.
 //!
 //! [`modes`] finds the natural frequencies and damped modes; [`peaks`] puts points where peaks and anti-resonances need
-//! them, and lists the peaks. [`form`] brings a response to its six forms.
+//! them, and lists the peaks; [`band`] tells levels in a band. [`operating()`](operating::operating) says what the whole
+//! beam does at one frequency: motions, internal forces, power. [`form`] brings a response to its six forms.
 //!
 //! Two witnesses of it share none of its formulas: [`fem`], finite elements, and [`chain`], the paper's own product.
 //! `layout` lays a model out for both, [`compare`] says how far they are from the exact responses.
 
 mod attachment;
+pub mod band;
 pub mod chain;
 pub mod compare;
 mod ends;
@@ -24,6 +26,7 @@ pub mod form;
 mod layout;
 mod linear;
 pub mod modes;
+pub mod operating;
 pub mod peaks;
 mod plan;
 mod recursion;

@@ -66,6 +66,34 @@ struct State {
     unknowns: [Complex64; UNKNOWNS],
 }
 
+/// What is known after the sweep to the right.
+struct Known {
+    waves: Waves,
+    /// The reflection of the left end.
+    start: Reflection,
+    /// The waves that leave the right end.
+    b: Amplitudes,
+}
+
+/// The waves in a span: what leaves its left end to the right, and its right end to the left.
+#[derive(Debug, Clone)]
+pub(super) struct SpanWaves {
+    pub(super) a: Amplitudes,
+    pub(super) b: Amplitudes,
+}
+
+/// The whole solution of a plan at one frequency.
+#[derive(Debug, Clone)]
+pub(super) struct Solution {
+    pub(super) waves: Waves,
+    /// exp(-kappa l) of each distinct span.
+    pub(super) decays: Vec<Amplitudes>,
+    /// Of the span left of each station, and last of the span up to the right end.
+    pub(super) spans: Vec<SpanWaves>,
+    /// The unknowns of each station that is an attachment; zero of the others.
+    pub(super) unknowns: Vec<[Complex64; UNKNOWNS]>,
+}
+
 /// Room for one frequency at a time; reused, so that a sweep does not allocate.
 #[derive(Debug, Default)]
 pub(super) struct Workspace {
@@ -76,10 +104,59 @@ pub(super) struct Workspace {
 }
 
 impl Workspace {
+    /// Everything that moves at the angular frequency `omega`, rad/s; not finite where [`Self::solve`] is not.
+    pub(super) fn solution(mut self, plan: &Plan, omega: Complex64) -> Solution {
+        let Known { waves, start, b } = self.sweep_to_end(plan, omega);
+        self.sweep_left(plan, &waves, b, &start);
+        let spans = (0..plan.spans.len())
+            .map(|span| self.waves_in(plan, &waves, span, &b, &start))
+            .collect();
+        Solution {
+            waves,
+            decays: self.decays,
+            spans,
+            unknowns: self.states.iter().map(|state| state.unknowns).collect(),
+        }
+    }
+
+    /// The waves of the span left of the station `span`, or of the last one; `last` is b at the right end.
+    fn waves_in(
+        &self,
+        plan: &Plan,
+        waves: &Waves,
+        span: usize,
+        last: &Amplitudes,
+        start: &Reflection,
+    ) -> SpanWaves {
+        let b = self.states.get(span).map_or(*last, |state| state.b);
+        let mut arriving = b;
+        decay_in_place(&mut arriving, &self.decays[plan.spans[span]]);
+        let a = match span.checked_sub(1) {
+            None => start.at(&arriving),
+            Some(station) => {
+                let event = &plan.stations[station].event;
+                let crossing = self.records[station].cross(event, waves, &arriving);
+                let mut a = self.states[station].a;
+                add_to(&mut a, &crossing.to_right);
+                a
+            }
+        };
+        SpanWaves { a, b }
+    }
+
     /// Writes the response of every output at the angular frequency `omega` (rad/s; positive, or complex where a zero
     /// or a mode is sought) to `out`. Where the model has no finite answer (no damping, exactly at a resonance) the
     /// values are not finite.
     pub(super) fn solve(&mut self, plan: &Plan, omega: Complex64, out: &mut [Complex64]) {
+        let Known { waves, start, b } = self.sweep_to_end(plan, omega);
+        let energy = self.sweep_left(plan, &waves, b, &start);
+        for (value, output) in out.iter_mut().zip(&plan.outputs) {
+            *value = self.read(plan, &waves, omega, *output, energy);
+        }
+    }
+
+    /// From the left end to the right end, where b comes out.
+    fn sweep_to_end(&mut self, plan: &Plan, omega: Complex64) -> Known {
         let waves = Waves::new(&plan.beam, omega);
         self.decays.clear();
         self.decays
@@ -87,10 +164,7 @@ impl Workspace {
         let start = left_end(plan, &waves, omega);
         let at_end = self.sweep_right(plan, &waves, omega, start.clone());
         let b = right_end(plan, &waves, omega, &at_end);
-        let energy = self.sweep_left(plan, &waves, b, &start);
-        for (value, output) in out.iter_mut().zip(&plan.outputs) {
-            *value = self.read(plan, &waves, omega, *output, energy);
-        }
+        Known { waves, start, b }
     }
 
     /// Carries the reflection over all stations; what returns is that of the right end.
@@ -132,7 +206,7 @@ impl Workspace {
     ) -> f64 {
         let energy = plan
             .wants_energy
-            .then(|| SpanEnergy::new(plan, waves, &self.decays));
+            .then(|| SpanEnergy::vibration(plan, waves, &self.decays));
         let mut sum = Sum::default();
         self.states.clear();
         for (index, station) in plan.stations.iter().enumerate().rev() {

@@ -18,10 +18,14 @@ const COUPLED: usize = 4;
 /// What the solver needs to know of a beam, as complex stiffnesses and masses per length.
 #[derive(Debug, Clone)]
 pub(super) struct BeamConstants {
-    bending_w: Complex64,
-    bending_v: Complex64,
-    warping: Complex64,
-    torsion: Complex64,
+    /// E `I_y` (1 + i eta), N m2.
+    pub(super) bending_w: Complex64,
+    /// E `I_z` (1 + i eta), N m2.
+    pub(super) bending_v: Complex64,
+    /// E `Gamma_0` (1 + i eta), N m4.
+    pub(super) warping: Complex64,
+    /// G J (1 + i eta), N m2.
+    pub(super) torsion: Complex64,
     /// Mass per length rho A, kg/m.
     pub(super) mass: f64,
     /// Polar mass moment per length rho `I_0`, kg m.

@@ -42,7 +42,7 @@ pub fn count(model: &Model, frequency: f64) -> usize {
 }
 
 /// All undamped natural frequencies up to `to` (Hz, > 0), in Hz, rising, as often as they occur; rigid-body modes are
-/// 0. `None` where `cancel` became true before the end.
+/// 0. `None` where `cancel` became true before the end, or where there are more than [`MOST_MODES`].
 ///
 /// Dampers and the loss factor are left out. The list is complete by the count of Wittrick & Williams (1971).
 pub fn undamped(model: &Model, to: f64, cancel: &AtomicBool) -> Option<Vec<f64>> {
@@ -50,7 +50,11 @@ pub fn undamped(model: &Model, to: f64, cancel: &AtomicBool) -> Option<Vec<f64>>
     Some(roots.into_iter().map(|omega| omega / TAU).collect())
 }
 
-/// All modes up to `to` (Hz, > 0), with damping. `None` where `cancel` became true before the end.
+/// More modes than these are not sought: their list alone would take more memory than there is.
+pub const MOST_MODES: usize = 10_000_000;
+
+/// All modes up to `to` (Hz, > 0), with damping. `None` where `cancel` became true before the end, or where there are
+/// more than [`MOST_MODES`].
 ///
 /// Sources: Wittrick & Williams (1971) for the undamped ones, Aberth (Math. Comp. 27 (1973) 339-344) and the argument
 /// principle for the damped ones.

@@ -7,7 +7,7 @@ use num_complex::Complex64;
 use super::bracket::bracketed;
 use super::characteristic::Characteristic;
 use super::count::Counter;
-use super::without_damping;
+use super::{MOST_MODES, without_damping};
 use crate::model::Model;
 
 /// Relative width to which the count alone brings a root.
@@ -45,10 +45,14 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// All roots from 0 to `to` (rad/s), rising, as often as they occur; rigid-body modes are 0. `None` where cancelled.
+    /// All roots from 0 to `to` (rad/s), rising, as often as they occur; rigid-body modes are 0. `None` where cancelled,
+    /// or where they are more than [`MOST_MODES`].
     pub(super) fn up_to(&self, to: f64) -> Option<Vec<f64>> {
         let rigid = self.counter.rigid();
         let high = self.counted(to);
+        if high.below > MOST_MODES {
+            return None;
+        }
         let low = self.floor(high, rigid);
         let mut roots = vec![0.0; low.below];
         roots.extend(self.between(low, high)?);

@@ -26,12 +26,12 @@ const UNDAMPED: f64 = 1e-12;
 const NEAREST: f64 = 1e-9;
 
 /// Centre of a mode's half-power band, Hz.
-fn centre(mode: &Mode) -> f64 {
+pub(super) fn centre(mode: &Mode) -> f64 {
     mode.omega.re.abs() / std::f64::consts::TAU
 }
 
 /// Half the width of a mode's half-power band, Hz; 0 for an undamped mode.
-fn half_width(mode: &Mode) -> f64 {
+pub(super) fn half_width(mode: &Mode) -> f64 {
     if is_pole(mode) {
         0.0
     } else {
@@ -40,6 +40,6 @@ fn half_width(mode: &Mode) -> f64 {
 }
 
 /// True for an oscillating mode without damping: at its frequency responses are infinite.
-fn is_pole(mode: &Mode) -> bool {
+pub(super) fn is_pole(mode: &Mode) -> bool {
     mode.kind == ModeKind::Oscillating && mode.omega.im.abs() <= UNDAMPED * mode.omega.norm()
 }

@@ -1,0 +1,135 @@
+//! The highest point of each response in a band, drawn in from the samples of the integral.
+
+use std::sync::atomic::AtomicBool;
+
+use super::{Sample, samples};
+use crate::model::{Model, Quantity};
+
+/// A local maximum lower than this share of the highest sample is not the highest point: samples lie so near that none
+/// misses a top by more.
+const LIKELY: f64 = 0.5;
+
+/// Most of them that are looked at; a response with more is rounding.
+const MOST_TOPS: usize = 8;
+
+/// Each round leaves a quarter of the bracket: enough to make 1e-12 of the height out of a step.
+const ROUNDS: usize = 10;
+
+/// Frequencies inside a bracket that a round looks at.
+const INSIDE: usize = 7;
+
+/// A highest point.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Top {
+    /// Hz.
+    pub(super) frequency: f64,
+    /// |H|^2, or an energy.
+    power: f64,
+    /// Whether the power is an energy.
+    energy: bool,
+}
+
+impl Top {
+    /// |H|, or the energy.
+    pub(super) fn size(self) -> f64 {
+        if self.energy {
+            self.power
+        } else {
+            self.power.sqrt()
+        }
+    }
+}
+
+/// A local maximum of a response between two frequencies.
+#[derive(Debug, Clone, Copy)]
+struct Bracket {
+    response: usize,
+    /// Hz.
+    ends: [f64; 2],
+    best: [f64; 2],
+}
+
+/// The highest point of each response; `solved` are by rising frequency and lie inside the band.
+///
+/// `None` where `cancel` became true before the end.
+pub(super) fn tops(
+    model: &Model,
+    solved: &[Sample],
+    band: [f64; 2],
+    cancel: &AtomicBool,
+) -> Option<Vec<Top>> {
+    let [first, last] = <[Sample; 2]>::try_from(samples(model, &band, cancel)?).ok()?;
+    let mut all = vec![first];
+    all.extend_from_slice(solved);
+    all.push(last);
+    let responses = model.responses.iter().filter(|response| response.enabled);
+    let mut brackets: Vec<Bracket> = Vec::new();
+    for response in 0..responses.clone().count() {
+        brackets.extend(likely(&all, response));
+    }
+    for _ in 0..ROUNDS {
+        narrow(model, &mut brackets, cancel)?;
+    }
+    let top = |(response, one): (usize, &crate::model::Response)| {
+        let of = brackets
+            .iter()
+            .filter(|bracket| bracket.response == response);
+        let best = of
+            .map(|bracket| bracket.best)
+            .max_by(|a, b| a[1].total_cmp(&b[1]));
+        let [frequency, power] = best.unwrap_or([band[0], 0.0]);
+        Top {
+            frequency,
+            power,
+            energy: one.quantity == Quantity::Energy,
+        }
+    };
+    Some(responses.enumerate().map(top).collect())
+}
+
+/// The samples that may be next to the highest point of a response, each between its neighbours.
+fn likely(all: &[Sample], response: usize) -> Vec<Bracket> {
+    let power = |index: usize| all[index].powers[response];
+    let highest = (0..all.len()).map(power).fold(0.0, f64::max);
+    let tops = (0..all.len()).filter(|&index| {
+        if highest == 0.0 {
+            return index == 0;
+        }
+        let (left, right) = (index.saturating_sub(1), (index + 1).min(all.len() - 1));
+        let here = power(index);
+        here >= LIKELY * highest && here >= power(left) && here >= power(right)
+    });
+    let mut tops: Vec<usize> = tops.collect();
+    tops.sort_by(|&a, &b| power(b).total_cmp(&power(a)));
+    tops.truncate(MOST_TOPS);
+    let bracket = |index: usize| Bracket {
+        response,
+        ends: [index.saturating_sub(1), (index + 1).min(all.len() - 1)]
+            .map(|index| all[index].frequency),
+        best: [all[index].frequency, power(index)],
+    };
+    tops.into_iter().map(bracket).collect()
+}
+
+/// Looks closer at each bracket and leaves the steps beside its highest point.
+fn narrow(model: &Model, brackets: &mut [Bracket], cancel: &AtomicBool) -> Option<()> {
+    let inside = |bracket: &Bracket| -> [f64; INSIDE] {
+        let [from, to] = bracket.ends;
+        std::array::from_fn(|index| from + (to - from) * (index + 1) as f64 / (INSIDE + 1) as f64)
+    };
+    let frequencies: Vec<f64> = brackets.iter().flat_map(inside).collect();
+    let solved = samples(model, &frequencies, cancel)?;
+    for (bracket, solved) in brackets.iter_mut().zip(solved.chunks(INSIDE)) {
+        for sample in solved {
+            let power = sample.powers[bracket.response];
+            if power > bracket.best[1] {
+                bracket.best = [sample.frequency, power];
+            }
+        }
+        let [from, to] = bracket.ends;
+        let step = (to - from) / (INSIDE + 1) as f64;
+        let at = bracket.best[0];
+        bracket.ends = [(at - step).max(from), (at + step).min(to)];
+    }
+    Some(())
+}

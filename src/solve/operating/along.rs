@@ -1,0 +1,155 @@
+//! Motions and internal forces anywhere on the beam, from the waves of the span.
+
+use num_complex::Complex64;
+
+use crate::model::{BeamMotion, Model, Restraint, Support};
+use crate::solve::linear::ZERO;
+use crate::solve::plan::Plan;
+use crate::solve::recursion::{Solution, Workspace};
+use crate::solve::reflection::{Amplitudes, decay, reach};
+
+/// A model with its solution at one frequency.
+pub(super) struct Along<'a> {
+    pub(super) model: &'a Model,
+    pub(super) plan: &'a Plan,
+    /// rad/s.
+    pub(super) omega: f64,
+    pub(super) solution: Solution,
+}
+
+/// A place, and the span that says what is there: where two spans meet, one for each side.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Spot {
+    /// m from the left end.
+    pub(super) position: f64,
+    span: usize,
+}
+
+/// What the beam does at a place.
+#[derive(Debug, Clone)]
+pub(super) struct Local {
+    /// w, psi, v and their slopes.
+    pub(super) motion: [Complex64; 6],
+    /// `S_w`, T, `S_v`, `M_w`, B, `M_v`.
+    pub(super) force: [Complex64; 6],
+}
+
+impl<'a> Along<'a> {
+    /// Solves a model, which asks for no response, at an angular frequency, rad/s.
+    pub(super) fn new(model: &'a Model, plan: &'a Plan, omega: f64) -> Self {
+        Self {
+            model,
+            plan,
+            omega,
+            solution: Workspace::default().solution(plan, omega.into()),
+        }
+    }
+
+    /// `points` places in equal steps, and both sides of each place between two spans.
+    pub(super) fn places(&self, points: usize) -> Vec<Spot> {
+        /// A step nearer than this to a joint, relative to the length, is the joint.
+        const NEAR: f64 = 1e-9;
+        let length = self.model.beam.length;
+        let near = NEAR * length;
+        let steps = points.max(2) - 1;
+        let grid: Vec<f64> = (1..steps)
+            .map(|step| length * step as f64 / steps as f64)
+            .collect();
+        let last = self.plan.stations.len();
+        let mut places = Vec::new();
+        for span in 0..=last {
+            let (from, to) = (self.start_of(span), self.end_of(span));
+            let spot = |position| Spot { position, span };
+            // Spans of no length lie between stations at one place, or at an end, whose outer side they are.
+            let inside = grid.iter().filter(|&&x| from + near < x && x < to - near);
+            match (from < to, span == 0 || span == last) {
+                (true, _) => {
+                    places.push(spot(from));
+                    places.extend(inside.map(|&x| spot(x)));
+                    places.push(spot(to));
+                }
+                (false, true) => places.push(spot(to)),
+                (false, false) => {}
+            }
+        }
+        places
+    }
+
+    /// The first side of the place at a distance from the left end, m.
+    pub(super) fn spot(&self, position: f64) -> Spot {
+        let before = |station: &crate::solve::plan::Station| station.position < position;
+        Spot {
+            position,
+            span: self.plan.stations.partition_point(before),
+        }
+    }
+
+    /// The outer sides of the left and of the right end.
+    pub(super) fn ends(&self) -> [Spot; 2] {
+        let last = self.plan.stations.len();
+        [(0.0, 0), (self.model.beam.length, last)].map(|(position, span)| Spot { position, span })
+    }
+
+    /// What the beam does at a place: `Q (a + b)`, `S (b - a)`, `P (a - b)` and `M (a + b)` of the waves there.
+    pub(super) fn at(&self, spot: Spot) -> Local {
+        let (a, b) = self.waves_at(spot);
+        let sum: Amplitudes = std::array::from_fn(|wave| a[wave] + b[wave]);
+        let difference: Amplitudes = std::array::from_fn(|wave| a[wave] - b[wave]);
+        let waves = &self.solution.waves;
+        let times = |rows: &[Amplitudes; 3], amplitudes: &Amplitudes, row: usize| -> Complex64 {
+            reach(row)
+                .map(|wave| rows[row][wave] * amplitudes[wave])
+                .sum()
+        };
+        let mut local = Local {
+            motion: [ZERO; 6],
+            force: [ZERO; 6],
+        };
+        for row in 0..3 {
+            local.motion[row] = times(&waves.displacement, &sum, row);
+            local.motion[row + 3] = -times(&waves.slope, &difference, row);
+            local.force[row] = times(&waves.force, &difference, row);
+            local.force[row + 3] = times(&waves.moment, &sum, row);
+        }
+        if self.plan.beam.without_warping() {
+            local.force[BeamMotion::PsiSlope as usize] = ZERO;
+        }
+        self.hold(spot.position, &mut local.motion);
+        local
+    }
+
+    fn waves_at(&self, spot: Spot) -> (Amplitudes, Amplitudes) {
+        let waves = &self.solution.waves;
+        let from_left = decay(waves, spot.position - self.start_of(spot.span));
+        let from_right = decay(waves, self.end_of(spot.span) - spot.position);
+        let span = &self.solution.spans[spot.span];
+        (
+            std::array::from_fn(|wave| span.a[wave] * from_left[wave]),
+            std::array::from_fn(|wave| span.b[wave] * from_right[wave]),
+        )
+    }
+
+    /// A fixed motion of an end is exactly zero.
+    fn hold(&self, position: f64, motion: &mut [Complex64; 6]) {
+        let supports = &self.model.supports;
+        let mut hold_at = |end: f64, support: &Support| {
+            for fixed in BeamMotion::ALL {
+                if position == end && support[fixed] == Restraint::Fixed {
+                    motion[fixed as usize] = ZERO;
+                }
+            }
+        };
+        hold_at(0.0, &supports.left);
+        hold_at(self.model.beam.length, &supports.right);
+    }
+
+    fn start_of(&self, span: usize) -> f64 {
+        let station = span.checked_sub(1).map(|left| &self.plan.stations[left]);
+        station.map_or(0.0, |station| station.position)
+    }
+
+    fn end_of(&self, span: usize) -> f64 {
+        let station = self.plan.stations.get(span);
+        station.map_or(self.model.beam.length, |station| station.position)
+    }
+}

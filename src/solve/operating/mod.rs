@@ -1,0 +1,145 @@
+//! What the whole beam does at one frequency: how it moves, what it carries, and where the power goes.
+//!
+//! `along` reads motions and internal forces off the waves of each span, `mass` the subsystems, `reaction` the
+//! supports, `power` who puts power in and who takes it out. Everything is a complex amplitude, zero to peak, at
+//! `e^{i omega t}`, under all enabled forces as they are given.
+//!
+//! Sign convention: with the motions q = (w, psi, v, w', psi', v') the internal forces are
+//! `p = (S_w, T, S_v, M_w, B, M_v)` with `S_w = -E Iy w'''`, `T = G J psi' - E G0 psi'''`, `S_v = -E Iz v'''`,
+//! `M_w = E Iy w''`, `B = E G0 psi''`, `M_v = E Iz v''` (those of Chen & Liu, Mathematics 2022, 10(16), 2849, before
+//! Eq. 30, with the signs that follow from the strain energy).
+//! The part of the beam left of a place acts on the part right of it with -p, so that a force F there makes p jump by
+//! -F, and the power that flows in +x is `-1/2 Re sum p_i conj(i omega q_i)`.
+
+mod along;
+mod mass;
+mod power;
+mod reaction;
+
+use std::f64::consts::TAU;
+
+use num_complex::Complex64;
+
+use super::plan::Plan;
+use crate::model::Model;
+use along::Along;
+
+/// What a model does at one frequency.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Operating {
+    /// Hz.
+    pub frequency: f64,
+    /// Distances from the left end, m, rising. A place between two spans stands twice: its left and its right side.
+    pub positions: Vec<f64>,
+    /// The six motions at each place, in the order of [`BeamMotion::ALL`](crate::model::BeamMotion::ALL): m, rad, and
+    /// rad/m for the rate of twist.
+    pub motion: [Vec<Complex64>; 6],
+    /// The internal forces at each place, conjugate to the motions: `S_w` (N), T (N m), `S_v` (N), `M_w` (N m),
+    /// B (N m2), `M_v` (N m).
+    pub forces: [Vec<Complex64>; 6],
+    /// The enabled subsystems, in the order of the model.
+    pub masses: Vec<MassState>,
+    /// What the left and the right support exert on the beam along the six motions: springs, dampers and inertias
+    /// together, or what holds a fixed motion; N, N m, and N m2 along the rate of twist.
+    pub reactions: [[Complex64; 6]; 2],
+    /// Where power comes from and goes to.
+    pub power: Power,
+}
+
+/// What a subsystem does.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MassState {
+    /// The subsystem's name.
+    pub name: String,
+    /// m from the left end.
+    pub position: f64,
+    /// Motion (y, z, theta) of the mass, m and rad.
+    pub motion: [Complex64; 3],
+    /// Motion (w, psi, v) of the beam there, m and rad.
+    pub mount: [Complex64; 3],
+    /// How far the mass's end of each spring (y left, y right, z left, z right) is ahead of the beam's, m.
+    pub stretches: [Complex64; 4],
+    /// `(k + i omega c)` times the stretch, N: each spring and damper push the beam along +y or +z with it, and the
+    /// mass against it.
+    pub forces: [Complex64; 4],
+}
+
+/// Time averages of power, W.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Power {
+    /// What each enabled force puts in, in the order of the model.
+    pub inputs: Vec<Input>,
+    /// What each damper takes out: those of the subsystems in the order of the model, then the left support's and the
+    /// right support's.
+    pub dampers: Vec<Damper>,
+    /// What the beam's material takes out by its loss factor: NaN where its strain is nothing but rounding, as in a beam
+    /// that is very short against its waves.
+    pub material: f64,
+    /// What flows along the beam in +x at each of [`Operating::positions`].
+    pub flow: Vec<f64>,
+}
+
+/// The power of a force.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Input {
+    /// Index into the forces of the model.
+    pub force: usize,
+    /// W; negative where the force takes power out.
+    pub power: f64,
+}
+
+/// The power that a damper turns to heat.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Damper {
+    /// Where it is: `S1 y_left`, `left w`.
+    pub label: String,
+    /// W.
+    pub power: f64,
+}
+
+impl Power {
+    /// What all forces together put in, W.
+    pub fn input(&self) -> f64 {
+        self.inputs.iter().map(|input| input.power).sum()
+    }
+
+    /// What dampers and material together take out, W.
+    pub fn loss(&self) -> f64 {
+        self.dampers.iter().map(|damper| damper.power).sum::<f64>() + self.material
+    }
+}
+
+/// What a checked model does at a frequency (Hz, > 0), at `points` (2 or more) places in equal steps and on both sides of
+/// every place at which something attaches or acts.
+///
+/// The waves are those of [`sweep`](super::sweep()). A model without damping exactly at a resonance has no finite
+/// answer: its values are not finite.
+pub fn operating(model: &Model, frequency: f64, points: usize) -> Operating {
+    let omega = TAU * frequency;
+    // Places to look at would cut the spans for nothing: between stations the waves are known everywhere.
+    let bare = Model {
+        responses: Vec::new(),
+        ..model.clone()
+    };
+    let plan = Plan::new(&bare);
+    let along = Along::new(&bare, &plan, omega);
+    let places = along.places(points);
+    let locals: Vec<along::Local> = places.iter().map(|place| along.at(*place)).collect();
+    let masses = mass::masses(&along);
+    Operating {
+        frequency,
+        positions: places.iter().map(|place| place.position).collect(),
+        motion: columns(&locals, |local| &local.motion),
+        forces: columns(&locals, |local| &local.force),
+        reactions: reaction::reactions(&along),
+        power: power::power(&along, &masses, &locals),
+        masses,
+    }
+}
+
+fn columns(
+    locals: &[along::Local],
+    of: impl Fn(&along::Local) -> &[Complex64; 6],
+) -> [Vec<Complex64>; 6] {
+    std::array::from_fn(|row| locals.iter().map(|local| of(local)[row]).collect())
+}

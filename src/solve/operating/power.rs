@@ -1,0 +1,129 @@
+//! Who puts power in and who takes it out.
+//!
+//! The time average of the power of a force F on a velocity u, both zero to peak, is `1/2 Re(F conj(u))`. A damper c
+//! turns `1/2 c omega^2 |stretch|^2` to heat, a material with loss factor eta `eta omega` times its mean strain energy
+//! (Cremer, Heckl & Petersson, Structure-Borne Sound, 3rd ed. 2005).
+
+use num_complex::Complex64;
+
+use super::along::{Along, Local};
+use super::{Damper, Input, MassState, Power, mass};
+use crate::model::{BeamMotion, Force, Place, Target};
+use crate::solve::energy::{SpanEnergy, Sum};
+use crate::solve::linear::ZERO;
+
+/// The spring words of the model file, in the order of [`MassState::forces`].
+const SPRINGS: [&str; 4] = ["y_left", "y_right", "z_left", "z_right"];
+
+/// All powers; `locals` are the places of the flow.
+pub(super) fn power(along: &Along<'_>, masses: &[MassState], locals: &[Local]) -> Power {
+    let forces = along.model.forces.iter().enumerate();
+    Power {
+        inputs: forces
+            .filter(|(_, force)| force.enabled)
+            .map(|(index, force)| Input {
+                force: index,
+                power: input(along, masses, force),
+            })
+            .collect(),
+        dampers: [of_subsystems(along, masses), of_supports(along)].concat(),
+        material: material(along),
+        flow: locals
+            .iter()
+            .map(|local| flow(along.omega, local))
+            .collect(),
+    }
+}
+
+/// 1/2 Re(F conj(i omega q)), W.
+fn mean(omega: f64, force: Complex64, moved: Complex64) -> f64 {
+    0.5 * omega * (force * moved.conj()).im
+}
+
+fn input(along: &Along<'_>, masses: &[MassState], force: &Force) -> f64 {
+    let moved = match &force.target {
+        Target::Mass(name, motion) => {
+            let state = masses.iter().find(|state| state.name == *name);
+            // A checked model has no enabled force on a disabled subsystem.
+            state.map_or(ZERO, |state| state.motion[*motion as usize])
+        }
+        Target::Beam(place, motion) => {
+            let position = match place {
+                Place::Left => 0.0,
+                Place::Right => along.model.beam.length,
+                Place::Position(x) => *x,
+            };
+            along.at(along.spot(position)).motion[*motion as usize]
+        }
+    };
+    let value = Complex64::from_polar(force.amplitude, force.phase.to_radians());
+    mean(along.omega, value, moved)
+}
+
+/// 1/2 c omega^2 |stretch|^2, W.
+fn heat(omega: f64, damping: f64, stretch: Complex64) -> f64 {
+    0.5 * damping * omega * omega * stretch.norm_sqr()
+}
+
+fn of_subsystems(along: &Along<'_>, masses: &[MassState]) -> Vec<Damper> {
+    let mut dampers = Vec::new();
+    for (subsystem, state) in along.model.attached().zip(masses) {
+        for (index, spring) in mass::springs(subsystem).into_iter().enumerate() {
+            if spring.damping > 0.0 {
+                dampers.push(Damper {
+                    label: format!("{} {}", state.name, SPRINGS[index]),
+                    power: heat(along.omega, spring.damping, state.stretches[index]),
+                });
+            }
+        }
+    }
+    dampers
+}
+
+fn of_supports(along: &Along<'_>) -> Vec<Damper> {
+    let supports = &along.model.supports;
+    let ends = [("left", &supports.left), ("right", &supports.right)];
+    let mut dampers = Vec::new();
+    for ((end, support), spot) in ends.into_iter().zip(along.ends()) {
+        let local = along.at(spot);
+        for motion in BeamMotion::ALL {
+            let damping = support[motion].elastic().damping;
+            // Without warping stiffness the least spring or damper holds the rate of twist, at no cost of energy.
+            let idle = motion == BeamMotion::PsiSlope && along.plan.beam.without_warping();
+            if damping > 0.0 {
+                let moved = if idle {
+                    ZERO
+                } else {
+                    local.motion[motion as usize]
+                };
+                dampers.push(Damper {
+                    label: format!("{end} {}", motion.key()),
+                    power: heat(along.omega, damping, moved),
+                });
+            }
+        }
+    }
+    dampers
+}
+
+/// What the loss factor costs, from the strain energy in closed form, W.
+fn material(along: &Along<'_>) -> f64 {
+    let loss_factor = along.model.beam.material.loss_factor;
+    if loss_factor == 0.0 {
+        return 0.0;
+    }
+    let solution = &along.solution;
+    let energy = SpanEnergy::strain(along.plan, &solution.waves, &solution.decays);
+    let mut twice = Sum::default();
+    for (waves, &length) in solution.spans.iter().zip(&along.plan.spans) {
+        twice.add(energy.of(length, &waves.a, &waves.b));
+    }
+    0.5 * along.omega * loss_factor * twice.resolved()
+}
+
+fn flow(omega: f64, local: &Local) -> f64 {
+    let pairs = local.force.iter().zip(&local.motion);
+    -pairs
+        .map(|(force, moved)| mean(omega, *force, *moved))
+        .sum::<f64>()
+}

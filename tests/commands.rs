@@ -670,3 +670,111 @@ fn completions_and_the_manual_page_name_every_command() {
     assert_eq!(code, 2);
     assert!(said.contains("bash, zsh, fish"), "{said}");
 }
+
+/// The curves of what `frf --format uff` prints, and what it says on standard error.
+fn universal(arguments: &[&str]) -> (Vec<beamtune::measured::Curve>, String) {
+    let call = [&["frf", "--format", "uff"], arguments].concat();
+    let output = beamtune(&call).output().unwrap();
+    assert!(output.status.success(), "{output:?}");
+    let curves = beamtune::measured::read(&output.stdout, &beamtune::measured::Hint::default());
+    (curves.unwrap(), String::from_utf8(output.stderr).unwrap())
+}
+
+/// Expected: the exact responses over the force, to the 13 digits of the format.
+#[test]
+fn a_universal_file_has_ratios_to_the_one_force() {
+    let mut model = beamtune::model::read(presets::find("fig05a").unwrap().text).unwrap();
+    for force in &mut model.forces[1..] {
+        force.enabled = false;
+    }
+    (model.forces[0].amplitude, model.forces[0].phase) = (4.0, 30.0);
+    model.responses[1].quantity = beamtune::model::Quantity::Energy;
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("model.toml");
+    std::fs::write(&file, beamtune::model::write(&model, "")).unwrap();
+    let (curves, warning) = universal(&[file.to_str().unwrap(), "--at", "10,10.5,11"]);
+    assert_eq!(warning, "");
+    let frf = beamtune::solve::sweep(&model, &[10.0, 10.5, 11.0], &false.into()).unwrap();
+    let force = num_complex::Complex64::from_polar(4.0, 30_f64.to_radians());
+    for (index, (curve, column)) in curves.iter().zip(&frf.columns).enumerate() {
+        assert_eq!(
+            (&curve.name, &curve.frequencies),
+            (&column.name, &frf.frequencies)
+        );
+        assert_eq!(curve.phase_known, index != 1);
+        let unit = curve.kind.unwrap().unit();
+        assert_eq!(unit, ["m/N", "kg m2", "m/N", "m/N", "rad/N"][index.min(4)]);
+        let by = if index == 1 { 1.0.into() } else { force };
+        for (found, value) in curve.values.iter().zip(&column.values) {
+            assert!(
+                (found * by - value).norm() < 1e-12 * value.norm(),
+                "{found} {value}"
+            );
+        }
+        if index == 4 {
+            break;
+        }
+    }
+    assert_eq!(curves.len(), frf.columns.len());
+}
+
+#[test]
+fn a_universal_file_tells_several_forces_studies_and_lost_digits() {
+    let (curves, warning) = universal(&["fig05a", "--at", "10,20.123456,400"]);
+    assert_eq!(curves[0].kind.unwrap().unit(), "m");
+    assert_eq!(curves[0].frequencies, [10.0, 20.1235, 400.0]);
+    assert!(
+        warning.contains("six digits for uneven frequencies: they are up to 4.4e-5 Hz off"),
+        "{warning}"
+    );
+    let model = beamtune::model::read(presets::find("fig08").unwrap().text).unwrap();
+    let study = &model.studies[0].name;
+    let (curves, _) = universal(&["fig08", "--study", study, "--at", "10,20"]);
+    let names: Vec<&str> = curves.iter().map(|curve| curve.name.as_str()).collect();
+    assert_eq!(
+        names[..4],
+        [
+            "right w, 0.5",
+            "right psi, 0.5",
+            "right v, 0.5",
+            "right w, 1"
+        ]
+    );
+    assert_eq!(curves.len(), 12);
+    // A resonance of an undamped model has no value.
+    let (curves, warning) = universal(&["fig06", "--at", "10,1e308"]);
+    assert_eq!(curves[0].frequencies, [10.0]);
+    assert!(
+        warning.contains("no finite response at 1 frequencies"),
+        "{warning}"
+    );
+    let (code, message) = failure(&["frf", "fig06", "--format", "hdf5"]);
+    assert!(code == 2 && message.contains("csv, uff"), "{message}");
+}
+
+/// Places are numbered from left to right, masses behind them; w and y are along 2, v and z along 3, twists about 4.
+#[test]
+fn a_universal_file_numbers_its_places() {
+    let text = output(&["frf", "fig05a", "--format", "uff", "--at", "10"]);
+    let places: Vec<(&str, u32, i32)> = text
+        .lines()
+        .filter(|line| line.starts_with("    4         0    0         0 "))
+        .map(|line| {
+            (
+                line[31..41].trim(),
+                line[41..51].trim().parse().unwrap(),
+                line[51..55].trim().parse().unwrap(),
+            )
+        })
+        .collect();
+    assert_eq!(
+        places[..4],
+        [
+            ("left", 1, 2),
+            ("left", 1, 4),
+            ("left", 1, 3),
+            ("x=1.2", 2, 2)
+        ]
+    );
+    assert_eq!(places[11], ("right", 4, 3));
+}

@@ -3,12 +3,16 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+#[path = "../fuzz/curves.rs"]
+mod curves;
 #[path = "fuzz/dice.rs"]
 mod dice;
 #[path = "fuzz/mutate.rs"]
 mod mutate;
 #[path = "../fuzz/properties.rs"]
 mod properties;
+#[path = "fuzz/spoil.rs"]
+mod spoil;
 
 use std::fs;
 use std::path::Path;
@@ -94,3 +98,69 @@ fn whatever_is_typed_gives_a_finite_number_or_is_refused() {
 
 /// How many values are typed.
 const VALUES: usize = 100_000;
+
+/// Files with an ending in the folder of measured curves, in the order of their names, and more.
+fn measured(ending: &str, more: &[&str]) -> Vec<Vec<u8>> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/measured");
+    let entries = fs::read_dir(&folder).unwrap();
+    let mut paths: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
+    paths.retain(|path| path.extension().is_some_and(|found| found == ending));
+    paths.sort();
+    assert!(!paths.is_empty(), "no {ending} in {}", folder.display());
+    // The first kilobytes have all that there is.
+    let read = |path| {
+        let mut bytes = fs::read(path).unwrap();
+        bytes.truncate(4096);
+        bytes
+    };
+    let more = more.iter().map(|text| text.as_bytes().to_vec());
+    paths.into_iter().map(read).chain(more).collect()
+}
+
+/// Small tables of all kinds.
+const TABLES: &[&str] = &[
+    "frequency_hz,P1 w.re,P1 w.im,E_V\n1.0,1e-9,-2e-9,3.0\n2.0,1e-8,-2e-8,4.0\n3.5,1e-7,-2e-7,5.0\n",
+    "curve,frequency_hz,w.re,w.im\n0.5,1.0,1.0,2.0\n0.5,2.0,3.0,4.0\nsoft,1.0,5.0,6.0\nsoft,2.0,7.0,8.0\n",
+    "f [kHz];Magnitude [g/N];Phase [deg]\r\n0,01;1,5;-90\r\n0,02;2,5;-95\r\n0,03;2,25;-170\r\n",
+    "# made by hand\n# omega[rad/s] H[dB] phase[rad]\n 10  -20  0.1\n 20  -21.5  -0.2\n 30 -25 -3.1\n",
+    "Frequency\tReal\tImag\tCoherence\nHz\tm/s2/N\tm/s2/N\t-\n0\t0\t0\t0\n1\t2\t3\t1\n2\t3\t4\t1\n",
+    "10 1.5 -0.25\n20 -2D-3 4.\n40.5 0 -7.125\n",
+];
+
+#[test]
+fn spoilt_tables_are_refused_or_go_out_and_in_again() {
+    spoilt(&measured("csv", TABLES), 3, "run 7.csv");
+}
+
+#[test]
+fn spoilt_universal_files_are_refused_or_go_out_and_in_again() {
+    spoilt(&measured("uff", &[]), 4, "run 7.uff");
+}
+
+fn spoilt(seeds: &[Vec<u8>], dice: u64, name: &str) {
+    let mut dice = Dice(dice);
+    let mut read = 0;
+    for turn in 0..FILES {
+        let bytes = spoil::file(seeds, turn, &mut dice);
+        read += usize::from(curves::file(&bytes, dice.roll(8), name));
+    }
+    // Were every file refused, writing would not have been tried; were none, reading would not.
+    assert!(
+        (FILES / 20..FILES * 19 / 20).contains(&read),
+        "{read} of {FILES} are curves"
+    );
+}
+
+#[test]
+fn whatever_is_said_of_a_table_is_a_layout_or_is_refused() {
+    const PARTS: &[&str] = &[
+        "hz", "khz", "rad/s", "rpm", "; ", ";", "re im", "mag", "dB", "deg", "rad", "m", "mm", "g",
+        "N", "/", "(", ")", " ", "s2", "s", "-1", "2", "kg", "1e-6 ", "?", "\u{b5}m", "\u{b2}",
+        "\u{b7}", "nonsense", "Nm", "kN", "1",
+    ];
+    let mut dice = Dice(5);
+    for _ in 0..VALUES {
+        let text: String = (0..=dice.roll(9)).map(|_| dice.pick(PARTS)).collect();
+        curves::layout(&text);
+    }
+}

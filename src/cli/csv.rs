@@ -1,28 +1,11 @@
-//! CSV cells, and where a table goes: standard output, or a file that is whole or not there.
+//! Where a table goes: standard output, or a file that is whole or not there.
 
 use std::io::{BufWriter, Write};
 use std::path::Path;
 
 use super::{Failure, allow_broken_pipe};
 use crate::model::save_with;
-
-/// The shortest text that reads back to the same number; `nan` where there is no finite answer.
-pub(super) fn number(value: f64) -> String {
-    if value.is_finite() {
-        format!("{value:?}")
-    } else {
-        "nan".into()
-    }
-}
-
-/// A text as a CSV cell (RFC 4180).
-pub(super) fn cell(text: &str) -> String {
-    if text.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text.to_owned()
-    }
-}
+pub(super) use crate::table::{cell, number};
 
 /// Writes a table to a file, or to standard output where none is named. A file is written beside and renamed, so that
 /// a failure leaves what was there.

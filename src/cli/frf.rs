@@ -1,16 +1,18 @@
-//! `beamtune frf`: frequency responses as CSV.
+//! `beamtune frf`: frequency responses as CSV or as a universal file.
+
+mod uff;
 
 use std::io::{IsTerminal, Write};
 use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 
 use super::csv::{self, cell, number};
 use super::{Failure, Sets, source};
 use crate::model::{Family, Model, path};
-use crate::solve::modes::{Completeness, Modes, modes};
+use crate::solve::modes::{Completeness, MOST_MODES, Modes, modes};
 use crate::solve::peaks::resolved;
 use crate::solve::{Column, ColumnKind, Frf, frequencies, sweep};
 
@@ -30,11 +32,22 @@ pub(super) struct Arguments {
     /// One block of rows for each member of this study.
     #[arg(long, value_name = "NAME")]
     study: Option<String>,
+    /// The form of the output: a table, or a universal file of data sets 58 in which motions are divided by the force
+    /// where there is only one.
+    #[arg(long, value_enum, default_value_t = Format::Csv)]
+    format: Format,
     /// The file to write, in place of standard output.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     #[command(flatten)]
     sets: Sets,
+}
+
+/// The form of the output.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    Csv,
+    Uff,
 }
 
 /// Which frequencies are solved.
@@ -64,9 +77,11 @@ type Member = (Option<String>, Model);
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let model = source::open(&arguments.model, &arguments.sets.sets)?.model;
     let members = members(&model, arguments.study.as_deref())?;
-    csv::write(arguments.output.as_deref(), |out| {
-        write_all(out, &members, arguments.points())
-    })
+    let (output, points) = (arguments.output.as_deref(), arguments.points());
+    match arguments.format {
+        Format::Csv => csv::write(output, |out| write_all(out, &members, points)),
+        Format::Uff => uff::write(output, &members, points),
+    }
 }
 
 fn members(model: &Model, study: Option<&str>) -> Result<Vec<Member>, Failure> {
@@ -142,7 +157,11 @@ impl<'a> Curve<'a> {
             Points::Sweep => (frequencies(&model.sweep), None),
             Points::Resolved => {
                 let modes = modes(model, model.sweep.to, &never);
-                (frequencies(&model.sweep), modes.inspect(warn_of_doubt))
+                match &modes {
+                    Some(modes) => warn_of_doubt(modes),
+                    None => warn_of_too_many(model.sweep.to),
+                }
+                (frequencies(&model.sweep), modes)
             }
         };
         Self { model, base, modes }
@@ -243,6 +262,14 @@ fn warn_of_doubt(modes: &Modes) {
             modes.to
         );
     }
+}
+
+fn warn_of_too_many(to: f64) {
+    // The rows that are there are right all the same.
+    let _ = writeln!(
+        std::io::stderr(),
+        "warning: there are more than {MOST_MODES} modes below {to:?} Hz: no rows are added for their peaks"
+    );
 }
 
 fn warn_of(singular: &[f64]) {

@@ -69,7 +69,7 @@ enum Command {
         /// A model file, a preset's name, or - for standard input.
         model: String,
     },
-    /// Writes frequency responses as CSV.
+    /// Writes frequency responses as CSV, or as a universal file (data set 58).
     Frf(frf::Arguments),
     /// Writes natural frequencies and damping ratios as CSV.
     Modes(modes::Arguments),

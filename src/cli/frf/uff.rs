@@ -1,0 +1,217 @@
+//! Frequency responses as a universal file.
+
+use std::cell::Cell;
+use std::io::Write as _;
+use std::path::Path;
+
+use num_complex::Complex64;
+
+use super::{Curve, Member, Points, warn_of};
+use crate::cli::{Failure, csv};
+use crate::measured::{Kind, Node, Record, Written, write_uff};
+use crate::model::{BeamMotion, MassMotion, Model, Place, Quantity, Response, Target};
+use crate::solve::Frf;
+use crate::solve::form::{Dimension, Reference};
+
+/// A model's curve, solved.
+struct Solved<'a> {
+    key: Option<&'a str>,
+    model: &'a Model,
+    frf: Frf,
+    /// The names of the curves in the file.
+    names: Vec<String>,
+}
+
+/// Writes data set 58 for each response of each member; all of a sweep is in memory.
+pub(super) fn write(
+    output: Option<&Path>,
+    members: &[Member],
+    points: Points,
+) -> Result<(), Failure> {
+    let mut singular = Vec::new();
+    let mut solved = Vec::new();
+    for (key, model) in members {
+        let curve = Curve::new(model, points);
+        let Some(mut frf) = curve.block(0..curve.base.len()) else {
+            return Err(Failure::Other("the sweep was cancelled".into()));
+        };
+        singular.extend(frf.singular());
+        divide(&mut frf, model);
+        let names = frf.columns.iter().map(|column| match key {
+            Some(key) => format!("{}, {key}", column.name),
+            None => column.name.clone(),
+        });
+        solved.push(Solved {
+            key: key.as_deref(),
+            model,
+            names: names.collect(),
+            frf,
+        });
+    }
+    let records: Vec<Record> = solved.iter().flat_map(Solved::records).collect();
+    let written = Cell::new(Written::default());
+    csv::write(output, |out| {
+        written.set(write_uff(out, &records)?);
+        Ok(())
+    })?;
+    warn_of(&singular);
+    warn_of_digits(written.get());
+    Ok(())
+}
+
+/// Makes motions ratios to the one force; energies and responses to several forces stay as they are.
+fn divide(frf: &mut Frf, model: &Model) {
+    let Some(reference) = Reference::of(model) else {
+        return;
+    };
+    let quantities = enabled(model).map(|response| &response.quantity);
+    for (column, quantity) in frf.columns.iter_mut().zip(quantities) {
+        if matches!(quantity, Quantity::Motion(..)) {
+            column
+                .values
+                .iter_mut()
+                .for_each(|value| *value /= reference.amplitude);
+        }
+    }
+}
+
+fn enabled(model: &Model) -> impl Iterator<Item = &Response> {
+    model.responses.iter().filter(|response| response.enabled)
+}
+
+impl Solved<'_> {
+    fn records(&self) -> Vec<Record<'_>> {
+        let places = Places::of(self.model);
+        let reference = Reference::of(self.model);
+        let force = self
+            .model
+            .forces
+            .iter()
+            .find(|force| force.enabled && reference.is_some());
+        let columns = self
+            .frf
+            .columns
+            .iter()
+            .zip(&self.names)
+            .zip(enabled(self.model));
+        columns
+            .map(|((column, name), response)| {
+                let target = match &response.quantity {
+                    Quantity::Motion(target, _) => Some(target),
+                    Quantity::Energy => None,
+                };
+                let dimension = Dimension::of(&response.quantity, reference.as_ref());
+                let force = force.filter(|_| dimension.is_some());
+                Record {
+                    name,
+                    title: self.title(),
+                    kind: dimension.map_or(Kind::Energy, Kind::Motion),
+                    response: target.map(|target| places.node(target)),
+                    reference: force.map(|force| places.node(&force.target)),
+                    frequencies: &self.frf.frequencies,
+                    values: &column.values as &[Complex64],
+                }
+            })
+            .collect()
+    }
+
+    fn title(&self) -> &str {
+        match self.model.title.trim() {
+            "" => self.key.unwrap_or_default(),
+            title => title,
+        }
+    }
+}
+
+/// The numbered places of a model: those on the beam from left to right, then the masses as in the model.
+struct Places<'a> {
+    model: &'a Model,
+    /// m from the left end.
+    beam: Vec<f64>,
+}
+
+impl<'a> Places<'a> {
+    fn of(model: &'a Model) -> Self {
+        let of_responses = enabled(model).filter_map(|response| match &response.quantity {
+            Quantity::Motion(target, _) => Some(target),
+            Quantity::Energy => None,
+        });
+        let of_forces = model.forces.iter().map(|force| &force.target);
+        let on_beam = |target: &Target| match target {
+            Target::Beam(place, _) => Some(position(model, *place)),
+            Target::Mass(..) => None,
+        };
+        let mut beam: Vec<f64> = of_responses.chain(of_forces).filter_map(on_beam).collect();
+        beam.sort_by(f64::total_cmp);
+        beam.dedup();
+        Self { model, beam }
+    }
+
+    /// Number, name and direction. Directions: x along the beam, w and y along y, v and z along z; psi and theta about x,
+    /// v' 5 and w' 6, all in the model's own sense; a rate of twist is a scalar.
+    fn node(&self, target: &Target) -> Node {
+        let (number, name, direction) = match target {
+            Target::Beam(place, motion) => {
+                let x = position(self.model, *place);
+                let name = match place {
+                    Place::Left => "left".to_owned(),
+                    Place::Right => "right".to_owned(),
+                    Place::Position(x) => format!("x={x}"),
+                };
+                let direction = match motion {
+                    BeamMotion::W => 2,
+                    BeamMotion::V => 3,
+                    BeamMotion::Psi => 4,
+                    BeamMotion::VSlope => 5,
+                    BeamMotion::WSlope => 6,
+                    BeamMotion::PsiSlope => 0,
+                };
+                (
+                    self.beam.partition_point(|place| *place < x),
+                    name,
+                    direction,
+                )
+            }
+            Target::Mass(name, motion) => {
+                let mut subsystems = self.model.subsystems.iter();
+                let index = subsystems.position(|subsystem| subsystem.name == *name);
+                let direction = match motion {
+                    MassMotion::Y => 2,
+                    MassMotion::Z => 3,
+                    MassMotion::Theta => 4,
+                };
+                (
+                    self.beam.len() + index.unwrap_or(0),
+                    name.clone(),
+                    direction,
+                )
+            }
+        };
+        Node {
+            name,
+            number: u32::try_from(number + 1).unwrap_or(u32::MAX),
+            direction,
+        }
+    }
+}
+
+fn position(model: &Model, place: Place) -> f64 {
+    match place {
+        Place::Left => 0.0,
+        Place::Right => model.beam.length,
+        Place::Position(x) => x,
+    }
+}
+
+fn warn_of_digits(written: Written) {
+    if written.frequency_error > 0.0 {
+        let spacing = if written.uneven { "uneven" } else { "even" };
+        // The values are right all the same.
+        let _ = writeln!(
+            std::io::stderr(),
+            "warning: data set 58 has six digits for {spacing} frequencies: they are up to {:.1e} Hz off; CSV has them \
+             all",
+            written.frequency_error
+        );
+    }
+}

@@ -1,0 +1,174 @@
+//! A measured curve, and how it is made of the points of a file.
+
+use num_complex::Complex64;
+
+use super::unit::{Kind, ValueUnit};
+
+/// A curve from a file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    /// What the file calls it, or the file's own name.
+    pub name: String,
+    /// Hz, above 0, rising, each once.
+    pub frequencies: Vec<f64>,
+    /// As many as frequencies, finite, in the SI unit of `kind`; as they stand in the file where the kind is not known.
+    /// Without a phase the imaginary parts are 0 and the real parts are magnitudes.
+    pub values: Vec<Complex64>,
+    /// Whether phases are known; false: only magnitudes are.
+    pub phase_known: bool,
+    /// What the values are; none where neither the file nor a layout says it.
+    pub kind: Option<Kind>,
+    /// What was left out, turned or taken for granted in reading, a sentence each.
+    pub notes: Vec<String>,
+}
+
+/// The points of a curve as they come from a file.
+#[derive(Debug, Default)]
+pub(super) struct Points {
+    usable: Vec<(f64, Complex64)>,
+    not_positive: usize,
+    not_finite: usize,
+}
+
+impl Points {
+    /// Takes a point, frequency in Hz; one without a finite value or with a frequency of 0 or below is only counted.
+    pub(super) fn push(&mut self, frequency: f64, value: Complex64) {
+        if !(frequency.is_finite() && value.is_finite()) {
+            self.not_finite += 1;
+        } else if frequency > 0.0 {
+            self.usable.push((frequency, value));
+        } else {
+            self.not_positive += 1;
+        }
+    }
+
+    /// Brings values to SI, before they are counted as finite or not.
+    pub(super) fn push_in(&mut self, unit: Option<&ValueUnit>, frequency: f64, value: Complex64) {
+        self.push(frequency, unit.map_or(value, |unit| unit.to_si(value)));
+    }
+
+    /// The curve of the points; none where no point is left.
+    pub(super) fn curve(
+        mut self,
+        name: String,
+        phase_known: bool,
+        kind: Option<Kind>,
+    ) -> Option<Curve> {
+        let mut notes = Vec::new();
+        note(&mut notes, self.not_positive, "at 0 Hz or below left out");
+        note(
+            &mut notes,
+            self.not_finite,
+            "without a finite number left out",
+        );
+        if self.usable.windows(2).any(|pair| pair[0].0 > pair[1].0) {
+            self.usable.sort_by(|a, b| a.0.total_cmp(&b.0));
+            notes.push("frequencies put in rising order".to_owned());
+        }
+        let before = self.usable.len();
+        self.usable.dedup_by(|later, first| later.0 == first.0);
+        note(
+            &mut notes,
+            before - self.usable.len(),
+            "at a frequency that was there already left out",
+        );
+        if !phase_known {
+            let negative = self.usable.iter().filter(|point| point.1.re < 0.0).count();
+            note(
+                &mut notes,
+                negative,
+                "taken without the sign: only magnitudes are known",
+            );
+            for point in &mut self.usable {
+                point.1 = point.1.norm().into();
+            }
+        }
+        let (frequencies, values): (Vec<f64>, Vec<Complex64>) = self.usable.into_iter().unzip();
+        (!frequencies.is_empty()).then_some(Curve {
+            name,
+            frequencies,
+            values,
+            phase_known,
+            kind,
+            notes,
+        })
+    }
+}
+
+fn note(notes: &mut Vec<String>, count: usize, what: &str) {
+    if count > 0 {
+        let points = if count == 1 { "point" } else { "points" };
+        notes.push(format!("{count} {points} {what}"));
+    }
+}
+
+/// Gives curves of the same name numbers: `H`, `H (2)`.
+pub(super) fn distinguish(curves: &mut [Curve]) {
+    let mut seen = std::collections::HashMap::<String, usize>::new();
+    let mut taken: std::collections::HashSet<String> =
+        curves.iter().map(|curve| curve.name.clone()).collect();
+    for curve in curves {
+        let count = seen.entry(curve.name.clone()).or_default();
+        *count += 1;
+        if *count == 1 {
+            continue;
+        }
+        let mut name = format!("{} ({count})", curve.name);
+        while !taken.insert(name.clone()) {
+            *count += 1;
+            name = format!("{} ({count})", curve.name);
+        }
+        curve.name = name;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn curve(points: &[(f64, f64)], phase_known: bool) -> Option<Curve> {
+        let mut of = Points::default();
+        for &(frequency, value) in points {
+            of.push(frequency, value.into());
+        }
+        of.curve("H".to_owned(), phase_known, None)
+    }
+
+    #[test]
+    fn points_become_a_rising_curve_and_what_was_done_is_said() {
+        let points = [
+            (3.0, 1.0),
+            (0.0, 5.0),
+            (1.0, f64::NAN),
+            (2.0, -4.0),
+            (3.0, 6.0),
+            (-1.0, 1.0),
+        ];
+        let made = curve(&points, false).unwrap();
+        assert_eq!(made.frequencies, [2.0, 3.0]);
+        assert_eq!(made.values, [4.0.into(), 1.0.into()]);
+        assert_eq!(
+            made.notes,
+            [
+                "2 points at 0 Hz or below left out",
+                "1 point without a finite number left out",
+                "frequencies put in rising order",
+                "1 point at a frequency that was there already left out",
+                "1 point taken without the sign: only magnitudes are known"
+            ]
+        );
+        let made = curve(&[(2.0, -4.0), (3.0, 6.0)], true).unwrap();
+        assert_eq!(made.values, [(-4.0).into(), 6.0.into()]);
+        assert!(made.notes.is_empty());
+        assert_eq!(curve(&[(0.0, 1.0)], true), None);
+    }
+
+    #[test]
+    fn equal_names_get_numbers() {
+        let mut curves = vec![curve(&[(1.0, 1.0)], true).unwrap(); 4];
+        curves[1].name = "H (2)".to_owned();
+        distinguish(&mut curves);
+        let names: Vec<&str> = curves.iter().map(|curve| curve.name.as_str()).collect();
+        assert_eq!(names, ["H", "H (2)", "H (3)", "H (4)"]);
+    }
+}

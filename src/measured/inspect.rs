@@ -1,0 +1,164 @@
+//! What is in a file of measured curves, and what has to be asked before it is read.
+
+use std::fmt;
+
+use super::layout::FrequencyUnit;
+use super::table::{Columns, Dialect, Plan};
+use super::{Fault, Format, Hint, Layout, Values, read};
+
+/// What a file does not say of itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Question {
+    /// The unit of its frequencies; Hz is taken.
+    Frequency,
+    /// What its columns are; without an answer the file is refused.
+    Values,
+    /// What its values are and in which unit; without an answer they are taken as they stand.
+    Unit,
+}
+
+impl Question {
+    /// Whether there are no curves without an answer.
+    pub const fn is_needed(self) -> bool {
+        matches!(self, Self::Values)
+    }
+}
+
+/// What is not said, and what would be accepted.
+impl fmt::Display for Question {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Frequency => "in which unit its frequencies are: hz, khz, rad/s or rpm",
+            Self::Values => {
+                "what its columns are: re im, mag deg, mag rad, dB deg, dB rad, mag or dB would be accepted"
+            }
+            Self::Unit => "what its values are: a unit such as m/N, mm/s/N, g/N, m/s2 or rad/(N m)",
+        })
+    }
+}
+
+/// What is in a file, and what has to be asked.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Inspection {
+    /// The kind of file.
+    pub format: Format,
+    /// The words above the columns of a table, or `column 1` and so on; nothing of a universal file.
+    pub columns: Vec<String>,
+    /// The first five rows of numbers, as they stand.
+    pub first_rows: Vec<Vec<String>>,
+    /// Names of the curves that would be read, as far as a look at the first rows tells.
+    pub curves: Vec<String>,
+    /// What was understood, a sentence each.
+    pub recognised: Vec<String>,
+    /// What is not said; empty where nothing has to be asked.
+    pub missing: Vec<Question>,
+    /// What was understood, and the likeliest for the rest: to be shown in a prompt and corrected there.
+    pub proposal: Layout,
+}
+
+/// Looks at a file without reading all of a table; a layout in the hint answers what it can.
+///
+/// # Errors
+/// As [`read()`], but for what is missing.
+pub fn inspect(bytes: &[u8], hint: &Hint) -> Result<Inspection, Fault> {
+    super::of_possible_size(bytes)?;
+    match Format::of(bytes, &hint.name) {
+        Format::Csv => table(bytes, hint),
+        Format::Uff => universal(bytes, hint),
+    }
+}
+
+fn table(bytes: &[u8], hint: &Hint) -> Result<Inspection, Fault> {
+    let dialect = Dialect::of(bytes)?;
+    let plan = Plan::new(&dialect, hint)?;
+    let name = |index: usize| name(&dialect, index);
+    Ok(Inspection {
+        format: Format::Csv,
+        columns: (0..dialect.width).map(name).collect(),
+        first_rows: dialect.first_rows.clone(),
+        curves: plan.groups.iter().map(|group| group.name.clone()).collect(),
+        recognised: recognised(&dialect, &plan),
+        proposal: Layout {
+            frequency: plan.frequency.1,
+            values: plan
+                .groups
+                .first()
+                .map_or(Values::Complex, |group| group.columns.values()),
+            unit: plan.groups.iter().find_map(|group| group.unit.clone()),
+        },
+        missing: plan.missing,
+    })
+}
+
+/// The words above a column, or its number.
+fn name(dialect: &Dialect, index: usize) -> String {
+    let word = dialect.header.get(index);
+    let word = word.filter(|word| !word.trim().is_empty());
+    word.cloned()
+        .unwrap_or_else(|| format!("column {}", index + 1))
+}
+
+/// What was understood of a table, a sentence each.
+fn recognised(dialect: &Dialect, plan: &Plan) -> Vec<String> {
+    let name = |index: usize| name(dialect, index);
+    let (column, unit) = plan.frequency;
+    let mut recognised = vec![format!(
+        "{} columns with {} between them",
+        dialect.width,
+        dialect.separator.name()
+    )];
+    if !plan.missing.contains(&Question::Frequency) {
+        recognised.push(format!("frequencies in {}: {}", name(column), unit.word()));
+    }
+    if plan.missing.contains(&Question::Values) {
+        return recognised;
+    }
+    for group in &plan.groups {
+        let columns = match group.columns {
+            Columns::Complex { re, im } => format!("{} and {}", name(re), name(im)),
+            Columns::Polar { size, phase, .. } => format!("{} and {}", name(size), name(phase)),
+            Columns::Magnitude { size, .. } => name(size),
+        };
+        let unit = group.unit.as_ref();
+        let unit = unit.map_or_else(String::new, |unit| format!(", {unit}"));
+        recognised.push(format!("{} in {columns}{unit}", group.columns.values()));
+    }
+    recognised
+}
+
+fn universal(bytes: &[u8], hint: &Hint) -> Result<Inspection, Fault> {
+    let curves = read(bytes, hint)?;
+    let recognised = curves.iter().map(|curve| {
+        let unit = curve
+            .kind
+            .map_or_else(|| "unit not said".to_owned(), |kind| kind.unit());
+        let phase = if curve.phase_known {
+            ""
+        } else {
+            ", without phase"
+        };
+        format!(
+            "{}: {} points, {unit}{phase}",
+            curve.name,
+            curve.frequencies.len()
+        )
+    });
+    let missing = curves.iter().any(|curve| curve.kind.is_none());
+    Ok(Inspection {
+        format: Format::Uff,
+        columns: Vec::new(),
+        first_rows: Vec::new(),
+        recognised: recognised.collect(),
+        missing: missing.then_some(Question::Unit).into_iter().collect(),
+        proposal: Layout {
+            frequency: FrequencyUnit::Hertz,
+            values: if curves.iter().any(|curve| curve.phase_known) {
+                Values::Complex
+            } else {
+                Values::Magnitude { decibels: false }
+            },
+            unit: None,
+        },
+        curves: curves.into_iter().map(|curve| curve.name).collect(),
+    })
+}

@@ -1,0 +1,278 @@
+//! How the numbers of a table are to be read, as one line of text.
+
+use std::f64::consts::{PI, TAU};
+use std::fmt;
+
+use super::unit::ValueUnit;
+
+/// How the columns of a table are to be read.
+///
+/// As text three parts with semicolons between them, `FREQUENCY; VALUES; UNIT`:
+/// - FREQUENCY: `hz`, `khz`, `rad/s` or `rpm`;
+/// - VALUES, the columns of one curve: `re im`, `mag deg`, `mag rad`, `dB deg`, `dB rad`, `mag` or `dB`; dB is 20 log10
+///   of the value over one unit (10 log10 where the unit is that of an energy);
+/// - UNIT: what [`ValueUnit`] reads, or `?` (or nothing) where the file says it or nobody knows.
+///
+/// Examples: `hz; re im; m/s2/N`, `hz; dB deg; g/N`, `rad/s; mag; ?`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Layout {
+    /// Unit of the frequencies.
+    pub frequency: FrequencyUnit,
+    /// The columns of one curve.
+    pub values: Values,
+    /// Unit of the values; none: as the file says, or unknown.
+    pub unit: Option<ValueUnit>,
+}
+
+/// In what a file gives its frequencies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FrequencyUnit {
+    /// Hz.
+    Hertz,
+    /// kHz.
+    Kilohertz,
+    /// rad/s.
+    RadianPerSecond,
+    /// Revolutions a minute.
+    RevolutionPerMinute,
+}
+
+/// The columns of one curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Values {
+    /// Real and imaginary part.
+    Complex,
+    /// Magnitude and phase.
+    MagnitudePhase {
+        /// Unit of the phase.
+        phase: PhaseUnit,
+        /// Whether the magnitude is in dB.
+        decibels: bool,
+    },
+    /// The magnitude alone.
+    Magnitude {
+        /// Whether it is in dB.
+        decibels: bool,
+    },
+}
+
+/// In what a file gives phases.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PhaseUnit {
+    /// Degrees.
+    Degree,
+    /// rad.
+    Radian,
+}
+
+impl FrequencyUnit {
+    /// All four.
+    pub const ALL: [Self; 4] = [
+        Self::Hertz,
+        Self::Kilohertz,
+        Self::RadianPerSecond,
+        Self::RevolutionPerMinute,
+    ];
+
+    /// The word of a layout.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Hertz => "hz",
+            Self::Kilohertz => "khz",
+            Self::RadianPerSecond => "rad/s",
+            Self::RevolutionPerMinute => "rpm",
+        }
+    }
+
+    /// The unit of a word, in whatever case.
+    pub fn from_word(word: &str) -> Option<Self> {
+        let mut all = Self::ALL.into_iter();
+        all.find(|unit| unit.word().eq_ignore_ascii_case(word.trim()))
+    }
+
+    /// One of it in Hz.
+    pub const fn hertz(self) -> f64 {
+        match self {
+            Self::Hertz => 1.0,
+            Self::Kilohertz => 1e3,
+            Self::RadianPerSecond => 1.0 / TAU,
+            Self::RevolutionPerMinute => 1.0 / 60.0,
+        }
+    }
+}
+
+impl PhaseUnit {
+    /// One of it in rad.
+    pub const fn radians(self) -> f64 {
+        match self {
+            Self::Degree => PI / 180.0,
+            Self::Radian => 1.0,
+        }
+    }
+
+    /// The word of a layout.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Degree => "deg",
+            Self::Radian => "rad",
+        }
+    }
+
+    /// The unit of a word, in whatever case.
+    pub(super) fn from_word(word: &str) -> Option<Self> {
+        match word.trim().to_ascii_lowercase().as_str() {
+            "deg" | "degree" | "degrees" | "°" => Some(Self::Degree),
+            "rad" | "radian" | "radians" => Some(Self::Radian),
+            _ => None,
+        }
+    }
+}
+
+impl Values {
+    /// Whether they are the same columns, whatever their units.
+    pub(super) const fn is_like(self, other: Self) -> bool {
+        matches!(
+            (self, other),
+            (Self::Complex, Self::Complex)
+                | (Self::MagnitudePhase { .. }, Self::MagnitudePhase { .. })
+                | (Self::Magnitude { .. }, Self::Magnitude { .. })
+        )
+    }
+
+    /// How many columns a curve has.
+    pub(super) const fn columns(self) -> usize {
+        match self {
+            Self::Complex | Self::MagnitudePhase { .. } => 2,
+            Self::Magnitude { .. } => 1,
+        }
+    }
+
+    fn parse(text: &str) -> Option<Self> {
+        let words: Vec<String> = text
+            .split_whitespace()
+            .map(str::to_ascii_lowercase)
+            .collect();
+        let words: Vec<&str> = words.iter().map(String::as_str).collect();
+        let magnitude = |word| match word {
+            "mag" => Some(false),
+            "db" => Some(true),
+            _ => None,
+        };
+        match words[..] {
+            ["re", "im"] => Some(Self::Complex),
+            [word] => magnitude(word).map(|decibels| Self::Magnitude { decibels }),
+            [word, phase] => Some(Self::MagnitudePhase {
+                phase: PhaseUnit::from_word(phase)?,
+                decibels: magnitude(word)?,
+            }),
+            _ => None,
+        }
+    }
+}
+
+impl fmt::Display for Values {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let size = |decibels| if decibels { "dB" } else { "mag" };
+        match *self {
+            Self::Complex => f.write_str("re im"),
+            Self::MagnitudePhase { phase, decibels } => {
+                write!(f, "{} {}", size(decibels), phase.word())
+            }
+            Self::Magnitude { decibels } => f.write_str(size(decibels)),
+        }
+    }
+}
+
+impl Layout {
+    /// Reads a layout.
+    ///
+    /// # Errors
+    /// Says which part is wrong and what is accepted.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let parts: Vec<&str> = text.split(';').map(str::trim).collect();
+        let (frequency, values, unit) = match parts[..] {
+            [frequency, values] => (frequency, values, "?"),
+            [frequency, values, unit] => (frequency, values, unit),
+            _ => {
+                return Err(
+                    "wants a frequency unit, the columns and their unit, such as hz; re im; m/s2/N"
+                        .to_owned(),
+                );
+            }
+        };
+        Ok(Self {
+            frequency: FrequencyUnit::from_word(frequency).ok_or_else(|| {
+                format!("{frequency:?} is no unit of a frequency: accepted is hz, khz, rad/s or rpm")
+            })?,
+            values: Values::parse(values).ok_or_else(|| {
+                format!(
+                    "{values:?} are no columns: accepted is re im, mag deg, mag rad, dB deg, dB rad, mag or dB"
+                )
+            })?,
+            unit: match unit {
+                "" | "?" => None,
+                unit => Some(ValueUnit::parse(unit)?),
+            },
+        })
+    }
+}
+
+/// The text that [`Layout::parse`] reads.
+impl fmt::Display for Layout {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}; {}; ", self.frequency.word(), self.values)?;
+        match &self.unit {
+            Some(unit) => write!(f, "{unit}"),
+            None => f.write_str("?"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_layout_is_one_line_that_reads_back() {
+        for text in [
+            "hz; re im; m/s2/N",
+            "khz; mag deg; mm/s",
+            "rad/s; mag rad; rad/(N m)",
+            "rpm; dB deg; g/N",
+            "hz; dB rad; 1e-6 m/N",
+            "hz; mag; kg m2",
+            "hz; dB; ?",
+        ] {
+            let layout = Layout::parse(text).unwrap();
+            assert_eq!(layout.to_string(), text);
+            assert_eq!(Layout::parse(&layout.to_string()), Ok(layout));
+        }
+        assert_eq!(
+            Layout::parse(" HZ ;RE  Im").unwrap().to_string(),
+            "hz; re im; ?"
+        );
+        assert_eq!(
+            Layout::parse("Hz; db DEG;").unwrap().to_string(),
+            "hz; dB deg; ?"
+        );
+    }
+
+    #[test]
+    fn a_wrong_part_is_named_with_what_is_accepted() {
+        for (text, part, accepted) in [
+            ("", "", "hz; re im; m/s2/N"),
+            ("hz", "", "hz; re im; m/s2/N"),
+            ("hz; re im; m; 4", "", "hz; re im; m/s2/N"),
+            ("mhz; re im", "\"mhz\"", "rad/s"),
+            ("hz; im re", "\"im re\"", "mag deg"),
+            ("hz; re deg", "\"re deg\"", "mag deg"),
+            ("hz; re im; furlong", "\"furlong\"", "m/s2/N"),
+        ] {
+            let message = Layout::parse(text).unwrap_err();
+            assert!(
+                message.contains(part) && message.contains(accepted),
+                "{text}: {message}"
+            );
+        }
+    }
+}

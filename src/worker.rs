@@ -7,8 +7,10 @@
 
 mod curves;
 mod lane;
+mod levels;
 mod members;
 mod resolve;
+mod sample;
 mod witness;
 
 use std::sync::Arc;
@@ -19,7 +21,9 @@ use resolve::{Resolver, Unresolved};
 
 use crate::model::Model;
 use crate::solve::Frf;
+use crate::solve::band::Level;
 use crate::solve::modes::{Modes, Shape, Shares, shape};
+use crate::solve::operating::{Operating, operating};
 use crate::solve::peaks::Peak;
 
 /// A sweep that would take longer than this is preceded by a coarse one.
@@ -37,6 +41,60 @@ pub enum Request {
     Shape(ShapeRequest),
     /// The curves of a finite-element model, at the frequencies of the sweep.
     Witness(Subject),
+    /// Several models at a few frequencies.
+    Sample(SampleRequest),
+    /// The resolved curves of a model to compare with; its generation is a serial number.
+    Reference(Subject),
+    /// The levels of several models in a band.
+    Levels(LevelsRequest),
+    /// What the beam does at one frequency.
+    Operating(OperatingRequest),
+}
+
+/// Which models' levels are told in which band.
+#[derive(Debug, Clone)]
+pub struct LevelsRequest {
+    /// Comes back with the answer.
+    pub serial: u64,
+    /// The models, each with its study.
+    pub subjects: Vec<Subject>,
+    /// From the lower to the upper end, Hz.
+    pub band: [f64; 2],
+}
+
+/// What model's motion is told at which frequency.
+#[derive(Debug, Clone)]
+pub struct OperatingRequest {
+    /// Comes back with the answer.
+    pub serial: u64,
+    /// A checked model.
+    pub model: Arc<Model>,
+    /// Hz.
+    pub frequency: f64,
+}
+
+/// What some frequencies are solved for; each has a thread of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sampling {
+    /// The band that shows, finely.
+    Detail,
+    /// The cursors.
+    Reading,
+    /// The frequencies of a measured curve.
+    Measured,
+}
+
+/// Which models are solved at which frequencies.
+#[derive(Debug, Clone)]
+pub struct SampleRequest {
+    /// Comes back with the answer.
+    pub serial: u64,
+    /// What it is for.
+    pub sampling: Sampling,
+    /// The models, each with its study.
+    pub subjects: Vec<Subject>,
+    /// Hz, rising.
+    pub frequencies: Vec<f64>,
 }
 
 /// What curves are asked for.
@@ -72,6 +130,65 @@ pub enum Answer {
     Shape(ShapeAnswer),
     /// Finite-element curves.
     Witness(WitnessAnswer),
+    /// Several models at a few frequencies.
+    Sample(SampleAnswer),
+    /// A model to compare with.
+    Reference(ReferenceAnswer),
+    /// The levels of several models in a band.
+    Levels(LevelsAnswer),
+    /// What the beam does at one frequency.
+    Operating(OperatingAnswer),
+}
+
+/// The levels of several models in a band, or why there are none.
+#[derive(Debug, Clone)]
+pub struct LevelsAnswer {
+    /// Of the request.
+    pub serial: u64,
+    /// For each subject its members, or one line that says what went wrong.
+    pub result: Result<Vec<Vec<LevelsMember>>, String>,
+}
+
+/// The levels of one model in a band.
+#[derive(Debug, Clone)]
+pub struct LevelsMember {
+    /// What tells it from the other members of its study.
+    pub label: Option<String>,
+    /// The model.
+    pub model: Arc<Model>,
+    /// One for each enabled response.
+    pub levels: Vec<Level>,
+}
+
+/// What the beam does at one frequency, or why that is not known.
+#[derive(Debug, Clone)]
+pub struct OperatingAnswer {
+    /// Of the request.
+    pub serial: u64,
+    /// At [`SHAPE_POINTS`] places and more, or one line that says what went wrong.
+    pub result: Result<Arc<Operating>, String>,
+}
+
+/// Several models at a few frequencies, or why not.
+#[derive(Debug, Clone)]
+pub struct SampleAnswer {
+    /// Of the request.
+    pub serial: u64,
+    /// Of the request.
+    pub sampling: Sampling,
+    /// Hz, as they were asked for.
+    pub frequencies: Vec<f64>,
+    /// For each subject its members' responses, without peaks, or one line that says what went wrong.
+    pub result: Result<Vec<Vec<Member>>, String>,
+}
+
+/// The resolved curves of a model to compare with, or why there are none.
+#[derive(Debug, Clone)]
+pub struct ReferenceAnswer {
+    /// Of the request.
+    pub serial: u64,
+    /// The curves, or one line that says what went wrong.
+    pub result: Result<Curves, String>,
 }
 
 /// Curves, or why there are none.
@@ -112,6 +229,8 @@ pub struct Curves {
 pub struct Member {
     /// What tells it from the other members of its study.
     pub label: Option<String>,
+    /// The model whose curves they are.
+    pub model: Arc<Model>,
     /// Its responses.
     pub frf: Frf,
     /// The peaks of each response; none before the curves are resolved.
@@ -177,6 +296,12 @@ pub struct Worker {
     resolving: Arc<Lane<Unresolved>>,
     shapes: Lane<ShapeRequest>,
     witness: Lane<Subject>,
+    details: Lane<SampleRequest>,
+    readings: Lane<SampleRequest>,
+    measured: Lane<SampleRequest>,
+    references: Lane<Subject>,
+    levels: Lane<LevelsRequest>,
+    operating: Lane<OperatingRequest>,
 }
 
 impl Worker {
@@ -203,9 +328,35 @@ impl Worker {
                 tell(Answer::Shape(answer));
             }
         });
+        let tell = notify.clone();
         let witness = Lane::start(move |subject, cancel| {
             if let Some(answer) = witness::answer(&subject, cancel) {
-                notify(Answer::Witness(answer));
+                tell(Answer::Witness(answer));
+            }
+        });
+        let [details, readings, measured] = [(); 3].map(|()| {
+            let tell = notify.clone();
+            Lane::start(move |request, cancel: &_| {
+                if let Some(answer) = sample::answer(&request, cancel) {
+                    tell(Answer::Sample(answer));
+                }
+            })
+        });
+        let tell = notify.clone();
+        let references = Lane::start(move |subject, cancel| {
+            if let Some(answer) = sample::reference(subject, cancel) {
+                tell(Answer::Reference(answer));
+            }
+        });
+        let tell = notify.clone();
+        let levels = Lane::start(move |request, cancel| {
+            if let Some(answer) = levels::answer(&request, cancel) {
+                tell(Answer::Levels(answer));
+            }
+        });
+        let operating = Lane::start(move |request, _| {
+            if let Some(answer) = operating_of(&request) {
+                notify(Answer::Operating(answer));
             }
         });
         Self {
@@ -213,6 +364,12 @@ impl Worker {
             resolving,
             shapes,
             witness,
+            details,
+            readings,
+            measured,
+            references,
+            levels,
+            operating,
         }
     }
 
@@ -226,6 +383,14 @@ impl Worker {
             }
             Request::Shape(request) => self.shapes.give(request),
             Request::Witness(subject) => self.witness.give(subject),
+            Request::Levels(request) => self.levels.give(request),
+            Request::Operating(request) => self.operating.give(request),
+            Request::Reference(subject) => self.references.give(subject),
+            Request::Sample(request) => match request.sampling {
+                Sampling::Detail => self.details.give(request),
+                Sampling::Reading => self.readings.give(request),
+                Sampling::Measured => self.measured.give(request),
+            },
         }
     }
 }
@@ -242,6 +407,14 @@ fn shape_of(request: &ShapeRequest) -> Option<ShapeAnswer> {
         generation: *generation,
         index: *index,
         result,
+    })
+}
+
+fn operating_of(request: &OperatingRequest) -> Option<OperatingAnswer> {
+    let solve = || operating(&request.model, request.frequency, SHAPE_POINTS);
+    Some(OperatingAnswer {
+        serial: request.serial,
+        result: guarded(|| Ok(Some(Arc::new(solve()))))?,
     })
 }
 

@@ -53,6 +53,94 @@ fn after_edit() {
     screen!("after_edit_120x40", edited(), 120 x 40);
 }
 
+/// A beam whose second cursor and cursor stand at frequencies, as typed.
+fn read_at(preset: &str, frequencies: [&str; 2]) -> Driver {
+    let mut driver = Driver::preset(preset);
+    let [second, first] = frequencies;
+    driver.keys("@").typed(second).keys("Enter c");
+    driver.keys("@").typed(first).keys("Enter");
+    driver
+}
+
+#[test]
+fn views() {
+    for (name, keys) in [
+        ("phase", "b"),
+        ("phase_unwrapped", "b '"),
+        ("real_imaginary", "b b"),
+        ("nyquist", "b b b"),
+        ("difference", "f Tab > > > b b b b"),
+        ("dynamic_stiffness", "i i i i"),
+        ("rpm", "# # d"),
+    ] {
+        let mut driver = Driver::preset("cantilever");
+        driver.keys("@").typed("18 Hz").keys("Enter").keys(keys);
+        let small = format!("view_{name}_80x24");
+        insta::assert_snapshot!(small, driver.screen(80, 24));
+        let large = format!("view_{name}_120x40");
+        insta::assert_snapshot!(large, driver.screen(120, 40));
+    }
+}
+
+#[test]
+fn readings() {
+    let mut driver = read_at("cantilever", ["20", "25"]);
+    driver.keys("f H \"");
+    screen!("readings_80x24", driver, 80 x 24);
+    screen!("readings_120x40", driver, 120 x 40);
+    driver.keys("_");
+    screen!("band_80x24", driver, 80 x 24);
+    screen!("band_120x40", driver, 120 x 40);
+}
+
+#[test]
+fn zoomed_in() {
+    let mut driver = Driver::preset("fig05a");
+    driver.keys("@").typed("100").keys("Enter 6 z");
+    driver.screen(120, 40);
+    driver.keys("z ! *");
+    screen!("zoomed_in_80x24", driver, 80 x 24);
+    screen!("zoomed_in_120x40", driver, 120 x 40);
+}
+
+#[test]
+fn looks_at_the_beam() {
+    for (name, keys) in [
+        ("deflection", "O"),
+        ("moments", "O O"),
+        ("shear", "O O O"),
+        ("torque", "O O O O"),
+        ("bimoment", "O O O O O"),
+        ("power", "O O O O O O"),
+        ("structure", "B"),
+        ("section", "B B"),
+    ] {
+        let mut driver = Driver::preset("fig05a");
+        driver.select("subsystems.S2.mass");
+        driver.keys("@").typed("31.5 Hz").keys("Enter").keys(keys);
+        let small = format!("look_{name}_80x24");
+        insta::assert_snapshot!(small, driver.screen(80, 24));
+        let large = format!("look_{name}_120x40");
+        insta::assert_snapshot!(large, driver.screen(120, 40));
+    }
+}
+
+#[test]
+fn beside_the_model() {
+    let mut driver = Driver::preset("cantilever");
+    driver.keys("Q");
+    screen!("beside_nothing_80x24", driver, 80 x 24);
+    driver.keys("Esc f Tab > > f > Q Down Enter");
+    screen!("beside_80x24", driver, 80 x 24);
+    screen!("beside_120x40", driver, 120 x 40);
+    driver.keys("r");
+    screen!("beside_name_80x24", driver, 80 x 24);
+    driver.keys("Esc Ctrl-t");
+    screen!("factors_80x24", driver, 80 x 24);
+    driver.keys("Esc Ctrl-e");
+    screen!("export_80x24", driver, 80 x 24);
+}
+
 #[test]
 fn help() {
     let mut driver = Driver::preset("fig05a");

@@ -3,21 +3,30 @@
 //! [`App::update`] is pure: what is to be done outside comes back as [`Effect`]s, and what came of those goes in by
 //! [`App::reply`].
 
+mod ask;
+mod band;
+mod beside;
 mod chart;
 mod commands;
 mod curves;
+mod detail;
+mod display;
 mod document;
 mod edit;
 mod effect;
+mod export;
 mod files;
 mod fresh;
 mod history;
+mod look;
+mod measured;
 mod modal;
 mod mouse;
 mod outside;
 mod overlay;
 mod palette;
 mod prompt;
+mod reading;
 mod recovery;
 mod remember;
 mod repeat;
@@ -33,17 +42,26 @@ mod zoom;
 
 use std::sync::Arc;
 
-pub use curves::{Curves, Member, Picture, Shown, Trace};
+pub use ask::Question;
+pub use band::{Band, BandLevels, MemberLevels, ResponseLevel};
+pub use beside::{Beside, Reference};
+pub use curves::{Compared, Curves, Member, Picture, Shown, Trace};
+pub use detail::{Detail, DetailPicture};
+pub use display::Display;
 pub use document::{Base, Document};
 pub use effect::{Effect, Guard, Lost, Reply};
+pub use export::{Export, Saving};
+pub use look::{Look, Looking, Moment};
+pub use measured::{Fitted, Measured, OpenedMeasured};
 pub use modal::{Completeness, Modal, ModeKind, ModeList, ModeRow, Shares};
 pub use outside::Outside;
 pub use overlay::{Asked, AskedKind, List, Next, Overlay, Prompt, Purpose, ReplaceReason};
 pub use palette::{Entry, Found, Palette};
-pub use screen::{Plot, Rows, Screen};
+pub use reading::{Read, Reading, Value, nearest};
+pub use screen::{Levels, Plot, Rows, Screen};
 pub use search::Search;
 pub use selection::Selection;
-pub use shape::{Shape, Shaping};
+pub use shape::Shape;
 pub use tables::{Anchor, Table, Tables};
 pub use witness::{Witness, WitnessCurves, WitnessPicture};
 
@@ -79,6 +97,18 @@ pub struct App {
     pub selection: Selection,
     /// The chart.
     pub curves: Curves,
+    /// How values are shown.
+    pub display: Display,
+    /// The band that shows, solved finely.
+    pub detail: Detail,
+    /// What is read at the cursors.
+    pub reading: Reading,
+    /// What stands on the chart beside the model.
+    pub beside: Beside,
+    /// The marked band.
+    pub band: Band,
+    /// What is looked at below the chart.
+    pub looking: Looking,
     /// The modes and the shape of one.
     pub modal: Modal,
     /// The tables of modes and peaks.
@@ -119,6 +149,8 @@ pub struct App {
     requested: Option<(Arc<Model>, Option<usize>)>,
     /// The generation whose finite-element curves were asked for last.
     witnessed: Option<u64>,
+    /// The serial number given last.
+    serial: u64,
     /// The screen is too small to show anything.
     pub unseen: bool,
 }
@@ -133,6 +165,12 @@ impl App {
             theme: Theme::new(true),
             selection: Selection::new(model),
             curves: Curves::new(model, 0),
+            display: Display::default(),
+            detail: Detail::default(),
+            reading: Reading::default(),
+            beside: Beside::default(),
+            band: Band::default(),
+            looking: Looking::default(),
             modal: Modal::default(),
             tables: Tables::default(),
             anchor: Anchor::default(),
@@ -153,6 +191,7 @@ impl App {
             after_save: None,
             requested: None,
             witnessed: None,
+            serial: 0,
             unseen: false,
             document,
         }
@@ -195,7 +234,7 @@ impl App {
                 Vec::new()
             }
             Event::Tick => {
-                self.modal.shaping = self.modal.shaping.next();
+                self.next_frame();
                 Vec::new()
             }
             Event::Touched => self.compare(),
@@ -223,6 +262,12 @@ impl App {
         }
         self.selection.follow(before, &model);
         self.curves.follow(before, &model);
+    }
+
+    /// A number that was not given before.
+    fn next_serial(&mut self) -> u64 {
+        self.serial += 1;
+        self.serial
     }
 
     fn done(&mut self, text: impl Into<String>) {

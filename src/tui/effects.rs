@@ -5,16 +5,16 @@ mod files;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::Sender;
 
-use super::app::{App, Base, Effect, Lost, Reply};
+use super::app::{App, Base, Effect, Export, Lost, Reply};
 use super::event::Event;
 use super::user::recovery::{self, Found, Keeper, Kept, Left};
 use super::user::why;
 use super::watch::Watch;
-use super::{Opened, Source};
+use super::{Opened, Source, export::provenance, scene, view};
 use crate::model;
 use crate::presets;
 use crate::worker::Worker;
-use files::{compare, complete, open, save};
+use files::{compare, complete, export, open, open_measured, save};
 
 /// Does what the state asks for.
 #[derive(Debug)]
@@ -103,6 +103,11 @@ impl Performer {
             Effect::Copy(text) => return Outcome::Copy(text),
             Effect::Quit(signal) => return Outcome::Quit(signal),
             Effect::Save { path, text, guard } => save(path, text, &guard),
+            Effect::Export { path, kind, guard } => {
+                export(path, &exported(app, kind), kind, &guard)
+            }
+            Effect::OpenReference(path) => open(path, Reply::Reference),
+            Effect::OpenMeasured(path, layout) => open_measured(path, layout.as_deref()),
             Effect::Open(path) => open(path, Reply::Opened),
             Effect::Reload(path) => open(path, Reply::Reloaded),
             Effect::Compare { path, text } => Reply::Compared(compare(&path, &text)),
@@ -195,6 +200,21 @@ impl Performer {
             Err(error) if nothing => Some(format!("what was kept is not removed: {}", why(&error))),
             Err(error) => Some(format!("unsaved changes are lost: {}", why(&error))),
         }
+    }
+}
+
+/// What is on the screen, as it is written.
+fn exported(app: &mut App, kind: Export) -> String {
+    match kind {
+        // The box that asked for the file is not what is meant.
+        Export::Text => {
+            let asked = app.overlay.take();
+            let text = view::text(app);
+            app.overlay = asked;
+            text
+        }
+        Export::Csv => super::export::csv(&scene::of(app), &provenance(app)),
+        Export::Svg => super::export::svg(&scene::of(app), &provenance(app)),
     }
 }
 

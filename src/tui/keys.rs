@@ -4,12 +4,14 @@
 
 mod boxes;
 mod command;
+mod compare;
 mod curves;
 mod key;
 mod map;
 mod model;
 mod modes;
 mod program;
+mod reading;
 mod table;
 
 pub use command::Command;
@@ -34,6 +36,8 @@ pub enum Scope {
     Search,
     /// The list of presets.
     Picker,
+    /// The list of references and measured curves.
+    Beside,
     /// Help and lists of faults.
     Reader,
     /// The question what becomes of unsaved changes.
@@ -48,13 +52,14 @@ pub enum Scope {
 
 impl Scope {
     /// Every scope.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Main,
         Self::Table,
         Self::Prompt,
         Self::Palette,
         Self::Search,
         Self::Picker,
+        Self::Beside,
         Self::Reader,
         Self::Unsaved,
         Self::Replace,
@@ -71,6 +76,7 @@ impl Scope {
             Self::Palette => "palette",
             Self::Search => "search",
             Self::Picker => "presets",
+            Self::Beside => "beside",
             Self::Reader => "reader",
             Self::Unsaved => "unsaved",
             Self::Replace => "replace",

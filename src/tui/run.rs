@@ -23,6 +23,9 @@ use super::{Opened, view};
 /// From one frame of what moves to the next.
 const FRAME: Duration = Duration::from_millis(100);
 
+/// A frame of what moves that takes longer to send is the last: the line carries no more.
+const SLOWEST_FRAME: Duration = Duration::from_millis(300);
+
 /// What the designer starts with beside the model.
 #[derive(Debug, Default)]
 pub struct Setup {
@@ -178,7 +181,12 @@ impl Stage<'_> {
         let began = Instant::now();
         let app = &mut *self.app;
         self.session.draw(|frame| view::draw(frame, app))?;
-        pace.drew(began, Instant::now());
+        let ended = Instant::now();
+        pace.drew(began, ended);
+        if app.moves() && ended - began > SLOWEST_FRAME {
+            app.stop_moving();
+            pace.wants(Reason::Shows, ended);
+        }
         Ok(())
     }
 
@@ -217,6 +225,7 @@ impl Stage<'_> {
             let reason = Reason::of(&event);
             // A look at the file that found nothing draws nothing.
             let silent = matches!(event, Event::Touched).then(|| self.app.message.clone());
+            let is_answer = matches!(event, Event::Answer(_));
             let effects = self.app.update(event);
             let solves = effects
                 .iter()
@@ -224,6 +233,8 @@ impl Stage<'_> {
             if let Some(ended) = self.perform(effects)? {
                 return Ok(Some(ended));
             }
+            // What is read meanwhile waits for the curves that it belongs to.
+            let solves = solves || (is_answer && self.app.curves.is_stale());
             if silent.is_none_or(|said| self.app.message != said) {
                 pace.wants(reason.asking(solves), Instant::now());
             }

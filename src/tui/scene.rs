@@ -1,5 +1,14 @@
 //! What stands on the chart, before anything draws it: the widgets on the screen and the exported files both do.
 
+pub mod axes;
+mod build;
+#[cfg(test)]
+pub(crate) mod sample;
+
+use num_complex::Complex64;
+
+pub use build::{Scale, label, of, scale};
+
 use crate::tui::plot::{Level, LineStyle};
 
 /// The unit in which frequencies are shown and typed.
@@ -177,5 +186,79 @@ impl ChartView {
             Self::Nyquist => "Nyquist",
             Self::Difference => "difference to the reference",
         }
+    }
+
+    /// Whether a curve has two values at a frequency.
+    pub const fn has_two_panels(self) -> bool {
+        matches!(
+            self,
+            Self::MagnitudePhase | Self::RealImaginary | Self::Nyquist
+        )
+    }
+}
+
+/// What each panel of a view shows of a value; an energy is real and has no phase.
+fn part(view: ChartView, value: Complex64, energy: bool) -> Vec<f64> {
+    let magnitude = if energy { value.re } else { value.norm() };
+    match view {
+        ChartView::Magnitude | ChartView::Difference => vec![magnitude],
+        ChartView::MagnitudePhase if energy || value == Complex64::ZERO => {
+            vec![magnitude, f64::NAN]
+        }
+        ChartView::MagnitudePhase => vec![magnitude, value.arg().to_degrees()],
+        ChartView::RealImaginary | ChartView::Nyquist => {
+            vec![value.re, if energy { f64::NAN } else { value.im }]
+        }
+    }
+}
+
+/// A level against another one, dB: ten decibels a decade of an energy, twenty else.
+pub fn difference(energy: bool, value: Complex64, against: Complex64) -> f64 {
+    if energy {
+        10.0 * (value.re / against.re).log10()
+    } else {
+        20.0 * (value.norm() / against.norm()).log10()
+    }
+}
+
+/// Lets a phase (degrees) run on past half a turn; it starts anew after a gap where it was.
+fn unwrap(phase: &mut [f64]) {
+    let mut last: Option<f64> = None;
+    for value in phase.iter_mut().filter(|value| value.is_finite()) {
+        if let Some(last) = last {
+            *value -= 360.0 * ((*value - last) / 360.0).round();
+        }
+        last = Some(*value);
+    }
+}
+
+/// A number as short as it can be: 1, 1e-12.
+fn plain(value: f64) -> String {
+    if (1e-3..1e4).contains(&value) {
+        format!("{value}")
+    } else {
+        format!("{value:e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_phase_runs_on_past_half_a_turn() {
+        // A full turn downwards in steps of 60 degrees, wrapped, with a gap.
+        let mut phase = [0.0, -60.0, -120.0, 180.0, f64::NAN, 120.0, 60.0, 0.0];
+        unwrap(&mut phase);
+        let finite: Vec<f64> = phase.into_iter().filter(|one| one.is_finite()).collect();
+        assert_eq!(finite, [0.0, -60.0, -120.0, -180.0, -240.0, -300.0, -360.0]);
+    }
+
+    #[test]
+    fn levels_are_told_against_each_other() {
+        // Closed form: a factor of 10 is 20 dB of an amplitude and 10 dB of an energy.
+        let (one, ten) = (Complex64::new(0.0, 1.0), Complex64::from(10.0));
+        assert!((difference(false, ten, one) - 20.0).abs() < 1e-12);
+        assert!((difference(true, ten, Complex64::ONE) - 10.0).abs() < 1e-12);
     }
 }

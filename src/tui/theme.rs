@@ -256,6 +256,15 @@ impl Theme {
         }
     }
 
+    /// The marker of the measured curve with this number: none of the curves', nor that of finite elements.
+    pub const fn sample(self, number: usize) -> char {
+        let samples = match self.glyphs {
+            Glyphs::Braille | Glyphs::Block | Glyphs::Dot => ['◇', '□', '▽', '☆'],
+            Glyphs::Ascii => ['M', 'N', 'P', 'Q'],
+        };
+        samples[number % samples.len()]
+    }
+
     /// The chart's own parts.
     pub fn chart(self) -> ChartStyles {
         ChartStyles {

@@ -1,28 +1,40 @@
 //! What is on the screen. The views read the state and know nothing of the solver beyond its curves.
 
+mod band;
+mod beside;
 mod boxes;
 mod chart;
+mod deflection;
 mod details;
+mod figure;
+mod forces;
 mod help;
 mod modes;
+mod moving;
 mod palette;
 mod peaks;
+mod power;
 mod prompt;
 mod questions;
+mod readings;
+mod readout;
+mod section;
 mod shape;
 mod status;
+mod structure;
 mod summary;
 mod table;
 mod text;
 mod tree;
 
-use ratatui::Frame;
+use ratatui::backend::TestBackend;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Modifier;
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Paragraph, Wrap};
+use ratatui::{Frame, Terminal};
 
-use super::app::{App, Rows, Screen, Shaping, Table};
+use super::app::{App, Look, Rows, Screen, Table};
 use super::ascii;
 use super::keys::{Command, Scope};
 use super::theme::Theme;
@@ -152,13 +164,17 @@ pub fn draw(frame: &mut Frame<'_>, app: &mut App) {
 }
 
 fn draw_panels(frame: &mut Frame<'_>, app: &mut App, theme: Theme) {
+    app.tables.readings.set_rows(readings::rows(app).len());
+    app.tables.band.set_rows(band::rows(app).len());
     let list = app.tables.open.map(|table| match table {
         Table::Modes => app.tables.modes,
         Table::Peaks => app.tables.peaks,
+        Table::Readings => app.tables.readings,
+        Table::Band => app.tables.band,
     });
     let wanted = Beside {
         table: list.map(|list| (list.rows.max(1) as u16).saturating_add(table::FRAME_ROWS)),
-        shape: app.modal.shaping != Shaping::Hidden,
+        shape: app.looking.look.is_some(),
     };
     let Some(panels) = panels(frame.area(), wanted) else {
         app.unseen = true;
@@ -171,6 +187,7 @@ fn draw_panels(frame: &mut Frame<'_>, app: &mut App, theme: Theme) {
         app.selection.set_height(usize::from(tree.height));
     }
     app.screen = Screen {
+        area: frame.area(),
         tree: Rows {
             area: tree,
             first: app.selection.rows().1,
@@ -182,17 +199,48 @@ fn draw_panels(frame: &mut Frame<'_>, app: &mut App, theme: Theme) {
     tree::draw(frame, app, theme, panels.tree);
     details::draw(frame, app, theme, panels.details);
     if panels.chart.height > 0 {
-        app.screen.plot = chart::draw(frame, app, theme, panels.chart);
+        let drawn = chart::draw(frame, app, theme, panels.chart);
+        (app.screen.plot, app.screen.levels) = (drawn.plot, drawn.levels);
     }
     if panels.shape.height > 0 {
-        shape::draw(frame, app, theme, panels.shape);
+        draw_look(frame, app, theme, panels.shape);
     }
     app.screen.table = app.tables.open.map(|table| match table {
         Table::Modes => modes::draw(frame, app, theme, panels.table),
         Table::Peaks => peaks::draw(frame, app, theme, panels.table),
+        Table::Readings => readings::draw(frame, app, theme, panels.table),
+        Table::Band => band::draw(frame, app, theme, panels.table),
     });
     status::draw_hints(frame, app, theme, panels.hints);
     boxes::draw(frame, app, theme, &panels);
+}
+
+/// What is looked at below the chart.
+fn draw_look(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
+    match app.looking.look {
+        Some(Look::Mode) => shape::draw(frame, app, theme, area),
+        Some(Look::Structure) => structure::draw(frame, app, theme, area),
+        Some(Look::Section) => section::draw(frame, app, theme, area),
+        Some(Look::Deflection) => deflection::draw(frame, app, theme, area),
+        Some(Look::Moments | Look::Shear | Look::Torque | Look::Bimoment) => {
+            forces::draw(frame, app, theme, area);
+        }
+        Some(Look::Power) => power::draw(frame, app, theme, area),
+        None => {}
+    }
+}
+
+/// The screen as text, as it was drawn last: a line a row, without blanks at their ends.
+pub fn text(app: &mut App) -> String {
+    let size = app.screen.area;
+    let backend = TestBackend::new(size.width, size.height);
+    // Such a backend has no errors.
+    let Ok(mut terminal) = Terminal::new(backend);
+    let _ = terminal.draw(|frame| draw(frame, app));
+    let buffer = terminal.backend().buffer();
+    let row = |y| (0..size.width).map(move |x| buffer[(x, y)].symbol());
+    let lines = (0..size.height).map(|y| row(y).collect::<String>().trim_end().to_owned() + "\n");
+    lines.collect()
 }
 
 fn too_small(frame: &mut Frame<'_>, leave: &str) {

@@ -1,5 +1,6 @@
 //! Curves: first few frequencies, then all of the sweep.
 
+use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
@@ -96,6 +97,7 @@ fn solve_all(members: &[Labelled], stride: usize, cancel: &AtomicBool) -> Option
             .collect();
         Some(Member {
             label: label.clone(),
+            model: Arc::clone(model),
             frf: sweep(model, &some, cancel)?,
             peaks: Vec::new(),
             damping_ratios: Vec::new(),

@@ -117,6 +117,7 @@ fn resolve_member(
         .collect();
     Some(Member {
         label: member.label,
+        model: member.model,
         frf,
         peaks,
         damping_ratios: modes.modes.iter().map(Mode::damping_ratio).collect(),

@@ -89,7 +89,9 @@ fn a_shape_moves_while_it_shall() {
     program.wait("a frame", |screen| picture(screen) != still);
     let frame = program.picture();
     program.wait("the next frame", |screen| picture(screen) != frame);
+    // It stands still where it is; shown anew it is at its widest.
     program.press("A");
+    program.press("MM");
     program.wait("the shape at its widest", |screen| picture(screen) == still);
     program.press("q");
     assert_eq!(program.end(), 0);

@@ -3,6 +3,7 @@
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+mod analyser;
 #[path = "../fuzz/dice.rs"]
 #[allow(dead_code)]
 mod dice;
@@ -13,6 +14,7 @@ mod home;
 mod input;
 mod jobs;
 mod line;
+mod looking;
 mod looks;
 mod panics;
 mod pty;

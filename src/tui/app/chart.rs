@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use super::{Anchor, App, Shown};
+use super::{Anchor, App};
 use crate::model::Model;
 use crate::tui::keys::Command;
 use crate::tui::tree::{self, Node};
 
-/// Steps of the cursor from one end of the axis to the other.
-const CURSOR_STEPS: f64 = 200.0;
+/// Steps of the cursor from one end of the axis to the other, where nothing has been drawn yet.
+const USUAL_COLUMNS: f64 = 100.0;
 
 impl App {
     /// Changes what the chart shows; false where the command is another one.
@@ -25,16 +25,20 @@ impl App {
             Command::Freeze => self.freeze(),
             Command::Unfreeze => self.unfreeze(),
             Command::Cursor(steps) => self.move_cursor(steps),
-            Command::NextExtremum => self.seek_extremum(true),
-            Command::PreviousExtremum => self.seek_extremum(false),
+            Command::NextPeak => self.seek(Turn::Peak, true),
+            Command::PreviousPeak => self.seek(Turn::Peak, false),
+            Command::NextDip => self.seek(Turn::Dip, true),
+            Command::PreviousDip => self.seek(Turn::Dip, false),
             Command::Cancel => self.take_away(),
             _ => return false,
         }
         if matches!(
             command,
             Command::Cursor(_)
-                | Command::NextExtremum
-                | Command::PreviousExtremum
+                | Command::NextPeak
+                | Command::PreviousPeak
+                | Command::NextDip
+                | Command::PreviousDip
                 | Command::Cancel
         ) {
             self.anchor = Anchor::Frequency;
@@ -106,43 +110,58 @@ impl App {
         });
     }
 
-    /// Moves the cursor along the frequency axis; it first appears in the middle.
-    fn move_cursor(&mut self, steps: i32) {
+    /// Moves the cursor along the frequency axis by columns of the chart; it first appears in the middle.
+    pub(super) fn move_cursor(&mut self, steps: i32) {
         let sweep = self.model().sweep;
         let before = self.curves.cursor;
         let shown = self.shown_frequencies();
-        let place = |frequency: f64| {
-            if self.curves.log_frequency {
-                frequency.ln()
-            } else {
-                frequency
-            }
-        };
+        let log = self.curves.log_frequency;
+        let place = |frequency: f64| if log { frequency.ln() } else { frequency };
         let (low, high) = (place(shown[0]), place(shown[1]));
+        let columns = self.screen.plot.as_ref().map(|plot| plot.frequencies.len());
+        let columns = columns.map_or(USUAL_COLUMNS, |columns| columns.max(2) as f64 - 1.0);
         let new = match self.curves.cursor {
-            Some(old) => place(old) + f64::from(steps) * (high - low) / CURSOR_STEPS,
+            Some(old) => place(old) + f64::from(steps) * (high - low) / columns,
             None => f64::midpoint(low, high),
         };
-        let new = if self.curves.log_frequency {
-            new.exp()
-        } else {
-            new
-        };
+        let new = if log { new.exp() } else { new };
         self.curves.cursor = Some(new.clamp(sweep.from, sweep.to));
         if self.curves.cursor == before {
             self.refuse("the sweep ends here");
         }
     }
 
-    /// Moves the cursor to the next peak or dip of the first curve.
-    fn seek_extremum(&mut self, forward: bool) {
+    /// Puts the cursor at a frequency, Hz.
+    pub(super) fn put_cursor(&mut self, frequency: f64) {
+        self.curves.cursor = Some(frequency);
+        self.anchor = Anchor::Frequency;
+        self.reveal_cursor();
+    }
+
+    /// Moves the cursor to the next peak or anti-resonance of the first curve, as it is shown.
+    fn seek(&mut self, turn: Turn, forward: bool) {
         let Some((member, trace)) = self.curves.first_trace() else {
             return self.refuse("no curve shows");
         };
-        let levels = &trace.magnitudes;
-        let turns = |i: &usize| (levels[*i] - levels[i - 1]) * (levels[i + 1] - levels[*i]) < 0.0;
+        let shown = |i: usize| {
+            let frequency = member.frequencies[i];
+            let dimension = trace.dimension.as_ref();
+            let value = self.display.value(dimension, trace.values[i], frequency);
+            if dimension.is_none() {
+                value.re
+            } else {
+                value.norm()
+            }
+        };
+        let turns = |i: &usize| {
+            let (before, here, after) = (shown(i - 1), shown(*i), shown(i + 1));
+            match turn {
+                Turn::Peak => here > before && here >= after,
+                Turn::Dip => here < before && here <= after,
+            }
+        };
         let frequency = |i: usize| member.frequencies[i];
-        let mut inner = 1..levels.len().saturating_sub(1);
+        let mut inner = 1..member.frequencies.len().saturating_sub(1);
         let found = match (forward, self.curves.cursor) {
             (true, from) => {
                 inner.find(|i| turns(i) && from.is_none_or(|from| frequency(*i) > from))
@@ -153,30 +172,17 @@ impl App {
         };
         match found.map(frequency) {
             Some(frequency) => self.curves.cursor = Some(frequency),
-            None => self.refuse("the first curve has no further peak or dip there"),
+            None => self.refuse(match turn {
+                Turn::Peak => "the first curve has no further peak there",
+                Turn::Dip => "the first curve has no further anti-resonance there",
+            }),
         }
     }
+}
 
-    fn freeze(&mut self) {
-        match (&self.curves.shown, self.curves.picture()) {
-            (Shown::Picture(_), Some(picture)) => {
-                self.curves.reference = Some(Arc::clone(picture));
-                self.document.seal();
-                let key = self.keys.key_of(Command::Unfreeze);
-                self.done(format!(
-                    "curves frozen as a dotted reference; {key} drops it"
-                ));
-            }
-            _ => self.refuse("there are no curves to freeze yet"),
-        }
-    }
-
-    fn unfreeze(&mut self) {
-        if self.curves.reference.take().is_some() {
-            self.done("reference dropped");
-        } else {
-            let key = self.keys.key_of(Command::Freeze);
-            self.refuse(format!("no reference is frozen; {key} freezes one"));
-        }
-    }
+/// Where a curve turns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Turn {
+    Peak,
+    Dip,
 }

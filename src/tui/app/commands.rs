@@ -78,6 +78,7 @@ impl App {
             Scope::Picker | Scope::Reader => self.list_command(command),
             Scope::Unsaved | Scope::Replace => self.answer_question(command),
             Scope::Recovery => self.recovery_command(command),
+            Scope::Beside => self.beside_command(command),
         }
     }
 
@@ -97,6 +98,10 @@ impl App {
             Command::Theme => self.next_theme(),
             _ if self.move_selection(command)
                 || self.zoom_command(command)
+                || self.display_command(command)
+                || self.reading_command(command)
+                || self.ask_command(command)
+                || self.look_command(command)
                 || self.change_chart(command)
                 || self.change_modes(command) => {}
             _ => self.change_model(command),

@@ -3,28 +3,41 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::model::{BeamMotion, MassMotion, Measure, Model, Quantity, Spacing, Target};
+use num_complex::Complex64;
+
+use crate::model::{Model, Quantity, Spacing};
+use crate::solve::form::{Dimension, Reference};
 use crate::solve::peaks::Peak;
-use crate::solve::{Column, ColumnKind};
+use crate::solve::{Column, Frf};
 use crate::worker::{self, CurvesAnswer, Stage};
 
-/// Magnitudes of one response.
-#[derive(Debug)]
+/// One response over the frequencies.
+#[derive(Debug, Clone)]
 pub struct Trace {
     /// The response's name.
     pub response: String,
-    /// Unit of the magnitudes.
-    pub unit: &'static str,
-    /// Whether it is an energy, which has ten decibels a decade.
-    pub energy: bool,
-    /// One for each frequency.
-    pub magnitudes: Vec<f64>,
-    /// Its peaks, by rising frequency; none before the curves are resolved.
+    /// What its values are; none for an energy, which is real and has ten decibels a decade.
+    pub dimension: Option<Dimension>,
+    /// One for each frequency, divided by the force where there is just one.
+    pub values: Vec<Complex64>,
+    /// Its peaks, by rising frequency, divided as the values; none before the curves are resolved.
     pub peaks: Vec<Peak>,
 }
 
+impl Trace {
+    /// The magnitude at one of the frequencies; of an energy the energy.
+    pub fn magnitude(&self, index: usize) -> f64 {
+        let value = self.values[index];
+        if self.dimension.is_none() {
+            value.re
+        } else {
+            value.norm()
+        }
+    }
+}
+
 /// The responses of the model, or of one member of a study.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Member {
     /// The member's label; none for the model itself.
     pub label: Option<String>,
@@ -52,6 +65,11 @@ pub struct Picture {
 }
 
 impl Picture {
+    /// The resolved curves of a model to compare with.
+    pub(super) fn of_reference(curves: worker::Curves) -> Self {
+        Self::new(0, Stage::Resolved, Duration::ZERO, curves)
+    }
+
     fn new(generation: u64, stage: Stage, elapsed: Duration, curves: worker::Curves) -> Self {
         let mut singular: Vec<f64> = curves
             .members
@@ -80,29 +98,88 @@ impl Picture {
     }
 }
 
-fn member(member: worker::Member) -> Member {
-    let mut peaks = member.peaks.into_iter();
-    let columns = member.frf.columns.iter();
+/// The curves of a model as they are shown.
+pub(super) fn member(member: worker::Member) -> Member {
     Member {
         label: member.label,
-        traces: columns
-            .map(|column| trace(column, peaks.next().unwrap_or_default()))
-            .collect(),
-        frequencies: member.frf.frequencies.clone(),
+        traces: traces(&member.model, &member.frf, member.peaks),
+        frequencies: member.frf.frequencies,
         damping_ratios: member.damping_ratios,
     }
 }
 
-/// The magnitudes of a response.
-pub(super) fn trace(column: &Column, peaks: Vec<Peak>) -> Trace {
-    let energy = column.kind == ColumnKind::Energy;
-    let magnitude = |value: &num_complex::Complex64| if energy { value.re } else { value.norm() };
+/// The responses of a model, divided by its force where there is just one; `peaks` of each, or none.
+pub(super) fn traces(model: &Model, frf: &Frf, peaks: Vec<Vec<Peak>>) -> Vec<Trace> {
+    let reference = Reference::of(model);
+    let quantities = model.responses.iter().filter(|one| one.enabled);
+    let dimensions = quantities.map(|one| Dimension::of(&one.quantity, reference.as_ref()));
+    let mut peaks = peaks.into_iter();
+    let columns = frf.columns.iter().zip(dimensions);
+    columns
+        .map(|(column, dimension)| {
+            let peaks = peaks.next().unwrap_or_default();
+            trace(column, dimension, reference.as_ref(), peaks)
+        })
+        .collect()
+}
+
+fn trace(
+    column: &Column,
+    dimension: Option<Dimension>,
+    reference: Option<&Reference>,
+    mut peaks: Vec<Peak>,
+) -> Trace {
+    let mut values = column.values.clone();
+    if let (Some(reference), Some(_)) = (reference, dimension) {
+        let amplitude = reference.amplitude;
+        for value in &mut values {
+            *value /= amplitude;
+        }
+        for peak in &mut peaks {
+            peak.height /= amplitude.norm();
+            let turned = |phase: f64| wrapped(phase - amplitude.arg().to_degrees());
+            peak.phase = peak.phase.map(turned);
+        }
+    }
     Trace {
-        magnitudes: column.values.iter().map(magnitude).collect(),
         response: column.name.clone(),
-        unit: column.unit,
-        energy,
+        dimension,
+        values,
         peaks,
+    }
+}
+
+/// An angle (degrees) from -180 to 180.
+fn wrapped(angle: f64) -> f64 {
+    180.0 - (180.0 - angle).rem_euclid(360.0)
+}
+
+/// Curves of the model and of the references at the same frequencies.
+#[derive(Debug)]
+pub struct Compared {
+    /// The model's members.
+    pub members: Vec<Member>,
+    /// The numbers of the references, and their members.
+    references: Vec<(u64, Vec<Member>)>,
+}
+
+impl Compared {
+    /// What was solved for the model, and then for the references with these numbers.
+    pub(super) fn new(solved: Vec<Vec<worker::Member>>, references: &[u64]) -> Self {
+        let mut solved = solved
+            .into_iter()
+            .map(|members| members.into_iter().map(member).collect());
+        Self {
+            members: solved.next().unwrap_or_default(),
+            references: references.iter().copied().zip(solved).collect(),
+        }
+    }
+
+    /// The members of the reference with a number.
+    pub fn reference(&self, id: u64) -> Option<&[Member]> {
+        let mut references = self.references.iter();
+        let (_, members) = references.find(|(known, _)| *known == id)?;
+        Some(members)
     }
 }
 
@@ -129,8 +206,6 @@ pub struct Curves {
     pub shown: Shown,
     /// The newest resolved curves, perhaps older than what stands on the chart; the value axis stays by them.
     pub resolved: Option<Arc<Picture>>,
-    /// The curves frozen for comparison.
-    pub reference: Option<Arc<Picture>>,
     /// Names of the responses that show.
     pub visible: Vec<String>,
     /// The study that is solved in place of the model alone.
@@ -158,7 +233,6 @@ impl Curves {
             oldest: generation,
             shown: Shown::Nothing,
             resolved: None,
-            reference: None,
             visible: first_enabled
                 .map(|response| response.name.clone())
                 .collect(),
@@ -251,11 +325,12 @@ impl Curves {
                 .map(|one| &one.quantity)
         };
         if self.visible == [response] {
-            let dimension = quantity(response).map(Dimension::of);
+            let of = |quantity: &Quantity| Dimension::of(quantity, None);
+            let dimension = quantity(response).map(of);
             let alike = model
                 .responses
                 .iter()
-                .filter(|one| Some(Dimension::of(&one.quantity)) == dimension);
+                .filter(|one| Some(of(&one.quantity)) == dimension);
             self.visible = alike.map(|one| one.name.clone()).collect();
             return false;
         }
@@ -307,28 +382,5 @@ impl Curves {
                 .extend(new.map(|response| response.name.clone()));
         }
         self.study = self.study.filter(|study| *study < after.studies.len());
-    }
-}
-
-/// What two responses share if they can stand on one axis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Dimension {
-    Energy,
-    Length(Measure),
-    Angle(Measure),
-    AngleRate(Measure),
-}
-
-impl Dimension {
-    fn of(quantity: &Quantity) -> Self {
-        let Quantity::Motion(target, measure) = quantity else {
-            return Self::Energy;
-        };
-        match target {
-            Target::Beam(_, BeamMotion::W | BeamMotion::V)
-            | Target::Mass(_, MassMotion::Y | MassMotion::Z) => Self::Length(*measure),
-            Target::Beam(_, BeamMotion::PsiSlope) => Self::AngleRate(*measure),
-            Target::Beam(..) | Target::Mass(_, MassMotion::Theta) => Self::Angle(*measure),
-        }
     }
 }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use super::{Base, Outside};
+use super::{Base, Export, OpenedMeasured, Outside, Saving};
 use crate::model::Fault;
 use crate::tui::Opened;
 use crate::tui::user::recovery::Kept;
@@ -23,6 +23,19 @@ pub enum Effect {
         /// What must be there before.
         guard: Guard,
     },
+    /// Write what is on the screen.
+    Export {
+        /// The file.
+        path: PathBuf,
+        /// What of it.
+        kind: Export,
+        /// What must be there before.
+        guard: Guard,
+    },
+    /// Open a model to compare with.
+    OpenReference(PathBuf),
+    /// Open a file of measured curves; its columns are what this says, where it is said.
+    OpenMeasured(PathBuf, Option<String>),
     /// Keep changes that are not saved, so that a killed program does not lose them.
     Keep(Kept),
     /// Nothing is unsaved any more.
@@ -74,10 +87,16 @@ pub enum Guard {
 pub enum Reply {
     /// The text was saved in this file.
     Saved(PathBuf, String),
-    /// There is another file of this name.
-    Exists(PathBuf),
+    /// There is another file of this name; what was to be written to it.
+    Exists(PathBuf, Saving),
     /// The file is not as it was when it was opened.
     ChangedOutside(PathBuf),
+    /// What is on the screen was written to this file.
+    Exported(PathBuf),
+    /// A model to compare with was opened.
+    Reference(Box<Opened>),
+    /// What came of opening a file of measured curves.
+    Measured(OpenedMeasured),
     /// The file was not saved, and why.
     NotSaved(PathBuf, String),
     /// A model was opened.

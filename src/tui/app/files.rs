@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::{
     Anchor, App, Curves, Document, Effect, Guard, List, Modal, Next, Outside, Overlay, Prompt,
-    Purpose, ReplaceReason, Reply, Selection, Tables,
+    Purpose, ReplaceReason, Reply, Saving, Selection, Tables,
 };
 use crate::model;
 use crate::presets;
@@ -67,14 +67,13 @@ impl App {
         self.document = document;
         let model = self.document.model();
         self.selection = Selection::new(model);
-        let reference = self.curves.reference.take();
         let decibels = self.curves.decibels;
         self.curves = Curves::new(model, self.curves.generation + 1);
-        self.curves.reference = reference;
         self.curves.decibels = decibels;
-        let shaping = self.modal.shaping;
         self.modal = Modal::default();
-        self.modal.shaping = shaping;
+        self.reading.second = None;
+        self.band.span = None;
+        self.display.levels = None;
         let open = self.tables.open;
         self.tables = Tables::default();
         self.tables.open = open;
@@ -138,12 +137,20 @@ impl App {
                 self.overlay = beneath.map(|beneath| *beneath);
                 Vec::new()
             }
-            (Some(Overlay::Replace { path, .. }), Command::Replace) => {
-                vec![self.save_to(path, Guard::Anything)]
-            }
-            (Some(Overlay::Replace { .. }), Command::Cancel) => {
+            (Some(Overlay::Replace { path, what, .. }), Command::Replace) => vec![match what {
+                Saving::Model => self.save_to(path, Guard::Anything),
+                Saving::Screen(kind) => Effect::Export {
+                    path,
+                    kind,
+                    guard: Guard::Anything,
+                },
+            }],
+            (Some(Overlay::Replace { what, .. }), Command::Cancel) => {
                 self.after_save = None;
-                self.refuse("not saved");
+                self.refuse(match what {
+                    Saving::Model => "not saved",
+                    Saving::Screen(_) => "not written",
+                });
                 Vec::new()
             }
             (overlay, _) => {
@@ -157,8 +164,23 @@ impl App {
     pub fn reply(&mut self, reply: Reply) -> Vec<Effect> {
         let mut effects = match reply {
             Reply::Saved(path, text) => self.saved(path, text),
-            Reply::Exists(path) => self.ask_replace(path, ReplaceReason::Exists),
-            Reply::ChangedOutside(path) => self.ask_replace(path, ReplaceReason::ChangedOutside),
+            Reply::Exists(path, what) => self.ask_replace(path, ReplaceReason::Exists, what),
+            Reply::ChangedOutside(path) => {
+                self.ask_replace(path, ReplaceReason::ChangedOutside, Saving::Model)
+            }
+            Reply::Exported(path) => {
+                self.overlay = None;
+                self.done(format!("written to {}", path.display()));
+                Vec::new()
+            }
+            Reply::Reference(opened) => {
+                self.take_reference(*opened);
+                Vec::new()
+            }
+            Reply::Measured(opened) => {
+                self.measured_opened(opened);
+                Vec::new()
+            }
             Reply::NotSaved(path, reason) => {
                 self.after_save = None;
                 self.refuse_prompt(format!("{} is not saved: {reason}", path.display()));
@@ -213,8 +235,8 @@ impl App {
         }
     }
 
-    fn ask_replace(&mut self, path: PathBuf, reason: ReplaceReason) -> Vec<Effect> {
-        self.overlay = Some(Overlay::Replace { path, reason });
+    fn ask_replace(&mut self, path: PathBuf, reason: ReplaceReason, what: Saving) -> Vec<Effect> {
+        self.overlay = Some(Overlay::Replace { path, reason, what });
         Vec::new()
     }
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 pub use crate::solve::modes::{Completeness, ModeKind, Shares};
 
-use super::shape::{Shape, Shaping};
+use super::shape::Shape;
 use crate::solve::modes::Modes;
 use crate::worker::{ModalModel, ShapeAnswer};
 
@@ -42,8 +42,6 @@ pub struct ModeList {
 pub struct Modal {
     /// The modes solved last; they may be older than the model.
     pub list: Option<ModeList>,
-    /// Whether the shape shows, and moves.
-    pub shaping: Shaping,
     /// The shape solved last.
     pub shape: Option<Shape>,
     /// Generation and mode whose shape was asked for last.
@@ -90,11 +88,7 @@ impl Modal {
     ) -> Option<(Arc<Modes>, usize)> {
         let list = self.list.as_ref()?;
         let wanted = (generation, mode);
-        if self.shaping == Shaping::Hidden
-            || list.generation != generation
-            || mode >= list.rows.len()
-            || self.asked == Some(wanted)
-        {
+        if list.generation != generation || mode >= list.rows.len() || self.asked == Some(wanted) {
             return None;
         }
         self.asked = Some(wanted);

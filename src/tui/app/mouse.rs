@@ -82,8 +82,10 @@ impl App {
         let list = self.tables.list_mut(table);
         if row < list.rows {
             list.row = row;
-            self.anchor = Anchor::of(table);
-            self.follow_anchor();
+            if let Some(anchor) = Anchor::of(table) {
+                self.anchor = anchor;
+                self.follow_anchor();
+            }
         }
     }
 

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use tui_input::Input;
 
-use super::{Lost, Palette};
+use super::{Lost, Palette, Question, Saving};
 use crate::model::{Fault, Unit};
 use crate::presets;
 use crate::tui::keys::{Command, Scope};
@@ -43,7 +43,11 @@ pub enum Overlay {
         path: PathBuf,
         /// Why there is a question.
         reason: ReplaceReason,
+        /// What is to be written.
+        what: Saving,
     },
+    /// What stands on the chart beside the model is listed.
+    Beside(List),
     /// Unsaved changes of programs that were killed are offered.
     Recovery {
         /// Whose they are and how old.
@@ -108,6 +112,8 @@ pub enum Purpose {
     Open,
     /// The path of the file to save to.
     SaveAs,
+    /// Something beside the model.
+    Ask(Question),
 }
 
 /// A parameter whose value is asked for.
@@ -214,6 +220,7 @@ impl Overlay {
             Self::Unsaved { .. } => Scope::Unsaved,
             Self::Replace { .. } => Scope::Replace,
             Self::Recovery { .. } => Scope::Recovery,
+            Self::Beside(_) => Scope::Beside,
         }
     }
 
@@ -228,7 +235,7 @@ impl Overlay {
     /// The list of which one entry is chosen.
     pub(super) fn choices(&mut self) -> Option<&mut List> {
         match self {
-            Self::Presets(list) | Self::Recovery { list, .. } => Some(list),
+            Self::Presets(list) | Self::Beside(list) | Self::Recovery { list, .. } => Some(list),
             Self::Palette(palette) => Some(&mut palette.list),
             _ => None,
         }

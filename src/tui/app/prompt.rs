@@ -81,12 +81,18 @@ impl App {
                 self.after_save = None;
                 Vec::new()
             }
-            Command::Complete => match prompt.purpose {
-                Purpose::Open | Purpose::SaveAs => {
-                    vec![Effect::Complete(prompt.input.value().to_owned())]
-                }
-                Purpose::Value(_) => Vec::new(),
-            },
+            Command::Complete => {
+                let is_path = match &prompt.purpose {
+                    Purpose::Open | Purpose::SaveAs => true,
+                    Purpose::Ask(question) => question.is_path(),
+                    Purpose::Value(_) => false,
+                };
+                let text = prompt.input.value().to_owned();
+                is_path
+                    .then_some(Effect::Complete(text))
+                    .into_iter()
+                    .collect()
+            }
             _ => self.accept(),
         }
     }
@@ -98,6 +104,7 @@ impl App {
         let text = prompt.input.value().trim().to_owned();
         match prompt.purpose.clone() {
             Purpose::Value(asked) => self.accept_value(&asked, &text),
+            Purpose::Ask(question) => return self.answer_ask(&question, &text),
             Purpose::Open | Purpose::SaveAs if text.is_empty() => {
                 self.refuse_prompt("type a file's path");
             }

@@ -5,7 +5,9 @@ use std::sync::Arc;
 
 use super::{App, Table};
 use crate::model::Model;
+use crate::solve::form::Form;
 use crate::tui::Source;
+use crate::tui::scene::{ChartView, FrequencyUnit};
 use crate::tui::tree::{self, Node};
 use crate::tui::user::memory::{Memory, View};
 
@@ -18,6 +20,17 @@ impl App {
         if let Some(decibels) = memory.options.decibels {
             self.curves.decibels = decibels;
         }
+        let unit = memory.options.frequency_unit.as_deref();
+        let mut units = FrequencyUnit::ALL.into_iter();
+        self.display.unit = units
+            .find(|known| Some(known.symbol()) == unit)
+            .unwrap_or_default();
+        let references = memory.options.decibel_references.clone();
+        let possible = |value: &f64| value.is_normal() && *value > 0.0;
+        self.display.decibel_references = references.unwrap_or_default();
+        self.display
+            .decibel_references
+            .retain(|_, value| possible(value));
         self.memory = memory;
         self.recall_view();
     }
@@ -66,6 +79,10 @@ impl App {
             cursor: self.curves.cursor,
             window: self.curves.window,
             table: self.tables.open.map(|table| table.key().to_owned()),
+            view: Some(self.display.view.name().to_owned()),
+            form: self.display.form.map(|form| form.name().to_owned()),
+            second_cursor: self.reading.second,
+            band: self.band.span,
         })
     }
 
@@ -95,6 +112,18 @@ impl App {
         self.curves.window = view
             .window
             .filter(|[low, high]| low < high && sweep.contains(low) && sweep.contains(high));
+        let inside =
+            |band: &[f64; 2]| band[0] < band[1] && band.iter().all(|end| sweep.contains(end));
+        self.band.span = view.band.filter(inside);
+        self.reading.second = view.second_cursor.filter(|cursor| sweep.contains(cursor));
+        // There is no reference at the start that a difference could be counted from.
+        let mut views = ChartView::ALL.into_iter();
+        self.display.view = views
+            .find(|known| view.view.as_deref() == Some(known.name()))
+            .filter(|view| *view != ChartView::Difference)
+            .unwrap_or_default();
+        let mut forms = Form::ALL.into_iter();
+        self.display.form = forms.find(|known| view.form.as_deref() == Some(known.name()));
         self.tables.open = Table::ALL
             .into_iter()
             .find(|table| view.table.as_deref() == Some(table.key()));

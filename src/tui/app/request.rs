@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use super::{App, Effect, Witness};
-use crate::worker::{Answer, CurvesAnswer, Request, ShapeRequest, Subject};
+use super::{App, Effect, Look, Witness};
+use crate::worker::{Answer, CurvesAnswer, Request, Sampling, ShapeRequest, Subject};
 
 impl App {
     /// Takes what the worker has found.
@@ -20,7 +20,31 @@ impl App {
                     self.refuse(format!("no shape: {reason}"));
                 }
             }
-            Answer::Witness(answer) => self.witness.take(answer, self.curves.generation),
+            Answer::Witness(answer) => {
+                let (generation, model) = (self.curves.generation, self.document.model());
+                self.witness.take(answer, generation, model);
+            }
+            Answer::Reference(answer) => self.beside.take(answer),
+            Answer::Levels(answer) => {
+                if let Err(reason) = self.take_levels(answer) {
+                    self.refuse(reason);
+                }
+            }
+            Answer::Operating(answer) => {
+                if let Err(reason) = self.take_operating(answer) {
+                    self.refuse(reason);
+                }
+            }
+            Answer::Sample(answer) => {
+                let taken = match answer.sampling {
+                    Sampling::Detail => self.detail.take(answer),
+                    Sampling::Reading => self.reading.take(answer),
+                    Sampling::Measured => self.take_measured_sample(answer),
+                };
+                if let Err(reason) = taken {
+                    self.refuse(reason);
+                }
+            }
         }
     }
 
@@ -42,11 +66,17 @@ impl App {
         let mut requests: Vec<Request> = self.want_curves().into_iter().collect();
         requests.extend(self.want_shape());
         requests.extend(self.want_witness());
+        requests.extend(self.want_reference());
+        requests.extend(self.want_reading());
+        requests.extend(self.want_detail());
+        requests.extend(self.want_measured());
+        requests.extend(self.want_levels());
+        requests.extend(self.want_operating());
         requests.into_iter().map(Effect::Solve).collect()
     }
 
     /// What is solved: the model with its study.
-    fn subject(&self) -> Subject {
+    pub(super) fn subject(&self) -> Subject {
         Subject {
             generation: self.curves.generation,
             model: Arc::clone(self.document.model()),
@@ -71,6 +101,7 @@ impl App {
 
     /// The shape of the selected mode, if it shows.
     fn want_shape(&mut self) -> Option<Request> {
+        self.looking.look.filter(|look| *look == Look::Mode)?;
         let generation = self.curves.generation;
         let row = self.tables.modes.row;
         let (modes, index) = self.modal.want_shape(generation, row)?;

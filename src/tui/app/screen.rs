@@ -37,15 +37,28 @@ impl Plot {
     }
 }
 
+/// The value axis of the chart, or of the upper of two.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Levels {
+    /// What it spans, values on the axis.
+    pub bounds: [f64; 2],
+    /// Whether it is logarithmic.
+    pub log: bool,
+}
+
 /// Where things are on the screen, as it was drawn last.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Screen {
+    /// All of it.
+    pub area: Rect,
     /// The tree.
     pub tree: Rows,
     /// What is said of the selected row.
     pub details: Rect,
     /// The chart's curves.
     pub plot: Option<Plot>,
+    /// The chart's value axis.
+    pub levels: Option<Levels>,
     /// The table below the chart.
     pub table: Option<Rows>,
     /// The list of the box over all.

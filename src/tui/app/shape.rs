@@ -1,49 +1,14 @@
-//! The shape of a mode as it is drawn: brought to one scale, at a moment of its period.
-
-use std::f64::consts::TAU;
+//! The shape of a mode as it is drawn: brought to one scale.
 
 use num_complex::Complex64;
 
 use crate::solve::modes;
-
-/// Frames of a period.
-const FRAMES: u32 = 24;
 
 /// What is smaller than this share of the rest (1 m to 1 rad) is not blown up to be seen.
 const NEGLIGIBLE: f64 = 1e-6;
 
 /// What is wider than this share of the widest is about as wide.
 const ABOUT: f64 = 0.9;
-
-/// Whether a shape shows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Shaping {
-    /// It does not.
-    #[default]
-    Hidden,
-    /// It shows at its widest.
-    Still,
-    /// It moves; the number of its frame.
-    Moving(u32),
-}
-
-impl Shaping {
-    /// One frame further.
-    pub(super) fn next(self) -> Self {
-        match self {
-            Self::Moving(frame) => Self::Moving((frame + 1) % FRAMES),
-            other => other,
-        }
-    }
-
-    /// The angle of its period that is shown, rad.
-    pub fn angle(self) -> f64 {
-        match self {
-            Self::Moving(frame) => f64::from(frame) / f64::from(FRAMES) * TAU,
-            Self::Hidden | Self::Still => 0.0,
-        }
-    }
-}
 
 /// The motion of one mode, without its decay.
 #[derive(Debug)]
@@ -127,6 +92,8 @@ fn to_widest<'a>(motion: impl Iterator<Item = &'a Complex64> + Clone, widest: f6
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::TAU;
+
     use super::*;
     use crate::solve::modes::Shares;
 
@@ -170,10 +137,5 @@ mod tests {
         let curve = [Complex64::new(0.3, 0.0), Complex64::new(0.0, 0.4)];
         let (now, later) = (Shape::at(&curve, 0.7), Shape::at(&curve, 0.7 + TAU / 2.0));
         assert!(now.iter().zip(later).all(|(a, b)| (a + b).abs() < 1e-12));
-        let mut shaping = Shaping::Moving(0);
-        for _ in 0..FRAMES / 2 {
-            shaping = shaping.next();
-        }
-        assert!((shaping.angle() - TAU / 2.0).abs() < 1e-12);
     }
 }

@@ -1,6 +1,6 @@
 //! The tables of modes and peaks: which one is open, which row is selected; and the cursor that goes with it.
 
-use super::{App, List, ModeKind, Shaping};
+use super::{App, List};
 use crate::solve::peaks::Peak;
 use crate::tui::keys::Command;
 
@@ -11,17 +11,23 @@ pub enum Table {
     Modes,
     /// The peaks of the first curve that shows.
     Peaks,
+    /// What the curves are at the cursors.
+    Readings,
+    /// The levels in the marked band.
+    Band,
 }
 
 impl Table {
     /// Every table.
-    pub const ALL: [Self; 2] = [Self::Modes, Self::Peaks];
+    pub const ALL: [Self; 4] = [Self::Modes, Self::Peaks, Self::Readings, Self::Band];
 
     /// The word by which it is remembered.
     pub const fn key(self) -> &'static str {
         match self {
             Self::Modes => "modes",
             Self::Peaks => "peaks",
+            Self::Readings => "readings",
+            Self::Band => "band",
         }
     }
 }
@@ -35,6 +41,10 @@ pub struct Tables {
     pub modes: List,
     /// The peaks.
     pub peaks: List,
+    /// The readings.
+    pub readings: List,
+    /// The levels.
+    pub band: List,
 }
 
 /// What the chart's cursor stays with when the model changes.
@@ -55,16 +65,19 @@ impl Tables {
         match table {
             Table::Modes => &mut self.modes,
             Table::Peaks => &mut self.peaks,
+            Table::Readings => &mut self.readings,
+            Table::Band => &mut self.band,
         }
     }
 }
 
 impl Anchor {
-    /// The selected row of a table.
-    pub(super) const fn of(table: Table) -> Self {
+    /// The selected row of a table, where that has a frequency.
+    pub(super) const fn of(table: Table) -> Option<Self> {
         match table {
-            Table::Modes => Self::Mode,
-            Table::Peaks => Self::Peak,
+            Table::Modes => Some(Self::Mode),
+            Table::Peaks => Some(Self::Peak),
+            Table::Readings | Table::Band => None,
         }
     }
 }
@@ -90,8 +103,10 @@ impl App {
                 _ => "this is the last row",
             });
         }
-        self.anchor = Anchor::of(table);
-        self.follow_anchor();
+        if let Some(anchor) = Anchor::of(table) {
+            self.anchor = anchor;
+            self.follow_anchor();
+        }
         true
     }
 
@@ -106,10 +121,10 @@ impl App {
         match command {
             Command::ModeTable => self.toggle_table(Table::Modes),
             Command::PeakTable => self.toggle_table(Table::Peaks),
+            Command::Readings => self.toggle_table(Table::Readings),
+            Command::Band => self.turn_band(),
             Command::NextMode => self.seek_mode(true),
             Command::PreviousMode => self.seek_mode(false),
-            Command::Shape => self.toggle_shape(),
-            Command::Animate => self.animate(),
             Command::Witness => self.toggle_witness(),
             _ => return false,
         }
@@ -152,7 +167,7 @@ impl App {
                 self.say_mode(found);
             }
             None if list.rows.is_empty() => {
-                let to = crate::model::Unit::HERTZ.format(list.to);
+                let to = self.display.frequency_text(list.to);
                 self.refuse(format!("there is no mode below {to}"));
             }
             None => self.refuse("there is no further mode in the sweep"),
@@ -164,44 +179,9 @@ impl App {
             return;
         };
         let (mode, all) = (&list.rows[index], list.rows.len());
-        let frequency = crate::model::Unit::HERTZ.format(mode.frequency);
+        let frequency = self.display.frequency_text(mode.frequency);
         let number = index + 1;
         self.done(format!("mode {number} of {all}: {frequency}"));
-    }
-
-    fn toggle_shape(&mut self) {
-        self.modal.shaping = match self.modal.shaping {
-            Shaping::Hidden => Shaping::Still,
-            Shaping::Still | Shaping::Moving(_) => Shaping::Hidden,
-        };
-    }
-
-    fn animate(&mut self) {
-        if let Shaping::Moving(_) = self.modal.shaping {
-            self.modal.shaping = Shaping::Still;
-            return;
-        }
-        let row = self.tables.modes.row;
-        let kind = self.modal.list.as_ref().map(|list| list.rows.get(row));
-        match kind.map(|row| row.map(|row| row.kind)) {
-            None => self.refuse("the modes are not solved yet"),
-            Some(None) => self.refuse("there is no mode to move"),
-            Some(Some(ModeKind::Oscillating)) => self.modal.shaping = Shaping::Moving(0),
-            Some(Some(_)) => self.refuse("the selected mode does not oscillate"),
-        }
-    }
-
-    /// Whether something on the screen moves by itself.
-    pub fn moves(&self) -> bool {
-        let oscillates = |app: &Self| {
-            let shape = app.modal.shape.as_ref()?;
-            let row = app.modal.list.as_ref()?.rows.get(shape.mode)?;
-            Some(row.kind == ModeKind::Oscillating)
-        };
-        matches!(self.modal.shaping, Shaping::Moving(_))
-            && self.overlay.is_none()
-            && !self.unseen
-            && oscillates(self) == Some(true)
     }
 
     fn toggle_witness(&mut self) {

@@ -309,7 +309,10 @@ fn saving_before_quitting_goes_through_the_path_and_the_question() {
     else {
         panic!("{effects:?}");
     };
-    assert!(app.reply(Reply::Exists(path.clone())).is_empty());
+    assert!(
+        app.reply(Reply::Exists(path.clone(), Saving::Model))
+            .is_empty()
+    );
     let effects = keys(&mut app, "y");
     assert!(matches!(
         &effects[..],
@@ -333,7 +336,7 @@ fn a_kept_file_cancels_quitting_too() {
     select(&mut app, STIFFNESS);
     keys(&mut app, "+qs");
     enter(&mut app, "mine.toml");
-    app.reply(Reply::Exists("mine.toml".into()));
+    app.reply(Reply::Exists("mine.toml".into(), Saving::Model));
     keys(&mut app, "n");
     assert!(app.document.is_changed());
     // A later save does not quit any more.
@@ -408,9 +411,10 @@ fn every_edit_asks_for_curves_and_an_older_answer_stays_stale() {
     app.update(Event::Answer(late));
     assert_eq!(app.curves.picture().unwrap().generation, 2);
     keys(&mut app, "f+");
-    assert_eq!(app.curves.reference.as_ref().unwrap().generation, 2);
+    let frozen = &app.beside.references[0];
+    assert_eq!(frozen.picture.as_ref().unwrap().generation, 2);
     keys(&mut app, "F");
-    assert!(app.curves.reference.is_none());
+    assert!(app.beside.references.is_empty());
 }
 
 fn answer(generation: u64, app: &App) -> Answer {
@@ -427,6 +431,7 @@ fn answer(generation: u64, app: &App) -> Answer {
         result: Ok(worker::Curves {
             members: vec![worker::Member {
                 label: None,
+                model: Arc::clone(app.model()),
                 frf,
                 peaks: Vec::new(),
                 damping_ratios: Vec::new(),

@@ -1,7 +1,8 @@
 //! The finite-element curves beside the exact ones.
 
 use super::Trace;
-use super::curves::trace;
+use super::curves::traces;
+use crate::model::Model;
 use crate::worker::{Difference, WitnessAnswer, WitnessMember};
 
 /// Finite-element curves of one state of the model.
@@ -20,7 +21,7 @@ pub struct WitnessCurves {
     pub elements: usize,
     /// Hz.
     pub frequencies: Vec<f64>,
-    /// Magnitudes, in the order of the model's responses.
+    /// In the order of the model's responses.
     pub traces: Vec<Trace>,
     /// The largest difference of each to the exact one, if they can be compared.
     pub differences: Vec<Option<Difference>>,
@@ -70,14 +71,14 @@ impl Witness {
     }
 
     /// Takes an answer about the model with this generation.
-    pub(super) fn take(&mut self, answer: WitnessAnswer, generation: u64) {
+    pub(super) fn take(&mut self, answer: WitnessAnswer, generation: u64, model: &Model) {
         if matches!(self, Self::Off) || answer.generation != generation {
             return;
         }
         *self = match answer.result {
             Ok(members) => Self::Shown(WitnessPicture {
                 generation,
-                members: members.into_iter().map(curves).collect(),
+                members: members.into_iter().map(|one| curves(one, model)).collect(),
             }),
             Err(reason) => Self::Failed(reason),
         };
@@ -92,16 +93,11 @@ impl Witness {
     }
 }
 
-fn curves(member: WitnessMember) -> WitnessCurves {
+fn curves(member: WitnessMember, model: &Model) -> WitnessCurves {
     WitnessCurves {
         elements: member.elements,
+        traces: traces(model, &member.frf, Vec::new()),
         frequencies: member.frf.frequencies,
-        traces: member
-            .frf
-            .columns
-            .iter()
-            .map(|column| trace(column, Vec::new()))
-            .collect(),
         differences: member.differences,
     }
 }

@@ -71,10 +71,13 @@ impl App {
         match command {
             Command::ZoomIn => self.zoom(0.5, self.curves.cursor),
             Command::ZoomOut => self.zoom(2.0, self.curves.cursor),
-            Command::ZoomWhole if self.curves.window.is_none() => {
-                self.refuse("the whole sweep shows already");
+            Command::ZoomWhole => {
+                let window = self.curves.window.take().is_some();
+                let levels = self.display.levels.take().is_some();
+                if !window && !levels {
+                    self.refuse("the whole sweep shows already");
+                }
             }
-            Command::ZoomWhole => self.curves.window = None,
             Command::Pan(quarters) => self.pan(quarters),
             _ => return false,
         }

@@ -4,8 +4,9 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use crate::model;
-use crate::tui::app::{Guard, Outside, Reply};
+use crate::measured::{self, Curve, Hint, Inspection, Layout};
+use crate::model::{self, Fault};
+use crate::tui::app::{Export, Guard, OpenedMeasured, Outside, Reply, Saving};
 use crate::tui::user::why;
 use crate::tui::{Opened, Source};
 
@@ -28,20 +29,70 @@ fn from_home(path: PathBuf) -> PathBuf {
 
 pub(super) fn save(path: PathBuf, text: String, guard: &Guard) -> Reply {
     let path = from_home(path);
+    match write(&path, &text, guard, Saving::Model) {
+        Ok(()) => Reply::Saved(path, text),
+        Err(reply) => reply,
+    }
+}
+
+/// Writes what is on the screen.
+pub(super) fn export(path: PathBuf, text: &str, kind: Export, guard: &Guard) -> Reply {
+    let path = from_home(path);
+    match write(&path, text, guard, Saving::Screen(kind)) {
+        Ok(()) => Reply::Exported(path),
+        Err(reply) => reply,
+    }
+}
+
+/// Writes a text as the guard allows; else why not.
+fn write(path: &Path, text: &str, guard: &Guard, what: Saving) -> Result<(), Reply> {
+    let path = path.to_owned();
     if path.is_dir() {
-        return Reply::NotSaved(path, "it is a folder; a file's name is wanted".to_owned());
+        let reason = "it is a folder; a file's name is wanted".to_owned();
+        return Err(Reply::NotSaved(path, reason));
     }
     match guard {
-        Guard::Absent if is_there(&path) => return Reply::Exists(path),
+        Guard::Absent if is_there(&path) => return Err(Reply::Exists(path, what)),
         Guard::Holds(expected) if compare(&path, expected) == Outside::Changed => {
-            return Reply::ChangedOutside(path);
+            return Err(Reply::ChangedOutside(path));
         }
         _ => {}
     }
-    match model::save(&path, &text) {
-        Ok(()) => Reply::Saved(path, text),
-        Err(error) => Reply::NotSaved(path, why(&error)),
+    model::save(&path, text).map_err(|error| Reply::NotSaved(path, why(&error)))
+}
+
+/// Opens a file of measured curves, whose columns are what `layout` says where it is said.
+pub(super) fn open_measured(path: PathBuf, layout: Option<&str>) -> Reply {
+    let path = from_home(path);
+    Reply::Measured(match read_measured(&path, layout) {
+        Ok(Ok(curves)) => OpenedMeasured::Curves(curves),
+        Ok(Err(inspection)) => OpenedMeasured::Asks(path, Box::new(inspection)),
+        Err(fault) => OpenedMeasured::Faulty(path, fault),
+    })
+}
+
+/// The curves of a file, or what has to be asked first.
+fn read_measured(
+    path: &Path,
+    layout: Option<&str>,
+) -> Result<Result<Vec<Curve>, Inspection>, Fault> {
+    // What is no file, as a pipe, might be waited for without end.
+    if fs::metadata(path).is_ok_and(|found| !found.is_file()) {
+        return Err(Fault::new("", "it is no file"));
     }
+    let layout = layout.map(Layout::parse).transpose();
+    let hint = Hint {
+        name: path.display().to_string(),
+        layout: layout.map_err(|reason| Fault::new("", reason))?,
+    };
+    let bytes = measured::load(path)?;
+    if hint.layout.is_none() {
+        let inspection = measured::inspect(&bytes, &hint)?;
+        if !inspection.missing.is_empty() {
+            return Ok(Err(inspection));
+        }
+    }
+    measured::read(&bytes, &hint).map(Ok)
 }
 
 /// Whether there is a file, or something that cannot be looked at.
@@ -120,7 +171,7 @@ mod tests {
         let path = folder.path().join("model.toml");
         let save = |guard: Guard| save(path.clone(), "new".to_owned(), &guard);
         fs::write(&path, "old").unwrap();
-        assert!(matches!(save(Guard::Absent), Reply::Exists(_)));
+        assert!(matches!(save(Guard::Absent), Reply::Exists(..)));
         assert!(matches!(
             save(Guard::Holds("other".to_owned())),
             Reply::ChangedOutside(_)

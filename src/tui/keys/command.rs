@@ -83,10 +83,60 @@ pub enum Command {
     ZoomWhole,
     /// Show lower (below 0) or higher frequencies, by quarters of those that show.
     Pan(i32),
-    /// Move the cursor to the next peak or dip.
-    NextExtremum,
-    /// Move the cursor to the peak or dip before.
-    PreviousExtremum,
+    /// Move the cursor to the next peak.
+    NextPeak,
+    /// Move the cursor to the peak before.
+    PreviousPeak,
+    /// Move the cursor to the next anti-resonance.
+    NextDip,
+    /// Move the cursor to the anti-resonance before.
+    PreviousDip,
+    /// Move the cursor to a frequency that is typed.
+    GoTo,
+    /// Put the second cursor where the cursor is, or take it away.
+    SecondCursor,
+    /// Mark the harmonics of the cursor.
+    Harmonics,
+    /// Open or close the table of what is read at the cursors.
+    Readings,
+    /// Mark the band between the cursors, or take it away.
+    Band,
+    /// The next of the six forms.
+    NextForm,
+    /// The form before.
+    PreviousForm,
+    /// The next view: magnitude, with phase, real and imaginary, Nyquist, difference.
+    NextView,
+    /// Let the phase run on, or keep it within half a turn.
+    Unwrap,
+    /// Hz, rad/s or rpm.
+    FrequencyUnit,
+    /// Type the value of 0 dB.
+    DecibelReference,
+    /// Halve the levels that show.
+    LevelIn,
+    /// Double the levels that show.
+    LevelOut,
+    /// Show lower (below 0) or higher levels, by quarters of those that show.
+    LevelPan(i32),
+    /// Keep the levels that show, or let them follow the curves.
+    LevelFix,
+    /// List what stands beside the model: references and measured curves.
+    Beside,
+    /// Open a model to compare with.
+    AddReference,
+    /// Open a measured curve.
+    AddMeasured,
+    /// Make a study of the selected parameter.
+    MakeStudy,
+    /// Write what is on the screen to a file.
+    Export,
+    /// Show how the beam moves and what acts in it at the cursor: the next of these, or nothing.
+    Operating,
+    /// Show the drawing of the structure, then of the cross-section, then nothing.
+    Structure,
+    /// A step further in the period.
+    PhaseStep,
     /// Open or close the table of modes.
     ModeTable,
     /// Open or close the table of peaks.
@@ -159,8 +209,14 @@ impl Command {
                 | Self::ZoomIn
                 | Self::ZoomOut
                 | Self::Pan(_)
-                | Self::NextExtremum
-                | Self::PreviousExtremum
+                | Self::NextPeak
+                | Self::PreviousPeak
+                | Self::NextDip
+                | Self::PreviousDip
+                | Self::LevelIn
+                | Self::LevelOut
+                | Self::LevelPan(_)
+                | Self::PhaseStep
                 | Self::Cursor(_)
                 | Self::NextMode
                 | Self::PreviousMode

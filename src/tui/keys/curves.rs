@@ -1,10 +1,10 @@
-//! The rows of the key table for the chart.
+//! The rows of the key table for the chart: which curves show, and what of them.
 
 use crossterm::event::KeyCode;
 
-use super::{Binding, Command, Hint, bind, key, shifted, special};
+use super::{Binding, Command, Hint, bind, key, shifted};
 
-/// The chart.
+/// Curves, frequencies and levels.
 pub(super) const CURVES: &[Binding] = &[
     bind(
         "show",
@@ -25,14 +25,14 @@ pub(super) const CURVES: &[Binding] = &[
         &[key('f')],
         Command::Freeze,
         Hint::Always("freeze"),
-        "keep the curves as a dotted reference",
+        "keep the curves as a reference, dotted",
     ),
     bind(
         "unfreeze",
         &[key('F')],
         Command::Unfreeze,
         Hint::Never,
-        "drop the reference",
+        "drop the newest reference",
     ),
     bind(
         "study",
@@ -40,41 +40,6 @@ pub(super) const CURVES: &[Binding] = &[
         Command::Study,
         Hint::Always("study"),
         "next study, or none",
-    ),
-    bind(
-        "next-extremum",
-        &[key('}')],
-        Command::NextExtremum,
-        Hint::Never,
-        "cursor to the next peak or dip of the first curve",
-    ),
-    bind(
-        "previous-extremum",
-        &[key('{')],
-        Command::PreviousExtremum,
-        Hint::Never,
-        "cursor to the peak or dip before",
-    ),
-    bind(
-        "cursor-right",
-        &[key(']')],
-        Command::Cursor(1),
-        Hint::Never,
-        "cursor to the right",
-    ),
-    bind(
-        "cursor-left",
-        &[key('[')],
-        Command::Cursor(-1),
-        Hint::Never,
-        "cursor to the left",
-    ),
-    bind(
-        "cursor-off",
-        &[special(KeyCode::Esc)],
-        Command::Cancel,
-        Hint::Never,
-        "drop a count that was typed, end a search, or take the cursor off the chart",
     ),
     bind(
         "zoom-in",
@@ -95,7 +60,7 @@ pub(super) const CURVES: &[Binding] = &[
         &[key('W')],
         Command::ZoomWhole,
         Hint::Never,
-        "the whole sweep",
+        "the whole sweep, levels that follow the curves",
     ),
     bind(
         "pan-up",
@@ -119,10 +84,38 @@ pub(super) const CURVES: &[Binding] = &[
         "frequency axis logarithmic or linear",
     ),
     bind(
-        "decibels",
-        &[key('d')],
-        Command::Decibels,
+        "level-in",
+        &[key('*')],
+        Command::LevelIn,
         Hint::Never,
-        "magnitude in powers of ten or in decibels",
+        "half of the levels, about the middle; they are fixed then",
+    ),
+    bind(
+        "level-out",
+        &[key('&')],
+        Command::LevelOut,
+        Hint::Never,
+        "twice the levels",
+    ),
+    bind(
+        "level-up",
+        &[shifted(KeyCode::Up)],
+        Command::LevelPan(1),
+        Hint::Never,
+        "higher levels, by a quarter of those that show",
+    ),
+    bind(
+        "level-down",
+        &[shifted(KeyCode::Down)],
+        Command::LevelPan(-1),
+        Hint::Never,
+        "lower levels",
+    ),
+    bind(
+        "level-fix",
+        &[key('!')],
+        Command::LevelFix,
+        Hint::Never,
+        "keep the levels that show, or let them follow the curves",
     ),
 ];

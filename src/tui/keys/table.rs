@@ -3,10 +3,12 @@
 use crossterm::event::KeyCode;
 
 use super::boxes::{PALETTE, PICKER, PROMPT, READER, RECOVERY, REPLACE, SEARCH, UNSAVED};
+use super::compare::{BESIDE, COMPARE, LOOK};
 use super::curves::CURVES;
 use super::model::{CHANGE, MOVE};
 use super::modes::{MODES, TABLE};
 use super::program::{ANYWHERE, FILES};
+use super::reading::READING;
 use super::{Key, Scope, Section, control, key, special};
 
 /// Every binding, in the order of help.
@@ -27,6 +29,21 @@ pub const SECTIONS: &[Section] = &[
         bindings: CURVES,
     },
     Section {
+        title: "Read the curves",
+        scope: Scope::Main,
+        bindings: READING,
+    },
+    Section {
+        title: "Compare",
+        scope: Scope::Main,
+        bindings: COMPARE,
+    },
+    Section {
+        title: "Look at the beam",
+        scope: Scope::Main,
+        bindings: LOOK,
+    },
+    Section {
         title: "Modes, peaks and finite elements",
         scope: Scope::Main,
         bindings: MODES,
@@ -42,7 +59,7 @@ pub const SECTIONS: &[Section] = &[
         bindings: ANYWHERE,
     },
     Section {
-        title: "In a table of modes or peaks (all other keys as without it)",
+        title: "In a table below the chart (all other keys as without it)",
         scope: Scope::Table,
         bindings: TABLE,
     },
@@ -65,6 +82,11 @@ pub const SECTIONS: &[Section] = &[
         title: "List of presets",
         scope: Scope::Picker,
         bindings: PICKER,
+    },
+    Section {
+        title: "References and measured curves",
+        scope: Scope::Beside,
+        bindings: BESIDE,
     },
     Section {
         title: "Help and lists of faults",

@@ -16,6 +16,8 @@ pub enum Notation {
     Plain,
     /// `1e-6`, `2e3`.
     Power,
+    /// `-90`, `360`: as plain, at multiples of 15, 30, 45, 90, 180 and 360.
+    Degrees,
 }
 
 /// An axis: scale, bounds, notation of its labels and its unit.
@@ -54,6 +56,11 @@ impl Axis {
     /// The lower and the upper bound, in the axis's unit.
     pub fn bounds(&self) -> [f64; 2] {
         self.bounds
+    }
+
+    /// Its unit, with what stands before it.
+    pub fn unit(&self) -> &str {
+        &self.unit
     }
 
     /// Where `value` lies: 0 at the lower bound, 1 at the upper, not finite where the axis has no place.

@@ -5,14 +5,16 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 use ratatui::widgets::Widget;
 
-use super::axis::{Axis, Ruler};
-use super::curve::{Curve, Level, LineStyle};
+use super::axis::Axis;
+use super::curve::{Curve, LineStyle};
 use super::dots::{Dots, rulers};
 use super::frame;
+use super::ink;
 use super::layout::Layout;
-use super::legend::{self, Legend, Place};
-use super::markers::mark;
-use super::pen::Pen;
+use super::legend::{self, Legend};
+use super::level::Level;
+use super::locus;
+use super::trace;
 
 /// The characters a chart is made of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -41,8 +43,12 @@ pub struct ChartStyles {
     pub grid: Style,
     /// Labels in the legend.
     pub legend: Style,
-    /// The cursor's line.
+    /// The lines of both cursors.
     pub cursor: Style,
+    /// The lines at the harmonics of the cursor and their order numbers.
+    pub harmonic: Style,
+    /// The band: its edges and the axis between them.
+    pub band: Style,
     /// The ticks of [`Marks`].
     pub mark: Style,
     /// The selected one of them.
@@ -60,6 +66,29 @@ pub struct Marks {
     pub values: Vec<f64>,
     /// The index of the one that stands out.
     pub selected: Option<usize>,
+}
+
+/// A sign at a point of the plot, over the curves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spot {
+    /// Its value on the horizontal axis.
+    pub x: f64,
+    /// Its value on the vertical axis.
+    pub y: f64,
+    /// The sign, one column wide.
+    pub sign: char,
+    /// How it looks.
+    pub style: Style,
+}
+
+/// What stands beneath the plot.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) enum Below {
+    /// The horizontal axis with labels and marks.
+    #[default]
+    All,
+    /// The axis alone: its labels stand beneath another plot.
+    Axis,
 }
 
 /// Curves over a horizontal axis, in general frequency responses.
@@ -81,6 +110,14 @@ pub struct Chart<'a> {
     pub legend: Legend,
     /// A value of the horizontal axis at which a vertical line stands.
     pub cursor: Option<f64>,
+    /// Another one, at which a dashed line stands.
+    pub second: Option<f64>,
+    /// Values of the horizontal axis at which faint lines stand: twice the cursor's, three times, and so on.
+    pub harmonics: Vec<f64>,
+    /// A band of the horizontal axis, its lower end first: lines at its ends, and a heavy axis between them.
+    pub band: Option<[f64; 2]>,
+    /// Signs over the curves.
+    pub spots: Vec<Spot>,
     /// Ticks of their own, if there are any.
     pub marks: Marks,
     /// Whether faint lines run through the major ticks.
@@ -89,6 +126,12 @@ pub struct Chart<'a> {
     pub glyphs: Glyphs,
     /// Colours and modifiers.
     pub styles: ChartStyles,
+    /// Whether the curves run in any direction, their points joined in their order.
+    pub(super) free: bool,
+    /// What stands beneath the plot.
+    pub(super) below: Below,
+    /// The columns that the value labels have at least.
+    pub(super) label_columns: u16,
 }
 
 impl<'a> Chart<'a> {
@@ -102,10 +145,28 @@ impl<'a> Chart<'a> {
             curves,
             legend: Legend::default(),
             cursor: None,
+            second: None,
+            harmonics: Vec::new(),
+            band: None,
+            spots: Vec::new(),
             marks: Marks::default(),
             grid: false,
             glyphs: Glyphs::default(),
             styles: ChartStyles::default(),
+            free: false,
+            below: Below::default(),
+            label_columns: 0,
+        }
+    }
+
+    /// A chart of `curves` as loci over the two `axes`: their points are joined in their order, whichever way that
+    /// goes, as in a Nyquist plot of imaginary parts over real parts. Lines run through 0 on both axes.
+    ///
+    /// [`Chart::equalised`] makes the axes equal.
+    pub fn locus([x, y]: [Axis; 2], curves: &'a [Curve<'a>]) -> Self {
+        Self {
+            free: true,
+            ..Self::new(x, y, Level::Signed, curves)
         }
     }
 
@@ -126,9 +187,9 @@ impl<'a> Chart<'a> {
         self.x.value(across.middle(cell))
     }
 
-    /// The column of the cursor within the plot.
-    pub(super) fn cursor_cell(&self, plot: Rect) -> Option<u16> {
-        self.cell(plot, self.cursor?)
+    /// Whether there is something to write above the plot.
+    pub(super) fn has_heading(&self) -> bool {
+        !self.title.is_empty() || !self.y.unit.is_empty()
     }
 
     /// The column of a value within the plot.
@@ -155,170 +216,6 @@ impl<'a> Chart<'a> {
         }
     }
 
-    /// Draws all curves into dots.
-    fn trace(&self, plot: Rect) -> Dots {
-        let mut dots = Dots::new(rulers(plot.width, plot.height, self.glyphs));
-        let (dim, bright): (Vec<usize>, Vec<usize>) =
-            (0..self.curves.len()).partition(|index| self.curves[*index].dim);
-        let traced: Vec<_> = dim
-            .into_iter()
-            .chain(bright)
-            .map(|index| (index, self.trace_curve(index, &mut dots)))
-            .collect();
-        for (index, covered) in &traced {
-            match self.curves[*index] {
-                Curve {
-                    line: LineStyle::Points { apart },
-                    ..
-                } => self.mark_samples(*index, apart, &mut dots),
-                Curve {
-                    marker: Some(_), ..
-                } => mark(&mut dots, covered, *index, [*index, self.curves.len()]),
-                _ => {}
-            }
-        }
-        dots
-    }
-
-    /// Puts the marker of a curve at its samples, some cells apart.
-    fn mark_samples(&self, index: usize, apart: u16, dots: &mut Dots) {
-        let mut free = 0;
-        for (abscissa, magnitude) in self.curves[index].samples() {
-            let column = dots.across.cell(self.x.fraction(abscissa));
-            let value = self.level.value(magnitude);
-            let row = dots.down.cell(self.y.fraction(value));
-            if let (Some(column), Some(row)) = (column, row)
-                && (column >= free || apart == 0)
-            {
-                dots.mark(column, row, index);
-                free = column + apart;
-            }
-        }
-    }
-
-    fn trace_curve(&self, index: usize, dots: &mut Dots) -> Vec<Option<(u16, u16)>> {
-        let curve = &self.curves[index];
-        let (across, down) = (dots.across, dots.down);
-        let mut pen = Pen::new(dots, index, curve.line);
-        if matches!(curve.line, LineStyle::Points { .. }) {
-            return pen.finish();
-        }
-        for (abscissa, magnitude) in curve.samples() {
-            let value = self.level.value(magnitude);
-            pen.draw_to(
-                across.dot(self.x.fraction(abscissa)),
-                down.dot(self.y.fraction(value)),
-            );
-        }
-        let mut covered = pen.finish();
-        for column in self.pole_dots(index, across) {
-            let below = usize::from(column).saturating_sub(1)..=usize::from(column) + 1;
-            let bottom = covered.get(below).into_iter().flatten().flatten();
-            let bottom = bottom.map(|rows| rows.1).max().unwrap_or(0);
-            for row in 0..=bottom {
-                dots.draw(column, row, index);
-            }
-            covered[usize::from(column)] = Some((0, bottom));
-        }
-        covered
-    }
-
-    /// The dot columns of a curve's poles.
-    fn pole_dots(&self, index: usize, across: Ruler) -> impl Iterator<Item = u16> {
-        let poles = self.curves[index].poles.iter();
-        poles
-            .filter(|pole| self.x.contains(**pole))
-            .map(move |pole| across.dot(self.x.fraction(*pole)).round() as u16)
-    }
-
-    /// The cells at the plot's top to which a curve goes up at a pole, and the curve.
-    fn pole_cells(&self, across: Ruler) -> Vec<(u16, usize)> {
-        let cells = |index| {
-            let dots = self.pole_dots(index, across);
-            dots.map(move |dot| (dot / across.dots_per_cell, index))
-        };
-        (0..self.curves.len()).flat_map(cells).collect()
-    }
-
-    /// Paints the plot cell by cell: a curve, or the cursor, or the grid.
-    fn paint(&self, layout: &Layout, dots: &Dots, buffer: &mut Buffer) {
-        let cursor = self.cursor_cell(layout.plot);
-        let poles = self.pole_cells(dots.across);
-        let [grid_columns, grid_rows] = if self.grid {
-            [0, 1].map(|axis| {
-                let major = layout.ticks[axis]
-                    .iter()
-                    .filter(|tick| tick.label.is_some());
-                major.map(|tick| tick.cell).collect::<Vec<u16>>()
-            })
-        } else {
-            [Vec::new(), Vec::new()]
-        };
-        for position in layout.plot.positions() {
-            if matches!(layout.legend, Place::Inside(legend) if legend.contains(position)) {
-                continue;
-            }
-            let (column, row) = (position.x - layout.plot.x, position.y - layout.plot.y);
-            // In the first column the axis is line enough.
-            let on_grid = [
-                column > 0 && grid_columns.contains(&column),
-                grid_rows.contains(&row),
-            ];
-            let pole = poles.iter().find(|pole| row == 0 && pole.0 == column);
-            let ink = pole
-                .map(|(_, index)| self.pole_ink(*index))
-                .or_else(|| self.curve_ink(dots, column, row))
-                .or_else(|| (cursor == Some(column)).then(|| self.cursor_ink()))
-                .or_else(|| self.grid_ink(on_grid));
-            if let (Some((glyph, style)), Some(cell)) = (ink, buffer.cell_mut(position)) {
-                cell.set_char(glyph).set_style(style);
-            }
-        }
-    }
-
-    fn curve_ink(&self, dots: &Dots, column: u16, row: u16) -> Option<(char, Style)> {
-        let cell = dots.cell(column, row);
-        let index = cell.curve?;
-        let glyph = match (self.glyphs, self.marker(index)) {
-            (_, Some(marker)) if cell.marked => marker,
-            (Glyphs::Braille, _) => cell.braille(),
-            (Glyphs::Block, _) => cell.quarters(),
-            (Glyphs::Dot, _) => '•',
-            (Glyphs::Ascii, _) => self.body(index),
-        };
-        Some((glyph, self.curves[index].ink()))
-    }
-
-    fn pole_ink(&self, index: usize) -> (char, Style) {
-        let glyph = if self.glyphs == Glyphs::Ascii {
-            '^'
-        } else {
-            '↑'
-        };
-        (glyph, self.curves[index].ink())
-    }
-
-    fn cursor_ink(&self) -> (char, Style) {
-        let glyph = if self.glyphs == Glyphs::Ascii {
-            '|'
-        } else {
-            '│'
-        };
-        (glyph, self.styles.cursor)
-    }
-
-    fn grid_ink(&self, on_grid: [bool; 2]) -> Option<(char, Style)> {
-        let glyph = match (self.glyphs, on_grid) {
-            (_, [false, false]) => None,
-            // Lines of ASCII characters would pass for curves.
-            (Glyphs::Ascii, _) => (on_grid == [true, true]).then_some('+'),
-            (_, [true, false]) => Some('┊'),
-            (_, [false, true]) => Some('┈'),
-            (_, [true, true]) => Some('┼'),
-        };
-        glyph.map(|glyph| (glyph, self.styles.grid))
-    }
-
     /// Says in the middle of an empty plot why it is empty.
     fn explain(&self, plot: Rect, buffer: &mut Buffer) {
         let finite = |(abscissa, magnitude): (f64, f64)| {
@@ -326,11 +223,15 @@ impl<'a> Chart<'a> {
                 && self.y.fraction(self.level.value(magnitude)).is_finite()
         };
         let mut samples = self.curves.iter().flat_map(Curve::samples).peekable();
-        let zero = samples.peek().is_some() && samples.all(|(_, magnitude)| magnitude == 0.0);
+        let hidden = !self.y.fraction(self.level.value(0.0)).is_finite();
+        let zero = hidden && samples.peek().is_some() && samples.all(|sample| sample.1 == 0.0);
         let message = if zero {
             "zero at every frequency"
         } else if self.curves.iter().flat_map(Curve::samples).any(finite) {
             "no value within the axes"
+        } else if self.level == Level::Degrees {
+            // As an energy, and a measurement of magnitudes alone.
+            "no phase to draw"
         } else {
             "no finite value to draw"
         };
@@ -343,22 +244,30 @@ impl<'a> Chart<'a> {
         };
         frame::put(buffer, row, message, (self.glyphs, self.styles.message));
     }
+
+    /// Draws the chart into the places of `layout`.
+    pub(super) fn render_in(&self, layout: &Layout, buffer: &mut Buffer) {
+        let plot = layout.plot;
+        let mut dots = Dots::new(rulers(plot.width, plot.height, self.glyphs));
+        if self.free {
+            locus::trace(self, &mut dots);
+        } else {
+            trace::trace(self, &mut dots);
+        }
+        frame::draw(self, layout, buffer);
+        legend::draw(self, layout.legend, buffer);
+        ink::paint(self, layout, &dots, buffer);
+        if dots.is_blank() {
+            self.explain(plot, buffer);
+        }
+    }
 }
 
 impl Widget for &Chart<'_> {
     fn render(self, area: Rect, buffer: &mut Buffer) {
         let area = area.intersection(buffer.area);
-        if area.is_empty() {
-            return;
-        }
-        let layout = Layout::new(self, area);
-        let dots = self.trace(layout.plot);
-        frame::draw(self, &layout, buffer);
-        legend::draw(self, layout.legend, buffer);
-        if dots.is_blank() {
-            self.explain(layout.plot, buffer);
-        } else {
-            self.paint(&layout, &dots, buffer);
+        if !area.is_empty() {
+            self.render_in(&Layout::new(self, area), buffer);
         }
     }
 }

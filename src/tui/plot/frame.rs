@@ -1,11 +1,13 @@
 //! What surrounds the curves: axes, labels, units and the title.
 
+use std::ops::Range;
+
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 use ratatui::text::Span;
 
-use super::chart::{Chart, Glyphs};
+use super::chart::{Below, Chart, Glyphs};
 use super::layout::Layout;
 use super::ticks::place;
 use crate::tui::ascii;
@@ -18,7 +20,11 @@ struct Lines {
     /// Major ticks point to their labels, minor ones into the plot.
     value_ticks: [char; 2],
     abscissa_ticks: [char; 2],
-    cursor: char,
+    /// The line and its ticks within the band.
+    band: [char; 3],
+    /// The first cursor and the second, where the labels are near and where they are not.
+    cursors: [char; 2],
+    passing: [char; 2],
     /// One mark in a column, two, and more.
     marks: [char; 3],
 }
@@ -29,7 +35,9 @@ const BOX_LINES: Lines = Lines {
     corner: '└',
     value_ticks: ['┤', '├'],
     abscissa_ticks: ['┬', '┴'],
-    cursor: '▲',
+    band: ['━', '┯', '┷'],
+    cursors: ['▲', '△'],
+    passing: ['┼', '┼'],
     marks: ['╵', '╹', '┃'],
 };
 
@@ -39,7 +47,9 @@ const ASCII_LINES: Lines = Lines {
     corner: '+',
     value_ticks: ['+', '-'],
     abscissa_ticks: ['+', '|'],
-    cursor: '^',
+    band: ['=', '#', '='],
+    cursors: ['^', 'A'],
+    passing: ['|', ':'],
     marks: ['\'', '"', '#'],
 };
 
@@ -161,20 +171,38 @@ fn draw_value_axis(chart: &Chart<'_>, layout: &Layout, lines: &Lines, buffer: &m
 }
 
 fn draw_abscissa_axis(chart: &Chart<'_>, layout: &Layout, lines: &Lines, buffer: &mut Buffer) {
-    let plot = layout.plot;
-    let cursor = chart.cursor_cell(plot);
+    let (plot, styles) = (layout.plot, &chart.styles);
+    let signs = match chart.below {
+        Below::All => lines.cursors,
+        Below::Axis => lines.passing,
+    };
+    let cursors = [chart.cursor, chart.second].map(|value| chart.cell(plot, value?));
+    let band = chart.band.map(|band| band_cells(chart, layout, band));
     for column in 0..plot.width {
         let tick = layout.ticks[0].iter().find(|tick| tick.cell == column);
-        let (glyph, style) = match tick {
-            _ if cursor == Some(column) => (lines.cursor, chart.styles.cursor),
-            Some(tick) => (
-                lines.abscissa_ticks[usize::from(tick.label.is_none())],
-                chart.styles.axis,
-            ),
-            None => (lines.horizontal, chart.styles.axis),
+        // None, a major one or a minor one.
+        let kind = tick.map_or(0, |tick| 1 + usize::from(tick.label.is_none()));
+        let cursor = cursors.iter().position(|cell| *cell == Some(column));
+        let (glyph, style) = match cursor {
+            Some(cursor) => (signs[cursor], styles.cursor),
+            None if band.as_ref().is_some_and(|band| band.contains(&column)) => {
+                (lines.band[kind], styles.band)
+            }
+            None if kind == 0 => (lines.horizontal, styles.axis),
+            None => (lines.abscissa_ticks[kind - 1], styles.axis),
         };
         set(buffer, plot.x + column, plot.bottom(), glyph, style);
     }
+}
+
+/// The columns of the band, as far as it is on the axis.
+fn band_cells(chart: &Chart<'_>, layout: &Layout, [low, high]: [f64; 2]) -> Range<u16> {
+    let [from, to] = chart.x.bounds();
+    if high < from || low > to {
+        return 0..0;
+    }
+    let cell = |value: f64| chart.cell(layout.plot, value.clamp(from, to)).unwrap_or(0);
+    cell(low)..cell(high) + 1
 }
 
 fn draw_abscissa_labels(chart: &Chart<'_>, layout: &Layout, buffer: &mut Buffer) {

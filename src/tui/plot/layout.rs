@@ -2,7 +2,7 @@
 
 use ratatui::layout::Rect;
 
-use super::chart::Chart;
+use super::chart::{Below, Chart};
 use super::dots::rulers;
 use super::legend::{self, Place};
 use super::ticks::{Tick, ticks};
@@ -36,11 +36,11 @@ pub(super) struct Layout {
 impl Layout {
     pub(super) fn new(chart: &Chart<'_>, area: Rect) -> Self {
         let mut rest = area;
-        let wants_heading = !chart.title.is_empty() || !chart.y.unit.is_empty();
-        let heading = (wants_heading && rest.height >= 6).then(|| take_top(&mut rest));
+        let heading = (chart.has_heading() && rest.height >= 6).then(|| take_top(&mut rest));
         let rows_below = match rest.height {
             0..=2 => 0,
             3..=4 => 1,
+            _ if chart.below == Below::Axis => 1,
             MARKED_ROWS.. if !chart.marks.values.is_empty() => 3,
             _ => 2,
         };
@@ -82,6 +82,7 @@ fn label_columns(chart: &Chart<'_>, rest: Rect) -> u16 {
         .into_iter()
         .filter_map(|tick| tick.label);
     let widest = labels.map(|label| label.len() as u16).max().unwrap_or(0);
+    let widest = widest.max(chart.label_columns);
     if rest.width > widest + LABELLED_COLUMNS {
         widest
     } else {

@@ -12,20 +12,31 @@
 //! value into a fraction of its length, `Ruler` a fraction into a dot and a cell, `Pen` dots into `Dots`.
 
 mod axis;
+mod cells;
 mod chart;
 mod curve;
 mod dots;
 mod frame;
+mod ink;
 mod layout;
 mod legend;
+mod level;
+mod locus;
 mod markers;
+mod pair;
 mod pen;
 mod ticks;
+mod trace;
 
 pub use axis::{Axis, Notation, Scale};
-pub use chart::{Chart, ChartStyles, Glyphs, Marks};
-pub use curve::{Curve, Level, LineStyle};
+pub use cells::{CellRuler, RoundTick, dotted};
+pub use chart::{Chart, ChartStyles, Glyphs, Marks, Spot};
+pub use curve::{Curve, LineStyle};
 pub use legend::Legend;
+pub use level::Level;
+pub use locus::{clipped, equal_spans, locus_axes};
+pub use pair::Pair;
+pub use ticks::AxisTick;
 
 #[cfg(test)]
 mod tests;

@@ -77,7 +77,8 @@ impl<'d> Pen<'d> {
         self.covered
     }
 
-    fn lift(&mut self) {
+    /// Ends the line: the next point starts another.
+    pub(super) fn lift(&mut self) {
         self.flush(0.0);
         self.last = None;
         self.left = None;

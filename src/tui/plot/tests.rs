@@ -6,7 +6,10 @@ use ratatui::style::{Color, Modifier, Style};
 use ratatui::symbols::braille::BRAILLE;
 use ratatui::widgets::Widget;
 
+use super::dots::rulers;
 use super::*;
+
+mod views;
 
 const DECIBEL: Level = Level::Decibel {
     factor: 20.0,
@@ -283,11 +286,14 @@ fn odd_curves_are_survived() {
         Axis::new(Scale::Linear, [0.0, 1e-300], ""),
         Axis::new(Scale::Log, [1e-300, 1e300], ""),
     ] {
-        for level in [Level::Magnitude, DECIBEL] {
+        for level in [Level::Magnitude, DECIBEL, Level::Signed, Level::Degrees] {
             let y = level.axis(&odd, &x, "");
             render(&Chart::new(x.clone(), y, level, &odd), 60, 20);
         }
     }
+    let axes = locus_axes(&odd, [None; 2], [String::new(), String::new()]);
+    let area = Rect::new(0, 0, 60, 20);
+    render(&Chart::locus(axes, &odd).equalised(area), 60, 20);
 }
 
 #[test]

@@ -9,12 +9,52 @@ const LABEL_ROWS: u16 = 2;
 /// Cells a decade needs before its 2..9 are ticked.
 const DECADE_CELLS: f64 = 8.0;
 
+/// Dots in a letter where there are no cells.
+const FINE_DOTS: u16 = 4;
+
 /// A tick on its true cell, counted from the left or from the top.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Tick {
+    pub(super) value: f64,
     pub(super) cell: u16,
     /// Present on major ticks.
     pub(super) label: Option<String>,
+}
+
+/// A round value of an axis, wherever that is drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AxisTick {
+    /// Where it lies: 0 at the lower bound, 1 at the upper.
+    pub fraction: f64,
+    /// Its value as text; none on minor ticks.
+    pub label: Option<String>,
+}
+
+impl Axis {
+    /// Round values for an axis to the right that is so many letters long.
+    pub fn ticks_across(&self, letters: u16) -> Vec<AxisTick> {
+        self.axis_ticks(letters, Direction::Right)
+    }
+
+    /// Round values for an axis upward that is so many lines of text high.
+    pub fn ticks_up(&self, lines: u16) -> Vec<AxisTick> {
+        self.axis_ticks(lines, Direction::Up)
+    }
+
+    fn axis_ticks(&self, cells: u16, direction: Direction) -> Vec<AxisTick> {
+        let ruler = Ruler {
+            direction,
+            cells,
+            dots_per_cell: FINE_DOTS,
+        };
+        let ticks = ticks(self, ruler).into_iter();
+        ticks
+            .map(|tick| AxisTick {
+                fraction: self.fraction(tick.value),
+                label: tick.label,
+            })
+            .collect()
+    }
 }
 
 /// A rule that makes round values.
@@ -37,7 +77,11 @@ pub(super) fn ticks(axis: &Axis, ruler: Ruler) -> Vec<Tick> {
     let cells: Vec<u16> = ticks.iter().map(|tick| tick.cell).collect();
     for value in minor(step, axis, ruler) {
         match ruler.cell(axis.fraction(value)) {
-            Some(cell) if !cells.contains(&cell) => ticks.push(Tick { cell, label: None }),
+            Some(cell) if !cells.contains(&cell) => ticks.push(Tick {
+                value,
+                cell,
+                label: None,
+            }),
             _ => {}
         }
     }
@@ -63,12 +107,28 @@ fn major(axis: &Axis, ruler: Ruler) -> (Step, Vec<Tick>) {
     last
 }
 
+/// Steps of angles, in degrees, from that on which a fraction of a right angle is none of tens.
+const ANGLES: [i32; 6] = [15, 30, 45, 90, 180, 360];
+
+/// The smallest of 1, 2 and 5 times a power of ten that is not below a positive number: mantissa and exponent.
+pub(super) fn round_step(least: f64) -> (i64, i32) {
+    let exponent = least.log10().floor() as i32;
+    let steps = [1, 2, 5].map(|mantissa| (mantissa, exponent));
+    let found = steps
+        .into_iter()
+        .find(|(mantissa, exponent)| round(*mantissa, *exponent) >= least * (1.0 - 1e-9));
+    found.unwrap_or((1, exponent.saturating_add(1)))
+}
+
 /// The steps to try, from dense to sparse.
 fn ladder(axis: &Axis) -> Vec<Step> {
     let [low, high] = axis.bounds();
     let top = (high - low).log10().floor() as i32;
     let linear = (top - 3..=top)
         .flat_map(|exponent| [1, 2, 5].map(|mantissa| Step::Linear { mantissa, exponent }));
+    if axis.notation == Notation::Degrees {
+        return angles(linear);
+    }
     if axis.scale == Scale::Linear {
         return linear.collect();
     }
@@ -78,6 +138,18 @@ fn ladder(axis: &Axis) -> Vec<Step> {
     steps.push(ONE_TWO_FIVE);
     steps.extend([1, 2, 3, 5, 10, 20, 50, 100].map(Step::Decades));
     steps
+}
+
+/// Steps of angles: decimal ones below 15 degrees, then parts of a turn, then turns.
+fn angles(linear: impl Iterator<Item = Step>) -> Vec<Step> {
+    let turns = [2, 5, 10, 20, 50, 100].map(|turns| 360 * turns);
+    let angles = ANGLES.into_iter().chain(turns);
+    let whole = angles.map(|mantissa| Step::Linear {
+        mantissa,
+        exponent: 0,
+    });
+    let fine = linear.filter(|step| matches!(step, Step::Linear { exponent: ..=0, .. }));
+    fine.chain(whole).collect()
 }
 
 /// The values of `step` on the axis, unless they are more than `limit`.
@@ -116,7 +188,7 @@ fn decades(low: f64, high: f64, every: i32) -> impl Iterator<Item = i32> {
 }
 
 /// `mantissa * 10^exponent`, correctly rounded, which a product of floating-point numbers is not.
-fn round(mantissa: i64, exponent: i32) -> f64 {
+pub(super) fn round(mantissa: i64, exponent: i32) -> f64 {
     format!("{mantissa}e{exponent}").parse().unwrap_or(f64::NAN)
 }
 
@@ -124,14 +196,18 @@ fn labelled(values: &[f64], axis: &Axis, ruler: Ruler) -> Vec<Tick> {
     let tick = |value: &f64| {
         let cell = ruler.cell(axis.fraction(*value))?;
         let label = Some(text(*value, axis.notation));
-        Some(Tick { cell, label })
+        Some(Tick {
+            value: *value,
+            cell,
+            label,
+        })
     };
     values.iter().filter_map(tick).collect()
 }
 
 /// A round value as a label.
 fn text(value: f64, notation: Notation) -> String {
-    let plain = notation == Notation::Plain && (1e-4..1e7).contains(&value.abs());
+    let plain = notation != Notation::Power && (1e-4..1e7).contains(&value.abs());
     if plain || value == 0.0 {
         format!("{value}")
     } else {
@@ -168,6 +244,10 @@ fn minor(step: Step, axis: &Axis, ruler: Ruler) -> Vec<f64> {
             let finer = match mantissa {
                 1 => [(2, exponent - 1), (5, exponent - 1)],
                 2 => [(5, exponent - 1), (1, exponent)],
+                15 => [(5, 0), (5, 0)],
+                30 | 45 => [(15, 0), (15, 0)],
+                90 => [(30, 0), (45, 0)],
+                180.. => [(mantissa / 4, 0), (mantissa / 2, 0)],
                 _ => [(1, exponent), (1, exponent)],
             };
             finer
@@ -259,6 +339,35 @@ mod tests {
         );
         assert_eq!(up([1e-6, 1e-5], 12), "1e-6 2e-6 5e-6 1e-5");
         assert_eq!(up([2e-6, 4e-6], 12), "2e-6 2.5e-6 3e-6 3.5e-6 4e-6");
+    }
+
+    #[test]
+    fn phases_are_labelled_by_parts_of_a_turn() {
+        let up = |bounds, rows| {
+            let axis = Axis::new(Scale::Linear, bounds, "deg").with_notation(Notation::Degrees);
+            labels(&axis, rows, Direction::Up).join(" ")
+        };
+        assert_eq!(up([-180.0, 180.0], 4), "-180 0 180");
+        assert_eq!(up([-180.0, 180.0], 6), "-180 0 180");
+        assert_eq!(up([-180.0, 180.0], 12), "-180 -90 0 90 180");
+        assert_eq!(up([-180.0, 180.0], 20), "-180 -135 -90 -45 0 45 90 135 180");
+        assert_eq!(up([-90.0, 0.0], 14), "-90 -75 -60 -45 -30 -15 0");
+        assert_eq!(up([-1080.0, 180.0], 8), "-1080 -720 -360 0");
+        assert_eq!(up([-9000.0, 0.0], 8), "-7200 -3600 0");
+        assert_eq!(up([88.0, 92.0], 10), "88 89 90 91 92");
+    }
+
+    #[test]
+    fn a_round_step_is_the_next_one() {
+        for (least, step) in [
+            (0.9, (1, 0)),
+            (1.0, (1, 0)),
+            (1.1, (2, 0)),
+            (2.5e-7, (5, -7)),
+            (6e3, (1, 4)),
+        ] {
+            assert_eq!(round_step(least), step, "{least}");
+        }
     }
 
     #[test]

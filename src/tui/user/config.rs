@@ -406,8 +406,8 @@ mod tests {
             "2:14: keys.model.undo: `s` is given to both `undo` of model and `save` of model; must be one's alone"
         );
         assert_eq!(
-            fault("[keys.model]\nsave = [\"Q\"]\nundo = [\"Q\"]\n"),
-            "3:9: keys.model.undo: `Q` is given to both `undo` of model and `save` of model; must be one's alone"
+            fault("[keys.model]\nsave = [\"F9\"]\nundo = [\"F9\"]\n"),
+            "3:9: keys.model.undo: `F9` is given to both `undo` of model and `save` of model; must be one's alone"
         );
         let everywhere = faults("[keys.everywhere]\nredraw = [\"F1\"]\n");
         assert_eq!(

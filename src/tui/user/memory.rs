@@ -3,6 +3,7 @@
 //! None of it is ever in a model file. The file is read and written as a whole; options that this version does
 //! not know are carried along, so that an older program does not take from a newer one.
 
+use std::collections::BTreeMap;
 use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -40,6 +41,10 @@ pub struct RememberedOptions {
     pub decibels: Option<bool>,
     /// Whether the mouse is listened to.
     pub mouse: Option<bool>,
+    /// The unit of frequencies.
+    pub frequency_unit: Option<String>,
+    /// The value of 0 dB, by unit.
+    pub decibel_references: Option<BTreeMap<String, f64>>,
     /// The word of the theme, as of `Theme::word`.
     pub theme: Option<String>,
     /// What a newer version wrote beside.
@@ -72,6 +77,14 @@ pub struct View {
     pub window: Option<[f64; 2]>,
     /// The table below the chart.
     pub table: Option<String>,
+    /// What of the values is drawn, by its name.
+    pub view: Option<String>,
+    /// The form of all responses, by its name.
+    pub form: Option<String>,
+    /// The second cursor, Hz.
+    pub second_cursor: Option<f64>,
+    /// The marked band, Hz.
+    pub band: Option<[f64; 2]>,
 }
 
 impl Memory {
@@ -97,9 +110,10 @@ impl Memory {
     /// dropped, as are numbers that are not finite.
     pub fn remember(&mut self, mut view: View) {
         view.cursor = view.cursor.filter(|cursor| cursor.is_finite());
-        view.window = view
-            .window
-            .filter(|window| window.iter().all(|end| end.is_finite()));
+        let finite = |band: &[f64; 2]| band.iter().all(|end| end.is_finite());
+        view.window = view.window.filter(finite);
+        view.band = view.band.filter(finite);
+        view.second_cursor = view.second_cursor.filter(|cursor| cursor.is_finite());
         if !self.seen.contains(&view.source) {
             self.seen.push(view.source.clone());
         }
@@ -113,6 +127,16 @@ impl Memory {
         let options = &newer.options;
         self.options.decibels = options.decibels.or(self.options.decibels);
         self.options.mouse = options.mouse.or(self.options.mouse);
+        if options.frequency_unit.is_some() {
+            self.options
+                .frequency_unit
+                .clone_from(&options.frequency_unit);
+        }
+        if options.decibel_references.is_some() {
+            self.options
+                .decibel_references
+                .clone_from(&options.decibel_references);
+        }
         if options.theme.is_some() {
             self.options.theme.clone_from(&options.theme);
         }
@@ -205,6 +229,10 @@ mod tests {
             cursor: Some(0.1),
             window: Some([1.0, 1e3]),
             table: Some("modes".to_owned()),
+            view: Some("Nyquist".to_owned()),
+            form: Some("mobility".to_owned()),
+            second_cursor: Some(0.2),
+            band: Some([2.0, 3.0]),
         }
     }
 

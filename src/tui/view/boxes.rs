@@ -6,7 +6,7 @@ use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Clear, Padding, Paragraph};
 
 use super::text::{cut, width, wrapped};
-use super::{Panels, help, palette, prompt, questions};
+use super::{Panels, beside, help, palette, prompt, questions};
 use crate::model::Fault;
 use crate::presets;
 use crate::tui::app::{App, List, Overlay, Rows};
@@ -25,8 +25,14 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, panels: &
     let source = app.document.source().name();
     let below = prompt::row_below(app, panels);
     let complete = app.keys.key_of_in(Scope::Prompt, Command::Complete);
+    if matches!(app.overlay, Some(Overlay::Beside(_))) {
+        let (list, rows) = beside::draw(frame, app, theme);
+        app.overlay = Some(Overlay::Beside(list));
+        app.screen.list = Some(rows);
+        return;
+    }
     match &mut app.overlay {
-        None => {}
+        None | Some(Overlay::Beside(_)) => {}
         Some(Overlay::Prompt(prompt)) => prompt::draw(frame, prompt, &complete, theme, below),
         Some(Overlay::Palette(palette)) => {
             let model = app.document.model();
@@ -50,7 +56,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, panels: &
             let answers = app.keys.hints(Scope::Unsaved, RowKind::Group);
             questions::draw_unsaved(frame, *next, &source, answers, theme);
         }
-        Some(Overlay::Replace { path, reason }) => {
+        Some(Overlay::Replace { path, reason, .. }) => {
             let answers = app.keys.hints(Scope::Replace, RowKind::Group);
             questions::draw_replace(frame, *reason, path, answers, theme);
         }

@@ -3,9 +3,8 @@
 use ratatui::Frame;
 use ratatui::layout::Rect;
 
-use super::table::{self, Column, Content};
+use super::table::{self, Column, Content, FREQUENCY};
 use super::text::significant;
-use crate::model::Unit;
 use crate::tui::app::{App, Completeness, ModeKind, ModeList, ModeRow, Rows};
 use crate::tui::theme::Theme;
 
@@ -13,7 +12,7 @@ use crate::tui::theme::Theme;
 const LAYOUTS: [&[Column]; 3] = [
     &[
         ("mode", 6),
-        ("Hz", 11),
+        (FREQUENCY, 11),
         ("damping %", 12),
         ("bending y %", 13),
         ("bending z %", 13),
@@ -23,7 +22,7 @@ const LAYOUTS: [&[Column]; 3] = [
     ],
     &[
         ("mode", 5),
-        ("Hz", 10),
+        (FREQUENCY, 10),
         ("damping %", 11),
         ("bending y %", 12),
         ("bending z %", 12),
@@ -32,7 +31,7 @@ const LAYOUTS: [&[Column]; 3] = [
     ],
     &[
         ("no", 4),
-        ("Hz", 9),
+        (FREQUENCY, 9),
         ("damping%", 9),
         ("y%", 4),
         ("z%", 4),
@@ -47,35 +46,40 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
     let rows = list.map_or(&[][..], |list| &list.rows);
     let empty = match list {
         None => "solving the modes".to_owned(),
-        Some(list) => format!("no mode below {}", Unit::HERTZ.format(list.to)),
+        Some(list) => format!("no mode below {}", app.display.frequency_text(list.to)),
     };
     let content = Content {
-        title: list.map_or("Modes".to_owned(), title),
+        title: list.map_or("Modes".to_owned(), |list| title(app, list)),
         warns: list.is_some_and(|list| list.completeness != Completeness::Certain),
+        frequency_unit: app.display.unit,
         note: "shares of kinetic energy".to_owned(),
         columns,
         row: &|row| {
             rows.get(row).map_or(Vec::new(), |mode| {
-                cells(row, mode, columns == LAYOUTS[LAYOUTS.len() - 1])
+                let frequency = app.display.frequency_digits(mode.frequency);
+                cells(row, mode, frequency, columns == LAYOUTS[LAYOUTS.len() - 1])
             })
         },
         empty: &empty,
         stale: list.is_some_and(|list| list.generation != app.curves.generation),
     };
-    table::draw(frame, &content, &mut app.tables.modes, theme, area)
+    let mut list = app.tables.modes;
+    let rows = table::draw(frame, &content, &mut list, theme, area);
+    app.tables.modes = list;
+    rows
 }
 
 /// How many there are, and whether these are all.
-fn title(list: &ModeList) -> String {
+fn title(app: &App, list: &ModeList) -> String {
     let found = list.rows.len();
-    let to = Unit::HERTZ.format(list.to);
+    let to = app.display.frequency_text(list.to);
     match list.completeness {
         Completeness::Certain => format!("Modes: {found} of {found} below {to}"),
         Completeness::Doubtful => format!("Modes: {found} below {to}, perhaps not all"),
     }
 }
 
-fn cells(row: usize, mode: &ModeRow, narrow: bool) -> Vec<String> {
+fn cells(row: usize, mode: &ModeRow, frequency: String, narrow: bool) -> Vec<String> {
     let damping = match mode.kind {
         ModeKind::RigidBody => "rigid".to_owned(),
         ModeKind::Oscillating => significant(100.0 * mode.damping_ratio, 4),
@@ -88,7 +92,7 @@ fn cells(row: usize, mode: &ModeRow, narrow: bool) -> Vec<String> {
     let share = |share: f64| format!("{:.decimals$}", 100.0 * share.max(0.0));
     vec![
         format!("{}", row + 1),
-        significant(mode.frequency, 6),
+        frequency,
         damping,
         share(shares.bending_y),
         share(shares.bending_z),

@@ -1,19 +1,21 @@
 //! The table of the first curve's peaks.
 
+use num_complex::Complex64;
 use ratatui::Frame;
 use ratatui::layout::Rect;
 
-use super::chart;
-use super::table::{self, Column, Content};
+use super::table::{self, Column, Content, FREQUENCY};
 use super::text::significant;
+use crate::solve::peaks::Peak;
 use crate::tui::app::{App, Rows};
 use crate::tui::plot::Level;
+use crate::tui::scene;
 use crate::tui::theme::Theme;
 
 /// The columns, in what there is room for.
 const LAYOUTS: [&[Column]; 2] = [
     &[
-        ("Hz", 11),
+        (FREQUENCY, 11),
         ("height", 12),
         ("phase deg", 11),
         ("half-power damping %", 22),
@@ -21,7 +23,7 @@ const LAYOUTS: [&[Column]; 2] = [
         ("mode", 6),
     ],
     &[
-        ("Hz", 9),
+        (FREQUENCY, 9),
         ("height", 10),
         ("deg", 5),
         ("band %", 8),
@@ -32,7 +34,7 @@ const LAYOUTS: [&[Column]; 2] = [
 
 pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rect) -> Rows {
     let mut list = app.tables.peaks;
-    let level = chart::level(app);
+    let scale = scene::scale(app);
     let resolved = app.curves.first_resolved();
     let title = match resolved {
         None => "Peaks".to_owned(),
@@ -41,11 +43,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
                 None => trace.response.clone(),
                 Some(label) => format!("{} {label}", trace.response),
             };
-            let unit = match level.0 {
-                Level::Magnitude => trace.unit,
-                Level::Decibel { .. } => &level.1,
-            };
-            format!("Peaks of {of}, {unit}")
+            format!("Peaks of {of}, {}", scale.unit)
         }
     };
     let peaks = app.peaks();
@@ -53,9 +51,10 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
     let content = Content {
         title,
         warns: false,
+        frequency_unit: app.display.unit,
         note: if overlap { "~ modes overlap" } else { "" }.to_owned(),
         columns: table::fitting(&LAYOUTS, area.width),
-        row: &|row| cells(app, row, level.0),
+        row: &|row| cells(app, row, scale.level),
         empty: match resolved {
             None if app.curves.visible.is_empty() => "no response shows",
             None => "solving the peaks",
@@ -74,10 +73,11 @@ fn cells(app: &App, row: usize, level: Level) -> Vec<String> {
     };
     let none = || "-".to_owned();
     let percent = |ratio: f64| significant(100.0 * ratio, 3);
+    let shown = shown_height(app, peak);
     let height = match level {
         _ if peak.pole => "pole".to_owned(),
-        Level::Magnitude => format!("{:.3e}", peak.height),
-        Level::Decibel { .. } => format!("{:.2}", level.value(peak.height)),
+        Level::Decibel { .. } => format!("{:.2}", level.value(shown.norm())),
+        _ => format!("{:.3e}", shown.norm()),
     };
     let damping = peak.mode.and_then(|mode| {
         let (member, _) = app.curves.first_resolved()?;
@@ -85,14 +85,22 @@ fn cells(app: &App, row: usize, level: Level) -> Vec<String> {
     });
     let warning = if peak.overlaps { "~" } else { "" };
     vec![
-        significant(peak.frequency, 6),
+        app.display.frequency_digits(peak.frequency),
         height,
-        peak.phase
-            .filter(|_| !peak.pole)
-            .map_or_else(none, |phase| format!("{:.0}", phase.round() + 0.0)),
+        peak.phase.filter(|_| !peak.pole).map_or_else(none, |_| {
+            format!("{:.0}", shown.arg().to_degrees().round() + 0.0)
+        }),
         peak.half_power_damping.map_or_else(none, percent),
         damping.map_or_else(none, percent),
         peak.mode
             .map_or_else(none, |mode| format!("{warning}{}", mode + 1)),
     ]
+}
+
+/// The complex height of a peak in the form that is shown; of an energy the energy.
+fn shown_height(app: &App, peak: &Peak) -> Complex64 {
+    let trace = app.curves.first_resolved().map(|(_, trace)| trace);
+    let value = Complex64::from_polar(peak.height, peak.phase.unwrap_or(0.0).to_radians());
+    let dimension = trace.and_then(|trace| trace.dimension.as_ref());
+    app.display.value(dimension, value, peak.frequency)
 }

@@ -67,6 +67,7 @@ pub(super) fn draw(
 fn prompt_words(purpose: &Purpose, complete: &str) -> (String, String) {
     let path = || format!("path; {complete} completes it");
     match purpose {
+        Purpose::Ask(question) => question.words(complete),
         Purpose::Open => (" Open a file ".to_owned(), path()),
         Purpose::SaveAs => (" Save as ".to_owned(), path()),
         Purpose::Value(asked) => {

@@ -7,7 +7,6 @@ use ratatui::text::Line;
 use ratatui::widgets::Paragraph;
 
 use super::text::significant;
-use crate::model::Unit;
 use crate::tui::app::{App, ModeKind, Shape};
 use crate::tui::plot::{Axis, Chart, Curve, Legend, Level, LineStyle, Scale};
 use crate::tui::theme::Theme;
@@ -32,7 +31,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
         let text = Paragraph::new(why_empty(app)).style(theme.dim());
         return frame.render_widget(text, inside.centered_vertically(Constraint::Length(1)));
     };
-    let angle = app.modal.shaping.angle();
+    let angle = app.looking.moment.angle();
     let at = |motions: &[Vec<Complex64>; 3]| motions.each_ref().map(|u| Shape::at(u, angle));
     let (beam, masses) = (at(&shape.beam), at(&shape.masses));
     // The beam at rest.
@@ -101,7 +100,7 @@ fn heading(app: &App) -> String {
     let Some(mode) = mode else {
         return "Shape".to_owned();
     };
-    let frequency = Unit::HERTZ.format(mode.frequency);
+    let frequency = app.display.frequency_text(mode.frequency);
     let how = match mode.kind {
         ModeKind::RigidBody => "rigid body".to_owned(),
         ModeKind::Oscillating => {

@@ -6,7 +6,6 @@ use ratatui::text::{Line, Span};
 
 use super::prompt::draw_input;
 use super::text::{cut, significant, width};
-use crate::model::Unit;
 use crate::tui::app::{
     App, Message, Outside, Picture, Search, Shown, Stage, Witness, WitnessPicture,
 };
@@ -61,7 +60,7 @@ fn solver(app: &App) -> (Vec<String>, bool) {
             ([first], _) => (
                 vec![format!(
                     "no finite answer at {}",
-                    Unit::HERTZ.format(*first)
+                    app.display.frequency_text(*first)
                 )],
                 true,
             ),
@@ -69,7 +68,7 @@ fn solver(app: &App) -> (Vec<String>, bool) {
                 vec![format!(
                     "no finite answer at {} frequencies, first {}",
                     tree::grouped(picture.singular.len()),
-                    Unit::HERTZ.format(*first)
+                    app.display.frequency_text(*first)
                 )],
                 true,
             ),
@@ -120,7 +119,7 @@ fn difference(app: &App, witness: &WitnessPicture) -> Vec<String> {
         return vec!["finite elements: nothing to compare".to_owned()];
     };
     let decibels = significant(largest.decibels, 3);
-    let at = Unit::HERTZ.format(largest.frequency);
+    let at = app.display.frequency_text(largest.frequency);
     let elements = witness
         .members
         .iter()

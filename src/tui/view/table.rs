@@ -7,6 +7,7 @@ use ratatui::text::{Line, Span};
 
 use super::text::{cut, width};
 use crate::tui::app::{List, Rows};
+use crate::tui::scene::FrequencyUnit;
 use crate::tui::theme::Theme;
 
 /// Rows beside those of the list: the rule with the title, and the heading.
@@ -15,12 +16,17 @@ pub(super) const FRAME_ROWS: u16 = 2;
 /// A column: its heading, and how many cells it takes with the space before it.
 pub(super) type Column = (&'static str, usize);
 
+/// The heading of a column of frequencies, which have the unit that is shown.
+pub(super) const FREQUENCY: &str = "frequency";
+
 /// What a table says.
 pub(super) struct Content<'a> {
     /// In the rule.
     pub(super) title: String,
     /// Whether the title is bad news.
     pub(super) warns: bool,
+    /// The unit of its frequencies.
+    pub(super) frequency_unit: FrequencyUnit,
     /// At the right of the rule.
     pub(super) note: String,
     /// The columns.
@@ -75,7 +81,10 @@ pub(super) fn draw(
         frame.render_widget(Line::styled(text, theme.dim()), heading);
         return Rows::default();
     }
-    let names = content.columns.iter().map(|column| column.0.to_owned());
+    let names = content.columns.iter().map(|(name, _)| match *name {
+        FREQUENCY => content.frequency_unit.symbol().to_owned(),
+        name => name.to_owned(),
+    });
     draw_row(frame, content, names, theme.dim(), heading);
     let style = if content.stale {
         theme.dim()

@@ -94,15 +94,15 @@ fn a_typed_value_that_does_not_fit_is_refused_when_done_again() {
 #[test]
 fn a_key_without_meaning_says_where_the_keys_are() {
     let mut app = app("fig05a");
-    keys(&mut app, "%");
-    assert_eq!(message(&app), "% has no meaning here: ? shows every key");
+    keys(&mut app, "$");
+    assert_eq!(message(&app), "$ has no meaning here: ? shows every key");
 }
 
 /// What a command can change, in words.
 fn state(app: &App) -> String {
     let (rows, _) = app.selection.rows();
     format!(
-        "{:?} {} {:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?}",
+        "{:?} {} {:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?}",
         app.selection.node(),
         rows.len(),
         app.document.model(),
@@ -115,10 +115,11 @@ fn state(app: &App) -> String {
         (
             app.curves.cursor,
             app.curves.window,
-            app.curves.reference.is_some()
+            app.beside.shown().count()
         ),
         app.tables.open,
-        app.modal.shaping,
+        (app.looking.look, app.looking.moment, &app.display),
+        (app.reading.second, app.reading.harmonics, app.band.span),
         (
             app.overlay.is_some(),
             app.search.is_some(),

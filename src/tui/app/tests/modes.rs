@@ -110,6 +110,7 @@ fn resolved(app: &App, frequencies: &[f64]) -> CurvesAnswer {
         result: Ok(worker::Curves {
             members: vec![worker::Member {
                 label: None,
+                model: Arc::clone(app.model()),
                 frf: Frf {
                     frequencies: vec![sweep.from, sweep.to],
                     columns: vec![column],
@@ -271,18 +272,18 @@ fn a_shape_moves_only_while_it_can_be_seen() {
     assert!(!bench.app.moves(), "nothing is there to move yet");
     bench.answer_shape(1, 0);
     assert!(bench.app.moves());
-    let angle = bench.app.modal.shaping.angle();
+    let angle = bench.app.looking.moment.angle();
     bench.app.update(Event::Tick);
-    assert!(bench.app.modal.shaping.angle() > angle);
+    assert!(bench.app.looking.moment.angle() > angle);
     bench.keys("?");
     assert!(!bench.app.moves(), "help covers it");
     bench.press(KeyCode::Esc);
     assert!(bench.app.moves());
     bench.keys("A");
-    assert_eq!(bench.app.modal.shaping, Shaping::Still);
+    assert_eq!(bench.app.looking.look, Some(Look::Mode));
     assert!(!bench.app.moves());
     bench.keys("AM");
-    assert_eq!(bench.app.modal.shaping, Shaping::Hidden);
+    assert_eq!(bench.app.looking.look, None);
     assert!(!bench.app.moves());
 }
 

@@ -1,0 +1,310 @@
+//! What is typed that is no parameter of the model: a frequency, the value of 0 dB, factors, names, files.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use super::{App, Effect, List, Overlay, Prompt, Purpose};
+use crate::model::path::{self, Value};
+use crate::model::{self, Family, Model, Operation, Study, Unit, entry};
+use crate::tui::keys::Command;
+use crate::tui::scene::{ChartView, FrequencyUnit};
+use crate::tui::tree;
+
+/// More curves than these cannot be told apart.
+const MOST_CURVES: usize = 12;
+
+/// What is asked for in a box, beside values of parameters and files of models.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Question {
+    /// The frequency of the cursor.
+    Frequency(FrequencyUnit),
+    /// The value of 0 dB in a unit.
+    DecibelReference(String),
+    /// Factors or values of a parameter.
+    Factors {
+        /// The parameter in words.
+        subject: String,
+        /// Its path.
+        path: String,
+        /// The unit of its values.
+        unit: Unit,
+    },
+    /// The name of an entry beside the model.
+    Name(usize),
+    /// The file of a model to compare with.
+    ReferenceFile,
+    /// The file of a measured curve.
+    MeasuredFile,
+    /// What the columns of a measured file are.
+    Columns {
+        /// The file.
+        path: PathBuf,
+        /// What it holds, in words.
+        seen: String,
+    },
+    /// The file to which what is on the screen goes.
+    Export,
+}
+
+impl Question {
+    /// The title of the box, and what may be typed.
+    pub fn words(&self, complete: &str) -> (String, String) {
+        let (title, allowed) = match self {
+            Self::Frequency(unit) => (
+                "Cursor to",
+                format!("{}; or a number with Hz, rad/s or rpm", unit.symbol()),
+            ),
+            Self::DecibelReference(unit) => ("0 dB is", format!("{unit}, above 0")),
+            Self::Factors { subject, unit, .. } => {
+                let symbol = if unit.symbol.is_empty() {
+                    "a number"
+                } else {
+                    unit.symbol
+                };
+                return (
+                    format!(" Study of {subject} "),
+                    format!(
+                        "factors, as 0.5 1 2; or = and values, as = 1e6 2e6 ({symbol}); or + and what is added"
+                    ),
+                );
+            }
+            Self::Name(_) => ("Name", "any text".to_owned()),
+            Self::ReferenceFile => (
+                "Load a model as reference",
+                format!("path; {complete} completes it"),
+            ),
+            Self::MeasuredFile => (
+                "Load a measured curve",
+                format!("CSV or universal file (UFF 58); {complete} completes the path"),
+            ),
+            Self::Columns { seen, .. } => ("What the columns are", seen.clone()),
+            Self::Export => (
+                "Write what is on the screen",
+                format!("path ending in .csv, .svg or .txt; {complete} completes it"),
+            ),
+        };
+        (format!(" {title} "), allowed)
+    }
+
+    /// Whether a file's path is typed.
+    pub(super) fn is_path(&self) -> bool {
+        matches!(
+            self,
+            Self::ReferenceFile | Self::MeasuredFile | Self::Export
+        )
+    }
+}
+
+impl App {
+    /// Opens a box for something that is no parameter; false where the command is another one.
+    pub(super) fn ask_command(&mut self, command: Command) -> bool {
+        match command {
+            Command::GoTo => {
+                let unit = self.display.unit;
+                let text = self.curves.cursor.map(|f| typed_frequency(f, unit));
+                self.ask_question(Question::Frequency(unit), text.unwrap_or_default());
+            }
+            Command::DecibelReference => self.ask_decibel_reference(),
+            Command::MakeStudy => self.ask_factors(),
+            Command::Beside => self.open_beside(),
+            Command::AddMeasured => self.ask_question(Question::MeasuredFile, String::new()),
+            Command::Export => self.ask_question(Question::Export, self.export_name()),
+            _ => return false,
+        }
+        true
+    }
+
+    pub(super) fn ask_question(&mut self, question: Question, text: String) {
+        self.overlay = Some(Overlay::Prompt(Prompt::new(Purpose::Ask(question), text)));
+    }
+
+    /// Takes what was typed; what is to be done then.
+    pub(super) fn answer_ask(&mut self, question: &Question, text: &str) -> Vec<Effect> {
+        let taken = match question {
+            Question::Frequency(unit) => self.go_to_frequency(text, *unit),
+            Question::DecibelReference(unit) => self.take_decibel_reference(unit, text),
+            Question::Factors { path, unit, .. } => self.take_factors(path, *unit, text),
+            Question::Name(row) => self.name_beside(*row, text),
+            _ if text.is_empty() => Err("type a file's path".to_owned()),
+            Question::ReferenceFile => return vec![Effect::OpenReference(PathBuf::from(text))],
+            Question::MeasuredFile => {
+                return vec![Effect::OpenMeasured(PathBuf::from(text), None)];
+            }
+            Question::Columns { path, .. } => {
+                return vec![Effect::OpenMeasured(path.clone(), Some(text.to_owned()))];
+            }
+            Question::Export => return self.export_to(PathBuf::from(text)),
+        };
+        match taken {
+            Ok(()) => {
+                self.overlay = match question {
+                    Question::Name(row) => {
+                        Some(Overlay::Beside(List::new(self.beside_rows(), *row)))
+                    }
+                    _ => None,
+                };
+            }
+            Err(refusal) => self.refuse_prompt(refusal),
+        }
+        Vec::new()
+    }
+
+    fn go_to_frequency(&mut self, text: &str, unit: FrequencyUnit) -> Result<(), String> {
+        let frequency = read_frequency(text, unit)?;
+        let sweep = self.model().sweep;
+        if !(sweep.from..=sweep.to).contains(&frequency) {
+            return Err(format!(
+                "the sweep goes from {} to {}",
+                self.display.frequency_text(sweep.from),
+                self.display.frequency_text(sweep.to)
+            ));
+        }
+        self.put_cursor(frequency);
+        Ok(())
+    }
+
+    fn ask_decibel_reference(&mut self) {
+        if self.display.view == ChartView::Difference {
+            return self.refuse("a difference in dB has no reference value");
+        }
+        let units = self.shown_units();
+        let [unit] = units.as_slice() else {
+            return self.refuse(if units.is_empty() {
+                "no response shows"
+            } else {
+                "the curves that show have several units: 0 dB is 1 of each"
+            });
+        };
+        let text = format!("{:e}", self.display.decibel_reference(unit));
+        self.ask_question(Question::DecibelReference(unit.clone()), text);
+    }
+
+    fn take_decibel_reference(&mut self, unit: &str, text: &str) -> Result<(), String> {
+        let value = match plain(text, Unit::ONE) {
+            Ok(value) if value.is_normal() && value > 0.0 => value,
+            _ => return Err(format!("a number above 0 is wanted, in {unit}")),
+        };
+        self.display
+            .decibel_references
+            .insert(unit.to_owned(), value);
+        self.turned.decibel_references = Some(self.display.decibel_references.clone());
+        self.display.levels = None;
+        self.curves.decibels = true;
+        self.done(format!("0 dB is {value:e} {unit}"));
+        Ok(())
+    }
+
+    fn ask_factors(&mut self) {
+        let node = self.selection.node();
+        let parameter = tree::parameter_path(self.model(), node)
+            .and_then(|path| path::parameter(self.model(), &path).ok());
+        match parameter {
+            Some(parameter) if matches!(parameter.value, Value::Number(_)) => {
+                let question = Question::Factors {
+                    subject: tree::subject(self.model(), node),
+                    path: parameter.path,
+                    unit: parameter.unit,
+                };
+                self.ask_question(question, "0.5 1 2".to_owned());
+            }
+            _ => self.refuse("select a number of the model to sweep it"),
+        }
+    }
+
+    /// Makes a study of what was typed, shows it, and leaves it in the model.
+    fn take_factors(&mut self, path: &str, unit: Unit, text: &str) -> Result<(), String> {
+        let (operation, values) = read_factors(text, unit)?;
+        let mut changed = Model::clone(self.model());
+        let study = Study {
+            name: free_study_name(&changed, path),
+            family: Family::Vary {
+                paths: vec![path.to_owned()],
+                operation,
+                values,
+            },
+        };
+        changed.studies.push(study);
+        let last = changed.studies.len() - 1;
+        if let Some(fault) = model::check(&changed).first() {
+            return Err(fault.message.clone());
+        }
+        let family = &changed.studies[last].family;
+        for (index, label) in path::family_labels(family).into_iter().enumerate() {
+            if let Err(faults) = path::apply(&changed, family, index) {
+                let why = faults.first().map(|fault| fault.message.clone());
+                return Err(format!("{label}: {}", why.unwrap_or_default()));
+            }
+        }
+        let name = changed.studies[last].name.clone();
+        self.document.replace(format!("add study {name}"), changed);
+        let model = Arc::clone(self.document.model());
+        self.show_study(Some(last), &model);
+        Ok(())
+    }
+}
+
+/// A name for a study of a path that no other one has.
+fn free_study_name(model: &Model, path: &str) -> String {
+    let base = path.replace(['.', '_'], " ");
+    let taken = |name: &str| model.studies.iter().any(|study| study.name == name);
+    let numbered = (2..).map(|number| format!("{base} {number}"));
+    let mut names = std::iter::once(base.clone()).chain(numbered);
+    names.find(|name| !taken(name)).unwrap_or(base.clone())
+}
+
+/// Factors, or values after `=`, or summands after `+`.
+fn read_factors(text: &str, unit: Unit) -> Result<(Operation, Vec<f64>), String> {
+    let text = text.trim();
+    let (operation, rest) = match text.chars().next() {
+        Some('=') => (Operation::Set, &text[1..]),
+        Some('+') => (Operation::Add, &text[1..]),
+        Some('*') => (Operation::Multiply, &text[1..]),
+        _ => (Operation::Multiply, text),
+    };
+    let unit = if operation == Operation::Multiply {
+        Unit::ONE
+    } else {
+        unit
+    };
+    // Between commas a value may have a unit behind a space.
+    let commas = rest.contains([',', ';']);
+    let parts = |c: char| c == ',' || c == ';' || (!commas && c.is_whitespace());
+    let words = rest.split(parts).map(str::trim);
+    let values: Result<Vec<f64>, String> = words
+        .filter(|word| !word.is_empty())
+        .map(|word| plain(word, unit).map_err(|_| format!("{word} is no number")))
+        .collect();
+    match values? {
+        values if values.is_empty() => Err("type at least one factor or value".to_owned()),
+        values if values.len() > MOST_CURVES => Err(format!(
+            "{} curves; {MOST_CURVES} are the most that can be told apart",
+            values.len()
+        )),
+        values => Ok((operation, values)),
+    }
+}
+
+/// A number with or without unit, not a change of another one.
+fn plain(text: &str, unit: Unit) -> Result<f64, String> {
+    // A change of nothing is no number.
+    entry::number(text, f64::NAN, &unit)
+}
+
+/// A frequency as it is typed.
+fn typed_frequency(hertz: f64, unit: FrequencyUnit) -> String {
+    format!("{}", hertz * unit.per_hertz())
+}
+
+/// A typed frequency, Hz: a number in `unit`, or with a unit of its own.
+fn read_frequency(text: &str, unit: FrequencyUnit) -> Result<f64, String> {
+    let text = text.trim();
+    let own = FrequencyUnit::ALL
+        .into_iter()
+        .skip(1)
+        .find_map(|unit| Some((text.strip_suffix(unit.symbol())?, unit)));
+    let (number, unit) = own.unwrap_or((text, unit));
+    let hertz = plain(number, Unit::ONE).map(|value| value / unit.per_hertz());
+    hertz
+        .or_else(|_| plain(text, Unit::HERTZ))
+        .map_err(|_| "a frequency is wanted, as 120, 120 Hz, 754 rad/s or 7200 rpm".to_owned())
+}

@@ -1,0 +1,177 @@
+//! A band of the frequency axis whose levels are told: maximum, mean square, and the reduction against a reference.
+
+use std::sync::Arc;
+
+use super::{App, Table};
+use crate::model::{Model, Quantity};
+use crate::solve::band::Level;
+use crate::solve::form::{Dimension, Form, Reference};
+use crate::worker::{LevelsAnswer, LevelsRequest, Request, Subject};
+
+/// What levels were asked for.
+#[derive(Debug, Clone, PartialEq)]
+struct Key {
+    generation: u64,
+    references: Vec<u64>,
+    span: [f64; 2],
+    form: Option<Form>,
+}
+
+/// The levels of one model in the band.
+#[derive(Debug, Clone)]
+pub struct MemberLevels {
+    /// The label of the member of a study; none for the model itself.
+    pub label: Option<String>,
+    /// One for each enabled response.
+    pub levels: Vec<ResponseLevel>,
+}
+
+/// The level of a response in the band, divided by the force where there is just one.
+#[derive(Debug, Clone)]
+pub struct ResponseLevel {
+    /// The response's name.
+    pub response: String,
+    /// The unit of the maximum; none for an energy.
+    pub dimension: Option<Dimension>,
+    /// Maximum and mean square.
+    pub level: Level,
+}
+
+/// The levels in the band.
+#[derive(Debug)]
+pub struct BandLevels {
+    /// The model's generation.
+    pub generation: u64,
+    /// The model's members.
+    pub members: Vec<MemberLevels>,
+    /// The numbers of the references, and their members.
+    pub references: Vec<(u64, Vec<MemberLevels>)>,
+}
+
+/// The marked band.
+#[derive(Debug, Default)]
+pub struct Band {
+    /// What it spans, Hz; none where none is marked.
+    pub span: Option<[f64; 2]>,
+    /// The levels in it, as they were solved last.
+    pub levels: Option<BandLevels>,
+    asked: Option<(u64, Key)>,
+}
+
+impl App {
+    /// Marks the band between the cursors, or the one that shows; or takes it away.
+    pub(super) fn turn_band(&mut self) {
+        if self.band.span.take().is_some() {
+            self.band.levels = None;
+            if self.tables.open == Some(Table::Band) {
+                self.tables.open = None;
+            }
+            return self.done("band taken away");
+        }
+        let span = match (self.curves.cursor, self.reading.second) {
+            (Some(one), Some(other)) if one != other => [one.min(other), one.max(other)],
+            _ => self.shown_frequencies(),
+        };
+        self.band.span = Some(span);
+        self.tables.open = Some(Table::Band);
+        let [low, high] = span.map(|f| self.display.frequency_text(f));
+        self.done(format!("band from {low} to {high}"));
+    }
+
+    /// The form whose levels are told: an inverse has none.
+    pub fn band_form(&self) -> Option<Form> {
+        self.display.form.filter(|form| !form.is_inverse())
+    }
+
+    /// Asks for the levels in the band.
+    pub(super) fn want_levels(&mut self) -> Option<Request> {
+        let key = Key {
+            generation: self.curves.generation,
+            references: self.beside.shown_ids(),
+            span: self.band.span?,
+            form: self.band_form(),
+        };
+        if self
+            .band
+            .asked
+            .as_ref()
+            .is_some_and(|(_, asked)| *asked == key)
+        {
+            return None;
+        }
+        let serial = self.next_serial();
+        let brought = |subject: Subject| match key.form {
+            Some(form) => Subject {
+                model: Arc::new(brought_to(&subject.model, form)),
+                ..subject
+            },
+            None => subject,
+        };
+        let request = LevelsRequest {
+            serial,
+            subjects: self.compared_subjects().into_iter().map(brought).collect(),
+            band: key.span,
+        };
+        self.band.asked = Some((serial, key));
+        Some(Request::Levels(request))
+    }
+
+    /// Takes the levels that were asked for last.
+    ///
+    /// # Errors
+    /// Why there are none, in a line.
+    pub(super) fn take_levels(&mut self, answer: LevelsAnswer) -> Result<(), String> {
+        let asked = self.band.asked.as_ref();
+        let Some((_, key)) = asked.filter(|(serial, _)| *serial == answer.serial) else {
+            return Ok(());
+        };
+        let mut solved = answer.result?.into_iter().map(|members| {
+            let members = members.into_iter().map(|member| MemberLevels {
+                levels: response_levels(&member.model, &member.levels),
+                label: member.label,
+            });
+            members.collect()
+        });
+        self.band.levels = Some(BandLevels {
+            generation: key.generation,
+            members: solved.next().unwrap_or_default(),
+            references: key.references.iter().copied().zip(solved).collect(),
+        });
+        Ok(())
+    }
+}
+
+/// A model whose responses are measured as a form has it.
+fn brought_to(model: &Model, form: Form) -> Model {
+    let mut model = model.clone();
+    for response in &mut model.responses {
+        if let Quantity::Motion(_, measure) = &mut response.quantity {
+            *measure = form.measure();
+        }
+    }
+    model
+}
+
+fn response_levels(model: &Model, levels: &[Level]) -> Vec<ResponseLevel> {
+    let reference = Reference::of(model);
+    let enabled = model.responses.iter().filter(|one| one.enabled);
+    enabled
+        .zip(levels)
+        .map(|(response, level)| {
+            let dimension = Dimension::of(&response.quantity, reference.as_ref());
+            let divisor = match (&reference, dimension) {
+                (Some(reference), Some(_)) => reference.amplitude.norm(),
+                _ => 1.0,
+            };
+            ResponseLevel {
+                response: response.name.clone(),
+                dimension,
+                level: Level {
+                    maximum: level.maximum / divisor,
+                    mean_square: level.mean_square / (divisor * divisor),
+                    ..*level
+                },
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,273 @@
+//! What stands on the chart beside the model: frozen and loaded references, and measured curves.
+
+use std::sync::Arc;
+
+use super::measured::{Asked, Measured, Sample};
+use super::{App, Effect, List, Overlay, Picture, Question, Shown};
+use crate::model::Model;
+use crate::tui::Opened;
+use crate::tui::keys::Command;
+use crate::worker::{ReferenceAnswer, Request, Subject};
+
+/// More references than these cannot be told apart.
+const MOST_REFERENCES: usize = 8;
+
+/// The curves of another state of the model, or of another model.
+#[derive(Debug)]
+pub struct Reference {
+    /// Its number, never given again.
+    pub id: u64,
+    /// Its name in the legend.
+    pub name: String,
+    /// The model they are of.
+    pub model: Arc<Model>,
+    /// The study whose members they are.
+    pub study: Option<usize>,
+    /// The curves; none as long as they are solved.
+    pub picture: Option<Arc<Picture>>,
+    /// Whether they show.
+    pub shown: bool,
+    /// Why there are none.
+    pub failure: Option<String>,
+}
+
+/// What stands on the chart beside the model.
+#[derive(Debug, Default)]
+pub struct Beside {
+    /// Older ones first.
+    pub references: Vec<Reference>,
+    /// Curves from files.
+    pub measured: Vec<Measured>,
+    /// The reference that is being solved.
+    asked: Option<u64>,
+    pub(super) measured_asked: Option<Asked>,
+    pub(super) sample: Option<Sample>,
+}
+
+impl Beside {
+    /// The references that show.
+    pub fn shown(&self) -> impl Iterator<Item = &Reference> {
+        self.references.iter().filter(|one| one.shown)
+    }
+
+    /// The first of them that has curves: differences are to it.
+    pub fn first_shown(&self) -> Option<&Reference> {
+        self.shown().find(|one| one.picture.is_some())
+    }
+
+    /// The numbers of those that show.
+    pub(super) fn shown_ids(&self) -> Vec<u64> {
+        self.shown().map(|one| one.id).collect()
+    }
+
+    /// Takes the curves of a loaded model.
+    pub(super) fn take(&mut self, answer: ReferenceAnswer) {
+        self.asked = None;
+        let mut references = self.references.iter_mut();
+        if let Some(one) = references.find(|one| one.id == answer.serial) {
+            match answer.result {
+                Ok(curves) => one.picture = Some(Arc::new(Picture::of_reference(curves))),
+                Err(reason) => one.failure = Some(reason),
+            }
+        }
+    }
+
+    /// A name that no entry has: `name`, `name 2`, ...
+    pub(super) fn free_name(&self, name: &str) -> String {
+        let taken = |name: &str| {
+            self.references.iter().any(|one| one.name == name)
+                || self.measured.iter().any(|one| one.name == name)
+        };
+        let numbered = (2..).map(|number| format!("{name} {number}"));
+        let mut names = std::iter::once(name.to_owned()).chain(numbered);
+        names.find(|name| !taken(name)).unwrap_or_default()
+    }
+}
+
+impl Beside {
+    /// The name of an entry of the list, and whether it shows.
+    fn entry(&mut self, row: usize) -> Option<(&mut String, &mut bool)> {
+        match row.checked_sub(self.references.len()) {
+            None => self
+                .references
+                .get_mut(row)
+                .map(|one| (&mut one.name, &mut one.shown)),
+            Some(row) => self
+                .measured
+                .get_mut(row)
+                .map(|one| (&mut one.name, &mut one.shown)),
+        }
+    }
+}
+
+impl App {
+    /// The model and the references that show, to be solved at the same frequencies.
+    pub(super) fn compared_subjects(&self) -> Vec<Subject> {
+        let references = self.beside.shown().map(|one| Subject {
+            generation: one.id,
+            model: Arc::clone(&one.model),
+            study: one.study,
+        });
+        std::iter::once(self.subject()).chain(references).collect()
+    }
+
+    /// Keeps the curves as a reference.
+    pub(super) fn freeze(&mut self) {
+        let picture = match (&self.curves.shown, self.curves.picture()) {
+            (Shown::Picture(_), Some(picture)) => Arc::clone(picture),
+            _ => return self.refuse("there are no curves to freeze yet"),
+        };
+        if self.curves.is_stale() {
+            return self.refuse("the curves are being solved: freeze them then");
+        }
+        let model = Arc::clone(self.document.model());
+        if let Some(name) = self.add_reference("before", model, self.curves.study, Some(picture)) {
+            self.document.seal();
+            let key = self.keys.key_of(Command::Unfreeze);
+            let list = self.keys.key_of(Command::Beside);
+            self.done(format!(
+                "curves frozen as {name}; {key} drops it, {list} lists all"
+            ));
+        }
+    }
+
+    /// Adds a reference; its name, or none where there are too many.
+    fn add_reference(
+        &mut self,
+        name: &str,
+        model: Arc<Model>,
+        study: Option<usize>,
+        picture: Option<Arc<Picture>>,
+    ) -> Option<String> {
+        if self.beside.references.len() == MOST_REFERENCES {
+            let list = self.keys.key_of(Command::Beside);
+            self.refuse(format!(
+                "{MOST_REFERENCES} references are the most: {list} lists them, to drop some"
+            ));
+            return None;
+        }
+        let name = self.beside.free_name(name);
+        let id = self.next_serial();
+        self.beside.references.push(Reference {
+            id,
+            name: name.clone(),
+            model,
+            study,
+            picture,
+            shown: true,
+            failure: None,
+        });
+        Some(name)
+    }
+
+    /// Drops the newest reference.
+    pub(super) fn unfreeze(&mut self) {
+        if let Some(dropped) = self.beside.references.pop() {
+            self.done(format!("reference {} dropped", dropped.name));
+        } else {
+            let key = self.keys.key_of(Command::Freeze);
+            self.refuse(format!("no reference is frozen; {key} freezes one"));
+        }
+    }
+
+    /// Takes a model that was opened to compare with.
+    pub(super) fn take_reference(&mut self, opened: Opened) {
+        let name = opened.source.name();
+        self.overlay = None;
+        if let Some(name) = self.add_reference(&name, Arc::new(opened.model), None, None) {
+            self.done(format!("{name} is a reference now"));
+        }
+    }
+
+    /// Asks for the curves of a loaded reference that has none, one at a time.
+    pub(super) fn want_reference(&mut self) -> Option<Request> {
+        if self.beside.asked.is_some() {
+            return None;
+        }
+        let mut references = self.beside.references.iter();
+        let one = references.find(|one| one.picture.is_none() && one.failure.is_none())?;
+        self.beside.asked = Some(one.id);
+        Some(Request::Reference(Subject {
+            generation: one.id,
+            model: Arc::clone(&one.model),
+            study: one.study,
+        }))
+    }
+
+    /// Lists what stands beside the model.
+    pub(super) fn open_beside(&mut self) {
+        let rows = self.beside_rows();
+        self.overlay = Some(Overlay::Beside(List::new(rows, 0)));
+    }
+
+    /// How many entries the list has: references, then measured curves.
+    pub(super) fn beside_rows(&self) -> usize {
+        self.beside.references.len() + self.beside.measured.len()
+    }
+
+    /// Does what a key asks for in the list.
+    pub(super) fn beside_command(&mut self, command: Command) -> Vec<Effect> {
+        let Some(Overlay::Beside(list)) = &mut self.overlay else {
+            return Vec::new();
+        };
+        if list.obey(command) {
+            return Vec::new();
+        }
+        let row = list.row;
+        match command {
+            Command::Cancel => self.overlay = None,
+            Command::AddReference => self.ask_question(Question::ReferenceFile, String::new()),
+            Command::AddMeasured => self.ask_question(Question::MeasuredFile, String::new()),
+            _ if row >= self.beside_rows() => self.refuse("nothing is listed yet"),
+            Command::Accept => self.turn_beside(row),
+            Command::Rename => {
+                let name = self.beside_name(row).cloned().unwrap_or_default();
+                self.ask_question(Question::Name(row), name);
+            }
+            Command::Delete => self.drop_beside(row),
+            _ => {}
+        }
+        Vec::new()
+    }
+
+    /// Shows or hides an entry of the list.
+    fn turn_beside(&mut self, row: usize) {
+        let shown = self.beside.entry(row).map(|(_, shown)| shown);
+        if let Some(shown) = shown {
+            *shown = !*shown;
+        }
+    }
+
+    fn beside_name(&mut self, row: usize) -> Option<&String> {
+        self.beside.entry(row).map(|(name, _)| &*name)
+    }
+
+    fn drop_beside(&mut self, row: usize) {
+        match row.checked_sub(self.beside.references.len()) {
+            None => drop(self.beside.references.remove(row)),
+            Some(measured) => drop(self.beside.measured.remove(measured)),
+        }
+        let rows = self.beside_rows();
+        if let Some(Overlay::Beside(list)) = &mut self.overlay {
+            list.set_rows(rows);
+        }
+    }
+
+    /// Gives an entry of the list another name.
+    ///
+    /// # Errors
+    /// Why the name is not taken, in a line.
+    pub(super) fn name_beside(&mut self, row: usize, name: &str) -> Result<(), String> {
+        if name.is_empty() {
+            return Err("type a name".to_owned());
+        }
+        let own = self.beside_name(row).is_some_and(|own| own == name);
+        if !own && self.beside.free_name(name) != name {
+            return Err(format!("{name} is another one's name"));
+        }
+        if let Some((known, _)) = self.beside.entry(row) {
+            name.clone_into(known);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,239 @@
+//! How values are shown: form, view, units, decibels and the level scale.
+
+use std::collections::BTreeMap;
+
+use num_complex::Complex64;
+
+use super::{App, Trace};
+use crate::model::{Measure, Unit};
+use crate::solve::form::{Dimension, Form};
+use crate::tui::keys::Command;
+use crate::tui::scene::{ChartView, FrequencyUnit};
+
+/// How values are shown.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Display {
+    /// What of the complex values is drawn.
+    pub view: ChartView,
+    /// The form of all responses; none: each as the model asks for it.
+    pub form: Option<Form>,
+    /// The phase runs on instead of staying within half a turn.
+    pub unwrapped: bool,
+    /// The unit of frequencies.
+    pub unit: FrequencyUnit,
+    /// The value of 0 dB by unit; 1 of the unit where none is given.
+    pub decibel_references: BTreeMap<String, f64>,
+    /// What the first value axis spans, values on the axis; none where it follows the curves.
+    pub levels: Option<[f64; 2]>,
+}
+
+impl Display {
+    /// The form in which a response is shown.
+    pub fn form_of(&self, dimension: &Dimension) -> Form {
+        self.form
+            .filter(|form| dimension.has(*form))
+            .unwrap_or(dimension.form_of_measure())
+    }
+
+    /// A value at a frequency (Hz) as it is shown; an energy as it is.
+    pub fn value(
+        &self,
+        dimension: Option<&Dimension>,
+        value: Complex64,
+        frequency: f64,
+    ) -> Complex64 {
+        match dimension {
+            Some(dimension) => dimension.converted(value, frequency, self.form_of(dimension)),
+            None => value,
+        }
+    }
+
+    /// The unit of the values as they are shown.
+    pub fn unit_of(&self, dimension: Option<&Dimension>) -> String {
+        dimension.map_or_else(
+            || "kg m2".to_owned(),
+            |dimension| dimension.unit(self.form_of(dimension)),
+        )
+    }
+
+    /// A frequency (Hz) for people, with its unit.
+    pub fn frequency_text(&self, hertz: f64) -> String {
+        match self.unit {
+            FrequencyUnit::Hertz => Unit::HERTZ.format(hertz),
+            unit => format!("{} {}", self.frequency_digits(hertz), unit.symbol()),
+        }
+    }
+
+    /// A frequency (Hz) in the unit that is shown, without it: six significant digits.
+    pub fn frequency_digits(&self, hertz: f64) -> String {
+        let value = hertz * self.unit.per_hertz();
+        let digits = format!("{value:.5e}");
+        let exponent = digits
+            .split_once('e')
+            .and_then(|(_, e)| e.parse::<i32>().ok());
+        match exponent {
+            Some(exponent @ -3..=5) => format!("{value:.*}", (5 - exponent) as usize),
+            _ => digits,
+        }
+    }
+
+    /// The value of 0 dB in a unit.
+    pub fn decibel_reference(&self, unit: &str) -> f64 {
+        self.decibel_references.get(unit).copied().unwrap_or(1.0)
+    }
+}
+
+impl App {
+    /// Changes how values are shown; false where the command is another one.
+    pub(super) fn display_command(&mut self, command: Command) -> bool {
+        match command {
+            Command::NextForm => self.turn_form(true),
+            Command::PreviousForm => self.turn_form(false),
+            Command::NextView => self.next_view(),
+            Command::Unwrap => {
+                self.display.unwrapped = !self.display.unwrapped;
+                self.done(if self.display.unwrapped {
+                    "phase runs on"
+                } else {
+                    "phase within half a turn"
+                });
+            }
+            Command::FrequencyUnit => self.next_frequency_unit(),
+            Command::LevelIn => self.zoom_levels(0.5),
+            Command::LevelOut => self.zoom_levels(2.0),
+            Command::LevelPan(quarters) => self.pan_levels(quarters),
+            Command::LevelFix => self.fix_levels(),
+            _ => return false,
+        }
+        true
+    }
+
+    /// The next form that the responses that show have, or each as the model asks for it.
+    fn turn_form(&mut self, forward: bool) {
+        let shown = self.shown_traces();
+        let dimensions: Vec<Dimension> = shown.filter_map(|trace| trace.dimension).collect();
+        if dimensions.is_empty() {
+            return self.refuse("no response of a motion shows: an energy has one form");
+        }
+        let has = |form: &Form| dimensions.iter().any(|dimension| dimension.has(*form));
+        let mut choices: Vec<Option<Form>> = vec![None];
+        choices.extend(Form::ALL.into_iter().filter(has).map(Some));
+        let place = choices.iter().position(|form| *form == self.display.form);
+        let step = if forward { 1 } else { choices.len() - 1 };
+        self.set_form(choices[(place.unwrap_or(0) + step) % choices.len()]);
+        let ratio = dimensions.iter().any(|dimension| dimension.per.is_some());
+        self.done(match (self.display.form, ratio) {
+            (None, _) => "each response as the model asks for it".to_owned(),
+            (Some(form), true) => form.name().to_owned(),
+            // What the first three are without a force to divide by.
+            (Some(form), false) => {
+                let motion = match form.measure() {
+                    Measure::Displacement => "displacement",
+                    Measure::Velocity => "velocity",
+                    Measure::Acceleration => "acceleration",
+                };
+                format!("{motion}; several forces act, so that there is no ratio and no inverse")
+            }
+        });
+    }
+
+    fn set_form(&mut self, form: Option<Form>) {
+        self.display.form = form;
+        self.display.levels = None;
+    }
+
+    /// The responses that show, of the model or the first member of its study.
+    pub fn shown_traces(&self) -> impl Iterator<Item = &Trace> {
+        let members = self.curves.picture().map(|picture| &picture.members);
+        let first = members.and_then(|members| members.first());
+        let traces = first.map_or(&[][..], |member| &member.traces);
+        traces
+            .iter()
+            .filter(|trace| self.curves.shows(&trace.response))
+    }
+
+    /// The units of the responses that show, each once.
+    pub fn shown_units(&self) -> Vec<String> {
+        let mut units: Vec<String> = Vec::new();
+        for trace in self.shown_traces() {
+            let unit = self.display.unit_of(trace.dimension.as_ref());
+            if !units.contains(&unit) {
+                units.push(unit);
+            }
+        }
+        units
+    }
+
+    fn next_view(&mut self) {
+        let all: Vec<ChartView> = ChartView::ALL
+            .into_iter()
+            .filter(|view| *view != ChartView::Difference || self.beside.first_shown().is_some())
+            .collect();
+        let place = all.iter().position(|view| *view == self.display.view);
+        self.display.view = all[place.map_or(0, |place| (place + 1) % all.len())];
+        self.display.levels = None;
+        self.done(self.display.view.name());
+    }
+
+    fn next_frequency_unit(&mut self) {
+        let all = FrequencyUnit::ALL;
+        let place = all.iter().position(|unit| *unit == self.display.unit);
+        self.display.unit = all[(place.unwrap_or(0) + 1) % all.len()];
+        self.turned.frequency_unit = Some(self.display.unit.symbol().to_owned());
+        self.done(format!("frequencies in {}", self.display.unit.symbol()));
+    }
+
+    /// Makes the range of levels narrower or wider about its middle; it is fixed then.
+    fn zoom_levels(&mut self, factor: f64) {
+        self.change_levels(|[low, high]| {
+            let middle = f64::midpoint(low, high);
+            [
+                middle + (low - middle) * factor,
+                middle + (high - middle) * factor,
+            ]
+        });
+    }
+
+    fn pan_levels(&mut self, quarters: i32) {
+        self.change_levels(|[low, high]| {
+            let by = f64::from(quarters) * (high - low) / 4.0;
+            [low + by, high + by]
+        });
+    }
+
+    /// Keeps the levels that show, or lets them follow the curves again.
+    fn fix_levels(&mut self) {
+        if self.display.levels.take().is_some() {
+            return self.done("levels follow the curves");
+        }
+        match self.screen.levels {
+            Some(levels) => {
+                self.display.levels = Some(levels.bounds);
+                let key = self.keys.key_of(Command::LevelFix);
+                self.done(format!("levels fixed; {key} lets them follow the curves"));
+            }
+            None => self.refuse("no value axis shows"),
+        }
+    }
+
+    /// Changes the range of levels by their places on the axis, which is logarithmic for magnitudes.
+    fn change_levels(&mut self, change: impl Fn([f64; 2]) -> [f64; 2]) {
+        let Some(levels) = self.screen.levels else {
+            return self.refuse("no value axis shows");
+        };
+        let bounds = self.display.levels.unwrap_or(levels.bounds);
+        let changed = if levels.log {
+            change(bounds.map(f64::log10)).map(|place| 10_f64.powf(place))
+        } else {
+            change(bounds)
+        };
+        let drawable = changed.iter().all(|bound| bound.is_finite())
+            && changed[1] - changed[0] > 1e-12 * changed[0].abs().max(changed[1].abs())
+            && (!levels.log || (changed[0].is_normal() && changed[1].is_normal()));
+        if drawable {
+            self.display.levels = Some(changed);
+        } else {
+            self.refuse("no such levels can be drawn");
+        }
+    }
+}

@@ -1,0 +1,247 @@
+//! What is looked at below the chart: how the beam moves and what acts in it at the cursor, and drawings of it.
+
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+use super::{App, ModeKind};
+use crate::solve::operating::Operating;
+use crate::tui::keys::Command;
+use crate::worker::{OperatingAnswer, OperatingRequest, Request};
+
+/// Frames of a period.
+const FRAMES: u32 = 24;
+
+/// What shows below the chart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Look {
+    /// The shape of the selected mode.
+    Mode,
+    /// The operating deflection at the cursor.
+    Deflection,
+    /// Bending moments along the beam.
+    Moments,
+    /// Shear forces.
+    Shear,
+    /// The torque.
+    Torque,
+    /// The bimoment.
+    Bimoment,
+    /// Where power comes from and goes to.
+    Power,
+    /// The beam with what it carries.
+    Structure,
+    /// The cross-section.
+    Section,
+}
+
+/// The moment of its period at which something that oscillates is shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Moment {
+    /// The frame of the period.
+    frame: u32,
+    /// Whether it goes on by itself.
+    pub runs: bool,
+}
+
+/// What is looked at below the chart.
+#[derive(Debug, Default)]
+pub struct Looking {
+    /// What shows.
+    pub look: Option<Look>,
+    /// When in its period.
+    pub moment: Moment,
+    /// What the beam does at the cursor, as it was solved last.
+    pub operating: Option<Arc<Operating>>,
+    /// The generation of the model it was solved for.
+    pub generation: u64,
+    asked: Option<(u64, u64, f64)>,
+}
+
+impl Moment {
+    /// One frame further.
+    fn step(&mut self) {
+        self.frame = (self.frame + 1) % FRAMES;
+    }
+
+    /// The angle of its period that is shown, rad.
+    pub fn angle(self) -> f64 {
+        f64::from(self.frame) / f64::from(FRAMES) * TAU
+    }
+}
+
+impl Look {
+    /// What a key goes through at the cursor.
+    const OPERATING: [Self; 6] = [
+        Self::Deflection,
+        Self::Moments,
+        Self::Shear,
+        Self::Torque,
+        Self::Bimoment,
+        Self::Power,
+    ];
+
+    /// Whether it is of one frequency.
+    pub fn is_operating(self) -> bool {
+        Self::OPERATING.contains(&self)
+    }
+
+    /// Whether it changes within a period.
+    pub fn moves(self) -> bool {
+        self == Self::Mode || (self.is_operating() && self != Self::Power)
+    }
+}
+
+impl App {
+    /// Changes what is looked at; false where the command is another one.
+    pub(super) fn look_command(&mut self, command: Command) -> bool {
+        match command {
+            Command::Shape => {
+                let shows = self.looking.look == Some(Look::Mode);
+                self.look_at((!shows).then_some(Look::Mode));
+            }
+            Command::Animate => self.animate(),
+            Command::Operating => self.next_operating(),
+            Command::Structure => self.next_drawing(),
+            Command::PhaseStep => self.step_phase(),
+            _ => return false,
+        }
+        true
+    }
+
+    fn next_operating(&mut self) {
+        let place = Look::OPERATING
+            .iter()
+            .position(|look| Some(*look) == self.looking.look);
+        let next = place.map_or(0, |place| place + 1);
+        if place.is_none() && self.curves.cursor.is_none() {
+            self.move_cursor(1);
+        }
+        self.look_at(Look::OPERATING.get(next).copied());
+    }
+
+    fn next_drawing(&mut self) {
+        self.look_at(match self.looking.look {
+            Some(Look::Structure) => Some(Look::Section),
+            Some(Look::Section) => None,
+            _ => Some(Look::Structure),
+        });
+    }
+
+    fn look_at(&mut self, look: Option<Look>) {
+        let goes_on = look.is_some_and(Look::moves) && self.looking.look.is_some_and(Look::moves);
+        if !goes_on {
+            self.looking.moment = Moment::default();
+        }
+        self.looking.look = look;
+    }
+
+    /// Lets what shows move, or stand still; the selected mode where nothing that moves shows.
+    fn animate(&mut self) {
+        if std::mem::take(&mut self.looking.moment.runs) {
+            return;
+        }
+        let look = self.looking.look.filter(|look| look.moves());
+        if look.is_none_or(|look| look == Look::Mode) {
+            let row = self.tables.modes.row;
+            let kind = self.modal.list.as_ref().map(|list| list.rows.get(row));
+            match kind.map(|row| row.map(|row| row.kind)) {
+                None => return self.refuse("the modes are not solved yet"),
+                Some(None) => return self.refuse("there is no mode to move"),
+                Some(Some(ModeKind::Oscillating)) => self.look_at(Some(Look::Mode)),
+                Some(Some(_)) => return self.refuse("the selected mode does not oscillate"),
+            }
+        }
+        self.looking.moment.runs = true;
+    }
+
+    fn step_phase(&mut self) {
+        if !self.looking.look.is_some_and(Look::moves) {
+            return self.refuse("nothing that moves shows");
+        }
+        self.looking.moment.runs = false;
+        self.looking.moment.step();
+        let degrees = self.looking.moment.angle().to_degrees().round();
+        self.done(format!("at {degrees} deg of the period"));
+    }
+
+    /// A frame further, of what moves by itself.
+    pub(super) fn next_frame(&mut self) {
+        if self.looking.moment.runs {
+            self.looking.moment.step();
+        }
+    }
+
+    /// What moves by itself stands still, because the line carries too few frames.
+    pub fn stop_moving(&mut self) {
+        if std::mem::take(&mut self.looking.moment.runs) {
+            let key = self.keys.key_of(Command::PhaseStep);
+            self.refuse(format!(
+                "the line is too slow for what moves: {key} goes a step further"
+            ));
+        }
+    }
+
+    /// Whether something on the screen moves by itself.
+    pub fn moves(&self) -> bool {
+        let shows = match self.looking.look {
+            Some(Look::Mode) => self.mode_oscillates(),
+            Some(look) if look.moves() => self.operating().is_some(),
+            _ => false,
+        };
+        self.looking.moment.runs && self.overlay.is_none() && !self.unseen && shows
+    }
+
+    /// Whether the shape that shows is of a mode that oscillates.
+    fn mode_oscillates(&self) -> bool {
+        let oscillates = || {
+            let shape = self.modal.shape.as_ref()?;
+            let row = self.modal.list.as_ref()?.rows.get(shape.mode)?;
+            Some(row.kind == ModeKind::Oscillating)
+        };
+        oscillates() == Some(true)
+    }
+
+    /// What the beam does at the cursor, where that is known and belongs to it.
+    pub fn operating(&self) -> Option<&Operating> {
+        self.looking.operating.as_deref()
+    }
+
+    /// Whether what is known of the beam at the cursor belongs to an older model or another frequency.
+    pub fn operating_is_stale(&self) -> bool {
+        self.looking.generation != self.curves.generation
+            || self.operating().map(|one| one.frequency) != self.curves.cursor
+    }
+
+    /// Asks what the beam does at the cursor, if that shows.
+    pub(super) fn want_operating(&mut self) -> Option<Request> {
+        self.looking.look.filter(|look| look.is_operating())?;
+        let (generation, frequency) = (self.curves.generation, self.curves.cursor?);
+        if let Some((_, asked, at)) = self.looking.asked
+            && asked == generation
+            && at == frequency
+        {
+            return None;
+        }
+        let serial = self.next_serial();
+        self.looking.asked = Some((serial, generation, frequency));
+        Some(Request::Operating(OperatingRequest {
+            serial,
+            model: Arc::clone(self.document.model()),
+            frequency,
+        }))
+    }
+
+    /// Takes what was asked last.
+    ///
+    /// # Errors
+    /// Why nothing is known, in a line.
+    pub(super) fn take_operating(&mut self, answer: OperatingAnswer) -> Result<(), String> {
+        if let Some((serial, generation, _)) = self.looking.asked
+            && serial == answer.serial
+        {
+            self.looking.operating = Some(answer.result?);
+            self.looking.generation = generation;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,280 @@
+//! Measured curves beside the model, and how well it fits them.
+
+use std::path::PathBuf;
+
+use num_complex::Complex64;
+
+use super::curves::traces;
+use super::{App, Display, Question, Trace};
+use crate::measured::{Curve, Fit, Inspection, Kind, ValueUnit, fit};
+use crate::model::Fault;
+use crate::solve::form::Dimension;
+use crate::tui::keys::Command;
+use crate::tui::scene::ChartView;
+use crate::worker::{Request, SampleAnswer, SampleRequest, Sampling};
+
+/// More measured curves than these cannot be told apart.
+const MOST_CURVES: usize = 12;
+
+/// The frequencies at which a model is held beside measured curves; of more, every second, third...
+const MOST_FREQUENCIES: usize = 20_000;
+
+/// A curve from a file.
+#[derive(Debug)]
+pub struct Measured {
+    /// Its name in the legend.
+    pub name: String,
+    /// The curve.
+    pub curve: Curve,
+    /// Whether it shows.
+    pub shown: bool,
+}
+
+/// How well a response fits a measured curve.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fitted {
+    /// The measured curve, by its place.
+    pub measured: usize,
+    /// The response.
+    pub response: String,
+    /// How well, in the form that shows.
+    pub fit: Fit,
+}
+
+/// The model at the frequencies of the measured curves.
+#[derive(Debug)]
+pub(super) struct Sample {
+    frequencies: Vec<f64>,
+    traces: Vec<Trace>,
+}
+
+/// What was asked for last.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Asked {
+    serial: u64,
+    generation: u64,
+    names: Vec<String>,
+}
+
+/// What came of opening a measured file.
+#[derive(Debug)]
+pub enum OpenedMeasured {
+    /// Its curves.
+    Curves(Vec<Curve>),
+    /// The file does not say what all its columns are.
+    Asks(PathBuf, Box<Inspection>),
+    /// It is not understood, and why.
+    Faulty(PathBuf, Fault),
+}
+
+impl Measured {
+    /// What its values are, if that is known of a motion.
+    pub fn dimension(&self) -> Option<Dimension> {
+        match self.curve.kind {
+            Some(Kind::Motion(dimension)) => Some(dimension),
+            Some(Kind::Energy) | None => None,
+        }
+    }
+
+    /// Whether it can stand on the axis of a response: its quantity is the same but for the measure of the motion, or
+    /// nothing is known of it.
+    pub fn fits(&self, response: Option<&Dimension>) -> bool {
+        match (self.curve.kind, response) {
+            (None, _) | (Some(Kind::Energy), None) => true,
+            (Some(Kind::Motion(own)), Some(response)) => {
+                own.moves == response.moves && own.per == response.per
+            }
+            _ => false,
+        }
+    }
+
+    /// How many values a view shows of it.
+    pub fn panels(&self, view: ChartView) -> usize {
+        1 + usize::from(view.has_two_panels())
+    }
+
+    /// A value by its place, as it is shown.
+    pub fn value(&self, display: &Display, index: usize) -> Complex64 {
+        let (value, frequency) = (self.curve.values[index], self.curve.frequencies[index]);
+        let shown = display.value(self.dimension().as_ref(), value, frequency);
+        // Without a phase there is none after a conversion either.
+        if self.curve.phase_known {
+            shown
+        } else {
+            shown.norm().into()
+        }
+    }
+}
+
+impl App {
+    /// Takes what came of opening a file.
+    pub(super) fn measured_opened(&mut self, opened: OpenedMeasured) {
+        match opened {
+            OpenedMeasured::Curves(curves) => self.take_measured(curves),
+            OpenedMeasured::Asks(path, inspection) => self.ask_columns(path, &inspection),
+            OpenedMeasured::Faulty(path, fault) => {
+                self.refuse_prompt(format!("{}: {fault}", path.display()));
+            }
+        }
+    }
+
+    /// Takes the curves of a file.
+    fn take_measured(&mut self, curves: Vec<Curve>) {
+        self.overlay = None;
+        let room = MOST_CURVES - self.beside.measured.len();
+        let (read, notes) = (
+            curves.len(),
+            curves.iter().find_map(|one| one.notes.first()).cloned(),
+        );
+        if room == 0 {
+            let list = self.keys.key_of(Command::Beside);
+            return self.refuse(format!(
+                "{MOST_CURVES} measured curves are the most: {list} lists them, to drop some"
+            ));
+        }
+        for curve in curves.into_iter().take(room) {
+            let name = self.beside.free_name(&curve.name);
+            self.beside.measured.push(Measured {
+                name,
+                curve,
+                shown: true,
+            });
+        }
+        let taken = read.min(room);
+        let what = if taken == 1 { "curve" } else { "curves" };
+        let left = if taken < read {
+            format!(", {} left out: {MOST_CURVES} are the most", read - taken)
+        } else {
+            notes.map_or_else(String::new, |note| format!("; {note}"))
+        };
+        self.done(format!("{taken} measured {what}{left}"));
+    }
+
+    /// Asks what a file does not say of itself.
+    fn ask_columns(&mut self, path: PathBuf, inspection: &Inspection) {
+        let missing = inspection.missing.iter().map(ToString::to_string);
+        let seen: Vec<String> = missing
+            .chain(inspection.recognised.iter().cloned())
+            .collect();
+        let question = Question::Columns {
+            path,
+            seen: format!("It does not say {}", seen.join("; ")),
+        };
+        let mut proposal = inspection.proposal.clone();
+        // One curve is likely to be of what shows.
+        if let ([_], [unit], None) = (
+            inspection.curves.as_slice(),
+            self.shown_units().as_slice(),
+            &proposal.unit,
+        ) {
+            proposal.unit = ValueUnit::parse(unit).ok();
+        }
+        self.ask_question(question, proposal.to_string());
+    }
+
+    /// Asks for the model at the frequencies of the measured curves that show.
+    pub(super) fn want_measured(&mut self) -> Option<Request> {
+        let shown = || self.beside.measured.iter().filter(|one| one.shown);
+        let names: Vec<String> = shown().map(|one| one.name.clone()).collect();
+        let generation = self.curves.generation;
+        let known = self.beside.measured_asked.as_ref();
+        if names.is_empty()
+            || known.is_some_and(|asked| asked.generation == generation && asked.names == names)
+        {
+            return None;
+        }
+        let mut frequencies: Vec<f64> = shown()
+            .flat_map(|one| {
+                let all = &one.curve.frequencies;
+                all.iter().copied().step_by(stride(all.len()))
+            })
+            .collect();
+        frequencies.sort_by(f64::total_cmp);
+        frequencies.dedup();
+        let serial = self.next_serial();
+        self.beside.measured_asked = Some(Asked {
+            serial,
+            generation,
+            names,
+        });
+        let mut subject = self.subject();
+        subject.study = None;
+        Some(Request::Sample(SampleRequest {
+            serial,
+            sampling: Sampling::Measured,
+            subjects: vec![subject],
+            frequencies,
+        }))
+    }
+
+    /// Takes the model at the frequencies of the measured curves.
+    pub(super) fn take_measured_sample(&mut self, answer: SampleAnswer) -> Result<(), String> {
+        let asked = self.beside.measured_asked.as_ref();
+        if asked.is_none_or(|asked| asked.serial != answer.serial) {
+            return Ok(());
+        }
+        let solved = answer.result?.into_iter().flatten().next();
+        self.beside.sample = solved.map(|member| Sample {
+            traces: traces(&member.model, &member.frf, Vec::new()),
+            frequencies: answer.frequencies,
+        });
+        Ok(())
+    }
+
+    /// How well the responses that show fit the measured curves that show, in the marked band if there is one.
+    pub fn fits(&self) -> Vec<Fitted> {
+        let Some(sample) = &self.beside.sample else {
+            return Vec::new();
+        };
+        let measured = self.beside.measured.iter().enumerate();
+        let shown = measured.filter(|(_, one)| one.shown);
+        shown
+            .flat_map(|(index, one)| {
+                let traces = sample.traces.iter().filter(|trace| {
+                    self.curves.shows(&trace.response) && one.fits(trace.dimension.as_ref())
+                });
+                traces.filter_map(move |trace| {
+                    Some(Fitted {
+                        measured: index,
+                        response: trace.response.clone(),
+                        fit: self.fit_of(one, sample, trace)?,
+                    })
+                })
+            })
+            .collect()
+    }
+
+    fn fit_of(&self, measured: &Measured, sample: &Sample, trace: &Trace) -> Option<Fit> {
+        let curve = &measured.curve;
+        let stride = stride(curve.frequencies.len());
+        let places = (0..curve.frequencies.len()).step_by(stride);
+        let places: Vec<(usize, usize)> = places
+            .filter_map(|i| {
+                let f = curve.frequencies[i];
+                let at = sample.frequencies.partition_point(|one| *one < f);
+                (sample.frequencies.get(at) == Some(&f)).then_some((i, at))
+            })
+            .collect();
+        let seen = Curve {
+            frequencies: places.iter().map(|(i, _)| curve.frequencies[*i]).collect(),
+            values: places
+                .iter()
+                .map(|(i, _)| measured.value(&self.display, *i))
+                .collect(),
+            ..curve.clone()
+        };
+        let model: Vec<Complex64> = places
+            .iter()
+            .map(|(_, at)| {
+                let (value, f) = (trace.values[*at], sample.frequencies[*at]);
+                self.display.value(trace.dimension.as_ref(), value, f)
+            })
+            .collect();
+        fit(&seen, &model, self.band.span)
+    }
+}
+
+/// From one frequency of a curve to the next that is looked at.
+fn stride(points: usize) -> usize {
+    points.div_ceil(MOST_FREQUENCIES).max(1)
+}

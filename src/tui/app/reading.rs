@@ -1,0 +1,273 @@
+//! What is read at the cursors: solved there, not interpolated.
+
+use num_complex::Complex64;
+
+use super::curves::Member;
+use super::{App, Compared, Trace};
+use crate::tui::keys::Command;
+use crate::worker::{Request, SampleAnswer, SampleRequest, Sampling};
+
+/// Harmonics of the cursor, the cursor itself included.
+const HARMONICS: u32 = 10;
+
+/// What a reading was asked for.
+#[derive(Debug, Clone, PartialEq)]
+struct Key {
+    generation: u64,
+    references: Vec<u64>,
+    frequencies: Vec<f64>,
+}
+
+/// The values at some frequencies.
+#[derive(Debug)]
+struct Values {
+    key: Key,
+    curves: Compared,
+}
+
+/// What is read at the cursors.
+#[derive(Debug, Default)]
+pub struct Reading {
+    /// The second cursor, Hz.
+    pub second: Option<f64>,
+    /// Whether the harmonics of the cursor are marked.
+    pub harmonics: bool,
+    asked: Option<(u64, Key)>,
+    values: Option<Values>,
+}
+
+/// A response at a frequency, as it was solved there.
+#[derive(Debug, Clone, Copy)]
+pub struct Read<'a> {
+    /// The response; its only value is that at the frequency asked for.
+    trace: &'a Trace,
+    index: usize,
+    /// Hz.
+    pub frequency: f64,
+}
+
+impl Read<'_> {
+    /// The value, divided by the force where there is just one.
+    pub fn value(&self) -> Complex64 {
+        self.trace.values[self.index]
+    }
+}
+
+impl Reading {
+    /// A response of a member of the model at a frequency (Hz), where it was solved for the model with this generation.
+    pub fn model(
+        &self,
+        generation: u64,
+        member: usize,
+        response: &str,
+        frequency: f64,
+    ) -> Option<Read<'_>> {
+        let values = self.values.as_ref()?;
+        let member = values.curves.members.get(member)?;
+        (values.key.generation == generation)
+            .then(|| read(member, response, frequency))
+            .flatten()
+    }
+
+    /// The same of a reference, by its number.
+    pub fn reference(
+        &self,
+        id: u64,
+        member: usize,
+        response: &str,
+        frequency: f64,
+    ) -> Option<Read<'_>> {
+        let values = self.values.as_ref()?;
+        let members = values.curves.reference(id)?;
+        read(members.get(member)?, response, frequency)
+    }
+
+    /// Takes an answer to what was asked last.
+    ///
+    /// # Errors
+    /// Why nothing was solved, in a line.
+    pub(super) fn take(&mut self, answer: SampleAnswer) -> Result<(), String> {
+        let Some((_, key)) = self
+            .asked
+            .as_ref()
+            .filter(|(serial, _)| *serial == answer.serial)
+        else {
+            return Ok(());
+        };
+        self.values = Some(Values {
+            key: key.clone(),
+            curves: Compared::new(answer.result?, &key.references),
+        });
+        Ok(())
+    }
+}
+
+/// The place of the frequency nearest to another one; none where there are none.
+pub fn nearest(frequencies: &[f64], to: f64) -> Option<usize> {
+    let after = frequencies.partition_point(|frequency| *frequency < to);
+    let around = [after.saturating_sub(1), after].into_iter();
+    let inside = around.filter(|i| *i < frequencies.len());
+    let distance = |i: &usize| (frequencies[*i] - to).abs();
+    inside.min_by(|a, b| distance(a).total_cmp(&distance(b)))
+}
+
+fn read<'a>(member: &'a Member, response: &str, frequency: f64) -> Option<Read<'a>> {
+    let index = member.frequencies.iter().position(|f| *f == frequency)?;
+    let trace = member
+        .traces
+        .iter()
+        .find(|trace| trace.response == response)?;
+    Some(Read {
+        trace,
+        index,
+        frequency,
+    })
+}
+
+/// A value at a frequency.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Value {
+    /// As it is shown: in the form and divided by the force where there is just one.
+    pub shown: Complex64,
+    /// Whether it was solved there; else it is that of the nearest frequency that was.
+    pub exact: bool,
+}
+
+impl App {
+    /// A response of a member of the model at a frequency (Hz): exactly, or as near as is solved.
+    pub fn value_at(&self, number: usize, trace: &Trace, frequency: f64) -> Option<Value> {
+        let dimension = trace.dimension.as_ref();
+        let picture = self.curves.picture()?;
+        let generation = self.curves.generation;
+        let read = self
+            .reading
+            .model(generation, number, &trace.response, frequency);
+        if let Some(read) = read {
+            return Some(Value {
+                shown: self.display.value(dimension, read.value(), frequency),
+                exact: true,
+            });
+        }
+        let member = picture.members.get(number)?;
+        self.nearest(member, trace, frequency)
+    }
+
+    /// The same of a reference, by its number.
+    pub fn reference_at(
+        &self,
+        (id, number): (u64, usize),
+        member: &Member,
+        trace: &Trace,
+        frequency: f64,
+    ) -> Option<Value> {
+        let dimension = trace.dimension.as_ref();
+        let read = self
+            .reading
+            .reference(id, number, &trace.response, frequency);
+        match read {
+            Some(read) => Some(Value {
+                shown: self.display.value(dimension, read.value(), frequency),
+                exact: true,
+            }),
+            None => self.nearest(member, trace, frequency),
+        }
+    }
+
+    fn nearest(&self, member: &Member, trace: &Trace, frequency: f64) -> Option<Value> {
+        let index = nearest(&member.frequencies, frequency)?;
+        let dimension = trace.dimension.as_ref();
+        let (value, at) = (trace.values[index], member.frequencies[index]);
+        Some(Value {
+            shown: self.display.value(dimension, value, at),
+            exact: false,
+        })
+    }
+
+    /// The harmonics of the cursor that lie in the sweep, Hz: 2, 3, .. times its frequency.
+    pub fn harmonics(&self) -> Vec<f64> {
+        let Some(cursor) = self.curves.cursor.filter(|_| self.reading.harmonics) else {
+            return Vec::new();
+        };
+        let to = self.model().sweep.to;
+        (2..=HARMONICS)
+            .map(|order| f64::from(order) * cursor)
+            .filter(|f| *f <= to)
+            .collect()
+    }
+
+    /// Changes the second cursor and the harmonics; false where the command is another one.
+    pub(super) fn reading_command(&mut self, command: Command) -> bool {
+        match command {
+            Command::SecondCursor => self.turn_second(),
+            Command::Harmonics => self.turn_harmonics(),
+            _ => return false,
+        }
+        true
+    }
+
+    /// Puts the second cursor where the cursor is, or takes it away.
+    fn turn_second(&mut self) {
+        match (self.reading.second.take(), self.curves.cursor) {
+            (Some(second), Some(cursor)) if second != cursor => {
+                self.reading.second = Some(cursor);
+                self.done("second cursor moved here; again at its place takes it away");
+            }
+            (Some(_), _) => self.done("second cursor taken away"),
+            (None, Some(cursor)) => {
+                self.reading.second = Some(cursor);
+                self.done("second cursor here: differences are counted from it");
+            }
+            (None, None) => {
+                let key = self.keys.key_of(Command::Cursor(1));
+                self.refuse(format!("there is no cursor: {key} puts one on the chart"));
+            }
+        }
+    }
+
+    fn turn_harmonics(&mut self) {
+        if self.curves.cursor.is_none() {
+            let key = self.keys.key_of(Command::Cursor(1));
+            return self.refuse(format!("there is no cursor: {key} puts one on the chart"));
+        }
+        self.reading.harmonics = !self.reading.harmonics;
+        let count = self.harmonics().len();
+        self.done(match (self.reading.harmonics, count) {
+            (false, _) => "without harmonics".to_owned(),
+            (true, 0) => "harmonics of the cursor: none within the sweep".to_owned(),
+            (true, count) => format!("harmonics of the cursor: {count} within the sweep"),
+        });
+    }
+
+    /// Asks for the values at the cursors.
+    pub(super) fn want_reading(&mut self) -> Option<Request> {
+        let cursor = self.curves.cursor?;
+        let mut frequencies: Vec<f64> = std::iter::once(cursor)
+            .chain(self.reading.second)
+            .chain(self.harmonics())
+            .collect();
+        frequencies.sort_by(f64::total_cmp);
+        frequencies.dedup();
+        let key = Key {
+            generation: self.curves.generation,
+            references: self.beside.shown_ids(),
+            frequencies,
+        };
+        if self
+            .reading
+            .asked
+            .as_ref()
+            .is_some_and(|(_, asked)| *asked == key)
+        {
+            return None;
+        }
+        let serial = self.next_serial();
+        let request = SampleRequest {
+            serial,
+            sampling: Sampling::Reading,
+            subjects: self.compared_subjects(),
+            frequencies: key.frequencies.clone(),
+        };
+        self.reading.asked = Some((serial, key));
+        Some(Request::Sample(request))
+    }
+}

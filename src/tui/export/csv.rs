@@ -1,0 +1,96 @@
+//! The curves as numbers.
+
+use std::fmt::Write as _;
+
+use super::{Provenance, frequency, marks, names};
+use crate::table::{cell, number};
+use crate::tui::plot::Level;
+use crate::tui::scene::axes::heading;
+use crate::tui::scene::{ChartView, FrequencyUnit, Scene};
+
+/// The curves on the chart as CSV (RFC 4180, lines end with a line feed), after comment lines that start with `#`.
+///
+/// Long form: a row for each point within the frequency bounds: the curve's name, the frequency in the unit that shows,
+/// and the value on each panel, in decibels where the panel shows them. Numbers read back to the last bit; `nan` is a
+/// gap.
+pub fn csv(scene: &Scene, provenance: &Provenance) -> String {
+    let names = names(scene);
+    let mut text = head(scene, provenance, &names);
+    let columns: Vec<&str> = (0..scene.panels.len()).map(|i| column(scene, i)).collect();
+    let mut titles = vec!["curve", abscissa(scene.frequency.unit)];
+    titles.extend(columns);
+    // Writing to a string has no errors.
+    let _ = writeln!(text, "{}", titles.join(","));
+    let per_hertz = scene.frequency.unit.per_hertz();
+    let [low, high] = scene.frequency.bounds;
+    for (curve, name) in scene.curves.iter().zip(&names) {
+        let name = cell(name);
+        for (index, hertz) in curve.frequencies.iter().enumerate() {
+            if !(low..=high).contains(hertz) {
+                continue;
+            }
+            let _ = write!(text, "{name},{}", number(hertz * per_hertz));
+            for (panel, shown) in scene.panels.iter().enumerate() {
+                let values = curve.values.get(panel);
+                let value = values.and_then(|values| values.get(index));
+                let value = value.map_or(f64::NAN, |value| shown.level.value(*value));
+                let _ = write!(text, ",{}", number(value));
+            }
+            text.push('\n');
+        }
+    }
+    text
+}
+
+/// What the numbers are and where they come from.
+fn head(scene: &Scene, provenance: &Provenance, names: &[String]) -> String {
+    let mut lines = vec![
+        provenance.program.clone(),
+        format!("model: {}", provenance.model),
+        format!("source: {}", provenance.source),
+        format!("sha256 of the model as TOML: {}", provenance.hash),
+        format!("method: {}", provenance.method),
+    ];
+    lines.extend(provenance.notes.iter().cloned());
+    lines.push(format!("chart: {}, {}", scene.title, scene.view.name()));
+    lines.push("amplitudes are zero to peak; nan is a gap".to_owned());
+    lines.push(format!(
+        "{}: {}",
+        abscissa(scene.frequency.unit),
+        scene.frequency.unit.symbol()
+    ));
+    for (index, panel) in scene.panels.iter().enumerate() {
+        lines.push(format!("{}: {}", column(scene, index), heading(panel)));
+    }
+    lines.extend(marks(scene));
+    for (curve, name) in scene.curves.iter().zip(names) {
+        if !curve.poles.is_empty() {
+            let poles = curve.poles.iter().map(|pole| frequency(scene, *pole));
+            let poles: Vec<String> = poles.collect();
+            lines.push(format!("{name} is infinite at {}", poles.join(", ")));
+        }
+    }
+    let comment = |line: &String| format!("# {}\n", line.replace(['\n', '\r'], " "));
+    lines.iter().map(comment).collect()
+}
+
+/// The title of the column of frequencies.
+const fn abscissa(unit: FrequencyUnit) -> &'static str {
+    match unit {
+        FrequencyUnit::Hertz => "frequency_hz",
+        FrequencyUnit::RadianPerSecond => "angular_frequency_rad_s",
+        FrequencyUnit::RevolutionPerMinute => "speed_rpm",
+    }
+}
+
+/// The title of a panel's column.
+fn column(scene: &Scene, panel: usize) -> &'static str {
+    match (scene.view, scene.panels[panel].level, panel) {
+        (ChartView::Difference, ..) => "difference_db",
+        (_, Level::Magnitude, _) => "magnitude",
+        (_, Level::Decibel { .. }, _) => "level_db",
+        (_, Level::Degrees, _) => "phase_deg",
+        (_, Level::Signed, 0) => "real",
+        (_, Level::Signed, _) => "imaginary",
+    }
+}

@@ -1,0 +1,135 @@
+//! Rulers and dots for pictures that are no charts: values and labels on the same cells as a chart would have them.
+
+use super::axis::{Axis, Direction, Ruler};
+use super::chart::Glyphs;
+use super::dots::{Dots, rulers};
+use super::ticks::ticks;
+
+/// A round value on a ruler.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RoundTick {
+    /// Its cell, from the left or from the top.
+    pub cell: u16,
+    /// Its value as text; none on minor ticks.
+    pub label: Option<String>,
+}
+
+/// An axis along cells: its bounds lie in the middles of the first and the last one.
+#[derive(Debug, Clone)]
+pub struct CellRuler {
+    axis: Axis,
+    ruler: Ruler,
+}
+
+impl CellRuler {
+    /// An axis to the right over so many columns.
+    pub const fn across(axis: Axis, columns: u16) -> Self {
+        Self::new(axis, columns, Direction::Right)
+    }
+
+    /// An axis upward over so many rows.
+    pub const fn up(axis: Axis, rows: u16) -> Self {
+        Self::new(axis, rows, Direction::Up)
+    }
+
+    const fn new(axis: Axis, cells: u16, direction: Direction) -> Self {
+        let ruler = Ruler {
+            direction,
+            cells,
+            dots_per_cell: 1,
+        };
+        Self { axis, ruler }
+    }
+
+    /// The cell of a value, from the left or from the top; none off the axis.
+    pub fn cell(&self, value: f64) -> Option<u16> {
+        self.ruler.cell(self.axis.fraction(value))
+    }
+
+    /// Where a value lies in cells from the left or from the top; the middle of the first cell is at 0.5.
+    pub fn place(&self, value: f64) -> f64 {
+        self.ruler.dot(self.axis.fraction(value)) + 0.5
+    }
+
+    /// Round values as dense as their labels have room: labelled ones in ascending order, then minor ones.
+    pub fn ticks(&self) -> Vec<RoundTick> {
+        let ticks = ticks(&self.axis, self.ruler).into_iter();
+        ticks
+            .map(|tick| RoundTick {
+                cell: tick.cell,
+                label: tick.label,
+            })
+            .collect()
+    }
+}
+
+/// The characters that show points as dots: column, row and character of each cell that has a dot.
+///
+/// Points are (column, row) in cells from the top left corner of `size` cells, the middle of the first cell at
+/// (0.5, 0.5); those outside are left out. In ASCII a dot is a full stop.
+pub fn dotted(
+    points: impl IntoIterator<Item = [f64; 2]>,
+    [columns, rows]: [u16; 2],
+    glyphs: Glyphs,
+) -> Vec<(u16, u16, char)> {
+    let mut dots = Dots::new(rulers(columns, rows, glyphs));
+    for [x, y] in points {
+        let column = x * f64::from(dots.across.dots_per_cell);
+        let row = y * f64::from(dots.down.dots_per_cell);
+        let inside = [(column, dots.across), (row, dots.down)];
+        if inside
+            .iter()
+            .all(|(dot, ruler)| (0.0..f64::from(ruler.dots())).contains(dot))
+        {
+            dots.draw(column as u16, row as u16, 0);
+        }
+    }
+    let cells = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
+    let shown = cells.filter_map(|(column, row)| {
+        let cell = dots.cell(column, row);
+        cell.curve?;
+        let glyph = match glyphs {
+            Glyphs::Braille => cell.braille(),
+            Glyphs::Block => cell.quarters(),
+            Glyphs::Dot => '·',
+            Glyphs::Ascii => '.',
+        };
+        Some((column, row, glyph))
+    });
+    shown.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tui::plot::Scale;
+
+    #[test]
+    fn bounds_are_in_the_middles_of_the_outer_cells() {
+        let ruler = CellRuler::across(Axis::new(Scale::Linear, [0.0, 3.0], "m"), 31);
+        // 30 steps of 0.1 m.
+        assert_eq!(ruler.cell(0.0), Some(0));
+        assert_eq!(ruler.cell(3.0), Some(30));
+        assert_eq!(ruler.cell(1.2), Some(12));
+        assert_eq!(ruler.cell(3.2), None);
+        assert!((ruler.place(1.2) - 12.5).abs() < 1e-12);
+        let labelled: Vec<_> = ruler.ticks().into_iter().filter_map(|t| t.label).collect();
+        assert_eq!(labelled, ["0", "0.5", "1", "1.5", "2", "2.5", "3"]);
+        let upward = CellRuler::up(Axis::new(Scale::Linear, [0.0, 3.0], "m"), 4);
+        assert_eq!(upward.cell(1.0), Some(2));
+    }
+
+    #[test]
+    fn dots_are_where_their_points_are() {
+        // The upper left dot of the second cell: bit 0 of braille, the upper left quarter.
+        let points = [[1.1, 0.1], [-0.1, 0.0], [2.0, 0.0], [f64::NAN, 0.0]];
+        for (glyphs, glyph) in [
+            (Glyphs::Braille, '⠁'),
+            (Glyphs::Block, '▘'),
+            (Glyphs::Dot, '·'),
+            (Glyphs::Ascii, '.'),
+        ] {
+            assert_eq!(dotted(points, [2, 1], glyphs), [(1, 0, glyph)]);
+        }
+    }
+}

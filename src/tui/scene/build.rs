@@ -1,0 +1,521 @@
+//! The scene of the designer's state.
+
+use super::{
+    ChartView, CurveKind, FrequencyAxis, Marked, Panel, Scene, SceneCurve, difference, part,
+};
+use crate::solve::form::Dimension;
+use crate::tui::app::{
+    Anchor, App, Curves, DetailPicture, Look, Measured, Member, Picture, Reference, Table, Trace,
+};
+use crate::tui::plot::{Level, LineStyle};
+
+/// Columns from one point of a finite-element curve to the next.
+const WITNESS_POINTS: u16 = 3;
+
+/// What stands on the chart.
+pub fn of(app: &App) -> Scene {
+    let builder = Builder::new(app);
+    let panels = builder.panels();
+    let mut curves = builder.references();
+    curves.extend(builder.model());
+    curves.extend(builder.witnesses());
+    curves.extend(builder.measured());
+    // One curve alone is named in the title.
+    if let [only] = curves.as_mut_slice()
+        && only.kind == CurveKind::Model
+    {
+        only.label.clear();
+    }
+    Scene {
+        view: app.display.view,
+        title: builder.title(),
+        frequency: FrequencyAxis {
+            unit: app.display.unit,
+            log: app.curves.log_frequency,
+            bounds: app.shown_frequencies(),
+        },
+        panels,
+        curves,
+        spanning: builder.spanning(),
+        marks: builder.marks(),
+    }
+}
+
+/// The units and the level in which the responses that show stand on the chart.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scale {
+    /// From a magnitude to the value on the axis.
+    pub level: Level,
+    /// The unit of the axis.
+    pub unit: String,
+}
+
+/// In what the magnitudes of the responses that show are told.
+pub fn scale(app: &App) -> Scale {
+    let units = app.shown_units();
+    let dimensions = app.shown_traces().map(|trace| trace.dimension);
+    let (energy, motion) = dimensions.fold((false, false), |(energy, motion), dimension| {
+        (energy || dimension.is_none(), motion || dimension.is_some())
+    });
+    let unit = units.join(", ");
+    // Ten and twenty decibels a decade do not go on one axis.
+    if !app.curves.decibels || (energy && motion) {
+        return Scale {
+            level: Level::Magnitude,
+            unit,
+        };
+    }
+    let reference = match units.as_slice() {
+        [one] => app.display.decibel_reference(one),
+        _ => 1.0,
+    };
+    Scale {
+        level: Level::Decibel {
+            factor: if energy { 10.0 } else { 20.0 },
+            reference,
+        },
+        unit: format!("dB re {} {unit}", super::plain(reference)),
+    }
+}
+
+struct Builder<'a> {
+    app: &'a App,
+    /// The curves of the model, if there are any.
+    picture: Option<&'a Picture>,
+    /// The band that shows, solved finely, where it belongs to the picture.
+    detail: Option<&'a DetailPicture>,
+}
+
+/// A curve of a member before it is drawn.
+struct Source<'a> {
+    trace: &'a Trace,
+    /// Hz.
+    frequencies: &'a [f64],
+    /// The reference of the same response and member that differences are counted from.
+    against: Option<&'a Trace>,
+}
+
+impl<'a> Builder<'a> {
+    fn new(app: &'a App) -> Self {
+        let picture = app.curves.picture().map(|picture| &**picture);
+        let window = app.shown_frequencies();
+        let detail = picture.and_then(|picture| app.detail.of(picture.generation, window));
+        Self {
+            app,
+            picture,
+            detail,
+        }
+    }
+
+    fn view(&self) -> ChartView {
+        self.app.display.view
+    }
+
+    fn title(&self) -> String {
+        let app = self.app;
+        let what = match app.curves.visible.as_slice() {
+            [] => String::new(),
+            [one] => one.clone(),
+            more => format!("{} responses", more.len()),
+        };
+        let form = app.display.form.filter(|form| {
+            let mut dimensions = app.shown_traces().filter_map(|trace| trace.dimension);
+            dimensions.any(|dimension| dimension.per.is_some() && dimension.has(*form))
+        });
+        let what = match form {
+            Some(form) => format!("{what}, {}", form.name()),
+            None => what,
+        };
+        let study = app.curves.study;
+        match study.and_then(|study| app.model().studies.get(study)) {
+            Some(study) => format!("{what}: {}", study.name),
+            None => what,
+        }
+    }
+
+    /// The value axes.
+    fn panels(&self) -> Vec<Panel> {
+        let unit = self.app.shown_units().join(", ");
+        let panel = |name, unit: String, level| Panel {
+            name,
+            unit,
+            level,
+            bounds: None,
+        };
+        let Scale {
+            level,
+            unit: magnitude,
+        } = scale(self.app);
+        let size = || panel(self.magnitude_name(), magnitude.clone(), level);
+        let mut panels = match self.view() {
+            ChartView::Magnitude => vec![size()],
+            ChartView::MagnitudePhase => {
+                vec![size(), panel("phase", "deg".to_owned(), Level::Degrees)]
+            }
+            ChartView::RealImaginary | ChartView::Nyquist => vec![
+                panel("Re, 0-peak", unit.clone(), Level::Signed),
+                panel("Im, 0-peak", unit, Level::Signed),
+            ],
+            ChartView::Difference => vec![panel(
+                "level against the reference",
+                "dB".to_owned(),
+                Level::Signed,
+            )],
+        };
+        if let (Some(first), Some(levels)) = (panels.first_mut(), self.app.display.levels) {
+            first.bounds = Some(levels);
+        }
+        panels
+    }
+
+    /// What a magnitude is called: a ratio only where there is one force to divide by.
+    fn magnitude_name(&self) -> &'static str {
+        let mut dimensions = self.app.shown_traces().map(|trace| trace.dimension);
+        match dimensions.next() {
+            Some(None) => "vibration energy",
+            Some(Some(Dimension { per: None, .. })) => "amplitude, 0-peak",
+            _ => "|H|, 0-peak",
+        }
+    }
+
+    /// The curves of the model and of its study's members.
+    fn model(&self) -> Vec<SceneCurve> {
+        let (app, state) = (self.app, &self.app.curves);
+        let Some(picture) = self.picture else {
+            return Vec::new();
+        };
+        let shown = traces(&picture.members, state);
+        let several = shown.len() > 1;
+        let mut curves = Vec::new();
+        for (index, (place, number, member, trace)) in shown.into_iter().enumerate() {
+            let fine = self.detail.and_then(|detail| {
+                let member = detail.curves.members.get(number)?;
+                Some((member, find(member, &trace.response)?))
+            });
+            let (from, values) = fine.unwrap_or((member, trace));
+            let source = Source {
+                trace: values,
+                frequencies: &from.frequencies,
+                against: self.against(number, &trace.response),
+            };
+            let mut curve = self.curve(&source);
+            curve.label = label(state, trace, member);
+            curve.colour = colour(state, place, number);
+            curve.marker = several.then_some(index);
+            curve.dim = state.is_stale();
+            curve.poles = poles(trace);
+            let generation = picture.generation;
+            curve.at_cursor = state.cursor.and_then(|cursor| {
+                let read = app
+                    .reading
+                    .model(generation, number, &trace.response, cursor)?;
+                Some(self.parts(trace.dimension.as_ref(), read.value(), cursor))
+            });
+            curves.push(curve);
+        }
+        curves
+    }
+
+    /// The reference's response that a member's is counted from: of its own member, or the only one.
+    fn against(&self, member: usize, response: &str) -> Option<&'a Trace> {
+        let reference = self.app.beside.first_shown()?;
+        let members = self.detail?.curves.reference(reference.id)?;
+        find(members.get(member).or(members.first())?, response)
+    }
+
+    /// The frozen and loaded references.
+    fn references(&self) -> Vec<SceneCurve> {
+        // Differences are counted from the first.
+        if self.view() == ChartView::Difference {
+            return Vec::new();
+        }
+        let shown: Vec<&Reference> = self.app.beside.shown().collect();
+        let mut curves = Vec::new();
+        for (index, reference) in shown.iter().enumerate() {
+            curves.extend(self.reference(reference, index, shown.len()));
+        }
+        curves
+    }
+
+    fn reference(&self, reference: &'a Reference, index: usize, of: usize) -> Vec<SceneCurve> {
+        let state = &self.app.curves;
+        let fine = self
+            .detail
+            .and_then(|detail| detail.curves.reference(reference.id));
+        let picture = reference.picture.as_deref();
+        let members = fine.or(picture.map(|picture| &picture.members[..]));
+        let mut curves = Vec::new();
+        for (place, number, member, trace) in traces(members.unwrap_or_default(), state) {
+            let source = Source {
+                trace,
+                frequencies: &member.frequencies,
+                against: None,
+            };
+            let mut curve = self.curve(&source);
+            curve.kind = CurveKind::Reference;
+            // One reference has the colours of what it is a reference of.
+            curve.colour = colour(state, place, number) + if of > 1 { index + 1 } else { 0 };
+            curve.marker = (of > 1).then_some(state.visible.len() + index);
+            curve.line = LineStyle::Dotted;
+            curve.dim = true;
+            if curves.is_empty() {
+                curve.label.clone_from(&reference.name);
+            }
+            let own =
+                picture.and_then(|picture| find(picture.members.get(number)?, &trace.response));
+            curve.poles = own.map(poles).unwrap_or_default();
+            curves.push(curve);
+        }
+        curves
+    }
+
+    /// The finite-element curves, as points.
+    fn witnesses(&self) -> Vec<SceneCurve> {
+        let state = &self.app.curves;
+        let Some(picture) = self.app.witness.picture() else {
+            return Vec::new();
+        };
+        let mut curves: Vec<SceneCurve> = Vec::new();
+        for (place, name) in state.visible.iter().enumerate() {
+            for (number, member) in picture.members.iter().enumerate() {
+                for trace in member.traces.iter().filter(|trace| trace.response == *name) {
+                    let source = Source {
+                        trace,
+                        frequencies: &member.frequencies,
+                        against: None,
+                    };
+                    let mut curve = self.curve(&source);
+                    curve.kind = CurveKind::Witness;
+                    curve.colour = colour(state, place, number);
+                    curve.line = LineStyle::Points {
+                        apart: WITNESS_POINTS,
+                    };
+                    curve.dim = picture.generation != state.generation;
+                    if curves.is_empty() {
+                        "FEM".clone_into(&mut curve.label);
+                    }
+                    curves.push(curve);
+                }
+            }
+        }
+        if self.view() == ChartView::Difference {
+            curves.clear();
+        }
+        curves
+    }
+
+    /// The measured curves that fit to what shows.
+    fn measured(&self) -> Vec<SceneCurve> {
+        if self.view() == ChartView::Difference {
+            return Vec::new();
+        }
+        let dimensions: Vec<Option<Dimension>> = self
+            .app
+            .shown_traces()
+            .map(|trace| trace.dimension)
+            .collect();
+        let fits = |one: &&Measured| {
+            one.shown
+                && dimensions
+                    .iter()
+                    .any(|dimension| one.fits(dimension.as_ref()))
+        };
+        let shown = self.app.beside.measured.iter().filter(fits);
+        shown
+            .enumerate()
+            .map(|(index, one)| self.measured_curve(one, index))
+            .collect()
+    }
+
+    fn measured_curve(&self, one: &Measured, index: usize) -> SceneCurve {
+        let display = &self.app.display;
+        let places = self.visible_part(&one.curve.frequencies);
+        let count = one.panels(self.view());
+        let mut values = vec![Vec::new(); count];
+        for i in places.clone() {
+            let value = one.value(display, i);
+            let mut parts = part(self.view(), value, false);
+            if !one.curve.phase_known {
+                // Of the two panels only a magnitude is known.
+                let magnitude = matches!(
+                    self.view(),
+                    ChartView::Magnitude | ChartView::MagnitudePhase
+                );
+                parts
+                    .iter_mut()
+                    .skip(usize::from(magnitude))
+                    .for_each(|v| *v = f64::NAN);
+            }
+            for (all, one) in values.iter_mut().zip(parts) {
+                all.push(one);
+            }
+        }
+        SceneCurve {
+            label: one.name.clone(),
+            kind: CurveKind::Measured,
+            colour: self.app.curves.visible.len() + index,
+            marker: None,
+            line: LineStyle::Points { apart: 1 },
+            dim: false,
+            frequencies: one.curve.frequencies[places].to_vec(),
+            values: self.unwrapped(values),
+            poles: Vec::new(),
+            at_cursor: None,
+        }
+    }
+
+    /// What the value axis spans beside what is drawn: the curves as they will be once they are resolved, which is
+    /// about what the resolved ones before are; so that it stands still while a parameter is turned.
+    fn spanning(&self) -> Vec<SceneCurve> {
+        let state = &self.app.curves;
+        let (false, Some(resolved)) = (state.is_resolved(), &state.resolved) else {
+            return Vec::new();
+        };
+        if self.view() == ChartView::Difference {
+            return Vec::new();
+        }
+        let shown = traces(&resolved.members, state).into_iter();
+        shown
+            .map(|(.., member, trace)| SceneCurve {
+                poles: poles(trace),
+                ..self.curve(&Source {
+                    trace,
+                    frequencies: &member.frequencies,
+                    against: None,
+                })
+            })
+            .collect()
+    }
+
+    fn marks(&self) -> Marked {
+        let app = self.app;
+        let list = app.modal.list.as_ref();
+        let chosen = app.anchor == Anchor::Mode
+            || app.tables.open == Some(Table::Modes)
+            || app.looking.look == Some(Look::Mode);
+        Marked {
+            cursor: app.curves.cursor,
+            second: app.reading.second,
+            harmonics: app.harmonics(),
+            band: app.band.span,
+            modes: list.map_or_else(Vec::new, |list| {
+                list.rows.iter().map(|mode| mode.frequency).collect()
+            }),
+            mode: (chosen && list.is_some()).then_some(app.tables.modes.row),
+            modes_dim: list.is_some_and(|list| list.generation != app.curves.generation),
+        }
+    }
+
+    /// A curve as the view shows it, of the frequencies that show and one more on each side.
+    fn curve(&self, source: &Source<'_>) -> SceneCurve {
+        let places = self.visible_part(source.frequencies);
+        let view = self.view();
+        let count = if view.has_two_panels() { 2 } else { 1 };
+        let mut values = vec![Vec::with_capacity(places.len()); count];
+        for i in places.clone() {
+            let (value, frequency) = (source.trace.values[i], source.frequencies[i]);
+            let dimension = source.trace.dimension.as_ref();
+            let parts = match source.against {
+                _ if view != ChartView::Difference => self.parts(dimension, value, frequency),
+                Some(against) => {
+                    vec![difference(dimension.is_none(), value, against.values[i])]
+                }
+                None => vec![f64::NAN],
+            };
+            for (all, one) in values.iter_mut().zip(parts) {
+                all.push(one);
+            }
+        }
+        SceneCurve {
+            label: String::new(),
+            kind: CurveKind::Model,
+            colour: 0,
+            marker: None,
+            line: LineStyle::Solid,
+            dim: false,
+            frequencies: source.frequencies[places].to_vec(),
+            values: self.unwrapped(values),
+            poles: Vec::new(),
+            at_cursor: None,
+        }
+    }
+
+    /// What each panel shows of a value.
+    fn parts(
+        &self,
+        dimension: Option<&Dimension>,
+        value: num_complex::Complex64,
+        frequency: f64,
+    ) -> Vec<f64> {
+        let shown = self.app.display.value(dimension, value, frequency);
+        part(self.view(), shown, dimension.is_none())
+    }
+
+    /// The phase without its jumps, where it is to run on.
+    fn unwrapped(&self, mut values: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+        if self.app.display.unwrapped
+            && self.view() == ChartView::MagnitudePhase
+            && let Some(phase) = values.get_mut(1)
+        {
+            super::unwrap(phase);
+        }
+        values
+    }
+
+    /// The places of the frequencies that show, and one more on each side.
+    fn visible_part(&self, frequencies: &[f64]) -> std::ops::Range<usize> {
+        let [low, high] = self.app.shown_frequencies();
+        let from = frequencies.partition_point(|f| *f < low);
+        let to = frequencies.partition_point(|f| *f <= high);
+        from.saturating_sub(1)..(to + 1).min(frequencies.len()).max(from.saturating_sub(1))
+    }
+}
+
+/// Frequencies (Hz) at which a curve is infinite.
+fn poles(trace: &Trace) -> Vec<f64> {
+    let poles = trace.peaks.iter().filter(|peak| peak.pole);
+    poles.map(|peak| peak.frequency).collect()
+}
+
+fn find<'a>(member: &'a Member, response: &str) -> Option<&'a Trace> {
+    let mut traces = member.traces.iter();
+    traces.find(|trace| trace.response == response)
+}
+
+/// The traces that show, with their place and their member's.
+fn traces<'a>(
+    members: &'a [Member],
+    curves: &Curves,
+) -> Vec<(usize, usize, &'a Member, &'a Trace)> {
+    let mut found = Vec::new();
+    for (place, name) in curves.visible.iter().enumerate() {
+        for (number, member) in members.iter().enumerate() {
+            found.extend(find(member, name).map(|trace| (place, number, member, trace)));
+        }
+    }
+    found
+}
+
+/// Responses have a colour each; where only one shows, the members of the study have.
+fn colour(state: &Curves, place: usize, member: usize) -> usize {
+    if state.visible.len() > 1 {
+        place
+    } else {
+        member
+    }
+}
+
+/// A curve's name in the legend.
+pub fn label(state: &Curves, trace: &Trace, member: &Member) -> String {
+    let name = match &member.label {
+        None => trace.response.clone(),
+        Some(label) if state.visible.len() == 1 => label.clone(),
+        Some(label) => format!("{} {label}", trace.response),
+    };
+    // A logarithmic axis has no place for it.
+    if trace.values.iter().all(|value| value.norm_sqr() == 0.0) {
+        format!("{name} (zero)")
+    } else {
+        name
+    }
+}

@@ -1,0 +1,221 @@
+//! Pictures of signs and words: a board of cells on which words never cover what is there, and the signs of mechanics
+//! in Unicode and in ASCII.
+
+mod signs;
+
+pub(super) use signs::{BIMOMENT, Frame, POINTER, POINTER_BACK, Signs, TORQUE};
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+use ratatui::text::Span;
+
+/// A column and a row of a board, from its top left corner; those outside are drawn nowhere.
+pub(super) type Cell = [i32; 2];
+
+/// An area of the screen that knows which of its cells are taken.
+#[derive(Debug)]
+pub(super) struct Board<'b> {
+    buffer: &'b mut Buffer,
+    area: Rect,
+    taken: Vec<bool>,
+}
+
+impl<'b> Board<'b> {
+    /// A board without anything on it.
+    pub(super) fn new(buffer: &'b mut Buffer, area: Rect) -> Self {
+        let area = area.intersection(buffer.area);
+        Self {
+            buffer,
+            area,
+            taken: vec![false; area.area() as usize],
+        }
+    }
+
+    pub(super) fn columns(&self) -> i32 {
+        i32::from(self.area.width)
+    }
+
+    pub(super) fn rows(&self) -> i32 {
+        i32::from(self.area.height)
+    }
+
+    fn index(&self, [column, row]: Cell) -> Option<usize> {
+        let inside = (0..self.columns()).contains(&column) && (0..self.rows()).contains(&row);
+        inside.then(|| (row * self.columns() + column) as usize)
+    }
+
+    /// Whether nothing stands in so many cells from `at` to the right; outside of the board nothing does.
+    pub(super) fn is_free(&self, [column, row]: Cell, columns: i32) -> bool {
+        (column..column + columns)
+            .filter_map(|column| self.index([column, row]))
+            .all(|index| !self.taken[index])
+    }
+
+    /// Puts a sign over whatever is there.
+    pub(super) fn sign(&mut self, at: Cell, sign: char, style: Style) {
+        let Some(index) = self.index(at) else {
+            return;
+        };
+        self.taken[index] = true;
+        // A position inside of the area fits.
+        let place = (self.area.x + at[0] as u16, self.area.y + at[1] as u16);
+        if let Some(cell) = self.buffer.cell_mut(place) {
+            cell.set_char(sign).set_style(style);
+        }
+    }
+
+    /// Puts a sign into a cell of the board that is free; whether it was.
+    pub(super) fn sign_if_free(&mut self, at: Cell, sign: char, style: Style) -> bool {
+        let free = self.index(at).is_some_and(|index| !self.taken[index]);
+        if free {
+            self.sign(at, sign, style);
+        }
+        free
+    }
+
+    /// Writes a word over whatever is there; what does not fit is cut off.
+    pub(super) fn over(&mut self, [column, row]: Cell, word: &str, style: Style) {
+        let column = column.max(0);
+        let Some(first) = self.index([column, row]) else {
+            return;
+        };
+        let room = (self.columns() - column).min(width(word));
+        self.taken[first..first + room as usize].fill(true);
+        let (x, y) = (self.area.x + column as u16, self.area.y + row as u16);
+        self.buffer.set_stringn(x, y, word, room as usize, style);
+    }
+
+    /// Writes a word where all of it has room; whether it had.
+    pub(super) fn word(&mut self, at: Cell, word: &str, style: Style) -> bool {
+        let columns = width(word);
+        let inside = at[0] >= 0 && at[0] + columns <= self.columns();
+        let fits = inside && self.index(at).is_some() && self.is_free(at, columns);
+        if fits {
+            self.over(at, word, style);
+        }
+        fits
+    }
+
+    /// Writes a word above or below what it names: in the middle, else from there on, else up to there, else beside
+    /// it. Blanks stay around it. Whether there was room.
+    pub(super) fn word_by(&mut self, [column, row]: Cell, word: &str, style: Style) -> bool {
+        let columns = width(word);
+        let starts = [
+            column - (columns - 1) / 2,
+            column,
+            column - columns + 1,
+            column + 1,
+            column - columns,
+            column + 2,
+            column - columns - 1,
+            column + 3,
+            column - columns - 2,
+        ];
+        let inside = |start: &i32| *start >= 0 && *start + columns <= self.columns();
+        let apart = |start: &i32| self.is_free([*start - 1, row], columns + 2);
+        let start = starts.into_iter().filter(inside).find(|start| {
+            apart(start)
+                || (beside(*start, columns, column) && self.is_free([*start, row], columns))
+        });
+        start.is_some_and(|start| self.word([start, row], word, style))
+    }
+
+    /// Writes the first of these words that has room by `at`.
+    pub(super) fn first_by<W: AsRef<str>>(&mut self, at: Cell, words: &[W], style: Style) -> bool {
+        words
+            .iter()
+            .any(|word| self.word_by(at, word.as_ref(), style))
+    }
+}
+
+/// Whether a word stands right beside the column it names, so that no blank is needed there.
+fn beside(start: i32, columns: i32, column: i32) -> bool {
+    start == column + 1 || start + columns == column
+}
+
+/// Columns that a word takes.
+pub(super) fn width(word: &str) -> i32 {
+    Span::raw(word).width() as i32
+}
+
+/// The cells on the straight way from one to another, both included.
+pub(super) fn way(from: Cell, to: Cell) -> Vec<Cell> {
+    let steps = (0..2)
+        .map(|axis| (to[axis] - from[axis]).abs())
+        .max()
+        .unwrap_or(0);
+    let at = |axis: usize, step: i32| {
+        let share = f64::from(step) / f64::from(steps.max(1));
+        from[axis] + (f64::from(to[axis] - from[axis]) * share).round() as i32
+    };
+    (0..=steps).map(|step| [at(0, step), at(1, step)]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn drawn(columns: u16, rows: u16, draw: impl FnOnce(&mut Board<'_>)) -> Buffer {
+        let mut buffer = Buffer::empty(Rect::new(0, 0, columns, rows));
+        let area = buffer.area;
+        draw(&mut Board::new(&mut buffer, area));
+        buffer
+    }
+
+    #[test]
+    fn words_cover_nothing() {
+        let plain = Style::new();
+        let buffer = drawn(9, 2, |board| {
+            board.sign([3, 0], '|', plain);
+            assert!(!board.word([1, 0], "abc", plain));
+            assert!(board.word([4, 0], "abc", plain));
+            assert!(!board.word([7, 0], "abc", plain));
+            assert!(!board.word([-1, 1], "abc", plain));
+            assert!(!board.word([0, 2], "abc", plain));
+            assert!(!board.sign_if_free([5, 0], '|', plain));
+            assert!(!board.sign_if_free([9, 0], '|', plain));
+            // What lies outside is drawn nowhere, and no sign or word fails there.
+            board.sign([-1, 0], '?', plain);
+            board.over([0, -1], "?", plain);
+            board.over([7, 1], "abc", plain);
+        });
+        assert_eq!(buffer, Buffer::with_lines(["   |abc  ", "       ab"]));
+    }
+
+    #[test]
+    fn a_word_stands_by_its_column_with_blanks_around() {
+        let by = |taken: &[i32], column| {
+            drawn(11, 1, |board| {
+                for column in taken {
+                    board.sign([*column, 0], '|', Style::new());
+                }
+                board.word_by([column, 0], "abc", Style::new());
+            })
+        };
+        assert_eq!(by(&[], 5), Buffer::with_lines(["    abc    "]));
+        assert_eq!(by(&[], 0), Buffer::with_lines(["abc        "]));
+        assert_eq!(by(&[], 10), Buffer::with_lines(["        abc"]));
+        // Right of a sign in its own column, or left of it, but never touching another's.
+        assert_eq!(by(&[5], 5), Buffer::with_lines(["     |abc  "]));
+        assert_eq!(by(&[5, 8], 5), Buffer::with_lines(["  abc|  |  "]));
+        assert_eq!(by(&[2, 5, 8], 5), Buffer::with_lines(["  |  |  |  "]));
+    }
+
+    #[test]
+    fn a_wide_letter_takes_two_columns() {
+        let buffer = drawn(5, 1, |board| {
+            board.over([0, 0], "梁", Style::new());
+            assert!(!board.sign_if_free([1, 0], '|', Style::new()));
+            assert!(board.word([2, 0], "x", Style::new()));
+        });
+        assert_eq!(buffer, Buffer::with_lines(["梁x  "]));
+    }
+
+    #[test]
+    fn a_way_is_straight_and_has_both_ends() {
+        assert_eq!(way([0, 0], [3, 0]), [[0, 0], [1, 0], [2, 0], [3, 0]]);
+        assert_eq!(way([3, 1], [0, 0]), [[3, 1], [2, 1], [1, 0], [0, 0]]);
+        assert_eq!(way([1, 1], [1, 1]), [[1, 1]]);
+    }
+}

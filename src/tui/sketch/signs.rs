@@ -1,0 +1,175 @@
+//! The signs of mechanics.
+
+use crate::tui::plot::Glyphs;
+use crate::tui::theme::Theme;
+
+/// The lines around a box: corners at the upper left, upper right, lower left and lower right, then along and down.
+#[derive(Debug, PartialEq, Eq)]
+pub(in crate::tui) struct Frame {
+    pub(in crate::tui) corners: [char; 4],
+    pub(in crate::tui) along: char,
+    pub(in crate::tui) down: char,
+    /// Before and behind a name where a box has but one row.
+    pub(in crate::tui) ends: [char; 2],
+}
+
+/// What a picture of a structure is made of.
+#[derive(Debug, PartialEq, Eq)]
+pub(in crate::tui) struct Signs {
+    pub(in crate::tui) beam: char,
+    /// A response that is computed, and one that is not.
+    pub(in crate::tui) probe: [char; 2],
+    /// A spring, cell by cell.
+    pub(in crate::tui) zigzag: [char; 2],
+    pub(in crate::tui) damper: char,
+    /// What joins where there is no spring.
+    pub(in crate::tui) rod: char,
+    /// A wall that holds an end.
+    pub(in crate::tui) wall: char,
+    /// A hinge.
+    pub(in crate::tui) pin: char,
+    pub(in crate::tui) ground: char,
+    /// A mass at an end, or a centre of mass.
+    pub(in crate::tui) mass: char,
+    /// Forces up and down, out of the picture and into it.
+    pub(in crate::tui) up: char,
+    pub(in crate::tui) down: char,
+    pub(in crate::tui) out: char,
+    pub(in crate::tui) into: char,
+    /// A moment about an axis across the beam.
+    pub(in crate::tui) moment: char,
+    /// Subsystems too many for boxes: attached, and not.
+    pub(in crate::tui) ticks: [char; 2],
+    /// The selected one of them.
+    pub(in crate::tui) selected_tick: char,
+    pub(in crate::tui) frame: Frame,
+    /// Of what is not attached.
+    pub(in crate::tui) dashed: Frame,
+    /// Of what is selected.
+    pub(in crate::tui) double: Frame,
+    /// A ruler: its line, labelled and minor ticks.
+    pub(in crate::tui) ruler: [char; 3],
+    /// A ruler that stands upright.
+    pub(in crate::tui) upright: [char; 3],
+    pub(in crate::tui) corner: char,
+    /// A rigid bar between its arms, and beyond.
+    pub(in crate::tui) bar: [char; 2],
+    /// A place where a spring meets the beam.
+    pub(in crate::tui) mount: char,
+    pub(in crate::tui) shear_centre: char,
+    pub(in crate::tui) centroid: char,
+    pub(in crate::tui) plus_minus: &'static str,
+    pub(in crate::tui) left_arrow: &'static str,
+}
+
+/// A torque about the beam's axis.
+pub(in crate::tui) const TORQUE: char = 'T';
+/// A bimoment.
+pub(in crate::tui) const BIMOMENT: char = 'B';
+/// Stands before what is selected.
+pub(in crate::tui) const POINTER: char = '>';
+/// Stands behind it where there is no room before.
+pub(in crate::tui) const POINTER_BACK: char = '<';
+
+const UNICODE: Signs = Signs {
+    beam: '═',
+    probe: ['◆', '◇'],
+    zigzag: ['╱', '╲'],
+    damper: '╫',
+    rod: '│',
+    wall: '▒',
+    pin: '▲',
+    ground: '▔',
+    mass: '■',
+    up: '↑',
+    down: '↓',
+    out: '⊙',
+    into: '⊗',
+    moment: '↺',
+    ticks: ['╷', '╎'],
+    selected_tick: '┃',
+    frame: Frame {
+        corners: ['┌', '┐', '└', '┘'],
+        along: '─',
+        down: '│',
+        ends: ['[', ']'],
+    },
+    dashed: Frame {
+        corners: ['┌', '┐', '└', '┘'],
+        along: '╌',
+        down: '╎',
+        ends: ['(', ')'],
+    },
+    double: Frame {
+        corners: ['╔', '╗', '╚', '╝'],
+        along: '═',
+        down: '║',
+        ends: ['[', ']'],
+    },
+    ruler: ['─', '┬', '┴'],
+    upright: ['│', '┤', '├'],
+    corner: '└',
+    bar: ['━', '─'],
+    mount: '○',
+    shear_centre: '+',
+    centroid: '×',
+    plus_minus: "±",
+    left_arrow: "←",
+};
+
+const ASCII: Signs = Signs {
+    beam: '=',
+    probe: ['*', 'o'],
+    zigzag: ['/', '\\'],
+    damper: 'H',
+    rod: '|',
+    wall: '#',
+    pin: '^',
+    ground: '-',
+    mass: '#',
+    up: '^',
+    down: 'v',
+    out: 'o',
+    into: 'x',
+    moment: 'M',
+    ticks: ['|', ':'],
+    selected_tick: '#',
+    frame: Frame {
+        corners: ['+'; 4],
+        along: '-',
+        down: '|',
+        ends: ['[', ']'],
+    },
+    dashed: Frame {
+        corners: ['.'; 4],
+        along: '.',
+        down: ':',
+        ends: ['(', ')'],
+    },
+    double: Frame {
+        corners: ['#'; 4],
+        along: '=',
+        down: '#',
+        ends: ['[', ']'],
+    },
+    ruler: ['-', '+', '|'],
+    upright: ['|', '+', '-'],
+    corner: '+',
+    bar: ['=', '-'],
+    mount: 'o',
+    shear_centre: '+',
+    centroid: 'x',
+    plus_minus: "+-",
+    left_arrow: "<-",
+};
+
+impl Signs {
+    /// Those that a theme can show.
+    pub(in crate::tui) fn of(theme: Theme) -> &'static Self {
+        if theme.is_ascii() || theme.glyphs() == Glyphs::Ascii {
+            &ASCII
+        } else {
+            &UNICODE
+        }
+    }
+}

@@ -1,0 +1,224 @@
+//! The table of the levels in the marked band, and how well the model fits the measurements there.
+
+use ratatui::Frame;
+use ratatui::layout::Rect;
+
+use super::table::{self, Column, Content};
+use super::text::significant;
+use crate::solve::band::Level;
+use crate::tui::app::{App, MemberLevels, ResponseLevel, Rows};
+use crate::tui::theme::Theme;
+
+/// The columns, in what there is room for. A reduction is positive where the level is lower than the reference's.
+const LAYOUTS: [&[Column]; 2] = [
+    &[
+        ("curve", 20),
+        ("maximum", 12),
+        ("at", 11),
+        ("root mean square", 18),
+        ("max reduced dB", 16),
+        ("rms reduced dB", 16),
+    ],
+    &[
+        ("curve", 8),
+        ("max", 10),
+        ("rms", 10),
+        ("max -dB", 8),
+        ("rms -dB", 8),
+    ],
+];
+
+/// A row of the table.
+pub(super) enum Row {
+    /// The level of a curve, and that of the reference it is held against.
+    Level {
+        label: String,
+        level: Level,
+        energy: bool,
+        against: Option<Level>,
+    },
+    /// How well a response fits a measured curve, in words.
+    Fit { label: String, words: [String; 2] },
+}
+
+/// A row for each curve that shows, the references, and the measured curves.
+pub(super) fn rows(app: &App) -> Vec<Row> {
+    let mut rows = Vec::new();
+    if let Some(levels) = &app.band.levels {
+        let first = levels.references.first().map(|(_, members)| &members[..]);
+        rows.extend(levels_of(app, &levels.members, "", first));
+        for (id, members) in &levels.references {
+            let mut references = app.beside.shown();
+            let name = references.find(|one| one.id == *id).map(|one| &*one.name);
+            rows.extend(levels_of(app, members, name.unwrap_or_default(), None));
+        }
+    }
+    rows.extend(app.fits().into_iter().map(|fitted| {
+        let frac = if fitted.fit.of_magnitudes {
+            "FRAC of magnitudes"
+        } else {
+            "FRAC"
+        };
+        Row::Fit {
+            label: app.beside.measured[fitted.measured].name.clone(),
+            words: [
+                format!("{frac} {:.4}", fitted.fit.frac),
+                format!("mean {:+.2} dB", fitted.fit.mean_decibels),
+            ],
+        }
+    }));
+    rows
+}
+
+fn levels_of(
+    app: &App,
+    members: &[MemberLevels],
+    name: &str,
+    against: Option<&[MemberLevels]>,
+) -> Vec<Row> {
+    let mut rows = Vec::new();
+    for response in &app.curves.visible {
+        for (number, member) in members.iter().enumerate() {
+            let found = level_of(member, response);
+            rows.extend(found.map(|one| {
+                let words = [Some(name), member.label.as_deref()];
+                let mut words: Vec<&str> = words.into_iter().flatten().collect();
+                words.retain(|word| !word.is_empty());
+                if words.is_empty() || app.curves.visible.len() > 1 {
+                    words.push(response);
+                }
+                let other = against
+                    .and_then(|members| members.get(number).or(members.first()))
+                    .and_then(|member| level_of(member, response));
+                Row::Level {
+                    label: words.join(" "),
+                    level: one.level,
+                    energy: one.dimension.is_none(),
+                    against: other.map(|other| other.level),
+                }
+            }));
+        }
+    }
+    rows
+}
+
+fn level_of<'a>(member: &'a MemberLevels, response: &str) -> Option<&'a ResponseLevel> {
+    member.levels.iter().find(|one| one.response == response)
+}
+
+pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rect) -> Rows {
+    let rows = rows(app);
+    let mut list = app.tables.band;
+    let title = match app.band.span {
+        Some([low, high]) => format!(
+            "Band {} to {}",
+            app.display.frequency_text(low),
+            app.display.frequency_text(high)
+        ),
+        None => "Band".to_owned(),
+    };
+    let columns = table::fitting(&LAYOUTS, area.width);
+    let levels = app.band.levels.as_ref();
+    let content = Content {
+        title,
+        warns: false,
+        frequency_unit: app.display.unit,
+        note: unit(app),
+        columns,
+        row: &|index| {
+            rows.get(index)
+                .map_or(Vec::new(), |row| cells(app, row, columns))
+        },
+        empty: if app.band.span.is_none() {
+            "no band is marked"
+        } else {
+            "solving the levels"
+        },
+        stale: levels.is_some_and(|levels| levels.generation != app.curves.generation),
+    };
+    let rows = table::draw(frame, &content, &mut list, theme, area);
+    app.tables.band = list;
+    rows
+}
+
+/// The units of the levels that show.
+fn unit(app: &App) -> String {
+    let mut units: Vec<String> = Vec::new();
+    let members = app.band.levels.iter().flat_map(|levels| &levels.members);
+    for level in members.flat_map(|member| &member.levels) {
+        let unit = match &level.dimension {
+            Some(dimension) => {
+                let form = dimension.form_of_measure();
+                dimension.unit(form)
+            }
+            None => "kg m2".to_owned(),
+        };
+        if app.curves.shows(&level.response) && !units.contains(&unit) {
+            units.push(unit);
+        }
+    }
+    match units.as_slice() {
+        [] => String::new(),
+        units => format!("{}, zero to peak", units.join(", ")),
+    }
+}
+
+fn cells(app: &App, row: &Row, columns: &[Column]) -> Vec<String> {
+    let (label, level, energy, against) = match row {
+        Row::Fit { label, words } => {
+            // The words stand right of the name, over the columns that they need.
+            let mut cells = vec![String::new(); columns.len()];
+            cells[0].clone_from(label);
+            cells[1].clone_from(&words[0]);
+            let last = cells.len() - 1;
+            cells[last].clone_from(&words[1]);
+            return cells;
+        }
+        Row::Level {
+            label,
+            level,
+            energy,
+            against,
+        } => (label, level, *energy, against),
+    };
+    let number = |value: f64| {
+        if value.is_finite() {
+            format!("{value:.3e}")
+        } else if value == f64::INFINITY {
+            "infinite".to_owned()
+        } else {
+            "-".to_owned()
+        }
+    };
+    // An energy is a square already.
+    let size = |level: &Level| {
+        if energy {
+            level.mean_square
+        } else {
+            level.mean_square.sqrt()
+        }
+    };
+    let factor = if energy { 10.0 } else { 20.0 };
+    let reduced = |of: &dyn Fn(&Level) -> f64| {
+        let decibels = against.map(|other| factor * (of(&other) / of(level)).log10());
+        let finite = decibels.filter(|decibels| decibels.is_finite());
+        finite.map_or_else(|| "-".to_owned(), significant_decibels)
+    };
+    let cell = |name: &str| match name {
+        "curve" => label.clone(),
+        "maximum" | "max" => number(level.maximum),
+        "at" => app.display.frequency_digits(level.at),
+        "root mean square" | "rms" => number(size(level)),
+        "max reduced dB" | "max -dB" => reduced(&|level| level.maximum),
+        _ => reduced(&size),
+    };
+    columns.iter().map(|(name, _)| cell(name)).collect()
+}
+
+fn significant_decibels(decibels: f64) -> String {
+    if decibels == 0.0 {
+        "0".to_owned()
+    } else {
+        significant(decibels, 4)
+    }
+}

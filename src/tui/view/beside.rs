@@ -1,0 +1,115 @@
+//! The list of what stands on the chart beside the model.
+
+use ratatui::Frame;
+use ratatui::layout::{Constraint, Layout};
+use ratatui::text::{Line, Span};
+
+use super::boxes::{middle, open_box};
+use super::text::{cut, width};
+use crate::tui::app::{App, Fitted, List, Measured, Overlay, Reference, Rows};
+use crate::tui::keys::{RowKind, Scope};
+use crate::tui::theme::Theme;
+
+/// An entry: whether it shows, its name, and what it is.
+type Entry = (bool, String, String);
+
+pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme) -> (List, Rows) {
+    let entries = entries(app);
+    let mut list = match &app.overlay {
+        Some(Overlay::Beside(list)) => *list,
+        _ => List::default(),
+    };
+    let place = middle(frame.area(), entries.len().max(3) + 1);
+    let inside = open_box(frame, place, " Beside the model ", theme);
+    let [above, below] =
+        Layout::vertical([Constraint::Fill(1), Constraint::Length(1)]).areas(inside);
+    list.set_rows(entries.len());
+    list.height = usize::from(above.height).max(1);
+    let columns = usize::from(above.width);
+    if entries.is_empty() {
+        let text = "no reference and no measured curve yet";
+        frame.render_widget(Line::styled(text, theme.dim()), above);
+    }
+    let first = (list.row + 1).saturating_sub(list.height);
+    let names = entries.iter().map(|(_, name, _)| width(name)).max();
+    let names = names.unwrap_or(0).min(columns / 2);
+    for (line, (index, (shown, name, what))) in
+        above.rows().zip(entries.iter().enumerate().skip(first))
+    {
+        let mark = if *shown { "x" } else { " " };
+        let name = cut(name, names);
+        let blank = " ".repeat(names.saturating_sub(width(&name)));
+        let what = cut(what, columns.saturating_sub(names + 6));
+        let text = Line::from(vec![
+            Span::raw(format!("[{mark}] ")),
+            Span::styled(name, theme.key()),
+            Span::raw(format!("{blank}  {what}")),
+        ]);
+        frame.render_widget(text, line);
+        if index == list.row {
+            frame.buffer_mut().set_style(line, theme.selection());
+        }
+    }
+    let answers = app.keys.hints(Scope::Beside, RowKind::Group);
+    frame.render_widget(hints(answers, theme, columns), below);
+    (list, Rows { area: above, first })
+}
+
+fn hints(answers: Vec<(String, &'static str)>, theme: Theme, columns: usize) -> Line<'static> {
+    let mut spans = Vec::new();
+    let mut taken = 0;
+    for (key, words) in answers {
+        let needed = width(&key) + 1 + width(words) + 2;
+        if taken + needed > columns + 2 {
+            break;
+        }
+        taken += needed;
+        spans.push(Span::styled(key, theme.key()));
+        spans.push(Span::styled(format!(" {words}  "), theme.dim()));
+    }
+    Line::from(spans)
+}
+
+fn entries(app: &App) -> Vec<Entry> {
+    let fits = app.fits();
+    let references = app.beside.references.iter().map(reference);
+    let measured = app.beside.measured.iter().enumerate();
+    references
+        .chain(measured.map(|(index, one)| measurement(app, &fits, index, one)))
+        .collect()
+}
+
+fn reference(one: &Reference) -> Entry {
+    let what = match (&one.failure, &one.picture) {
+        (Some(reason), _) => format!("not solved: {reason}"),
+        (None, None) => "reference, solving".to_owned(),
+        (None, Some(_)) => {
+            let study = one.study.and_then(|study| one.model.studies.get(study));
+            match study {
+                Some(study) => format!("reference, {}", study.name),
+                None => format!("reference, {}", one.model.title),
+            }
+        }
+    };
+    (one.shown, one.name.clone(), what)
+}
+
+fn measurement(app: &App, fits: &[Fitted], index: usize, one: &Measured) -> Entry {
+    let points = one.curve.frequencies.len();
+    let fit = fits.iter().find(|fitted| fitted.measured == index);
+    let responses: Vec<_> = app.shown_traces().collect();
+    let stands = |trace: &&&crate::tui::app::Trace| one.fits(trace.dimension.as_ref());
+    let what = match fit {
+        Some(fitted) => format!(
+            "measured, {}: FRAC {:.4}, mean {:+.2} dB",
+            fitted.response, fitted.fit.frac, fitted.fit.mean_decibels
+        ),
+        None if one.shown && !responses.iter().any(|trace| stands(&trace)) => {
+            let unit = one.curve.kind.map(|kind| kind.unit()).unwrap_or_default();
+            let units = app.shown_units().join(", ");
+            format!("measured in {unit}: does not fit what shows, in {units}")
+        }
+        None => format!("measured, {points} points"),
+    };
+    (one.shown, one.name.clone(), what)
+}

@@ -1,0 +1,100 @@
+//! What the tests of these panels share: an app with the cursor at a frequency, and its screen.
+
+use std::sync::Arc;
+
+use ratatui::Terminal;
+use ratatui::backend::TestBackend;
+
+use super::*;
+use crate::model::Model;
+use crate::presets;
+use crate::solve::operating::operating;
+use crate::tui::app::Look;
+use crate::tui::options::{Environment, Marker, Options};
+use crate::tui::{Opened, Source, ascii};
+
+/// How a panel is drawn.
+pub(in crate::tui::view) type Draw = fn(&mut Frame<'_>, &App, Theme, Rect);
+
+pub(in crate::tui::view) fn preset(name: &str) -> Model {
+    crate::model::read(presets::find(name).unwrap().text).unwrap()
+}
+
+/// An app that looks at what a model does at a frequency, Hz.
+pub(in crate::tui::view) fn looking(model: Model, frequency: f64, look: Look) -> App {
+    let found = operating(&model, frequency, 101);
+    let mut app = App::new(Opened {
+        model,
+        text: String::new(),
+        source: Source::Stdin,
+    });
+    app.curves.cursor = Some(frequency);
+    app.looking.look = Some(look);
+    app.looking.operating = Some(Arc::new(found));
+    app.looking.generation = app.curves.generation;
+    app
+}
+
+/// The panel as text, a line a row.
+pub(in crate::tui::view) fn screen(
+    app: &App,
+    theme: Theme,
+    draw: Draw,
+    [width, height]: [u16; 2],
+) -> Vec<String> {
+    let mut terminal = Terminal::new(TestBackend::new(width, height)).unwrap();
+    terminal
+        .draw(|frame| draw(frame, app, theme, frame.area()))
+        .unwrap();
+    let buffer = terminal.backend().buffer().clone();
+    let rows = buffer.content.chunks(usize::from(width.max(1)));
+    rows.map(|row| {
+        let row: String = row.iter().map(ratatui::buffer::Cell::symbol).collect();
+        row.trim_end().to_owned()
+    })
+    .collect()
+}
+
+/// Draws a panel at sizes from a cell to a large screen, in every set of characters.
+pub(in crate::tui::view) fn draws_at_any_size(draw: Draw, look: Look) {
+    let environment = Environment {
+        locale: Some("C.UTF-8".to_owned()),
+        ..Environment::default()
+    };
+    let plain = Options {
+        ascii: Some(true),
+        ..Options::default()
+    };
+    let with = |marker| Options {
+        marker: Some(marker),
+        ..Options::default()
+    };
+    let all = [
+        plain,
+        with(Marker::Braille),
+        with(Marker::Block),
+        with(Marker::Dot),
+    ];
+    for preset_name in ["fig05a", "fig06", "hundred_absorbers"] {
+        let app = looking(preset(preset_name), 35.0, look);
+        for options in &all {
+            let theme = Theme::resolve(options, &environment);
+            for size in [
+                [1, 1],
+                [3, 2],
+                [12, 3],
+                [20, 4],
+                [44, 8],
+                [44, 20],
+                [78, 24],
+                [160, 50],
+            ] {
+                let lines = screen(&app, theme, draw, size);
+                if theme.is_ascii() {
+                    let plain = ascii::text(&lines.join("\n"));
+                    assert!(!plain.contains('?'), "{plain}");
+                }
+            }
+        }
+    }
+}

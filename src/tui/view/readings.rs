@@ -1,0 +1,243 @@
+//! The table of what every curve is at the cursors.
+
+use num_complex::Complex64;
+use ratatui::Frame;
+use ratatui::layout::Rect;
+
+use super::table::{self, Column, Content};
+use crate::tui::app::{App, Rows, Trace, Value, nearest};
+use crate::tui::scene;
+use crate::tui::theme::Theme;
+
+/// The columns, in what there is room for.
+const LAYOUTS: [&[Column]; 3] = [
+    &[
+        ("curve", 22),
+        ("magnitude", 13),
+        ("unit", 11),
+        ("dB", 9),
+        ("phase deg", 11),
+        ("delta dB", 10),
+        ("ratio", 11),
+    ],
+    &[
+        ("curve", 16),
+        ("magnitude", 11),
+        ("unit", 8),
+        ("dB", 8),
+        ("deg", 7),
+        ("delta dB", 9),
+    ],
+    &[
+        ("curve", 10),
+        ("magnitude", 10),
+        ("dB", 8),
+        ("deg", 7),
+        ("delta dB", 9),
+    ],
+];
+
+/// A curve at the cursors.
+pub(super) struct Row {
+    /// Its name.
+    label: String,
+    unit: String,
+    energy: bool,
+    /// The value of 0 dB.
+    reference: f64,
+    /// At the cursor, and at the second one.
+    values: [Option<Value>; 2],
+    /// Whether there is a phase.
+    phase: bool,
+}
+
+/// A row for each curve that shows, and for the harmonics of the first.
+pub(super) fn rows(app: &App) -> Vec<Row> {
+    let Some(cursor) = app.curves.cursor else {
+        return Vec::new();
+    };
+    let mut rows = model(app, cursor);
+    rows.extend(references(app, cursor));
+    rows.extend(measured(app, cursor));
+    rows.extend(harmonics(app));
+    rows
+}
+
+fn row(app: &App, label: String, trace: &Trace, values: [Option<Value>; 2]) -> Row {
+    let unit = app.display.unit_of(trace.dimension.as_ref());
+    Row {
+        label,
+        energy: trace.dimension.is_none(),
+        reference: app.display.decibel_reference(&unit),
+        unit,
+        values,
+        phase: trace.dimension.is_some(),
+    }
+}
+
+fn model(app: &App, cursor: f64) -> Vec<Row> {
+    let Some(picture) = app.curves.picture() else {
+        return Vec::new();
+    };
+    let mut rows = Vec::new();
+    for name in &app.curves.visible {
+        for (number, member) in picture.members.iter().enumerate() {
+            for trace in member.traces.iter().filter(|one| one.response == *name) {
+                let label = scene::label(&app.curves, trace, member);
+                let at = |f| app.value_at(number, trace, f);
+                let values = [at(cursor), app.reading.second.and_then(at)];
+                rows.push(row(app, label, trace, values));
+            }
+        }
+    }
+    rows
+}
+
+fn references(app: &App, cursor: f64) -> Vec<Row> {
+    let mut rows = Vec::new();
+    for reference in app.beside.shown() {
+        let Some(picture) = &reference.picture else {
+            continue;
+        };
+        for name in &app.curves.visible {
+            for (number, member) in picture.members.iter().enumerate() {
+                for trace in member.traces.iter().filter(|one| one.response == *name) {
+                    let label = match &member.label {
+                        Some(label) => format!("{} {label}", reference.name),
+                        None if app.curves.visible.len() > 1 => {
+                            format!("{} {name}", reference.name)
+                        }
+                        None => reference.name.clone(),
+                    };
+                    let at = |f| app.reference_at((reference.id, number), member, trace, f);
+                    let values = [at(cursor), app.reading.second.and_then(at)];
+                    rows.push(row(app, label, trace, values));
+                }
+            }
+        }
+    }
+    rows
+}
+
+/// Measured curves at their nearest points.
+fn measured(app: &App, cursor: f64) -> Vec<Row> {
+    let shown = app.beside.measured.iter().filter(|one| one.shown);
+    shown
+        .map(|one| {
+            let at = |f: f64| {
+                let shown = one.value(&app.display, nearest(&one.curve.frequencies, f)?);
+                Some(Value {
+                    shown,
+                    exact: false,
+                })
+            };
+            let unit = match one.dimension() {
+                None => String::new(),
+                dimension => app.display.unit_of(dimension.as_ref()),
+            };
+            Row {
+                label: one.name.clone(),
+                energy: false,
+                reference: app.display.decibel_reference(&unit),
+                unit,
+                values: [at(cursor), app.reading.second.and_then(at)],
+                phase: one.curve.phase_known,
+            }
+        })
+        .collect()
+}
+
+/// The first curve at the harmonics of the cursor; differences are to the cursor.
+fn harmonics(app: &App) -> Vec<Row> {
+    let (Some((_, trace)), Some(cursor)) = (app.curves.first_trace(), app.curves.cursor) else {
+        return Vec::new();
+    };
+    let harmonics = app.harmonics().into_iter().enumerate();
+    harmonics
+        .map(|(index, frequency)| {
+            let order = index + 2;
+            let label = format!("{order} x {}", app.display.frequency_text(cursor));
+            let values = [
+                app.value_at(0, trace, frequency),
+                app.value_at(0, trace, cursor),
+            ];
+            row(app, label, trace, values)
+        })
+        .collect()
+}
+
+pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rect) -> Rows {
+    let rows = rows(app);
+    let (title, note) = words(app);
+    let columns = table::fitting(&LAYOUTS, area.width);
+    let content = Content {
+        title,
+        warns: false,
+        frequency_unit: app.display.unit,
+        note,
+        columns,
+        row: &|index| {
+            rows.get(index)
+                .map_or(Vec::new(), |row| cells(row, columns))
+        },
+        empty: if app.curves.cursor.is_none() {
+            "no cursor is on the chart"
+        } else {
+            "no response shows"
+        },
+        stale: app.curves.is_stale(),
+    };
+    table::draw(frame, &content, &mut app.tables.readings, theme, area)
+}
+
+/// The title and the note of the table.
+fn words(app: &App) -> (String, String) {
+    let Some(cursor) = app.curves.cursor else {
+        return ("Readings".to_owned(), String::new());
+    };
+    let at = app.display.frequency_text(cursor);
+    let note = "zero to peak".to_owned();
+    match app.reading.second {
+        None => (format!("At {at}"), note),
+        Some(second) => {
+            let delta = app.display.frequency_text(cursor - second);
+            (format!("At {at}, {delta} from the second cursor"), note)
+        }
+    }
+}
+
+fn cells(row: &Row, columns: &[Column]) -> Vec<String> {
+    let none = || "-".to_owned();
+    let [here, there] = row.values;
+    let size = |value: Complex64| {
+        if row.energy { value.re } else { value.norm() }
+    };
+    let factor = if row.energy { 10.0 } else { 20.0 };
+    let finite = |text: String, value: f64| if value.is_finite() { text } else { none() };
+    let value = |here: Value| here.shown;
+    let near = if here.is_some_and(|here| !here.exact) {
+        "~"
+    } else {
+        ""
+    };
+    let decibels = here.map(|here| factor * (size(value(here)) / row.reference).log10());
+    let phase = here
+        .filter(|_| row.phase)
+        .map(|here| value(here).arg().to_degrees());
+    let pair = here.zip(there);
+    let delta = pair.map(|(a, b)| scene::difference(row.energy, value(a), value(b)));
+    let ratio = pair.map(|(a, b)| size(value(a)) / size(value(b)));
+    let cell = |name: &str| match name {
+        "curve" => row.label.clone(),
+        "unit" => row.unit.clone(),
+        "magnitude" => here.map_or_else(none, |here| {
+            let size = size(value(here));
+            finite(format!("{near}{size:.3e}"), size)
+        }),
+        "dB" => decibels.map_or_else(none, |one| finite(format!("{one:.2}"), one)),
+        "delta dB" => delta.map_or_else(none, |one| finite(format!("{one:+.2}"), one)),
+        "ratio" => ratio.map_or_else(none, |one| finite(format!("{one:.4e}"), one)),
+        _ => phase.map_or_else(none, |one| finite(format!("{:.1}", one + 0.0), one)),
+    };
+    columns.iter().map(|(name, _)| cell(name)).collect()
+}

@@ -1,0 +1,47 @@
+//! Levels of several models in a band.
+
+use std::sync::atomic::AtomicBool;
+
+use super::lane::guarded;
+use super::members::{Labelled, members};
+use super::{LevelsAnswer, LevelsMember, LevelsRequest};
+use crate::solve::band::levels;
+use crate::solve::modes::modes;
+
+/// The levels of every subject's members; none where cancelled.
+pub(super) fn answer(request: &LevelsRequest, cancel: &AtomicBool) -> Option<LevelsAnswer> {
+    let result = guarded(|| {
+        let mut all = Vec::new();
+        for subject in &request.subjects {
+            let Some(members) = members(subject, cancel)? else {
+                return Ok(None);
+            };
+            let solved = members
+                .into_iter()
+                .map(|member| of_member(member, request.band, cancel));
+            match solved.collect::<Option<Vec<_>>>() {
+                Some(solved) => all.push(solved),
+                None => return Ok(None),
+            }
+        }
+        Ok(Some(all))
+    })?;
+    Some(LevelsAnswer {
+        serial: request.serial,
+        result,
+    })
+}
+
+fn of_member(
+    (label, model): Labelled,
+    band: [f64; 2],
+    cancel: &AtomicBool,
+) -> Option<LevelsMember> {
+    // A mode above the band has its half-power width in it.
+    let modes = modes(&model, band[1].max(model.sweep.to), cancel)?;
+    Some(LevelsMember {
+        label,
+        levels: levels(&model, &modes, band, cancel)?,
+        model,
+    })
+}

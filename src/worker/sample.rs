@@ -1,0 +1,67 @@
+//! Several models at a few frequencies: what is read at the cursor, and what shows of a zoomed band.
+
+use std::sync::atomic::AtomicBool;
+use std::sync::mpsc::channel;
+
+use super::lane::guarded;
+use super::members::members;
+use super::resolve::Resolver;
+use super::{Curves, Member, ReferenceAnswer, SampleAnswer, SampleRequest, Stage, Subject, curves};
+use crate::solve::sweep;
+
+/// The responses of every subject at every frequency; none where cancelled.
+pub(super) fn answer(request: &SampleRequest, cancel: &AtomicBool) -> Option<SampleAnswer> {
+    let result = guarded(|| {
+        let mut all = Vec::new();
+        for subject in &request.subjects {
+            match of_subject(subject, &request.frequencies, cancel)? {
+                Some(solved) => all.push(solved),
+                None => return Ok(None),
+            }
+        }
+        Ok(Some(all))
+    })?;
+    Some(SampleAnswer {
+        serial: request.serial,
+        sampling: request.sampling,
+        frequencies: request.frequencies.clone(),
+        result,
+    })
+}
+
+fn of_subject(
+    subject: &Subject,
+    frequencies: &[f64],
+    cancel: &AtomicBool,
+) -> Result<Option<Vec<Member>>, String> {
+    let Some(members) = members(subject, cancel)? else {
+        return Ok(None);
+    };
+    let solved = members.into_iter().map(|(label, model)| {
+        Some(Member {
+            label,
+            frf: sweep(&model, frequencies, cancel)?,
+            model,
+            peaks: Vec::new(),
+            damping_ratios: Vec::new(),
+        })
+    });
+    Ok(solved.collect())
+}
+
+/// The resolved curves of a model to compare with.
+pub(super) fn reference(subject: Subject, cancel: &AtomicBool) -> Option<ReferenceAnswer> {
+    let serial = subject.generation;
+    let (sender, failures) = channel();
+    // What comes before the resolved curves does not show; a failure does.
+    let notify = move |answer: super::CurvesAnswer| {
+        if let (Stage::Full, Err(reason)) = (answer.stage, answer.result) {
+            drop(sender.send(reason));
+        }
+    };
+    let result: Result<Curves, String> = match curves::answer(subject, cancel, &notify) {
+        Some(unresolved) => Resolver::default().answer(unresolved, cancel)?.result,
+        None => Err(failures.try_recv().ok()?),
+    };
+    Some(ReferenceAnswer { serial, result })
+}

@@ -1,0 +1,355 @@
+//! The chart as an analyser: what is read off it, against the solver, closed forms and laws.
+
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
+use std::sync::atomic::AtomicBool;
+
+use beamtune::model::Model;
+use beamtune::solve::form::Form;
+use beamtune::solve::{Frf, sweep};
+use beamtune::tui::app::{Look, Overlay};
+use beamtune::tui::plot::Level;
+use beamtune::tui::scene::{self, ChartView, CurveKind, FrequencyUnit, Scene};
+use num_complex::Complex64;
+
+#[path = "screens/driver.rs"]
+#[allow(dead_code)]
+mod driver;
+
+use driver::Driver;
+
+/// The solver's own answer.
+fn solved(model: &Model, frequencies: &[f64]) -> Frf {
+    sweep(model, frequencies, &AtomicBool::new(false)).unwrap()
+}
+
+fn scene(driver: &Driver) -> Scene {
+    scene::of(&driver.app)
+}
+
+/// A value of the first response of the driver's model as it is solved at a frequency.
+fn first_response(driver: &Driver, frequency: f64) -> Complex64 {
+    solved(driver.app.model(), &[frequency]).columns[0].values[0]
+}
+
+fn assert_near(actual: f64, expected: f64, relative: f64) {
+    let off = (actual - expected).abs() / expected.abs();
+    assert!(off < relative, "{actual} is not {expected}: {off:e}");
+}
+
+#[test]
+fn the_cursor_reads_what_is_solved_at_its_frequency() {
+    let mut driver = Driver::preset("fig05a");
+    driver.keys("@").typed("123.456789 Hz").keys("Enter b");
+    // Expected: the solver at that frequency, which is none of the sweep's.
+    let cursor = driver.app.curves.cursor.unwrap();
+    assert_eq!(cursor, 123.456_789);
+    let expected = first_response(&driver, cursor);
+    let at_cursor = scene(&driver).curves[0].at_cursor.clone().unwrap();
+    assert_near(at_cursor[0], expected.norm(), 1e-14);
+    assert_near(at_cursor[1], expected.arg().to_degrees(), 1e-12);
+    // The same in the table, to the digits that are written.
+    let screen = driver.keys("\"").screen(120, 40);
+    assert!(screen.contains(&format!("{:.3e}", expected.norm())));
+    assert!(screen.contains(&format!("{:.1}", expected.arg().to_degrees())));
+}
+
+#[test]
+fn the_cursor_follows_the_model() {
+    let mut driver = Driver::preset("fig05a");
+    driver.keys("@").typed("100").keys("Enter");
+    driver.select("subsystems.S1.mass").keys("> >");
+    // Expected: the solver, for the changed model.
+    let expected = first_response(&driver, 100.0);
+    let at_cursor = scene(&driver).curves[0].at_cursor.clone().unwrap();
+    assert_near(at_cursor[0], expected.norm(), 1e-14);
+}
+
+#[test]
+fn a_frequency_is_typed_in_any_unit() {
+    let mut driver = Driver::preset("fig05a");
+    driver.keys("@").typed("6000 rpm").keys("Enter");
+    // Closed form: 6000 rpm are 100 Hz, and 200 pi rad/s.
+    assert_near(driver.app.curves.cursor.unwrap(), 100.0, 1e-15);
+    driver
+        .keys("@")
+        .typed("628.318530717958647 rad/s")
+        .keys("Enter");
+    assert_near(driver.app.curves.cursor.unwrap(), 100.0, 1e-15);
+    driver
+        .keys("# @")
+        .typed("628.318530717958647")
+        .keys("Enter");
+    assert_near(driver.app.curves.cursor.unwrap(), 100.0, 1e-15);
+    assert_eq!(driver.app.display.unit, FrequencyUnit::RadianPerSecond);
+    driver.keys("@").typed("fast").keys("Enter");
+    let Some(Overlay::Prompt(prompt)) = &driver.app.overlay else {
+        panic!("the box stays open");
+    };
+    assert!(prompt.refusal.as_ref().unwrap().contains("7200 rpm"));
+}
+
+#[test]
+fn differences_to_the_second_cursor_are_those_of_the_solver() {
+    let mut driver = Driver::preset("fig05a");
+    driver
+        .keys("@")
+        .typed("50")
+        .keys("Enter c @")
+        .typed("80")
+        .keys("Enter");
+    let level = |f: f64| 20.0 * first_response(&driver, f).norm().log10();
+    let expected = level(80.0) - level(50.0);
+    let screen = driver.keys("\"").screen(120, 40);
+    assert!(screen.contains(&format!("{expected:+.2}")), "{screen}");
+    assert!(screen.contains("30 Hz from the second cursor"));
+}
+
+#[test]
+fn harmonics_are_multiples_within_the_sweep() {
+    let mut driver = Driver::preset("fig05a");
+    driver.keys("@").typed("120").keys("Enter H");
+    let to = driver.app.model().sweep.to;
+    let expected: Vec<f64> = (2..=10)
+        .map(|order| f64::from(order) * 120.0)
+        .filter(|f| *f <= to)
+        .collect();
+    assert!(!expected.is_empty());
+    assert_eq!(scene(&driver).marks.harmonics, expected);
+    // Each is read exactly.
+    let screen = driver.keys("\"").screen(120, 40);
+    let value = first_response(&driver, 240.0).norm();
+    assert!(screen.contains(&format!("{value:.3e}")));
+}
+
+#[test]
+fn peaks_and_anti_resonances_are_found_in_the_form_that_shows() {
+    let mut driver = Driver::preset("cantilever");
+    driver.keys("}");
+    let peak = driver.app.curves.cursor.unwrap();
+    let around =
+        |f: f64| [0.999, 1.0, 1.001].map(|share| first_response(&driver, share * f).norm());
+    let [before, at, after] = around(peak);
+    assert!(at > before && at > after);
+    driver.keys("\\");
+    let dip = driver.app.curves.cursor.unwrap();
+    let around =
+        |f: f64| [0.999, 1.0, 1.001].map(|share| first_response(&driver, share * f).norm());
+    let [before, at, after] = around(dip);
+    assert!(dip > peak && at < before && at < after);
+    // An inverse peaks where the response dips.
+    driver.keys("{");
+    assert_eq!(driver.app.curves.cursor, Some(peak));
+    driver.keys("i i i i");
+    assert_eq!(driver.app.display.form, Some(Form::DynamicStiffness));
+    driver.keys("}");
+    assert_near(driver.app.curves.cursor.unwrap(), dip, 1e-9);
+}
+
+#[test]
+fn the_six_forms_differ_by_the_frequency_and_by_inversion() {
+    let mut driver = Driver::preset("cantilever");
+    let receptance = {
+        let force = driver.app.model().forces[0].clone();
+        let amplitude = Complex64::from_polar(force.amplitude, force.phase.to_radians());
+        first_response(&driver, 20.0) / amplitude
+    };
+    driver.keys("@").typed("20").keys("Enter");
+    let omega = std::f64::consts::TAU * 20.0;
+    // Closed form: velocity is i omega times displacement, acceleration -omega^2 times.
+    let expected = [
+        receptance.norm(),
+        omega * receptance.norm(),
+        omega * omega * receptance.norm(),
+        1.0 / receptance.norm(),
+        1.0 / (omega * receptance.norm()),
+        1.0 / (omega * omega * receptance.norm()),
+    ];
+    for (form, expected) in Form::ALL.into_iter().zip(expected) {
+        driver.keys("i");
+        assert_eq!(driver.app.display.form, Some(form));
+        let at_cursor = scene(&driver).curves[0].at_cursor.clone().unwrap();
+        assert_near(at_cursor[0], expected, 1e-13);
+        assert!(scene(&driver).title.contains(form.name()));
+    }
+    driver.keys("i");
+    assert_eq!(driver.app.display.form, None);
+}
+
+#[test]
+fn several_forces_have_no_inverse() {
+    let mut driver = Driver::preset("fig05a");
+    driver.keys("i i i");
+    assert_eq!(driver.app.display.form, Some(Form::Accelerance));
+    driver.keys("i");
+    assert_eq!(
+        driver.app.display.form, None,
+        "the inverses are passed over"
+    );
+}
+
+#[test]
+fn zooming_in_solves_what_shows() {
+    let mut driver = Driver::preset("fig05a");
+    driver.keys("@").typed("100").keys("Enter z z z z z z z z");
+    driver.screen(120, 40);
+    driver.keys("z");
+    let [low, high] = driver.app.shown_frequencies();
+    let sweep = driver.app.model().sweep;
+    let before = (high - low) / (sweep.to - sweep.from) * sweep.points as f64;
+    assert!(before < 6.0, "the sweep has few points there: {before}");
+    let scene = scene(&driver);
+    let curve = &scene.curves[0];
+    let columns = driver.app.screen.plot.as_ref().unwrap().frequencies.len();
+    assert!(curve.frequencies.len() > 4 * columns);
+    // Expected: the solver at each of them.
+    let solved = solved(driver.app.model(), &curve.frequencies);
+    for (value, expected) in curve.values[0].iter().zip(&solved.columns[0].values) {
+        assert_near(*value, expected.norm(), 1e-14);
+    }
+}
+
+#[test]
+fn twice_the_forces_are_six_decibels_everywhere() {
+    let mut driver = Driver::preset("fig05a");
+    driver.keys("f");
+    for force in 0..driver.app.model().forces.len() {
+        driver.select(&format!("forces.{}.amplitude", force + 1));
+        driver.keys("Enter").typed("*2").keys("Enter");
+    }
+    driver.keys("b b b b");
+    assert_eq!(driver.app.display.view, ChartView::Difference);
+    let scene = scene(&driver);
+    let values = &scene.curves[0].values[0];
+    assert!(values.len() > 1000);
+    // Closed form: 20 lg 2 = 6.0206 dB.
+    for value in values {
+        assert_near(*value, 20.0 * 2.0_f64.log10(), 1e-9);
+    }
+}
+
+#[test]
+fn decibels_count_from_the_reference_that_is_typed() {
+    let mut driver = Driver::preset("fig05a");
+    driver
+        .keys("@")
+        .typed("100")
+        .keys("Enter %")
+        .typed("1e-12")
+        .keys("Enter");
+    assert!(driver.app.curves.decibels);
+    let scene = scene(&driver);
+    let expected = first_response(&driver, 100.0).norm();
+    let Level::Decibel { reference, .. } = scene.panels[0].level else {
+        panic!("decibels");
+    };
+    assert_eq!(reference, 1e-12);
+    assert!(scene.panels[0].unit.starts_with("dB re 1e-12 m"));
+    let level = scene.panels[0].level.value(expected);
+    // Closed form: 20 lg (|H| / reference).
+    assert_near(level, 20.0 * (expected / 1e-12).log10(), 1e-14);
+    for refused in ["0", "-1", "nan", "many"] {
+        driver.keys("%").typed(refused).keys("Enter");
+        assert!(driver.app.overlay.is_some(), "{refused}");
+        driver.keys("Esc");
+    }
+}
+
+#[test]
+fn references_are_kept_named_hidden_and_dropped() {
+    let mut driver = Driver::preset("fig05a");
+    driver.select("subsystems.S1.mass").keys("f > f");
+    let names = |driver: &Driver| -> Vec<String> {
+        let references = driver.app.beside.references.iter();
+        references.map(|one| one.name.clone()).collect()
+    };
+    assert_eq!(names(&driver), ["before", "before 2"]);
+    driver.keys("Q r").typed("light").keys("Enter");
+    assert_eq!(names(&driver), ["light", "before 2"]);
+    driver.keys("Down Enter Esc");
+    let shown = |driver: &Driver| {
+        let curves = scene(driver).curves;
+        let references = curves.iter().filter(|one| one.kind == CurveKind::Reference);
+        references.map(|one| one.label.clone()).collect::<Vec<_>>()
+    };
+    assert_eq!(shown(&driver), ["light"]);
+    driver.keys("Q x Esc");
+    assert_eq!(names(&driver), ["before 2"]);
+    driver.keys("F F");
+    assert!(names(&driver).is_empty());
+}
+
+#[test]
+fn a_study_is_made_of_the_selected_parameter_and_kept_in_the_file() {
+    let mut driver = Driver::preset("fig08");
+    let studies = driver.app.model().studies.len();
+    driver.select("subsystems.S1.mass");
+    driver.keys("Ctrl-t").typed("0.5 1 4").keys("Enter");
+    assert_eq!(driver.app.curves.study, Some(studies));
+    assert_eq!(driver.app.curves.picture().unwrap().members.len(), 3);
+    driver.select("subsystems.S1.mass");
+    driver.keys("Ctrl-t").typed("= 80 kg, 0.2 t").keys("Enter");
+    assert_eq!(driver.app.curves.picture().unwrap().members.len(), 2);
+    // What is saved reads back to the same model.
+    let read = beamtune::model::read(&driver.app.document.text()).unwrap();
+    assert_eq!(read, **driver.app.model());
+    assert_eq!(read.studies.len(), studies + 2);
+    driver.keys("u u");
+    assert_eq!(driver.app.model().studies.len(), studies);
+    // What no model could be is refused.
+    driver.select("subsystems.S1.mass");
+    for refused in ["", "x", "-1", "0", "= -2", "1 2 3 4 5 6 7 8 9 10 11 12 13"] {
+        driver.keys("Ctrl-t").typed(refused).keys("Enter");
+        assert!(driver.app.overlay.is_some(), "{refused}");
+        driver.keys("Esc");
+    }
+    assert_eq!(driver.app.model().studies.len(), studies);
+}
+
+#[test]
+fn levels_are_fixed_zoomed_and_let_go() {
+    let mut driver = Driver::preset("fig05a");
+    driver.screen(120, 40);
+    let whole = driver.app.screen.levels.unwrap();
+    assert!(whole.log);
+    driver.keys("*");
+    let [low, high] = driver.app.display.levels.unwrap();
+    // Half of the decades.
+    let decades = |[low, high]: [f64; 2]| (high / low).log10();
+    assert_near(decades([low, high]), 0.5 * decades(whole.bounds), 1e-12);
+    driver.keys("Shift-Up");
+    let moved = driver.app.display.levels.unwrap();
+    assert_near(decades([low, moved[0]]), 0.25 * decades([low, high]), 1e-9);
+    driver.screen(120, 40);
+    assert_eq!(driver.app.screen.levels.unwrap().bounds, moved);
+    driver.keys("!");
+    assert_eq!(driver.app.display.levels, None);
+    driver.keys("& z W");
+    assert_eq!(driver.app.display.levels, None);
+    assert_eq!(driver.app.curves.window, None);
+}
+
+#[test]
+fn what_the_beam_does_follows_the_cursor() {
+    let mut driver = Driver::preset("fig05a");
+    driver.keys("@").typed("100").keys("Enter O");
+    assert_eq!(driver.app.looking.look, Some(Look::Deflection));
+    let operating = driver.app.operating().unwrap();
+    assert_eq!(operating.frequency, 100.0);
+    // Expected: the response that the solver gives for w at the right end.
+    let model = driver.app.model().clone();
+    let right = model
+        .responses
+        .iter()
+        .position(|one| one.name == "P5 w")
+        .unwrap();
+    let expected = solved(&model, &[100.0]).columns[right].values[0];
+    let shown = *operating.motion[0].last().unwrap();
+    assert!((shown - expected).norm() < 1e-10 * expected.norm());
+    driver.keys("]");
+    let cursor = driver.app.curves.cursor.unwrap();
+    assert_eq!(driver.app.operating().unwrap().frequency, cursor);
+    assert!(!driver.app.operating_is_stale());
+    driver.keys("O O O O O O");
+    assert_eq!(driver.app.looking.look, None);
+}

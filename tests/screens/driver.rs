@@ -146,7 +146,8 @@ impl Driver {
         *self = Self::waiting(model, String::new(), Source::Stdin);
     }
 
-    fn perform(&mut self, effects: Vec<Effect>) {
+    /// Does what is asked for outside, as far as it is answered here.
+    pub fn perform(&mut self, effects: Vec<Effect>) {
         for effect in effects {
             match effect {
                 Effect::Solve(request) if self.answers => {

@@ -177,10 +177,7 @@ impl App {
                 self.take_reference(*opened);
                 Vec::new()
             }
-            Reply::Measured(opened) => {
-                self.measured_opened(opened);
-                Vec::new()
-            }
+            Reply::Measured(opened) => self.measured_opened(opened),
             Reply::NotSaved(path, reason) => {
                 self.after_save = None;
                 self.refuse_prompt(format!("{} is not saved: {reason}", path.display()));

@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use num_complex::Complex64;
 
 use super::curves::traces;
-use super::{App, Display, Question, Trace};
-use crate::measured::{Curve, Fit, Inspection, Kind, ValueUnit, fit};
+use super::{App, Display, Effect, Question, Trace};
+use crate::measured::{self, Curve, Fit, Inspection, Kind, ValueUnit, fit};
 use crate::model::Fault;
-use crate::solve::form::Dimension;
+use crate::solve::form::{Dimension, Reference};
 use crate::tui::keys::Command;
 use crate::tui::scene::ChartView;
 use crate::worker::{Request, SampleAnswer, SampleRequest, Sampling};
@@ -107,15 +107,50 @@ impl Measured {
 }
 
 impl App {
-    /// Takes what came of opening a file.
-    pub(super) fn measured_opened(&mut self, opened: OpenedMeasured) {
+    /// Takes what came of opening a file; what is to be done then.
+    pub(super) fn measured_opened(&mut self, opened: OpenedMeasured) -> Vec<Effect> {
         match opened {
             OpenedMeasured::Curves(curves) => self.take_measured(curves),
+            OpenedMeasured::Asks(path, inspection) if self.is_of_responses(&inspection) => {
+                return vec![Effect::OpenMeasured(
+                    path,
+                    Some(inspection.proposal.to_string()),
+                )];
+            }
             OpenedMeasured::Asks(path, inspection) => self.ask_columns(path, &inspection),
             OpenedMeasured::Faulty(path, fault) => {
                 self.refuse_prompt(format!("{}: {fault}", path.display()));
             }
         }
+        Vec::new()
+    }
+
+    /// Whether a file lacks nothing but units, and its curves have the names of responses, as `beamtune frf` gives them:
+    /// then they are in the units of these.
+    fn is_of_responses(&self, inspection: &Inspection) -> bool {
+        let named = |name: &String| self.model().responses.iter().any(|one| one.name == *name);
+        inspection.missing == [measured::Question::Unit] && inspection.curves.iter().all(named)
+    }
+
+    /// A curve whose quantity the file does not say, and which has the name of a response: what that is, under the
+    /// loads as they are given.
+    fn named_alike(&self, mut curve: Curve) -> Curve {
+        let mut responses = self.model().responses.iter();
+        let alike = responses.find(|one| one.enabled && one.name == curve.name);
+        if let (None, Some(alike)) = (curve.kind, alike) {
+            let reference = Reference::of(self.model());
+            curve.kind = match Dimension::of(&alike.quantity, reference.as_ref()) {
+                Some(dimension) => {
+                    let amplitude = reference.map_or(Complex64::ONE, |one| one.amplitude);
+                    for value in &mut curve.values {
+                        *value /= amplitude;
+                    }
+                    Some(Kind::Motion(dimension))
+                }
+                None => Some(Kind::Energy),
+            };
+        }
+        curve
     }
 
     /// Takes the curves of a file.
@@ -133,6 +168,7 @@ impl App {
             ));
         }
         for curve in curves.into_iter().take(room) {
+            let curve = self.named_alike(curve);
             let name = self.beside.free_name(&curve.name);
             self.beside.measured.push(Measured {
                 name,

@@ -35,7 +35,7 @@ pub const SHAPE_POINTS: usize = 201;
 /// What is asked of the worker.
 #[derive(Debug, Clone)]
 pub enum Request {
-    /// Curves, modes and peaks. It cancels all else.
+    /// Curves, modes and peaks. It cancels what is solved of older ones: modes, finite elements, the band that shows.
     Curves(Subject),
     /// The shape of a mode.
     Shape(ShapeRequest),
@@ -379,6 +379,7 @@ impl Worker {
             Request::Curves(subject) => {
                 self.resolving.cancel();
                 self.witness.cancel();
+                self.details.cancel();
                 self.curves.give(subject);
             }
             Request::Shape(request) => self.shapes.give(request),

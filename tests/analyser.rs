@@ -4,10 +4,11 @@
 
 use std::sync::atomic::AtomicBool;
 
+use beamtune::measured::{Hint, read};
 use beamtune::model::Model;
 use beamtune::solve::form::Form;
 use beamtune::solve::{Frf, sweep};
-use beamtune::tui::app::{Look, Overlay};
+use beamtune::tui::app::{Look, OpenedMeasured, Overlay, Reply};
 use beamtune::tui::plot::Level;
 use beamtune::tui::scene::{self, ChartView, CurveKind, FrequencyUnit, Scene};
 use num_complex::Complex64;
@@ -352,4 +353,155 @@ fn what_the_beam_does_follows_the_cursor() {
     assert!(!driver.app.operating_is_stale());
     driver.keys("O O O O O O");
     assert_eq!(driver.app.looking.look, None);
+}
+
+/// A measured curve of the first response of the cantilever, in a unit, loaded.
+fn with_measured(unit: &str, values: impl Fn(f64, Complex64) -> Complex64) -> Driver {
+    let mut driver = Driver::preset("cantilever");
+    let frequencies: Vec<f64> = (0..300).map(|i| 5.0 + 0.5 * f64::from(i)).collect();
+    let exact = solved(driver.app.model(), &frequencies);
+    let amplitude = driver.app.model().forces[0].amplitude;
+    let rows = frequencies.iter().zip(&exact.columns[0].values);
+    let rows: Vec<String> = rows
+        .map(|(f, h)| {
+            let value = values(*f, *h / amplitude);
+            format!("{f},{},{}\n", value.re, value.im)
+        })
+        .collect();
+    load(
+        &mut driver,
+        &format!("f [Hz],H re [{unit}],H im [{unit}]\n{}", rows.concat()),
+    );
+    driver
+}
+
+/// Loads a table.
+fn load(driver: &mut Driver, text: &str) {
+    let hint = Hint {
+        name: "table.csv".to_owned(),
+        layout: None,
+    };
+    let curves = read(text.as_bytes(), &hint).unwrap();
+    let reply = Reply::Measured(OpenedMeasured::Curves(curves));
+    let effects = driver.app.reply(reply);
+    driver.perform(effects);
+}
+
+#[test]
+fn a_measured_curve_fits_in_every_form_whatever_was_measured() {
+    // What an accelerometer in g over newtons would have seen: -omega^2 H / 9.80665.
+    let mut driver = with_measured("g/N", |f, h| {
+        let omega = std::f64::consts::TAU * f;
+        -omega * omega * h / 9.806_65
+    });
+    for form in [None].into_iter().chain(Form::ALL.map(Some)) {
+        assert_eq!(driver.app.display.form, form);
+        // Expected: it is the model's own response, so that FRAC is 1 and nothing differs.
+        let fit = &driver.app.beside.fits[0].fit;
+        assert_near(fit.frac, 1.0, 1e-12);
+        assert!(fit.mean_decibels.abs() < 1e-10, "{form:?}");
+        let curves = scene(&driver).curves;
+        let [model, measured] = [CurveKind::Model, CurveKind::Measured]
+            .map(|kind| curves.iter().find(|one| one.kind == kind).unwrap());
+        let place = model.frequencies.iter().position(|f| *f == 50.0);
+        if let Some(place) = place {
+            let other = measured
+                .frequencies
+                .iter()
+                .position(|f| *f == 50.0)
+                .unwrap();
+            assert_near(measured.values[0][other], model.values[0][place], 1e-12);
+        }
+        driver.keys("i");
+    }
+}
+
+#[test]
+fn a_fit_follows_the_model_and_a_file_that_is_loaded_again() {
+    let mut driver = with_measured("m/N", |_, h| 2.0 * h);
+    // Closed form: twice the response is 6.0206 dB, of one shape.
+    assert_near(driver.app.beside.fits[0].fit.frac, 1.0, 1e-12);
+    assert_near(
+        driver.app.beside.fits[0].fit.mean_decibels,
+        -20.0 * 2.0_f64.log10(),
+        1e-9,
+    );
+    driver.select("beam.length").keys(">");
+    assert!(driver.app.beside.fits[0].fit.frac < 0.99);
+    driver.keys("u Q x Esc");
+    assert!(driver.app.beside.fits.is_empty());
+    load(
+        &mut driver,
+        "f [Hz],re [m/N],im [m/N]\n10,1,0\n20,2,0\n30,1,1\n",
+    );
+    assert_eq!(driver.app.beside.fits[0].fit.points, 3);
+    // Another file with the same name has other frequencies.
+    driver.keys("Q x Esc");
+    load(
+        &mut driver,
+        "f [Hz],re [m/N],im [m/N]\n11,1,0\n21,2,0\n31,1,1\n41,1,1\n",
+    );
+    assert_eq!(driver.app.beside.fits[0].fit.points, 4);
+}
+
+#[test]
+fn fixed_levels_are_those_of_one_axis() {
+    let mut driver = Driver::preset("fig05a");
+    driver.screen(80, 24);
+    driver.keys("!");
+    assert!(driver.app.display.levels.is_some());
+    driver.keys("d");
+    assert_eq!(
+        driver.app.display.levels, None,
+        "decibels have other levels"
+    );
+    driver.screen(80, 24);
+    driver.keys("! i i");
+    assert_eq!(driver.app.display.levels, None, "and so have velocities");
+}
+
+#[test]
+fn a_difference_ends_with_its_reference() {
+    let mut driver = Driver::preset("fig05a");
+    driver.keys("f b b b b");
+    assert_eq!(driver.app.display.view, ChartView::Difference);
+    driver.keys("F");
+    assert_eq!(driver.app.display.view, ChartView::Magnitude);
+}
+
+#[test]
+fn a_study_that_is_made_has_its_row_at_once() {
+    let mut driver = Driver::preset("fig08");
+    let rows = driver.app.selection.rows().0.len();
+    driver.keys("End l");
+    let open = driver.app.selection.rows().0.len();
+    assert!(open > rows, "the studies are open");
+    driver.select("subsystems.S1.mass");
+    let before = driver.app.selection.rows().0.len();
+    driver.keys("Ctrl-t").typed("0.5 2").keys("Enter");
+    assert_eq!(driver.app.selection.rows().0.len(), before + 1);
+}
+
+#[test]
+fn another_model_is_looked_at_afresh() {
+    let mut driver = Driver::preset("fig05a");
+    driver.keys("@").typed("300").keys("Enter c O _");
+    assert!(driver.app.operating().is_some());
+    driver.without_answers().keys("p End Enter");
+    assert!(driver.app.operating().is_none());
+    assert!(driver.app.band.span.is_none() && driver.app.band.levels.is_none());
+    assert!(driver.app.reading.second.is_none());
+}
+
+#[test]
+fn the_sweep_keeps_what_is_marked_on_its_axis() {
+    let mut driver = Driver::preset("fig05a");
+    driver.keys("@").typed("300").keys("Enter c");
+    driver
+        .select("sweep.to")
+        .keys("Enter")
+        .typed("200")
+        .keys("Enter");
+    assert_eq!(driver.app.curves.cursor, None);
+    assert_eq!(driver.app.reading.second, None);
 }

@@ -72,9 +72,8 @@ fn measured() -> Driver {
     let opened = Reply::Measured(OpenedMeasured::Curves(curves));
     let effects = driver.app.reply(opened);
     driver.perform(effects);
-    for end in ["1", "30"] {
-        driver.keys("@").typed(end).keys("Enter c");
-    }
+    driver.keys("@").typed("1").keys("Enter c");
+    driver.keys("@").typed("30").keys("Enter");
     driver
 }
 

@@ -247,6 +247,8 @@ impl App {
             // There is nobody to ask: what is not saved stays kept.
             Event::Quit(signal) => return vec![Effect::Quit(Some(signal.unsigned_abs() as u8))],
         };
+        self.refresh_fits();
+        self.refresh_display();
         // Another curve may be the first one now.
         self.tables.peaks.set_rows(self.peaks().len());
         effects.extend(self.keep());
@@ -262,6 +264,7 @@ impl App {
         }
         self.selection.follow(before, &model);
         self.curves.follow(before, &model);
+        self.keep_marks_in_sweep();
     }
 
     /// A number that was not given before.

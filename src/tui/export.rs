@@ -41,6 +41,9 @@ pub fn provenance(app: &App) -> Provenance {
     if app.curves.is_stale() {
         notes.push("the curves are older than the model".to_owned());
     }
+    if !app.curves.is_resolved() {
+        notes.push("peaks may lie between the frequencies: the curves are not resolved".to_owned());
+    }
     Provenance {
         program: concat!("beamtune ", env!("CARGO_PKG_VERSION")).to_owned(),
         model: document.model().title.clone(),

@@ -117,7 +117,8 @@ pub struct SceneCurve {
     pub values: Vec<Vec<f64>>,
     /// Frequencies (Hz) at which it is infinite.
     pub poles: Vec<f64>,
-    /// For each panel the value at the cursor, solved there, where it is known.
+    /// For each panel the value at the cursor, solved there, where it is known; the phase within half a turn. None of a
+    /// difference.
     pub at_cursor: Option<Vec<f64>>,
 }
 

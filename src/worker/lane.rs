@@ -6,6 +6,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 
+use crate::solve::modes::MOST_MODES;
+
 /// A thread with its jobs. A new job cancels the one in work; dropping the lane cancels it too, and does not wait.
 #[derive(Debug)]
 pub(super) struct Lane<J> {
@@ -62,6 +64,14 @@ fn work<J>(inbox: &Receiver<(J, Arc<AtomicBool>)>, mut run: impl FnMut(J, &Atomi
         let (job, cancel) = newest;
         run(job, &cancel);
     }
+}
+
+/// What is said where no modes were found: nothing after a cancellation, else that there are too many.
+pub(super) fn unless_cancelled<T>(cancel: &AtomicBool) -> Result<Option<T>, String> {
+    if cancel.load(Ordering::Relaxed) {
+        return Ok(None);
+    }
+    Err(format!("there are more than {MOST_MODES} modes"))
 }
 
 /// What a solve gives, with its panic as an error in words. `None` where it was cancelled.

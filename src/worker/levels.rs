@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::lane::guarded;
+use super::lane::{guarded, unless_cancelled};
 use super::members::{Labelled, members};
 use super::{LevelsAnswer, LevelsMember, LevelsRequest};
 use crate::solve::band::levels;
@@ -19,7 +19,7 @@ pub(super) fn answer(request: &LevelsRequest, cancel: &AtomicBool) -> Option<Lev
             let solved = members
                 .into_iter()
                 .map(|member| of_member(member, request.band, cancel));
-            match solved.collect::<Option<Vec<_>>>() {
+            match solved.collect::<Result<Option<Vec<_>>, String>>()? {
                 Some(solved) => all.push(solved),
                 None => return Ok(None),
             }
@@ -36,12 +36,15 @@ fn of_member(
     (label, model): Labelled,
     band: [f64; 2],
     cancel: &AtomicBool,
-) -> Option<LevelsMember> {
+) -> Result<Option<LevelsMember>, String> {
     // A mode above the band has its half-power width in it.
-    let modes = modes(&model, band[1].max(model.sweep.to), cancel)?;
-    Some(LevelsMember {
+    let Some(modes) = modes(&model, band[1].max(model.sweep.to), cancel) else {
+        return unless_cancelled(cancel);
+    };
+    let levels = levels(&model, &modes, band, cancel);
+    Ok(levels.map(|levels| LevelsMember {
         label,
-        levels: levels(&model, &modes, band, cancel)?,
         model,
-    })
+        levels,
+    }))
 }

@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 use std::sync::mpsc::channel;
 
-use super::lane::guarded;
+use super::lane::{guarded, unless_cancelled};
 use super::members::members;
 use super::resolve::Resolver;
 use super::{Curves, Member, ReferenceAnswer, SampleAnswer, SampleRequest, Stage, Subject, curves};
@@ -60,7 +60,10 @@ pub(super) fn reference(subject: Subject, cancel: &AtomicBool) -> Option<Referen
         }
     };
     let result: Result<Curves, String> = match curves::answer(subject, cancel, &notify) {
-        Some(unresolved) => Resolver::default().answer(unresolved, cancel)?.result,
+        Some(unresolved) => match Resolver::default().answer(unresolved, cancel) {
+            Some(answer) => answer.result,
+            None => unless_cancelled(cancel).transpose()?,
+        },
         None => Err(failures.try_recv().ok()?),
     };
     Some(ReferenceAnswer { serial, result })

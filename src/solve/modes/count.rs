@@ -88,7 +88,8 @@ impl Counter {
         let from_right: Vec<_> = (self.longest..last).rev().map(|n| (n + 1, n)).collect();
         let left = march.over(&self.left, &from_left, SHARE);
         let right = march.over(&self.right, &from_right, 1.0 - SHARE);
-        march.count + negatives(&(left + mirrored(&right)))
+        let joint = negatives(&(left + mirrored(&right)));
+        march.count.saturating_add(joint)
     }
 
     fn units(&self, omega: f64) -> Units {
@@ -190,7 +191,7 @@ impl March<'_> {
             let (condensed, own) = mass.condensed(self.omega, &self.units);
             let mut corner = stiffness.fixed_view_mut::<3, 3>(0, 0);
             corner += condensed;
-            self.count += own;
+            self.count = self.count.saturating_add(own);
         }
     }
 
@@ -203,7 +204,7 @@ impl March<'_> {
             _ => self.field.span(length / self.units.length),
         };
         for _ in 0..pieces {
-            self.count += cross(&span, stiffness, fixed);
+            self.count = self.count.saturating_add(cross(&span, stiffness, fixed));
             fixed = [false; 6];
         }
         self.known = Some((length, span));
@@ -240,7 +241,7 @@ fn cross(span: &Span, stiffness: &mut Matrix6<f64>, fixed: [bool; 6]) -> usize {
     *stiffness = symmetric(
         by_transfer.unwrap_or_else(|| ends.right - ends.across.transpose() * eliminated.solution),
     );
-    ends.clamped + eliminated.negatives
+    ends.clamped.saturating_add(eliminated.negatives)
 }
 
 /// Takes fixed motions out of a stiffness: no coupling, and a positive pivot that counts nothing.

@@ -177,7 +177,7 @@ impl Span {
         rows: [usize; N],
         (ends, transfer): (Ends<N>, Option<Transfer<N>>),
     ) {
-        self.ends.clamped += ends.clamped;
+        self.ends.clamped = self.ends.clamped.saturating_add(ends.clamped);
         self.transfer = self.transfer.take().filter(|_| transfer.is_some());
         for (i, &row) in rows.iter().enumerate() {
             for (j, &column) in rows.iter().enumerate() {
@@ -229,7 +229,11 @@ impl<const N: usize> Ends<N> {
             left: symmetric(self.left - self.across * joint.solution * self.across.transpose()),
             across: -self.across * from_right,
             right: symmetric(self.right - self.across.transpose() * from_right),
-            clamped: 2 * self.clamped + joint.negatives,
+            // Of a beam of astronomical length there are more than can be counted.
+            clamped: self
+                .clamped
+                .saturating_mul(2)
+                .saturating_add(joint.negatives),
         }
     }
 }

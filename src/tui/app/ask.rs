@@ -101,8 +101,7 @@ impl App {
         match command {
             Command::GoTo => {
                 let unit = self.display.unit;
-                let text = self.curves.cursor.map(|f| typed_frequency(f, unit));
-                self.ask_question(Question::Frequency(unit), text.unwrap_or_default());
+                self.ask_question(Question::Frequency(unit), String::new());
             }
             Command::DecibelReference => self.ask_decibel_reference(),
             Command::MakeStudy => self.ask_factors(),
@@ -125,7 +124,7 @@ impl App {
             Question::DecibelReference(unit) => self.take_decibel_reference(unit, text),
             Question::Factors { path, unit, .. } => self.take_factors(path, *unit, text),
             Question::Name(row) => self.name_beside(*row, text),
-            _ if text.is_empty() => Err("type a file's path".to_owned()),
+            _ if text.is_empty() && question.is_path() => Err("type a file's path".to_owned()),
             Question::ReferenceFile => return vec![Effect::OpenReference(PathBuf::from(text))],
             Question::MeasuredFile => {
                 return vec![Effect::OpenMeasured(PathBuf::from(text), None)];
@@ -152,14 +151,16 @@ impl App {
     fn go_to_frequency(&mut self, text: &str, unit: FrequencyUnit) -> Result<(), String> {
         let frequency = read_frequency(text, unit)?;
         let sweep = self.model().sweep;
-        if !(sweep.from..=sweep.to).contains(&frequency) {
+        // What went through another unit may miss an end by a rounding error.
+        let near = frequency.clamp(sweep.from, sweep.to);
+        if (frequency - near).abs() > 1e-12 * near || frequency.is_nan() {
             return Err(format!(
                 "the sweep goes from {} to {}",
                 self.display.frequency_text(sweep.from),
                 self.display.frequency_text(sweep.to)
             ));
         }
-        self.put_cursor(frequency);
+        self.put_cursor(near);
         Ok(())
     }
 
@@ -214,6 +215,10 @@ impl App {
     /// Makes a study of what was typed, shows it, and leaves it in the model.
     fn take_factors(&mut self, path: &str, unit: Unit, text: &str) -> Result<(), String> {
         let (operation, values) = read_factors(text, unit)?;
+        let now = path::parameter(self.model(), path).map(|parameter| parameter.value);
+        if operation == Operation::Multiply && matches!(now, Ok(Value::Number(0.0))) {
+            return Err("factors leave a 0 as it is: = and values, as = 50 150".to_owned());
+        }
         let mut changed = Model::clone(self.model());
         let study = Study {
             name: free_study_name(&changed, path),
@@ -236,7 +241,9 @@ impl App {
             }
         }
         let name = changed.studies[last].name.clone();
+        let before = Arc::clone(self.model());
         self.document.replace(format!("add study {name}"), changed);
+        self.follow(&before);
         let model = Arc::clone(self.document.model());
         self.show_study(Some(last), &model);
         Ok(())
@@ -247,9 +254,12 @@ impl App {
 fn free_study_name(model: &Model, path: &str) -> String {
     let base = path.replace(['.', '_'], " ");
     let taken = |name: &str| model.studies.iter().any(|study| study.name == name);
-    let numbered = (2..).map(|number| format!("{base} {number}"));
-    let mut names = std::iter::once(base.clone()).chain(numbered);
-    names.find(|name| !taken(name)).unwrap_or(base.clone())
+    let mut names = (1..).map(|number| match number {
+        1 => base.clone(),
+        number => format!("{base} {number}"),
+    });
+    // Finitely many names are taken.
+    names.find(|name| !taken(name)).unwrap_or_default()
 }
 
 /// Factors, or values after `=`, or summands after `+`.
@@ -272,7 +282,7 @@ fn read_factors(text: &str, unit: Unit) -> Result<(Operation, Vec<f64>), String>
     let words = rest.split(parts).map(str::trim);
     let values: Result<Vec<f64>, String> = words
         .filter(|word| !word.is_empty())
-        .map(|word| plain(word, unit).map_err(|_| format!("{word} is no number")))
+        .map(|word| number_of(word, operation, unit))
         .collect();
     match values? {
         values if values.is_empty() => Err("type at least one factor or value".to_owned()),
@@ -284,15 +294,26 @@ fn read_factors(text: &str, unit: Unit) -> Result<(Operation, Vec<f64>), String>
     }
 }
 
+/// A factor, also as 50% or *0.5; else a value with or without unit.
+fn number_of(word: &str, operation: Operation, unit: Unit) -> Result<f64, String> {
+    let refusal = |_| {
+        format!("{word} is no number: factors, as 0.5 50% 2; = and values; + and what is added")
+    };
+    if operation == Operation::Multiply {
+        let word = word.trim_start_matches('*');
+        return match word.strip_suffix('%') {
+            Some(percent) => plain(percent, unit).map(|percent| percent / 100.0),
+            None => plain(word, unit),
+        }
+        .map_err(refusal);
+    }
+    plain(word, unit).map_err(refusal)
+}
+
 /// A number with or without unit, not a change of another one.
 fn plain(text: &str, unit: Unit) -> Result<f64, String> {
     // A change of nothing is no number.
     entry::number(text, f64::NAN, &unit)
-}
-
-/// A frequency as it is typed.
-fn typed_frequency(hertz: f64, unit: FrequencyUnit) -> String {
-    format!("{}", hertz * unit.per_hertz())
 }
 
 /// A typed frequency, Hz: a number in `unit`, or with a unit of its own.

@@ -55,6 +55,8 @@ pub struct Band {
     pub span: Option<[f64; 2]>,
     /// The levels in it, as they were solved last.
     pub levels: Option<BandLevels>,
+    /// Why there are none, where the last question failed.
+    pub failure: Option<String>,
     asked: Option<(u64, Key)>,
 }
 
@@ -85,6 +87,10 @@ impl App {
 
     /// Asks for the levels in the band.
     pub(super) fn want_levels(&mut self) -> Option<Request> {
+        // A held key does not wait for them.
+        if !self.curves.is_resolved() {
+            return None;
+        }
         let key = Key {
             generation: self.curves.generation,
             references: self.beside.shown_ids(),
@@ -117,15 +123,20 @@ impl App {
     }
 
     /// Takes the levels that were asked for last.
-    ///
-    /// # Errors
-    /// Why there are none, in a line.
-    pub(super) fn take_levels(&mut self, answer: LevelsAnswer) -> Result<(), String> {
+    pub(super) fn take_levels(&mut self, answer: LevelsAnswer) {
         let asked = self.band.asked.as_ref();
         let Some((_, key)) = asked.filter(|(serial, _)| *serial == answer.serial) else {
-            return Ok(());
+            return;
         };
-        let mut solved = answer.result?.into_iter().map(|members| {
+        let solved = match answer.result {
+            Ok(solved) => solved,
+            Err(reason) => {
+                (self.band.levels, self.band.failure) = (None, Some(reason));
+                return;
+            }
+        };
+        self.band.failure = None;
+        let mut solved = solved.into_iter().map(|members| {
             let members = members.into_iter().map(|member| MemberLevels {
                 levels: response_levels(&member.model, &member.levels),
                 label: member.label,
@@ -137,7 +148,6 @@ impl App {
             members: solved.next().unwrap_or_default(),
             references: key.references.iter().copied().zip(solved).collect(),
         });
-        Ok(())
     }
 }
 

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use super::measured::{Asked, Measured, Sample};
-use super::{App, Effect, List, Overlay, Picture, Question, Shown};
+use super::measured::{Asked, FitKey, Fitted, Measured, Sample};
+use super::{App, Effect, List, Overlay, Picture, Question, Shown, Stage};
 use crate::model::Model;
 use crate::tui::Opened;
 use crate::tui::keys::Command;
@@ -42,6 +42,9 @@ pub struct Beside {
     asked: Option<u64>,
     pub(super) measured_asked: Option<Asked>,
     pub(super) sample: Option<Sample>,
+    /// How well the model fits the measured curves.
+    pub fits: Vec<Fitted>,
+    pub(super) fit_key: Option<FitKey>,
 }
 
 impl Beside {
@@ -80,7 +83,10 @@ impl Beside {
         };
         let numbered = (2..).map(|number| format!("{name} {number}"));
         let mut names = std::iter::once(name.to_owned()).chain(numbered);
-        names.find(|name| !taken(name)).unwrap_or_default()
+        // Finitely many names are taken.
+        names
+            .find(|name| !taken(name))
+            .unwrap_or_else(|| name.to_owned())
     }
 }
 
@@ -185,7 +191,12 @@ impl App {
             return None;
         }
         let mut references = self.beside.references.iter();
-        let one = references.find(|one| one.picture.is_none() && one.failure.is_none())?;
+        // What was frozen before it was resolved is resolved too.
+        let lacks = |one: &&Reference| {
+            let picture = one.picture.as_ref();
+            picture.is_none_or(|picture| picture.stage != Stage::Resolved) && one.failure.is_none()
+        };
+        let one = references.find(lacks)?;
         self.beside.asked = Some(one.id);
         Some(Request::Reference(Subject {
             generation: one.id,

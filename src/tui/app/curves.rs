@@ -381,6 +381,16 @@ impl Curves {
             self.visible
                 .extend(new.map(|response| response.name.clone()));
         }
-        self.study = self.study.filter(|study| *study < after.studies.len());
+        self.study = self.study.and_then(|study| followed(study, before, after));
     }
+}
+
+/// The place of a study in a changed model: by its name, or where it was if it has another name now.
+fn followed(study: usize, before: &Model, after: &Model) -> Option<usize> {
+    let name = &before.studies.get(study)?.name;
+    let renamed = before.studies.len() == after.studies.len();
+    let mut studies = after.studies.iter();
+    studies
+        .position(|one| one.name == *name)
+        .or(renamed.then_some(study))
 }

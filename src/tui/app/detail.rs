@@ -18,6 +18,8 @@ const USUAL_COLUMNS: usize = 100;
 const MOST_TAKEN: usize = 20_000;
 /// Points of the circle that a mode makes in the complex plane.
 const LOOP_POINTS: u32 = 72;
+/// All frequencies of a band; of more every second, third...
+const MOST_SOLVED: usize = 60_000;
 /// Curves that are not resolved yet are waited for so long.
 const WORTH_WAITING: Duration = Duration::from_millis(100);
 
@@ -162,7 +164,8 @@ impl App {
         }
         all.sort_by(f64::total_cmp);
         all.dedup();
-        all
+        let stride = all.len().div_ceil(MOST_SOLVED).max(1);
+        all.into_iter().step_by(stride).collect()
     }
 
     /// Frequencies (Hz) in even steps round the circle that each mode makes in the complex plane: at f (1 + zeta tan a)

@@ -8,7 +8,7 @@ use super::{App, Trace};
 use crate::model::{Measure, Unit};
 use crate::solve::form::{Dimension, Form};
 use crate::tui::keys::Command;
-use crate::tui::scene::{ChartView, FrequencyUnit};
+use crate::tui::scene::{self, ChartView, FrequencyUnit, Scale};
 
 /// How values are shown.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -25,6 +25,8 @@ pub struct Display {
     pub decibel_references: BTreeMap<String, f64>,
     /// What the first value axis spans, values on the axis; none where it follows the curves.
     pub levels: Option<[f64; 2]>,
+    /// The axis of which these are the levels.
+    levels_of: Option<(ChartView, Scale)>,
 }
 
 impl Display {
@@ -77,7 +79,7 @@ impl Display {
         }
     }
 
-    /// The value of 0 dB in a unit.
+    /// The value of 0 dB that was typed for a unit.
     pub fn decibel_reference(&self, unit: &str) -> f64 {
         self.decibel_references.get(unit).copied().unwrap_or(1.0)
     }
@@ -152,6 +154,15 @@ impl App {
             .filter(|trace| self.curves.shows(&trace.response))
     }
 
+    /// The value of 0 dB in a unit: 1 where the responses that show have several.
+    pub fn decibel_zero(&self, unit: &str) -> f64 {
+        if self.shown_units().len() > 1 {
+            1.0
+        } else {
+            self.display.decibel_reference(unit)
+        }
+    }
+
     /// The units of the responses that show, each once.
     pub fn shown_units(&self) -> Vec<String> {
         let mut units: Vec<String> = Vec::new();
@@ -208,11 +219,29 @@ impl App {
         }
         match self.screen.levels {
             Some(levels) => {
-                self.display.levels = Some(levels.bounds);
+                self.set_levels(levels.bounds);
                 let key = self.keys.key_of(Command::LevelFix);
                 self.done(format!("levels fixed; {key} lets them follow the curves"));
             }
             None => self.refuse("no value axis shows"),
+        }
+    }
+
+    fn set_levels(&mut self, levels: [f64; 2]) {
+        self.display.levels = Some(levels);
+        self.display.levels_of = Some((self.display.view, scene::scale(self)));
+    }
+
+    /// Drops what another axis or another curve has made meaningless: fixed levels, and a difference to nothing.
+    pub(super) fn refresh_display(&mut self) {
+        if self.display.view == ChartView::Difference && self.beside.shown().next().is_none() {
+            self.display.view = ChartView::Magnitude;
+        }
+        if self.display.levels.is_some() && self.curves.picture().is_some() {
+            let axis = (self.display.view, scene::scale(self));
+            if self.display.levels_of.as_ref() != Some(&axis) {
+                self.display.levels = None;
+            }
         }
     }
 
@@ -231,7 +260,7 @@ impl App {
             && changed[1] - changed[0] > 1e-12 * changed[0].abs().max(changed[1].abs())
             && (!levels.log || (changed[0].is_normal() && changed[1].is_normal()));
         if drawable {
-            self.display.levels = Some(changed);
+            self.set_levels(changed);
         } else {
             self.refuse("no such levels can be drawn");
         }

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use super::{
-    Anchor, App, Curves, Document, Effect, Guard, List, Modal, Next, Outside, Overlay, Prompt,
-    Purpose, ReplaceReason, Reply, Saving, Selection, Tables,
+    Anchor, App, Band, Curves, Detail, Document, Effect, Guard, List, Modal, Next, Outside,
+    Overlay, Prompt, Purpose, Reading, ReplaceReason, Reply, Saving, Selection, Tables,
 };
 use crate::model;
 use crate::presets;
@@ -71,8 +71,11 @@ impl App {
         self.curves = Curves::new(model, self.curves.generation + 1);
         self.curves.decibels = decibels;
         self.modal = Modal::default();
-        self.reading.second = None;
-        self.band.span = None;
+        self.reading = Reading::default();
+        self.detail = Detail::default();
+        self.band = Band::default();
+        self.looking.forget();
+        self.forget_sample();
         self.display.levels = None;
         let open = self.tables.open;
         self.tables = Tables::default();

@@ -54,7 +54,18 @@ pub struct Looking {
     pub operating: Option<Arc<Operating>>,
     /// The generation of the model it was solved for.
     pub generation: u64,
+    /// Why nothing is known, where the last question failed.
+    pub failure: Option<String>,
     asked: Option<(u64, u64, f64)>,
+}
+
+impl Looking {
+    /// Another model was opened: what is known says nothing of it.
+    pub(super) fn forget(&mut self) {
+        self.operating = None;
+        self.failure = None;
+        self.asked = None;
+    }
 }
 
 impl Moment {
@@ -160,8 +171,7 @@ impl App {
         }
         self.looking.moment.runs = false;
         self.looking.moment.step();
-        let degrees = self.looking.moment.angle().to_degrees().round();
-        self.done(format!("at {degrees} deg of the period"));
+        self.done(format!("{} deg further in the period", 360 / FRAMES));
     }
 
     /// A frame further, of what moves by itself.
@@ -232,16 +242,15 @@ impl App {
     }
 
     /// Takes what was asked last.
-    ///
-    /// # Errors
-    /// Why nothing is known, in a line.
-    pub(super) fn take_operating(&mut self, answer: OperatingAnswer) -> Result<(), String> {
+    pub(super) fn take_operating(&mut self, answer: OperatingAnswer) {
         if let Some((serial, generation, _)) = self.looking.asked
             && serial == answer.serial
         {
-            self.looking.operating = Some(answer.result?);
+            (self.looking.operating, self.looking.failure) = match answer.result {
+                Ok(operating) => (Some(operating), None),
+                Err(reason) => (None, Some(reason)),
+            };
             self.looking.generation = generation;
         }
-        Ok(())
     }
 }

@@ -8,7 +8,7 @@ use super::curves::traces;
 use super::{App, Display, Effect, Question, Trace};
 use crate::measured::{self, Curve, Fit, Inspection, Kind, ValueUnit, fit};
 use crate::model::Fault;
-use crate::solve::form::{Dimension, Reference};
+use crate::solve::form::{Dimension, Form, Reference};
 use crate::tui::keys::Command;
 use crate::tui::scene::ChartView;
 use crate::worker::{Request, SampleAnswer, SampleRequest, Sampling};
@@ -22,6 +22,8 @@ const MOST_FREQUENCIES: usize = 20_000;
 /// A curve from a file.
 #[derive(Debug)]
 pub struct Measured {
+    /// Its number, never given again.
+    pub id: u64,
     /// Its name in the legend.
     pub name: String,
     /// The curve.
@@ -33,8 +35,8 @@ pub struct Measured {
 /// How well a response fits a measured curve.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fitted {
-    /// The measured curve, by its place.
-    pub measured: usize,
+    /// The number of the measured curve.
+    pub measured: u64,
     /// The response.
     pub response: String,
     /// How well, in the form that shows.
@@ -44,8 +46,20 @@ pub struct Fitted {
 /// The model at the frequencies of the measured curves.
 #[derive(Debug)]
 pub(super) struct Sample {
+    /// The model's generation.
+    generation: u64,
     frequencies: Vec<f64>,
     traces: Vec<Trace>,
+}
+
+/// What a fit depends on.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct FitKey {
+    serial: Option<u64>,
+    solved: Option<u64>,
+    form: Option<Form>,
+    band: Option<[f64; 2]>,
+    visible: Vec<String>,
 }
 
 /// What was asked for last.
@@ -53,7 +67,7 @@ pub(super) struct Sample {
 pub(super) struct Asked {
     serial: u64,
     generation: u64,
-    names: Vec<String>,
+    ids: Vec<u64>,
 }
 
 /// What came of opening a measured file.
@@ -93,10 +107,45 @@ impl Measured {
         1 + usize::from(view.has_two_panels())
     }
 
-    /// A value by its place, as it is shown.
-    pub fn value(&self, display: &Display, index: usize) -> Complex64 {
+    /// Its value at a frequency (Hz) beside a response, between the points on both sides by a straight line; none beyond
+    /// its ends.
+    pub fn value_at(
+        &self,
+        display: &Display,
+        response: Option<&Dimension>,
+        frequency: f64,
+    ) -> Option<Complex64> {
+        let all = &self.curve.frequencies;
+        let after = all.partition_point(|f| *f < frequency);
+        let value = |i: usize| self.value(display, response, i);
+        if all.get(after) == Some(&frequency) {
+            return Some(value(after));
+        }
+        let before = after.checked_sub(1)?;
+        let share = (frequency - all[before]) / (all.get(after)? - all[before]);
+        Some(value(before) * (1.0 - share) + value(after) * share)
+    }
+
+    /// Whether its values are energies, beside a response.
+    pub fn is_energy(&self, response: Option<&Dimension>) -> bool {
+        self.curve.kind == Some(Kind::Energy) || (self.curve.kind.is_none() && response.is_none())
+    }
+
+    /// A value by its place, in the form in which a response is shown beside which it stands. What nothing is known of
+    /// is taken for what the response is.
+    pub fn value(
+        &self,
+        display: &Display,
+        response: Option<&Dimension>,
+        index: usize,
+    ) -> Complex64 {
         let (value, frequency) = (self.curve.values[index], self.curve.frequencies[index]);
-        let shown = display.value(self.dimension().as_ref(), value, frequency);
+        let shown = match (self.dimension().or(response.copied()), response) {
+            (Some(own), Some(response)) => {
+                own.converted(value, frequency, display.form_of(response))
+            }
+            _ => value,
+        };
         // Without a phase there is none after a conversion either.
         if self.curve.phase_known {
             shown
@@ -170,7 +219,9 @@ impl App {
         for curve in curves.into_iter().take(room) {
             let curve = self.named_alike(curve);
             let name = self.beside.free_name(&curve.name);
+            let id = self.next_serial();
             self.beside.measured.push(Measured {
+                id,
                 name,
                 curve,
                 shown: true,
@@ -211,12 +262,14 @@ impl App {
     /// Asks for the model at the frequencies of the measured curves that show.
     pub(super) fn want_measured(&mut self) -> Option<Request> {
         let shown = || self.beside.measured.iter().filter(|one| one.shown);
-        let names: Vec<String> = shown().map(|one| one.name.clone()).collect();
+        let ids: Vec<u64> = shown().map(|one| one.id).collect();
         let generation = self.curves.generation;
         let known = self.beside.measured_asked.as_ref();
-        if names.is_empty()
-            || known.is_some_and(|asked| asked.generation == generation && asked.names == names)
-        {
+        if ids.is_empty() {
+            self.forget_sample();
+            return None;
+        }
+        if known.is_some_and(|asked| asked.generation == generation && asked.ids == ids) {
             return None;
         }
         let mut frequencies: Vec<f64> = shown()
@@ -231,7 +284,7 @@ impl App {
         self.beside.measured_asked = Some(Asked {
             serial,
             generation,
-            names,
+            ids,
         });
         let mut subject = self.subject();
         subject.study = None;
@@ -246,32 +299,67 @@ impl App {
     /// Takes the model at the frequencies of the measured curves.
     pub(super) fn take_measured_sample(&mut self, answer: SampleAnswer) -> Result<(), String> {
         let asked = self.beside.measured_asked.as_ref();
-        if asked.is_none_or(|asked| asked.serial != answer.serial) {
+        let Some(asked) = asked.filter(|asked| asked.serial == answer.serial) else {
             return Ok(());
-        }
+        };
+        let generation = asked.generation;
         let solved = answer.result?.into_iter().flatten().next();
         self.beside.sample = solved.map(|member| Sample {
+            generation,
             traces: traces(&member.model, &member.frf, Vec::new()),
             frequencies: answer.frequencies,
         });
         Ok(())
     }
 
-    /// How well the responses that show fit the measured curves that show, in the marked band if there is one.
-    pub fn fits(&self) -> Vec<Fitted> {
-        let Some(sample) = &self.beside.sample else {
+    /// The measured curves that show beside a response that shows, with what that response is.
+    pub fn measured_shown(&self) -> impl Iterator<Item = (&Measured, Option<Dimension>)> {
+        let shown: Vec<Option<Dimension>> = self.shown_traces().map(|one| one.dimension).collect();
+        let measured = self.beside.measured.iter().filter(|one| one.shown);
+        measured.filter_map(move |one| {
+            let mut beside = shown.iter().filter(|response| one.fits(response.as_ref()));
+            beside.next().map(|response| (one, *response))
+        })
+    }
+
+    /// The model at the frequencies of the measured curves is not wanted any more.
+    pub(super) fn forget_sample(&mut self) {
+        self.beside.measured_asked = None;
+        self.beside.sample = None;
+        self.beside.fits.clear();
+    }
+
+    /// Finds out anew how well the model fits, where that may have changed.
+    pub(super) fn refresh_fits(&mut self) {
+        let key = FitKey {
+            serial: self.beside.measured_asked.as_ref().map(|one| one.serial),
+            solved: self.beside.sample.as_ref().map(|one| one.generation),
+            form: self.display.form,
+            band: self.band.span,
+            visible: self.curves.visible.clone(),
+        };
+        if self.beside.fit_key.as_ref() != Some(&key) {
+            self.beside.fits = self.fits();
+            self.beside.fit_key = Some(key);
+        }
+    }
+
+    /// How well the responses that show fit the measured curves that show, in the marked band if there is one; nothing
+    /// as long as the model has not been solved for it.
+    fn fits(&self) -> Vec<Fitted> {
+        let current = |sample: &&Sample| sample.generation == self.curves.generation;
+        let Some(sample) = self.beside.sample.as_ref().filter(current) else {
             return Vec::new();
         };
-        let measured = self.beside.measured.iter().enumerate();
-        let shown = measured.filter(|(_, one)| one.shown);
+        let shown = self.beside.measured.iter().filter(|one| one.shown);
         shown
-            .flat_map(|(index, one)| {
+            .flat_map(|one| {
                 let traces = sample.traces.iter().filter(|trace| {
                     self.curves.shows(&trace.response) && one.fits(trace.dimension.as_ref())
                 });
                 traces.filter_map(move |trace| {
                     Some(Fitted {
-                        measured: index,
+                        measured: one.id,
                         response: trace.response.clone(),
                         fit: self.fit_of(one, sample, trace)?,
                     })
@@ -295,7 +383,7 @@ impl App {
             frequencies: places.iter().map(|(i, _)| curve.frequencies[*i]).collect(),
             values: places
                 .iter()
-                .map(|(i, _)| measured.value(&self.display, *i))
+                .map(|(i, _)| measured.value(&self.display, trace.dimension.as_ref(), *i))
                 .collect(),
             ..curve.clone()
         };

@@ -39,7 +39,7 @@ pub struct Reading {
 /// A response at a frequency, as it was solved there.
 #[derive(Debug, Clone, Copy)]
 pub struct Read<'a> {
-    /// The response; its only value is that at the frequency asked for.
+    /// The response at the frequencies that were asked for.
     trace: &'a Trace,
     index: usize,
     /// Hz.

@@ -25,16 +25,8 @@ impl App {
                 self.witness.take(answer, generation, model);
             }
             Answer::Reference(answer) => self.beside.take(answer),
-            Answer::Levels(answer) => {
-                if let Err(reason) = self.take_levels(answer) {
-                    self.refuse(reason);
-                }
-            }
-            Answer::Operating(answer) => {
-                if let Err(reason) = self.take_operating(answer) {
-                    self.refuse(reason);
-                }
-            }
+            Answer::Levels(answer) => self.take_levels(answer),
+            Answer::Operating(answer) => self.take_operating(answer),
             Answer::Sample(answer) => {
                 let taken = match answer.sampling {
                     Sampling::Detail => self.detail.take(answer),

@@ -146,6 +146,15 @@ impl App {
         self.show_band(moved.within(whole), whole);
     }
 
+    /// Keeps what is marked on the frequency axis within a sweep that has changed.
+    pub(super) fn keep_marks_in_sweep(&mut self) {
+        let sweep = self.model().sweep;
+        let inside = |f: &f64| (sweep.from..=sweep.to).contains(f);
+        self.curves.cursor = self.curves.cursor.filter(inside);
+        self.reading.second = self.reading.second.filter(inside);
+        self.band.span = self.band.span.filter(|span| span.iter().all(inside));
+    }
+
     fn bands(&self) -> (Band, Band) {
         let (log, sweep) = (self.curves.log_frequency, &self.model().sweep);
         let shown = Band::new(log, self.shown_frequencies());

@@ -207,6 +207,15 @@ impl<'a> Chart<'a> {
         Some(marker)
     }
 
+    /// The character of which a curve's line is made where it has a cell a dot.
+    pub(super) fn bullet(&self, index: usize) -> char {
+        match self.curves[index].line {
+            LineStyle::Dotted => '·',
+            LineStyle::Dashed => '◦',
+            LineStyle::Solid | LineStyle::Points { .. } => '•',
+        }
+    }
+
     /// The character of which a curve's line is made in ASCII.
     pub(super) fn body(&self, index: usize) -> char {
         match self.curves[index].line {

@@ -90,7 +90,7 @@ fn curve_ink(chart: &Chart<'_>, dots: &Dots, column: u16, row: u16) -> Option<In
         (_, Some(marker)) if cell.marked => marker,
         (Glyphs::Braille, _) => cell.braille(),
         (Glyphs::Block, _) => cell.quarters(),
-        (Glyphs::Dot, _) => '•',
+        (Glyphs::Dot, _) => chart.bullet(index),
         (Glyphs::Ascii, _) => chart.body(index),
     };
     Some((glyph, chart.curves[index].ink()))

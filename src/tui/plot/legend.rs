@@ -56,6 +56,7 @@ fn entries<'c>(chart: &'c Chart<'_>) -> Vec<Entry<'c>> {
             let body = match (chart.glyphs, curve.line) {
                 (_, LineStyle::Points { .. }) => ' ',
                 (Glyphs::Ascii, _) => chart.body(index),
+                (Glyphs::Dot, _) => chart.bullet(index),
                 (_, LineStyle::Solid) => '─',
                 (_, LineStyle::Dashed) => '╌',
                 (_, LineStyle::Dotted) => '┈',

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use super::{Panel, Scene, SceneCurve};
+use crate::tui::app::nearest as place_of_nearest;
 use crate::tui::plot::{self, Axis, Curve, Scale};
 
 /// Relative distance to a pole within which a locus is left out: it goes to infinity there.
@@ -140,12 +141,7 @@ pub fn nearest(curve: &SceneCurve, frequency: f64, scene: &Scene) -> Option<(f64
     if !(low..=high).contains(&frequency) {
         return None;
     }
-    let after = curve.frequencies.partition_point(|f| *f < frequency);
-    let around = [after.saturating_sub(1), after].into_iter();
-    let distance = |i: &usize| (curve.frequencies[*i] - frequency).abs();
-    let index = around
-        .filter(|i| *i < curve.frequencies.len())
-        .min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+    let index = place_of_nearest(&curve.frequencies, frequency)?;
     let value = |panel: usize| curve.values.get(panel)?.get(index).copied();
     value(0).zip(value(1))
 }

@@ -1,16 +1,13 @@
 //! The scene of the designer's state.
 
+mod beside;
+
 use super::{
     ChartView, CurveKind, FrequencyAxis, Marked, Panel, Scene, SceneCurve, difference, part,
 };
 use crate::solve::form::Dimension;
-use crate::tui::app::{
-    Anchor, App, Curves, DetailPicture, Look, Measured, Member, Picture, Reference, Table, Trace,
-};
+use crate::tui::app::{Anchor, App, Curves, DetailPicture, Look, Member, Picture, Table, Trace};
 use crate::tui::plot::{Level, LineStyle};
-
-/// Columns from one point of a finite-element curve to the next.
-const WITNESS_POINTS: u16 = 3;
 
 /// What stands on the chart.
 pub fn of(app: &App) -> Scene {
@@ -65,10 +62,7 @@ pub fn scale(app: &App) -> Scale {
             unit,
         };
     }
-    let reference = match units.as_slice() {
-        [one] => app.display.decibel_reference(one),
-        _ => 1.0,
-    };
+    let reference = app.decibel_zero(&unit);
     Scale {
         level: Level::Decibel {
             factor: if energy { 10.0 } else { 20.0 },
@@ -125,6 +119,12 @@ impl<'a> Builder<'a> {
         let what = match form {
             Some(form) => format!("{what}, {}", form.name()),
             None => what,
+        };
+        let what = match app.beside.first_shown() {
+            Some(reference) if self.view() == ChartView::Difference => {
+                format!("{what} against {}", reference.name)
+            }
+            _ => what,
         };
         let study = app.curves.study;
         match study.and_then(|study| app.model().studies.get(study)) {
@@ -205,7 +205,10 @@ impl<'a> Builder<'a> {
             curve.dim = state.is_stale();
             curve.poles = poles(trace);
             let generation = picture.generation;
-            curve.at_cursor = state.cursor.and_then(|cursor| {
+            let cursor = state
+                .cursor
+                .filter(|_| self.view() != ChartView::Difference);
+            curve.at_cursor = cursor.and_then(|cursor| {
                 let read = app
                     .reading
                     .model(generation, number, &trace.response, cursor)?;
@@ -221,147 +224,6 @@ impl<'a> Builder<'a> {
         let reference = self.app.beside.first_shown()?;
         let members = self.detail?.curves.reference(reference.id)?;
         find(members.get(member).or(members.first())?, response)
-    }
-
-    /// The frozen and loaded references.
-    fn references(&self) -> Vec<SceneCurve> {
-        // Differences are counted from the first.
-        if self.view() == ChartView::Difference {
-            return Vec::new();
-        }
-        let shown: Vec<&Reference> = self.app.beside.shown().collect();
-        let mut curves = Vec::new();
-        for (index, reference) in shown.iter().enumerate() {
-            curves.extend(self.reference(reference, index, shown.len()));
-        }
-        curves
-    }
-
-    fn reference(&self, reference: &'a Reference, index: usize, of: usize) -> Vec<SceneCurve> {
-        let state = &self.app.curves;
-        let fine = self
-            .detail
-            .and_then(|detail| detail.curves.reference(reference.id));
-        let picture = reference.picture.as_deref();
-        let members = fine.or(picture.map(|picture| &picture.members[..]));
-        let mut curves = Vec::new();
-        for (place, number, member, trace) in traces(members.unwrap_or_default(), state) {
-            let source = Source {
-                trace,
-                frequencies: &member.frequencies,
-                against: None,
-            };
-            let mut curve = self.curve(&source);
-            curve.kind = CurveKind::Reference;
-            // One reference has the colours of what it is a reference of.
-            curve.colour = colour(state, place, number) + if of > 1 { index + 1 } else { 0 };
-            curve.marker = (of > 1).then_some(state.visible.len() + index);
-            curve.line = LineStyle::Dotted;
-            curve.dim = true;
-            if curves.is_empty() {
-                curve.label.clone_from(&reference.name);
-            }
-            let own =
-                picture.and_then(|picture| find(picture.members.get(number)?, &trace.response));
-            curve.poles = own.map(poles).unwrap_or_default();
-            curves.push(curve);
-        }
-        curves
-    }
-
-    /// The finite-element curves, as points.
-    fn witnesses(&self) -> Vec<SceneCurve> {
-        let state = &self.app.curves;
-        let Some(picture) = self.app.witness.picture() else {
-            return Vec::new();
-        };
-        let mut curves: Vec<SceneCurve> = Vec::new();
-        for (place, name) in state.visible.iter().enumerate() {
-            for (number, member) in picture.members.iter().enumerate() {
-                for trace in member.traces.iter().filter(|trace| trace.response == *name) {
-                    let source = Source {
-                        trace,
-                        frequencies: &member.frequencies,
-                        against: None,
-                    };
-                    let mut curve = self.curve(&source);
-                    curve.kind = CurveKind::Witness;
-                    curve.colour = colour(state, place, number);
-                    curve.line = LineStyle::Points {
-                        apart: WITNESS_POINTS,
-                    };
-                    curve.dim = picture.generation != state.generation;
-                    if curves.is_empty() {
-                        "FEM".clone_into(&mut curve.label);
-                    }
-                    curves.push(curve);
-                }
-            }
-        }
-        if self.view() == ChartView::Difference {
-            curves.clear();
-        }
-        curves
-    }
-
-    /// The measured curves that fit to what shows.
-    fn measured(&self) -> Vec<SceneCurve> {
-        if self.view() == ChartView::Difference {
-            return Vec::new();
-        }
-        let dimensions: Vec<Option<Dimension>> = self
-            .app
-            .shown_traces()
-            .map(|trace| trace.dimension)
-            .collect();
-        let fits = |one: &&Measured| {
-            one.shown
-                && dimensions
-                    .iter()
-                    .any(|dimension| one.fits(dimension.as_ref()))
-        };
-        let shown = self.app.beside.measured.iter().filter(fits);
-        shown
-            .enumerate()
-            .map(|(index, one)| self.measured_curve(one, index))
-            .collect()
-    }
-
-    fn measured_curve(&self, one: &Measured, index: usize) -> SceneCurve {
-        let display = &self.app.display;
-        let places = self.visible_part(&one.curve.frequencies);
-        let count = one.panels(self.view());
-        let mut values = vec![Vec::new(); count];
-        for i in places.clone() {
-            let value = one.value(display, i);
-            let mut parts = part(self.view(), value, false);
-            if !one.curve.phase_known {
-                // Of the two panels only a magnitude is known.
-                let magnitude = matches!(
-                    self.view(),
-                    ChartView::Magnitude | ChartView::MagnitudePhase
-                );
-                parts
-                    .iter_mut()
-                    .skip(usize::from(magnitude))
-                    .for_each(|v| *v = f64::NAN);
-            }
-            for (all, one) in values.iter_mut().zip(parts) {
-                all.push(one);
-            }
-        }
-        SceneCurve {
-            label: one.name.clone(),
-            kind: CurveKind::Measured,
-            colour: self.app.curves.visible.len() + index,
-            marker: None,
-            line: LineStyle::Points { apart: 1 },
-            dim: false,
-            frequencies: one.curve.frequencies[places].to_vec(),
-            values: self.unwrapped(values),
-            poles: Vec::new(),
-            at_cursor: None,
-        }
     }
 
     /// What the value axis spans beside what is drawn: the curves as they will be once they are resolved, which is

@@ -5,6 +5,7 @@ use ratatui::layout::Rect;
 
 use super::table::{self, Column, Content};
 use super::text::significant;
+use crate::measured::Fit;
 use crate::solve::band::Level;
 use crate::tui::app::{App, MemberLevels, ResponseLevel, Rows};
 use crate::tui::theme::Theme;
@@ -28,6 +29,9 @@ const LAYOUTS: [&[Column]; 2] = [
     ],
 ];
 
+/// A curve of fewer points has the shape of any other.
+const FEWEST: usize = 3;
+
 /// A row of the table.
 pub(super) enum Row {
     /// The level of a curve, and that of the reference it is held against.
@@ -38,7 +42,7 @@ pub(super) enum Row {
         against: Option<Level>,
     },
     /// How well a response fits a measured curve, in words.
-    Fit { label: String, words: [String; 2] },
+    Fit(String),
 }
 
 /// A row for each curve that shows, the references, and the measured curves.
@@ -53,21 +57,30 @@ pub(super) fn rows(app: &App) -> Vec<Row> {
             rows.extend(levels_of(app, members, name.unwrap_or_default(), None));
         }
     }
-    rows.extend(app.fits().into_iter().map(|fitted| {
-        let frac = if fitted.fit.of_magnitudes {
-            "FRAC of magnitudes"
-        } else {
-            "FRAC"
-        };
-        Row::Fit {
-            label: app.beside.measured[fitted.measured].name.clone(),
-            words: [
-                format!("{frac} {:.4}", fitted.fit.frac),
-                format!("mean {:+.2} dB", fitted.fit.mean_decibels),
-            ],
-        }
+    rows.extend(app.beside.fits.iter().map(|fitted| {
+        let mut measured = app.beside.measured.iter();
+        let name = measured
+            .find(|one| one.id == fitted.measured)
+            .map_or("", |one| &one.name);
+        Row::Fit(format!("{}: {name}", fit_words(&fitted.fit)))
     }));
     rows
+}
+
+/// How well a response fits a measured curve.
+pub(super) fn fit_words(fit: &Fit) -> String {
+    if fit.points < FEWEST {
+        return format!("{} points are too few to compare", fit.points);
+    }
+    let of = if fit.of_magnitudes {
+        " of magnitudes"
+    } else {
+        ""
+    };
+    format!(
+        "FRAC{of} {:.4}, {:+.2} dB, rms {:.2}",
+        fit.frac, fit.mean_decibels, fit.rms_decibels
+    )
 }
 
 fn levels_of(
@@ -129,10 +142,10 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
             rows.get(index)
                 .map_or(Vec::new(), |row| cells(app, row, columns))
         },
-        empty: if app.band.span.is_none() {
-            "no band is marked"
-        } else {
-            "solving the levels"
+        empty: match (&app.band.failure, app.band.span) {
+            (Some(reason), _) => reason,
+            (None, None) => "no band is marked",
+            (None, Some(_)) => "solving the levels",
         },
         stale: levels.is_some_and(|levels| levels.generation != app.curves.generation),
     };
@@ -159,21 +172,14 @@ fn unit(app: &App) -> String {
     }
     match units.as_slice() {
         [] => String::new(),
+        [energy] if energy == "kg m2" => "kg m2; rms is the mean".to_owned(),
         units => format!("{}, zero to peak", units.join(", ")),
     }
 }
 
 fn cells(app: &App, row: &Row, columns: &[Column]) -> Vec<String> {
     let (label, level, energy, against) = match row {
-        Row::Fit { label, words } => {
-            // The words stand right of the name, over the columns that they need.
-            let mut cells = vec![String::new(); columns.len()];
-            cells[0].clone_from(label);
-            cells[1].clone_from(&words[0]);
-            let last = cells.len() - 1;
-            cells[last].clone_from(&words[1]);
-            return cells;
-        }
+        Row::Fit(words) => return vec![words.clone()],
         Row::Level {
             label,
             level,

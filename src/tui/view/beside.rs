@@ -4,9 +4,10 @@ use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout};
 use ratatui::text::{Line, Span};
 
+use super::band::fit_words;
 use super::boxes::{middle, open_box};
 use super::text::{cut, width};
-use crate::tui::app::{App, Fitted, List, Measured, Overlay, Reference, Rows};
+use crate::tui::app::{App, List, Measured, Overlay, Reference, Rows};
 use crate::tui::keys::{RowKind, Scope};
 use crate::tui::theme::Theme;
 
@@ -71,11 +72,10 @@ fn hints(answers: Vec<(String, &'static str)>, theme: Theme, columns: usize) -> 
 }
 
 fn entries(app: &App) -> Vec<Entry> {
-    let fits = app.fits();
     let references = app.beside.references.iter().map(reference);
-    let measured = app.beside.measured.iter().enumerate();
+    let measured = app.beside.measured.iter();
     references
-        .chain(measured.map(|(index, one)| measurement(app, &fits, index, one)))
+        .chain(measured.map(|one| measurement(app, one)))
         .collect()
 }
 
@@ -94,17 +94,14 @@ fn reference(one: &Reference) -> Entry {
     (one.shown, one.name.clone(), what)
 }
 
-fn measurement(app: &App, fits: &[Fitted], index: usize, one: &Measured) -> Entry {
+fn measurement(app: &App, one: &Measured) -> Entry {
     let points = one.curve.frequencies.len();
-    let fit = fits.iter().find(|fitted| fitted.measured == index);
-    let responses: Vec<_> = app.shown_traces().collect();
-    let stands = |trace: &&&crate::tui::app::Trace| one.fits(trace.dimension.as_ref());
+    let mut fits = app.beside.fits.iter();
+    let fit = fits.find(|fitted| fitted.measured == one.id);
+    let stands = app.measured_shown().any(|(other, _)| other.id == one.id);
     let what = match fit {
-        Some(fitted) => format!(
-            "measured, {}: FRAC {:.4}, mean {:+.2} dB",
-            fitted.response, fitted.fit.frac, fitted.fit.mean_decibels
-        ),
-        None if one.shown && !responses.iter().any(|trace| stands(&trace)) => {
+        Some(fitted) => format!("{}: {}", fitted.response, fit_words(&fitted.fit)),
+        None if one.shown && !stands => {
             let unit = one.curve.kind.map(|kind| kind.unit()).unwrap_or_default();
             let units = app.shown_units().join(", ");
             format!("measured in {unit}: does not fit what shows, in {units}")

@@ -8,7 +8,7 @@ use ratatui::widgets::{Block, Borders, Paragraph, Wrap};
 
 use super::figure::{self, Drawn};
 use super::readout;
-use super::text::width;
+use super::text::{cut, width};
 use crate::tui::app::{App, Shown};
 use crate::tui::keys::Command;
 use crate::tui::scene;
@@ -17,18 +17,16 @@ use crate::tui::theme::Theme;
 /// Draws the chart; where its curves are and what its value axis spans, if there are any.
 pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) -> Drawn {
     let scene = scene::of(app);
-    let room = usize::from(area.width).saturating_sub(width(&scene.title) + 5);
+    // Of a long title at least a part stays, and what is read is not cut off.
+    let columns = usize::from(area.width);
+    let title = width(&scene.title).min(columns / 4);
+    let read = readout::line(app, columns.saturating_sub(title + 5));
+    let title = cut(&scene.title, columns.saturating_sub(width(&read) + 5));
     let block = Block::new()
         .borders(Borders::TOP)
         .border_style(theme.dim())
-        .title(super::rule(&scene.title, theme))
-        .title(
-            Line::styled(
-                readout::line(app, room),
-                theme.key().remove_modifier(Modifier::DIM),
-            )
-            .right_aligned(),
-        );
+        .title(super::rule(&title, theme))
+        .title(Line::styled(read, theme.key().remove_modifier(Modifier::DIM)).right_aligned());
     let inside = block.inner(area);
     frame.render_widget(block, area);
     if scene.curves.is_empty() {

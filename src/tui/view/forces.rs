@@ -69,7 +69,9 @@ fn forces(frame: &mut Frame<'_>, seen: Seen<'_>, group: Group, area: Rect) {
     let x = &seen.operating.positions;
     let mut curves = Vec::new();
     for (number, member) in members.iter().enumerate() {
-        curves.extend(member.bounds.iter().map(|bound| Curve {
+        let first = number == 0;
+        curves.extend(member.bounds.iter().enumerate().map(|(side, bound)| Curve {
+            label: if first && side == 0 { "amplitude" } else { "" }.to_owned(),
             line: LineStyle::Dotted,
             style: seen.theme.curve(number),
             dim: true,

@@ -58,7 +58,11 @@ pub(super) fn draw(
 ) {
     let reason = match (app.curves.cursor, app.operating()) {
         (None, _) => " no cursor is on the chart",
-        (_, None) => " solving what the beam does",
+        (_, None) => app
+            .looking
+            .failure
+            .as_deref()
+            .unwrap_or(" solving what the beam does"),
         (_, Some(operating)) if !is_finite(operating) => {
             " no finite answer: a resonance without damping"
         }

@@ -5,7 +5,7 @@ use ratatui::Frame;
 use ratatui::layout::Rect;
 
 use super::table::{self, Column, Content};
-use crate::tui::app::{App, Rows, Trace, Value, nearest};
+use crate::tui::app::{App, Rows, Trace, Value};
 use crate::tui::scene;
 use crate::tui::theme::Theme;
 
@@ -68,7 +68,7 @@ fn row(app: &App, label: String, trace: &Trace, values: [Option<Value>; 2]) -> R
     Row {
         label,
         energy: trace.dimension.is_none(),
-        reference: app.display.decibel_reference(&unit),
+        reference: app.decibel_zero(&unit),
         unit,
         values,
         phase: trace.dimension.is_some(),
@@ -119,35 +119,32 @@ fn references(app: &App, cursor: f64) -> Vec<Row> {
     rows
 }
 
-/// Measured curves at their nearest points.
+/// Measured curves, between their points.
 fn measured(app: &App, cursor: f64) -> Vec<Row> {
-    let shown = app.beside.measured.iter().filter(|one| one.shown);
-    shown
-        .map(|one| {
+    app.measured_shown()
+        .map(|(one, response)| {
+            let response = response.as_ref();
             let at = |f: f64| {
-                let shown = one.value(&app.display, nearest(&one.curve.frequencies, f)?);
+                let shown = one.value_at(&app.display, response, f)?;
                 Some(Value {
                     shown,
                     exact: false,
                 })
             };
-            let unit = match one.dimension() {
-                None => String::new(),
-                dimension => app.display.unit_of(dimension.as_ref()),
-            };
+            let (unit, energy) = (app.display.unit_of(response), one.is_energy(response));
             Row {
                 label: one.name.clone(),
-                energy: false,
-                reference: app.display.decibel_reference(&unit),
+                energy,
+                reference: app.decibel_zero(&unit),
                 unit,
                 values: [at(cursor), app.reading.second.and_then(at)],
-                phase: one.curve.phase_known,
+                phase: one.curve.phase_known && !energy,
             }
         })
         .collect()
 }
 
-/// The first curve at the harmonics of the cursor; differences are to the cursor.
+/// The first curve at the harmonics of the cursor; differences are to the second cursor, or to the cursor itself.
 fn harmonics(app: &App) -> Vec<Row> {
     let (Some((_, trace)), Some(cursor)) = (app.curves.first_trace(), app.curves.cursor) else {
         return Vec::new();
@@ -156,10 +153,10 @@ fn harmonics(app: &App) -> Vec<Row> {
     harmonics
         .map(|(index, frequency)| {
             let order = index + 2;
-            let label = format!("{order} x {}", app.display.frequency_text(cursor));
+            let label = format!("{order} x f");
             let values = [
                 app.value_at(0, trace, frequency),
-                app.value_at(0, trace, cursor),
+                app.value_at(0, trace, app.reading.second.unwrap_or(cursor)),
             ];
             row(app, label, trace, values)
         })
@@ -196,7 +193,16 @@ fn words(app: &App) -> (String, String) {
         return ("Readings".to_owned(), String::new());
     };
     let at = app.display.frequency_text(cursor);
-    let note = "zero to peak".to_owned();
+    let between = app.measured_shown().next().is_some();
+    let note = match (
+        between,
+        app.reading.harmonics && app.reading.second.is_none(),
+    ) {
+        (true, _) => "zero to peak; ~ between points",
+        (false, true) => "zero to peak; delta from f",
+        (false, false) => "zero to peak",
+    };
+    let note = note.to_owned();
     match app.reading.second {
         None => (format!("At {at}"), note),
         Some(second) => {
@@ -222,7 +228,7 @@ fn cells(row: &Row, columns: &[Column]) -> Vec<String> {
     };
     let decibels = here.map(|here| factor * (size(value(here)) / row.reference).log10());
     let phase = here
-        .filter(|_| row.phase)
+        .filter(|here| row.phase && value(*here) != Complex64::ZERO)
         .map(|here| value(here).arg().to_degrees());
     let pair = here.zip(there);
     let delta = pair.map(|(a, b)| scene::difference(row.energy, value(a), value(b)));

@@ -19,8 +19,9 @@ pub(super) fn line(app: &App, columns: usize) -> String {
     };
     let energy = trace.dimension.is_none();
     let told = magnitude(app, value, energy);
-    let phase =
-        (!energy).then(|| format!("  {:.0} deg", value.shown.arg().to_degrees().round() + 0.0));
+    let has_phase = !energy && value.shown.norm() > 0.0;
+    let degrees = value.shown.arg().to_degrees().round() + 0.0;
+    let phase = has_phase.then(|| format!("  {degrees:.0} deg"));
     let phase = phase.unwrap_or_default();
     let of = match &member.label {
         None if app.curves.visible.len() == 1 => String::new(),
@@ -33,21 +34,23 @@ pub(super) fn line(app: &App, columns: usize) -> String {
         Some(format!("  delta {frequency}, {decibels:+.2} dB"))
     });
     let delta = delta.unwrap_or_default();
-    let lines = [
-        format!(" {of}{frequency}  {told}{phase}{delta} "),
-        format!(" {frequency}  {told}{delta} "),
-        format!(" {frequency}{delta} "),
-        format!(" {frequency}  {told}{phase} "),
-        format!(" {frequency}  {told} "),
-    ];
-    let wanted = if delta.is_empty() {
-        &lines[3..]
+    let whole = format!(" {of}{frequency}  {told}{phase}{delta} ");
+    let lines = if delta.is_empty() {
+        vec![
+            whole,
+            format!(" {frequency}  {told}{phase} "),
+            format!(" {frequency}  {told} "),
+        ]
     } else {
-        &lines[..]
+        vec![
+            whole,
+            format!(" {frequency}  {told}{delta} "),
+            format!(" {frequency}{delta} "),
+            format!("{delta} "),
+        ]
     };
-    let first = [&lines[0]].into_iter().chain(wanted);
-    let mut fits = first.filter(|line| width(line) <= columns);
-    fits.next().unwrap_or(&lines[4]).clone()
+    let fits = lines.iter().find(|line| width(line) <= columns);
+    fits.or(lines.last()).cloned().unwrap_or_default()
 }
 
 /// A magnitude as the axis has it, with its unit; with a tilde where it is only near.
@@ -65,7 +68,12 @@ fn magnitude(app: &App, value: Value, energy: bool) -> String {
     };
     match scale.level {
         _ if size == 0.0 => "zero".to_owned(),
-        Level::Decibel { .. } if app.display.view != ChartView::Nyquist => {
+        Level::Decibel { .. }
+            if matches!(
+                app.display.view,
+                ChartView::Magnitude | ChartView::MagnitudePhase
+            ) =>
+        {
             format!("{near}{:.1} {}", scale.level.value(size), scale.unit)
         }
         _ => format!("{near}{size:.3e} {unit}"),

@@ -31,7 +31,7 @@ pub(super) struct Content<'a> {
     pub(super) note: String,
     /// The columns.
     pub(super) columns: &'static [Column],
-    /// The cells of a row, right-aligned, as many as columns.
+    /// The cells of a row, right-aligned, as many as columns; or one sentence.
     pub(super) row: &'a dyn Fn(usize) -> Vec<String>,
     /// Where there are no rows.
     pub(super) empty: &'a str,
@@ -113,6 +113,12 @@ fn draw_row(
     style: Style,
     line: Rect,
 ) {
+    let cells: Vec<String> = cells.collect();
+    // A sentence takes the whole line.
+    if let ([sentence], true) = (cells.as_slice(), content.columns.len() > 1) {
+        let text = cut(&format!(" {sentence}"), usize::from(line.width));
+        return frame.render_widget(Line::styled(text, style), line);
+    }
     let cells = content.columns.iter().zip(cells);
     let spans = cells.map(|((_, columns), text)| {
         let text = cut(&text, columns.saturating_sub(1));

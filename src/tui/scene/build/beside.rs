@@ -1,0 +1,149 @@
+//! The curves beside the model: references, finite elements, measurements.
+
+use super::{Builder, Source, colour, find, poles, traces};
+use crate::solve::form::Dimension;
+use crate::tui::app::{Measured, Reference};
+use crate::tui::plot::LineStyle;
+use crate::tui::scene::{ChartView, CurveKind, SceneCurve, part};
+
+/// Of more points of a measured curve every second, third... is drawn.
+const MOST_MEASURED: usize = 20_000;
+/// Columns from one point of a finite-element curve to the next.
+const WITNESS_POINTS: u16 = 3;
+
+impl<'a> Builder<'a> {
+    /// The frozen and loaded references.
+    pub(super) fn references(&self) -> Vec<SceneCurve> {
+        // Differences are counted from the first.
+        if self.view() == ChartView::Difference {
+            return Vec::new();
+        }
+        let shown: Vec<&Reference> = self.app.beside.shown().collect();
+        let mut curves = Vec::new();
+        for (index, reference) in shown.iter().enumerate() {
+            curves.extend(self.reference(reference, index, shown.len()));
+        }
+        curves
+    }
+
+    fn reference(&self, reference: &'a Reference, index: usize, of: usize) -> Vec<SceneCurve> {
+        let state = &self.app.curves;
+        let fine = self
+            .detail
+            .and_then(|detail| detail.curves.reference(reference.id));
+        let picture = reference.picture.as_deref();
+        let members = fine.or(picture.map(|picture| &picture.members[..]));
+        let mut curves = Vec::new();
+        for (place, number, member, trace) in traces(members.unwrap_or_default(), state) {
+            let source = Source {
+                trace,
+                frequencies: &member.frequencies,
+                against: None,
+            };
+            let mut curve = self.curve(&source);
+            curve.kind = CurveKind::Reference;
+            // One reference has the colours of what it is a reference of.
+            curve.colour = colour(state, place, number) + if of > 1 { index + 1 } else { 0 };
+            curve.marker = (of > 1).then_some(state.visible.len() + index);
+            curve.line = LineStyle::Dotted;
+            curve.dim = true;
+            if curves.is_empty() {
+                curve.label.clone_from(&reference.name);
+            }
+            let own =
+                picture.and_then(|picture| find(picture.members.get(number)?, &trace.response));
+            curve.poles = own.map(poles).unwrap_or_default();
+            curves.push(curve);
+        }
+        curves
+    }
+
+    /// The finite-element curves, as points.
+    pub(super) fn witnesses(&self) -> Vec<SceneCurve> {
+        let state = &self.app.curves;
+        let Some(picture) = self.app.witness.picture() else {
+            return Vec::new();
+        };
+        let mut curves: Vec<SceneCurve> = Vec::new();
+        for (place, name) in state.visible.iter().enumerate() {
+            for (number, member) in picture.members.iter().enumerate() {
+                for trace in member.traces.iter().filter(|trace| trace.response == *name) {
+                    let source = Source {
+                        trace,
+                        frequencies: &member.frequencies,
+                        against: None,
+                    };
+                    let mut curve = self.curve(&source);
+                    curve.kind = CurveKind::Witness;
+                    curve.colour = colour(state, place, number);
+                    curve.line = LineStyle::Points {
+                        apart: WITNESS_POINTS,
+                    };
+                    curve.dim = picture.generation != state.generation;
+                    if curves.is_empty() {
+                        "FEM".clone_into(&mut curve.label);
+                    }
+                    curves.push(curve);
+                }
+            }
+        }
+        if self.view() == ChartView::Difference {
+            curves.clear();
+        }
+        curves
+    }
+
+    /// The measured curves that fit to what shows.
+    pub(super) fn measured(&self) -> Vec<SceneCurve> {
+        if self.view() == ChartView::Difference {
+            return Vec::new();
+        }
+        let shown = self.app.measured_shown().enumerate();
+        shown
+            .map(|(index, (one, response))| self.measured_curve(one, response.as_ref(), index))
+            .collect()
+    }
+
+    fn measured_curve(
+        &self,
+        one: &Measured,
+        response: Option<&Dimension>,
+        index: usize,
+    ) -> SceneCurve {
+        let (display, view) = (&self.app.display, self.view());
+        let energy = one.is_energy(response);
+        let places = self.visible_part(&one.curve.frequencies);
+        let stride = places.len().div_ceil(MOST_MEASURED).max(1);
+        let places: Vec<usize> = places.step_by(stride).collect();
+        let mut values = vec![Vec::with_capacity(places.len()); one.panels(view)];
+        // Without a phase only a magnitude is known.
+        let magnitude = matches!(view, ChartView::Magnitude | ChartView::MagnitudePhase);
+        let known = match (one.curve.phase_known, magnitude) {
+            (true, _) => values.len(),
+            (false, true) => 1,
+            (false, false) => 0,
+        };
+        for i in &places {
+            let mut parts = part(view, one.value(display, response, *i), energy);
+            parts[known..].fill(f64::NAN);
+            for (all, one) in values.iter_mut().zip(parts) {
+                all.push(one);
+            }
+        }
+        SceneCurve {
+            label: one.name.clone(),
+            kind: CurveKind::Measured,
+            colour: self.app.curves.visible.len() + index,
+            marker: None,
+            line: LineStyle::Points { apart: 1 },
+            dim: false,
+            frequencies: places
+                .into_iter()
+                .map(|i| one.curve.frequencies[i])
+                .collect(),
+            values: self.unwrapped(values),
+            poles: Vec::new(),
+            at_cursor: None,
+        }
+    }
+}

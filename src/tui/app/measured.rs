@@ -218,7 +218,13 @@ impl App {
         }
         for curve in curves.into_iter().take(room) {
             let curve = self.named_alike(curve);
-            let name = self.beside.free_name(&curve.name);
+            // Beside a response of the same name it has to have another one.
+            let responses = &self.model().responses;
+            let name = if responses.iter().any(|one| one.name == curve.name) {
+                self.beside.free_name(&format!("{} measured", curve.name))
+            } else {
+                self.beside.free_name(&curve.name)
+            };
             let id = self.next_serial();
             self.beside.measured.push(Measured {
                 id,

@@ -46,4 +46,5 @@ mod rehearsal;
 pub mod solve;
 mod table;
 pub mod tui;
+pub mod tune;
 pub mod worker;

@@ -278,23 +278,31 @@ fn studies() -> impl Strategy<Value = Vec<Study>> {
 }
 
 fn tune(response: Option<String>) -> impl Strategy<Value = Option<Tune>> {
-    let figure = prop::sample::select(vec![Figure::Peak, Figure::MeanSquare]);
-    (any::<bool>(), positive(), figure).prop_map(move |(wanted, size, minimise)| {
+    (any::<bool>(), positive(), any::<bool>()).prop_map(move |(wanted, size, peak)| {
         let response = response.clone().filter(|_| wanted)?;
         let variable = Variable {
-            path: "beam.material.density".to_owned(),
+            paths: vec!["beam.material.density".to_owned()],
+            hold: Hold::Equal,
             min: size,
             max: size * 2.0,
+            scale: None,
+            tolerance: 0.0,
         };
         let objective = Objective {
-            minimise,
-            response,
+            aim: if peak {
+                Aim::Peak { response }
+            } else {
+                Aim::MeanSquare { response }
+            },
             from: size,
             to: size * 3.0,
+            weight: 1.0,
         };
         Some(Tune {
             variables: vec![variable],
-            objective,
+            objectives: vec![objective],
+            combine: Combine::Sum,
+            limits: Vec::new(),
         })
     })
 }
@@ -726,8 +734,10 @@ fn studies_change() {
         cases[1].set.reverse();
         cases.push(Case { name: "new".to_owned(), set: Vec::new() });
         model.tune = Some(Tune {
-            variables: vec![Variable { path: "beam.length".to_owned(), min: 3.0, max: 4.0 }],
-            objective: Objective { minimise: Figure::Peak, response: "E_V".to_owned(), from: 2.0, to: 3.0 },
+            variables: vec![Variable { paths: vec!["beam.length".to_owned()], hold: Hold::Equal, min: 3.0, max: 4.0, scale: None, tolerance: 0.0 }],
+            objectives: vec![Objective { aim: Aim::Peak { response: "E_V".to_owned() }, from: 2.0, to: 3.0, weight: 1.0 }],
+            combine: Combine::Sum,
+            limits: Vec::new(),
         });
     }), @r#"
  vary = [

@@ -3,6 +3,8 @@
 //! A number left out of a file has its default here (no stiffness, no damping, amplitude 1), so every value of
 //! these types is a complete model. Whether it is also a *possible* one is said by [`check`](super::check()).
 
+use super::tuning::Tune;
+
 /// A beam with its supports, subsystems, loads and what is asked of it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Model {
@@ -461,56 +463,4 @@ pub struct Case {
     pub name: String,
     /// Paths and the numbers they are set to.
     pub set: Vec<(String, f64)>,
-}
-
-/// What an optimiser may move, and what for.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Tune {
-    /// What may move.
-    pub variables: Vec<Variable>,
-    /// What is sought.
-    pub objective: Objective,
-}
-
-/// A parameter that an optimiser may move.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Variable {
-    /// Parameter path.
-    pub path: String,
-    /// Lower bound, in the parameter's unit.
-    pub min: f64,
-    /// Upper bound.
-    pub max: f64,
-}
-
-/// What an optimiser seeks to make small.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Objective {
-    /// Which figure of the curve.
-    pub minimise: Figure,
-    /// The response's name.
-    pub response: String,
-    /// Band start, Hz.
-    pub from: f64,
-    /// Band end, Hz.
-    pub to: f64,
-}
-
-/// A figure of a curve in a band.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Figure {
-    /// The largest magnitude.
-    Peak,
-    /// The mean of the squared magnitude.
-    MeanSquare,
-}
-
-impl Figure {
-    /// The word of the model file.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Peak => "peak",
-            Self::MeanSquare => "mean_square",
-        }
-    }
 }

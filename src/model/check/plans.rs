@@ -4,7 +4,8 @@ use super::super::fault::Fault;
 use super::super::names;
 use super::super::path;
 use super::super::serial::format_number;
-use super::super::types::{Case, Family, Model, Supports, Tune, Variable};
+use super::super::tuning::{Tune, Variable};
+use super::super::types::{Case, Family, Model, Supports};
 use super::{band, element_keys, element_names, not_finite, state};
 use std::collections::HashSet;
 
@@ -115,24 +116,22 @@ impl Plans {
         for (index, variable) in tune.variables.iter().enumerate() {
             self.variable(&format!("tune.variables.{}", index + 1), variable, faults);
         }
-        let objective = &tune.objective;
+        let objective = &tune.objectives[0];
+        let name = objective.aim.response().unwrap_or_default();
         let responses = || self.bare.responses.iter();
-        let message = match responses().find(|response| response.name == objective.response) {
+        let message = match responses().find(|response| response.name == name) {
             Some(response) if response.enabled => None,
             Some(_) => Some(format!(
                 "{:?} is disabled; must be an enabled response",
-                objective.response
+                name
             )),
             None => {
-                let near = names::nearest(
-                    &objective.response,
-                    responses().map(|response| response.name.as_str()),
-                );
+                let near = names::nearest(name, responses().map(|response| response.name.as_str()));
                 let near =
                     near.map_or_else(String::new, |near| format!(" (did you mean {near:?}?)"));
                 Some(format!(
                     "{:?} is no response{near}; must be the name of one",
-                    objective.response
+                    name
                 ))
             }
         };
@@ -155,7 +154,7 @@ impl Plans {
 
     fn variable(&self, at: &str, variable: &Variable, faults: &mut Vec<Fault>) {
         let before = faults.len();
-        self.pattern(&format!("{at}.path"), &variable.path, faults);
+        self.pattern(&format!("{at}.path"), &variable.paths[0], faults);
         for (key, value) in [("min", variable.min), ("max", variable.max)] {
             if !value.is_finite() {
                 faults.push(Fault::new(format!("{at}.{key}"), not_finite(value)));
@@ -176,7 +175,9 @@ impl Plans {
         }
         for (key, value) in [("min", variable.min), ("max", variable.max)] {
             let mut bare = self.bare.clone();
-            if path::set_unchecked(&mut bare, &variable.path, path::Value::Number(value)).is_err() {
+            if path::set_unchecked(&mut bare, &variable.paths[0], path::Value::Number(value))
+                .is_err()
+            {
                 continue;
             }
             let mut found = Vec::new();

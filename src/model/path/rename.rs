@@ -1,6 +1,7 @@
 //! New names for elements that others speak of.
 
 use super::pattern::{Part, join, split};
+use crate::model::tuning::Limit;
 use crate::model::types::{Family, Model, Quantity, Target};
 
 /// Renames a subsystem, wherever the model speaks of it.
@@ -28,10 +29,16 @@ pub(super) fn subsystem(model: &mut Model, index: usize, new: &str) {
 /// Renames a response, wherever the model speaks of it.
 pub(super) fn response(model: &mut Model, index: usize, new: &str) {
     let old = std::mem::replace(&mut model.responses[index].name, new.to_owned());
-    if let Some(tune) = &mut model.tune
-        && tune.objective.response == old
-    {
-        new.clone_into(&mut tune.objective.response);
+    if let Some(tune) = &mut model.tune {
+        let objectives = tune.objectives.iter_mut();
+        let responses = objectives.filter_map(|objective| objective.aim.response_mut());
+        let limits = tune.limits.iter_mut().filter_map(|limit| match limit {
+            Limit::StaticDeflection { response, .. } => Some(response),
+            Limit::AddedMass { .. } | Limit::NoMode { .. } => None,
+        });
+        for response in responses.chain(limits).filter(|name| **name == old) {
+            new.clone_into(response);
+        }
     }
     paths(model, "responses", &old, new);
 }
@@ -53,7 +60,9 @@ fn paths(model: &mut Model, list: &str, old: &str, new: &str) {
         }
     }
     for variable in model.tune.iter_mut().flat_map(|tune| &mut tune.variables) {
-        rewrite(&mut variable.path, list, old, new);
+        for path in &mut variable.paths {
+            rewrite(path, list, old, new);
+        }
     }
 }
 
@@ -124,7 +133,10 @@ mod tests {
     fn a_response_takes_the_objective_along() {
         let mut model = sample::model(&["S1"]);
         set(&mut model, "responses.P5 w.name", text("tip")).unwrap();
-        assert_eq!(model.tune.as_ref().unwrap().objective.response, "tip");
+        assert_eq!(
+            model.tune.as_ref().unwrap().objectives[0].aim.response(),
+            Some("tip")
+        );
     }
 
     #[test]

@@ -1,9 +1,9 @@
 //! Models for the tests of this module.
 
 use crate::model::types::{
-    Beam, BeamMotion, Case, Elastic, Family, Figure, Force, MassMotion, Material, Measure, Model,
-    Objective, Operation, Place, Quantity, Response, Restraint, Section, Spacing, Spring, Study,
-    Subsystem, Support, Supports, Sweep, Target, Tune, Variable,
+    Aim, Beam, BeamMotion, Case, Combine, Elastic, Family, Force, Hold, MassMotion, Material,
+    Measure, Model, Objective, Operation, Place, Quantity, Response, Restraint, Section, Spacing,
+    Spring, Study, Subsystem, Support, Supports, Sweep, Target, Tune, Variable,
 };
 
 /// The beam of the paper with as many subsystems as there are names, and a little of everything else.
@@ -48,16 +48,23 @@ pub(super) fn model(names: &[&str]) -> Model {
         ],
         tune: Some(Tune {
             variables: vec![Variable {
-                path: "subsystems.*.mass".to_owned(),
+                paths: vec!["subsystems.*.mass".to_owned()],
+                hold: Hold::Equal,
                 min: 1.0,
                 max: 1000.0,
+                scale: None,
+                tolerance: 0.0,
             }],
-            objective: Objective {
-                minimise: Figure::Peak,
-                response: "P5 w".to_owned(),
+            objectives: vec![Objective {
+                aim: Aim::Peak {
+                    response: "P5 w".to_owned(),
+                },
                 from: 20.0,
                 to: 120.0,
-            },
+                weight: 1.0,
+            }],
+            combine: Combine::Sum,
+            limits: Vec::new(),
         }),
     }
 }

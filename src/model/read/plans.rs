@@ -3,7 +3,8 @@
 use super::super::field::Range;
 use super::super::names;
 
-use super::super::types::{Case, Family, Figure, Objective, Operation, Study, Tune, Variable};
+use super::super::tuning::{Aim, Combine, Hold, Objective, Tune, Variable};
+use super::super::types::{Case, Family, Operation, Study};
 use super::parts::named;
 use super::reader::Reader;
 use super::table::Table;
@@ -175,12 +176,15 @@ pub(super) fn tune(root: &mut Table<'_>, reader: &mut Reader) -> Option<Tune> {
     {
         for (path, node) in elements("variables", "tables", &mut table, reader) {
             let mut variable = Variable {
-                path: String::new(),
+                paths: Vec::new(),
+                hold: Hold::Equal,
                 min: f64::NAN,
                 max: f64::NAN,
+                scale: None,
+                tolerance: 0.0,
             };
             if let Some(mut table) = Table::open(path, node, reader) {
-                variable.path = table.text("path", None, reader).unwrap_or_default();
+                variable.paths = vec![table.text("path", None, reader).unwrap_or_default()];
                 variable.min = table.number("min", Range::Any, None, reader);
                 variable.max = table.number("max", Range::Any, None, reader);
                 table.finish(reader);
@@ -189,10 +193,10 @@ pub(super) fn tune(root: &mut Table<'_>, reader: &mut Reader) -> Option<Tune> {
         }
     }
     let blank = Objective {
-        minimise: Figure::Peak,
-        response: String::new(),
+        aim: Aim::Energy,
         from: f64::NAN,
         to: f64::NAN,
+        weight: 1.0,
     };
     let objective = table
         .need_table("objective", reader)
@@ -200,16 +204,22 @@ pub(super) fn tune(root: &mut Table<'_>, reader: &mut Reader) -> Option<Tune> {
     table.finish(reader);
     Some(Tune {
         variables,
-        objective,
+        objectives: vec![objective],
+        combine: Combine::Sum,
+        limits: Vec::new(),
     })
 }
 
 fn objective(mut table: Table<'_>, reader: &mut Reader) -> Objective {
-    let figures = [Figure::Peak, Figure::MeanSquare];
-    let figure = table.word("minimise", &figures.map(Figure::key), None, reader);
+    let figure = table.word("minimise", &["peak", "mean_square"], None, reader);
+    let response = table.text("response", None, reader).unwrap_or_default();
     let objective = Objective {
-        minimise: figure.map_or(Figure::Peak, |index| figures[index]),
-        response: table.text("response", None, reader).unwrap_or_default(),
+        aim: if figure == Some(1) {
+            Aim::MeanSquare { response }
+        } else {
+            Aim::Peak { response }
+        },
+        weight: 1.0,
         from: table.number("from", Range::Positive, None, reader),
         to: table.number("to", Range::Positive, None, reader),
     };

@@ -2,9 +2,10 @@
 
 use super::super::field::elastic_fields;
 use super::super::field::{BEAM, FORCE, Field, MATERIAL, SECTION, SUBSYSTEM, SWEEP};
+use super::super::tuning::{Aim, Tune, Variable};
 use super::super::types::{
     BeamMotion, Case, Family, Force, Measure, Model, Place, Quantity, Response, Restraint, Spacing,
-    Study, Subsystem, Support, Supports, Target, Tune, Variable,
+    Study, Subsystem, Support, Supports, Target,
 };
 use super::node::{Entry, Node, Presence};
 use std::borrow::Cow;
@@ -293,12 +294,16 @@ fn case(case: &Case) -> Node {
 fn tune(tune: &Tune) -> Vec<Entry> {
     let variable = |variable: &Variable| {
         Node::Inline(vec![
-            text("path", &variable.path),
+            text("path", &variable.paths[0]),
             entry("min", Node::Number(variable.min)),
             entry("max", Node::Number(variable.max)),
         ])
     };
-    let objective = &tune.objective;
+    let objective = &tune.objectives[0];
+    let word = match objective.aim {
+        Aim::Peak { .. } => "peak",
+        _ => "mean_square",
+    };
     vec![
         entry(
             "variables",
@@ -307,8 +312,8 @@ fn tune(tune: &Tune) -> Vec<Entry> {
         entry(
             "objective",
             Node::Inline(vec![
-                text("minimise", objective.minimise.key()),
-                text("response", &objective.response),
+                text("minimise", word),
+                text("response", objective.aim.response().unwrap_or_default()),
                 entry("from", Node::Number(objective.from)),
                 entry("to", Node::Number(objective.to)),
             ]),

@@ -182,10 +182,11 @@ fn user_of(model: &Model, node: Node) -> Option<String> {
         Node::Force(i) => path_user(model, &ways_to(None, i, model.forces.len()), "forces"),
         Node::Response(i) => {
             let name = &model.responses[i].name;
-            let tuned = model
-                .tune
-                .as_ref()
-                .is_some_and(|tune| tune.objective.response == *name);
+            let tuned = model.tune.as_ref().is_some_and(|tune| {
+                tune.objectives
+                    .iter()
+                    .any(|one| one.aim.response() == Some(name))
+            });
             tuned.then(|| "the objective of [tune]".to_owned())
         }
         _ => None,
@@ -220,10 +221,12 @@ fn path_user(model: &Model, names: &[String], list: &str) -> Option<String> {
             .flat_map(|case| &case.set)
             .any(|(path, _)| into(path)),
     });
-    let tuned = model
-        .tune
-        .as_ref()
-        .is_some_and(|tune| tune.variables.iter().any(|variable| into(&variable.path)));
+    let tuned = model.tune.as_ref().is_some_and(|tune| {
+        tune.variables
+            .iter()
+            .flat_map(|variable| &variable.paths)
+            .any(|path| into(path))
+    });
     study
         .map(|study| format!("study {}", study.name))
         .or_else(|| tuned.then(|| "a variable of [tune]".to_owned()))

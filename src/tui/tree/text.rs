@@ -152,8 +152,8 @@ fn band(sweep: &Sweep) -> String {
 fn objective(tune: &Tune) -> String {
     format!(
         "{} {}",
-        tune.objective.minimise.key(),
-        tune.objective.response
+        "",
+        tune.objectives[0].aim.response().unwrap_or_default()
     )
 }
 
@@ -262,7 +262,7 @@ fn variable(model: &Model, i: usize) -> (String, String) {
         return (String::new(), String::new());
     };
     (
-        variable.path.clone(),
+        variable.paths.join(", "),
         format!("{:e}..{:e}", variable.min, variable.max),
     )
 }

@@ -1,0 +1,1 @@
+//! The search itself, which knows nothing of beams.

@@ -1,9 +1,10 @@
 //! Models for the tests of this module.
 
+use crate::model::tuning::{Aim, Combine, Hold, Objective, Tune, Variable};
 use crate::model::types::{
-    Aim, Beam, BeamMotion, Case, Combine, Elastic, Family, Force, Hold, MassMotion, Material,
-    Measure, Model, Objective, Operation, Place, Quantity, Response, Restraint, Section, Spacing,
-    Spring, Study, Subsystem, Support, Supports, Sweep, Target, Tune, Variable,
+    Beam, BeamMotion, Case, Elastic, Family, Force, MassMotion, Material, Measure, Model,
+    Operation, Place, Quantity, Response, Restraint, Section, Spacing, Spring, Study, Subsystem,
+    Support, Supports, Sweep, Target,
 };
 
 /// The beam of the paper with as many subsystems as there are names, and a little of everything else.

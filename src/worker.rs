@@ -11,6 +11,8 @@ mod levels;
 mod members;
 mod resolve;
 mod sample;
+mod sensitivity;
+mod tuning;
 mod witness;
 
 use std::sync::Arc;
@@ -18,6 +20,8 @@ use std::time::Duration;
 
 use lane::{Lane, guarded};
 use resolve::{Resolver, Unresolved};
+pub use sensitivity::{SensitivityAnswer, SensitivityRequest};
+pub use tuning::{Pause, SpreadAnswer, SpreadRequest, TuneAnswer, TuneRequest, TuneStage};
 
 use crate::model::Model;
 use crate::solve::Frf;
@@ -49,6 +53,14 @@ pub enum Request {
     Levels(LevelsRequest),
     /// What the beam does at one frequency.
     Operating(OperatingRequest),
+    /// Which parameter matters.
+    Sensitivity(SensitivityRequest),
+    /// Better parameters.
+    Tune(TuneRequest),
+    /// The end of the search for them.
+    EndTuning,
+    /// What tolerances make of the curves.
+    Spread(SpreadRequest),
 }
 
 /// Which models' levels are told in which band.
@@ -138,6 +150,12 @@ pub enum Answer {
     Levels(LevelsAnswer),
     /// What the beam does at one frequency.
     Operating(OperatingAnswer),
+    /// Which parameter matters.
+    Sensitivity(SensitivityAnswer),
+    /// How far the search for better parameters is.
+    Tune(TuneAnswer),
+    /// What tolerances make of the curves.
+    Spread(SpreadAnswer),
 }
 
 /// The levels of several models in a band, or why there are none.
@@ -302,6 +320,9 @@ pub struct Worker {
     references: Lane<Subject>,
     levels: Lane<LevelsRequest>,
     operating: Lane<OperatingRequest>,
+    sensitivities: Lane<SensitivityRequest>,
+    tuning: Lane<TuneRequest>,
+    spreads: Lane<SpreadRequest>,
 }
 
 impl Worker {
@@ -354,6 +375,22 @@ impl Worker {
                 tell(Answer::Levels(answer));
             }
         });
+        let tell = notify.clone();
+        let sensitivities = Lane::start(move |request, cancel| {
+            if let Some(answer) = sensitivity::answer(&request, cancel) {
+                tell(Answer::Sensitivity(answer));
+            }
+        });
+        let tell = notify.clone();
+        let tuning = Lane::start(move |request, cancel| {
+            tuning::search(&request, cancel, &|answer| tell(Answer::Tune(answer)));
+        });
+        let tell = notify.clone();
+        let spreads = Lane::start(move |request, cancel| {
+            if let Some(answer) = tuning::spread(&request, cancel) {
+                tell(Answer::Spread(answer));
+            }
+        });
         let operating = Lane::start(move |request, _| {
             if let Some(answer) = operating_of(&request) {
                 notify(Answer::Operating(answer));
@@ -370,6 +407,9 @@ impl Worker {
             references,
             levels,
             operating,
+            sensitivities,
+            tuning,
+            spreads,
         }
     }
 
@@ -386,6 +426,10 @@ impl Worker {
             Request::Witness(subject) => self.witness.give(subject),
             Request::Levels(request) => self.levels.give(request),
             Request::Operating(request) => self.operating.give(request),
+            Request::Sensitivity(request) => self.sensitivities.give(request),
+            Request::Tune(request) => self.tuning.give(request),
+            Request::EndTuning => self.tuning.cancel(),
+            Request::Spread(request) => self.spreads.give(request),
             Request::Reference(subject) => self.references.give(subject),
             Request::Sample(request) => match request.sampling {
                 Sampling::Detail => self.details.give(request),

@@ -2,6 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::format_push_string)]
 
+#[path = "round_trip/tuning.rs"]
+mod tuning;
+
 use beamtune::model::*;
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -277,36 +280,6 @@ fn studies() -> impl Strategy<Value = Vec<Study>> {
     })
 }
 
-fn tune(response: Option<String>) -> impl Strategy<Value = Option<Tune>> {
-    (any::<bool>(), positive(), any::<bool>()).prop_map(move |(wanted, size, peak)| {
-        let response = response.clone().filter(|_| wanted)?;
-        let variable = Variable {
-            paths: vec!["beam.material.density".to_owned()],
-            hold: Hold::Equal,
-            min: size,
-            max: size * 2.0,
-            scale: None,
-            tolerance: 0.0,
-        };
-        let objective = Objective {
-            aim: if peak {
-                Aim::Peak { response }
-            } else {
-                Aim::MeanSquare { response }
-            },
-            from: size,
-            to: size * 3.0,
-            weight: 1.0,
-        };
-        Some(Tune {
-            variables: vec![variable],
-            objectives: vec![objective],
-            combine: Combine::Sum,
-            limits: Vec::new(),
-        })
-    })
-}
-
 /// Any possible model.
 fn model() -> impl Strategy<Value = Model> {
     let start = (
@@ -342,8 +315,7 @@ fn model() -> impl Strategy<Value = Model> {
             parts.prop_flat_map(move |(forces, responses, studies)| {
                 let subsystems = subsystems.clone();
                 let (title, notes) = (title.clone(), notes.clone());
-                let response = responses.iter().find(|response| response.enabled);
-                tune(response.map(|response| response.name.clone())).prop_map(move |tune| Model {
+                tuning::tune(&responses).prop_map(move |tune| Model {
                     title: title.clone(),
                     notes: notes.clone(),
                     beam,

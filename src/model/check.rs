@@ -2,6 +2,7 @@
 
 mod plans;
 mod target;
+mod tuning;
 
 use super::fault::Fault;
 use super::field::{BEAM, Field, MATERIAL, SECTION, SUBSYSTEM, SWEEP, elastic_fields};

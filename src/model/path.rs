@@ -14,7 +14,7 @@ mod miss;
 mod pattern;
 mod rename;
 #[cfg(test)]
-mod sample;
+pub(super) mod sample;
 mod target;
 mod value;
 

@@ -6,6 +6,7 @@ mod place;
 mod plans;
 pub(crate) mod reader;
 pub(crate) mod table;
+mod tuning;
 pub(crate) mod value;
 
 use super::check::check;

@@ -388,6 +388,9 @@ pub enum Spacing {
 }
 
 impl Spacing {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Linear, Self::Log];
+
     /// The word of the model file.
     pub const fn key(self) -> &'static str {
         match self {

@@ -7,6 +7,7 @@ mod merge;
 mod node;
 mod position;
 mod tree;
+mod tuning;
 
 use super::types::Model;
 use merge::{merge_root, same_table};

@@ -55,6 +55,22 @@ pub fn levels(
     Some(levels.map(level).collect())
 }
 
+/// The frequencies (Hz) and weights by which the mean square of a model's responses comes out, no rule where an undamped
+/// resonance lies in the band. `None` where `cancel` became true before the end.
+pub(super) fn rule(
+    model: &Model,
+    modes: &Modes,
+    band: [f64; 2],
+    cancel: &AtomicBool,
+) -> Option<Option<Vec<[f64; 2]>>> {
+    let poles = poles(model, modes, band, cancel)?;
+    if poles.iter().any(Option::is_some) {
+        return Some(None);
+    }
+    let integral = quadrature::integrate(model, &places::cuts(modes, band), &poles, cancel)?;
+    Some(Some(integral.rule))
+}
+
 /// The first undamped resonance in the band that each response shows, Hz.
 ///
 /// Near it a response grows like 1 / distance; one that does not move in that mode stays as it is.

@@ -179,7 +179,7 @@ fn form(waves: &Waves, weights: &Weights, length: f64, decay: &Amplitudes) -> Fo
 }
 
 /// (1 - exp(-z)) / z, also near z = 0.
-fn mean_decay(z: Complex64) -> Complex64 {
+pub(super) fn mean_decay(z: Complex64) -> Complex64 {
     const SERIES_BELOW: f64 = 0.5;
     if z.norm() > SERIES_BELOW {
         return (1.0 - (-z).exp()) / z;

@@ -25,12 +25,15 @@ pub mod fem;
 pub mod form;
 mod layout;
 mod linear;
+mod local;
 pub mod modes;
 pub mod operating;
 pub mod peaks;
 mod plan;
 mod recursion;
 mod reflection;
+pub mod sensitivity;
+mod springs;
 mod sweep;
 mod waves;
 

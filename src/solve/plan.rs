@@ -81,6 +81,22 @@ impl Plan {
         self.spans[self.stations.len()]
     }
 
+    /// The same on a beam of a length, m, with more places to look at, m from the left end.
+    pub(super) fn with_probes(&self, places: impl Iterator<Item = f64>, length: f64) -> Self {
+        let probe = |position| Station {
+            position,
+            event: Event::Probe,
+        };
+        let mut plan = self.clone();
+        plan.stations.extend(places.map(probe));
+        plan.stations
+            .sort_by(|a, b| a.position.total_cmp(&b.position));
+        (plan.lengths, plan.spans) = spans(&plan.stations, length);
+        // They go by the stations' old numbers.
+        plan.outputs = Vec::new();
+        plan
+    }
+
     /// Lays out a checked model.
     pub(super) fn new(model: &Model) -> Self {
         let mut layout = Layout::new(model);

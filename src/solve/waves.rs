@@ -112,6 +112,11 @@ impl Waves {
         waves
     }
 
+    /// True where `Gamma_0` = 0: the warping wave decays over no length.
+    pub(super) fn without_warping(&self) -> bool {
+        self.kappa[WARPING_WAVE].re.is_infinite()
+    }
+
     fn set_coupled(
         &mut self,
         beam: &BeamConstants,

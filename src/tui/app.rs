@@ -34,9 +34,11 @@ mod request;
 mod screen;
 mod search;
 mod selection;
+mod sensitivity;
 mod shape;
 mod structure;
 mod tables;
+mod tuning;
 mod witness;
 mod zoom;
 
@@ -61,8 +63,10 @@ pub use reading::{Read, Reading, Value, nearest};
 pub use screen::{Levels, Plot, Rows, Screen};
 pub use search::Search;
 pub use selection::Selection;
+pub use sensitivity::{Effects, Sensed, Sensitivities};
 pub use shape::Shape;
 pub use tables::{Anchor, Table, Tables};
+pub use tuning::{Progress, Run, Tolerances, Tuning};
 pub use witness::{Witness, WitnessCurves, WitnessPicture};
 
 pub use crate::worker::Stage;
@@ -107,6 +111,10 @@ pub struct App {
     pub beside: Beside,
     /// The marked band.
     pub band: Band,
+    /// Which parameter matters.
+    pub sensitivities: Sensitivities,
+    /// The search for better parameters.
+    pub tuning: Tuning,
     /// What is looked at below the chart.
     pub looking: Looking,
     /// The modes and the shape of one.
@@ -170,6 +178,8 @@ impl App {
             reading: Reading::default(),
             beside: Beside::default(),
             band: Band::default(),
+            sensitivities: Sensitivities::default(),
+            tuning: Tuning::default(),
             looking: Looking::default(),
             modal: Modal::default(),
             tables: Tables::default(),
@@ -199,6 +209,7 @@ impl App {
 
     /// What is to be done when the designer starts.
     pub fn start(&mut self) -> Vec<Effect> {
+        self.refresh_moving();
         let mut effects = self.keep();
         effects.extend(self.request());
         effects
@@ -249,6 +260,7 @@ impl App {
         };
         self.refresh_fits();
         self.refresh_display();
+        self.refresh_moving();
         // Another curve may be the first one now.
         self.tables.peaks.set_rows(self.peaks().len());
         effects.extend(self.keep());

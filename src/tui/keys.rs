@@ -13,6 +13,7 @@ mod modes;
 mod program;
 mod reading;
 mod table;
+mod tuning;
 
 pub use command::Command;
 pub use key::Key;

@@ -6,12 +6,16 @@
 mod node;
 mod parameter;
 mod text;
+mod tuning;
 
 pub use node::{End, Node};
 pub use parameter::{differs, enabled_path, name_path, parameter_path};
 pub use text::{grouped, label, of_parameter, subject, value, without_unit_of};
+pub use tuning::{limit_in_words, objective_in_words, variable_in_words};
 
-use crate::model::{BeamMotion, Model, Quantity, Response, Restraint, field};
+use std::collections::HashMap;
+
+use crate::model::{BeamMotion, Model, Quantity, Response, Restraint, Tune, field};
 
 /// A row on the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,6 +35,13 @@ pub fn rows(model: &Model, open: impl Fn(Node) -> bool) -> Vec<Row> {
         push(model, &open, node, 0, &mut rows);
     }
     rows
+}
+
+/// The row of every parameter by its path.
+pub fn nodes_by_path(model: &Model) -> HashMap<String, Node> {
+    let rows = all_rows(model).into_iter();
+    rows.filter_map(|row| Some((parameter_path(model, row.node)?, row.node)))
+        .collect()
 }
 
 /// All rows of the model, as if every group were open.
@@ -135,8 +146,13 @@ pub fn children(model: &Model, node: Node) -> Vec<Node> {
             .map(|row| Node::StudyLine(i, row))
             .collect(),
         Node::Tune => {
-            let count = model.tune.as_ref().map_or(0, |tune| tune.variables.len());
-            with(numbered(count, &Node::TuneVariable), &[Node::TuneObjective])
+            let count = |of: fn(&Tune) -> usize| tuning::count(model, of);
+            [
+                numbered(count(|tune| tune.variables.len()), &Node::TuneVariable),
+                numbered(count(|tune| tune.objectives.len()), &Node::TuneObjective),
+                numbered(count(|tune| tune.limits.len()), &Node::TuneLimit),
+            ]
+            .concat()
         }
         _ => Vec::new(),
     }
@@ -173,7 +189,7 @@ pub fn parent(node: Node) -> Option<Node> {
         Node::SweepNumber(_) | Node::SweepPoints | Node::SweepSpacing => Node::Sweep,
         Node::Study(_) => Node::Studies,
         Node::StudyLine(i, _) => Node::Study(i),
-        Node::TuneVariable(_) | Node::TuneObjective => Node::Tune,
+        Node::TuneVariable(_) | Node::TuneObjective(_) | Node::TuneLimit(_) => Node::Tune,
         Node::Title
         | Node::Beam
         | Node::Supports

@@ -19,6 +19,7 @@ mod questions;
 mod readings;
 mod readout;
 mod section;
+mod sensitivity;
 mod shape;
 mod status;
 mod structure;
@@ -26,6 +27,7 @@ mod summary;
 mod table;
 mod text;
 mod tree;
+mod tuning;
 
 use ratatui::backend::TestBackend;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -166,11 +168,14 @@ pub fn draw(frame: &mut Frame<'_>, app: &mut App) {
 fn draw_panels(frame: &mut Frame<'_>, app: &mut App, theme: Theme) {
     app.tables.readings.set_rows(readings::rows(app).len());
     app.tables.band.set_rows(band::rows(app).len());
+    app.tables.tuning.set_rows(tuning::rows(app).len());
     let list = app.tables.open.map(|table| match table {
         Table::Modes => app.tables.modes,
         Table::Peaks => app.tables.peaks,
         Table::Readings => app.tables.readings,
         Table::Band => app.tables.band,
+        Table::Sensitivities => app.tables.sensitivities,
+        Table::Tuning => app.tables.tuning,
     });
     let wanted = Beside {
         table: list.map(|list| (list.rows.max(1) as u16).saturating_add(table::FRAME_ROWS)),
@@ -210,6 +215,8 @@ fn draw_panels(frame: &mut Frame<'_>, app: &mut App, theme: Theme) {
         Table::Peaks => peaks::draw(frame, app, theme, panels.table),
         Table::Readings => readings::draw(frame, app, theme, panels.table),
         Table::Band => band::draw(frame, app, theme, panels.table),
+        Table::Sensitivities => sensitivity::draw(frame, app, theme, panels.table),
+        Table::Tuning => tuning::draw(frame, app, theme, panels.table),
     });
     status::draw_hints(frame, app, theme, panels.hints);
     boxes::draw(frame, app, theme, &panels);

@@ -1,3 +1,26 @@
 //! Parameters sought for what a curve should be: what `[tune]` of a model file asks for, and the search for it.
+//!
+//! [`Problem`] makes of a model and its `[tune]` points of a unit box (`coordinates`), figures of its responses
+//! (`figures`, each with exact derivatives) and `limits`; `terrain` makes of these the one number that [`search`] makes
+//! small, over the worst case of the tolerances where there are some (`robust`). [`run()`] is the entrance, `report` what
+//! it says. [`spread()`] tells what tolerances make of the curves.
+//!
+//! Nothing here knows a clock or a terminal. The same seed gives the same result on any number of threads.
 
+mod coordinates;
+mod figures;
+mod limits;
+mod problem;
+mod report;
+mod robust;
+mod run;
 pub mod search;
+mod spread;
+mod terrain;
+mod trial;
+
+pub use problem::Problem;
+pub use report::{Achieved, Kept, Moved, WorstCase};
+pub use run::{Options, Status, Tuned, default_budget, run};
+pub use search::{Phase, Place, Stop};
+pub use spread::{Spread, spread};

@@ -11,7 +11,7 @@ use beamtune::tui::event::Event;
 use beamtune::tui::keys::Key;
 use beamtune::tui::theme::Theme;
 use beamtune::tui::{Opened, Source, tree, view};
-use beamtune::worker::{Answer, CurvesAnswer, Request, Stage, Subject, Worker};
+use beamtune::worker::{Answer, CurvesAnswer, Request, Stage, Subject, TuneStage, Worker};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
@@ -186,6 +186,9 @@ impl Driver {
 
 /// What the worker answers to a request at last, and the curves of the whole sweep before that.
 fn solved(request: Request) -> Vec<Answer> {
+    if matches!(request, Request::EndTuning) {
+        return Vec::new();
+    }
     let (sender, receiver) = channel();
     // Nobody listens to what comes after the last answer.
     let worker = Worker::start(move |answer| drop(sender.send(answer)));
@@ -196,6 +199,10 @@ fn solved(request: Request) -> Vec<Answer> {
             Answer::Curves(curves) => {
                 curves.elapsed = Duration::from_millis(4);
                 curves.stage == Stage::Resolved || curves.result.is_err()
+            }
+            Answer::Tune(tune) => {
+                tune.elapsed = Duration::from_secs(2);
+                matches!(tune.stage, TuneStage::Over(_))
             }
             _ => true,
         };

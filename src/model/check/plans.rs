@@ -1,12 +1,10 @@
-//! The rules of the studies and the tuning: their paths, values and members.
+//! The rules of the studies: their paths, values and members.
 
 use super::super::fault::Fault;
 use super::super::names;
 use super::super::path;
-use super::super::serial::format_number;
-use super::super::tuning::{Tune, Variable};
 use super::super::types::{Case, Family, Model, Supports};
-use super::{band, element_keys, element_names, not_finite, state};
+use super::{element_keys, element_names, not_finite, state, tuning};
 use std::collections::HashSet;
 
 /// The most curves of a study.
@@ -41,16 +39,16 @@ pub(super) fn check(model: &Model, faults: &mut Vec<Fault>) {
         plans.family(&format!("studies.{key}"), &study.family, faults);
     }
     if let Some(tune) = &model.tune {
-        plans.tune(tune, faults);
+        tuning::check(model, &plans, tune, faults);
     }
 }
 
 /// What studies and tuning are judged by.
-struct Plans {
+pub(super) struct Plans {
     /// The model without studies and tuning, its ends free.
-    bare: Model,
+    pub(super) bare: Model,
     /// Paths at which that model is faulty by itself.
-    known: HashSet<String>,
+    pub(super) known: HashSet<String>,
 }
 
 impl Plans {
@@ -110,94 +108,10 @@ impl Plans {
             faults.push(Fault::new(at, format!("{}: {}", fault.path, fault.message)));
         }
     }
-
-    fn tune(&self, tune: &Tune, faults: &mut Vec<Fault>) {
-        not_empty("tune.variables", tune.variables.len(), "variable", faults);
-        for (index, variable) in tune.variables.iter().enumerate() {
-            self.variable(&format!("tune.variables.{}", index + 1), variable, faults);
-        }
-        let objective = &tune.objectives[0];
-        let name = objective.aim.response().unwrap_or_default();
-        let responses = || self.bare.responses.iter();
-        let message = match responses().find(|response| response.name == name) {
-            Some(response) if response.enabled => None,
-            Some(_) => Some(format!(
-                "{:?} is disabled; must be an enabled response",
-                name
-            )),
-            None => {
-                let near = names::nearest(name, responses().map(|response| response.name.as_str()));
-                let near =
-                    near.map_or_else(String::new, |near| format!(" (did you mean {near:?}?)"));
-                Some(format!(
-                    "{:?} is no response{near}; must be the name of one",
-                    name
-                ))
-            }
-        };
-        faults.extend(message.map(|message| Fault::new("tune.objective.response", message)));
-        for (key, value) in [("from", objective.from), ("to", objective.to)] {
-            if !value.is_finite() {
-                faults.push(Fault::new(
-                    format!("tune.objective.{key}"),
-                    not_finite(value),
-                ));
-            } else if value <= 0.0 {
-                faults.push(Fault::new(
-                    format!("tune.objective.{key}"),
-                    format!("is {}; must be > 0", format_number(value)),
-                ));
-            }
-        }
-        band("tune.objective", objective.from, objective.to, faults);
-    }
-
-    fn variable(&self, at: &str, variable: &Variable, faults: &mut Vec<Fault>) {
-        let before = faults.len();
-        self.pattern(&format!("{at}.path"), &variable.paths[0], faults);
-        for (key, value) in [("min", variable.min), ("max", variable.max)] {
-            if !value.is_finite() {
-                faults.push(Fault::new(format!("{at}.{key}"), not_finite(value)));
-            }
-        }
-        if variable.min >= variable.max {
-            faults.push(Fault::new(
-                format!("{at}.min"),
-                format!(
-                    "is {}; must be below max = {}",
-                    format_number(variable.min),
-                    format_number(variable.max)
-                ),
-            ));
-        }
-        if faults.len() > before {
-            return;
-        }
-        for (key, value) in [("min", variable.min), ("max", variable.max)] {
-            let mut bare = self.bare.clone();
-            if path::set_unchecked(&mut bare, &variable.paths[0], path::Value::Number(value))
-                .is_err()
-            {
-                continue;
-            }
-            let mut found = Vec::new();
-            state(&bare, &mut found);
-            if let Some(fault) = found
-                .into_iter()
-                .find(|fault| !self.known.contains(&fault.path))
-            {
-                let message = format!(
-                    "makes the model impossible: {}: {}",
-                    fault.path, fault.message
-                );
-                faults.push(Fault::new(format!("{at}.{key}"), message));
-            }
-        }
-    }
 }
 
 /// A list that needs an element.
-fn not_empty(path: &str, length: usize, what: &str, faults: &mut Vec<Fault>) {
+pub(super) fn not_empty(path: &str, length: usize, what: &str, faults: &mut Vec<Fault>) {
     if length == 0 {
         faults.push(Fault::new(
             path,

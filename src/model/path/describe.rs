@@ -100,7 +100,7 @@ fn choice(model: &Model, address: &Address, blank: Parameter) -> Parameter {
         }
         (Key::Spacing, _) => (
             "how the frequencies are spread",
-            [Spacing::Linear, Spacing::Log].map(Spacing::key).to_vec(),
+            Spacing::ALL.map(Spacing::key).to_vec(),
         ),
         (Key::Direction, Owner::Force(index)) => (
             "along what it acts",

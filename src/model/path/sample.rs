@@ -8,7 +8,7 @@ use crate::model::types::{
 };
 
 /// The beam of the paper with as many subsystems as there are names, and a little of everything else.
-pub(super) fn model(names: &[&str]) -> Model {
+pub(in crate::model) fn model(names: &[&str]) -> Model {
     let count = names.len() as f64;
     let at = |index: usize| 3.2 * (index as f64 + 1.0) / (count + 1.0);
     Model {

@@ -97,7 +97,7 @@ pub(super) fn write(model: &mut Model, address: &Address, value: Value) -> Resul
         (_, Key::Sweep(field)) => (field.set)(&mut model.sweep, value.number()?),
         (_, Key::Points) => model.sweep.points = value.count()?,
         (_, Key::Spacing) => {
-            let spacings = [Spacing::Linear, Spacing::Log];
+            let spacings = Spacing::ALL;
             model.sweep.spacing = chosen(&spacings, Spacing::key, &value)?;
         }
         (Owner::Support(end), key) => write_support(model, end, key, &value)?,

@@ -11,6 +11,7 @@ use super::loads;
 use super::plans;
 use super::reader::{Reader, quoted};
 use super::table::Table;
+use super::tuning;
 use super::value::{Node, whole, wrong_type};
 use std::collections::HashMap;
 use toml::de::DeValue;
@@ -30,7 +31,7 @@ pub(super) fn model(mut root: Table<'_>, reader: &mut Reader) -> Model {
     let responses = loads::responses(&mut root, &names, reader);
     let sweep = sweep(&mut root, reader);
     let studies = plans::studies(&mut root, reader);
-    let tune = plans::tune(&mut root, reader);
+    let tune = tuning::tune(&mut root, reader);
     root.finish(reader);
     Model {
         title,
@@ -251,7 +252,7 @@ fn sweep(root: &mut Table<'_>, reader: &mut Reader) -> Sweep {
             _ => reader.fault(node.span().start, &path, wrong_type(node, &expected)),
         }
     }
-    let spacings = [Spacing::Linear, Spacing::Log];
+    let spacings = Spacing::ALL;
     if let Some(index) = table.word("spacing", &spacings.map(Spacing::key), Some(0), reader) {
         sweep.spacing = spacings[index];
     }

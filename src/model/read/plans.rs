@@ -1,9 +1,6 @@
-//! The plans of a model file: studies and tuning.
+//! The studies of a model file.
 
-use super::super::field::Range;
 use super::super::names;
-
-use super::super::tuning::{Aim, Combine, Hold, Objective, Tune, Variable};
 use super::super::types::{Case, Family, Operation, Study};
 use super::parts::named;
 use super::reader::Reader;
@@ -104,7 +101,7 @@ fn vary(table: &mut Table<'_>, operations: &[Operation], reader: &mut Reader) ->
 }
 
 /// The elements of an array with their paths.
-fn elements<'a>(
+pub(super) fn elements<'a>(
     key: &'static str,
     of: &str,
     table: &mut Table<'a>,
@@ -160,69 +157,4 @@ fn assignments(set: &Table<'_>, reader: &mut Reader) -> Vec<(String, f64)> {
         assignments.push((key.to_owned(), value));
     }
     assignments
-}
-
-/// The tuning, if the file has one.
-pub(super) fn tune(root: &mut Table<'_>, reader: &mut Reader) -> Option<Tune> {
-    let mut table = root.table("tune", reader)?;
-    let mut variables = Vec::new();
-    if table
-        .need(
-            "variables",
-            "an array of tables of path, min and max",
-            reader,
-        )
-        .is_some()
-    {
-        for (path, node) in elements("variables", "tables", &mut table, reader) {
-            let mut variable = Variable {
-                paths: Vec::new(),
-                hold: Hold::Equal,
-                min: f64::NAN,
-                max: f64::NAN,
-                scale: None,
-                tolerance: 0.0,
-            };
-            if let Some(mut table) = Table::open(path, node, reader) {
-                variable.paths = vec![table.text("path", None, reader).unwrap_or_default()];
-                variable.min = table.number("min", Range::Any, None, reader);
-                variable.max = table.number("max", Range::Any, None, reader);
-                table.finish(reader);
-            }
-            variables.push(variable);
-        }
-    }
-    let blank = Objective {
-        aim: Aim::Energy,
-        from: f64::NAN,
-        to: f64::NAN,
-        weight: 1.0,
-    };
-    let objective = table
-        .need_table("objective", reader)
-        .map_or(blank, |table| objective(table, reader));
-    table.finish(reader);
-    Some(Tune {
-        variables,
-        objectives: vec![objective],
-        combine: Combine::Sum,
-        limits: Vec::new(),
-    })
-}
-
-fn objective(mut table: Table<'_>, reader: &mut Reader) -> Objective {
-    let figure = table.word("minimise", &["peak", "mean_square"], None, reader);
-    let response = table.text("response", None, reader).unwrap_or_default();
-    let objective = Objective {
-        aim: if figure == Some(1) {
-            Aim::MeanSquare { response }
-        } else {
-            Aim::Peak { response }
-        },
-        weight: 1.0,
-        from: table.number("from", Range::Positive, None, reader),
-        to: table.number("to", Range::Positive, None, reader),
-    };
-    table.finish(reader);
-    objective
 }

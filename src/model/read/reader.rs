@@ -21,6 +21,8 @@ pub(crate) struct Reader {
     spoken: HashSet<String>,
     /// Byte offsets.
     places: HashMap<String, usize>,
+    /// What the checks call otherwise than the text: from their path to the text's.
+    aliases: HashMap<String, String>,
     /// A subsystem's name could not be read, so other parts may name it in vain.
     pub(super) subsystem_lost: bool,
     /// The same of a response.
@@ -31,6 +33,20 @@ impl Reader {
     /// Notes where a path stands.
     pub(super) fn place(&mut self, path: &str, offset: usize) {
         self.places.insert(path.to_owned(), offset);
+    }
+
+    /// Notes that what the checks call `checked` is called `path` in the text.
+    pub(super) fn alias(&mut self, checked: String, path: String) {
+        self.aliases.insert(checked, path);
+    }
+
+    /// A path of the checks as the text has it.
+    fn in_text(&self, path: String) -> String {
+        let found = ancestors(&path).find_map(|above| Some((above, self.aliases.get(above)?)));
+        match found {
+            Some((above, text)) => format!("{text}{}", &path[above.len()..]),
+            None => path,
+        }
     }
 
     /// Notes a fault.
@@ -80,7 +96,8 @@ impl Reader {
 
     /// Takes over the faults of the model that was read, except what follows from faults found before.
     pub(super) fn adopt(&mut self, faults: Vec<Fault>) {
-        for fault in faults {
+        for mut fault in faults {
+            fault.path = self.in_text(fault.path);
             if !self.is_known(&fault.path) && !self.follows_from_lost_name(&fault.path) {
                 let offset = ancestors(&fault.path)
                     .find_map(|path| self.places.get(path))

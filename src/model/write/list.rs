@@ -2,11 +2,11 @@
 
 use super::fresh;
 use super::layout::Layout;
-use super::merge::{Style, merge_item, merge_table, same_table, same_value};
-use super::node::Node;
+use super::merge::{Style, merge_item, merge_table, same, same_table, same_value};
+use super::node::{Entry, Node};
 use super::position::{set_table_position, table_positions};
 use std::collections::HashSet;
-use toml_edit::{Array, ArrayOfTables, Item, RawString, Table, Value};
+use toml_edit::{Array, ArrayOfTables, Item, RawString, Table, TableLike, Value};
 
 /// For each new element the old one that it continues: of the same name (or content, where there are no names), then
 /// what is left over, in order.
@@ -38,12 +38,19 @@ fn stays(from: &[Option<usize>], count: usize) -> bool {
     from.len() == count && from.iter().enumerate().all(|(new, old)| *old == Some(new))
 }
 
+/// Whether a table has this identity.
+fn is_it(table: &dyn TableLike, identity: &Entry) -> bool {
+    table
+        .get(&identity.key)
+        .is_some_and(|item| same(item, &identity.node))
+}
+
 /// Merges tables below double headers. An element takes its comments with it; what stands above the first one, parted
 /// from it by an empty line, stays first.
 pub(super) fn merge_tables(tables: &mut ArrayOfTables, nodes: &[Node]) {
     let mut old: Vec<Table> = std::mem::take(tables).into_iter().collect();
-    let from = align(old.len(), nodes, |index, node| match node.name() {
-        Some(name) => old[index].get("name").and_then(Item::as_str) == Some(name),
+    let from = align(old.len(), nodes, |index, node| match node.identity() {
+        Some(identity) => is_it(&old[index], identity),
         None => node
             .entries()
             .is_some_and(|entries| same_table(&old[index], entries)),
@@ -138,13 +145,10 @@ fn prepend(table: &mut Table, heading: &str) {
 /// Merges an array in brackets.
 pub(super) fn merge_array(array: &mut Array, nodes: &[Node]) {
     let mut old: Vec<Value> = array.iter().cloned().collect();
-    let from = align(old.len(), nodes, |index, node| match node.name() {
-        Some(name) => {
-            old[index]
-                .as_inline_table()
-                .and_then(|table| table.get("name")?.as_str())
-                == Some(name)
-        }
+    let from = align(old.len(), nodes, |index, node| match node.identity() {
+        Some(identity) => old[index]
+            .as_inline_table()
+            .is_some_and(|table| is_it(table, identity)),
         None => same_value(&old[index], node),
     });
     let moved = !stays(&from, old.len());

@@ -143,7 +143,13 @@ fn merge_table_like(item: &mut Item, entries: &[Entry]) {
         Item::Table(table) => merge_table(table, Style::Header, entries),
         Item::Value(Value::InlineTable(table)) => {
             let end = take_end(table);
+            let was = entries
+                .first()
+                .is_some_and(|first| table.contains_key(&first.key));
             merge_table(table, Style::Inline, entries);
+            if !was {
+                put_first(table, entries);
+            }
             put_end(table, end);
         }
         _ => {}
@@ -245,6 +251,21 @@ fn insert(table: &mut dyn TableLike, style: Style, entry: &Entry, comments: &str
         .collect();
     if let Some(mut key) = table.key_mut(&entry.key).filter(|_| !prefix.is_empty()) {
         key.leaf_decor_mut().set_prefix(prefix);
+    }
+}
+
+/// Puts a new first word, which says what a table is, before the rest.
+fn put_first(table: &mut InlineTable, entries: &[Entry]) {
+    if let [
+        Entry {
+            key,
+            node: Node::Text(_),
+            ..
+        },
+        ..,
+    ] = entries
+    {
+        table.sort_values_by(|a, _, b, _| (a != &**key).cmp(&(b != &**key)));
     }
 }
 

@@ -41,12 +41,10 @@ impl Node {
         }
     }
 
-    /// The name in a table that has one.
-    pub(super) fn name(&self) -> Option<&str> {
-        self.entries()?.iter().find_map(|entry| match &entry.node {
-            Self::Text(name) if entry.key == "name" => Some(name.as_str()),
-            _ => None,
-        })
+    /// What tells a table from others like it: its name, or the parameters it is about.
+    pub(super) fn identity(&self) -> Option<&Entry> {
+        let mut entries = self.entries()?.iter();
+        entries.find(|entry| matches!(&*entry.key, "name" | "path" | "paths"))
     }
 }
 

@@ -2,12 +2,12 @@
 
 use super::super::field::elastic_fields;
 use super::super::field::{BEAM, FORCE, Field, MATERIAL, SECTION, SUBSYSTEM, SWEEP};
-use super::super::tuning::{Aim, Tune, Variable};
 use super::super::types::{
     BeamMotion, Case, Family, Force, Measure, Model, Place, Quantity, Response, Restraint, Spacing,
     Study, Subsystem, Support, Supports, Target,
 };
 use super::node::{Entry, Node, Presence};
+use super::tuning;
 use std::borrow::Cow;
 use toml_edit::{Item, Table, TableLike};
 
@@ -16,7 +16,7 @@ use Presence::{Always, InNewTables, OnlyIfThere};
 /// Defaults that a new table shows all the same.
 const SHOWN_DEFAULTS: [&str; 3] = ["stiffness", "damping", "amplitude"];
 
-fn entry(key: impl Into<Cow<'static, str>>, node: Node) -> Entry {
+pub(super) fn entry(key: impl Into<Cow<'static, str>>, node: Node) -> Entry {
     Entry {
         key: key.into(),
         node,
@@ -24,12 +24,12 @@ fn entry(key: impl Into<Cow<'static, str>>, node: Node) -> Entry {
     }
 }
 
-fn text(key: &'static str, text: &str) -> Entry {
+pub(super) fn text(key: &'static str, text: &str) -> Entry {
     entry(key, Node::Text(text.to_owned()))
 }
 
 /// An entry that is at its default, or not.
-fn optional(key: &'static str, node: Node, at_default: bool) -> Entry {
+pub(super) fn optional(key: &'static str, node: Node, at_default: bool) -> Entry {
     Entry {
         key: key.into(),
         node,
@@ -41,7 +41,7 @@ fn enabled(enabled: bool) -> Entry {
     optional("enabled", Node::Flag(enabled), enabled)
 }
 
-/// The tree of a model; it takes from the original whether a support is given by its kind.
+/// The tree of a model; it takes from the original in which of its forms a support and the tuning are given.
 pub(super) fn model(model: &Model, original: &Table) -> Vec<Entry> {
     let mut root = vec![
         text("format", "beamtune/1"),
@@ -62,12 +62,10 @@ pub(super) fn model(model: &Model, original: &Table) -> Vec<Entry> {
         entry("sweep", Node::Table(sweep(model))),
         tables("studies", model.studies.iter().map(study).collect()),
     ];
-    root.extend(
-        model
-            .tune
-            .as_ref()
-            .map(|of| entry("tune", Node::Table(tune(of)))),
-    );
+    if let Some(tune) = &model.tune {
+        let original = original.get("tune").and_then(Item::as_table_like);
+        root.push(entry("tune", Node::Table(tuning::tune(tune, original))));
+    }
     root
 }
 
@@ -289,34 +287,4 @@ fn case(case: &Case) -> Node {
         text("name", &case.name),
         optional("set", Node::Ordered(set), case.set.is_empty()),
     ])
-}
-
-fn tune(tune: &Tune) -> Vec<Entry> {
-    let variable = |variable: &Variable| {
-        Node::Inline(vec![
-            text("path", &variable.paths[0]),
-            entry("min", Node::Number(variable.min)),
-            entry("max", Node::Number(variable.max)),
-        ])
-    };
-    let objective = &tune.objectives[0];
-    let word = match objective.aim {
-        Aim::Peak { .. } => "peak",
-        _ => "mean_square",
-    };
-    vec![
-        entry(
-            "variables",
-            Node::List(tune.variables.iter().map(variable).collect()),
-        ),
-        entry(
-            "objective",
-            Node::Inline(vec![
-                text("minimise", word),
-                text("response", objective.aim.response().unwrap_or_default()),
-                entry("from", Node::Number(objective.from)),
-                entry("to", Node::Number(objective.to)),
-            ]),
-        ),
-    ]
 }

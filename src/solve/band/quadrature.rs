@@ -46,6 +46,8 @@ pub(super) struct Integral {
     pub(super) means: Vec<f64>,
     /// All that was solved, by rising frequency.
     pub(super) samples: Vec<Sample>,
+    /// The frequencies (Hz) from which the means come, with their weights, which add up to 1.
+    pub(super) rule: Vec<[f64; 2]>,
 }
 
 /// A piece of the band with the integrals of all responses over it.
@@ -104,9 +106,20 @@ pub(super) fn integrate(
     let width: f64 = pieces.iter().map(|piece| piece.to - piece.from).sum();
     let mean = |response: usize| total(&pieces, response, |estimate| estimate.value) / width;
     Some(Integral {
+        rule: pieces.iter().flat_map(|piece| piece.rule(width)).collect(),
         means: (0..poles.len()).map(mean).collect(),
         samples: solved,
     })
+}
+
+impl Piece {
+    /// The frequencies of the 15-point rule with their weights, of a band of a width, Hz.
+    fn rule(&self, width: f64) -> [[f64; 2]; NODES] {
+        let ends = Wanted::first(&[self.from, self.to]);
+        let nodes = ends.nodes();
+        let weight = |index: usize| RULE[index.div_ceil(2)].1 * ends.half_width() / width;
+        std::array::from_fn(|index| [nodes[index], weight(index)])
+    }
 }
 
 fn total(pieces: &[Piece], response: usize, of: impl Fn(&Estimate) -> f64) -> f64 {

@@ -77,8 +77,8 @@ impl<'a> Probe<'a> {
     }
 
     /// The answer to one of some loads that reach everything, and the work of every load on it.
-    fn answer(&self, omega: Complex64, load: usize, loads: usize) -> (Motion, DVector<Complex64>) {
-        let forces = self.forces(load);
+    fn answer(&self, omega: Complex64, load: usize, count: usize) -> (Motion, DVector<Complex64>) {
+        let forces = loads(self.model, load);
         let mut responses = self.responses();
         let motions = responses.len();
         responses.extend(forces.iter().map(|force| response(force.target.clone())));
@@ -90,8 +90,8 @@ impl<'a> Probe<'a> {
         let mut values = vec![Complex64::ZERO; plan.outputs.len()];
         Workspace::default().solve(&plan, omega, &mut values);
         let moved = &values[motions..];
-        let work = DVector::from_fn(loads, |other, _| {
-            let others = self.forces(other);
+        let work = DVector::from_fn(count, |other, _| {
+            let others = loads(self.model, other);
             others
                 .iter()
                 .zip(moved)
@@ -99,46 +99,6 @@ impl<'a> Probe<'a> {
                 .sum()
         });
         (self.motion(&values[..motions]), work)
-    }
-
-    /// Loads at some places of the beam and on every mass, in no simple ratio to each other.
-    fn forces(&self, load: usize) -> Vec<Force> {
-        const PLACES: [f64; 5] = [0.0, 0.217, 0.471, 0.738, 1.0];
-        let section = &self.model.beam.section;
-        let radius = (section.polar_moment / section.area).sqrt();
-        let mut targets: Vec<(Target, f64)> = Vec::new();
-        for share in PLACES {
-            let place = Place::Position(share * self.model.beam.length);
-            for (motion, arm) in [
-                (BeamMotion::W, 1.0),
-                (BeamMotion::Psi, radius),
-                (BeamMotion::V, 1.0),
-            ] {
-                targets.push((Target::Beam(place, motion), arm));
-            }
-        }
-        for subsystem in self.model.attached() {
-            let turn = (subsystem.inertia / subsystem.mass).sqrt();
-            for (motion, arm) in [
-                (MassMotion::Y, 1.0),
-                (MassMotion::Z, 1.0),
-                (MassMotion::Theta, turn),
-            ] {
-                targets.push((Target::Mass(subsystem.name.clone(), motion), arm));
-            }
-        }
-        let uneven =
-            |index: usize| (12.989_8 * (index + 1) as f64 + 78.233 * (load + 1) as f64).sin();
-        targets
-            .into_iter()
-            .enumerate()
-            .map(|(index, (target, arm))| Force {
-                enabled: true,
-                target,
-                amplitude: arm * uneven(index),
-                phase: 0.0,
-            })
-            .collect()
     }
 
     /// What is read, in the order of [`Self::motion`].
@@ -229,6 +189,45 @@ impl<'a> Probe<'a> {
         });
         shares.sum()
     }
+}
+
+/// Loads at some places of the beam and on every mass, in no simple ratio to each other.
+pub(in crate::solve) fn loads(model: &Model, load: usize) -> Vec<Force> {
+    const PLACES: [f64; 5] = [0.0, 0.217, 0.471, 0.738, 1.0];
+    let section = &model.beam.section;
+    let radius = (section.polar_moment / section.area).sqrt();
+    let mut targets: Vec<(Target, f64)> = Vec::new();
+    for share in PLACES {
+        let place = Place::Position(share * model.beam.length);
+        for (motion, arm) in [
+            (BeamMotion::W, 1.0),
+            (BeamMotion::Psi, radius),
+            (BeamMotion::V, 1.0),
+        ] {
+            targets.push((Target::Beam(place, motion), arm));
+        }
+    }
+    for subsystem in model.attached() {
+        let turn = (subsystem.inertia / subsystem.mass).sqrt();
+        for (motion, arm) in [
+            (MassMotion::Y, 1.0),
+            (MassMotion::Z, 1.0),
+            (MassMotion::Theta, turn),
+        ] {
+            targets.push((Target::Mass(subsystem.name.clone(), motion), arm));
+        }
+    }
+    let uneven = |index: usize| (12.989_8 * (index + 1) as f64 + 78.233 * (load + 1) as f64).sin();
+    targets
+        .into_iter()
+        .enumerate()
+        .map(|(index, (target, arm))| Force {
+            enabled: true,
+            target,
+            amplitude: arm * uneven(index),
+            phase: 0.0,
+        })
+        .collect()
 }
 
 const DISPLACEMENTS: [BeamMotion; 3] = [BeamMotion::W, BeamMotion::Psi, BeamMotion::V];

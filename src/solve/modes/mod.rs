@@ -29,6 +29,7 @@ mod winding;
 use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
 
+pub(super) use eigenspace::loads;
 pub use shape::shape;
 pub use types::{Completeness, Mode, ModeKind, Modes, Shape, Shares};
 
@@ -119,7 +120,7 @@ fn is_damped(model: &Model) -> bool {
 }
 
 /// The model with every damper and the loss factor at zero.
-fn without_damping(model: &Model) -> Model {
+pub fn without_damping(model: &Model) -> Model {
     with_damping_times(model, 0.0)
 }
 

@@ -4,9 +4,10 @@ use num_complex::Complex64;
 
 use crate::model::{BeamMotion, Model, Restraint, Support};
 use crate::solve::linear::ZERO;
+use crate::solve::local::Local;
 use crate::solve::plan::Plan;
 use crate::solve::recursion::{Solution, Workspace};
-use crate::solve::reflection::{Amplitudes, decay, reach};
+use crate::solve::reflection::{Amplitudes, decay};
 
 /// A model with its solution at one frequency.
 pub(super) struct Along<'a> {
@@ -23,15 +24,6 @@ pub(super) struct Spot {
     /// m from the left end.
     pub(super) position: f64,
     span: usize,
-}
-
-/// What the beam does at a place.
-#[derive(Debug, Clone)]
-pub(super) struct Local {
-    /// w, psi, v and their slopes.
-    pub(super) motion: [Complex64; 6],
-    /// `S_w`, T, `S_v`, `M_w`, B, `M_v`.
-    pub(super) force: [Complex64; 6],
 }
 
 impl<'a> Along<'a> {
@@ -93,27 +85,7 @@ impl<'a> Along<'a> {
     /// What the beam does at a place: `Q (a + b)`, `S (b - a)`, `P (a - b)` and `M (a + b)` of the waves there.
     pub(super) fn at(&self, spot: Spot) -> Local {
         let (a, b) = self.waves_at(spot);
-        let sum: Amplitudes = std::array::from_fn(|wave| a[wave] + b[wave]);
-        let difference: Amplitudes = std::array::from_fn(|wave| a[wave] - b[wave]);
-        let waves = &self.solution.waves;
-        let times = |rows: &[Amplitudes; 3], amplitudes: &Amplitudes, row: usize| -> Complex64 {
-            reach(row)
-                .map(|wave| rows[row][wave] * amplitudes[wave])
-                .sum()
-        };
-        let mut local = Local {
-            motion: [ZERO; 6],
-            force: [ZERO; 6],
-        };
-        for row in 0..3 {
-            local.motion[row] = times(&waves.displacement, &sum, row);
-            local.motion[row + 3] = -times(&waves.slope, &difference, row);
-            local.force[row] = times(&waves.force, &difference, row);
-            local.force[row + 3] = times(&waves.moment, &sum, row);
-        }
-        if self.plan.beam.without_warping() {
-            local.force[BeamMotion::PsiSlope as usize] = ZERO;
-        }
+        let mut local = Local::new(&self.solution.waves, &a, &b);
         self.hold(spot.position, &mut local.motion);
         local
     }

@@ -20,6 +20,7 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
+use super::local::Local;
 use super::plan::Plan;
 use crate::model::Model;
 use along::Along;
@@ -124,7 +125,7 @@ pub fn operating(model: &Model, frequency: f64, points: usize) -> Operating {
     let plan = Plan::new(&bare);
     let along = Along::new(&bare, &plan, omega);
     let places = along.places(points);
-    let locals: Vec<along::Local> = places.iter().map(|place| along.at(*place)).collect();
+    let locals: Vec<Local> = places.iter().map(|place| along.at(*place)).collect();
     let masses = mass::masses(&along);
     Operating {
         frequency,
@@ -137,9 +138,6 @@ pub fn operating(model: &Model, frequency: f64, points: usize) -> Operating {
     }
 }
 
-fn columns(
-    locals: &[along::Local],
-    of: impl Fn(&along::Local) -> &[Complex64; 6],
-) -> [Vec<Complex64>; 6] {
+fn columns(locals: &[Local], of: impl Fn(&Local) -> &[Complex64; 6]) -> [Vec<Complex64>; 6] {
     std::array::from_fn(|row| locals.iter().map(|local| of(local)[row]).collect())
 }

@@ -6,11 +6,13 @@
 
 use num_complex::Complex64;
 
-use super::along::{Along, Local};
-use super::{Damper, Input, MassState, Power, mass};
+use super::along::Along;
+use super::{Damper, Input, MassState, Power};
 use crate::model::{BeamMotion, Force, Place, Target};
 use crate::solve::energy::{SpanEnergy, Sum};
 use crate::solve::linear::ZERO;
+use crate::solve::local::Local;
+use crate::solve::springs::springs;
 
 /// The spring words of the model file, in the order of [`MassState::forces`].
 const SPRINGS: [&str; 4] = ["y_left", "y_right", "z_left", "z_right"];
@@ -68,7 +70,7 @@ fn heat(omega: f64, damping: f64, stretch: Complex64) -> f64 {
 fn of_subsystems(along: &Along<'_>, masses: &[MassState]) -> Vec<Damper> {
     let mut dampers = Vec::new();
     for (subsystem, state) in along.model.attached().zip(masses) {
-        for (index, spring) in mass::springs(subsystem).into_iter().enumerate() {
+        for (index, spring) in springs(subsystem).into_iter().enumerate() {
             if spring.damping > 0.0 {
                 dampers.push(Damper {
                     label: format!("{} {}", state.name, SPRINGS[index]),

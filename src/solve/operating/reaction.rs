@@ -2,10 +2,11 @@
 
 use num_complex::Complex64;
 
-use super::along::{Along, Local};
+use super::along::Along;
 use crate::model::{BeamMotion, Restraint};
 use crate::solve::ends::stiffness;
 use crate::solve::linear::ZERO;
+use crate::solve::local::Local;
 use crate::solve::plan::End;
 
 /// Of the left and of the right support, along the six motions.

@@ -14,7 +14,7 @@ mod lacks;
 mod resolve;
 mod table;
 
-pub use resolve::{refined, resolved};
+pub use resolve::{points, refined, resolved};
 pub use table::{Peak, peaks};
 
 use super::modes::{Mode, ModeKind};

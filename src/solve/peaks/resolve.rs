@@ -58,6 +58,14 @@ pub fn resolved(model: &Model, modes: &Modes, solved: Frf, cancel: &AtomicBool) 
     Some(frf)
 }
 
+/// The frequencies of a base grid (Hz, rising) and those between them that the half-power bands of the modes need: steps
+/// are at most half a half-width and half the distance from each mode, so that no resonance falls between two points.
+pub fn points(modes: &Modes, base: &[f64]) -> Vec<f64> {
+    let mut all = [base, &missing(base, &features(modes))].concat();
+    all.sort_by(f64::total_cmp);
+    all
+}
+
 /// True where a rising grid has a frequency.
 fn is_among(frequency: f64, grid: &[f64]) -> bool {
     grid.binary_search_by(|f| f.total_cmp(&frequency)).is_ok()

@@ -44,6 +44,26 @@ pub enum Question {
     },
     /// The file to which what is on the screen goes.
     Export,
+    /// Between which bounds a search may move parameters.
+    Bounds {
+        /// The parameter in words.
+        subject: String,
+        /// The paths that move together.
+        paths: Vec<String>,
+        /// The unit of the bounds.
+        unit: Unit,
+        /// The variable that gets other bounds; none for a new one.
+        index: Option<usize>,
+    },
+    /// What is sought.
+    Objective {
+        /// The response and the band in words.
+        subject: String,
+        /// The response.
+        response: String,
+        /// Hz.
+        band: [f64; 2],
+    },
 }
 
 impl Question {
@@ -66,6 +86,23 @@ impl Question {
                     format!(
                         "factors, as 0.5 1 2; or = and values, as = 1e6 2e6 ({symbol}); or + and what is added"
                     ),
+                );
+            }
+            Self::Bounds { subject, unit, .. } => {
+                let symbol = if unit.symbol.is_empty() {
+                    String::new()
+                } else {
+                    format!(" {}", unit.symbol)
+                };
+                return (
+                    format!(" Move {subject} between "),
+                    format!("LOW .. HIGH{symbol}; then perhaps +-5 % (tolerance), log or linear"),
+                );
+            }
+            Self::Objective { subject, .. } => {
+                return (
+                    format!(" Tune {subject} "),
+                    "peak, mean square, energy, width LEVEL, anti-resonance HZ, match FILE; + adds; limit mass KG".to_owned(),
                 );
             }
             Self::Name(_) => ("Name", "any text".to_owned()),
@@ -123,6 +160,12 @@ impl App {
             Question::Frequency(unit) => self.go_to_frequency(text, *unit),
             Question::DecibelReference(unit) => self.take_decibel_reference(unit, text),
             Question::Factors { path, unit, .. } => self.take_factors(path, *unit, text),
+            Question::Bounds {
+                paths, unit, index, ..
+            } => self.take_bounds(paths, *unit, *index, text),
+            Question::Objective { response, band, .. } => {
+                self.take_objective(response, *band, text)
+            }
             Question::Name(row) => self.name_beside(*row, text),
             _ if text.is_empty() && question.is_path() => Err("type a file's path".to_owned()),
             Question::ReferenceFile => return vec![Effect::OpenReference(PathBuf::from(text))],

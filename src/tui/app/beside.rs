@@ -29,6 +29,15 @@ pub struct Reference {
     pub shown: bool,
     /// Why there are none.
     pub failure: Option<String>,
+    /// The curves are those of another model than the one it has now.
+    outdated: bool,
+}
+
+impl Reference {
+    /// Shows another model under a new number: what is there shows until its curves are solved.
+    pub(super) fn renew(&mut self, id: u64, model: Arc<Model>) {
+        (self.id, self.model, self.failure, self.outdated) = (id, model, None, true);
+    }
 }
 
 /// What stands on the chart beside the model.
@@ -69,7 +78,10 @@ impl Beside {
         let mut references = self.references.iter_mut();
         if let Some(one) = references.find(|one| one.id == answer.serial) {
             match answer.result {
-                Ok(curves) => one.picture = Some(Arc::new(Picture::of_reference(curves))),
+                Ok(curves) => {
+                    one.picture = Some(Arc::new(Picture::of_reference(curves)));
+                    one.outdated = false;
+                }
                 Err(reason) => one.failure = Some(reason),
             }
         }
@@ -138,7 +150,7 @@ impl App {
     }
 
     /// Adds a reference; its name, or none where there are too many.
-    fn add_reference(
+    pub(super) fn add_reference(
         &mut self,
         name: &str,
         model: Arc<Model>,
@@ -162,6 +174,7 @@ impl App {
             picture,
             shown: true,
             failure: None,
+            outdated: false,
         });
         Some(name)
     }
@@ -194,7 +207,8 @@ impl App {
         // What was frozen before it was resolved is resolved too.
         let lacks = |one: &&Reference| {
             let picture = one.picture.as_ref();
-            picture.is_none_or(|picture| picture.stage != Stage::Resolved) && one.failure.is_none()
+            let lacks = picture.is_none_or(|picture| picture.stage != Stage::Resolved);
+            (lacks || one.outdated) && one.failure.is_none()
         };
         let one = references.find(lacks)?;
         self.beside.asked = Some(one.id);

@@ -67,6 +67,7 @@ impl App {
             Command::Suspend => return vec![Effect::Suspend],
             Command::Quit => return self.leave(Next::Quit),
             Command::Cancel if count.is_some() => return Vec::new(),
+            Command::Tune => self.limit_search(count),
             _ => {}
         }
         match self.scope() {
@@ -102,6 +103,7 @@ impl App {
                 || self.reading_command(command)
                 || self.ask_command(command)
                 || self.look_command(command)
+                || self.tuning_command(command)
                 || self.change_chart(command)
                 || self.change_modes(command) => {}
             _ => self.change_model(command),

@@ -22,6 +22,9 @@ impl App {
             let study = (self.curves.study != Some(i)).then_some(i);
             return self.show_study(study, &model);
         }
+        if let Node::TuneVariable(index) = node {
+            return self.ask_bounds_of(index);
+        }
         match parameter(&model, node) {
             Some(Err(fault)) => self.refuse(faults_in_words(&[fault], "", "")),
             Some(Ok(parameter)) if parameter.choices.is_empty() => self.ask(node, parameter),

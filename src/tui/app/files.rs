@@ -75,6 +75,8 @@ impl App {
         self.detail = Detail::default();
         self.band = Band::default();
         self.looking.forget();
+        self.sensitivities.forget();
+        self.end_run();
         self.forget_sample();
         self.display.levels = None;
         let open = self.tables.open;

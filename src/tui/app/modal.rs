@@ -95,6 +95,12 @@ impl Modal {
         Some((Arc::clone(&list.modes), mode))
     }
 
+    /// The modes of the model with this generation, where they are solved.
+    pub(super) fn modes_of(&self, generation: u64) -> Option<Arc<Modes>> {
+        let list = self.list.as_ref()?;
+        (list.generation == generation).then(|| Arc::clone(&list.modes))
+    }
+
     /// Takes a shape, unless another one was asked for since.
     pub(super) fn take_shape(&mut self, answer: ShapeAnswer, places: &[f64]) -> Result<(), String> {
         if self.asked != Some((answer.generation, answer.index)) {

@@ -26,6 +26,9 @@ impl App {
             }
             Answer::Reference(answer) => self.beside.take(answer),
             Answer::Levels(answer) => self.take_levels(answer),
+            Answer::Sensitivity(answer) => self.take_sensitivities(answer),
+            Answer::Tune(answer) => self.take_tuning(answer),
+            Answer::Spread(answer) => self.take_tolerances(answer),
             Answer::Operating(answer) => self.take_operating(answer),
             Answer::Sample(answer) => {
                 let taken = match answer.sampling {
@@ -64,6 +67,8 @@ impl App {
         requests.extend(self.want_measured());
         requests.extend(self.want_levels());
         requests.extend(self.want_operating());
+        requests.extend(self.want_sensitivities());
+        requests.extend(self.want_tuning());
         requests.into_iter().map(Effect::Solve).collect()
     }
 

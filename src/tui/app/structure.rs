@@ -80,6 +80,12 @@ impl App {
 
     /// Deletes the selected subsystem, force, response or study, unless something needs it.
     pub(super) fn delete(&mut self) {
+        match self.selection.node() {
+            Node::TuneVariable(index) => return self.drop_variable(index),
+            Node::TuneObjective(index) => return self.drop_objective(index),
+            Node::TuneLimit(index) => return self.drop_limit(index),
+            _ => {}
+        }
         let mut after = Model::clone(self.model());
         let Some(node) = tree::item(self.selection.node()) else {
             return self.refuse("select a subsystem, force, response or study to delete it");

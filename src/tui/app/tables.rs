@@ -15,11 +15,22 @@ pub enum Table {
     Readings,
     /// The levels in the marked band.
     Band,
+    /// Which parameter matters.
+    Sensitivities,
+    /// The search for better parameters.
+    Tuning,
 }
 
 impl Table {
     /// Every table.
-    pub const ALL: [Self; 4] = [Self::Modes, Self::Peaks, Self::Readings, Self::Band];
+    pub const ALL: [Self; 6] = [
+        Self::Modes,
+        Self::Peaks,
+        Self::Readings,
+        Self::Band,
+        Self::Sensitivities,
+        Self::Tuning,
+    ];
 
     /// The word by which it is remembered.
     pub const fn key(self) -> &'static str {
@@ -28,6 +39,8 @@ impl Table {
             Self::Peaks => "peaks",
             Self::Readings => "readings",
             Self::Band => "band",
+            Self::Sensitivities => "sensitivities",
+            Self::Tuning => "tuning",
         }
     }
 }
@@ -45,6 +58,10 @@ pub struct Tables {
     pub readings: List,
     /// The levels.
     pub band: List,
+    /// The sensitivities.
+    pub sensitivities: List,
+    /// The variables of a search.
+    pub tuning: List,
 }
 
 /// What the chart's cursor stays with when the model changes.
@@ -67,6 +84,8 @@ impl Tables {
             Table::Peaks => &mut self.peaks,
             Table::Readings => &mut self.readings,
             Table::Band => &mut self.band,
+            Table::Sensitivities => &mut self.sensitivities,
+            Table::Tuning => &mut self.tuning,
         }
     }
 }
@@ -77,7 +96,7 @@ impl Anchor {
         match table {
             Table::Modes => Some(Self::Mode),
             Table::Peaks => Some(Self::Peak),
-            Table::Readings | Table::Band => None,
+            Table::Readings | Table::Band | Table::Sensitivities | Table::Tuning => None,
         }
     }
 }
@@ -106,6 +125,9 @@ impl App {
         if let Some(anchor) = Anchor::of(table) {
             self.anchor = anchor;
             self.follow_anchor();
+        }
+        if table == Table::Sensitivities {
+            self.follow_sensitivity();
         }
         true
     }

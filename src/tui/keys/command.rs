@@ -101,6 +101,20 @@ pub enum Command {
     Readings,
     /// Mark the band between the cursors, or take it away.
     Band,
+    /// Show which parameter matters for the next figure: cursor, peak, mode, band; or not.
+    Sensitivities,
+    /// Let a search move the selected parameter, or keep it.
+    TuneVariable,
+    /// Say what is sought.
+    TuneObjective,
+    /// Start a search, hold it up, or let it go on.
+    Tune,
+    /// Put what a search has found into the model.
+    TuneAccept,
+    /// Drop a search and what it has found.
+    TuneDiscard,
+    /// Show what tolerances make of the curves, or not.
+    Tolerances,
     /// The next of the six forms.
     NextForm,
     /// The form before.

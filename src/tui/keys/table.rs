@@ -9,6 +9,7 @@ use super::model::{CHANGE, MOVE};
 use super::modes::{MODES, TABLE};
 use super::program::{ANYWHERE, FILES};
 use super::reading::READING;
+use super::tuning::TUNING;
 use super::{Key, Scope, Section, control, key, special};
 
 /// Every binding, in the order of help.
@@ -47,6 +48,11 @@ pub const SECTIONS: &[Section] = &[
         title: "Modes, peaks and finite elements",
         scope: Scope::Main,
         bindings: MODES,
+    },
+    Section {
+        title: "Tune",
+        scope: Scope::Main,
+        bindings: TUNING,
     },
     Section {
         title: "Files and program",

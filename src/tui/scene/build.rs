@@ -13,7 +13,8 @@ use crate::tui::plot::{Level, LineStyle};
 pub fn of(app: &App) -> Scene {
     let builder = Builder::new(app);
     let panels = builder.panels();
-    let mut curves = builder.references();
+    let mut curves = builder.tolerances();
+    curves.extend(builder.references());
     curves.extend(builder.model());
     curves.extend(builder.witnesses());
     curves.extend(builder.measured());

@@ -98,6 +98,8 @@ pub enum Node {
     Tune,
     /// One of its variables.
     TuneVariable(usize),
-    /// What it seeks.
-    TuneObjective,
+    /// One of the things it seeks.
+    TuneObjective(usize),
+    /// One of its limits.
+    TuneLimit(usize),
 }

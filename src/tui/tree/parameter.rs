@@ -1,6 +1,6 @@
 //! Which parameter a row is, and whether it differs from the file.
 
-use super::{Node, motion_keys};
+use super::{Node, motion_keys, tuning};
 use crate::model::names::segment;
 use crate::model::{Model, Subsystem, field, path};
 
@@ -84,7 +84,10 @@ pub fn differs(model: &Model, saved: &Model, node: Node) -> bool {
         Node::Studies => model.studies != saved.studies,
         Node::Study(i) => !saved.studies.contains(&model.studies[i]),
         Node::Tune => model.tune != saved.tune,
-        Node::StudyLine(..) | Node::TuneVariable(_) | Node::TuneObjective => false,
+        Node::TuneVariable(i) => tuning::variable_at(model, i) != tuning::variable_at(saved, i),
+        Node::TuneObjective(i) => tuning::objective_at(model, i) != tuning::objective_at(saved, i),
+        Node::TuneLimit(i) => tuning::limit_at(model, i) != tuning::limit_at(saved, i),
+        Node::StudyLine(..) => false,
         _ => parameter_differs(model, saved, node),
     }
 }

@@ -2,11 +2,11 @@
 
 use std::borrow::Cow;
 
-use super::{End, Node, motion_keys, parameter_path};
+use super::{End, Node, motion_keys, parameter_path, tuning};
 use crate::model::path::{self, Parameter, Value};
 use crate::model::{
-    BeamMotion, Family, Model, Place, Quantity, Restraint, Study, Supports, Sweep, Target, Tune,
-    Unit, field,
+    BeamMotion, Family, Model, Place, Quantity, Restraint, Study, Supports, Sweep, Target, Unit,
+    field,
 };
 
 /// What a row is called, at its place in the tree.
@@ -30,8 +30,15 @@ pub fn label(model: &Model, node: Node) -> Cow<'_, str> {
         Node::Response(i) => model.responses[i].name.as_str().into(),
         Node::Study(i) => model.studies[i].name.as_str().into(),
         Node::StudyLine(i, line) => study_line(&model.studies[i], line).0.into(),
-        Node::TuneVariable(i) => variable(model, i).0.into(),
-        Node::TuneObjective => "minimise".into(),
+        Node::TuneVariable(i) => tuning::variable_at(model, i)
+            .map_or_else(String::new, tuning::variable_label)
+            .into(),
+        Node::TuneObjective(i) => tuning::objective_at(model, i)
+            .map_or("", |objective| tuning::objective_label(&objective.aim))
+            .into(),
+        Node::TuneLimit(i) => tuning::limit_at(model, i)
+            .map_or("", tuning::limit_label)
+            .into(),
         Node::ForceAt(_) | Node::ResponseAt(_) => "at".into(),
         Node::ForceDirection(_) | Node::ResponseDirection(_) => "direction".into(),
         Node::ResponseMeasure(_) => "measure".into(),
@@ -97,7 +104,7 @@ fn with_owner(model: &Model, node: Node, own: String) -> String {
             model.responses[i].name.clone()
         }
         Node::SweepNumber(_) | Node::SweepPoints | Node::SweepSpacing => "sweep".to_owned(),
-        Node::TuneVariable(_) | Node::TuneObjective => "tune".to_owned(),
+        Node::TuneVariable(_) | Node::TuneObjective(_) | Node::TuneLimit(_) => "tune".to_owned(),
         _ => return own,
     };
     format!("{owner} {own}")
@@ -130,9 +137,16 @@ pub fn value(model: &Model, node: Node) -> String {
         Node::Studies => model.studies.len().to_string(),
         Node::Study(i) => format!("{} curves", members(&model.studies[i])),
         Node::StudyLine(i, line) => study_line(&model.studies[i], line).1,
-        Node::Tune => String::new(),
-        Node::TuneVariable(i) => variable(model, i).1,
-        Node::TuneObjective => model.tune.as_ref().map_or_else(String::new, objective),
+        Node::Tune => model
+            .tune
+            .as_ref()
+            .map_or_else(String::new, tuning::combination),
+        Node::TuneVariable(i) => tuning::variable_at(model, i)
+            .map_or_else(String::new, |variable| tuning::bounds(model, variable)),
+        Node::TuneObjective(i) => tuning::objective_at(model, i)
+            .map_or_else(String::new, |one| tuning::objective_value(model, one)),
+        Node::TuneLimit(i) => tuning::limit_at(model, i)
+            .map_or_else(String::new, |limit| tuning::limit_value(model, limit)),
         _ => parameter_path(model, node)
             .and_then(|path| path::parameter(model, &path).ok())
             .map(|parameter| of_parameter(&parameter, &parameter.value))
@@ -147,14 +161,6 @@ fn supports(supports: &Supports) -> String {
 fn band(sweep: &Sweep) -> String {
     let (from, to) = (Unit::HERTZ.format(sweep.from), Unit::HERTZ.format(sweep.to));
     format!("{}..{to}", without_unit_of(&from, &to))
-}
-
-fn objective(tune: &Tune) -> String {
-    format!(
-        "{} {}",
-        "",
-        tune.objectives[0].aim.response().unwrap_or_default()
-    )
 }
 
 fn quantity(quantity: &Quantity) -> String {
@@ -255,16 +261,6 @@ fn study_line(study: &Study, line: usize) -> (String, String) {
             (case.name.clone(), set)
         }
     }
-}
-
-fn variable(model: &Model, i: usize) -> (String, String) {
-    let Some(variable) = model.tune.as_ref().and_then(|tune| tune.variables.get(i)) else {
-        return (String::new(), String::new());
-    };
-    (
-        variable.paths.join(", "),
-        format!("{:e}..{:e}", variable.min, variable.max),
-    )
 }
 
 #[cfg(test)]

@@ -27,9 +27,13 @@ pub(super) fn of(model: &Model, node: Node, keys: &KeyMap) -> String {
             format!("{edit} shows a study's curves, {study} the next study's")
         }
         Node::StudyLine(..) => tree::label(model, node).into_owned(),
-        Node::Tune | Node::TuneVariable(_) | Node::TuneObjective => {
-            "what an optimiser may move, and what for; changed in the file".to_owned()
-        }
+        Node::Tune => format!(
+            "what a search may move, and what for; {} starts it",
+            keys.key_of(Command::Tune)
+        ),
+        Node::TuneVariable(i) => tree::variable_in_words(model, i),
+        Node::TuneObjective(i) => tree::objective_in_words(model, i),
+        Node::TuneLimit(i) => tree::limit_in_words(model, i),
         _ => String::new(),
     }
 }

@@ -43,12 +43,14 @@ fn row_line(app: &App, theme: Theme, row: Row, columns: u16) -> Line<'static> {
     let arrow = match row.open {
         Some(true) => "▾ ",
         Some(false) => "▸ ",
+        None if app.tuning.moving.has(row.node) => "↕ ",
         None => "  ",
     };
     let indent = " ".repeat(usize::from(row.depth));
     let swatch = swatch(app, theme, row.node);
     let label = tree::label(model, row.node);
-    let value = tree::value(model, row.node);
+    let effect = super::sensitivity::in_tree(app, theme, row.node);
+    let value = effect.unwrap_or_else(|| tree::value(model, row.node));
     let before = 3 + indent.len() + usize::from(swatch.is_some()) * 2;
     let room = columns.saturating_sub(before + 1);
     // The value is what one looks for; the label gives way, but keeps a few letters.
@@ -103,7 +105,10 @@ fn row_style(app: &App, theme: Theme, row: Row) -> Style {
         Some(Node::Force(i)) => !model.forces[i].enabled,
         Some(Node::Response(i)) => !model.responses[i].enabled,
         Some(Node::Study(i)) => app.curves.study != Some(i),
-        _ => matches!(row.node, Node::TuneVariable(_) | Node::TuneObjective),
+        _ => matches!(
+            row.node,
+            Node::TuneVariable(_) | Node::TuneObjective(_) | Node::TuneLimit(_)
+        ),
     };
     if off {
         theme.dim()

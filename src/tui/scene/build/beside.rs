@@ -12,6 +12,49 @@ const MOST_MEASURED: usize = 20_000;
 const WITNESS_POINTS: u16 = 3;
 
 impl<'a> Builder<'a> {
+    /// The band in which nine of ten curves lie within the tolerances, of the first response that shows.
+    pub(super) fn tolerances(&self) -> Vec<SceneCurve> {
+        let magnitude = matches!(
+            self.view(),
+            ChartView::Magnitude | ChartView::MagnitudePhase
+        );
+        let state = &self.app.curves;
+        let known = self.app.tuning.tolerances.curves.as_ref();
+        let Some((_, members)) = known.filter(|(generation, _)| {
+            magnitude && *generation == state.generation && self.app.tuning.tolerances.shown
+        }) else {
+            return Vec::new();
+        };
+        let name = state.visible.first().map_or("", String::as_str);
+        let mut curves = Vec::new();
+        for (index, member) in members.iter().enumerate() {
+            let Some(trace) = find(member, name) else {
+                continue;
+            };
+            let mut curve = self.curve(&Source {
+                trace,
+                frequencies: &member.frequencies,
+                against: None,
+            });
+            // A quantile of magnitudes has no phase.
+            for values in curve.values.iter_mut().skip(1) {
+                values.fill(f64::NAN);
+            }
+            curve.kind = CurveKind::Reference;
+            curve.line = if index == 1 {
+                LineStyle::Dashed
+            } else {
+                LineStyle::Dotted
+            };
+            curve.dim = true;
+            if curves.is_empty() {
+                "5, 50, 95 %".clone_into(&mut curve.label);
+            }
+            curves.push(curve);
+        }
+        curves
+    }
+
     /// The frozen and loaded references.
     pub(super) fn references(&self) -> Vec<SceneCurve> {
         // Differences are counted from the first.

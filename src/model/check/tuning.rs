@@ -1,0 +1,323 @@
+//! The rules of the tuning: what moves, what is sought and what must be kept.
+
+use super::super::fault::Fault;
+use super::super::names;
+use super::super::path;
+use super::super::serial::format_number;
+use super::super::tuning::{Aim, Hold, Limit, Objective, Tune, Variable};
+use super::super::types::{Case, Family, Measure, Model, Quantity, Spacing};
+use super::plans::{Plans, not_empty};
+use super::{band, not_finite, state};
+use std::collections::HashMap;
+
+/// Adds the faults of a model's tuning.
+pub(super) fn check(model: &Model, plans: &Plans, tune: &Tune, faults: &mut Vec<Fault>) {
+    not_empty("tune.variables", tune.variables.len(), "variable", faults);
+    let rules = Rules { model, plans };
+    let mut moved = HashMap::new();
+    for (index, variable) in tune.variables.iter().enumerate() {
+        let at = format!("tune.variables.{}", index + 1);
+        let before = faults.len();
+        rules.paths(&at, index, variable, &mut moved, faults);
+        range(&at, variable, faults);
+        if faults.len() == before {
+            rules.bounds(&at, variable, faults);
+        }
+    }
+    let objectives = &tune.objectives;
+    not_empty("tune.objectives", objectives.len(), "objective", faults);
+    for (index, objective) in objectives.iter().enumerate() {
+        let at = match objectives.len() {
+            1 => "tune.objective".to_owned(),
+            _ => format!("tune.objectives.{}", index + 1),
+        };
+        self::objective(&at, model, objective, faults);
+    }
+    for (index, limit) in tune.limits.iter().enumerate() {
+        self::limit(&format!("tune.limits.{}", index + 1), model, limit, faults);
+    }
+}
+
+/// What variables are judged by.
+struct Rules<'a> {
+    model: &'a Model,
+    plans: &'a Plans,
+}
+
+impl Rules<'_> {
+    /// The paths of a variable: each stands for numbers that responses depend on and no other variable moves.
+    fn paths(
+        &self,
+        at: &str,
+        index: usize,
+        variable: &Variable,
+        moved: &mut HashMap<String, usize>,
+        faults: &mut Vec<Fault>,
+    ) {
+        not_empty(&format!("{at}.paths"), variable.paths.len(), "path", faults);
+        for (number, pattern) in variable.paths.iter().enumerate() {
+            let at = match variable.paths.len() {
+                1 => format!("{at}.path"),
+                _ => format!("{at}.paths.{}", number + 1),
+            };
+            match path::numbers(&self.plans.bare, pattern) {
+                Ok(found) => {
+                    let paths = found.into_iter().map(|(path, _)| path);
+                    faults
+                        .extend(unfit(index, paths, moved).map(|message| Fault::new(at, message)));
+                }
+                Err(fault) => {
+                    let message = format!("{}: {}", fault.path, fault.message);
+                    faults.push(Fault::new(at, message));
+                }
+            }
+        }
+    }
+
+    /// With the first parameter at either bound, or beyond it by the tolerance, the model must be a possible one.
+    fn bounds(&self, at: &str, variable: &Variable, faults: &mut Vec<Fault>) {
+        let bare = &self.plans.bare;
+        let share = variable.tolerance / 100.0;
+        let extremes = [
+            ("min", variable.min - variable.min.abs() * share),
+            ("max", variable.max + variable.max.abs() * share),
+        ];
+        for (key, value) in extremes {
+            let set = match variable.applied(self.model, value) {
+                Ok(set) => set,
+                Err(fault) if variable.parameters(self.model).is_ok() => {
+                    faults.push(no_ratio(at, &fault));
+                    return;
+                }
+                // A motion that is fixed for a while has nothing that a ratio could be held to.
+                Err(_) if variable.hold == Hold::Ratio => return,
+                Err(_) => match variable.applied(bare, value) {
+                    Ok(set) => set,
+                    Err(_) => return,
+                },
+            };
+            let case = Case {
+                name: String::new(),
+                set,
+            };
+            let Ok(extreme) = path::apply_unchecked(bare, &Family::Cases(vec![case]), 0) else {
+                continue;
+            };
+            let mut found = Vec::new();
+            state(&extreme, &mut found);
+            let new = |fault: &Fault| !self.plans.known.contains(&fault.path);
+            if let Some(fault) = found.into_iter().find(new) {
+                let message = impossible(variable.tolerance, &fault);
+                faults.push(Fault::new(format!("{at}.{key}"), message));
+            }
+        }
+    }
+}
+
+fn no_ratio(at: &str, fault: &Fault) -> Fault {
+    let message = format!(
+        "is \"ratio\", but {} is 0; must be \"equal\", or the first parameter another number than 0",
+        fault.path
+    );
+    Fault::new(format!("{at}.hold"), message)
+}
+
+fn impossible(tolerance: f64, fault: &Fault) -> String {
+    let beyond = if tolerance > 0.0 {
+        format!(" with its tolerance of {} %", format_number(tolerance))
+    } else {
+        String::new()
+    };
+    format!(
+        "makes the model impossible{beyond}: {}: {}",
+        fault.path, fault.message
+    )
+}
+
+/// Why a variable may not move one of some parameters.
+fn unfit(
+    index: usize,
+    paths: impl Iterator<Item = String>,
+    moved: &mut HashMap<String, usize>,
+) -> Option<String> {
+    for path in paths {
+        if path.starts_with("sweep.") {
+            return Some(format!(
+                "{path}: no response depends on it; must be a number of the beam, a support, a subsystem or a force"
+            ));
+        }
+        match moved.get(&path) {
+            Some(other) if *other != index => {
+                let other = other + 1;
+                return Some(format!(
+                    "{path}: is moved by variable {other} already; must be moved by one only"
+                ));
+            }
+            Some(_) => {}
+            None => drop(moved.insert(path, index)),
+        }
+    }
+    None
+}
+
+/// The numbers of a variable by themselves.
+fn range(at: &str, variable: &Variable, faults: &mut Vec<Fault>) {
+    let Variable { min, max, .. } = *variable;
+    for (key, value) in [("min", min), ("max", max)] {
+        if !value.is_finite() {
+            faults.push(Fault::new(format!("{at}.{key}"), not_finite(value)));
+        }
+    }
+    if min >= max {
+        let (min, max) = (format_number(min), format_number(max));
+        let message = format!("is {min}; must be below max = {max}");
+        faults.push(Fault::new(format!("{at}.min"), message));
+    } else if variable.scale == Some(Spacing::Log) && min <= 0.0 {
+        let message = format!(
+            "is {}; must be > 0 where scale is \"log\"",
+            format_number(min)
+        );
+        faults.push(Fault::new(format!("{at}.min"), message));
+    }
+    let tolerance = variable.tolerance;
+    if !(0.0..100.0).contains(&tolerance) {
+        let at = format!("{at}.tolerance");
+        let message = if tolerance.is_finite() {
+            let tolerance = format_number(tolerance);
+            format!("is {tolerance}; must be 0 or more and below 100, percent")
+        } else {
+            not_finite(tolerance)
+        };
+        faults.push(Fault::new(at, message));
+    }
+}
+
+fn objective(at: &str, model: &Model, objective: &Objective, faults: &mut Vec<Fault>) {
+    let aim = &objective.aim;
+    let wanted = match aim {
+        Aim::Energy | Aim::Peak { .. } | Aim::MeanSquare { .. } => Wanted::Any,
+        Aim::Width { .. } | Aim::AntiResonance { .. } | Aim::Match { .. } => Wanted::Motion,
+    };
+    if let Some(name) = aim.response() {
+        response(at, model, name, wanted, faults);
+    }
+    let (from, to) = (objective.from, objective.to);
+    positive(at, "from", from, faults);
+    positive(at, "to", to, faults);
+    band(at, from, to, faults);
+    positive(at, "weight", objective.weight, faults);
+    match aim {
+        Aim::Width { below, .. } => positive(at, "below", *below, faults),
+        Aim::AntiResonance { at: place, .. } => {
+            positive(at, "at", *place, faults);
+            if *place > 0.0 && (*place < from || *place > to) {
+                let (place, from, to) = (
+                    format_number(*place),
+                    format_number(from),
+                    format_number(to),
+                );
+                let message = format!("is {place}; must be in the band, {from} to {to} Hz");
+                faults.push(Fault::new(format!("{at}.at"), message));
+            }
+        }
+        Aim::Match { file, curve, .. } => {
+            not_blank(&format!("{at}.match"), file, "a file", faults);
+            if let Some(curve) = curve {
+                not_blank(&format!("{at}.curve"), curve, "a curve", faults);
+            }
+        }
+        Aim::Energy | Aim::Peak { .. } | Aim::MeanSquare { .. } => {}
+    }
+}
+
+fn limit(at: &str, model: &Model, limit: &Limit, faults: &mut Vec<Fault>) {
+    match limit {
+        Limit::AddedMass { at_most } => positive(at, "at_most", *at_most, faults),
+        Limit::NoMode { from, to } => {
+            if *from < 0.0 {
+                let message = format!("is {}; must be >= 0", format_number(*from));
+                faults.push(Fault::new(format!("{at}.from"), message));
+            } else if !from.is_finite() {
+                faults.push(Fault::new(format!("{at}.from"), not_finite(*from)));
+            }
+            positive(at, "to", *to, faults);
+            band(at, *from, *to, faults);
+        }
+        Limit::StaticDeflection {
+            response: name,
+            at_most,
+        } => {
+            response(at, model, name, Wanted::Displacement, faults);
+            positive(at, "at_most", *at_most, faults);
+        }
+    }
+}
+
+/// What a response must be.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Wanted {
+    Any,
+    Motion,
+    Displacement,
+}
+
+/// A response must be there, in use, and what is wanted.
+fn response(at: &str, model: &Model, name: &str, wanted: Wanted, faults: &mut Vec<Fault>) {
+    let found = model.responses.iter().find(|one| one.name == name);
+    let message = match found {
+        None => {
+            let known = model
+                .responses
+                .iter()
+                .map(|response| response.name.as_str());
+            let near = names::nearest(name, known);
+            let near = near.map_or_else(String::new, |near| format!(" (did you mean {near:?}?)"));
+            format!("{name:?} is no response{near}; must be the name of one")
+        }
+        Some(found) if !found.enabled => {
+            format!("{name:?} is disabled; must be an enabled response")
+        }
+        Some(found) => match (&found.quantity, wanted) {
+            (Quantity::Energy, Wanted::Motion) => {
+                format!("{name:?} is an energy, which has no phase; must be a motion")
+            }
+            (Quantity::Energy, Wanted::Displacement) => {
+                format!("{name:?} is an energy; must be a displacement")
+            }
+            (Quantity::Motion(_, measure), Wanted::Displacement)
+                if *measure != Measure::Displacement =>
+            {
+                let measure = measure.key();
+                format!(
+                    "{name:?} is of measure {measure}, which is 0 at rest; must be a displacement"
+                )
+            }
+            _ => return,
+        },
+    };
+    faults.push(Fault::new(format!("{at}.response"), message));
+}
+
+/// A number above 0.
+fn positive(at: &str, key: &str, value: f64, faults: &mut Vec<Fault>) {
+    let message = if !value.is_finite() {
+        not_finite(value)
+    } else if value <= 0.0 {
+        format!("is {}; must be > 0", format_number(value))
+    } else {
+        return;
+    };
+    faults.push(Fault::new(format!("{at}.{key}"), message));
+}
+
+/// A text that names something.
+fn not_blank(path: &str, text: &str, what: &str, faults: &mut Vec<Fault>) {
+    let message = if text.trim().is_empty() {
+        format!("is empty; must be the name of {what}")
+    } else if text.contains(char::is_control) {
+        format!("{text:?} holds a control character; must be the name of {what}")
+    } else {
+        return;
+    };
+    faults.push(Fault::new(path, message));
+}

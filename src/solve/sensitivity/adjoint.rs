@@ -1,0 +1,129 @@
+//! What stands in place of the loads for the adjoint field of a response.
+
+use num_complex::Complex64;
+
+use crate::model::{BeamMotion, Measure, Model, Place, Quantity, Target};
+use crate::solve::linear::ZERO;
+use crate::solve::plan::{Event, Output, Plan};
+
+/// A response, with what its derivatives need that does not depend on the frequency.
+#[derive(Debug)]
+pub(super) enum Adjoint {
+    /// A motion.
+    Motion(Box<Motion>),
+    /// A motion that a support holds.
+    Held,
+    /// `E_V`: its loads follow from the motion.
+    Energy,
+}
+
+/// A motion of the beam or of a mass.
+#[derive(Debug)]
+pub(super) struct Motion {
+    /// The plan under a unit load along the motion.
+    pub(super) plan: Plan,
+    pub(super) measure: Measure,
+    /// Where the motion is read.
+    pub(super) reading: Reading,
+    /// The unit load where it stays in its place as the right end moves away from it.
+    pub(super) held: [Complex64; 6],
+}
+
+/// Where a motion is read.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Reading {
+    /// Of the beam, at a station.
+    Beam(usize, BeamMotion),
+    /// Of the enabled subsystem of an index, along y, z or theta.
+    Mass(usize, usize),
+}
+
+impl Adjoint {
+    /// Of each enabled response of a model; `masses` are the stations of its enabled subsystems.
+    pub(super) fn all(model: &Model, plan: &Plan, masses: &[usize]) -> Vec<Self> {
+        let bare = without_loads(plan);
+        let responses = model.responses.iter().filter(|response| response.enabled);
+        let outputs = plan.outputs.iter().zip(responses);
+        let adjoint = |(output, response): (&Output, &crate::model::Response)| {
+            let stays = matches!(
+                response.quantity,
+                Quantity::Motion(Target::Beam(Place::Position(x), _), _) if x == model.beam.length
+            );
+            Self::of(model, &bare, masses, *output, stays)
+        };
+        outputs.map(adjoint).collect()
+    }
+
+    fn of(model: &Model, bare: &Plan, masses: &[usize], output: Output, stays: bool) -> Self {
+        let mut plan = bare.clone();
+        let mut held = [ZERO; 6];
+        let (reading, measure) = match output {
+            Output::Held => return Self::Held,
+            Output::Energy => return Self::Energy,
+            Output::Beam {
+                station,
+                motion,
+                measure,
+            } => {
+                let mut unit = [ZERO; 6];
+                unit[motion as usize] = Complex64::ONE;
+                let at = &mut plan.stations[station];
+                if at.position == 0.0 {
+                    plan.left.load = unit;
+                } else if at.position == model.beam.length {
+                    plan.right.load = unit;
+                    if stays {
+                        held = unit;
+                    }
+                } else {
+                    at.event = Event::Load(unit);
+                }
+                (Reading::Beam(station, motion), measure)
+            }
+            Output::Mass {
+                station,
+                motion,
+                measure,
+            } => {
+                if let Event::Attachment(attachment) = &mut plan.stations[station].event {
+                    attachment.load[motion as usize] = Complex64::ONE;
+                }
+                let index = masses.iter().position(|&mass| mass == station);
+                (
+                    Reading::Mass(index.unwrap_or_default(), motion as usize),
+                    measure,
+                )
+            }
+        };
+        Self::Motion(Box::new(Motion {
+            plan,
+            measure,
+            reading,
+            held,
+        }))
+    }
+}
+
+/// The plan with every load at zero; its stations and spans stay.
+pub(super) fn without_loads(plan: &Plan) -> Plan {
+    let mut bare = plan.clone();
+    bare.left.load = [ZERO; 6];
+    bare.right.load = [ZERO; 6];
+    bare.wants_energy = false;
+    for station in &mut bare.stations {
+        match &mut station.event {
+            Event::Attachment(attachment) => attachment.load = [ZERO; 3],
+            event => *event = Event::Probe,
+        }
+    }
+    bare
+}
+
+/// The factor of a measure and its derivative by the angular frequency.
+pub(super) fn factor(measure: Measure, omega: Complex64) -> [Complex64; 2] {
+    match measure {
+        Measure::Displacement => [Complex64::ONE, ZERO],
+        Measure::Velocity => [Complex64::I * omega, Complex64::I],
+        Measure::Acceleration => [-omega * omega, -2.0 * omega],
+    }
+}

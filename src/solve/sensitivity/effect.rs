@@ -1,0 +1,182 @@
+//! Which parameter matters: how a level, a frequency or a damping ratio moves with the logarithm of each.
+
+use std::f64::consts::LN_10;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use num_complex::Complex64;
+
+use super::Differentiator;
+use crate::model::{Model, Quantity, Response};
+use crate::solve::form::Reference;
+use crate::solve::modes::Modes;
+
+/// What is to be differentiated.
+#[derive(Debug, Clone)]
+pub enum Figure {
+    /// The level of a response at a frequency, Hz.
+    Level {
+        /// Index among the enabled responses.
+        response: usize,
+        /// Hz.
+        frequency: f64,
+    },
+    /// Level and frequency of a resolved peak of a response.
+    Peak {
+        /// Index among the enabled responses.
+        response: usize,
+        /// Where it is, Hz.
+        frequency: f64,
+    },
+    /// Frequency and damping ratio of a mode.
+    Mode {
+        /// The model's modes.
+        modes: Arc<Modes>,
+        /// The index of one of them.
+        index: usize,
+    },
+    /// The mean-square level of a response in a band.
+    Band {
+        /// Index among the enabled responses.
+        response: usize,
+        /// The model's modes.
+        modes: Arc<Modes>,
+        /// From the lower to the upper end, Hz.
+        band: [f64; 2],
+    },
+}
+
+/// How a figure moves with the logarithm of a parameter's size: a hundredth of it for 1 % more.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sensitivity {
+    /// The parameter's path.
+    pub path: String,
+    /// d(level)/d(ln p), dB; none where there is no level, or none that is finite.
+    pub level: Option<f64>,
+    /// d(frequency)/d(ln p), Hz; of a peak or a mode.
+    pub frequency: Option<f64>,
+    /// d(damping ratio)/d(ln p); of a mode.
+    pub damping_ratio: Option<f64>,
+}
+
+/// How a figure of a checked model moves with each parameter that is not 0, in the order of the model.
+///
+/// The level of a response is 20 log10 |H| in dB, of an energy or a mean square 10 log10. Where just one force acts, its
+/// amplitude and phase are left out: the response is taken per force. `None` where `cancel` became true before the end.
+pub fn effects(model: &Model, figure: &Figure, cancel: &AtomicBool) -> Option<Vec<Sensitivity>> {
+    let differentiator = Differentiator::new(model);
+    let slopes = slopes(model, &differentiator, figure, cancel)?;
+    Some(by_logarithms(model, &differentiator, &slopes))
+}
+
+/// The derivatives of a level, of a frequency and of a damping ratio by each parameter.
+#[derive(Default)]
+struct Slopes {
+    level: Option<Vec<f64>>,
+    frequency: Option<Vec<f64>>,
+    damping_ratio: Option<Vec<f64>>,
+}
+
+fn slopes(
+    model: &Model,
+    differentiator: &Differentiator,
+    figure: &Figure,
+    cancel: &AtomicBool,
+) -> Option<Slopes> {
+    // An energy has ten decibels a decade, and so has a mean square.
+    let decibels = |response: usize| match enabled(model, response).map(|one| &one.quantity) {
+        Some(Quantity::Energy) => 10.0 / LN_10,
+        _ => 20.0 / LN_10,
+    };
+    Some(match figure {
+        Figure::Level {
+            response,
+            frequency,
+        } => {
+            let gradient = differentiator.response_at(*response, Complex64::from(*frequency));
+            let factor = decibels(*response);
+            let relative = |slope: &Complex64| factor * (slope / gradient.value).re;
+            Slopes {
+                level: Some(gradient.by_parameter.iter().map(relative).collect()),
+                ..Slopes::default()
+            }
+        }
+        Figure::Peak {
+            response,
+            frequency,
+        } => peak_slopes(differentiator, *response, *frequency, decibels(*response)),
+        Figure::Mode { modes, index } => {
+            let gradient = differentiator.mode(modes.modes.get(*index)?);
+            Slopes {
+                level: None,
+                frequency: Some(gradient.frequency),
+                damping_ratio: Some(gradient.damping_ratio),
+            }
+        }
+        Figure::Band {
+            response,
+            modes,
+            band,
+        } => {
+            let gradient = differentiator.mean_square(*response, modes, *band, cancel)?;
+            let relative = |slope: &f64| 10.0 / LN_10 * slope / gradient.value;
+            Slopes {
+                level: Some(gradient.by_parameter.iter().map(relative).collect()),
+                ..Slopes::default()
+            }
+        }
+    })
+}
+
+/// Of an extremum that has a finite height; nothing is known of another one.
+fn peak_slopes(
+    differentiator: &Differentiator,
+    response: usize,
+    frequency: f64,
+    factor: f64,
+) -> Slopes {
+    let Some(gradient) = differentiator.peak(response, frequency) else {
+        return Slopes::default();
+    };
+    let relative = |slope: &f64| factor * slope / gradient.height;
+    Slopes {
+        level: Some(gradient.height_by.iter().map(relative).collect()),
+        frequency: Some(gradient.frequency_by),
+        damping_ratio: None,
+    }
+}
+
+/// The derivatives by the logarithms of the parameters; one that is 0 has none.
+fn by_logarithms(
+    model: &Model,
+    differentiator: &Differentiator,
+    slopes: &Slopes,
+) -> Vec<Sensitivity> {
+    // A response is shown divided by its force where there is just one: what that force is does not matter then.
+    let one_force = Reference::of(model).is_some();
+    let paths = differentiator.paths().iter().zip(differentiator.values());
+    let scaled = |slopes: &Option<Vec<f64>>, index: usize, value: f64| {
+        let slope = slopes.as_ref()?.get(index)? * value;
+        slope.is_finite().then_some(slope)
+    };
+    paths
+        .enumerate()
+        .filter(|(_, (path, value))| **value != 0.0 && !(one_force && is_size_of_force(path)))
+        .map(|(index, (path, value))| Sensitivity {
+            path: path.clone(),
+            level: scaled(&slopes.level, index, *value),
+            frequency: scaled(&slopes.frequency, index, *value),
+            damping_ratio: scaled(&slopes.damping_ratio, index, *value),
+        })
+        .collect()
+}
+
+fn is_size_of_force(path: &str) -> bool {
+    let field = path.rsplit('.').next();
+    path.starts_with("forces.") && matches!(field, Some("amplitude" | "phase"))
+}
+
+/// An enabled response by its index among them.
+fn enabled(model: &Model, index: usize) -> Option<&Response> {
+    model.responses.iter().filter(|one| one.enabled).nth(index)
+}

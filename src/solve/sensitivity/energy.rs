@@ -1,0 +1,211 @@
+//! The derivatives of the vibration energy `E_V`.
+//!
+//! `E_V = int u^H W u dx` with W = (rho A, rho `I_0`, rho A) on (w, psi, v) is a real function of u, so that
+//! `dE_V = 2 Re int (W conj(u))^T du dx` and what W itself changes. The load `W conj(u)` is spread along the beam: as
+//! point loads at the nodes of a rule that is exact for u and du it gives the same, and its answer lambda consists of
+//! waves between the nodes like every other.
+
+use std::f64::consts::TAU;
+
+use num_complex::Complex64;
+
+use super::adjoint::without_loads;
+use super::field::{Field, Reader, Setting};
+use super::nodes::{Node, nodes};
+use super::overlap::Spans;
+use super::product::Product;
+use super::{Differentiator, Gradient, forces, mass_stations};
+use crate::model::Model;
+use crate::solve::attachment::UNKNOWNS;
+use crate::solve::energy::{SpanEnergy, Sum};
+use crate::solve::linear::ZERO;
+use crate::solve::plan::{Event, Plan};
+use crate::solve::recursion::{Solution, SpanWaves, Workspace};
+use crate::solve::reflection::{Amplitudes, decay};
+
+/// Where the numbers stand that W depends on, in the order of the model file.
+const LENGTH: usize = 0;
+const DENSITY: usize = 3;
+const AREA: usize = 5;
+const POLAR_MOMENT: usize = 10;
+
+impl Differentiator {
+    /// The derivatives of `E_V` at a frequency, rad/s.
+    pub(super) fn of_energy(&self, omega: f64) -> Gradient {
+        let solution = Workspace::default().solution(&self.plan, omega.into());
+        let length = self.model.beam.length;
+        let nodes = nodes(&self.plan, &solution.waves, length);
+        let places = nodes.iter().map(|node| node.x);
+        let plan = self.plan.with_probes(places, length);
+        let u = refined(&self.plan, &plan, &solution);
+        let masses = mass_stations(&self.model, &plan);
+        let setting = Setting {
+            model: &self.model,
+            plan: &plan,
+            masses: &masses,
+            omega: omega.into(),
+        };
+        let spread = Spread::new(&plan, &u, &nodes);
+        let lambda_plan = spread.loaded(&plan);
+        let lambda = Workspace::default().solution(&lambda_plan, omega.into());
+        let lambda_field = Field::new(
+            &Setting {
+                plan: &lambda_plan,
+                ..setting
+            },
+            &lambda,
+        );
+        let u_field = Field::new(&setting, &u);
+        let spans = Spans::new(&plan, &lambda);
+        let product = Product {
+            setting,
+            lambda: &lambda_field,
+            u: &u_field,
+            overlap: spans.overlap(&plan, &lambda.waves, [&lambda.spans, &u.spans]),
+        };
+        let mut by_parameter = product.by_parameter([&[ZERO; 6], &forces::held(&self.forces)]);
+        let reader = Reader::new(&lambda_plan, &lambda);
+        for force in &self.forces {
+            by_parameter.extend(force.by_parameter(&lambda_plan, &lambda_field, &reader));
+        }
+        for value in &mut by_parameter {
+            *value = (2.0 * value.re).into();
+        }
+        for (index, share) in spread.of_weights(&self.model, &u_field) {
+            by_parameter[index] += share;
+        }
+        Gradient {
+            value: energy(&self.plan, &solution).into(),
+            by_frequency: (2.0 * TAU * product.by_omega().re).into(),
+            by_parameter,
+        }
+    }
+}
+
+/// `E_V` as the frequency responses have it.
+fn energy(plan: &Plan, solution: &Solution) -> f64 {
+    let energy = SpanEnergy::vibration(plan, &solution.waves, &solution.decays);
+    let mut sum = Sum::default();
+    for (waves, &span) in solution.spans.iter().zip(&plan.spans) {
+        sum.add(energy.of(span, &waves.a, &waves.b));
+    }
+    sum.resolved()
+}
+
+/// A solution on a plan that has more places to look at.
+fn refined(plan: &Plan, fine: &Plan, solution: &Solution) -> Solution {
+    let lengths = fine.lengths.iter();
+    let decays: Vec<Amplitudes> = lengths.map(|&l| decay(&solution.waves, l)).collect();
+    let mut spans: Vec<SpanWaves> = Vec::new();
+    let mut unknowns = Vec::new();
+    let mut first = 0;
+    for (span, waves) in solution.spans.iter().enumerate() {
+        // The fine spans up to the station that ends this one.
+        let end = plan
+            .stations
+            .get(span)
+            .map_or(f64::INFINITY, |of| of.position);
+        let probes = &fine.stations[first..];
+        let within = probes.iter().take_while(|of| of.position < end).count();
+        unknowns.extend(vec![[ZERO; UNKNOWNS]; within]);
+        unknowns.extend(solution.unknowns.get(span));
+        let last = first + within;
+        let pieces = &fine.spans[first..=last];
+        let mut piece_waves = vec![waves.clone(); pieces.len()];
+        for index in 1..pieces.len() {
+            let decay = &decays[pieces[index - 1]];
+            piece_waves[index].a = times(&piece_waves[index - 1].a, decay);
+            let (left, right) = (pieces.len() - 1 - index, pieces.len() - index);
+            piece_waves[left].b = times(&piece_waves[right].b, &decays[pieces[right]]);
+        }
+        spans.extend(piece_waves);
+        first = last + 1;
+    }
+    Solution {
+        waves: solution.waves.clone(),
+        decays,
+        spans,
+        unknowns,
+    }
+}
+
+fn times(amplitudes: &Amplitudes, decay: &Amplitudes) -> Amplitudes {
+    std::array::from_fn(|wave| amplitudes[wave] * decay[wave])
+}
+
+/// The motion at the nodes.
+struct Spread {
+    nodes: Vec<NodeMotion>,
+    /// rho A, kg/m.
+    mass: f64,
+    /// rho `I_0`, kg m.
+    polar: f64,
+}
+
+/// The motion at a node.
+struct NodeMotion {
+    /// The node's station.
+    station: usize,
+    /// m.
+    weight: f64,
+    /// w, psi, v.
+    motion: [Complex64; 3],
+}
+
+impl Spread {
+    /// Reads a solution of a plan that has the nodes among its stations.
+    fn new(plan: &Plan, solution: &Solution, nodes: &[Node]) -> Self {
+        let reader = Reader::new(plan, solution);
+        let at = |node: &Node| {
+            let station = plan.stations.partition_point(|of| of.position < node.x);
+            let [w, psi, v, ..] = reader.end(station).motion;
+            NodeMotion {
+                station,
+                weight: node.weight,
+                motion: [w, psi, v],
+            }
+        };
+        Self {
+            nodes: nodes.iter().map(at).collect(),
+            mass: plan.beam.mass,
+            polar: plan.beam.polar,
+        }
+    }
+
+    /// The plan under the loads W conj(u) in place of its own.
+    fn loaded(&self, plan: &Plan) -> Plan {
+        let mut loaded = without_loads(plan);
+        for node in &self.nodes {
+            let [w, psi, v] = node.motion.map(|moved| node.weight * moved.conj());
+            let load = [
+                self.mass * w,
+                self.polar * psi,
+                self.mass * v,
+                ZERO,
+                ZERO,
+                ZERO,
+            ];
+            loaded.stations[node.station].event = Event::Load(load);
+        }
+        loaded
+    }
+
+    /// What the weights of the energy, and the length of beam that it counts, change: places among the parameters, and
+    /// derivatives.
+    fn of_weights(&self, model: &Model, u: &Field) -> [(usize, f64); 4] {
+        let (mut along, mut about) = (0.0, 0.0);
+        for node in &self.nodes {
+            let [w, psi, v] = node.motion.map(|moved| node.weight * moved.norm_sqr());
+            along += w + v;
+            about += psi;
+        }
+        let (material, section) = (&model.beam.material, &model.beam.section);
+        let [w, psi, v] = [0, 1, 2].map(|row: usize| u.edge.motion[row].norm_sqr());
+        [
+            (LENGTH, self.mass * (w + v) + self.polar * psi),
+            (DENSITY, section.area * along + section.polar_moment * about),
+            (AREA, material.density * along),
+            (POLAR_MOMENT, material.density * about),
+        ]
+    }
+}

@@ -1,0 +1,157 @@
+//! What one solution of a plan does at the places where parameters act.
+
+use num_complex::Complex64;
+
+use crate::model::{BeamMotion, Model, Subsystem};
+use crate::solve::attachment::UNKNOWNS;
+use crate::solve::linear::ZERO;
+use crate::solve::local::Local;
+use crate::solve::plan::{Event, Plan};
+use crate::solve::recursion::{Solution, SpanWaves};
+use crate::solve::reflection::Amplitudes;
+use crate::solve::springs::{springs, stiffness, stretches};
+use crate::solve::waves::Waves;
+
+/// A model laid out, and one frequency.
+#[derive(Clone, Copy)]
+pub(super) struct Setting<'a> {
+    pub(super) model: &'a Model,
+    pub(super) plan: &'a Plan,
+    /// Station of each enabled subsystem, in the order of the model.
+    pub(super) masses: &'a [usize],
+    /// rad/s.
+    pub(super) omega: Complex64,
+}
+
+/// One solution.
+#[derive(Debug)]
+pub(super) struct Field {
+    /// The six motions of the left and of the right end.
+    pub(super) ends: [[Complex64; 6]; 2],
+    /// What the beam does just inside the right end.
+    pub(super) edge: Local,
+    /// The enabled subsystems, in the order of the model.
+    pub(super) masses: Vec<MassField>,
+}
+
+/// What one solution does at a subsystem.
+#[derive(Debug)]
+pub(super) struct MassField {
+    /// y, z, theta of the mass.
+    pub(super) motion: [Complex64; 3],
+    /// The twist psi of the beam there.
+    pub(super) twist: Complex64,
+    /// w', psi', v' of the beam there; where the twist has a kink, the mean of both sides.
+    pub(super) slope: [Complex64; 3],
+    /// How far the mass's end of each spring (y left, y right, z left, z right) is ahead of the beam's, m.
+    pub(super) stretches: [Complex64; 4],
+    /// `(k + i omega c)` times the stretch, N.
+    pub(super) forces: [Complex64; 4],
+}
+
+/// A solution with the decays of its plan's spans, read at the ends of spans.
+#[derive(Clone, Copy)]
+pub(super) struct Reader<'a> {
+    plan: &'a Plan,
+    waves: &'a Waves,
+    decays: &'a [Amplitudes],
+    spans: &'a [SpanWaves],
+}
+
+impl<'a> Reader<'a> {
+    pub(super) fn new(plan: &'a Plan, solution: &'a Solution) -> Self {
+        Self {
+            plan,
+            waves: &solution.waves,
+            decays: &solution.decays,
+            spans: &solution.spans,
+        }
+    }
+
+    /// Just right of the left end of a span.
+    pub(super) fn start(&self, span: usize) -> Local {
+        let SpanWaves { a, b } = &self.spans[span];
+        Local::new(self.waves, a, &self.decayed(span, b))
+    }
+
+    /// Just left of the right end of a span: of the station that the span leads to.
+    pub(super) fn end(&self, span: usize) -> Local {
+        let SpanWaves { a, b } = &self.spans[span];
+        Local::new(self.waves, &self.decayed(span, a), b)
+    }
+
+    fn decayed(&self, span: usize, amplitudes: &Amplitudes) -> Amplitudes {
+        let decay = &self.decays[self.plan.spans[span]];
+        std::array::from_fn(|wave| amplitudes[wave] * decay[wave])
+    }
+}
+
+impl Field {
+    /// Reads a solution of the setting's plan.
+    pub(super) fn new(setting: &Setting<'_>, solution: &Solution) -> Self {
+        let reader = Reader::new(setting.plan, solution);
+        let edge = reader.end(setting.plan.stations.len());
+        let attached = setting.model.attached().zip(setting.masses);
+        let masses = attached.map(|(subsystem, &station)| {
+            let unknowns = &solution.unknowns[station];
+            mass(setting, &reader, subsystem, station, unknowns)
+        });
+        Self {
+            ends: [reader.start(0).motion, edge.motion],
+            masses: masses.collect(),
+            edge,
+        }
+    }
+}
+
+/// What a solution does at the subsystem of a station.
+fn mass(
+    setting: &Setting<'_>,
+    reader: &Reader<'_>,
+    subsystem: &Subsystem,
+    station: usize,
+    unknowns: &[Complex64; UNKNOWNS],
+) -> MassField {
+    let local = reader.end(station);
+    let [w, psi, v, ..] = local.motion;
+    let motion = match &setting.plan.stations[station].event {
+        Event::Attachment(attachment) => attachment.motion(setting.omega, unknowns, &[w, psi, v]),
+        Event::Load(_) | Event::Probe => [ZERO; 3],
+    };
+    let stretches = stretches(setting.omega, subsystem, [motion, [w, psi, v]], unknowns);
+    let springs = springs(subsystem);
+    let mut slope = [local.motion[3], local.motion[4], local.motion[5]];
+    if setting.plan.beam.without_warping() {
+        slope[1] = mean_torque(setting, reader, station) / setting.plan.beam.torsion;
+    }
+    MassField {
+        motion,
+        twist: psi,
+        slope,
+        forces: std::array::from_fn(|spring| {
+            stiffness(setting.omega, springs[spring]) * stretches[spring]
+        }),
+        stretches,
+    }
+}
+
+/// The mean of the torque, N m, on both sides of a station together with those at the same place.
+///
+/// Without warping stiffness psi has a kink at a torque: a force that moves over it meets the mean of both slopes. At an
+/// end a station can only move inwards, past all others there.
+fn mean_torque(setting: &Setting<'_>, reader: &Reader<'_>, station: usize) -> Complex64 {
+    let stations = &setting.plan.stations;
+    let x = stations[station].position;
+    let first = stations.partition_point(|other| other.position < x);
+    let last = stations.partition_point(|other| other.position <= x) - 1;
+    let torque = |local: Local| local.force[BeamMotion::Psi as usize];
+    let own = torque(reader.start(station + 1)) - torque(reader.end(station));
+    let (before, after) = (torque(reader.end(first)), torque(reader.start(last + 1)));
+    if x == 0.0 {
+        after - 0.5 * own
+    } else if x == setting.model.beam.length {
+        before + 0.5 * own
+    } else {
+        0.5 * (before + after)
+    }
+}

@@ -1,0 +1,81 @@
+//! How a mean square in a band moves with the parameters.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use rayon::prelude::*;
+
+use super::adjoint::Adjoint;
+use super::{Differentiator, Gradient};
+use crate::model::Model;
+use crate::solve::band;
+use crate::solve::modes::Modes;
+
+/// The mean square of a response in a band with its derivatives.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeanSquareGradient {
+    /// As [`band::levels`] has it: `1/(f2 - f1) int |H|^2 df`, of an energy the mean of `E_V` itself. Infinite where an
+    /// undamped resonance lies in the band.
+    pub value: f64,
+    /// Per SI unit of each parameter (of a phase: per degree), in the order of [`Differentiator::paths`]; NaN where the
+    /// value is infinite.
+    pub by_parameter: Vec<f64>,
+}
+
+impl Differentiator {
+    /// The mean square of a response, by its index among the enabled ones, in a band (Hz, rising, > 0), with its derivatives.
+    ///
+    /// `modes` are the model's, up to the end of the band or higher. The frequencies are those of [`band::levels`] for this
+    /// response alone. `None` where `cancel` became true before the end.
+    pub fn mean_square(
+        &self,
+        response: usize,
+        modes: &Modes,
+        band: [f64; 2],
+        cancel: &AtomicBool,
+    ) -> Option<MeanSquareGradient> {
+        let Some(rule) = band::rule(&self.alone(response), modes, band, cancel)? else {
+            return Some(MeanSquareGradient {
+                value: f64::INFINITY,
+                by_parameter: vec![f64::NAN; self.paths().len()],
+            });
+        };
+        let at = |&[frequency, weight]: &[f64; 2]| {
+            (!cancel.load(Ordering::Relaxed)).then(|| {
+                let gradient = self.response_at(response, frequency.into());
+                let power = self.power(response, &gradient);
+                power.into_iter().map(|share| weight * share).collect()
+            })
+        };
+        let shares: Option<Vec<Vec<f64>>> = rule.par_iter().map(at).collect();
+        // Added in order, so that the sum does not depend on the number of threads.
+        let mut sum = vec![0.0; self.paths().len() + 1];
+        for share in shares? {
+            sum.iter_mut()
+                .zip(share)
+                .for_each(|(sum, share)| *sum += share);
+        }
+        Some(MeanSquareGradient {
+            value: sum.pop().unwrap_or_default(),
+            by_parameter: sum,
+        })
+    }
+
+    /// The model with one of its enabled responses, by its index.
+    fn alone(&self, response: usize) -> Model {
+        let mut model = self.model.clone();
+        let enabled = model.responses.iter().filter(|of| of.enabled);
+        model.responses = enabled.skip(response).take(1).cloned().collect();
+        model
+    }
+
+    /// The derivatives of |H|^2 (of an energy: of itself) by each parameter, and its value last.
+    pub(super) fn power(&self, response: usize, gradient: &Gradient) -> Vec<f64> {
+        let all = gradient.by_parameter.iter();
+        if matches!(self.adjoints[response], Adjoint::Energy) {
+            return all.chain([&gradient.value]).map(|by| by.re).collect();
+        }
+        let value = gradient.value;
+        let by = all.map(|by| 2.0 * (value.conj() * by).re);
+        by.chain([value.norm_sqr()]).collect()
+    }
+}

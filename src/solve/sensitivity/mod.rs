@@ -1,0 +1,206 @@
+//! Exact derivatives of the responses by every parameter, by the adjoint.
+//!
+//! A response is `r = e^T u` with `D(omega, p) u = F` and D symmetric, so that `dr/dp = lambda^T (dF/dp - (dD/dp) u)` with
+//! `D lambda = e`: for the price of one more solution, under a unit load in the place of the response, come the
+//! derivatives by all parameters. `adjoint` lays out these loads, `field` reads what a solution does where parameters
+//! act, `overlap` integrates products of two solutions along the beam in closed form, `product` puts
+//! `-lambda^T (dD/dp) u` together for every parameter and `forces` adds `lambda^T dF/dp`. Nothing is a difference of
+//! solutions.
+
+mod adjoint;
+mod effect;
+mod energy;
+mod field;
+mod forces;
+mod mean_square;
+mod mode;
+mod nodes;
+mod overlap;
+mod parameters;
+mod peak;
+mod product;
+
+use std::f64::consts::TAU;
+
+use num_complex::Complex64;
+
+use super::linear::ZERO;
+use super::plan::{Event, Plan};
+use super::recursion::{Solution, Workspace};
+use crate::model::Model;
+pub use effect::{Figure, Sensitivity, effects};
+
+use adjoint::{Adjoint, Motion, Reading, factor};
+use field::{Field, Reader, Setting};
+use forces::Force;
+pub use mean_square::MeanSquareGradient;
+pub use mode::ModeGradient;
+use overlap::Spans;
+use parameters::Parameters;
+pub use peak::PeakGradient;
+use product::Product;
+
+/// The derivatives of one response at one frequency.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Gradient {
+    /// The response, as [`sweep`](super::sweep()) gives it.
+    pub value: Complex64,
+    /// Its derivative by the frequency, per Hz.
+    pub by_frequency: Complex64,
+    /// Its derivative by each parameter, per SI unit (of a phase per degree), in the order of [`Differentiator::paths`].
+    /// Of an energy real.
+    pub by_parameter: Vec<Complex64>,
+}
+
+/// A model laid out once, to differentiate its responses at any frequency.
+#[derive(Debug)]
+pub struct Differentiator {
+    model: Model,
+    plan: Plan,
+    parameters: Parameters,
+    /// Station of each enabled subsystem, in the order of the model.
+    masses: Vec<usize>,
+    forces: Vec<Force>,
+    /// Of each enabled response.
+    adjoints: Vec<Adjoint>,
+}
+
+/// The solution under the forces of the model, at one frequency.
+struct Forced<'a> {
+    setting: Setting<'a>,
+    /// What the beam does just left of each station.
+    solution: Solution,
+    spans: Spans,
+    field: Field,
+}
+
+impl Differentiator {
+    /// Lays out a checked model.
+    pub fn new(model: &Model) -> Self {
+        let plan = Plan::new(model);
+        let masses = mass_stations(model, &plan);
+        Self {
+            parameters: Parameters::of(model),
+            adjoints: Adjoint::all(model, &plan, &masses),
+            forces: Force::all(model),
+            model: model.clone(),
+            masses,
+            plan,
+        }
+    }
+
+    /// The paths of the numbers that responses depend on, in the order of [`path::all`](crate::model::path::all): of the
+    /// beam, of supports that are not fixed, and of the subsystems and forces that are enabled.
+    pub fn paths(&self) -> &[String] {
+        &self.parameters.paths
+    }
+
+    /// The numbers themselves, SI (phases in degrees), in the order of [`Self::paths`].
+    pub fn values(&self) -> &[f64] {
+        &self.parameters.values
+    }
+
+    /// The derivatives of each enabled response at a frequency, Hz: above 0, or complex where a mode or a zero is sought.
+    pub fn at(&self, frequency: Complex64) -> Vec<Gradient> {
+        let forced = self.forced(TAU * frequency);
+        let adjoints = self.adjoints.iter();
+        adjoints
+            .map(|adjoint| self.gradient(&forced, adjoint))
+            .collect()
+    }
+
+    /// The same of one response: its index among the enabled ones, which there must be.
+    ///
+    /// An energy is real and takes the real part of a frequency.
+    pub fn response_at(&self, response: usize, frequency: Complex64) -> Gradient {
+        self.gradient(&self.forced(TAU * frequency), &self.adjoints[response])
+    }
+
+    fn forced(&self, omega: Complex64) -> Forced<'_> {
+        let setting = Setting {
+            model: &self.model,
+            plan: &self.plan,
+            masses: &self.masses,
+            omega,
+        };
+        let solution = Workspace::default().solution(&self.plan, omega);
+        Forced {
+            spans: Spans::new(&self.plan, &solution),
+            field: Field::new(&setting, &solution),
+            setting,
+            solution,
+        }
+    }
+
+    fn gradient(&self, forced: &Forced<'_>, adjoint: &Adjoint) -> Gradient {
+        match adjoint {
+            Adjoint::Motion(motion) => self.of_motion(forced, motion),
+            Adjoint::Held => self.nothing(),
+            Adjoint::Energy => self.of_energy(forced.setting.omega.re),
+        }
+    }
+
+    /// Of a motion that does not depend on anything.
+    fn nothing(&self) -> Gradient {
+        Gradient {
+            value: ZERO,
+            by_frequency: ZERO,
+            by_parameter: vec![ZERO; self.paths().len()],
+        }
+    }
+
+    fn of_motion(&self, forced: &Forced<'_>, motion: &Motion) -> Gradient {
+        let setting = Setting {
+            plan: &motion.plan,
+            ..forced.setting
+        };
+        let solution = Workspace::default().solution(setting.plan, setting.omega);
+        let lambda = Field::new(&setting, &solution);
+        let spans = [&solution.spans[..], &forced.solution.spans];
+        let product = Product {
+            setting,
+            lambda: &lambda,
+            u: &forced.field,
+            overlap: forced.spans.overlap(&self.plan, &solution.waves, spans),
+        };
+        let mut by_parameter = product.by_parameter([&motion.held, &forces::held(&self.forces)]);
+        let reader = Reader::new(setting.plan, &solution);
+        for force in &self.forces {
+            by_parameter.extend(force.by_parameter(setting.plan, &lambda, &reader));
+        }
+        let [times, growth] = factor(motion.measure, setting.omega);
+        by_parameter.iter_mut().for_each(|value| *value *= times);
+        let moved = self.read(forced, motion.reading);
+        Gradient {
+            value: times * moved,
+            by_frequency: TAU * (growth * moved + times * product.by_omega()),
+            by_parameter,
+        }
+    }
+
+    /// A motion under the forces of the model.
+    fn read(&self, forced: &Forced<'_>, reading: Reading) -> Complex64 {
+        match reading {
+            Reading::Mass(index, motion) => forced.field.masses[index].motion[motion],
+            Reading::Beam(station, motion) => {
+                let reader = Reader::new(&self.plan, &forced.solution);
+                reader.end(station).motion[motion as usize]
+            }
+        }
+    }
+}
+
+/// The station of each enabled subsystem, in the order of the model.
+fn mass_stations(model: &Model, plan: &Plan) -> Vec<usize> {
+    // Stations lie by rising place, those at one place in the order of the model.
+    let positions: Vec<f64> = model.attached().map(|of| of.position).collect();
+    let mut order: Vec<usize> = (0..positions.len()).collect();
+    order.sort_by(|&a, &b| positions[a].total_cmp(&positions[b]));
+    let stations = plan.stations.iter().enumerate();
+    let attached = stations.filter(|(_, of)| matches!(of.event, Event::Attachment(_)));
+    let mut masses = vec![0; positions.len()];
+    for (subsystem, (station, _)) in order.into_iter().zip(attached) {
+        masses[subsystem] = station;
+    }
+    masses
+}

@@ -1,0 +1,194 @@
+//! How a peak or an anti-resonance of a response moves with the parameters.
+//!
+//! At an extremum f* of P(f) = |H|^2 the height moves by dP/dp alone (the envelope theorem), and f* by
+//! `-(d2P/df dp) / (d2P/df2)`. P and dP/dp are analytic in f on the real axis: they are interpolated in Chebyshev points
+//! around f*, so near together that the series has converged, and the series are differentiated (Trefethen,
+//! Approximation Theory and Approximation Practice (2013), Chapters 3 and 8).
+
+use std::f64::consts::{PI, TAU};
+
+use num_complex::Complex64;
+
+use super::Differentiator;
+use super::adjoint::Adjoint;
+use crate::solve::recursion::Workspace;
+
+/// Chebyshev points of an interval.
+const POINTS: usize = 16;
+
+/// A resolved extremum of a response with its derivatives by each parameter, per SI unit (of a phase: per degree), in the
+/// order of [`Differentiator::paths`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct PeakGradient {
+    /// Where it is, Hz.
+    pub frequency: f64,
+    /// |H|, or `E_V`, there.
+    pub height: f64,
+    /// The derivatives of the frequency.
+    pub frequency_by: Vec<f64>,
+    /// The derivatives of the height; 0 where the height itself is.
+    pub height_by: Vec<f64>,
+}
+
+/// An interval around a place, Hz.
+#[derive(Debug, Clone, Copy)]
+struct Interval {
+    middle: f64,
+    half: f64,
+}
+
+impl Differentiator {
+    /// The derivatives of the extremum (peak, dip or anti-resonance) of |H| or of `E_V` next to a frequency (Hz); the
+    /// response by its index among the enabled ones.
+    ///
+    /// None where there is no extremum so near that a series about the frequency reaches it, and at an undamped resonance,
+    /// whose height is infinite: see [`Self::mode`].
+    pub fn peak(&self, response: usize, frequency: f64) -> Option<PeakGradient> {
+        /// A farther extremum is sought again from where it seems to be.
+        const NEAR: f64 = 0.25;
+        const MOST_MOVES: usize = 8;
+        let mut middle = frequency;
+        for _ in 0..MOST_MOVES {
+            let (interval, series) = self.interval(response, middle)?;
+            let t = extremum(&series)?;
+            middle += t * interval.half;
+            if t.abs() <= NEAR {
+                return self.peak_in(response, interval, &series, t);
+            }
+        }
+        None
+    }
+
+    /// The derivatives of the extremum at t of an interval on which the power has a series.
+    fn peak_in(
+        &self,
+        response: usize,
+        interval: Interval,
+        series: &[f64; POINTS],
+        t: f64,
+    ) -> Option<PeakGradient> {
+        let powers: Vec<Vec<f64>> = interval
+            .points()
+            .iter()
+            .map(|&f| self.power(response, &self.response_at(response, f.into())))
+            .collect();
+        let curvature = value(&derivative(&derivative(series)), t);
+        let frequency_by = (0..self.paths().len()).map(|parameter| {
+            let mixed = coefficients(&std::array::from_fn(|point| powers[point][parameter]));
+            -value(&derivative(&mixed), t) / curvature * interval.half
+        });
+        let frequency_by: Vec<f64> = frequency_by.collect();
+        let frequency = interval.middle + t * interval.half;
+        let gradient = self.response_at(response, frequency.into());
+        let height = gradient.value.norm();
+        let energy = matches!(self.adjoints[response], Adjoint::Energy);
+        let rate = |by: &Complex64| match (energy, height > 0.0) {
+            (true, _) => by.re,
+            (false, true) => (gradient.value.conj() * by).re / height,
+            (false, false) => 0.0,
+        };
+        let finite = height.is_finite() && frequency_by.iter().all(|by| by.is_finite());
+        finite.then(|| PeakGradient {
+            frequency,
+            height,
+            frequency_by,
+            height_by: gradient.by_parameter.iter().map(rate).collect(),
+        })
+    }
+
+    /// The longest interval about a frequency (Hz) on which the series of the power converges, with the series.
+    fn interval(&self, response: usize, middle: f64) -> Option<(Interval, [f64; POINTS])> {
+        const LONGEST: f64 = 0.02;
+        const SHORTEST: f64 = 1e-11;
+        const SHORTER: f64 = 0.5;
+        /// What the last terms may be, relative to the largest.
+        const CONVERGED: f64 = 1e-10;
+        let mut interval = Interval {
+            middle,
+            half: LONGEST * middle,
+        };
+        while interval.half > SHORTEST * middle {
+            let series = coefficients(&interval.points().map(|f| self.power_at(response, f)));
+            let largest = series.iter().map(|term| term.abs()).fold(0.0, f64::max);
+            let last = series[POINTS - 3..].iter().map(|term| term.abs());
+            if last.fold(0.0, f64::max) <= CONVERGED * largest && largest.is_finite() {
+                return Some((interval, series));
+            }
+            interval.half *= SHORTER;
+        }
+        None
+    }
+
+    /// |H|^2, or an energy, at a frequency, Hz.
+    fn power_at(&self, response: usize, frequency: f64) -> f64 {
+        let mut values = vec![Complex64::ZERO; self.plan.outputs.len()];
+        Workspace::default().solve(&self.plan, (TAU * frequency).into(), &mut values);
+        match self.adjoints[response] {
+            Adjoint::Energy => values[response].re,
+            Adjoint::Motion(_) | Adjoint::Held => values[response].norm_sqr(),
+        }
+    }
+}
+
+impl Interval {
+    /// Its Chebyshev points, Hz.
+    fn points(self) -> [f64; POINTS] {
+        std::array::from_fn(|point| self.middle + self.half * angle(point).cos())
+    }
+}
+
+/// The angle of a Chebyshev point of the first kind.
+fn angle(point: usize) -> f64 {
+    PI * (point as f64 + 0.5) / POINTS as f64
+}
+
+/// The Chebyshev coefficients of the polynomial through values at the points.
+fn coefficients(values: &[f64; POINTS]) -> [f64; POINTS] {
+    std::array::from_fn(|degree| {
+        let terms = values.iter().enumerate();
+        let sum: f64 = terms
+            .map(|(point, value)| value * (degree as f64 * angle(point)).cos())
+            .sum();
+        sum * if degree == 0 { 1.0 } else { 2.0 } / POINTS as f64
+    })
+}
+
+/// The coefficients of the derivative of a Chebyshev series.
+fn derivative(series: &[f64; POINTS]) -> [f64; POINTS] {
+    let mut out = [0.0; POINTS];
+    for degree in (0..POINTS - 1).rev() {
+        let beyond = out.get(degree + 2).copied().unwrap_or_default();
+        out[degree] = beyond + 2.0 * (degree + 1) as f64 * series[degree + 1];
+    }
+    out[0] *= 0.5;
+    out
+}
+
+/// A Chebyshev series at t in [-1, 1], by Clenshaw's recurrence.
+fn value(series: &[f64; POINTS], t: f64) -> f64 {
+    let (mut one, mut two) = (0.0, 0.0);
+    for &term in series[1..].iter().rev() {
+        (one, two) = (term + 2.0 * t * one - two, one);
+    }
+    series[0] + t * one - two
+}
+
+/// Where a series has an extremum in [-1, 1], by Newton steps from 0; none where they leave.
+fn extremum(series: &[f64; POINTS]) -> Option<f64> {
+    const STEPS: usize = 30;
+    const SETTLED: f64 = 1e-13;
+    let slope = derivative(series);
+    let curvature = derivative(&slope);
+    let mut t = 0.0_f64;
+    for _ in 0..STEPS {
+        let step = value(&slope, t) / value(&curvature, t);
+        t -= step;
+        if !t.is_finite() || t.abs() > 1.0 {
+            return None;
+        }
+        if step.abs() <= SETTLED {
+            break;
+        }
+    }
+    Some(t)
+}

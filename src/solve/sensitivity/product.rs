@@ -1,0 +1,240 @@
+//! The derivative of a response by every parameter, from two fields: `-lambda^T (dD/dp) u`.
+//!
+//! The beam, its supports and its subsystems are one system `D u = F`, complex and symmetric; a response is `e^T u` and
+//! `lambda` its answer to `e` in place of the loads. So `dr/dp = lambda^T (dF/dp - (dD/dp) u)`. Every spring, damper
+//! and mass is one term of D, and the beam is the bilinear form (the strain and kinetic energies of Vlasov's beam; Chen
+//! & Liu, Mathematics 2022, 10(16), 2849, Section 2, derive their equations from them)
+//!
+//! `int E Iz v'' v'' + E Iy w'' w'' + E G0 psi'' psi'' + G J psi' psi'
+//! - omega^2 [rho A (w w + v v + z_c (w psi + psi w)) + rho I0 psi psi] dx`.
+//!
+//! The adjoint: Lions, Optimal Control of Systems (1971); for vibration: Adelman & Haftka, AIAA J. 24 (1986) 823-832.
+
+use num_complex::Complex64;
+
+use super::field::{Field, MassField, Setting};
+use super::overlap::Overlap;
+use crate::model::{BeamMotion, Restraint, Subsystem, Support};
+use crate::solve::linear::ZERO;
+use crate::solve::local::Local;
+
+/// A field and the adjoint one, with the integrals of their product.
+pub(super) struct Product<'a> {
+    pub(super) setting: Setting<'a>,
+    pub(super) lambda: &'a Field,
+    pub(super) u: &'a Field,
+    pub(super) overlap: Overlap,
+}
+
+impl Product<'_> {
+    /// `-lambda^T (dD/dp) u` for the parameters of the beam, the supports and the subsystems, in their order; `held`
+    /// are the loads (of lambda and of u) that stay where they are when the right end moves away from them.
+    pub(super) fn by_parameter(&self, held: [&[Complex64; 6]; 2]) -> Vec<Complex64> {
+        let mut all = vec![self.by_length(held)];
+        all.extend(self.by_material());
+        all.extend(self.by_section());
+        let supports = &self.setting.model.supports;
+        for (end, support) in [&supports.left, &supports.right].into_iter().enumerate() {
+            self.by_support(support, end, &mut all);
+        }
+        let masses = self.lambda.masses.iter().zip(&self.u.masses);
+        for (subsystem, (lambda, u)) in self.setting.model.attached().zip(masses) {
+            all.extend(self.by_subsystem(subsystem, lambda, u));
+        }
+        all
+    }
+
+    /// `-lambda^T (dD/d omega) u = lambda^T (2 omega M - i C) u`, per rad/s.
+    pub(super) fn by_omega(&self) -> Complex64 {
+        let (mut mass, mut damping) = (self.mass_of_beam(), ZERO);
+        let supports = &self.setting.model.supports;
+        for (end, support) in [&supports.left, &supports.right].into_iter().enumerate() {
+            for motion in BeamMotion::ALL {
+                let product = self.at_end(end, motion);
+                let elastic = support[motion].elastic();
+                mass += elastic.inertia * product;
+                damping += elastic.damping * product;
+            }
+        }
+        let masses = self.lambda.masses.iter().zip(&self.u.masses);
+        for (subsystem, (lambda, u)) in self.setting.model.attached().zip(masses) {
+            let [y, z, theta] = products(&lambda.motion, &u.motion);
+            mass += subsystem.mass * (y + z) + subsystem.inertia * theta;
+            let springs = crate::solve::springs::springs(subsystem);
+            let stretches = products(&lambda.stretches, &u.stretches);
+            for (spring, stretch) in springs.iter().zip(stretches) {
+                damping += spring.damping * stretch;
+            }
+        }
+        2.0 * self.setting.omega * mass - Complex64::I * damping
+    }
+
+    /// The Hamiltonian at the right end: what the last piece of beam adds when it grows by one metre.
+    ///
+    /// With `-dD/dL` of the beam being minus the density of its form there, and the support and its loads moving on by
+    /// the slopes, `dr/dL = sum (p_u q'_lambda + p_lambda q'_u) - density` over displacements and slopes q with their
+    /// internal forces p (Gelfand & Fomin, Calculus of Variations (1963), Section 13).
+    fn by_length(&self, held: [&[Complex64; 6]; 2]) -> Complex64 {
+        let beam = &self.setting.plan.beam;
+        let [lambda, u] = [self.lambda, self.u];
+        let edges = [(lambda, held[0]), (u, held[1])].map(|(field, held)| self.beyond(field, held));
+        let [l, u] = &edges;
+        let mut sum = ZERO;
+        for row in 0..3 {
+            sum += l.force[row] * u.motion[row + 3] + u.force[row] * l.motion[row + 3];
+        }
+        // Both orders of M q'' less the density M M / EI of bending.
+        let stiffnesses = [beam.bending_w, beam.warping, beam.bending_v];
+        for (row, stiffness) in stiffnesses.into_iter().enumerate() {
+            if stiffness != ZERO {
+                sum += l.force[row + 3] * u.force[row + 3] / stiffness;
+            }
+        }
+        sum -= beam.torsion * l.motion[4] * u.motion[4];
+        let [w, psi, v] = [0, 1, 2].map(|row| l.motion[row] * u.motion[row]);
+        let coupled = l.motion[0] * u.motion[1] + l.motion[1] * u.motion[0];
+        let section = &self.setting.model.beam.section;
+        let inertia = beam.mass * (w + v + section.centroid_offset * coupled) + beam.polar * psi;
+        sum + self.setting.omega * self.setting.omega * inertia
+    }
+
+    /// The right end just beyond the loads that stay where they are.
+    fn beyond(&self, field: &Field, held: &[Complex64; 6]) -> Local {
+        let beam = &self.setting.plan.beam;
+        let mut edge = field.edge.clone();
+        for (force, held) in edge.force.iter_mut().zip(held) {
+            *force -= held;
+        }
+        if beam.without_warping() {
+            edge.motion[BeamMotion::PsiSlope as usize] =
+                edge.force[BeamMotion::Psi as usize] / beam.torsion;
+        }
+        edge
+    }
+
+    /// E, G, density, loss factor.
+    fn by_material(&self) -> [Complex64; 4] {
+        let material = &self.setting.model.beam.material;
+        let section = &self.setting.model.beam.section;
+        let o = &self.overlap;
+        let bending = section.second_moment_z * o.bending_v
+            + section.second_moment_y * o.bending_w
+            + section.warping_constant * o.warping;
+        let twist = section.torsion_constant * o.torsion;
+        let loss = Complex64::new(1.0, material.loss_factor);
+        let stored = material.young_modulus * bending + material.shear_modulus * twist;
+        let square = self.setting.omega * self.setting.omega;
+        [
+            -loss * bending,
+            -loss * twist,
+            square * self.mass_of_beam() / material.density,
+            -Complex64::I * stored,
+        ]
+    }
+
+    /// A, `I_y`, `I_z`, J, `Gamma_0`, `I_0`, `z_c`.
+    fn by_section(&self) -> [Complex64; 7] {
+        let material = &self.setting.model.beam.material;
+        let section = &self.setting.model.beam.section;
+        let o = &self.overlap;
+        let loss = Complex64::new(1.0, material.loss_factor);
+        let (young, shear) = (loss * material.young_modulus, loss * material.shear_modulus);
+        let inertia = self.setting.omega * self.setting.omega * material.density;
+        [
+            inertia * (o.translation + section.centroid_offset * o.coupling),
+            -young * o.bending_w,
+            -young * o.bending_v,
+            -shear * o.torsion,
+            -young * o.warping,
+            inertia * o.rotation,
+            inertia * section.area * o.coupling,
+        ]
+    }
+
+    /// `lambda^T M u` of the beam.
+    fn mass_of_beam(&self) -> Complex64 {
+        let beam = &self.setting.plan.beam;
+        let offset = self.setting.model.beam.section.centroid_offset;
+        let o = &self.overlap;
+        beam.mass * (o.translation + offset * o.coupling) + beam.polar * o.rotation
+    }
+
+    fn by_support(&self, support: &Support, end: usize, all: &mut Vec<Complex64>) {
+        for motion in BeamMotion::ALL {
+            if support[motion] != Restraint::Fixed {
+                let product = self.at_end(end, motion);
+                all.extend(self.dynamic(product));
+            }
+        }
+    }
+
+    /// The product of the two fields' motions at an end.
+    fn at_end(&self, end: usize, motion: BeamMotion) -> Complex64 {
+        // Without warping stiffness the rate of twist is held by the least restraint, or by none at all.
+        if motion == BeamMotion::PsiSlope && self.setting.plan.beam.without_warping() {
+            return ZERO;
+        }
+        self.lambda.ends[end][motion as usize] * self.u.ends[end][motion as usize]
+    }
+
+    /// Minus the product times what k, c and m are multiplied by in `k + i omega c - omega^2 m`.
+    fn dynamic(&self, product: Complex64) -> [Complex64; 3] {
+        let omega = self.setting.omega;
+        [
+            -product,
+            -Complex64::I * omega * product,
+            omega * omega * product,
+        ]
+    }
+
+    /// In the order of the table: position, mass, inertia, four springs with their dampers, arms, mounts.
+    fn by_subsystem(
+        &self,
+        subsystem: &Subsystem,
+        lambda: &MassField,
+        u: &MassField,
+    ) -> [Complex64; 15] {
+        let square = self.setting.omega * self.setting.omega;
+        let [y, z, theta] = products(&lambda.motion, &u.motion);
+        let stretches = products(&lambda.stretches, &u.stretches);
+        let springs = stretches.map(|stretch| self.dynamic(stretch));
+        // A spring gives its force times how its stretch changes, in both fields.
+        let pulled = |force: fn(&MassField) -> Complex64, moved: fn(&MassField) -> Complex64| {
+            force(lambda) * moved(u) + force(u) * moved(lambda)
+        };
+        let theta_of = |field: &MassField| field.motion[2];
+        let twist_of = |field: &MassField| field.twist;
+        [
+            lambda.along(subsystem, u) + u.along(subsystem, lambda),
+            square * (y + z),
+            square * theta,
+            springs[0][0],
+            springs[0][1],
+            springs[1][0],
+            springs[1][1],
+            springs[2][0],
+            springs[2][1],
+            springs[3][0],
+            springs[3][1],
+            pulled(|field| field.forces[2], theta_of),
+            -pulled(|field| field.forces[3], theta_of),
+            pulled(|field| field.forces[3] - field.forces[2], twist_of),
+            pulled(|field| field.forces[0] + field.forces[1], twist_of),
+        ]
+    }
+}
+
+impl MassField {
+    /// The work of this field's forces when the other's beam is met a metre farther along.
+    fn along(&self, subsystem: &Subsystem, other: &Self) -> Complex64 {
+        let [w, psi, v] = other.slope;
+        let [y_left, y_right, z_left, z_right] = self.forces;
+        (y_left + y_right) * (w + subsystem.mount_z * psi)
+            + z_left * (v - subsystem.mount_y * psi)
+            + z_right * (v + subsystem.mount_y * psi)
+    }
+}
+
+fn products<const N: usize>(one: &[Complex64; N], other: &[Complex64; N]) -> [Complex64; N] {
+    std::array::from_fn(|index| one[index] * other[index])
+}

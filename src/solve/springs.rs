@@ -1,0 +1,59 @@
+//! The four springs of a subsystem: their complex stiffnesses and their stretches.
+
+use num_complex::Complex64;
+
+use super::attachment::UNKNOWNS;
+use crate::model::{Spring, Subsystem};
+
+/// The four springs: y left, y right, z left, z right.
+pub(super) fn springs(subsystem: &Subsystem) -> [Spring; 4] {
+    [
+        subsystem.y_left,
+        subsystem.y_right,
+        subsystem.z_left,
+        subsystem.z_right,
+    ]
+}
+
+/// k + i omega c, N/m.
+pub(super) fn stiffness(omega: Complex64, spring: Spring) -> Complex64 {
+    spring.stiffness + Complex64::I * omega * spring.damping
+}
+
+/// The stretches of the four springs, m: how far the mass's end of each is ahead of the beam's.
+///
+/// Either from what moves (`moved`: the mass's y, z, theta and the beam's w, psi, v) or from what the springs carry: of
+/// a stiff spring the first, of a soft one the second is a small difference of large numbers.
+pub(super) fn stretches(
+    omega: Complex64,
+    subsystem: &Subsystem,
+    moved: [[Complex64; 3]; 2],
+    unknowns: &[Complex64; UNKNOWNS],
+) -> [Complex64; 4] {
+    let [[y, z, theta], [w, psi, v]] = moved;
+    let across = [y, -w, -subsystem.mount_z * psi];
+    let along_z = |arm: f64, mount: f64| [z, arm * theta, -v, -mount * psi];
+    let left = along_z(-subsystem.arm_left, -subsystem.mount_y);
+    let right = along_z(subsystem.arm_right, subsystem.mount_y);
+    let [of_left, of_right, of_z_left, of_z_right] =
+        springs(subsystem).map(|spring| stiffness(omega, spring));
+    // The unknowns are what the beam does to the mass: the y springs, and the sum and difference of the z springs.
+    let [force, sum, difference, _] = *unknowns;
+    let y = better(&across, &[-force], of_left + of_right);
+    [
+        y,
+        y,
+        better(&left, &[-0.5 * sum, 0.5 * difference], of_z_left),
+        better(&right, &[-0.5 * sum, -0.5 * difference], of_z_right),
+    ]
+}
+
+/// The sum of `lengths`, or that of `forces` over a stiffness: whichever sums smaller terms.
+fn better(lengths: &[Complex64], forces: &[Complex64], stiffness: Complex64) -> Complex64 {
+    let size = |terms: &[Complex64]| -> f64 { terms.iter().map(|term| term.norm()).sum() };
+    if size(forces) < size(lengths) * stiffness.norm() {
+        forces.iter().sum::<Complex64>() / stiffness
+    } else {
+        lengths.iter().sum()
+    }
+}

@@ -1,0 +1,277 @@
+//! Which parameter matters: bars in the tree and a table, for what is read at the cursor, a peak, a mode or the band.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use super::{Anchor, App, Table};
+use crate::solve::sensitivity::{Figure, Sensitivity};
+use crate::tui::keys::Command;
+use crate::tui::tree::{self, Node};
+use crate::worker::{Request, SensitivityAnswer, SensitivityRequest};
+
+/// What the sensitivities are of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sensed {
+    /// The level of the first curve at the cursor.
+    Cursor,
+    /// The selected peak of the first curve.
+    Peak,
+    /// The selected mode.
+    Mode,
+    /// The mean-square level of the first curve in the marked band.
+    Band,
+}
+
+/// What sensitivities were asked for.
+#[derive(Debug, Clone, PartialEq)]
+struct Key {
+    generation: u64,
+    sensed: Sensed,
+    response: String,
+    /// Hz: where, or the ends of the band.
+    at: [f64; 2],
+}
+
+/// The sensitivities solved last.
+#[derive(Debug)]
+pub struct Effects {
+    /// The model's generation.
+    pub generation: u64,
+    /// What they are of.
+    pub sensed: Sensed,
+    /// The response they are of.
+    pub response: String,
+    /// Hz: where, or the ends of the band.
+    pub at: [f64; 2],
+    /// The largest effect first.
+    pub rows: Vec<(Node, Sensitivity)>,
+    /// Where a node is among the rows.
+    places: HashMap<Node, usize>,
+}
+
+impl Effects {
+    /// What the bars show: of a mode its frequency in Hz, else the level in dB; for e times the parameter.
+    pub fn effect(&self, one: &Sensitivity) -> Option<f64> {
+        match self.sensed {
+            Sensed::Mode => one.frequency,
+            Sensed::Cursor | Sensed::Peak | Sensed::Band => one.level,
+        }
+    }
+
+    /// The effect of a row of the tree, and its share of the largest.
+    pub fn of(&self, node: Node) -> Option<(f64, f64)> {
+        let (_, one) = self.rows.get(*self.places.get(&node)?)?;
+        let effect = self.effect(one)?;
+        let largest = self.effect(&self.rows.first()?.1)?.abs();
+        Some((effect, if largest > 0.0 { effect / largest } else { 0.0 }))
+    }
+}
+
+/// Which parameter matters.
+#[derive(Debug, Default)]
+pub struct Sensitivities {
+    /// What they are of; none where they do not show.
+    pub sensed: Option<Sensed>,
+    /// Those solved last.
+    pub effects: Option<Effects>,
+    /// Why there are none, where the last question failed.
+    pub failure: Option<String>,
+    asked: Option<(u64, Key)>,
+}
+
+impl Sensitivities {
+    /// Another model was opened: what is known says nothing of it.
+    pub(super) fn forget(&mut self) {
+        (self.effects, self.failure, self.asked) = (None, None, None);
+    }
+}
+
+impl App {
+    /// Shows the sensitivities of the next figure there is, or none.
+    pub(super) fn next_sensitivities(&mut self) {
+        let order = self.sensitivity_order();
+        let shown = self.sensitivities.sensed;
+        let shown = order.iter().position(|one| Some(*one) == shown);
+        let mut rest = order.into_iter().skip(shown.map_or(0, |shown| shown + 1));
+        let next = rest.find(|sensed| self.sensitivity_key(*sensed).is_some());
+        if next.is_none() && self.sensitivities.sensed.is_none() {
+            let (cursor, peak) = (Command::Cursor(1), Command::NextPeak);
+            let [cursor, peak, band] =
+                [cursor, peak, Command::Band].map(|command| self.keys.key_of(command));
+            return self.refuse(format!(
+                "sensitivities are of the cursor ({cursor}), a peak ({peak}), a mode or a band ({band})"
+            ));
+        }
+        self.sensitivities.sensed = next;
+        if let (Some(Sensed::Peak), Some(row)) = (next, self.peak_at_cursor()) {
+            // The cursor goes with the peak while a parameter is turned.
+            self.tables.peaks.row = row;
+            self.anchor = Anchor::Peak;
+            self.follow_anchor();
+        }
+        if let Some(sensed) = next {
+            self.sensitivities.effects = None;
+            self.tables.open = Some(Table::Sensitivities);
+            self.done(match sensed {
+                Sensed::Cursor => "sensitivities of the level at the cursor",
+                Sensed::Peak => "sensitivities of the selected peak",
+                Sensed::Mode => "sensitivities of the selected mode",
+                Sensed::Band => "sensitivities of the mean-square level in the band",
+            });
+        } else {
+            if self.tables.open == Some(Table::Sensitivities) {
+                self.tables.open = None;
+            }
+            self.done("without sensitivities");
+        }
+    }
+
+    /// In which order a key goes through the figures: a cursor that stands on a peak means the peak.
+    fn sensitivity_order(&self) -> [Sensed; 4] {
+        if self.peak_at_cursor().is_some() {
+            [Sensed::Peak, Sensed::Cursor, Sensed::Mode, Sensed::Band]
+        } else {
+            [Sensed::Cursor, Sensed::Peak, Sensed::Mode, Sensed::Band]
+        }
+    }
+
+    /// The row of the peak on which the cursor stands.
+    fn peak_at_cursor(&self) -> Option<usize> {
+        /// The points of a curve come as near to a peak, relative to its frequency.
+        const NEAR: f64 = 1e-4;
+        let cursor = self.curves.cursor?;
+        let mut peaks = self.peaks().iter().map(|peak| peak.frequency);
+        peaks.position(|f| (f - cursor).abs() < NEAR * f)
+    }
+
+    /// What would be asked for; none where there is no such figure.
+    fn sensitivity_key(&self, sensed: Sensed) -> Option<Key> {
+        let of = |at: [f64; 2]| Key {
+            generation: self.curves.generation,
+            sensed,
+            response: self.sensed_response().unwrap_or_default().to_owned(),
+            at,
+        };
+        if sensed != Sensed::Mode {
+            self.sensed_response()?;
+        }
+        match sensed {
+            Sensed::Cursor => self.curves.cursor.map(|f| of([f, f])),
+            Sensed::Peak => {
+                let peak = self.peaks().get(self.tables.peaks.row)?;
+                Some(of([peak.frequency; 2]))
+            }
+            Sensed::Mode => {
+                let list = self.modal.list.as_ref()?;
+                let row = list.rows.get(self.tables.modes.row)?;
+                Some(of([row.frequency; 2]))
+            }
+            Sensed::Band => self.band.span.map(of),
+        }
+    }
+
+    /// The response of the first curve that shows.
+    fn sensed_response(&self) -> Option<&str> {
+        let (_, trace) = self.curves.first_trace()?;
+        Some(&trace.response)
+    }
+
+    /// Asks for the sensitivities that show.
+    pub(super) fn want_sensitivities(&mut self) -> Option<Request> {
+        let sensed = self.sensitivities.sensed?;
+        // All but the cursor go by what was resolved; and a held key does not wait for them.
+        if !self.curves.is_resolved() {
+            return None;
+        }
+        let key = self.sensitivity_key(sensed)?;
+        let asked = self.sensitivities.asked.as_ref();
+        if asked.is_some_and(|(_, asked)| *asked == key) {
+            return None;
+        }
+        let model = Arc::clone(self.document.model());
+        let enabled = model.responses.iter().filter(|one| one.enabled);
+        let response = enabled
+            .map(|one| &one.name)
+            .position(|name| *name == key.response)
+            .unwrap_or_default();
+        let modes = self.modal.modes_of(key.generation);
+        let frequency = key.at[0];
+        let figure = match sensed {
+            Sensed::Cursor => Figure::Level {
+                response,
+                frequency,
+            },
+            Sensed::Peak => Figure::Peak {
+                response,
+                frequency,
+            },
+            Sensed::Mode => Figure::Mode {
+                modes: modes?,
+                index: self.tables.modes.row,
+            },
+            Sensed::Band => Figure::Band {
+                response,
+                modes: modes?,
+                band: key.at,
+            },
+        };
+        let serial = self.next_serial();
+        self.sensitivities.asked = Some((serial, key));
+        Some(Request::Sensitivity(SensitivityRequest {
+            serial,
+            model,
+            figure,
+        }))
+    }
+
+    /// Takes the sensitivities that were asked for last.
+    pub(super) fn take_sensitivities(&mut self, answer: SensitivityAnswer) {
+        let asked = self.sensitivities.asked.as_ref();
+        let Some((_, key)) = asked.filter(|(serial, _)| *serial == answer.serial) else {
+            return;
+        };
+        let found = match answer.result {
+            Ok(found) => found,
+            Err(reason) => {
+                (self.sensitivities.effects, self.sensitivities.failure) = (None, Some(reason));
+                return;
+            }
+        };
+        let nodes = tree::nodes_by_path(self.document.model());
+        let mut effects = Effects {
+            generation: key.generation,
+            sensed: key.sensed,
+            response: key.response.clone(),
+            at: key.at,
+            rows: found
+                .into_iter()
+                .filter_map(|one| Some((*nodes.get(&one.path)?, one)))
+                .collect(),
+            places: HashMap::new(),
+        };
+        let size =
+            |effects: &Effects, one: &Sensitivity| effects.effect(one).map_or(-1.0, f64::abs);
+        let mut rows = std::mem::take(&mut effects.rows);
+        rows.sort_by(|(_, a), (_, b)| size(&effects, b).total_cmp(&size(&effects, a)));
+        let places = rows.iter().enumerate();
+        effects.places = places.map(|(place, (node, _))| (*node, place)).collect();
+        effects.rows = rows;
+        self.tables.sensitivities.set_rows(effects.rows.len());
+        // The row stays with the parameter that is being turned.
+        if let Some(place) = effects.places.get(&self.selection.node()) {
+            self.tables.sensitivities.row = *place;
+        }
+        self.sensitivities.effects = Some(effects);
+        self.sensitivities.failure = None;
+    }
+
+    /// Selects the parameter of the table's row in the tree, so that keys turn it.
+    pub(super) fn follow_sensitivity(&mut self) {
+        let row = self.tables.sensitivities.row;
+        let effects = self.sensitivities.effects.as_ref();
+        if let Some((node, _)) = effects.and_then(|effects| effects.rows.get(row)) {
+            let (node, model) = (*node, Arc::clone(self.document.model()));
+            self.selection.select(&model, node);
+        }
+    }
+}

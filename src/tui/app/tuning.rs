@@ -1,0 +1,346 @@
+//! Parameters that are sought: which may move, what for, and the search as it goes on.
+
+mod objective;
+mod tolerance;
+mod variable;
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Duration;
+
+pub use tolerance::Tolerances;
+pub use variable::Moving;
+
+use super::{App, Reference, Table};
+use crate::model::{self, Model, path};
+use crate::tui::Source;
+use crate::tui::keys::Command;
+use crate::tune::{Status, Tuned};
+use crate::worker::{Pause, Request, TuneAnswer, TuneRequest, TuneStage};
+
+/// Whether a search goes on.
+#[derive(Debug)]
+pub enum Progress {
+    /// It goes on.
+    Searching,
+    /// It is held up.
+    Paused,
+    /// It is asked to end.
+    Ending,
+    /// It is over.
+    Found(Box<Tuned>),
+    /// It came to nothing, and why.
+    Failed(String),
+}
+
+/// A search for better parameters.
+#[derive(Debug)]
+pub struct Run {
+    serial: u64,
+    /// The model it started from.
+    pub from: Arc<Model>,
+    /// How far it is.
+    pub progress: Progress,
+    /// The best so far; none before the first report.
+    pub status: Option<Box<Status>>,
+    /// The time that was worked.
+    pub elapsed: Duration,
+    pause: Arc<Pause>,
+    /// The number of the reference that shows the best so far.
+    reference: u64,
+}
+
+impl Run {
+    /// The best model so far, if there is one.
+    pub fn best(&self) -> Option<&Model> {
+        match &self.progress {
+            Progress::Found(tuned) => Some(&tuned.model),
+            _ => self.status.as_ref().map(|status| &status.model),
+        }
+    }
+
+    /// Whether it still works.
+    pub fn goes_on(&self) -> bool {
+        matches!(
+            self.progress,
+            Progress::Searching | Progress::Paused | Progress::Ending
+        )
+    }
+
+    /// What is left of the evaluations takes about so long.
+    pub fn left(&self) -> Option<Duration> {
+        let status = self.status.as_ref().filter(|one| one.evaluations > 0)?;
+        let each = self.elapsed.as_secs_f64() / status.evaluations as f64;
+        let rest = status.budget.saturating_sub(status.evaluations);
+        Some(Duration::from_secs_f64(each * rest as f64))
+    }
+}
+
+/// What is sought, and what tolerances do.
+#[derive(Debug, Default)]
+pub struct Tuning {
+    /// The search, until it is accepted or discarded.
+    pub run: Option<Run>,
+    /// A search that was discarded is to be ended.
+    ends: bool,
+    /// A search that is to be started.
+    starts: bool,
+    /// The count that was typed before it: at most so many evaluations.
+    budget: Option<usize>,
+    /// What tolerances make of the curves.
+    pub tolerances: Tolerances,
+    /// The rows of the tree that a search may move.
+    pub moving: Moving,
+}
+
+impl App {
+    /// How many evaluations the next search may take, where that was typed.
+    pub(super) fn limit_search(&mut self, evaluations: Option<u32>) {
+        self.tuning.budget = evaluations.map(|count| count as usize);
+    }
+
+    /// Commands of tuning; false where the command is another one.
+    pub(super) fn tuning_command(&mut self, command: Command) -> bool {
+        match command {
+            Command::Sensitivities => self.next_sensitivities(),
+            Command::TuneVariable => self.turn_variable(),
+            Command::TuneObjective => self.ask_objective(),
+            Command::Tune => self.go_on_tuning(),
+            Command::TuneAccept => self.accept_tuning(),
+            Command::TuneDiscard => self.discard_tuning(),
+            Command::Tolerances => self.turn_tolerances(),
+            _ => return false,
+        }
+        true
+    }
+
+    /// Starts a search, holds it up, or lets it go on.
+    fn go_on_tuning(&mut self) {
+        let [go, accept, discard] = [Command::Tune, Command::TuneAccept, Command::TuneDiscard]
+            .map(|command| self.keys.key_of(command));
+        let Some(run) = &mut self.tuning.run else {
+            return self.start_tuning();
+        };
+        self.tables.open = Some(Table::Tuning);
+        let text = match run.progress {
+            Progress::Searching => {
+                run.pause.set(true);
+                run.progress = Progress::Paused;
+                format!("paused: {go} goes on, {accept} takes the best so far, {discard} drops it")
+            }
+            Progress::Paused => {
+                run.pause.set(false);
+                run.progress = Progress::Searching;
+                "the search goes on".to_owned()
+            }
+            Progress::Ending => "the search is ending".to_owned(),
+            Progress::Found(_) => {
+                return self.refuse(format!(
+                    "{accept} takes what was found, {discard} drops it; then a new search can start"
+                ));
+            }
+            Progress::Failed(_) => {
+                self.tuning.run = None;
+                return self.start_tuning();
+            }
+        };
+        self.done(text);
+    }
+
+    fn start_tuning(&mut self) {
+        let [variable, objective] =
+            [Command::TuneVariable, Command::TuneObjective].map(|one| self.keys.key_of(one));
+        if self.model().tune.is_none() {
+            return self.refuse(format!(
+                "nothing may move yet: {variable} lets the selected parameter, {objective} says what for"
+            ));
+        }
+        let model = Arc::clone(self.document.model());
+        self.show_objective(&model);
+        let name = "best so far";
+        let Some(reference) = self.add_best(name, &model) else {
+            return;
+        };
+        self.tuning.run = Some(Run {
+            serial: 0,
+            from: model,
+            progress: Progress::Searching,
+            status: None,
+            elapsed: Duration::ZERO,
+            pause: Arc::default(),
+            reference,
+        });
+        self.tuning.starts = true;
+        self.tables.open = Some(Table::Tuning);
+        let [go, accept, discard] = [Command::Tune, Command::TuneAccept, Command::TuneDiscard]
+            .map(|command| self.keys.key_of(command));
+        self.done(format!(
+            "searching: {go} pauses, {accept} takes the best so far, {discard} drops it"
+        ));
+    }
+
+    /// Shows the response that is sought for, where it does not show.
+    fn show_objective(&mut self, model: &Model) {
+        let objectives = model.tune.iter().flat_map(|tune| &tune.objectives);
+        let mut responses = objectives.filter_map(|objective| objective.aim.response());
+        if let Some(first) = responses.next()
+            && !self.curves.shows(first)
+        {
+            self.curves.visible = vec![first.to_owned()];
+        }
+    }
+
+    /// The number of a reference that will show the best so far.
+    fn add_best(&mut self, name: &str, model: &Arc<Model>) -> Option<u64> {
+        let picture = self.curves.picture().cloned();
+        self.add_reference(name, Arc::clone(model), None, picture)?;
+        self.beside.references.last().map(|one| one.id)
+    }
+
+    /// Asks for a search, or for the end of one.
+    pub(super) fn want_tuning(&mut self) -> Vec<Request> {
+        let mut requests = Vec::new();
+        if std::mem::take(&mut self.tuning.ends) {
+            requests.push(Request::EndTuning);
+        }
+        if std::mem::take(&mut self.tuning.starts) {
+            let (serial, folder) = (self.next_serial(), self.folder());
+            requests.extend(self.tuning.run.as_mut().map(|run| {
+                run.serial = serial;
+                Request::Tune(TuneRequest {
+                    serial,
+                    model: Arc::clone(&run.from),
+                    folder,
+                    budget: self.tuning.budget,
+                    pause: Arc::clone(&run.pause),
+                })
+            }));
+        }
+        requests.extend(self.want_tolerances());
+        requests
+    }
+
+    /// The folder of the model's file.
+    fn folder(&self) -> PathBuf {
+        match self.document.source() {
+            Source::File(path) => path.parent().map(PathBuf::from).unwrap_or_default(),
+            Source::Preset(_) | Source::Stdin => PathBuf::new(),
+        }
+    }
+
+    /// Takes how far a search is.
+    pub(super) fn take_tuning(&mut self, answer: TuneAnswer) {
+        let Some(run) = &mut self.tuning.run else {
+            return;
+        };
+        if run.serial != answer.serial {
+            return;
+        }
+        run.elapsed = answer.elapsed;
+        let best = match answer.stage {
+            TuneStage::Searching(status) => {
+                let better = run.best() != Some(&status.model);
+                let best = better.then(|| Arc::new(status.model.clone()));
+                run.status = Some(status);
+                best
+            }
+            TuneStage::Over(Ok(tuned)) => {
+                let best = Arc::new(tuned.model.clone());
+                run.progress = Progress::Found(tuned);
+                Some(best)
+            }
+            TuneStage::Over(Err(reason)) => {
+                run.progress = Progress::Failed(reason.clone());
+                let reference = run.reference;
+                self.beside.references.retain(|one| one.id != reference);
+                return self.refuse(format!("not tuned: {reason}"));
+            }
+        };
+        let reference = run.reference;
+        if let Some(best) = best {
+            self.show_best(reference, best);
+        }
+    }
+
+    /// Lets the reference show a better model, once its curves are solved.
+    fn show_best(&mut self, id: u64, model: Arc<Model>) {
+        let serial = self.next_serial();
+        let mut references = self.beside.references.iter_mut();
+        if let Some(one) = references.find(|one| one.id == id) {
+            one.renew(serial, model);
+        }
+        if let Some(run) = &mut self.tuning.run {
+            run.reference = serial;
+        }
+    }
+
+    /// Puts the best so far into the model, as one step.
+    fn accept_tuning(&mut self) {
+        let Some(run) = &self.tuning.run else {
+            let go = self.keys.key_of(Command::Tune);
+            return self.refuse(format!("nothing was sought: {go} starts a search"));
+        };
+        let Some(best) = run.best() else {
+            return self.refuse("nothing is found yet");
+        };
+        let changed = match taken_over(self.model(), &run.from, best) {
+            Ok(changed) => changed,
+            Err(reason) => return self.refuse(format!("not taken: {reason}")),
+        };
+        let words = match &run.status {
+            Some(status) => format!("tune: {} evaluations", status.evaluations),
+            None => "tune".to_owned(),
+        };
+        let before = Arc::clone(self.model());
+        self.end_run();
+        self.document.replace(words, changed);
+        self.follow(&before);
+        let undo = self.keys.key_of(Command::Undo);
+        self.done(format!(
+            "the tuned parameters are in the model; {undo} takes them back"
+        ));
+    }
+
+    /// Drops a search and what it has found.
+    fn discard_tuning(&mut self) {
+        if self.tuning.run.is_none() {
+            return self.refuse("nothing was sought");
+        }
+        self.end_run();
+        self.done("the search is dropped; the model is as it was");
+    }
+
+    /// Ends a search; its curve goes from the chart.
+    pub(super) fn end_run(&mut self) {
+        if let Some(run) = self.tuning.run.take() {
+            run.pause.set(false);
+            self.tuning.ends = run.goes_on();
+            self.beside
+                .references
+                .retain(|one: &Reference| one.id != run.reference);
+            if self.tables.open == Some(Table::Tuning) {
+                self.tables.open = None;
+            }
+        }
+    }
+}
+
+/// The model with the variables that a search has found; everything else stays as it is.
+///
+/// # Errors
+/// Why it cannot be, in a line.
+fn taken_over(model: &Model, from: &Model, best: &Model) -> Result<Model, String> {
+    let mut changed = model.clone();
+    let variables = from.tune.iter().flat_map(|tune| &tune.variables);
+    for pattern in variables.flat_map(|variable| &variable.paths) {
+        let found = path::numbers(best, pattern).map_err(|fault| fault.message)?;
+        for (path, value) in found {
+            path::set_unchecked(&mut changed, &path, path::Value::Number(value))
+                .map_err(|fault| format!("{} {}", fault.path, fault.message))?;
+        }
+    }
+    match model::check(&changed).first() {
+        Some(fault) => Err(format!("{} {}", fault.path, fault.message)),
+        None => Ok(changed),
+    }
+}

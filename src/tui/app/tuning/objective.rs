@@ -1,0 +1,270 @@
+//! What a search is for: a figure of the first curve in the marked band, and what must hold meanwhile.
+
+use crate::model::{Aim, Combine, Compare, Limit, Model, Objective};
+use crate::tui::app::{App, Question};
+
+/// What was typed.
+#[derive(Debug, PartialEq)]
+enum Typed {
+    /// An objective, and whether it stands beside the others.
+    Objective { aim: Aim, weight: f64, beside: bool },
+    /// How several are one.
+    Combine(Combine),
+    /// Something that must hold.
+    Limit(Limit),
+    /// Nothing must hold any more.
+    NoLimits,
+}
+
+impl App {
+    /// Asks what is sought of the first curve in the marked band.
+    pub(super) fn ask_objective(&mut self) {
+        if self.model().tune.is_none() {
+            let key = self.keys.key_of(crate::tui::keys::Command::TuneVariable);
+            return self.refuse(format!(
+                "nothing may move yet: {key} lets the selected parameter"
+            ));
+        }
+        let Some(response) = self.curves.visible.first().cloned() else {
+            return self.refuse("no response shows that could be tuned");
+        };
+        let [from, to] = self.tuned_band();
+        let [low, high] = [from, to].map(|f| self.display.frequency_text(f));
+        let question = Question::Objective {
+            subject: format!("{response}, {low} to {high}"),
+            response,
+            band: [from, to],
+        };
+        self.ask_question(question, "peak".to_owned());
+    }
+
+    /// Takes what was typed.
+    ///
+    /// # Errors
+    /// Why it is not taken, in a line.
+    pub(in crate::tui::app) fn take_objective(
+        &mut self,
+        response: &str,
+        band: [f64; 2],
+        text: &str,
+    ) -> Result<(), String> {
+        let typed = read_objective(text, response, band)?;
+        let mut changed = Model::clone(self.model());
+        let tune = changed.tune.as_mut().ok_or("nothing may move yet")?;
+        let words = match typed {
+            Typed::Objective {
+                aim,
+                weight,
+                beside,
+            } => {
+                let [from, to] = band;
+                let objective = Objective {
+                    aim,
+                    from,
+                    to,
+                    weight,
+                };
+                if !beside {
+                    tune.objectives.clear();
+                }
+                tune.objectives.push(objective);
+                format!("objective: {text}")
+            }
+            Typed::Combine(combine) => {
+                tune.combine = combine;
+                format!("objectives: {}", combine.key())
+            }
+            Typed::Limit(limit) => {
+                tune.limits.push(limit);
+                text.to_owned()
+            }
+            Typed::NoLimits => {
+                tune.limits.clear();
+                "without limits".to_owned()
+            }
+        };
+        self.take_tune(words, changed)
+    }
+
+    /// Drops an objective; one must stay.
+    pub(in crate::tui::app) fn drop_objective(&mut self, index: usize) {
+        let mut changed = Model::clone(self.model());
+        let Some(tune) = &mut changed.tune else {
+            return;
+        };
+        if tune.objectives.len() == 1 {
+            let key = self.keys.key_of(crate::tui::keys::Command::TuneObjective);
+            return self.refuse(format!("one objective is needed: {key} says another one"));
+        }
+        tune.objectives.remove(index);
+        if let Err(reason) = self.take_tune("drop an objective".to_owned(), changed) {
+            self.refuse(reason);
+        }
+    }
+
+    /// Drops a limit.
+    pub(in crate::tui::app) fn drop_limit(&mut self, index: usize) {
+        let mut changed = Model::clone(self.model());
+        let Some(tune) = &mut changed.tune else {
+            return;
+        };
+        tune.limits.remove(index);
+        if let Err(reason) = self.take_tune("drop a limit".to_owned(), changed) {
+            self.refuse(reason);
+        }
+    }
+}
+
+/// What the words mean for a response and a band.
+fn read_objective(text: &str, response: &str, band: [f64; 2]) -> Result<Typed, String> {
+    const FORM: &str = "peak, mean square, energy, width LEVEL, anti-resonance HZ, match FILE; + adds one, x 2 weighs it; sum, worst; limit mass KG, limit modes, limit static SIZE, no limits";
+    let text = text.trim();
+    match text {
+        "sum" => return Ok(Typed::Combine(Combine::Sum)),
+        "worst" => return Ok(Typed::Combine(Combine::Worst)),
+        "no limits" => return Ok(Typed::NoLimits),
+        _ => {}
+    }
+    if let Some(limit) = text.strip_prefix("limit ") {
+        return read_limit(limit.trim(), response, band).map(Typed::Limit);
+    }
+    let (beside, text) = match text.strip_prefix('+') {
+        Some(rest) => (true, rest.trim()),
+        None => (false, text),
+    };
+    let (what, weight) = match text.rsplit_once(" x ") {
+        Some((what, weight)) => (what.trim(), number(weight)?),
+        None => (text, 1.0),
+    };
+    let response = response.to_owned();
+    let (word, rest) = what.split_once(' ').unwrap_or((what, ""));
+    let rest = rest.trim();
+    let aim = match (word, rest) {
+        ("peak", "") => Aim::Peak { response },
+        ("mean", "square") | ("mean_square", "") => Aim::MeanSquare { response },
+        ("energy", "") => Aim::Energy,
+        ("width", level) if !level.is_empty() => Aim::Width {
+            response,
+            below: number(level)?,
+        },
+        ("anti-resonance", at) if !at.is_empty() => Aim::AntiResonance {
+            response,
+            at: number(at.trim_end_matches("Hz"))?,
+        },
+        ("match", file) if !file.is_empty() => Aim::Match {
+            response,
+            file: file.to_owned(),
+            curve: None,
+            compare: Compare::LogMagnitude,
+        },
+        _ => return Err(FORM.to_owned()),
+    };
+    Ok(Typed::Objective {
+        aim,
+        weight,
+        beside,
+    })
+}
+
+fn read_limit(text: &str, response: &str, [from, to]: [f64; 2]) -> Result<Limit, String> {
+    match text.split_once(' ').unwrap_or((text, "")) {
+        ("mass", most) => Ok(Limit::AddedMass {
+            at_most: number(most.trim_end_matches("kg"))?,
+        }),
+        ("modes", "") => Ok(Limit::NoMode { from, to }),
+        ("static", most) => Ok(Limit::StaticDeflection {
+            response: response.to_owned(),
+            at_most: number(most)?,
+        }),
+        _ => Err("limit mass KG, limit modes (none in the band) or limit static SIZE".to_owned()),
+    }
+}
+
+fn number(text: &str) -> Result<f64, String> {
+    let text = text.trim();
+    text.parse().map_err(|_| format!("{text} is no number"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<Typed, String> {
+        read_objective(text, "tip", [10.0, 20.0])
+    }
+
+    fn objective(aim: Aim) -> Typed {
+        Typed::Objective {
+            aim,
+            weight: 1.0,
+            beside: false,
+        }
+    }
+
+    #[test]
+    fn objectives_are_read_from_words() {
+        let response = || "tip".to_owned();
+        let aims = [
+            (
+                "peak",
+                Aim::Peak {
+                    response: response(),
+                },
+            ),
+            (
+                "mean square",
+                Aim::MeanSquare {
+                    response: response(),
+                },
+            ),
+            ("energy", Aim::Energy),
+            (
+                "width 1e-7",
+                Aim::Width {
+                    response: response(),
+                    below: 1e-7,
+                },
+            ),
+            (
+                "anti-resonance 15 Hz",
+                Aim::AntiResonance {
+                    response: response(),
+                    at: 15.0,
+                },
+            ),
+        ];
+        for (text, aim) in aims {
+            assert_eq!(read(text), Ok(objective(aim)), "{text}");
+        }
+        let added = Typed::Objective {
+            aim: Aim::Energy,
+            weight: 2.5,
+            beside: true,
+        };
+        assert_eq!(read("+ energy x 2.5"), Ok(added));
+        assert_eq!(read("worst"), Ok(Typed::Combine(Combine::Worst)));
+        for wrong in [
+            "",
+            "peaks",
+            "width",
+            "anti-resonance",
+            "match",
+            "peak x two",
+        ] {
+            assert!(read(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn limits_are_read_from_words() {
+        let mass = Limit::AddedMass { at_most: 300.0 };
+        let modes = Limit::NoMode {
+            from: 10.0,
+            to: 20.0,
+        };
+        assert_eq!(read("limit mass 300 kg"), Ok(Typed::Limit(mass)));
+        assert_eq!(read("limit modes"), Ok(Typed::Limit(modes)));
+        assert_eq!(read("no limits"), Ok(Typed::NoLimits));
+        assert!(read("limit weight 3").is_err());
+    }
+}

@@ -1,0 +1,339 @@
+//! Which parameters a search may move, and between which bounds.
+
+use std::collections::HashSet;
+use std::sync::Arc;
+
+use crate::model::path::{self, Value};
+use crate::model::{
+    self, Aim, Combine, Hold, Model, Objective, Spacing, Tune, Unit, Variable, entry,
+};
+use crate::tui::app::{App, Question};
+use crate::tui::tree::{self, Node};
+
+/// The rows of the tree that a search may move.
+#[derive(Debug, Default)]
+pub struct Moving {
+    /// Of which model they are.
+    model: Option<Arc<Model>>,
+    nodes: HashSet<Node>,
+}
+
+impl Moving {
+    /// Whether a search may move the parameter of a row.
+    pub fn has(&self, node: Node) -> bool {
+        self.nodes.contains(&node)
+    }
+
+    /// Follows a changed model.
+    fn refresh(&mut self, model: &Arc<Model>) {
+        let known = self.model.as_ref();
+        if known.is_some_and(|known| Arc::ptr_eq(known, model)) {
+            return;
+        }
+        self.model = Some(Arc::clone(model));
+        self.nodes.clear();
+        let Some(tune) = &model.tune else {
+            return;
+        };
+        let by_path = tree::nodes_by_path(model);
+        let patterns = tune.variables.iter().flat_map(|variable| &variable.paths);
+        let paths = patterns.filter_map(|pattern| path::expand(model, pattern).ok());
+        let nodes = paths
+            .flatten()
+            .filter_map(|path| by_path.get(&path).copied());
+        self.nodes.extend(nodes);
+    }
+}
+
+impl App {
+    /// Lets the marks of the tree follow a changed model.
+    pub(in crate::tui::app) fn refresh_moving(&mut self) {
+        let model = Arc::clone(self.document.model());
+        self.tuning.moving.refresh(&model);
+    }
+
+    /// Lets the selected parameter move within bounds that are typed, or keeps it as it is.
+    pub(super) fn turn_variable(&mut self) {
+        let node = self.selection.node();
+        if let Node::TuneVariable(index) = node {
+            return self.ask_bounds_of(index);
+        }
+        let parameter = tree::parameter_path(self.model(), node)
+            .and_then(|path| path::parameter(self.model(), &path).ok());
+        let Some((parameter, value)) = parameter.and_then(|parameter| match parameter.value {
+            Value::Number(value) => Some((parameter, value)),
+            _ => None,
+        }) else {
+            return self.refuse("select a number of the model to let a search move it");
+        };
+        if let Some(index) = self.variable_of(&parameter.path) {
+            return self.drop_variable(index);
+        }
+        let question = Question::Bounds {
+            subject: tree::subject(self.model(), node),
+            paths: vec![parameter.path.clone()],
+            unit: parameter.unit,
+            index: None,
+        };
+        let bounds = usual_bounds(self.model(), &parameter.path, value);
+        let text = bounds.map_or_else(String::new, |[low, high]| {
+            bounds_text(parameter.unit, low, high)
+        });
+        self.ask_question(question, text);
+    }
+
+    /// The variable that moves a parameter, alone or with others.
+    pub fn variable_of(&self, path: &str) -> Option<usize> {
+        let model = self.model();
+        let tune = model.tune.as_ref()?;
+        let moves = |pattern: &String| {
+            pattern == path
+                || path::expand(model, pattern)
+                    .is_ok_and(|paths| paths.iter().any(|one| one == path))
+        };
+        tune.variables
+            .iter()
+            .position(|variable| variable.paths.iter().any(moves))
+    }
+
+    /// Asks for other bounds of a variable.
+    pub(in crate::tui::app) fn ask_bounds_of(&mut self, index: usize) {
+        let model = Arc::clone(self.document.model());
+        let mut variables = model.tune.iter().flat_map(|tune| &tune.variables);
+        let Some(variable) = variables.nth(index) else {
+            return;
+        };
+        let first = path::numbers(&model, &variable.paths[0]).ok();
+        let first = first.and_then(|found| found.into_iter().next());
+        let unit = first
+            .and_then(|(path, _)| path::parameter(&model, &path).ok())
+            .map_or(Unit::ONE, |parameter| parameter.unit);
+        let mut text = bounds_text(unit, variable.min, variable.max);
+        if variable.tolerance > 0.0 {
+            let tolerance = variable.tolerance;
+            text = format!("{text} +-{tolerance} %");
+        }
+        match variable.scale {
+            Some(Spacing::Log) => text += " log",
+            Some(Spacing::Linear) => text += " linear",
+            None => {}
+        }
+        let question = Question::Bounds {
+            subject: variable.paths.join(", "),
+            paths: variable.paths.clone(),
+            unit,
+            index: Some(index),
+        };
+        self.ask_question(question, text);
+    }
+
+    /// Takes typed bounds of a new variable, or of the one with this number.
+    ///
+    /// # Errors
+    /// Why they are not taken, in a line.
+    pub(in crate::tui::app) fn take_bounds(
+        &mut self,
+        paths: &[String],
+        unit: Unit,
+        index: Option<usize>,
+        text: &str,
+    ) -> Result<(), String> {
+        let typed = read_bounds(text, unit)?;
+        let mut changed = Model::clone(self.model());
+        let tune = match &mut changed.tune {
+            Some(tune) => tune,
+            none => none.insert(Tune {
+                variables: Vec::new(),
+                objectives: vec![self.usual_objective()?],
+                combine: Combine::Sum,
+                limits: Vec::new(),
+            }),
+        };
+        let variable = Variable {
+            paths: paths.to_vec(),
+            hold: Hold::Equal,
+            min: typed.low,
+            max: typed.high,
+            scale: typed.scale,
+            tolerance: typed.tolerance,
+        };
+        let known = index.and_then(|index| tune.variables.get_mut(index));
+        let words = if let Some(known) = known {
+            let hold = known.hold;
+            *known = Variable { hold, ..variable };
+            format!("bounds of {}", paths.join(", "))
+        } else {
+            tune.variables.push(variable);
+            format!("let {} move", paths.join(", "))
+        };
+        self.take_tune(words, changed)
+    }
+
+    /// Takes a model with another `[tune]`, as one step.
+    ///
+    /// # Errors
+    /// Why it is not possible, in a line.
+    pub(super) fn take_tune(&mut self, words: String, changed: Model) -> Result<(), String> {
+        if let Some(fault) = model::check(&changed).first() {
+            return Err(format!("{} {}", fault.path, fault.message));
+        }
+        let before = Arc::clone(self.model());
+        self.document.replace(words.clone(), changed);
+        self.follow(&before);
+        self.done(words);
+        Ok(())
+    }
+
+    /// Keeps the parameters of a variable as they are; without variables there is nothing to tune.
+    pub(in crate::tui::app) fn drop_variable(&mut self, index: usize) {
+        let mut changed = Model::clone(self.model());
+        let Some(tune) = &mut changed.tune else {
+            return;
+        };
+        let dropped = tune.variables.remove(index);
+        let name = dropped.paths.join(", ");
+        let words = if tune.variables.is_empty() {
+            changed.tune = None;
+            format!("{name} does not move any more; nothing is left to tune")
+        } else {
+            format!("{name} does not move any more")
+        };
+        if let Err(reason) = self.take_tune(words, changed) {
+            self.refuse(reason);
+        }
+    }
+
+    /// What is sought as long as nothing else is said: the least peak of the first curve in the band.
+    fn usual_objective(&self) -> Result<Objective, String> {
+        let Some(response) = self.curves.visible.first() else {
+            return Err("no response shows that could be tuned".to_owned());
+        };
+        let [from, to] = self.tuned_band();
+        Ok(Objective {
+            aim: Aim::Peak {
+                response: response.clone(),
+            },
+            from,
+            to,
+            weight: 1.0,
+        })
+    }
+
+    /// The marked band, or the one that shows, Hz.
+    pub(super) fn tuned_band(&self) -> [f64; 2] {
+        self.band.span.unwrap_or_else(|| self.shown_frequencies())
+    }
+}
+
+/// Bounds that are usual for a parameter with this value: a tenth and ten times of it, a place along the whole beam.
+fn usual_bounds(model: &Model, path: &str, value: f64) -> Option<[f64; 2]> {
+    if path.starts_with("subsystems.") && path.ends_with(".position") {
+        return Some([0.0, model.beam.length]);
+    }
+    let mut bounds = [0.1 * value, 10.0 * value];
+    bounds.sort_by(f64::total_cmp);
+    (value != 0.0).then_some(bounds)
+}
+
+fn bounds_text(unit: Unit, low: f64, high: f64) -> String {
+    let symbol = if unit.symbol.is_empty() {
+        String::new()
+    } else {
+        format!(" {}", unit.symbol)
+    };
+    format!("{} .. {}{symbol}", short(low), short(high))
+}
+
+/// A number as short as it reads back.
+fn short(value: f64) -> String {
+    let (plain, power) = (format!("{value}"), format!("{value:e}"));
+    if power.len() < plain.len() {
+        power
+    } else {
+        plain
+    }
+}
+
+/// Bounds as they were typed.
+#[derive(Debug, PartialEq)]
+struct Bounds {
+    low: f64,
+    high: f64,
+    tolerance: f64,
+    scale: Option<Spacing>,
+}
+
+/// `LOW .. HIGH`, then perhaps a tolerance `+-5 %` and `log` or `linear`.
+fn read_bounds(text: &str, unit: Unit) -> Result<Bounds, String> {
+    let form = "bounds are wanted, as 1e5 .. 1e8, then perhaps +-5 % and log or linear";
+    let text = text.replace('±', "+-");
+    let (rest, scale) = match text.trim() {
+        text if text.ends_with("linear") => (&text[..text.len() - 6], Some(Spacing::Linear)),
+        text if text.ends_with("log") => (&text[..text.len() - 3], Some(Spacing::Log)),
+        text => (text, None),
+    };
+    let (bounds, tolerance) = match rest.split_once("+-") {
+        Some((bounds, tolerance)) => {
+            let tolerance = tolerance.trim().trim_end_matches('%').trim();
+            let tolerance: f64 = tolerance
+                .parse()
+                .map_err(|_| format!("{tolerance} is no tolerance in percent"))?;
+            (bounds, tolerance)
+        }
+        None => (rest, 0.0),
+    };
+    let (low, high) = bounds.split_once("..").ok_or(form)?;
+    // A unit behind the upper bound is that of both.
+    let high = high.trim();
+    let number = |text: &str| entry::number(text.trim(), f64::NAN, &unit).map_err(|_| form);
+    let shared = high
+        .split_once(' ')
+        .map(|(_, symbol)| format!("{} {symbol}", low.trim()));
+    let low = match shared {
+        Some(shared) => number(&shared).or_else(|_| number(low))?,
+        None => number(low)?,
+    };
+    Ok(Bounds {
+        low,
+        high: number(high)?,
+        tolerance,
+        scale,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bounds_are_read_with_units_tolerance_and_scale() {
+        let bounds = |low, high, tolerance, scale| Bounds {
+            low,
+            high,
+            tolerance,
+            scale,
+        };
+        let read = |text| read_bounds(text, Unit::METRE).unwrap();
+        assert_eq!(read("1 .. 2"), bounds(1.0, 2.0, 0.0, None));
+        assert_eq!(read("1..2 m +-5 %"), bounds(1.0, 2.0, 5.0, None));
+        assert_eq!(
+            read("1 mm .. 2 m ±2% log"),
+            bounds(1e-3, 2.0, 2.0, Some(Spacing::Log))
+        );
+        assert_eq!(
+            read("-1e-2 .. 2 linear"),
+            bounds(-0.01, 2.0, 0.0, Some(Spacing::Linear))
+        );
+        for wrong in ["", "1", "1 2", "a .. b", "1 .. 2 +-x", "1 .. 2 kg"] {
+            assert!(read_bounds(wrong, Unit::METRE).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn numbers_are_as_short_as_they_read_back() {
+        for (value, text) in [(0.1, "0.1"), (16_666_670.0, "1.666667e7"), (-25.0, "-25")] {
+            assert_eq!(short(value), text);
+            assert_eq!(text.parse(), Ok(value));
+        }
+    }
+}

@@ -1,0 +1,214 @@
+//! The search for better parameters: how far it is, and what it has found so far.
+
+use std::time::Duration;
+
+use ratatui::Frame;
+use ratatui::layout::Rect;
+
+use super::table::{self, Column, Content};
+use super::text::{cut, significant, width};
+use crate::model::path;
+use crate::model::{Model, Unit};
+use crate::tui::app::{App, Progress, Rows, Run};
+use crate::tui::keys::Command;
+use crate::tui::theme::Theme;
+use crate::tui::tree::{self, Node};
+use crate::tune::Achieved;
+
+/// The columns, in what there is room for.
+const LAYOUTS: [&[Column]; 3] = [
+    &[("", 36), ("before", 15), ("now", 15), ("change", 12)],
+    &[("", 22), ("before", 15), ("now", 15), ("change", 10)],
+    &[("", 16), ("before", 14), ("now", 14)],
+];
+
+/// What a row says.
+pub(super) struct Row {
+    name: String,
+    before: String,
+    now: String,
+    change: String,
+}
+
+/// The figures that are sought, then the parameters that move.
+pub(super) fn rows(app: &App) -> Vec<Row> {
+    let Some(run) = &app.tuning.run else {
+        return Vec::new();
+    };
+    let mut rows = figures(run);
+    rows.extend(variables(run));
+    rows
+}
+
+fn figures(run: &Run) -> Vec<Row> {
+    match (&run.progress, &run.status) {
+        (Progress::Found(tuned), _) => {
+            let pairs = tuned.before.iter().zip(&tuned.after).enumerate();
+            pairs
+                .map(|(index, (before, after))| achieved(run, index, before, after))
+                .collect()
+        }
+        (_, Some(status)) => vec![Row {
+            name: "objective".to_owned(),
+            before: significant(status.start, 4),
+            now: significant(status.best, 4),
+            change: change(status.start, status.best),
+        }],
+        (_, None) => Vec::new(),
+    }
+}
+
+fn achieved(run: &Run, index: usize, before: &Achieved, after: &Achieved) -> Row {
+    let figure = |one: &Achieved| format!("{} {}", significant(one.figure, 4), one.unit);
+    Row {
+        name: tree::value(&run.from, Node::TuneObjective(index)),
+        before: figure(before),
+        now: figure(after),
+        change: change(before.figure, after.figure),
+    }
+}
+
+/// How much less or more it is, percent.
+fn change(before: f64, after: f64) -> String {
+    let percent = 100.0 * (after / before - 1.0);
+    if percent.is_finite() {
+        format!("{percent:+.1} %")
+    } else {
+        "-".to_owned()
+    }
+}
+
+fn variables(run: &Run) -> Vec<Row> {
+    let variables = run.from.tune.iter().flat_map(|tune| &tune.variables);
+    let rows = variables.enumerate().filter_map(|(index, variable)| {
+        let (before, unit) = first(&run.from, &variable.paths[0])?;
+        let after = run.best().and_then(|best| first(best, &variable.paths[0]));
+        let now = after.map_or_else(|| "-".to_owned(), |(after, _)| unit.format(after));
+        let uncertainty = match &run.progress {
+            Progress::Found(tuned) => tuned
+                .variables
+                .get(index)
+                .and_then(|moved| moved.uncertainty)
+                .map(|one| format!("+-{}", unit.format(one))),
+            _ => None,
+        };
+        let moved = after.map_or_else(|| "-".to_owned(), |(after, _)| change(before, after));
+        Some(Row {
+            name: words(&variable.paths),
+            before: unit.format(before),
+            now,
+            change: uncertainty.unwrap_or(moved),
+        })
+    });
+    rows.collect()
+}
+
+/// Paths in words: `* y left stiffness`.
+fn words(paths: &[String]) -> String {
+    let words = |path: &String| {
+        let path = path.strip_prefix("subsystems.").unwrap_or(path);
+        path.replace(['.', '_'], " ")
+    };
+    paths.iter().map(words).collect::<Vec<_>>().join(", ")
+}
+
+/// The value of the first parameter of a pattern, and its unit.
+fn first(model: &Model, pattern: &str) -> Option<(f64, Unit)> {
+    let (path, value) = path::numbers(model, pattern).ok()?.into_iter().next()?;
+    Some((value, path::parameter(model, &path).ok()?.unit))
+}
+
+pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rect) -> Rows {
+    let mut list = app.tables.tuning;
+    let columns = table::fitting(&LAYOUTS, area.width);
+    let rows = rows(app);
+    let [go, accept, discard] = [Command::Tune, Command::TuneAccept, Command::TuneDiscard]
+        .map(|command| app.keys.key_of(command));
+    let run = app.tuning.run.as_ref();
+    let failed = run.is_some_and(|run| matches!(run.progress, Progress::Failed(_)));
+    let content = Content {
+        title: run.map_or_else(|| "Tuning".to_owned(), title),
+        warns: failed,
+        frequency_unit: app.display.unit,
+        note: format!("{go} pause  {accept} take  {discard} drop"),
+        columns,
+        row: &|row| {
+            rows.get(row)
+                .map_or_else(Vec::new, |row| cells(row, columns))
+        },
+        empty: match run {
+            None => "nothing is sought",
+            Some(_) => "searching",
+        },
+        stale: false,
+    };
+    let rows = table::draw(frame, &content, &mut list, theme, area);
+    app.tables.tuning = list;
+    rows
+}
+
+fn cells(row: &Row, columns: &[Column]) -> Vec<String> {
+    let room = columns.first().map_or(0, |column| column.1 - 1);
+    let name = cut(&row.name, room);
+    let name = format!("{name}{}", " ".repeat(room - width(&name)));
+    vec![
+        name,
+        row.before.clone(),
+        row.now.clone(),
+        row.change.clone(),
+    ]
+}
+
+/// How far the search is.
+fn title(run: &Run) -> String {
+    let so_far = |word: &str| match &run.status {
+        None => format!("Tuning: {word}"),
+        Some(status) => format!(
+            "Tuning: {word}, {} of {} evaluations, {}",
+            tree::grouped(status.evaluations),
+            tree::grouped(status.budget),
+            seconds(run.elapsed)
+        ),
+    };
+    match &run.progress {
+        Progress::Searching => {
+            let left = run.left().map(seconds);
+            let left = left.map_or_else(String::new, |left| format!(", at most {left} left"));
+            let phase = run.status.as_ref().map(|status| status.phase.to_string());
+            so_far(phase.as_deref().unwrap_or("starting")) + &left
+        }
+        Progress::Paused => so_far("paused"),
+        Progress::Ending => so_far("ending"),
+        Progress::Found(tuned) => format!(
+            "Tuned: {}, {} evaluations, {}",
+            tuned.stop,
+            tree::grouped(tuned.evaluations),
+            seconds(run.elapsed)
+        ),
+        Progress::Failed(reason) => format!("Not tuned: {reason}"),
+    }
+}
+
+/// A time without needless digits.
+fn seconds(time: Duration) -> String {
+    let seconds = time.as_secs_f64();
+    match seconds {
+        0.0..9.95 => format!("{seconds:.1} s"),
+        9.95..119.5 => format!("{seconds:.0} s"),
+        _ => format!("{:.0} min", seconds / 60.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_and_changes_are_short() {
+        assert_eq!(seconds(Duration::from_millis(1_240)), "1.2 s");
+        assert_eq!(seconds(Duration::from_secs(75)), "75 s");
+        assert_eq!(seconds(Duration::from_secs(600)), "10 min");
+        assert_eq!(change(2.0, 1.0), "-50.0 %");
+        assert_eq!(change(0.0, 1.0), "-");
+    }
+}

@@ -1,0 +1,34 @@
+//! The mean of a response's squared magnitude over a band; of an energy the mean of itself.
+
+use super::super::search::Function;
+use super::super::trial::{Slopes, Trial};
+use super::{Band, Read};
+use crate::solve::band::levels;
+
+/// The mean square of a response, in its unit squared, or the mean of an energy.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::tune) struct MeanSquare {
+    pub(super) response: usize,
+    pub(super) band: Band,
+}
+
+impl MeanSquare {
+    /// The mean; infinite where an undamped resonance lies in the band.
+    pub(super) fn read(&self, trial: &Trial) -> Option<Read> {
+        let levels = levels(&trial.model, trial.modes()?, self.band, trial.cancel)?;
+        Some(Read {
+            figure: levels.get(self.response)?.mean_square,
+            places: Vec::new(),
+        })
+    }
+
+    /// The mean with its derivatives, integrated with it.
+    pub(super) fn functions(&self, trial: &Trial, slopes: &Slopes) -> Option<Vec<Function>> {
+        let all = slopes.differentiator();
+        let mean = all.mean_square(self.response, trial.modes()?, self.band, trial.cancel)?;
+        Some(vec![Function {
+            value: mean.value,
+            gradient: slopes.by_coordinate(|index| mean.by_parameter[index]),
+        }])
+    }
+}

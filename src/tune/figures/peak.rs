@@ -1,0 +1,56 @@
+//! The highest magnitude of a response in a band, over all of its local maxima and the ends of the band.
+
+use super::super::search::Function;
+use super::super::trial::{Slopes, Trial};
+use super::curve::{Curve, Point, Turn};
+use super::{Band, Read};
+
+/// A maximum lower than this share of the highest point cannot be the highest: points lie so near that none misses a
+/// top by more.
+const LIKELY: f64 = 0.8;
+
+/// A maximum lower than this share of the highest does not become the highest by a step of the search.
+const RELEVANT: f64 = 0.2;
+
+/// Most maxima whose derivatives are taken.
+const MOST: usize = 40;
+
+/// The highest magnitude of a response, in its unit.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::tune) struct Peak {
+    pub(super) response: usize,
+    pub(super) band: Band,
+}
+
+impl Peak {
+    /// The highest point, with where it is.
+    pub(super) fn read(&self, trial: &Trial) -> Option<Read> {
+        let tops = self.tops(trial, LIKELY)?;
+        let highest = tops.first();
+        Some(Read {
+            figure: highest.map_or(f64::NAN, |top| top.size),
+            places: highest.map(|top| top.frequency).into_iter().collect(),
+        })
+    }
+
+    /// The magnitude at each top: to first order a maximum moves at no cost (envelope theorem).
+    pub(super) fn functions(&self, trial: &Trial, slopes: &Slopes) -> Option<Vec<Function>> {
+        let tops = self.tops(trial, RELEVANT)?;
+        let places: Vec<f64> = tops.iter().map(|top| top.frequency).take(MOST).collect();
+        let gradients = slopes.responses(self.response, &places);
+        Some(gradients.iter().map(|one| slopes.size(one)).collect())
+    }
+
+    /// The local maxima and the ends of the band as high as a share of the highest, from the highest down.
+    fn tops(&self, trial: &Trial, share: f64) -> Option<Vec<Point>> {
+        let curve = Curve::new(trial, self.response, self.band)?;
+        let least = share * curve.highest();
+        let mut tops = curve.extrema(Turn::Maximum, |size| size >= LIKELY * least)?;
+        tops.extend(curve.points.first());
+        tops.extend(curve.points.last());
+        tops.sort_by(|a, b| b.size.total_cmp(&a.size));
+        let highest = tops.first().map_or(0.0, |top| top.size);
+        tops.retain(|top| top.size >= share * highest);
+        Some(tops)
+    }
+}

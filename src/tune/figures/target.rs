@@ -1,0 +1,132 @@
+//! A measured curve as what a response should be.
+
+use std::path::Path;
+
+use num_complex::Complex64;
+
+use super::Band;
+use super::matching::Matching;
+use crate::measured::{self, Curve, Hint, Kind};
+use crate::model::{Aim, Compare, Fault, Model};
+use crate::solve::form::{Dimension, Reference};
+
+/// What a response should be at the measured frequencies in a band.
+///
+/// # Errors
+/// The file cannot be read, has no such curve, is of another quantity, or leaves nothing to compare.
+pub(super) fn matching(
+    model: &Model,
+    aim: &Aim,
+    response: usize,
+    band: Band,
+    folder: &Path,
+) -> Result<Matching, Fault> {
+    let Aim::Match {
+        response: name,
+        file,
+        curve,
+        compare,
+    } = aim
+    else {
+        return Err(Fault::new("tune", "asks for no measured curve"));
+    };
+    let about = |fault: Fault| Fault::new(format!("tune: {file}"), fault.to_string());
+    let all = read(&folder.join(file), file).map_err(about)?;
+    let one = choose(&all, curve.as_deref(), name)
+        .map_err(|message| Fault::new(format!("tune: {file}"), message))?;
+    let values = in_form_of(model, one, response)
+        .map_err(|message| Fault::new(format!("tune: {file}: {}", one.name), message))?;
+    if *compare == Compare::Complex && !one.phase_known {
+        let message = "has no phase; compare = \"log_magnitude\" would be accepted";
+        return Err(Fault::new(format!("tune: {file}: {}", one.name), message));
+    }
+    let points = one.frequencies.iter().copied().zip(values);
+    let (frequencies, values): (Vec<f64>, Vec<Complex64>) = points
+        .filter(|(frequency, value)| {
+            let inside = band[0] <= *frequency && *frequency <= band[1];
+            inside && value.is_finite() && value.norm() > 0.0
+        })
+        .unzip();
+    if frequencies.is_empty() {
+        let message = format!(
+            "has no value other than 0 from {} to {} Hz; a band with some would be accepted",
+            band[0], band[1]
+        );
+        return Err(Fault::new(format!("tune: {file}: {}", one.name), message));
+    }
+    Ok(Matching {
+        response,
+        compare: *compare,
+        frequencies,
+        values,
+    })
+}
+
+fn read(path: &Path, name: &str) -> Result<Vec<Curve>, Fault> {
+    let hint = Hint {
+        name: name.to_owned(),
+        layout: None,
+    };
+    measured::read(&measured::load(path)?, &hint)
+}
+
+/// The curve of a name; without one that of the response's name, or the only one.
+fn choose<'a>(all: &'a [Curve], curve: Option<&str>, response: &str) -> Result<&'a Curve, String> {
+    let named = |name: &str| all.iter().find(|one| one.name == name);
+    let found = match (curve, all) {
+        (Some(name), _) => named(name),
+        (None, [only]) => Some(only),
+        (None, _) => named(response),
+    };
+    let names = || {
+        let names: Vec<String> = all
+            .iter()
+            .take(8)
+            .map(|one| format!("{:?}", one.name))
+            .collect();
+        names.join(", ")
+    };
+    let wanted = curve.unwrap_or(response);
+    found.ok_or_else(|| {
+        format!(
+            "has no curve {wanted:?}; accepted would be curve = one of {}",
+            names()
+        )
+    })
+}
+
+/// The values of a measured curve in the form and unit of a response, for the loads as they are given. What nothing is
+/// known of is taken for the response itself.
+fn in_form_of(model: &Model, curve: &Curve, response: usize) -> Result<Vec<Complex64>, String> {
+    let quantity = model.responses.get(response).map(|one| &one.quantity);
+    let Some(Kind::Motion(own)) = curve.kind else {
+        return match curve.kind {
+            None => Ok(curve.values.clone()),
+            Some(_) => Err("is an energy; must be a motion".to_owned()),
+        };
+    };
+    let reference = Reference::of(model);
+    let dimension = quantity.and_then(|quantity| Dimension::of(quantity, reference.as_ref()));
+    let Some(dimension) = dimension.filter(|one| one.moves == own.moves) else {
+        return Err(format!(
+            "is in {}, which is not what the response is",
+            Kind::Motion(own).unit()
+        ));
+    };
+    let amplitude = match (own.per, reference) {
+        (None, _) => Complex64::ONE,
+        (Some(load), Some(reference)) if load == reference.load => reference.amplitude,
+        _ => {
+            return Err(format!(
+                "is in {}, per load; the model must have that one force alone, so that its response can be divided by it",
+                Kind::Motion(own).unit()
+            ));
+        }
+    };
+    let points = curve.frequencies.iter().zip(&curve.values);
+    Ok(points
+        .map(|(frequency, value)| {
+            amplitude * own.converted(*value, *frequency, dimension.form_of_measure())
+        })
+        .collect())
+}

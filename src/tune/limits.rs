@@ -1,0 +1,209 @@
+//! What the tuned model must keep, as numbers that must not be above 0, with their derivatives.
+
+use num_complex::Complex64;
+use std::f64::consts::TAU;
+
+use super::search::Function;
+use super::trial::{Moved, Slopes, Trial};
+use crate::model::{Limit, Model};
+use crate::solve::modes::{Mode, ModeKind, count, undamped, without_damping};
+
+/// A limit of a model whose responses are known by their places.
+#[derive(Debug, Clone)]
+pub(super) enum Bound {
+    /// (mass - most) / most of all enabled subsystems together.
+    AddedMass { at_most: f64 },
+    /// For each undamped mode how far it is inside the band, over the width of the band; negative outside.
+    NoMode { band: [f64; 2] },
+    /// (|H| at rest - most) / most.
+    StaticDeflection { response: usize, at_most: f64 },
+}
+
+impl Bound {
+    /// The bound of a limit; `place` gives the place of a response by its name.
+    pub(super) fn new(limit: &Limit, place: impl Fn(&str) -> usize) -> Self {
+        match limit {
+            Limit::AddedMass { at_most } => Self::AddedMass { at_most: *at_most },
+            Limit::NoMode { from, to } => Self::NoMode { band: [*from, *to] },
+            Limit::StaticDeflection { response, at_most } => Self::StaticDeflection {
+                response: place(response),
+                at_most: *at_most,
+            },
+        }
+    }
+
+    /// The numbers that must not be above 0; those far below may be left out. None where cancelled.
+    pub(super) fn values(&self, trial: &Trial) -> Option<Vec<f64>> {
+        Some(match self {
+            Self::AddedMass { at_most } => vec![added_mass(&trial.model) / at_most - 1.0],
+            Self::NoMode { band } => {
+                let inside = |frequency: &f64| depth(*frequency, *band);
+                intruders(trial, *band)?.iter().map(inside).collect()
+            }
+            Self::StaticDeflection { response, at_most } => {
+                let deflection = at_rest(trial, *response)?.map_or(f64::INFINITY, Complex64::norm);
+                vec![deflection / at_most - 1.0]
+            }
+        })
+    }
+
+    /// The same with derivatives by the coordinates, which move `moved`. None where cancelled.
+    pub(super) fn functions(
+        &self,
+        trial: &Trial,
+        slopes: &Slopes,
+        moved: &[Moved],
+    ) -> Option<Vec<Function>> {
+        Some(match self {
+            Self::AddedMass { at_most } => vec![added_mass_function(trial, moved, *at_most)],
+            Self::NoMode { band } => modes_in(trial, moved, *band)?,
+            Self::StaticDeflection { response, at_most } => {
+                vec![deflection(trial, slopes, *response, *at_most)?]
+            }
+        })
+    }
+
+    /// What a person wants to know: the mass, kg; the frequency of the mode that is deepest in the band or nearest to it,
+    /// Hz; the deflection, in the response's unit. None where cancelled.
+    pub(super) fn reading(&self, trial: &Trial) -> Option<f64> {
+        Some(match self {
+            Self::AddedMass { .. } => added_mass(&trial.model),
+            Self::NoMode { band } => {
+                let all = undamped(&trial.model, 2.0 * band[1], trial.cancel)?;
+                let deeper = |a: &f64, b: &f64| depth(*a, *band).total_cmp(&depth(*b, *band));
+                all.into_iter().max_by(deeper).unwrap_or(f64::NAN)
+            }
+            Self::StaticDeflection { response, .. } => {
+                at_rest(trial, *response)?.map_or(f64::INFINITY, Complex64::norm)
+            }
+        })
+    }
+}
+
+/// The masses of all enabled subsystems, kg.
+fn added_mass(model: &Model) -> f64 {
+    model.attached().map(|subsystem| subsystem.mass).sum()
+}
+
+fn added_mass_function(trial: &Trial, moved: &[Moved], at_most: f64) -> Function {
+    let enabled = super::problem::masses(&trial.model);
+    let of = |paths: &Moved| -> f64 {
+        let masses = paths.iter().filter(|(path, _)| enabled.contains(*path));
+        masses.map(|(_, rate)| rate / at_most).sum()
+    };
+    Function {
+        value: added_mass(&trial.model) / at_most - 1.0,
+        gradient: moved.iter().map(of).collect(),
+    }
+}
+
+/// How deep a frequency lies in a band, over its width: 0.5 in the middle, 0 at the ends, negative outside.
+fn depth(frequency: f64, [from, to]: [f64; 2]) -> f64 {
+    (frequency - from).min(to - frequency) / (to - from)
+}
+
+/// The undamped modes in a band (Hz). Where there are none by the count of Wittrick & Williams, none is sought.
+fn intruders(trial: &Trial, [from, to]: [f64; 2]) -> Option<Vec<f64>> {
+    if count(&trial.model, from) == count(&trial.model, to) {
+        return Some(Vec::new());
+    }
+    let all = undamped(&trial.model, to, trial.cancel)?;
+    Some(
+        all.into_iter()
+            .filter(|one| *one > from && *one < to)
+            .collect(),
+    )
+}
+
+/// How deep each mode in a band, or within its width on both sides, is in it.
+fn modes_in(trial: &Trial, moved: &[Moved], band: [f64; 2]) -> Option<Vec<Function>> {
+    let [from, to] = band;
+    let width = to - from;
+    let model = without_damping(&trial.model);
+    let near = undamped(&model, to + width, trial.cancel)?;
+    let slopes = Slopes::new(&model, moved);
+    let function = |frequency: f64| {
+        let mode = Mode {
+            omega: Complex64::from(TAU * frequency),
+            kind: ModeKind::Oscillating,
+        };
+        let shift = slopes.differentiator().mode(&mode).frequency;
+        let sign = if 2.0 * frequency < from + to {
+            1.0
+        } else {
+            -1.0
+        };
+        Function {
+            value: depth(frequency, band),
+            gradient: slopes.by_coordinate(|index| sign * shift[index] / width),
+        }
+    };
+    let near = near
+        .into_iter()
+        .filter(|one| *one > (from - width).max(0.0));
+    Some(near.map(function).collect())
+}
+
+/// The weights by which a cubic through f, 2 f, 3 f and 4 f is 0 Hz's value.
+const TO_REST: [f64; 4] = [4.0, -6.0, 4.0, -1.0];
+
+/// The lowest frequency from which the response at rest is drawn: a hundredth of the first mode's or less, so that the
+/// cubic errs by less than 1e-5. None where a mode is at 0 Hz: such a beam has no rest.
+fn lowest(model: &Model) -> Option<f64> {
+    const SHARE: f64 = 50.0;
+    const HIGHEST: f64 = 1.0;
+    const HALVINGS: usize = 20;
+    let mut frequency = HIGHEST;
+    for _ in 0..HALVINGS {
+        if count(model, SHARE * frequency) == 0 {
+            return Some(frequency);
+        }
+        frequency *= 0.5;
+    }
+    None
+}
+
+/// A response at rest. The outer none where cancelled, the inner one where the beam can move freely.
+pub(super) fn at_rest(trial: &Trial, response: usize) -> Option<Option<Complex64>> {
+    let Some(lowest) = lowest(&trial.model) else {
+        return Some(None);
+    };
+    let places = [1.0, 2.0, 3.0, 4.0].map(|times| times * lowest);
+    let values = trial.values(response, &places)?;
+    Some(Some(
+        values
+            .iter()
+            .zip(TO_REST)
+            .map(|(value, weight)| weight * value)
+            .sum(),
+    ))
+}
+
+fn deflection(trial: &Trial, slopes: &Slopes, response: usize, at_most: f64) -> Option<Function> {
+    let Some(lowest) = lowest(&trial.model) else {
+        return Some(Function {
+            value: f64::INFINITY,
+            gradient: slopes.by_coordinate(|_| 0.0),
+        });
+    };
+    let places = [1.0, 2.0, 3.0, 4.0].map(|times| times * lowest);
+    let gradients = slopes.responses(response, &places);
+    let value: Complex64 = gradients
+        .iter()
+        .zip(TO_REST)
+        .map(|(one, weight)| weight * one.value)
+        .sum();
+    let change = |index: usize| -> Complex64 {
+        let terms = gradients.iter().zip(TO_REST);
+        terms
+            .map(|(one, weight)| weight * one.by_parameter[index])
+            .sum()
+    };
+    let size = value.norm();
+    Some(Function {
+        value: size / at_most - 1.0,
+        gradient: slopes.by_coordinate(|index| {
+            (value.conj() * change(index)).re / (size.max(f64::MIN_POSITIVE) * at_most)
+        }),
+    })
+}

@@ -1,0 +1,332 @@
+//! What `[tune]` asks for of a model: variables as coordinates, objectives as figures, limits as bounds.
+
+use std::collections::HashSet;
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+
+use super::coordinates::Coordinate;
+use super::figures::{self, Figure};
+use super::limits::Bound;
+use super::trial::{Moved, Trial};
+use crate::model::{Aim, Combine, Fault, Limit, Model, Objective, Quantity, Response, Tune, path};
+use crate::solve::modes::count;
+
+/// What is sought: a model and its `[tune]`, ready to be searched.
+#[derive(Debug, Clone)]
+pub struct Problem {
+    /// The model as it was given.
+    given: Model,
+    /// The same with nothing but the responses that are asked for, so that trials are cheap.
+    bare: Model,
+    tune: Tune,
+    pub(super) coordinates: Vec<Coordinate>,
+    pub(super) aims: Vec<Aimed>,
+    pub(super) bounds: Vec<Bound>,
+    /// Modes are needed up to this, Hz.
+    pub(super) modes_to: Option<f64>,
+}
+
+/// An objective with its figure.
+#[derive(Debug, Clone)]
+pub(super) struct Aimed {
+    pub(super) objective: Objective,
+    pub(super) figure: Figure,
+}
+
+impl Problem {
+    /// Prepares a checked model; measured curves are read from `folder`, that of the model file.
+    ///
+    /// # Errors
+    /// All that stands in the way, with what would be accepted: there is no `[tune]`, a variable that moves nothing, a
+    /// measured curve that cannot be read or is of something else, a tolerance that reaches what is impossible, a limit
+    /// of the deflection at rest of a beam that can move freely.
+    pub fn new(model: &Model, folder: &Path) -> Result<Self, Vec<Fault>> {
+        let Some(tune) = &model.tune else {
+            let message = "is missing; must have variables and an objective";
+            return Err(vec![Fault::new("tune", message)]);
+        };
+        let mut faults = Vec::new();
+        let (bare, places) = bare(model, tune);
+        let mut coordinates = Vec::new();
+        for (index, variable) in tune.variables.iter().enumerate() {
+            match Coordinate::new(model, variable) {
+                Ok(one) => coordinates.push(one),
+                Err(fault) => faults.push(within(&format!("tune.variables.{}", index + 1), fault)),
+            }
+        }
+        let mut aims = Vec::new();
+        for (objective, place) in tune.objectives.iter().zip(places) {
+            match Figure::new(&bare, objective, place, folder) {
+                Ok(figure) => aims.push(Aimed {
+                    objective: objective.clone(),
+                    figure,
+                }),
+                Err(fault) => faults.push(fault),
+            }
+        }
+        faults.extend(restless(model, tune));
+        let place = |name: &str| place_of(&bare, name);
+        let bounds = tune
+            .limits
+            .iter()
+            .map(|limit| Bound::new(limit, place))
+            .collect();
+        let ends = aims.iter().filter_map(|aimed| aimed.figure.modes_to());
+        let problem = Self {
+            modes_to: ends.reduce(f64::max),
+            given: model.clone(),
+            bounds,
+            tune: tune.clone(),
+            coordinates,
+            aims,
+            bare,
+        };
+        faults.extend(problem.beyond());
+        if faults.is_empty() {
+            Ok(problem)
+        } else {
+            Err(faults)
+        }
+    }
+
+    /// The model as it was given.
+    pub fn model(&self) -> &Model {
+        &self.given
+    }
+
+    /// What is asked for.
+    pub fn tune(&self) -> &Tune {
+        &self.tune
+    }
+
+    /// The number of variables, each a coordinate from 0 to 1.
+    pub fn variables(&self) -> usize {
+        self.coordinates.len()
+    }
+
+    /// The model at a point of the unit box; all that no variable moves is as it was given.
+    pub fn model_at(&self, x: &[f64]) -> Model {
+        let mut model = self.given.clone();
+        self.set(&mut model, x, &[]);
+        model
+    }
+
+    /// The same; the given model to the last bit at its own point.
+    pub(super) fn tuned(&self, x: &[f64]) -> Model {
+        let mut model = self.given.clone();
+        for (one, value) in self.coordinates.iter().zip(self.values(x)) {
+            one.set(&mut model, value);
+        }
+        model
+    }
+
+    /// The first parameter of each variable at a point; where that is the point of the given model, to the last bit.
+    pub(super) fn values(&self, x: &[f64]) -> Vec<f64> {
+        let all = self.coordinates.iter().zip(x);
+        all.map(|(one, x)| {
+            let start = one.start();
+            let is_inside = one.variable.min <= start && start <= one.variable.max;
+            if is_inside && *x == one.coordinate(start) {
+                start
+            } else {
+                one.value(*x)
+            }
+        })
+        .collect()
+    }
+
+    /// The point of a model of the same structure; a value beyond its bounds counts as at them.
+    pub fn point_of(&self, model: &Model) -> Vec<f64> {
+        let value = |one: &Coordinate| {
+            let first = one.parameters.first();
+            let number = first.and_then(|(path, _)| path::number(model, path).ok());
+            number.map_or(0.0, |number| one.coordinate(number))
+        };
+        self.coordinates.iter().map(value).collect()
+    }
+
+    /// Paths of the variables whose value in the given model lies beyond their bounds: the search starts at the bound.
+    pub fn outside(&self) -> Vec<&str> {
+        let beyond = self
+            .coordinates
+            .iter()
+            .filter(|one| one.start() < one.variable.min || one.start() > one.variable.max);
+        beyond
+            .filter_map(|one| one.parameters.first())
+            .map(|(path, _)| path.as_str())
+            .collect()
+    }
+
+    /// How the figures are combined: a sum, or the largest.
+    pub(super) fn combined(&self, figures: &[f64]) -> f64 {
+        if let [one] = figures {
+            return *one;
+        }
+        let weighted = figures.iter().zip(&self.aims);
+        let weighted = weighted.map(|(figure, aimed)| figure * aimed.objective.weight);
+        match self.tune.combine {
+            Combine::Sum => weighted.sum(),
+            Combine::Worst => weighted.fold(f64::NEG_INFINITY, f64::max),
+        }
+    }
+
+    /// The model on trial at a point; `deviation` is how far each variable is from its value, in tolerances: from -1 to
+    /// 1, nothing for none. None where cancelled.
+    pub(super) fn trial<'a>(
+        &self,
+        x: &[f64],
+        deviation: &[f64],
+        cancel: &'a AtomicBool,
+    ) -> Option<Trial<'a>> {
+        let mut model = self.bare.clone();
+        self.set(&mut model, x, deviation);
+        Trial::new(model, self.modes_to, cancel)
+    }
+
+    /// A model of the same structure on trial. None where cancelled.
+    pub(super) fn trial_of<'a>(&self, model: &Model, cancel: &'a AtomicBool) -> Option<Trial<'a>> {
+        let bare = Model {
+            beam: model.beam,
+            supports: model.supports.clone(),
+            subsystems: model.subsystems.clone(),
+            forces: model.forces.clone(),
+            ..self.bare.clone()
+        };
+        Trial::new(bare, self.modes_to, cancel)
+    }
+
+    /// The given model itself on trial. None where cancelled.
+    pub(super) fn trial_as_given<'a>(&self, cancel: &'a AtomicBool) -> Option<Trial<'a>> {
+        Trial::new(self.bare.clone(), self.modes_to, cancel)
+    }
+
+    /// What each coordinate moves at a point, and how fast.
+    pub(super) fn moved(&self, x: &[f64], deviation: &[f64]) -> Vec<Moved<'_>> {
+        let all = self.coordinates.iter().zip(x).enumerate();
+        all.map(|(index, (one, x))| {
+            let slope = one.slope(*x) * self.factor(index, deviation);
+            one.rates()
+                .map(|(path, rate)| (path, rate * slope))
+                .collect()
+        })
+        .collect()
+    }
+
+    /// By how much a deviation multiplies a variable.
+    pub(super) fn factor(&self, index: usize, deviation: &[f64]) -> f64 {
+        let share = deviation.get(index).copied().unwrap_or(0.0);
+        1.0 + 0.01 * self.coordinates[index].variable.tolerance * share
+    }
+
+    fn set(&self, model: &mut Model, x: &[f64], deviation: &[f64]) {
+        for (index, (one, x)) in self.coordinates.iter().zip(x).enumerate() {
+            one.set(model, one.value(*x) * self.factor(index, deviation));
+        }
+    }
+
+    /// Tolerances that reach what is impossible from a bound.
+    fn beyond(&self) -> Vec<Fault> {
+        let mut faults = Vec::new();
+        for (index, one) in self.coordinates.iter().enumerate() {
+            let share = 0.01 * one.variable.tolerance;
+            let (min, max) = (one.variable.min, one.variable.max);
+            for value in [min - share * min.abs(), max + share * max.abs()] {
+                let mut model = self.bare.clone();
+                one.set(&mut model, value);
+                let impossible = crate::model::check(&model).into_iter().next();
+                if let Some(fault) = impossible.filter(|_| share > 0.0) {
+                    let place = format!("tune.variables.{}.tolerance", index + 1);
+                    let message = format!("reaches an impossible model: {fault}");
+                    faults.push(Fault::new(place, message));
+                }
+            }
+        }
+        faults
+    }
+}
+
+/// The paths of the masses of the enabled subsystems.
+pub(super) fn masses(model: &Model) -> HashSet<String> {
+    let all = path::expand(model, "subsystems.*.mass").unwrap_or_default();
+    let both = model.subsystems.iter().zip(all);
+    both.filter(|(subsystem, _)| subsystem.enabled)
+        .map(|(_, path)| path)
+        .collect()
+}
+
+fn within(place: &str, fault: Fault) -> Fault {
+    Fault::new(place, format!("{}: {}", fault.path, fault.message))
+}
+
+/// The place of a response by its name.
+fn place_of(model: &Model, name: &str) -> usize {
+    let place = model.responses.iter().position(|one| one.name == name);
+    place.unwrap_or_default()
+}
+
+/// The model with nothing but the responses that are asked for, and for each objective the place of its own. The energy
+/// of the beam is added where no response gives it.
+fn bare(model: &Model, tune: &Tune) -> (Model, Vec<usize>) {
+    let mut names: Vec<&str> = tune
+        .objectives
+        .iter()
+        .filter_map(|objective| objective.aim.response())
+        .collect();
+    names.extend(tune.limits.iter().filter_map(|limit| match limit {
+        Limit::StaticDeflection { response, .. } => Some(response.as_str()),
+        Limit::AddedMass { .. } | Limit::NoMode { .. } => None,
+    }));
+    let wanted = model
+        .responses
+        .iter()
+        .filter(|one| names.contains(&&*one.name));
+    let mut bare = Model {
+        title: String::new(),
+        notes: String::new(),
+        responses: wanted.cloned().collect(),
+        studies: Vec::new(),
+        tune: None,
+        ..model.clone()
+    };
+    if tune.objectives.iter().any(|one| one.aim == Aim::Energy) {
+        bare.responses.push(Response {
+            name: String::new(),
+            enabled: true,
+            quantity: Quantity::Energy,
+        });
+    }
+    for response in &mut bare.responses {
+        response.enabled = true;
+    }
+    let energy = bare.responses.len() - 1;
+    let place = |objective: &Objective| match objective.aim.response() {
+        Some(name) => place_of(&bare, name),
+        None => energy,
+    };
+    let places = tune.objectives.iter().map(place).collect();
+    (bare, places)
+}
+
+/// Limits of a deflection at rest that there is not.
+fn restless(model: &Model, tune: &Tune) -> Vec<Fault> {
+    /// Hz; what is slower is a rigid body.
+    const SLOWEST: f64 = 1e-4;
+    let mut faults = Vec::new();
+    for (index, limit) in tune.limits.iter().enumerate() {
+        let Limit::StaticDeflection { response, .. } = limit else {
+            continue;
+        };
+        let place = format!("tune.limits.{}", index + 1);
+        let of = model.responses.iter().find(|one| one.name == *response);
+        if !of.is_some_and(|one| figures::is_displacement(&one.quantity)) {
+            let message = format!("{response:?} is no displacement; must be one");
+            faults.push(Fault::new(&place, message));
+        }
+        if count(model, SLOWEST) > 0 {
+            let message =
+                "needs a beam that rests on its supports; this one can move freely as a rigid body";
+            faults.push(Fault::new(&place, message));
+        }
+    }
+    faults
+}

@@ -1,0 +1,184 @@
+//! What is said of a model that was tuned: what each objective came to, how each variable moved, what each limit says.
+
+use std::sync::atomic::AtomicBool;
+
+use fastrand::Rng;
+
+use super::problem::{Aimed, Problem};
+use super::robust::{corners, uncertain};
+use super::run::place;
+use super::search::{Certainty, Merit, Place};
+use super::terrain::figures;
+use super::trial::Trial;
+use crate::model::{Limit, Objective};
+
+/// What an objective came to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Achieved {
+    /// The objective.
+    pub objective: Objective,
+    /// Its figure: of a peak |H|; of a mean square, in the unit squared, the mean; of a width what it leaves of the band; of
+    /// an anti-resonance its distance; of a measured curve the root mean square of the difference.
+    pub figure: f64,
+    /// The figure's unit; empty where it has none.
+    pub unit: String,
+    /// Where it is, Hz: the highest peak, both ends of the widest band, the anti-resonance. Empty for the others, and
+    /// where there is none.
+    pub places: Vec<f64>,
+    /// The highest level in the band where that is above the figure: a peak that the search did not see.
+    pub overlooked: Option<f64>,
+}
+
+/// How a variable moved.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Moved {
+    /// Its paths, as they stand in `[tune]`.
+    pub paths: Vec<String>,
+    /// The first parameter in the model as given, in its unit.
+    pub before: f64,
+    /// The first parameter in the tuned model, in its unit.
+    pub after: f64,
+    /// Its standard uncertainty, in its unit, where a measured curve was matched and determines it.
+    pub uncertainty: Option<f64>,
+    /// Where it is between its bounds.
+    pub place: Place,
+}
+
+/// What a limit says of the tuned model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Kept {
+    /// The limit.
+    pub limit: Limit,
+    /// The mass, kg; the natural frequency that lies deepest in the band or nearest to it, Hz (NaN where there is none near);
+    /// the deflection, in the response's unit.
+    pub value: f64,
+    /// Whether it is kept.
+    pub holds: bool,
+}
+
+/// The worst over the tolerances.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WorstCase {
+    /// The worst combined figure over the tolerances about the model as given, once within the bounds.
+    pub before: f64,
+    /// The worst combined figure over the tolerances about the tuned model.
+    pub after: f64,
+    /// Corners of the box of tolerances that were looked at; 0 where there are too many.
+    pub corners: usize,
+    /// Random points of the box that were looked at.
+    pub samples: usize,
+    /// Whether all limits hold at all of them.
+    pub is_possible: bool,
+}
+
+/// What each objective is on a model on trial. None where cancelled.
+pub(super) fn achieved(problem: &Problem, trial: &Trial) -> Option<Vec<Achieved>> {
+    /// As near as two ways to a peak come.
+    const NEAR: f64 = 1e-6;
+    let of = |aimed: &Aimed| {
+        let read = aimed.figure.read(trial)?;
+        let highest = aimed.figure.highest(trial)?;
+        Some(Achieved {
+            objective: aimed.objective.clone(),
+            unit: aimed.figure.unit(&trial.model),
+            // A pole is infinite even where the response does not move in its mode but by rounding.
+            overlooked: highest
+                .filter(|level| level.is_finite() && *level > read.figure * (1.0 + NEAR)),
+            figure: read.figure,
+            places: read.places,
+        })
+    };
+    problem.aims.iter().map(of).collect()
+}
+
+/// How each variable moved.
+pub(super) fn moved(problem: &Problem, x: &[f64], certainty: &Certainty) -> Vec<Moved> {
+    let after = problem.values(x);
+    let all = problem.coordinates.iter().enumerate();
+    all.map(|(index, one)| {
+        let place = place(x[index]);
+        let known = match certainty {
+            Certainty::Covariance(matrix) if place == Place::Inside => {
+                Some(matrix[(index, index)].sqrt() * one.slope(x[index]))
+            }
+            _ => None,
+        };
+        Moved {
+            paths: one.variable.paths.clone(),
+            before: one.start(),
+            after: after[index],
+            uncertainty: known,
+            place,
+        }
+    })
+    .collect()
+}
+
+/// What each limit says of a model on trial. None where cancelled.
+pub(super) fn kept(problem: &Problem, trial: &Trial) -> Option<Vec<Kept>> {
+    /// What rounding of a search that ends on a limit leaves.
+    const ROUNDING: f64 = 1e-9;
+    let limits = problem.tune().limits.iter().zip(&problem.bounds);
+    limits
+        .map(|(limit, bound)| {
+            let values = bound.values(trial)?;
+            Some(Kept {
+                limit: limit.clone(),
+                value: bound.reading(trial)?,
+                holds: values.iter().all(|value| *value <= ROUNDING),
+            })
+        })
+        .collect()
+}
+
+/// The worst over the corners of the tolerances and 200 random points, before and after. The inner none where nothing
+/// has a tolerance, the outer one where cancelled.
+pub(super) fn worst_case(
+    problem: &Problem,
+    start: &[f64],
+    x: &[f64],
+    cancel: &AtomicBool,
+) -> Option<Option<WorstCase>> {
+    const MOST_CORNERS: usize = 1024;
+    const SAMPLES: usize = 200;
+    let uncertain = uncertain(problem);
+    if uncertain.is_empty() {
+        return Some(None);
+    }
+    let mut all = Vec::new();
+    if uncertain.len() <= MOST_CORNERS.ilog2() as usize {
+        all = corners(problem, &uncertain);
+    }
+    let corners = all.len();
+    // Not the seed of the search: what it found must not depend on the points it is judged by.
+    let mut random = Rng::with_seed(1);
+    for _ in 0..SAMPLES {
+        let one = (0..problem.variables()).map(|_| 2.0 * random.f64() - 1.0);
+        all.push(one.collect());
+    }
+    let [before, after] = [start, x].map(|point| worst(problem, point, &all, cancel));
+    let (after, violation) = after?;
+    Some(Some(WorstCase {
+        before: before?.0,
+        after,
+        corners,
+        samples: SAMPLES,
+        is_possible: violation == 0.0,
+    }))
+}
+
+/// The worst combined figure and the largest violation over deviations.
+fn worst(
+    problem: &Problem,
+    x: &[f64],
+    deviations: &[Vec<f64>],
+    cancel: &AtomicBool,
+) -> Option<(f64, f64)> {
+    let mut worst = (f64::NEG_INFINITY, 0.0_f64);
+    for deviation in deviations {
+        let found = figures(problem, &problem.trial(x, deviation, cancel)?)?;
+        worst.0 = worst.0.max(problem.combined(&found.figures));
+        worst.1 = worst.1.max(Merit::violation(found.limits));
+    }
+    Some(worst)
+}

@@ -1,0 +1,264 @@
+//! The search for what `[tune]` asks for, from a model to the tuned one with all that is to be said of it.
+
+use std::sync::atomic::AtomicBool;
+
+use super::problem::Problem;
+use super::report::{Achieved, Kept, Moved, WorstCase, achieved, kept, moved, worst_case};
+use super::search::{self, Certainty, Control, Phase, Place, Progress, Stop, fit, minimise};
+use super::terrain::{Terrain, figures};
+use crate::model::Model;
+
+/// How to search.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Options {
+    /// Seed of the random numbers; the same gives the same result on any number of threads.
+    pub seed: u64,
+    /// At most so many evaluations; none: by the number of variables, see [`default_budget`].
+    pub budget: Option<usize>,
+}
+
+/// How far a search is. Figures are as a person knows them, in the unit of the objective; of several objectives they are
+/// combined.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Status {
+    /// Models evaluated.
+    pub evaluations: usize,
+    /// At most so many.
+    pub budget: usize,
+    /// What is running.
+    pub phase: Phase,
+    /// The figure of the start.
+    pub start: f64,
+    /// The best figure so far.
+    pub best: f64,
+    /// Whether the best so far keeps all limits.
+    pub is_possible: bool,
+    /// The best model so far.
+    pub model: Model,
+}
+
+/// What a search came to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tuned {
+    /// The given model with the variables at their best.
+    pub model: Model,
+    /// The figure of each objective of the given model.
+    pub before: Vec<Achieved>,
+    /// The figure of each objective of the tuned model.
+    pub after: Vec<Achieved>,
+    /// Each variable.
+    pub variables: Vec<Moved>,
+    /// Each limit, of the tuned model.
+    pub limits: Vec<Kept>,
+    /// Where variables have tolerances, the worst over them.
+    pub worst_case: Option<WorstCase>,
+    /// Models evaluated.
+    pub evaluations: usize,
+    /// The seed it was found with.
+    pub seed: u64,
+    /// Why the search stopped.
+    pub stop: Stop,
+}
+
+/// How many evaluations a search may take where nothing else is said.
+pub const fn default_budget(variables: usize) -> usize {
+    const FIRST: usize = 500;
+    const EACH: usize = 500;
+    FIRST + EACH * variables
+}
+
+/// Searches the best model. `tell` is told of each improvement and now and then; the search waits for it. Where `cancel`
+/// becomes true the best so far is the result. It is never worse than the model as given, once that is within the
+/// variables' bounds.
+///
+/// # Errors
+/// Says that the objective has no finite value, not even where the search looked.
+pub fn run(
+    problem: &Problem,
+    options: &Options,
+    cancel: &AtomicBool,
+    tell: &mut dyn FnMut(&Status),
+) -> Result<Tuned, String> {
+    let start = problem.point_of(problem.model());
+    let never = AtomicBool::new(false);
+    let budget = options
+        .budget
+        .unwrap_or_else(|| default_budget(problem.variables()));
+    let unsolved = || "the model cannot be solved".to_owned();
+    let scaled = Terrain::new(problem, &start, &never).ok_or_else(unsolved)?;
+    let terrain = scaled.until(cancel);
+    let mut search = Search {
+        terrain: &terrain,
+        options: *options,
+        budget,
+        evaluations: 0,
+        tell,
+        start: terrain.start,
+    };
+    let found = if is_fit(problem) {
+        search.fit(&start)
+    } else {
+        search.minimise(&start, budget)
+    };
+    if found.figure.is_nan() || found.figure.is_infinite() {
+        return Err(
+            "the objective has no finite value anywhere the search looked: an undamped resonance \
+            in its band, or a band without a value"
+                .to_owned(),
+        );
+    }
+    let evaluations = search.evaluations;
+    report(problem, &start, &found, &never)
+        .map(|tuned| Tuned {
+            evaluations,
+            seed: options.seed,
+            ..tuned
+        })
+        .ok_or_else(unsolved)
+}
+
+/// Whether it is a curve alone that is to be met: least squares.
+fn is_fit(problem: &Problem) -> bool {
+    let [only] = &problem.aims[..] else {
+        return false;
+    };
+    let exact = problem.coordinates.iter();
+    let mut exact = exact.map(|one| one.variable.tolerance == 0.0);
+    only.figure.is_least_squares() && problem.bounds.is_empty() && exact.all(|one| one)
+}
+
+/// The best point, and what is known of it.
+struct Found {
+    x: Vec<f64>,
+    figure: f64,
+    stop: Stop,
+    certainty: Certainty,
+}
+
+/// A search on its way.
+struct Search<'a> {
+    terrain: &'a Terrain<'a>,
+    options: Options,
+    budget: usize,
+    evaluations: usize,
+    tell: &'a mut dyn FnMut(&Status),
+    /// The combined figure of the start.
+    start: f64,
+}
+
+impl Search<'_> {
+    fn minimise(&mut self, start: &[f64], budget: usize) -> Found {
+        let terrain = self.terrain;
+        let figure = |goal: f64| terrain.figure(goal);
+        let options = search::Options {
+            seed: self.options.seed,
+        };
+        let mut tell = self.teller(&figure, f64::INFINITY);
+        let control = Control {
+            cancel: terrain.cancel,
+            budget,
+            tell: &mut tell,
+        };
+        let outcome = minimise(terrain, start, options, control);
+        drop(tell);
+        self.evaluations += outcome.evaluations;
+        Found {
+            figure: figure(outcome.merit.goal),
+            x: outcome.x,
+            stop: outcome.stop,
+            certainty: Certainty::Unknown,
+        }
+    }
+
+    /// Least squares downhill from the start; then all over the box; then downhill from the best that was found there.
+    fn fit(&mut self, start: &[f64]) -> Found {
+        let first = self.descend(start, f64::INFINITY);
+        let left = self.budget.saturating_sub(self.evaluations);
+        if first.stop == Stop::Cancelled || left < 2 {
+            return first;
+        }
+        let looked = self.minimise(&first.x, left / 2);
+        if looked.stop == Stop::Cancelled || looked.x == first.x {
+            return first;
+        }
+        let last = self.descend(&looked.x, looked.figure);
+        if last.figure <= first.figure {
+            last
+        } else {
+            first
+        }
+    }
+
+    fn descend(&mut self, start: &[f64], best: f64) -> Found {
+        let terrain = self.terrain;
+        let aim = terrain.problem.aims.first();
+        let figure = |sum: f64| aim.map_or(f64::NAN, |aimed| aimed.figure.of_squares(sum));
+        let budget = self.budget.saturating_sub(self.evaluations);
+        let mut tell = self.teller(&figure, best);
+        let control = Control {
+            cancel: terrain.cancel,
+            budget,
+            tell: &mut tell,
+        };
+        let estimate = fit(terrain, start, control);
+        drop(tell);
+        self.evaluations += estimate.evaluations;
+        Found {
+            figure: figure(estimate.sum_of_squares),
+            x: estimate.x,
+            stop: estimate.stop,
+            certainty: estimate.certainty,
+        }
+    }
+
+    /// Tells what the search tells, as a person knows it; `figure` makes the figure of a goal.
+    fn teller<'b>(
+        &'b mut self,
+        figure: &'b impl Fn(f64) -> f64,
+        best: f64,
+    ) -> impl FnMut(&Progress) + 'b {
+        move |progress| {
+            let status = Status {
+                evaluations: self.evaluations + progress.evaluations,
+                budget: self.budget,
+                phase: progress.phase,
+                start: self.start,
+                best: figure(progress.merit.goal).min(best),
+                is_possible: progress.merit.is_possible(),
+                model: self.terrain.problem.tuned(&progress.best),
+            };
+            (self.tell)(&status);
+        }
+    }
+}
+
+/// All that is to be said of the best point. None where something cannot be solved.
+fn report(problem: &Problem, start: &[f64], found: &Found, never: &AtomicBool) -> Option<Tuned> {
+    let given = problem.trial_as_given(never)?;
+    let trial = problem.trial_of(&problem.tuned(&found.x), never)?;
+    debug_assert!(figures(problem, &trial).is_some());
+    Some(Tuned {
+        model: problem.tuned(&found.x),
+        before: achieved(problem, &given)?,
+        after: achieved(problem, &trial)?,
+        variables: moved(problem, &found.x, &found.certainty),
+        limits: kept(problem, &trial)?,
+        worst_case: worst_case(problem, start, &found.x, never)?,
+        evaluations: 0,
+        seed: 0,
+        stop: found.stop,
+    })
+}
+
+/// Where a coordinate is.
+pub(super) fn place(x: f64) -> Place {
+    /// What a bound leaves to rounding.
+    const NEAR: f64 = 1e-9;
+    if x <= NEAR {
+        Place::AtMin
+    } else if x >= 1.0 - NEAR {
+        Place::AtMax
+    } else {
+        Place::Inside
+    }
+}

@@ -1,0 +1,133 @@
+//! The whole search: all over the box, then downhill from the best points, as long as that finds more.
+
+use fastrand::Rng;
+
+use super::global::{Known, Share, evolve};
+use super::ledger::Ledger;
+use super::local;
+use super::types::{Control, Landscape, Merit, Options, Outcome, Phase, Stop};
+
+/// Seeks the point of the unit box where the sum of the largest functions is least and all limits are met.
+///
+/// Differential evolution looks all over the box, then sequential quadratic programming goes downhill from the start and
+/// from the best points that differ; with derivatives where it matters. Both are repeated with fresh points until that
+/// finds nothing better. Where the budget is small, most of it is for the walks downhill.
+///
+/// `start` has a coordinate from 0 to 1 for every variable. The same seed gives the same result on any number of threads.
+/// The result is never worse than the start, also where it is cancelled.
+pub fn minimise<'a>(
+    landscape: &'a dyn Landscape,
+    start: &[f64],
+    options: Options,
+    control: Control<'a>,
+) -> Outcome {
+    let start: Vec<f64> = start.iter().map(|x| x.clamp(0.0, 1.0)).collect();
+    let mut ledger = Ledger::new(landscape, &start, control);
+    let first = ledger.merits(std::slice::from_ref(&start), Phase::Start);
+    let merit = first.first().copied().unwrap_or(Merit::WORST);
+    let stop = if start.is_empty() {
+        Stop::Converged
+    } else {
+        let seed = Known { x: start, merit };
+        rounds(&mut ledger, &mut Rng::with_seed(options.seed), seed)
+    };
+    outcome(&ledger, merit, stop)
+}
+
+/// Walks downhill from a start only, with derivatives: what it finds is the least nearby.
+///
+/// As of [`minimise`], the result is never worse than the start.
+pub fn descend<'a>(landscape: &'a dyn Landscape, start: &[f64], control: Control<'a>) -> Outcome {
+    let start: Vec<f64> = start.iter().map(|x| x.clamp(0.0, 1.0)).collect();
+    let mut ledger = Ledger::new(landscape, &start, control);
+    let first = ledger.merits(std::slice::from_ref(&start), Phase::Start);
+    let merit = first.first().copied().unwrap_or(Merit::WORST);
+    let reason = local::descend(&mut ledger, vec![start]);
+    let stop = ledger.ended().or(reason).unwrap_or(Stop::Converged);
+    outcome(&ledger, merit, stop)
+}
+
+fn outcome(ledger: &Ledger<'_>, start: Merit, stop: Stop) -> Outcome {
+    let best = ledger.best();
+    Outcome {
+        x: best.best.clone(),
+        merit: best.merit,
+        start,
+        evaluations: best.evaluations,
+        stop,
+    }
+}
+
+/// Global and local search in turn, until a turn finds nothing better.
+fn rounds(ledger: &mut Ledger<'_>, random: &mut Rng, start: Known) -> Stop {
+    let mut seed = start;
+    let mut stop = Stop::NotFinite;
+    loop {
+        let before = ledger.best().merit;
+        let population = evolve(ledger, random, std::slice::from_ref(&seed), share(ledger));
+        let starts = distinct(&seed, &population, walks(ledger));
+        if let Some(reason) = local::descend(ledger, starts) {
+            stop = reason;
+        }
+        if let Some(reason) = ledger.ended() {
+            return reason;
+        }
+        let best = ledger.best();
+        if !is_better(best.merit, before) {
+            return stop;
+        }
+        seed = Known {
+            x: best.best.clone(),
+            merit: best.merit,
+        };
+    }
+}
+
+/// What the global search of a turn may use.
+fn share(ledger: &Ledger<'_>) -> Share {
+    let (variables, left) = (ledger.variables(), ledger.left());
+    // Downhill takes some tens of evaluations a variable; what a small budget leaves beside that is for looking around.
+    let part = if left < 50 * variables { 4 } else { 2 };
+    let evaluations = left / part;
+    Share {
+        size: (8 * variables).clamp(16, 96).min(evaluations.max(1)),
+        evaluations,
+    }
+}
+
+/// How many walks downhill the rest of the budget is good for.
+fn walks(ledger: &Ledger<'_>) -> usize {
+    const MOST: usize = 6;
+    (ledger.left() / (20 * ledger.variables())).clamp(1, MOST)
+}
+
+/// The points to go downhill from: the best ones that lie apart, and the seed.
+fn distinct(seed: &Known, population: &[Known], most: usize) -> Vec<Vec<f64>> {
+    const APART: f64 = 0.05;
+    let mut starts: Vec<Vec<f64>> = Vec::new();
+    let candidates = population
+        .iter()
+        .take_while(|known| known.merit.goal.is_finite());
+    for known in candidates {
+        let near = |other: &Vec<f64>| {
+            let apart = other.iter().zip(&known.x).map(|(a, b)| (a - b).abs());
+            apart.fold(0.0, f64::max) < APART
+        };
+        if starts.len() < most && !starts.iter().any(near) {
+            starts.push(known.x.clone());
+        }
+    }
+    if !starts.contains(&seed.x) {
+        starts.push(seed.x.clone());
+    }
+    starts
+}
+
+/// Better by more than the last digits.
+fn is_better(now: Merit, before: Merit) -> bool {
+    const DIGITS: f64 = 1e-6;
+    let violation = before.violation - now.violation;
+    let goal = before.goal - now.goal;
+    now.is_better_than(&before)
+        && (violation > 0.0 || goal.is_nan() || goal > DIGITS * before.goal.abs())
+}

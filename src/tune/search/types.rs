@@ -1,0 +1,291 @@
+//! What the searches take and give. Points lie in the unit box: every coordinate between 0 and 1.
+
+use std::cmp::Ordering;
+use std::fmt;
+use std::sync::atomic::AtomicBool;
+
+use nalgebra::{DMatrix, DVector};
+
+/// A smooth function at one point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Function {
+    /// Its value.
+    pub value: f64,
+    /// Its derivatives by the coordinates of the unit box.
+    pub gradient: Vec<f64>,
+}
+
+impl Function {
+    /// True where the value and all derivatives are finite.
+    pub(super) fn is_finite(&self) -> bool {
+        self.value.is_finite() && self.gradient.iter().all(|slope| slope.is_finite())
+    }
+}
+
+/// What is sought at one point, with derivatives: the sum over the terms of the largest function of each term is to be
+/// small, and every limit at most 0.
+///
+/// How many functions a term has, and in which order, may change from point to point. One that lies below the largest
+/// of its term should be given as well where it may become the largest nearby. A term without functions counts 0.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Evaluation {
+    /// Functions of which the largest counts.
+    pub terms: Vec<Vec<Function>>,
+    /// What must be at most 0.
+    pub limits: Vec<Function>,
+}
+
+impl Evaluation {
+    /// Its goal and violation.
+    pub fn merit(&self) -> Merit {
+        let largest = |term: &Vec<Function>| {
+            let values = term.iter().map(|function| function.value);
+            values.reduce(larger).unwrap_or(0.0)
+        };
+        Merit {
+            goal: self.terms.iter().map(largest).sum(),
+            violation: Merit::violation(self.limits.iter().map(|limit| limit.value)),
+        }
+    }
+}
+
+impl Evaluation {
+    /// True where every function can be used.
+    pub(super) fn is_finite(&self) -> bool {
+        let mut functions = self.terms.iter().flatten().chain(&self.limits);
+        functions.all(Function::is_finite)
+    }
+}
+
+/// The larger of two numbers, NaN if one of them is.
+fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a > b { a } else { b }
+}
+
+/// How good a point is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Merit {
+    /// The sum over the terms of the largest function of each.
+    pub goal: f64,
+    /// The sum of the limits that are above 0; 0 where all are met.
+    pub violation: f64,
+}
+
+impl Merit {
+    /// Worse than any other.
+    pub const WORST: Self = Self {
+        goal: f64::INFINITY,
+        violation: f64::INFINITY,
+    };
+
+    /// The sum of the limits above 0.
+    pub fn violation(limits: impl IntoIterator<Item = f64>) -> f64 {
+        limits
+            .into_iter()
+            .filter(|limit| limit.is_nan() || *limit > 0.0)
+            .fold(0.0, |sum, limit| sum + limit)
+    }
+
+    /// Which of two points is better (`Less`), by the rules of Deb (2000): one that meets all limits before one that does
+    /// not; of two that do, the lower goal; of two that do not, the lower violation. A goal or violation that is not a
+    /// number is as infinite.
+    ///
+    /// Deb, An efficient constraint handling method for genetic algorithms, Comput. Methods Appl. Mech. Engrg. 2000, 186,
+    /// 311-338.
+    pub fn compare(&self, other: &Self) -> Ordering {
+        let known = |number: f64| {
+            if number.is_nan() {
+                f64::INFINITY
+            } else {
+                number
+            }
+        };
+        let violations = known(self.violation).total_cmp(&known(other.violation));
+        violations.then(known(self.goal).total_cmp(&known(other.goal)))
+    }
+
+    /// True where it is better than another one.
+    pub fn is_better_than(&self, other: &Self) -> bool {
+        self.compare(other) == Ordering::Less
+    }
+
+    /// True where all limits are met.
+    pub fn is_possible(&self) -> bool {
+        self.violation == 0.0
+    }
+}
+
+/// Residuals at one point, for least squares.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Residuals {
+    /// What should be 0.
+    pub values: DVector<f64>,
+    /// Their derivatives by the coordinates of the unit box: a row a residual, a column a variable.
+    pub jacobian: DMatrix<f64>,
+}
+
+/// What is searched. Points have [`variables`](Self::variables) coordinates, each from 0 to 1. Every method may be called
+/// from many threads at once, gives the same at the same point, and None where the search is cancelled.
+pub trait Landscape: Sync {
+    /// The number of coordinates.
+    fn variables(&self) -> usize;
+
+    /// How good a point is; cheap, without derivatives. A point without a value has a goal that is infinite or NaN.
+    fn merit(&self, x: &[f64]) -> Option<Merit>;
+
+    /// The same with derivatives.
+    fn evaluate(&self, x: &[f64]) -> Option<Evaluation>;
+}
+
+/// Residuals whose sum of squares is to be small. As of [`Landscape`]: any thread, the same at the same point, None where
+/// cancelled.
+pub trait Fit: Sync {
+    /// The residuals and their derivatives at a point of the unit box.
+    fn residuals(&self, x: &[f64]) -> Option<Residuals>;
+}
+
+/// Which part of a search is running.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Phase {
+    /// The point it starts from.
+    Start,
+    /// All over the box.
+    Global,
+    /// Downhill from the best points, with derivatives.
+    Local,
+}
+
+impl fmt::Display for Phase {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Start => "start",
+            Self::Global => "global search",
+            Self::Local => "local search",
+        })
+    }
+}
+
+/// How far a search is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Progress {
+    /// Points evaluated, with and without derivatives.
+    pub evaluations: usize,
+    /// The best point so far.
+    pub best: Vec<f64>,
+    /// How good it is.
+    pub merit: Merit,
+    /// What is running.
+    pub phase: Phase,
+}
+
+/// What a caller holds in hand while a search runs.
+pub struct Control<'a> {
+    /// True ends the search; what was best so far is the result.
+    pub cancel: &'a AtomicBool,
+    /// At most so many evaluations, with and without derivatives together.
+    pub budget: usize,
+    /// Told between evaluations; the search waits for it.
+    pub tell: &'a mut dyn FnMut(&Progress),
+}
+
+/// Why a search stopped.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stop {
+    /// No step within rounding leads further down.
+    Converged,
+    /// No trial point is better, though the derivatives say that one should be: a kink, or noise in the values.
+    NoProgress,
+    /// The limits are not met, and no step nearby meets them better.
+    LimitsUnmet,
+    /// The points of the global search have come together, or find nothing better.
+    Stagnated,
+    /// All evaluations allowed are used.
+    Budget,
+    /// It was cancelled.
+    Cancelled,
+    /// There is no finite value where it starts.
+    NotFinite,
+}
+
+impl fmt::Display for Stop {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Converged => "converged",
+            Self::NoProgress => "no step made it better",
+            Self::LimitsUnmet => "the limits cannot be met",
+            Self::Stagnated => "the global search found nothing better",
+            Self::Budget => "all evaluations were used",
+            Self::Cancelled => "cancelled",
+            Self::NotFinite => "no finite value to start from",
+        })
+    }
+}
+
+/// What a search found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outcome {
+    /// The best point.
+    pub x: Vec<f64>,
+    /// How good it is; never worse than the start.
+    pub merit: Merit,
+    /// How good the point was that it started from; [`Merit::WORST`] where not even that was evaluated.
+    pub start: Merit,
+    /// Points evaluated, with and without derivatives.
+    pub evaluations: usize,
+    /// Why it stopped.
+    pub stop: Stop,
+}
+
+/// What a least-squares search found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Estimate {
+    /// The best point.
+    pub x: Vec<f64>,
+    /// The sum of the squared residuals there; infinite where it has no value at the start.
+    pub sum_of_squares: f64,
+    /// The number of residuals.
+    pub residuals: usize,
+    /// Where each variable is.
+    pub places: Vec<Place>,
+    /// How well the variables are known.
+    pub certainty: Certainty,
+    /// Points evaluated.
+    pub evaluations: usize,
+    /// Why it stopped.
+    pub stop: Stop,
+}
+
+/// Where a variable is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// Between its bounds.
+    Inside,
+    /// At its lower bound: the best may lie below.
+    AtMin,
+    /// At its upper bound: the best may lie above.
+    AtMax,
+}
+
+/// How well the variables of a fit are known.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Certainty {
+    /// The covariance sigma^2 (J^T J)^-1 in coordinates of the unit box, with sigma^2 = S/(m - n) of the sum of squares S,
+    /// m residuals and n variables between their bounds. A variable at a bound is held there: its row and column are 0.
+    Covariance(DMatrix<f64>),
+    /// There are no more residuals than variables, so that the scatter is unknown.
+    TooFewResiduals,
+    /// The residuals do not tell the variables apart: along this direction (unit length) they do not change.
+    Singular {
+        /// A unit vector in coordinates of the unit box.
+        direction: Vec<f64>,
+    },
+    /// Nothing was evaluated with finite values.
+    Unknown,
+}
+
+/// How a search is to go.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Options {
+    /// Seed of the random numbers; the same gives the same result on any number of threads.
+    pub seed: u64,
+}

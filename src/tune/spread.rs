@@ -1,0 +1,143 @@
+//! What tolerances make of the responses: quantiles over random models.
+
+use std::sync::atomic::AtomicBool;
+
+use fastrand::Rng;
+use rayon::prelude::*;
+
+use super::coordinates::Coordinate;
+use crate::model::{Fault, Model, Tune};
+use crate::solve::sweep;
+
+/// Where the magnitude of one response lies, in its unit, a value a frequency.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spread {
+    /// The response's name.
+    pub name: String,
+    /// What 5 % of the models stay below.
+    pub low: Vec<f64>,
+    /// What half of them stay below.
+    pub median: Vec<f64>,
+    /// What 95 % of them stay below.
+    pub high: Vec<f64>,
+}
+
+/// The quantiles that are given.
+const QUANTILES: [f64; 3] = [0.05, 0.5, 0.95];
+
+/// The 5, 50 and 95 % quantiles of |H| of every enabled response at some frequencies (Hz), over `samples` models whose
+/// variables lie anywhere within their tolerances about the model's own values, all equally likely and independent of
+/// each other; the same for the same seed. Quantiles are drawn linearly between the sorted values (Hyndman & Fan, The
+/// American Statistician 1996, 50, 361, definition 7). None where `cancel` became true before the end.
+///
+/// # Errors
+/// A variable moves nothing.
+pub fn spread(
+    model: &Model,
+    tune: &Tune,
+    (samples, seed): (usize, u64),
+    frequencies: &[f64],
+    cancel: &AtomicBool,
+) -> Result<Option<Vec<Spread>>, Fault> {
+    let models = models(model, tune, samples, seed)?;
+    let names = model.responses.iter().filter(|response| response.enabled);
+    let mut all: Vec<Spread> = names
+        .map(|response| Spread {
+            name: response.name.clone(),
+            low: Vec::new(),
+            median: Vec::new(),
+            high: Vec::new(),
+        })
+        .collect();
+    /// Values held at a time.
+    const MOST_VALUES: usize = 4_000_000;
+    let piece = (MOST_VALUES / (samples * all.len()).max(1)).max(1);
+    for frequencies in frequencies.chunks(piece) {
+        let Some(values) = quantiles(&models, frequencies, cancel) else {
+            return Ok(None);
+        };
+        for (spread, rows) in all.iter_mut().zip(values) {
+            for [low, median, high] in rows {
+                spread.low.push(low);
+                spread.median.push(median);
+                spread.high.push(high);
+            }
+        }
+    }
+    Ok(Some(all))
+}
+
+/// Random models within the tolerances.
+fn models(model: &Model, tune: &Tune, samples: usize, seed: u64) -> Result<Vec<Model>, Fault> {
+    let coordinates: Result<Vec<Coordinate>, Fault> = tune
+        .variables
+        .iter()
+        .map(|variable| Coordinate::new(model, variable))
+        .collect();
+    let coordinates = coordinates?;
+    let bare = Model {
+        title: String::new(),
+        notes: String::new(),
+        studies: Vec::new(),
+        tune: None,
+        ..model.clone()
+    };
+    let mut random = Rng::with_seed(seed);
+    let mut one = || {
+        let mut changed = bare.clone();
+        for coordinate in &coordinates {
+            let share = 0.01 * coordinate.variable.tolerance * (2.0 * random.f64() - 1.0);
+            coordinate.set(&mut changed, coordinate.start() * (1.0 + share));
+        }
+        changed
+    };
+    Ok((0..samples).map(|_| one()).collect())
+}
+
+/// For each response the quantiles at each frequency.
+fn quantiles(
+    models: &[Model],
+    frequencies: &[f64],
+    cancel: &AtomicBool,
+) -> Option<Vec<Vec<[f64; 3]>>> {
+    let solved: Option<Vec<Vec<Vec<f64>>>> = models
+        .par_iter()
+        .map(|model| {
+            let frf = sweep(model, frequencies, cancel)?;
+            let columns = frf.columns.iter();
+            Some(
+                columns
+                    .map(|column| column.values.iter().map(|value| value.norm()).collect())
+                    .collect(),
+            )
+        })
+        .collect();
+    let solved = solved?;
+    let responses = solved.first().map_or(0, Vec::len);
+    let of = |response: usize, row: usize| {
+        let mut values: Vec<f64> = solved.iter().map(|one| one[response][row]).collect();
+        values.sort_by(f64::total_cmp);
+        QUANTILES.map(|share| quantile(&values, share))
+    };
+    let rows = |response| {
+        let all = (0..frequencies.len()).into_par_iter();
+        all.map(|row| of(response, row)).collect()
+    };
+    Some((0..responses).map(rows).collect())
+}
+
+/// A quantile of sorted values.
+fn quantile(sorted: &[f64], share: f64) -> f64 {
+    let Some(last) = sorted.len().checked_sub(1) else {
+        return f64::NAN;
+    };
+    let place = share * last as f64;
+    let below = (place.floor() as usize).min(last);
+    let above = (below + 1).min(last);
+    let part = place - below as f64;
+    if part == 0.0 {
+        sorted[below]
+    } else {
+        sorted[below] + part * (sorted[above] - sorted[below])
+    }
+}

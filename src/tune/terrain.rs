@@ -1,0 +1,218 @@
+//! A problem as a landscape: one number to be small, with derivatives, over the worst case of the tolerances.
+
+use std::sync::atomic::AtomicBool;
+
+use super::problem::Problem;
+use super::robust::deviations;
+use super::search::{Evaluation, Fit, Function, Landscape, Merit, Residuals};
+use super::trial::{Slopes, Trial};
+use crate::model::Combine;
+
+/// A problem that is searched.
+pub(super) struct Terrain<'a> {
+    pub(super) problem: &'a Problem,
+    pub(super) cancel: &'a AtomicBool,
+    scale: Scale,
+    /// The combined figure of the start.
+    pub(super) start: f64,
+}
+
+/// How a combined figure is brought to the number that is searched.
+#[derive(Debug, Clone, Copy)]
+enum Scale {
+    /// Its natural logarithm: changes count relative to what is left.
+    Logarithm,
+    /// Over a constant, about what it is at the start.
+    Over(f64),
+}
+
+/// What one model on trial gives: the figure of each objective and what the limits say.
+pub(super) struct Figures {
+    pub(super) figures: Vec<f64>,
+    pub(super) limits: Vec<f64>,
+}
+
+/// The same as functions.
+pub(super) struct Sloped {
+    /// Of each objective; the largest is its figure.
+    pub(super) figures: Vec<Vec<Function>>,
+    pub(super) limits: Vec<Function>,
+}
+
+impl<'a> Terrain<'a> {
+    /// Scaled by what is at `start`. None where cancelled.
+    pub(super) fn new(problem: &'a Problem, start: &[f64], cancel: &'a AtomicBool) -> Option<Self> {
+        let mut terrain = Self {
+            problem,
+            cancel,
+            scale: Scale::Over(1.0),
+            start: f64::NAN,
+        };
+        terrain.start = terrain.merit(start)?.goal;
+        let positive = problem.aims.iter().all(|aimed| aimed.figure.is_positive());
+        terrain.scale = if positive && terrain.is_one_term() {
+            Scale::Logarithm
+        } else {
+            let size = terrain.start.abs();
+            Scale::Over(if size.is_normal() { size } else { 1.0 })
+        };
+        Some(terrain)
+    }
+
+    /// The same that ends where `cancel` becomes true.
+    pub(super) fn until<'b>(&'b self, cancel: &'b AtomicBool) -> Terrain<'b> {
+        Terrain { cancel, ..*self }
+    }
+
+    /// The combined figure of a goal, as a person knows it.
+    pub(super) fn figure(&self, goal: f64) -> f64 {
+        match self.scale {
+            Scale::Logarithm => goal.exp(),
+            Scale::Over(scale) => goal * scale,
+        }
+    }
+
+    /// Whether the largest of all functions is sought, not a sum.
+    fn is_one_term(&self) -> bool {
+        let problem = self.problem;
+        problem.aims.len() == 1 || problem.tune().combine == Combine::Worst
+    }
+
+    fn weight(&self, aim: usize) -> f64 {
+        if self.problem.aims.len() == 1 {
+            1.0
+        } else {
+            self.problem.aims[aim].objective.weight
+        }
+    }
+
+    /// What is searched of a figure; a weighted sum is that of its parts.
+    fn scaled(&self, aim: usize, figure: f64) -> f64 {
+        let weighted = figure * self.weight(aim);
+        match self.scale {
+            Scale::Logarithm => weighted.ln(),
+            Scale::Over(scale) => weighted / scale,
+        }
+    }
+
+    /// The same with derivatives.
+    fn scaled_function(&self, aim: usize, function: Function) -> Function {
+        let factor = match self.scale {
+            Scale::Logarithm => function.value.recip(),
+            Scale::Over(scale) => self.weight(aim) / scale,
+        };
+        Function {
+            value: self.scaled(aim, function.value),
+            gradient: function
+                .gradient
+                .iter()
+                .map(|slope| slope * factor)
+                .collect(),
+        }
+    }
+
+    /// The figures of one model.
+    pub(super) fn figures(&self, x: &[f64], deviation: &[f64]) -> Option<Figures> {
+        let trial = self.problem.trial(x, deviation, self.cancel)?;
+        figures(self.problem, &trial)
+    }
+
+    /// The functions of one model.
+    pub(super) fn sloped(&self, x: &[f64], deviation: &[f64]) -> Option<Sloped> {
+        let problem = self.problem;
+        let trial = problem.trial(x, deviation, self.cancel)?;
+        let moved = problem.moved(x, deviation);
+        let slopes = Slopes::new(&trial.model, &moved);
+        let of = |aim: usize| -> Option<Vec<Function>> {
+            let functions = problem.aims[aim].figure.functions(&trial, &slopes)?;
+            let scaled = functions.into_iter();
+            Some(scaled.map(|one| self.scaled_function(aim, one)).collect())
+        };
+        let figures: Option<Vec<_>> = (0..problem.aims.len()).map(of).collect();
+        let limits: Option<Vec<Vec<Function>>> = problem
+            .bounds
+            .iter()
+            .map(|bound| bound.functions(&trial, &slopes, &moved))
+            .collect();
+        Some(Sloped {
+            figures: figures?,
+            limits: limits?.concat(),
+        })
+    }
+}
+
+/// The figures of a model on trial and what the limits say. None where cancelled.
+pub(super) fn figures(problem: &Problem, trial: &Trial) -> Option<Figures> {
+    let aims = problem.aims.iter();
+    let figures: Option<Vec<f64>> = aims
+        .map(|aimed| Some(aimed.figure.read(trial)?.figure))
+        .collect();
+    let limits: Option<Vec<Vec<f64>>> = problem
+        .bounds
+        .iter()
+        .map(|bound| bound.values(trial))
+        .collect();
+    Some(Figures {
+        figures: figures?,
+        limits: limits?.concat(),
+    })
+}
+
+impl Landscape for Terrain<'_> {
+    fn variables(&self) -> usize {
+        self.problem.variables()
+    }
+
+    fn merit(&self, x: &[f64]) -> Option<Merit> {
+        let mut worst = vec![f64::NEG_INFINITY; self.problem.aims.len()];
+        let mut violation = 0.0;
+        for deviation in deviations(self, x)? {
+            let found = self.figures(x, &deviation)?;
+            for (aim, (worst, figure)) in worst.iter_mut().zip(found.figures).enumerate() {
+                let scaled = self.scaled(aim, figure);
+                *worst = if scaled.is_nan() {
+                    scaled
+                } else {
+                    worst.max(scaled)
+                };
+            }
+            violation += Merit::violation(found.limits);
+        }
+        let goal = if self.is_one_term() {
+            worst.into_iter().fold(
+                f64::NEG_INFINITY,
+                |a, b| if b.is_nan() { b } else { a.max(b) },
+            )
+        } else {
+            worst.into_iter().sum()
+        };
+        Some(Merit { goal, violation })
+    }
+
+    fn evaluate(&self, x: &[f64]) -> Option<Evaluation> {
+        let mut terms = vec![Vec::new(); self.problem.aims.len()];
+        let mut limits = Vec::new();
+        for deviation in deviations(self, x)? {
+            let found = self.sloped(x, &deviation)?;
+            for (term, functions) in terms.iter_mut().zip(found.figures) {
+                term.extend(functions);
+            }
+            limits.extend(found.limits);
+        }
+        if self.is_one_term() {
+            terms = vec![terms.concat()];
+        }
+        Some(Evaluation { terms, limits })
+    }
+}
+
+impl Fit for Terrain<'_> {
+    fn residuals(&self, x: &[f64]) -> Option<Residuals> {
+        if self.cancel.load(std::sync::atomic::Ordering::Relaxed) {
+            return None;
+        }
+        let model = self.problem.trial(x, &[], self.cancel)?.model;
+        let slopes = Slopes::new(&model, &self.problem.moved(x, &[]));
+        self.problem.aims.first()?.figure.residuals(&slopes)
+    }
+}

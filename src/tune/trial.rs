@@ -1,0 +1,137 @@
+//! One model on trial: what it answers, and how its answers change with the coordinates.
+
+use std::sync::atomic::AtomicBool;
+
+use num_complex::Complex64;
+use rayon::prelude::*;
+
+use super::search::Function;
+use crate::model::{Model, Quantity};
+use crate::solve::modes::{Modes, modes};
+use crate::solve::sensitivity::{Differentiator, Gradient};
+use crate::solve::sweep;
+
+/// A model on trial.
+pub(super) struct Trial<'a> {
+    pub(super) model: Model,
+    /// Up to where some objective asks for them; none where none does.
+    modes: Option<Modes>,
+    pub(super) cancel: &'a AtomicBool,
+}
+
+impl<'a> Trial<'a> {
+    /// A checked model, with its modes up to `to` (Hz). None where cancelled.
+    pub(super) fn new(model: Model, to: Option<f64>, cancel: &'a AtomicBool) -> Option<Self> {
+        let modes = match to {
+            Some(to) => Some(modes(&model, to, cancel)?),
+            None => None,
+        };
+        Some(Self {
+            model,
+            modes,
+            cancel,
+        })
+    }
+
+    /// Its modes; none where no objective asked for them.
+    pub(super) fn modes(&self) -> Option<&Modes> {
+        self.modes.as_ref()
+    }
+
+    /// One response at some frequencies (Hz). None where cancelled.
+    pub(super) fn values(&self, response: usize, frequencies: &[f64]) -> Option<Vec<Complex64>> {
+        let mut frf = sweep(&self.model, frequencies, self.cancel)?;
+        Some(std::mem::take(&mut frf.columns.get_mut(response)?.values))
+    }
+
+    /// The magnitude of one response, or the energy, at some frequencies (Hz). None where cancelled.
+    pub(super) fn sizes(&self, response: usize, frequencies: &[f64]) -> Option<Vec<f64>> {
+        let values = self.values(response, frequencies)?;
+        Some(values.into_iter().map(Complex64::norm).collect())
+    }
+
+    /// Whether a response is an energy.
+    pub(super) fn is_energy(&self, response: usize) -> bool {
+        let of = self.model.responses.get(response);
+        of.is_some_and(|one| one.quantity == Quantity::Energy)
+    }
+}
+
+/// The paths that a coordinate moves, and how fast.
+pub(super) type Moved<'a> = Vec<(&'a str, f64)>;
+
+/// How the answers of a model on trial change with the coordinates.
+pub(super) struct Slopes {
+    differentiator: Differentiator,
+    /// For each coordinate the parameters that it moves, by their place in the differentiator, and how fast.
+    rates: Vec<Vec<(usize, f64)>>,
+}
+
+impl Slopes {
+    /// Of a model; `moved` are for each coordinate the paths that it moves, and how fast.
+    pub(super) fn new(model: &Model, moved: &[Moved]) -> Self {
+        let differentiator = Differentiator::new(model);
+        let known: std::collections::HashMap<&str, usize> = differentiator
+            .paths()
+            .iter()
+            .enumerate()
+            .map(|(index, path)| (path.as_str(), index))
+            .collect();
+        // What is not there changes nothing: a subsystem that is disabled.
+        let place = |(path, rate): &(&str, f64)| Some((*known.get(path)?, *rate));
+        let rates = moved
+            .iter()
+            .map(|paths| paths.iter().filter_map(place).collect())
+            .collect();
+        Self {
+            differentiator,
+            rates,
+        }
+    }
+
+    pub(super) fn differentiator(&self) -> &Differentiator {
+        &self.differentiator
+    }
+
+    /// A derivative by the parameters as one by the coordinates.
+    pub(super) fn by_coordinate(&self, by_parameter: impl Fn(usize) -> f64) -> Vec<f64> {
+        let of = |rates: &Vec<(usize, f64)>| {
+            let terms = rates
+                .iter()
+                .map(|&(index, rate)| rate * by_parameter(index));
+            terms.sum()
+        };
+        self.rates.iter().map(of).collect()
+    }
+
+    /// The derivatives of a response at a frequency (Hz).
+    pub(super) fn response(&self, response: usize, frequency: f64) -> Gradient {
+        self.differentiator
+            .response_at(response, Complex64::from(frequency))
+    }
+
+    /// Those at several frequencies (Hz), on all cores.
+    pub(super) fn responses(&self, response: usize, frequencies: &[f64]) -> Vec<Gradient> {
+        let at = frequencies.par_iter();
+        at.map(|frequency| self.response(response, *frequency))
+            .collect()
+    }
+
+    /// The magnitude of a response at a fixed frequency, or at an extremum, where that moves at no cost.
+    pub(super) fn size(&self, gradient: &Gradient) -> Function {
+        Function {
+            value: gradient.value.norm(),
+            gradient: self.by_coordinate(|index| growth(gradient, gradient.by_parameter[index])),
+        }
+    }
+}
+
+/// The derivative of |H| by what H changes by `rate` with.
+pub(super) fn growth(gradient: &Gradient, rate: Complex64) -> f64 {
+    let size = gradient.value.norm();
+    if size == 0.0 {
+        0.0
+    } else {
+        (gradient.value.conj() * rate).re / size
+    }
+}

@@ -1,0 +1,40 @@
+//! Which parameter matters, solved in the background.
+
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use super::lane::guarded;
+use crate::model::Model;
+use crate::solve::sensitivity::{Figure, Sensitivity, effects};
+
+/// What is to be differentiated of which model.
+#[derive(Debug, Clone)]
+pub struct SensitivityRequest {
+    /// Comes back with the answer.
+    pub serial: u64,
+    /// A checked model.
+    pub model: Arc<Model>,
+    /// What of it.
+    pub figure: Figure,
+}
+
+/// How a figure moves with each parameter, or why that is not known.
+#[derive(Debug, Clone)]
+pub struct SensitivityAnswer {
+    /// Of the request.
+    pub serial: u64,
+    /// For each parameter that is not 0, in the order of the model; or one line that says what went wrong.
+    pub result: Result<Vec<Sensitivity>, String>,
+}
+
+/// How a figure moves with each parameter; none where cancelled.
+pub(super) fn answer(
+    request: &SensitivityRequest,
+    cancel: &AtomicBool,
+) -> Option<SensitivityAnswer> {
+    let result = guarded(|| Ok(effects(&request.model, &request.figure, cancel)))?;
+    Some(SensitivityAnswer {
+        serial: request.serial,
+        result,
+    })
+}

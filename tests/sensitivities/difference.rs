@@ -1,0 +1,162 @@
+//! Derivatives by differences of high order, of anything that a model gives.
+
+use beamtune::model::path::{self, Value};
+use beamtune::model::{Model, Place, Quantity, Target};
+use beamtune::solve::sensitivity::Differentiator;
+use num_complex::Complex64;
+
+/// Weights of the central difference of eighth order at 1 to 4 steps.
+///
+/// Source: Fornberg, Math. Comp. 51 (1988) 699-706, Table 1.
+const CENTRAL: [f64; 4] = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
+
+/// Weights of the one-sided difference of sixth order at 0 to 6 steps.
+///
+/// Source: Fornberg, Table 3.
+const FORWARD: [f64; 7] = [
+    -49.0 / 20.0,
+    6.0,
+    -15.0 / 2.0,
+    20.0 / 3.0,
+    -15.0 / 4.0,
+    6.0 / 5.0,
+    -1.0 / 6.0,
+];
+
+/// A value with its derivatives by every parameter.
+pub type Exact = (Complex64, Vec<Complex64>);
+
+/// The model with one number changed, checked or not.
+pub fn with(model: &Model, path: &str, value: f64) -> Model {
+    let mut changed = model.clone();
+    path::set_unchecked(&mut changed, path, Value::Number(value)).unwrap();
+    changed
+}
+
+/// Which side of a number a difference takes: a place at an end can only move inwards, and nothing but more beam goes
+/// on beyond a place at the right end.
+fn side(model: &Model, path: &str, value: f64) -> f64 {
+    let length = model.beam.length;
+    let is_at_end =
+        |target: &Target| matches!(target, Target::Beam(Place::Position(x), _) if *x == length);
+    let forces = model.forces.iter().map(|force| &force.target);
+    let responses = model.responses.iter().filter_map(|of| match &of.quantity {
+        Quantity::Motion(target, _) => Some(target),
+        Quantity::Energy => None,
+    });
+    let held =
+        forces.chain(responses).any(is_at_end) || model.attached().any(|of| of.position == length);
+    match path {
+        "beam.length" if held => 1.0,
+        "beam.section.warping_constant" if value == 0.0 => 1.0,
+        _ if path.ends_with(".position") && value == 0.0 => 1.0,
+        _ if path.ends_with(".position") && value == length => -1.0,
+        _ => 0.0,
+    }
+}
+
+/// The derivative of some values by a parameter, by differences of a step.
+fn difference(
+    value: f64,
+    step: f64,
+    side: f64,
+    at: impl Fn(f64) -> Vec<Complex64>,
+) -> Vec<Complex64> {
+    let mut sum: Vec<Complex64> = Vec::new();
+    let mut add = |weight: f64, steps: f64| {
+        let values = at(value + steps * step);
+        sum.resize(values.len(), Complex64::ZERO);
+        for (sum, value) in sum.iter_mut().zip(values) {
+            *sum += weight * value / step;
+        }
+    };
+    if side == 0.0 {
+        for (index, weight) in CENTRAL.into_iter().enumerate() {
+            add(weight, (index + 1) as f64);
+            add(-weight, -((index + 1) as f64));
+        }
+    } else {
+        for (index, weight) in FORWARD.into_iter().enumerate() {
+            add(side * weight, side * index as f64);
+        }
+    }
+    sum
+}
+
+/// The largest error of `exact` over all parameters against differences of `of`, with its place. An error is relative to
+/// the parameter's own effect, of changing it by its value (of one that is 0: by what changes `of` by a hundredth), or to
+/// the share `least` of the value, where that is more.
+///
+/// Of some steps the one counts whose outcome is nearest: a short one rounds, a long one bends.
+pub fn worst(
+    model: &Model,
+    exact: &[Exact],
+    least: f64,
+    of: impl Fn(&Model) -> Vec<Complex64>,
+) -> (f64, String) {
+    const STEPS: [f64; 7] = [0.3, 0.1, 0.03, 0.01, 3e-3, 1e-3, 2e-4];
+    let differentiator = Differentiator::new(model);
+    let mut worst = (0.0, String::new());
+    let parameters = differentiator.paths().iter().zip(differentiator.values());
+    for (index, (path, &parameter)) in parameters.enumerate() {
+        let side = side(model, path, parameter);
+        let mut best: Vec<f64> = vec![f64::INFINITY; exact.len()];
+        let scales = scales(path, parameter, index, exact);
+        let unit = scales[0];
+        for step in scales
+            .iter()
+            .flat_map(|scale| STEPS.map(|step| step * scale))
+        {
+            let at = |value: f64| of(&with(model, path, value));
+            let found = difference(parameter, step, side, at);
+            for (best, ((value, by), found)) in best.iter_mut().zip(exact.iter().zip(found)) {
+                let size = (unit * by[index]).norm().max(least * value.norm());
+                let error = unit * (by[index] - found).norm() / size;
+                *best = best.min(if size > 0.0 { error } else { found.norm() });
+            }
+        }
+        for (which, error) in best.into_iter().enumerate() {
+            if error.is_nan() || error > 1e-7 {
+                let (value, by) = &exact[which];
+                println!(
+                    "      {path} of {which}: {error:.1e} effect {:.1e}, largest {unit:e}",
+                    (unit * by[index] / value).norm()
+                );
+            }
+            if error.is_nan() || error > worst.0 {
+                worst = (error, format!("{path} of {which}"));
+            }
+        }
+    }
+    worst
+}
+
+/// By what a parameter may change: by its value, the numbers of supports and subsystems by far more; one that is 0 by so much
+/// as changes some of the values by a hundredth, or as is usual where that is less.
+fn scales(path: &str, parameter: f64, index: usize, exact: &[Exact]) -> Vec<f64> {
+    const FAR: f64 = 30.0;
+    let can_be_any = path.starts_with("supports") || path.starts_with("subsystems");
+    if path.ends_with(".position") {
+        vec![1.0]
+    } else if parameter != 0.0 && can_be_any {
+        vec![parameter.abs(), FAR * parameter.abs()]
+    } else if parameter != 0.0 {
+        vec![parameter.abs()]
+    } else {
+        let effects = exact.iter().map(|(value, by)| (by[index] / value).norm());
+        let most = effects
+            .filter(|effect| effect.is_finite())
+            .fold(0.0, f64::max);
+        vec![(0.01 / most).min(usual(path))]
+    }
+}
+
+/// A usual value of a number that is 0.
+fn usual(path: &str) -> f64 {
+    match path.rsplit('.').next().unwrap() {
+        "stiffness" => 1e6,
+        "damping" => 1e3,
+        "mass" | "inertia" | "phase" => 10.0,
+        _ => 0.1,
+    }
+}

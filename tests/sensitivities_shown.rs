@@ -1,0 +1,223 @@
+//! Which parameter matters, as the designer shows it: against differences of the solver.
+
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
+use std::sync::atomic::AtomicBool;
+
+use beamtune::model::{Model, path};
+use beamtune::solve::band::levels;
+use beamtune::solve::modes::modes;
+use beamtune::solve::peaks::{peaks, resolved};
+use beamtune::solve::sensitivity::{Differentiator, Sensitivity};
+use beamtune::solve::{frequencies, sweep};
+use beamtune::tui::app::{Effects, Message, Sensed, Table};
+use beamtune::tui::tree;
+
+#[path = "screens/driver.rs"]
+#[allow(dead_code)]
+mod driver;
+
+use driver::Driver;
+
+/// The derivative of `figure` by the logarithm of a parameter: central differences of fourth order, whose error is about
+/// 1e-9 of it at this step.
+fn difference(model: &Model, path: &str, figure: impl Fn(&Model) -> f64) -> f64 {
+    const STEP: f64 = 2e-4;
+    let value = path::number(model, path).unwrap();
+    let at = |steps: f64| {
+        let mut model = model.clone();
+        let changed = path::Value::Number(value * (steps * STEP).exp());
+        path::set_unchecked(&mut model, path, changed).unwrap();
+        figure(&model)
+    };
+    (8.0 * (at(1.0) - at(-1.0)) - (at(2.0) - at(-2.0))) / (12.0 * STEP)
+}
+
+/// The level of the first response, dB.
+fn level(model: &Model, frequency: f64) -> f64 {
+    let frf = sweep(model, &[frequency], &AtomicBool::new(false)).unwrap();
+    20.0 * frf.columns[0].values[0].norm().log10()
+}
+
+fn effects(driver: &Driver) -> &Effects {
+    driver.app.sensitivities.effects.as_ref().unwrap()
+}
+
+fn of<'a>(effects: &'a Effects, path: &str) -> &'a Sensitivity {
+    &effects
+        .rows
+        .iter()
+        .find(|row| row.1.path == path)
+        .unwrap()
+        .1
+}
+
+fn assert_near(actual: f64, expected: f64, tolerance: f64) {
+    assert!(
+        (actual - expected).abs() < tolerance,
+        "{actual} is not {expected}"
+    );
+}
+
+/// Parameters of every part of the model.
+const SOME: [&str; 6] = [
+    "beam.length",
+    "beam.material.young_modulus",
+    "beam.section.centroid_offset",
+    "supports.left.w.stiffness",
+    "subsystems.S2.position",
+    "subsystems.S3.z_right.damping",
+];
+
+#[test]
+fn bars_at_the_cursor_are_derivatives_of_the_level() {
+    let mut driver = Driver::preset("fig05a");
+    driver.keys("@").typed("63").keys("Enter ~");
+    let model = driver.app.model().clone();
+    let effects = effects(&driver);
+    assert_eq!((effects.sensed, effects.at), (Sensed::Cursor, [63.0; 2]));
+    for path in SOME {
+        let expected = difference(&model, path, |model| level(model, 63.0));
+        assert_near(of(effects, path).level.unwrap(), expected, 1e-6);
+    }
+    // By size, the largest first; each parameter of the model that is not 0 has its row.
+    let sizes: Vec<f64> = effects
+        .rows
+        .iter()
+        .map(|row| row.1.level.unwrap().abs())
+        .collect();
+    assert!(sizes.is_sorted_by(|a, b| a >= b));
+    let paths = Differentiator::new(&model).paths().to_vec();
+    let numbers = paths.iter().map(|path| path::number(&model, path).unwrap());
+    assert_eq!(sizes.len(), numbers.filter(|value| *value != 0.0).count());
+}
+
+#[test]
+fn a_peak_has_the_derivatives_of_its_height_and_frequency() {
+    let mut driver = Driver::preset("fig05a");
+    driver.keys("} } } ~");
+    let model = driver.app.model().clone();
+    let effects = effects(&driver);
+    assert_eq!(effects.sensed, Sensed::Peak);
+    // The peak that the table of peaks would have, by its place among them.
+    let row = driver.app.tables.peaks.row;
+    let peak = |model: &Model| {
+        let never = AtomicBool::new(false);
+        let modes = modes(model, model.sweep.to, &never).unwrap();
+        let solved = sweep(model, &frequencies(&model.sweep), &never).unwrap();
+        let frf = resolved(model, &modes, solved, &never).unwrap();
+        peaks(&frf.frequencies, &frf.columns[0], &modes)[row].clone()
+    };
+    for path in SOME {
+        // A step moves the peak by many of its widths: the differences are good to 1e-4 of themselves, and not below
+        // the 1e-5 dB to which the table knows a height, divided by the step.
+        let height = difference(&model, path, |model| 20.0 * peak(model).height.log10());
+        let tolerance = 1e-4 * height.abs() + 5e-2;
+        assert_near(of(effects, path).level.unwrap(), height, tolerance);
+        let shift = difference(&model, path, |model| peak(model).frequency);
+        assert_near(of(effects, path).frequency.unwrap(), shift, 1e-3);
+    }
+}
+
+#[test]
+fn a_mode_has_the_derivatives_of_its_frequency_and_damping() {
+    let mut driver = Driver::preset("fig05a");
+    driver.keys(") ) ) ) ~ ~");
+    let model = driver.app.model().clone();
+    while driver.app.sensitivities.sensed != Some(Sensed::Mode) {
+        driver.keys("~");
+    }
+    let effects = effects(&driver);
+    let index = driver.app.tables.modes.row;
+    let to = model.sweep.to;
+    let mode = |model: &Model| modes(model, to, &AtomicBool::new(false)).unwrap().modes[index];
+    for path in [
+        "beam.material.young_modulus",
+        "subsystems.S2.mass",
+        "supports.left.w.damping",
+    ] {
+        let frequency = difference(&model, path, |model| mode(model).frequency());
+        assert_near(of(effects, path).frequency.unwrap(), frequency, 1e-6);
+        let damping = difference(&model, path, |model| mode(model).damping_ratio());
+        assert_near(of(effects, path).damping_ratio.unwrap(), damping, 1e-8);
+    }
+}
+
+#[test]
+fn a_band_has_the_derivatives_of_its_mean_square() {
+    let mut driver = Driver::preset("fig05a");
+    driver
+        .keys("@")
+        .typed("40")
+        .keys("Enter c @")
+        .typed("50")
+        .keys("Enter _");
+    while driver.app.sensitivities.sensed != Some(Sensed::Band) {
+        driver.keys("~");
+    }
+    let model = driver.app.model().clone();
+    let effects = effects(&driver);
+    let mean = |model: &Model| {
+        let never = AtomicBool::new(false);
+        let modes = modes(model, model.sweep.to, &never).unwrap();
+        let levels = levels(model, &modes, [40.0, 50.0], &never).unwrap();
+        10.0 * levels[0].mean_square.log10()
+    };
+    for path in SOME {
+        // The quadrature is good to 1e-8, so its differences are to 1e-8 / 2e-4.
+        let expected = difference(&model, path, mean);
+        assert_near(of(effects, path).level.unwrap(), expected, 1e-3);
+    }
+}
+
+#[test]
+fn the_tree_carries_bars_and_the_table_leads_to_the_parameter() {
+    let mut driver = Driver::preset("fig05a");
+    driver.keys("@").typed("63").keys("Enter E ~");
+    assert_eq!(driver.app.tables.open, Some(Table::Sensitivities));
+    let screen = driver.screen(120, 40);
+    assert!(
+        screen.contains("Sensitivities of P1 w at 63 Hz"),
+        "{screen}"
+    );
+    driver.keys("Home");
+    let largest = effects(&driver).rows[0].0;
+    assert_eq!(driver.app.selection.node(), largest);
+    let name = tree::subject(driver.app.model(), largest);
+    assert!(driver.screen(120, 40).contains(&name));
+    // What is nudged there is that parameter; the row stays with it.
+    let before = driver.app.model().clone();
+    driver.keys("+");
+    assert_ne!(*driver.app.model(), before);
+    let row = driver.app.tables.sensitivities.row;
+    assert_eq!(effects(&driver).rows[row].0, largest);
+}
+
+#[test]
+fn what_a_nudge_does_is_what_the_bar_said() {
+    let mut driver = Driver::preset("fig05a");
+    driver.keys("@").typed("63").keys("Enter ~");
+    driver.select("subsystems.S2.mass");
+    let said = of(effects(&driver), "subsystems.S2.mass").level.unwrap();
+    let before = level(driver.app.model(), 63.0);
+    // 0.1 % more, so the second order is about a thousandth.
+    driver.keys(".");
+    let after = level(driver.app.model(), 63.0);
+    assert_near(
+        after - before,
+        said * 1.001_f64.ln(),
+        5e-3 * (said * 1e-3).abs(),
+    );
+}
+
+#[test]
+fn without_a_figure_there_is_a_word() {
+    let mut driver = Driver::preset("fig05a");
+    driver.app.curves.visible.clear();
+    driver.app.modal = beamtune::tui::app::Modal::default();
+    driver.keys("~");
+    let Some(Message::Refused(text)) = &driver.app.message else {
+        panic!("{:?}", driver.app.message);
+    };
+    assert!(text.contains("sensitivities are of the cursor"), "{text}");
+}

@@ -15,6 +15,7 @@ use super::{App, Reference, Table};
 use crate::model::{self, Model, path};
 use crate::tui::Source;
 use crate::tui::keys::Command;
+use crate::tui::tree::{self, Node};
 use crate::tune::{Status, Tuned};
 use crate::worker::{Pause, Request, TuneAnswer, TuneRequest, TuneStage};
 
@@ -25,8 +26,6 @@ pub enum Progress {
     Searching,
     /// It is held up.
     Paused,
-    /// It is asked to end.
-    Ending,
     /// It is over.
     Found(Box<Tuned>),
     /// It came to nothing, and why.
@@ -61,10 +60,7 @@ impl Run {
 
     /// Whether it still works.
     pub fn goes_on(&self) -> bool {
-        matches!(
-            self.progress,
-            Progress::Searching | Progress::Paused | Progress::Ending
-        )
+        matches!(self.progress, Progress::Searching | Progress::Paused)
     }
 
     /// What is left of the evaluations takes about so long.
@@ -133,7 +129,6 @@ impl App {
                 run.progress = Progress::Searching;
                 "the search goes on".to_owned()
             }
-            Progress::Ending => "the search is ending".to_owned(),
             Progress::Found(_) => {
                 return self.refuse(format!(
                     "{accept} takes what was found, {discard} drops it; then a new search can start"
@@ -246,7 +241,13 @@ impl App {
             }
             TuneStage::Over(Ok(tuned)) => {
                 let best = Arc::new(tuned.model.clone());
+                let stop = tuned.stop;
                 run.progress = Progress::Found(tuned);
+                let [accept, discard] = [Command::TuneAccept, Command::TuneDiscard]
+                    .map(|command| self.keys.key_of(command));
+                self.done(format!(
+                    "{stop}: {accept} takes what was found, {discard} drops it"
+                ));
                 Some(best)
             }
             TuneStage::Over(Err(reason)) => {
@@ -256,20 +257,20 @@ impl App {
                 return self.refuse(format!("not tuned: {reason}"));
             }
         };
-        let reference = run.reference;
         if let Some(best) = best {
-            self.show_best(reference, best);
+            self.show_best(best);
         }
     }
 
     /// Lets the reference show a better model, once its curves are solved.
-    fn show_best(&mut self, id: u64, model: Arc<Model>) {
+    fn show_best(&mut self, model: Arc<Model>) {
         let serial = self.next_serial();
+        let Some(run) = &mut self.tuning.run else {
+            return;
+        };
         let mut references = self.beside.references.iter_mut();
-        if let Some(one) = references.find(|one| one.id == id) {
+        if let Some(one) = references.find(|one| one.id == run.reference) {
             one.renew(serial, model);
-        }
-        if let Some(run) = &mut self.tuning.run {
             run.reference = serial;
         }
     }
@@ -287,10 +288,7 @@ impl App {
             Ok(changed) => changed,
             Err(reason) => return self.refuse(format!("not taken: {reason}")),
         };
-        let words = match &run.status {
-            Some(status) => format!("tune: {} evaluations", status.evaluations),
-            None => "tune".to_owned(),
-        };
+        let words = format!("tune {}", tree::value(&run.from, Node::TuneObjective(0)));
         let before = Arc::clone(self.model());
         self.end_run();
         self.document.replace(words, changed);

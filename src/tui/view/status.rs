@@ -7,7 +7,7 @@ use ratatui::text::{Line, Span};
 use super::prompt::draw_input;
 use super::text::{cut, significant, width};
 use crate::tui::app::{
-    App, Message, Outside, Picture, Search, Shown, Stage, Witness, WitnessPicture,
+    App, Message, Outside, Picture, Progress, Search, Shown, Stage, Witness, WitnessPicture,
 };
 use crate::tui::keys::{Command, RowKind, Scope};
 use crate::tui::theme::Theme;
@@ -213,7 +213,8 @@ fn draw_search(frame: &mut Frame<'_>, app: &App, search: &Search, theme: Theme, 
 fn hints(app: &App, theme: Theme, columns: usize) -> Line<'static> {
     let mut spans = Vec::new();
     let mut taken = 0;
-    for (key, words) in app.keys.hints(app.scope(), row_kind(app)) {
+    let usual = app.keys.hints(app.scope(), row_kind(app));
+    for (key, words) in search_hints(app).into_iter().chain(usual) {
         let needed = width(&key) + 1 + width(words);
         if taken + needed > columns {
             break;
@@ -225,6 +226,28 @@ fn hints(app: &App, theme: Theme, columns: usize) -> Line<'static> {
         ]);
     }
     Line::from(spans)
+}
+
+/// What a search for better parameters waits for.
+fn search_hints(app: &App) -> Vec<(String, &'static str)> {
+    let at_the_model = matches!(app.scope(), Scope::Main | Scope::Table);
+    let Some(run) = app.tuning.run.as_ref().filter(|_| at_the_model) else {
+        return Vec::new();
+    };
+    let hold = match run.progress {
+        Progress::Searching => Some("pause"),
+        Progress::Paused => Some("go on"),
+        Progress::Found(_) | Progress::Failed(_) => None,
+    };
+    let hold = hold.map(|words| (Command::Tune, words));
+    let hints = [
+        (Command::TuneAccept, "take the best"),
+        (Command::TuneDiscard, "drop it"),
+    ];
+    let hints = hold.into_iter().chain(hints);
+    hints
+        .map(|(command, words)| (app.keys.key_of(command), words))
+        .collect()
 }
 
 /// What kind of row is selected.

@@ -164,21 +164,19 @@ fn title(run: &Run) -> String {
     let so_far = |word: &str| match &run.status {
         None => format!("Tuning: {word}"),
         Some(status) => format!(
-            "Tuning: {word}, {} of {} evaluations, {}",
+            "Tuning: {} of {}, {word}",
             tree::grouped(status.evaluations),
             tree::grouped(status.budget),
-            seconds(run.elapsed)
         ),
     };
     match &run.progress {
         Progress::Searching => {
             let left = run.left().map(seconds);
-            let left = left.map_or_else(String::new, |left| format!(", at most {left} left"));
+            let left = left.map_or_else(String::new, |left| format!("{left} left, "));
             let phase = run.status.as_ref().map(|status| status.phase.to_string());
-            so_far(phase.as_deref().unwrap_or("starting")) + &left
+            so_far(&format!("{left}{}", phase.as_deref().unwrap_or("starting")))
         }
         Progress::Paused => so_far("paused"),
-        Progress::Ending => so_far("ending"),
         Progress::Found(tuned) => format!(
             "Tuned: {}, {} evaluations, {}",
             tuned.stop,

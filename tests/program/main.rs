@@ -22,4 +22,5 @@ mod random;
 mod recovery;
 mod signals;
 mod thrift;
+mod tuning;
 mod usage;

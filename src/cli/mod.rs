@@ -6,7 +6,9 @@ mod frf;
 mod man;
 mod modes;
 mod paths;
+mod sensitivities;
 mod source;
+mod spread;
 mod validate;
 
 use std::io::{IsTerminal, Write};
@@ -73,6 +75,10 @@ enum Command {
     Frf(frf::Arguments),
     /// Writes natural frequencies and damping ratios as CSV.
     Modes(modes::Arguments),
+    /// Writes as CSV which parameter matters: exact derivatives of a level, a peak, a mode or a band.
+    Sensitivities(sensitivities::Arguments),
+    /// Writes as CSV what the tolerances in [tune] make of the responses.
+    Spread(spread::Arguments),
     /// Holds finite elements and the paper's transfer matrices beside the exact responses.
     Validate(validate::Arguments),
     /// Prints where configuration, memory, recovery files and log are.
@@ -151,6 +157,8 @@ fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
         Some(Command::Check { model }) => drop(source::open(&model, &[])?),
         Some(Command::Frf(arguments)) => frf::run(&arguments)?,
         Some(Command::Modes(arguments)) => modes::run(&arguments)?,
+        Some(Command::Sensitivities(arguments)) => sensitivities::run(&arguments)?,
+        Some(Command::Spread(arguments)) => spread::run(&arguments)?,
         Some(Command::Validate(arguments)) => return validate::run(&arguments),
         Some(Command::Paths) => paths::run()?,
         Some(Command::Completions(arguments)) => {

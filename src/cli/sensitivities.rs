@@ -1,0 +1,187 @@
+//! `beamtune sensitivities`: which parameter matters, as CSV.
+
+use std::io::Write;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use clap::Args;
+
+use super::csv::{self, cell, number};
+use super::{Failure, Sets, source};
+use crate::model::{Model, path};
+use crate::solve::modes::{MOST_MODES, Modes, modes};
+use crate::solve::peaks::{Peak, peaks, resolved};
+use crate::solve::sensitivity::{Figure, Sensitivity, effects};
+use crate::solve::{frequencies, sweep};
+
+#[derive(Debug, Args)]
+pub(super) struct Arguments {
+    /// A model file, a preset's name, or - for standard input.
+    model: String,
+    /// The response; without it, the first one that is enabled.
+    #[arg(long, value_name = "NAME")]
+    response: Option<String>,
+    #[command(flatten)]
+    of: Of,
+    /// The file to write, in place of standard output.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    sets: Sets,
+}
+
+/// What is differentiated.
+#[derive(Debug, Args)]
+#[group(required = true, multiple = false)]
+struct Of {
+    /// The level at this frequency.
+    #[arg(long, value_name = "HZ", value_parser = super::frequency)]
+    at: Option<f64>,
+    /// Height and frequency of the peak nearest to this frequency.
+    #[arg(long, value_name = "HZ", value_parser = super::frequency)]
+    peak: Option<f64>,
+    /// Frequency and damping ratio of the mode with this number, as `beamtune modes` counts.
+    #[arg(long, value_name = "NUMBER")]
+    mode: Option<usize>,
+    /// The mean-square level in this band.
+    #[arg(long, value_name = "F1,F2", value_parser = band)]
+    band: Option<[f64; 2]>,
+}
+
+fn band(text: &str) -> Result<[f64; 2], String> {
+    let ends = text
+        .split_once(',')
+        .ok_or("a band is two frequencies, as 20,120")?;
+    let [low, high] = [super::frequency(ends.0)?, super::frequency(ends.1)?];
+    if low < high {
+        Ok([low, high])
+    } else {
+        Err("a band goes from a lower to a higher frequency".into())
+    }
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let model = source::open(&arguments.model, &arguments.sets.sets)?.model;
+    let response = response(&model, arguments.response.as_deref())?;
+    let figure = figure(&model, response, &arguments.of)?;
+    let found = effects(&model, &figure, &AtomicBool::new(false)).unwrap_or_default();
+    let found = sorted(found, &figure);
+    csv::write(arguments.output.as_deref(), |out| {
+        write(out, &model, &found)
+    })
+}
+
+/// The index of a response among the enabled ones.
+fn response(model: &Model, name: Option<&str>) -> Result<usize, Failure> {
+    let names: Vec<&str> = model
+        .responses
+        .iter()
+        .filter(|one| one.enabled)
+        .map(|one| one.name.as_str())
+        .collect();
+    let index = match name {
+        Some(name) => names.iter().position(|one| *one == name),
+        None => (!names.is_empty()).then_some(0),
+    };
+    index.ok_or_else(|| {
+        Failure::input(match name {
+            Some(name) => format!(
+                "--response {name}: is no enabled response; must be one of {}",
+                names.join(", ")
+            ),
+            None => "the model has no enabled response".to_owned(),
+        })
+    })
+}
+
+fn figure(model: &Model, response: usize, of: &Of) -> Result<Figure, Failure> {
+    if let Some(frequency) = of.at {
+        return Ok(Figure::Level {
+            response,
+            frequency,
+        });
+    }
+    if let Some(band) = of.band {
+        let modes = Arc::new(modes_up_to(model, band[1].max(model.sweep.to))?);
+        return Ok(Figure::Band {
+            response,
+            modes,
+            band,
+        });
+    }
+    let modes = Arc::new(modes_up_to(model, model.sweep.to)?);
+    if let Some(number) = of.mode {
+        let count = modes.modes.len();
+        if !(1..=count).contains(&number) {
+            return Err(Failure::input(format!(
+                "--mode {number}: must be from 1 to {count}, the modes below {} Hz",
+                model.sweep.to
+            )));
+        }
+        let index = number - 1;
+        return Ok(Figure::Mode { modes, index });
+    }
+    let near = of.peak.unwrap_or_default();
+    let peak = nearest_peak(model, response, &modes, near).ok_or_else(|| {
+        Failure::input(format!(
+            "--peak {near}: the response has no peak of finite height in the sweep"
+        ))
+    })?;
+    Ok(Figure::Peak {
+        response,
+        frequency: peak.frequency,
+    })
+}
+
+fn modes_up_to(model: &Model, to: f64) -> Result<Modes, Failure> {
+    modes(model, to, &AtomicBool::new(false)).ok_or_else(|| {
+        Failure::input(format!(
+            "there are more than {MOST_MODES} modes below {to} Hz"
+        ))
+    })
+}
+
+fn nearest_peak(model: &Model, response: usize, modes: &Modes, near: f64) -> Option<Peak> {
+    let never = AtomicBool::new(false);
+    let solved = sweep(model, &frequencies(&model.sweep), &never)?;
+    let frf = resolved(model, modes, solved, &never)?;
+    let peaks = peaks(&frf.frequencies, frf.columns.get(response)?, modes);
+    let distance = |peak: &Peak| (peak.frequency - near).abs();
+    peaks
+        .into_iter()
+        .filter(|peak| !peak.pole)
+        .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+}
+
+/// The largest effect first: of a mode on its frequency, else on the level.
+fn sorted(mut found: Vec<Sensitivity>, figure: &Figure) -> Vec<Sensitivity> {
+    let size = |one: &Sensitivity| {
+        let effect = match figure {
+            Figure::Mode { .. } => one.frequency,
+            Figure::Level { .. } | Figure::Peak { .. } | Figure::Band { .. } => one.level,
+        };
+        effect.map_or(-1.0, f64::abs)
+    };
+    found.sort_by(|a, b| size(b).total_cmp(&size(a)));
+    found
+}
+
+/// A row a parameter: derivatives by the logarithm of its size.
+fn write(out: &mut dyn Write, model: &Model, found: &[Sensitivity]) -> std::io::Result<()> {
+    writeln!(out, "parameter,value,level_db,frequency_hz,damping_ratio")?;
+    let or_none = |value: Option<f64>| value.map_or_else(String::new, number);
+    for one in found {
+        let value = path::number(model, &one.path).unwrap_or(f64::NAN);
+        writeln!(
+            out,
+            "{},{},{},{},{}",
+            cell(&one.path),
+            number(value),
+            or_none(one.level),
+            or_none(one.frequency),
+            or_none(one.damping_ratio)
+        )?;
+    }
+    Ok(())
+}

@@ -9,6 +9,7 @@ mod paths;
 mod sensitivities;
 mod source;
 mod spread;
+mod tune;
 mod validate;
 
 use std::io::{IsTerminal, Write};
@@ -87,15 +88,8 @@ enum Command {
     Completions(completions::Arguments),
     /// Prints the manual page; `beamtune man | man -l -` shows it.
     Man,
-    /// The optimiser (not there yet).
-    #[command(disable_help_flag = true)]
-    Tune(Later),
-}
-
-#[derive(Debug, Args)]
-struct Later {
-    #[arg(trailing_var_arg = true, allow_hyphen_values = true, hide = true)]
-    _rest: Vec<String>,
+    /// Searches the parameters that the model's [tune] leaves open.
+    Tune(tune::Arguments),
 }
 
 /// Why a command did not do its work.
@@ -165,7 +159,7 @@ fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
             completions::run(&arguments, completion_commands())?;
         }
         Some(Command::Man) => man::run(Arguments::command())?,
-        Some(Command::Tune(_)) => return Err(not_yet("tune")),
+        Some(Command::Tune(arguments)) => tune::run(&arguments)?,
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -213,13 +207,6 @@ fn configuration(folders: Option<&Folders>) -> Result<Config, Failure> {
         Ok(None) => Ok(Config::default()),
         Err(error) => Err(Failure::input(format!("{name}: cannot be read: {error}"))),
     }
-}
-
-fn not_yet(command: &str) -> Failure {
-    Failure::Other(format!(
-        "`beamtune {command}` is not there yet in version {}",
-        env!("CARGO_PKG_VERSION")
-    ))
 }
 
 fn list_presets() -> String {

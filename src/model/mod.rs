@@ -22,7 +22,7 @@ pub use check::check;
 pub use fault::Fault;
 pub use field::{Field, Range};
 pub use read::read;
-pub use save::{load, save, save_with, text_of};
+pub use save::{load, may_save, save, save_with, text_of};
 pub use serial::format_number;
 pub use tuning::*;
 pub use types::*;

@@ -4,6 +4,8 @@ use std::io::{self, Read as _};
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
+use tempfile::NamedTempFile;
+
 /// Replaces the file's content atomically: a temporary file in the same folder, flushed to disk, then renamed.
 ///
 /// A symbolic link stays a link and its target is replaced. An existing file keeps its permissions.
@@ -24,14 +26,54 @@ pub fn save_with(
     write: impl FnOnce(&mut dyn io::Write) -> io::Result<()>,
 ) -> io::Result<()> {
     let target = target(path)?;
-    if fs::metadata(&target).is_ok_and(|found| !found.is_file() && !found.is_dir()) {
+    if is_special(&target) {
         return write(&mut fs::OpenOptions::new().write(true).open(&target)?);
     }
-    let folder = match target.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder.to_path_buf(),
-        _ => env::current_dir()?,
-    };
-    let permissions = match fs::metadata(&target) {
+    let folder = folder_of(&target)?;
+    let (mut file, permissions) = temporary(&target, &folder)?;
+    write(&mut file)?;
+    if let Some(permissions) = permissions {
+        file.as_file().set_permissions(permissions)?;
+    }
+    file.as_file().sync_all()?;
+    file.persist(&target).map_err(|error| error.error)?;
+    sync_folder(&folder);
+    Ok(())
+}
+
+/// Whether [`save`] could begin now; nothing is left behind.
+///
+/// # Errors
+/// The folder cannot be written, or there is a folder or a read-only file at the path.
+pub fn may_save(path: &Path) -> io::Result<()> {
+    let target = target(path)?;
+    if is_special(&target) {
+        return Ok(());
+    }
+    temporary(&target, &folder_of(&target)?).map(drop)
+}
+
+/// What is neither a file nor a folder: a pipe, a device.
+fn is_special(target: &Path) -> bool {
+    fs::metadata(target).is_ok_and(|found| !found.is_file() && !found.is_dir())
+}
+
+fn folder_of(target: &Path) -> io::Result<PathBuf> {
+    match target.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => Ok(folder.to_path_buf()),
+        _ => env::current_dir(),
+    }
+}
+
+/// A file beside the one that it will replace, and the permissions of that if it is there.
+fn temporary(target: &Path, folder: &Path) -> io::Result<(NamedTempFile, Option<fs::Permissions>)> {
+    let permissions = match fs::metadata(target) {
+        Ok(metadata) if metadata.is_dir() => {
+            return Err(io::Error::new(
+                io::ErrorKind::IsADirectory,
+                "there is a folder of this name",
+            ));
+        }
         Ok(metadata) if metadata.permissions().readonly() => {
             return Err(io::Error::new(
                 io::ErrorKind::PermissionDenied,
@@ -47,15 +89,7 @@ pub fn save_with(
     if permissions.is_none() {
         default_mode(&mut builder);
     }
-    let mut file = builder.tempfile_in(&folder)?;
-    write(&mut file)?;
-    if let Some(permissions) = permissions {
-        file.as_file().set_permissions(permissions)?;
-    }
-    file.as_file().sync_all()?;
-    file.persist(&target).map_err(|error| error.error)?;
-    sync_folder(&folder);
-    Ok(())
+    Ok((builder.tempfile_in(folder)?, permissions))
 }
 
 /// The longest model file that is read, bytes: what has no end, as some devices have none, is not waited for.
@@ -163,6 +197,22 @@ mod tests {
         assert_eq!(text_of(&b"text"[..]).unwrap(), "text");
         let error = text_of(&b"te\xff"[..]).unwrap_err().to_string();
         assert_eq!(error, "byte 2 is not UTF-8; a model file is UTF-8 text");
+    }
+
+    #[test]
+    fn what_cannot_be_saved_is_known_before() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("model.toml");
+        may_save(&file).unwrap();
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+        assert!(may_save(folder.path()).is_err());
+        assert!(may_save(&folder.path().join("missing/model.toml")).is_err());
+        fs::write(&file, "old").unwrap();
+        may_save(&file).unwrap();
+        fs::set_permissions(&file, fs::Permissions::from_mode(0o440)).unwrap();
+        assert!(may_save(&file).is_err());
+        assert_eq!(fs::read_to_string(&file).unwrap(), "old");
+        may_save(Path::new("/dev/null")).unwrap();
     }
 
     #[test]

@@ -18,9 +18,11 @@ pub mod search;
 mod spread;
 mod terrain;
 mod trial;
+pub mod words;
 
 pub use problem::Problem;
 pub use report::{Achieved, Kept, Moved, WorstCase};
 pub use run::{Options, Status, Tuned, default_budget, run};
 pub use search::{Phase, Place, Stop};
 pub use spread::{Spread, spread};
+pub use terrain::Terrain;

@@ -8,8 +8,10 @@ use super::search::{Evaluation, Fit, Function, Landscape, Merit, Residuals};
 use super::trial::{Slopes, Trial};
 use crate::model::Combine;
 
-/// A problem that is searched.
-pub(super) struct Terrain<'a> {
+/// A problem that is searched: a [`Landscape`] over its unit box, and least squares where it is a measured curve that is to
+/// be met.
+#[derive(Debug)]
+pub struct Terrain<'a> {
     pub(super) problem: &'a Problem,
     pub(super) cancel: &'a AtomicBool,
     scale: Scale,
@@ -41,7 +43,7 @@ pub(super) struct Sloped {
 
 impl<'a> Terrain<'a> {
     /// Scaled by what is at `start`. None where cancelled.
-    pub(super) fn new(problem: &'a Problem, start: &[f64], cancel: &'a AtomicBool) -> Option<Self> {
+    pub fn new(problem: &'a Problem, start: &[f64], cancel: &'a AtomicBool) -> Option<Self> {
         let mut terrain = Self {
             problem,
             cancel,
@@ -65,7 +67,7 @@ impl<'a> Terrain<'a> {
     }
 
     /// The combined figure of a goal, as a person knows it.
-    pub(super) fn figure(&self, goal: f64) -> f64 {
+    pub fn figure(&self, goal: f64) -> f64 {
         match self.scale {
             Scale::Logarithm => goal.exp(),
             Scale::Over(scale) => goal * scale,

@@ -23,6 +23,35 @@ const FORWARD: [f64; 7] = [
     -1.0 / 6.0,
 ];
 
+/// How derivatives are held against differences.
+#[derive(Clone, Copy)]
+pub struct Trial {
+    /// An error is relative to the parameter's own effect, or to this share of the value, where that is more.
+    pub least: f64,
+    /// Steps, as shares of what a parameter may change by.
+    pub steps: &'static [f64],
+    /// How many times their value the numbers of supports and subsystems may change by as well.
+    pub far: Option<f64>,
+    /// The parameters: those whose path ends so.
+    pub only: &'static [&'static str],
+}
+
+/// For what is smooth over any change and costs next to nothing.
+pub const WIDE: Trial = Trial {
+    least: 1e-6,
+    steps: &[0.3, 0.1, 0.03, 0.01, 3e-3, 1e-3, 2e-4],
+    far: Some(30.0),
+    only: &[""],
+};
+
+/// For what must be found anew for every change, which is to leave it near.
+pub const NEAR: Trial = Trial {
+    least: 1e-4,
+    steps: &[1e-3, 1e-4],
+    far: None,
+    only: &[""],
+};
+
 /// A value with its derivatives by every parameter.
 pub type Exact = (Complex64, Vec<Complex64>);
 
@@ -83,46 +112,42 @@ fn difference(
     sum
 }
 
-/// The largest error of `exact` over all parameters against differences of `of`, with its place. An error is relative to
-/// the parameter's own effect, of changing it by its value (of one that is 0: by what changes `of` by a hundredth), or to
-/// the share `least` of the value, where that is more.
+/// The largest error of `exact` over all parameters against differences of `of`, with its place.
 ///
-/// Of some steps the one counts whose outcome is nearest: a short one rounds, a long one bends.
+/// A parameter's own effect is that of changing it by its value, or by what changes `of` by a hundredth where it is 0. What
+/// has no finite derivative is passed over. Of some steps the one counts whose outcome is nearest: a short one rounds, a
+/// long one bends.
 pub fn worst(
     model: &Model,
     exact: &[Exact],
-    least: f64,
+    trial: Trial,
     of: impl Fn(&Model) -> Vec<Complex64>,
 ) -> (f64, String) {
-    const STEPS: [f64; 7] = [0.3, 0.1, 0.03, 0.01, 3e-3, 1e-3, 2e-4];
     let differentiator = Differentiator::new(model);
     let mut worst = (0.0, String::new());
     let parameters = differentiator.paths().iter().zip(differentiator.values());
     for (index, (path, &parameter)) in parameters.enumerate() {
+        let finite = exact.iter().all(|(_, by)| by[index].is_finite());
+        if !finite || !trial.only.iter().any(|end| path.ends_with(end)) {
+            continue;
+        }
         let side = side(model, path, parameter);
         let mut best: Vec<f64> = vec![f64::INFINITY; exact.len()];
-        let scales = scales(path, parameter, index, exact);
+        let scales = scales(path, parameter, index, exact, trial.far);
         let unit = scales[0];
         for step in scales
             .iter()
-            .flat_map(|scale| STEPS.map(|step| step * scale))
+            .flat_map(|scale| trial.steps.iter().map(move |step| step * scale))
         {
             let at = |value: f64| of(&with(model, path, value));
             let found = difference(parameter, step, side, at);
             for (best, ((value, by), found)) in best.iter_mut().zip(exact.iter().zip(found)) {
-                let size = (unit * by[index]).norm().max(least * value.norm());
+                let size = (unit * by[index]).norm().max(trial.least * value.norm());
                 let error = unit * (by[index] - found).norm() / size;
                 *best = best.min(if size > 0.0 { error } else { found.norm() });
             }
         }
         for (which, error) in best.into_iter().enumerate() {
-            if error.is_nan() || error > 1e-7 {
-                let (value, by) = &exact[which];
-                println!(
-                    "      {path} of {which}: {error:.1e} effect {:.1e}, largest {unit:e}",
-                    (unit * by[index] / value).norm()
-                );
-            }
             if error.is_nan() || error > worst.0 {
                 worst = (error, format!("{path} of {which}"));
             }
@@ -131,15 +156,15 @@ pub fn worst(
     worst
 }
 
-/// By what a parameter may change: by its value, the numbers of supports and subsystems by far more; one that is 0 by so much
+/// By what a parameter may change: by its value, the numbers of supports and subsystems also by far more; one that is 0 by so much
 /// as changes some of the values by a hundredth, or as is usual where that is less.
-fn scales(path: &str, parameter: f64, index: usize, exact: &[Exact]) -> Vec<f64> {
-    const FAR: f64 = 30.0;
+fn scales(path: &str, parameter: f64, index: usize, exact: &[Exact], far: Option<f64>) -> Vec<f64> {
     let can_be_any = path.starts_with("supports") || path.starts_with("subsystems");
     if path.ends_with(".position") {
         vec![1.0]
     } else if parameter != 0.0 && can_be_any {
-        vec![parameter.abs(), FAR * parameter.abs()]
+        let times = [1.0].into_iter().chain(far);
+        times.map(|times| times * parameter.abs()).collect()
     } else if parameter != 0.0 {
         vec![parameter.abs()]
     } else {

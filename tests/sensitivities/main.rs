@@ -2,14 +2,17 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+mod closed;
 mod difference;
+mod extrema;
+mod scaling;
 
 use std::sync::atomic::AtomicBool;
 
 use beamtune::model::{BeamMotion, Model, Quantity, Target, read};
 use beamtune::solve::sensitivity::Differentiator;
 use beamtune::{presets, solve};
-use difference::{Exact, worst};
+use difference::{Exact, WIDE, worst};
 use num_complex::Complex64;
 
 fn never() -> AtomicBool {
@@ -33,7 +36,7 @@ fn worst_at(model: &Model, frequency: f64) -> (f64, String) {
         .into_iter()
         .map(|of| (of.value, of.by_parameter))
         .collect();
-    worst(model, &exact, 1e-6, |model| responses(model, frequency))
+    worst(model, &exact, WIDE, |model| responses(model, frequency))
 }
 
 /// A model with everything at once: a loss factor, moments, torques, forces on a mass, velocities and accelerations,

@@ -2,11 +2,11 @@
 
 use num_complex::Complex64;
 
-use crate::model::{BeamMotion, Model, Subsystem};
+use crate::model::{BeamMotion, Model, Restraint, Subsystem};
 use crate::solve::attachment::UNKNOWNS;
 use crate::solve::linear::ZERO;
 use crate::solve::local::Local;
-use crate::solve::plan::{Event, Plan};
+use crate::solve::plan::{End, Event, Plan};
 use crate::solve::recursion::{Solution, SpanWaves};
 use crate::solve::reflection::Amplitudes;
 use crate::solve::springs::{springs, stiffness, stretches};
@@ -30,8 +30,19 @@ pub(super) struct Field {
     pub(super) ends: [[Complex64; 6]; 2],
     /// What the beam does just inside the right end.
     pub(super) edge: Local,
+    /// Where `Gamma_0` = 0, the torques that warping would feel first.
+    pub(super) kinks: Kinks,
     /// The enabled subsystems, in the order of the model.
     pub(super) masses: Vec<MassField>,
+}
+
+/// The torques, N m, around which warping stiffness, however small, makes a layer.
+#[derive(Debug, Default)]
+pub(super) struct Kinks {
+    /// By how much the torque jumps at each place between the ends.
+    pub(super) jumps: Vec<Complex64>,
+    /// The torque at each end whose rate of twist is held.
+    pub(super) held: Vec<Complex64>,
 }
 
 /// What one solution does at a subsystem.
@@ -99,9 +110,48 @@ impl Field {
         Self {
             ends: [reader.start(0).motion, edge.motion],
             masses: masses.collect(),
+            kinks: Kinks::new(setting, &reader),
             edge,
         }
     }
+}
+
+impl Kinks {
+    fn new(setting: &Setting<'_>, reader: &Reader<'_>) -> Self {
+        let (plan, length) = (setting.plan, setting.model.beam.length);
+        if !plan.beam.without_warping() {
+            return Self::default();
+        }
+        let stations = &plan.stations;
+        let inside = |x: f64| 0.0 < x && x < length;
+        let groups = stations.chunk_by(|one, other| one.position == other.position);
+        let mut first = 0;
+        let mut jumps = Vec::new();
+        for group in groups {
+            let last = first + group.len();
+            if inside(group[0].position) {
+                jumps.push(torque(&reader.start(last)) - torque(&reader.end(first)));
+            }
+            first = last;
+        }
+        // Inside of what stands at the very ends.
+        let left = stations.partition_point(|of| of.position <= 0.0);
+        let right = stations.partition_point(|of| of.position < length);
+        let ends = [
+            (&plan.left, torque(&reader.start(left))),
+            (&plan.right, torque(&reader.end(right))),
+        ];
+        let held = |end: &End| end.support[BeamMotion::PsiSlope] == Restraint::Fixed;
+        let held = ends.into_iter().filter(|(end, _)| held(end));
+        Self {
+            jumps,
+            held: held.map(|(_, torque)| torque).collect(),
+        }
+    }
+}
+
+fn torque(local: &Local) -> Complex64 {
+    local.force[BeamMotion::Psi as usize]
 }
 
 /// What a solution does at the subsystem of a station.
@@ -144,9 +194,8 @@ fn mean_torque(setting: &Setting<'_>, reader: &Reader<'_>, station: usize) -> Co
     let x = stations[station].position;
     let first = stations.partition_point(|other| other.position < x);
     let last = stations.partition_point(|other| other.position <= x) - 1;
-    let torque = |local: Local| local.force[BeamMotion::Psi as usize];
-    let own = torque(reader.start(station + 1)) - torque(reader.end(station));
-    let (before, after) = (torque(reader.end(first)), torque(reader.start(last + 1)));
+    let own = torque(&reader.start(station + 1)) - torque(&reader.end(station));
+    let (before, after) = (torque(&reader.end(first)), torque(&reader.start(last + 1)));
     if x == 0.0 {
         after - 0.5 * own
     } else if x == setting.model.beam.length {

@@ -27,7 +27,7 @@ use num_complex::Complex64;
 use super::linear::ZERO;
 use super::plan::{Event, Plan};
 use super::recursion::{Solution, Workspace};
-use crate::model::Model;
+use crate::model::{BeamMotion, Model};
 pub use effect::{Figure, Sensitivity, effects};
 
 use adjoint::{Adjoint, Motion, Reading, factor};
@@ -49,6 +49,11 @@ pub struct Gradient {
     pub by_frequency: Complex64,
     /// Its derivative by each parameter, per SI unit (of a phase per degree), in the order of [`Differentiator::paths`].
     /// Of an energy real.
+    ///
+    /// A place at an end can only move inwards, and a beam only grow beyond a place at its right end: those derivatives
+    /// are one-sided. A warping constant of 0 can only rise, and does so with an infinite slope (the value is infinite)
+    /// where a torque acts between the ends or the rate of twist is held. The rate of twist of a beam without warping
+    /// stiffness has no adjoint load: its derivatives are NaN.
     pub by_parameter: Vec<Complex64>,
 }
 
@@ -169,6 +174,11 @@ impl Differentiator {
             by_parameter.extend(force.by_parameter(setting.plan, &lambda, &reader));
         }
         let [times, growth] = factor(motion.measure, setting.omega);
+        let is_unknown = self.plan.beam.without_warping()
+            && matches!(motion.reading, Reading::Beam(_, BeamMotion::PsiSlope));
+        if is_unknown {
+            by_parameter.fill(Complex64::new(f64::NAN, f64::NAN));
+        }
         by_parameter.iter_mut().for_each(|value| *value *= times);
         let moved = self.read(forced, motion.reading);
         Gradient {

@@ -173,7 +173,7 @@ fn value(series: &[f64; POINTS], t: f64) -> f64 {
     series[0] + t * one - two
 }
 
-/// Where a series has an extremum in [-1, 1], by Newton steps from 0; none where they leave.
+/// Where a series has an extremum in [-1, 1], or the end by which it leaves, by Newton steps from 0.
 fn extremum(series: &[f64; POINTS]) -> Option<f64> {
     const STEPS: usize = 30;
     const SETTLED: f64 = 1e-13;
@@ -183,8 +183,11 @@ fn extremum(series: &[f64; POINTS]) -> Option<f64> {
     for _ in 0..STEPS {
         let step = value(&slope, t) / value(&curvature, t);
         t -= step;
-        if !t.is_finite() || t.abs() > 1.0 {
+        if !t.is_finite() {
             return None;
+        }
+        if t.abs() > 1.0 {
+            return Some(t.signum());
         }
         if step.abs() <= SETTLED {
             break;

@@ -145,10 +145,37 @@ impl Product<'_> {
             -young * o.bending_w,
             -young * o.bending_v,
             -shear * o.torsion,
-            -young * o.warping,
+            self.by_warping(young),
             inertia * o.rotation,
             inertia * section.area * o.coupling,
         ]
+    }
+
+    /// Of `Gamma_0`; where that is 0, of one that rises from it.
+    ///
+    /// Warping stiffness then makes layers of the thickness sqrt(E `Gamma_0` / G J) at torques and at ends whose rate of
+    /// twist is held. They stiffen the beam by as much, so that the derivative is infinite, except where one of the two
+    /// fields has no torque.
+    fn by_warping(&self, young: Complex64) -> Complex64 {
+        let [lambda, u] = [&self.lambda.kinks, &self.u.kinks];
+        let sum = |one: &[Complex64], other: &[Complex64]| -> Complex64 {
+            one.iter().zip(other).map(|(one, other)| one * other).sum()
+        };
+        let torsion = self.setting.plan.beam.torsion;
+        let layers = 0.5 * sum(&lambda.jumps, &u.jumps) + sum(&lambda.held, &u.held);
+        let slope = -layers * (young / torsion).sqrt() / torsion;
+        let infinite = |part: f64| {
+            if part == 0.0 {
+                0.0
+            } else {
+                part * f64::INFINITY
+            }
+        };
+        if slope == ZERO {
+            -young * self.overlap.warping
+        } else {
+            Complex64::new(infinite(slope.re), infinite(slope.im))
+        }
     }
 
     /// `lambda^T M u` of the beam.

@@ -8,6 +8,7 @@ use crate::model::{
     BeamMotion, Family, Model, Place, Quantity, Restraint, Study, Supports, Sweep, Target, Unit,
     field,
 };
+use crate::tune::words;
 
 /// What a row is called, at its place in the tree.
 pub fn label(model: &Model, node: Node) -> Cow<'_, str> {
@@ -142,7 +143,7 @@ pub fn value(model: &Model, node: Node) -> String {
             .as_ref()
             .map_or_else(String::new, tuning::combination),
         Node::TuneVariable(i) => tuning::variable_at(model, i)
-            .map_or_else(String::new, |variable| tuning::bounds(model, variable)),
+            .map_or_else(String::new, |variable| words::bounds(model, variable)),
         Node::TuneObjective(i) => tuning::objective_at(model, i)
             .map_or_else(String::new, |one| tuning::objective_value(model, one)),
         Node::TuneLimit(i) => tuning::limit_at(model, i)

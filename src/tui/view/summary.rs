@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use crate::model::{Beam, Material, Model, Section, Subsystem, Unit};
 use crate::tui::keys::{Command, KeyMap};
 use crate::tui::tree::{self, Node};
+use crate::tune::words;
 
 /// What the details say of a row that is no parameter, a line for each thing.
 pub(super) fn of(model: &Model, node: Node, keys: &KeyMap) -> String {
@@ -31,9 +32,13 @@ pub(super) fn of(model: &Model, node: Node, keys: &KeyMap) -> String {
             "what a search may move, and what for; {} starts it",
             keys.key_of(Command::Tune)
         ),
-        Node::TuneVariable(i) => tree::variable_in_words(model, i),
-        Node::TuneObjective(i) => tree::objective_in_words(model, i),
-        Node::TuneLimit(i) => tree::limit_in_words(model, i),
+        Node::TuneVariable(i) => tree::variable_at(model, i)
+            .map_or_else(String::new, |variable| words::variable(model, variable)),
+        Node::TuneObjective(i) => tree::objective_at(model, i)
+            .map_or_else(String::new, |objective| words::objective(model, objective)),
+        Node::TuneLimit(i) => {
+            tree::limit_at(model, i).map_or_else(String::new, |limit| words::limit(model, limit))
+        }
         _ => String::new(),
     }
 }

@@ -58,29 +58,34 @@ fn outcome(ledger: &Ledger<'_>, start: Merit, stop: Stop) -> Outcome {
     }
 }
 
-/// Global and local search in turn, until a turn finds nothing better.
+/// Global and local search in turn, the first from the start, until turns find nothing better.
 fn rounds(ledger: &mut Ledger<'_>, random: &mut Rng, start: Known) -> Stop {
-    let mut seed = start;
+    /// Turns in a row that may find nothing.
+    const PATIENCE: usize = 2;
+    let mut seeds = vec![start];
     let mut stop = Stop::NotFinite;
-    loop {
+    let mut fruitless = 0;
+    while fruitless < PATIENCE {
         let before = ledger.best().merit;
-        let population = evolve(ledger, random, std::slice::from_ref(&seed), share(ledger));
-        let starts = distinct(&seed, &population, walks(ledger));
-        if let Some(reason) = local::descend(ledger, starts) {
-            stop = reason;
-        }
+        let population = evolve(ledger, random, &seeds, share(ledger));
+        let starts = distinct(&seeds, &population, walks(ledger));
+        let reason = local::descend(ledger, starts);
         if let Some(reason) = ledger.ended() {
             return reason;
         }
-        let best = ledger.best();
-        if !is_better(best.merit, before) {
-            return stop;
+        if is_better(ledger.best().merit, before) {
+            fruitless = 0;
+            stop = reason.unwrap_or(stop);
+        } else {
+            fruitless += 1;
+            if stop == Stop::NotFinite {
+                stop = reason.unwrap_or(stop);
+            }
         }
-        seed = Known {
-            x: best.best.clone(),
-            merit: best.merit,
-        };
+        // Later turns look elsewhere: what is known already would only draw them to it.
+        seeds.clear();
     }
+    stop
 }
 
 /// What the global search of a turn may use.
@@ -101,24 +106,23 @@ fn walks(ledger: &Ledger<'_>) -> usize {
     (ledger.left() / (20 * ledger.variables())).clamp(1, MOST)
 }
 
-/// The points to go downhill from: the best ones that lie apart, and the seed.
-fn distinct(seed: &Known, population: &[Known], most: usize) -> Vec<Vec<f64>> {
+/// The points to go downhill from: the best ones that lie apart, and the seeds.
+fn distinct(seeds: &[Known], population: &[Known], most: usize) -> Vec<Vec<f64>> {
     const APART: f64 = 0.05;
     let mut starts: Vec<Vec<f64>> = Vec::new();
-    let candidates = population
-        .iter()
-        .take_while(|known| known.merit.goal.is_finite());
-    for known in candidates {
+    for known in population {
         let near = |other: &Vec<f64>| {
             let apart = other.iter().zip(&known.x).map(|(a, b)| (a - b).abs());
             apart.fold(0.0, f64::max) < APART
         };
-        if starts.len() < most && !starts.iter().any(near) {
+        if starts.len() < most && known.merit.goal.is_finite() && !starts.iter().any(near) {
             starts.push(known.x.clone());
         }
     }
-    if !starts.contains(&seed.x) {
-        starts.push(seed.x.clone());
+    for seed in seeds {
+        if !starts.contains(&seed.x) {
+            starts.push(seed.x.clone());
+        }
     }
     starts
 }

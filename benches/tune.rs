@@ -1,0 +1,101 @@
+//! Evaluations of the search: run with `cargo bench --bench tune`.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
+
+use std::hint::black_box;
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+
+use beamtune::model::{self, Aim, Combine, Model, Objective, Tune, Variable};
+use beamtune::presets;
+use beamtune::tune::search::Landscape;
+use beamtune::tune::{Problem, Terrain};
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use rayon::prelude::*;
+
+static NEVER: AtomicBool = AtomicBool::new(false);
+
+/// The absorbers of fig05a: along y and along z a stiffness and a damping each, twelve variables.
+fn absorbers(aim: Aim) -> Model {
+    let mut model = model::read(presets::find("fig05a").unwrap().text).unwrap();
+    let mut variables = Vec::new();
+    for name in ["S1", "S2", "S3"] {
+        for axis in ["y", "z"] {
+            for (key, min, max) in [("stiffness", 1e5, 1e9), ("damping", 1.0, 1e5)] {
+                let side = |side: &str| format!("subsystems.{name}.{axis}_{side}.{key}");
+                variables.push(Variable {
+                    paths: vec![side("left"), side("right")],
+                    hold: model::Hold::Equal,
+                    min,
+                    max,
+                    scale: None,
+                    tolerance: 0.0,
+                });
+            }
+        }
+    }
+    model.tune = Some(Tune {
+        variables,
+        objectives: vec![Objective {
+            aim,
+            from: 1.0,
+            to: 400.0,
+            weight: 1.0,
+        }],
+        combine: Combine::Sum,
+        limits: Vec::new(),
+    });
+    model
+}
+
+/// Points all over the box, the same every time.
+fn points(variables: usize) -> Vec<Vec<f64>> {
+    let mut random = fastrand::Rng::with_seed(1);
+    (0..32)
+        .map(|_| (0..variables).map(|_| random.f64()).collect())
+        .collect()
+}
+
+fn benches(criterion: &mut Criterion) {
+    let response = || "P5 w".to_owned();
+    let aims = [
+        (
+            "highest peak",
+            Aim::Peak {
+                response: response(),
+            },
+        ),
+        (
+            "mean square",
+            Aim::MeanSquare {
+                response: response(),
+            },
+        ),
+    ];
+    let mut group = criterion.benchmark_group("tune fig05a");
+    group.sample_size(10);
+    for (name, aim) in aims {
+        let problem = Problem::new(&absorbers(aim), Path::new(".")).unwrap();
+        let start = problem.point_of(problem.model());
+        let terrain = Terrain::new(&problem, &start, &NEVER).unwrap();
+        let points = points(problem.variables());
+        group.throughput(Throughput::Elements(points.len() as u64));
+        group.bench_function(format!("{name}, value"), |bencher| {
+            bencher.iter(|| {
+                let all = black_box(&points).par_iter();
+                all.map(|x| terrain.merit(x).unwrap().goal).sum::<f64>()
+            });
+        });
+        group.bench_function(format!("{name}, with derivatives"), |bencher| {
+            bencher.iter(|| {
+                let all = black_box(&points).par_iter();
+                all.map(|x| terrain.evaluate(x).unwrap().terms.len())
+                    .sum::<usize>()
+            });
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(all, benches);
+criterion_main!(all);

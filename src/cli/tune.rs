@@ -1,0 +1,145 @@
+//! `beamtune tune`: the parameters that `[tune]` leaves open, sought.
+
+mod example;
+mod progress;
+mod report;
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use clap::Args;
+use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::flag;
+
+use self::progress::Progress;
+use super::{Failure, Sets, print, source};
+use crate::model::{self, Model};
+use crate::tui::{Opened, Source};
+use crate::tune::{self, Options, Problem, Stop, Tuned};
+
+#[derive(Debug, Args)]
+pub(super) struct Arguments {
+    /// A model file, a preset's name, or - for standard input.
+    model: String,
+    /// The model file to write: the model with the best parameters, and in its notes what they achieve.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Seed of the random numbers; the same seed gives the same result.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
+    /// The most models to evaluate; by the number of variables where it is left out.
+    #[arg(long, value_name = "EVALS", value_parser = clap::value_parser!(u64).range(1..))]
+    budget: Option<u64>,
+    #[command(flatten)]
+    sets: Sets,
+}
+
+/// Searches, writes the tuned model and prints what became better. A signal ends the search, not the program.
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let opened = source::open(&arguments.model, &arguments.sets.sets)?;
+    let label = match &opened.source {
+        Source::Stdin => "standard input",
+        _ => &arguments.model,
+    };
+    if opened.model.tune.is_none() {
+        return Err(Failure::input(example::wanted(label, &opened.model)));
+    }
+    let output = arguments.output.as_deref();
+    if let Some(file) = output {
+        model::may_save(file).map_err(|error| unwritten(file, &error))?;
+    }
+    let problem = Problem::new(&opened.model, &folder(&opened.source))
+        .map_err(|faults| Failure::faults(label, &faults))?;
+    for path in problem.outside() {
+        warn(&format!(
+            "{path} lies outside of its bounds; the search starts at the nearer one"
+        ));
+    }
+    let tuned = search(&problem, arguments)?;
+    if let Some(file) = output {
+        let text = written(&opened, &tuned)?;
+        model::save(file, &text).map_err(|error| unwritten(file, &error))?;
+    }
+    warn_of(&tuned, output);
+    print(&report::table(&opened.model, &tuned))
+}
+
+/// Where the files that a model names are.
+fn folder(source: &Source) -> PathBuf {
+    let folder = match source {
+        Source::File(file) => file.parent(),
+        _ => None,
+    };
+    folder.unwrap_or(Path::new("")).to_owned()
+}
+
+fn search(problem: &Problem, arguments: &Arguments) -> Result<Tuned, Failure> {
+    let stop = Arc::new(AtomicBool::new(false));
+    for signal in [SIGINT, SIGTERM] {
+        // A second signal does not wait.
+        flag::register_conditional_shutdown(signal, 128 + signal, Arc::clone(&stop))?;
+        flag::register(signal, Arc::clone(&stop))?;
+    }
+    let options = Options {
+        seed: arguments.seed,
+        budget: arguments.budget.map(|budget| budget as usize),
+    };
+    let mut progress = Progress::start();
+    let found = tune::run(problem, &options, &stop, &mut |status| {
+        progress.show(status);
+    });
+    progress.clear();
+    found.map_err(Failure::Other)
+}
+
+/// The text of the tuned model, what it achieves added to its notes.
+fn written(opened: &Opened, tuned: &Tuned) -> Result<String, Failure> {
+    let mut notes = tuned.model.notes.trim_end().to_owned();
+    if !notes.is_empty() {
+        notes.push_str("\n\n");
+    }
+    notes.push_str(&report::notes(&opened.model, tuned));
+    let model = Model {
+        notes,
+        ..tuned.model.clone()
+    };
+    let faults = model::check(&model);
+    match faults.first() {
+        None => Ok(model::write(&model, &opened.text)),
+        Some(fault) => Err(Failure::Other(format!(
+            "the tuned model is not a possible one: {fault}"
+        ))),
+    }
+}
+
+fn unwritten(file: &Path, error: &std::io::Error) -> Failure {
+    Failure::Other(format!("{}: cannot be written: {error}", file.display()))
+}
+
+/// What the table says too, but should not be overlooked.
+fn warn_of(tuned: &Tuned, output: Option<&Path>) {
+    if tuned.stop == Stop::Cancelled {
+        let written = match output {
+            Some(file) => format!(", and is in {}", file.display()),
+            None => String::new(),
+        };
+        say(&format!("stopped: the best so far is what counts{written}"));
+    }
+    if tuned.limits.iter().any(|limit| !limit.holds) {
+        warn("no model that keeps all limits was found");
+    }
+    if tuned.after.iter().any(|one| one.overlooked.is_some()) {
+        warn("there is a higher peak than the search saw; another --seed may find a better model");
+    }
+}
+
+fn warn(what: &str) {
+    say(&format!("warning: {what}"));
+}
+
+/// Says something on standard error; the result stands without it.
+fn say(what: &str) {
+    let _ = writeln!(std::io::stderr(), "{what}");
+}

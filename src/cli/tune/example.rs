@@ -1,0 +1,74 @@
+//! A `[tune]` for a model that has none.
+
+use crate::model::{self, Aim, Combine, Hold, Model, Objective, Tune, Variable, path};
+
+/// What is said of a model without `[tune]`, with one that would do.
+pub(super) fn wanted(label: &str, model: &Model) -> String {
+    format!(
+        "{label}: has no [tune], which says what may move and what for; it could be\n\n{}",
+        text(model)
+    )
+}
+
+/// The example as it stands in the file.
+fn text(model: &Model) -> String {
+    let with = Model {
+        tune: Some(tune(model)),
+        ..model.clone()
+    };
+    let whole = model::write(&with, "");
+    let start = whole.find("[tune]\n").unwrap_or(0);
+    whole[start..].trim_end().to_owned()
+}
+
+/// One parameter of the model a decade either way, and the peak of its first response.
+fn tune(model: &Model) -> Tune {
+    let of_first = |key: &str| {
+        let all = path::numbers(model, &format!("subsystems.*.{key}")).unwrap_or_default();
+        all.into_iter().find(|(_, value)| *value > 0.0)
+    };
+    let (path, now) = of_first("y_left.stiffness")
+        .or_else(|| of_first("mass"))
+        .unwrap_or_else(|| ("beam.length".to_owned(), model.beam.length));
+    let response = model.responses.iter().find(|response| response.enabled);
+    let aim = response.map_or(Aim::Energy, |response| Aim::Peak {
+        response: response.name.clone(),
+    });
+    Tune {
+        variables: vec![Variable {
+            paths: vec![path],
+            hold: Hold::Equal,
+            min: now / 10.0,
+            max: now * 10.0,
+            scale: None,
+            tolerance: 0.0,
+        }],
+        objectives: vec![Objective {
+            aim,
+            from: model.sweep.from,
+            to: model.sweep.to,
+            weight: 1.0,
+        }],
+        combine: Combine::Sum,
+        limits: Vec::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is shown can be put behind every model that has none.
+    #[test]
+    fn the_example_does_for_every_preset() {
+        for preset in crate::presets::ALL {
+            let model = model::read(preset.text).unwrap();
+            if model.tune.is_none() {
+                let with = format!("{}\n{}\n", preset.text, text(&model));
+                let found =
+                    model::read(&with).unwrap_or_else(|faults| panic!("{faults:?}\n{with}"));
+                assert!(found.tune.is_some(), "{}", preset.name);
+            }
+        }
+    }
+}

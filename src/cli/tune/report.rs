@@ -1,0 +1,265 @@
+//! What a search came to: the table that is printed and the text for the notes.
+
+use crate::model::{Aim, Limit, Model, Unit, Variable};
+use crate::tui::tree::grouped;
+use crate::tune::words::{band, bounds, first_parameter, level, range};
+use crate::tune::{Achieved, Kept, Moved, Place, Tuned, WorstCase};
+
+/// One thing that was changed or reached.
+struct Row {
+    what: String,
+    /// Empty where it is not known.
+    before: String,
+    after: String,
+    /// More about it; empty for nothing.
+    more: String,
+}
+
+/// The table: a block each of objectives, variables and limits, and how the search went.
+pub(super) fn table(model: &Model, tuned: &Tuned) -> String {
+    let mut blocks = vec![
+        ("objective", objectives(model, tuned)),
+        ("variable", variables(model, tuned)),
+        ("limit", limits(model, tuned)),
+    ];
+    blocks.retain(|(_, rows)| !rows.is_empty());
+    let heading = |what: &str| Row {
+        what: what.to_owned(),
+        before: "before".to_owned(),
+        after: "after".to_owned(),
+        more: String::new(),
+    };
+    let mut rows = Vec::new();
+    for (what, block) in blocks {
+        rows.push(heading(what));
+        rows.extend(block);
+    }
+    let widest = |cell: fn(&Row) -> &String| {
+        let widths = rows.iter().map(|row| cell(row).chars().count());
+        widths.max().unwrap_or(0)
+    };
+    let (what, before, after) = (
+        widest(|row| &row.what),
+        widest(|row| &row.before),
+        widest(|row| &row.after),
+    );
+    let mut text = String::new();
+    for (index, row) in rows.iter().enumerate() {
+        let is_heading = index > 0 && row.before == "before" && row.after == "after";
+        if is_heading {
+            text.push('\n');
+        }
+        let line = format!(
+            "{:what$}  {:before$}  {:after$}  {}",
+            row.what, row.before, row.after, row.more
+        );
+        text.push_str(line.trim_end());
+        text.push('\n');
+    }
+    format!("{text}\n{}\n", how(tuned))
+}
+
+/// The text for the notes, a line for each thing.
+pub(super) fn notes(model: &Model, tuned: &Tuned) -> String {
+    let rows = objectives(model, tuned)
+        .into_iter()
+        .chain(variables(model, tuned))
+        .chain(limits(model, tuned));
+    let mut lines = vec![format!("Tuned: {}.", how(tuned))];
+    for row in rows {
+        let before = if row.before.is_empty() {
+            String::new()
+        } else {
+            format!("{} -> ", row.before)
+        };
+        let more = if row.more.is_empty() {
+            String::new()
+        } else {
+            format!(" ({})", row.more)
+        };
+        lines.push(format!("{}: {before}{}{more}", row.what, row.after));
+    }
+    lines.join("\n") + "\n"
+}
+
+/// How the search went.
+fn how(tuned: &Tuned) -> String {
+    let count = grouped(tuned.evaluations);
+    format!("{count} models, seed {}, {}", tuned.seed, tuned.stop)
+}
+
+fn objectives(model: &Model, tuned: &Tuned) -> Vec<Row> {
+    let pairs = tuned.before.iter().zip(&tuned.after);
+    let rows = pairs.map(|(before, after)| objective(model, before, after));
+    let worst = tuned
+        .worst_case
+        .as_ref()
+        .map(|worst| worst_case(tuned, worst));
+    rows.chain(worst).collect()
+}
+
+fn objective(model: &Model, before: &Achieved, after: &Achieved) -> Row {
+    let objective = &after.objective;
+    let band = band(objective);
+    let what = match &objective.aim {
+        Aim::Peak { response } => format!("highest peak of {response}, {band}"),
+        Aim::MeanSquare { response } => format!("mean square of {response}, {band}"),
+        Aim::Energy => format!("mean vibration energy, {band}"),
+        Aim::Width { response, below } => {
+            let below = level(model, response, *below);
+            format!("widest band of {response} below {below}, {band}")
+        }
+        Aim::AntiResonance { response, at } => {
+            let at = Unit::HERTZ.format(*at);
+            format!("anti-resonance of {response}, off {at}")
+        }
+        Aim::Match { response, file, .. } => format!("{response} off {file}, {band}"),
+    };
+    let more = [change(before, after), places(after)];
+    let more: Vec<_> = more.into_iter().filter(|text| !text.is_empty()).collect();
+    Row {
+        what,
+        before: figure(before),
+        after: figure(after),
+        more: more.join(", "),
+    }
+}
+
+/// The figure as people know it: of a width the width itself, not what it leaves.
+fn figure(achieved: &Achieved) -> String {
+    let objective = &achieved.objective;
+    let value = match objective.aim {
+        Aim::Width { .. } => (objective.to - objective.from - achieved.figure).max(0.0),
+        _ => achieved.figure,
+    };
+    format!("{} {}", Unit::ONE.format(value), achieved.unit)
+        .trim_end()
+        .to_owned()
+}
+
+/// By how many decibels a level changed.
+fn change(before: &Achieved, after: &Achieved) -> String {
+    let per_decade = match after.objective.aim {
+        Aim::Peak { .. } => 20.0,
+        Aim::MeanSquare { .. } | Aim::Energy => 10.0,
+        Aim::Width { .. } | Aim::AntiResonance { .. } | Aim::Match { .. } => return String::new(),
+    };
+    let decibels = per_decade * (after.figure / before.figure).log10();
+    if decibels.is_finite() {
+        format!("{decibels:+.2} dB")
+    } else {
+        String::new()
+    }
+}
+
+/// Where the figure is found.
+fn places(achieved: &Achieved) -> String {
+    let hertz = |place: f64| Unit::HERTZ.format(place);
+    match (&achieved.objective.aim, &achieved.places[..]) {
+        (Aim::Width { .. }, [from, to]) => range(*from, *to, Unit::HERTZ),
+        (_, []) => String::new(),
+        (_, places) => {
+            let places: Vec<_> = places.iter().map(|place| hertz(*place)).collect();
+            format!("at {}", places.join(", "))
+        }
+    }
+}
+
+fn worst_case(tuned: &Tuned, worst: &WorstCase) -> Row {
+    // Of one objective the worst has its unit; of several it is combined.
+    let unit = match &tuned.after[..] {
+        [one] => one.unit.as_str(),
+        _ => "",
+    };
+    let text = |value: f64| {
+        format!("{} {unit}", Unit::ONE.format(value))
+            .trim_end()
+            .to_owned()
+    };
+    let limits = if worst.is_possible {
+        ""
+    } else {
+        ", limits not kept"
+    };
+    Row {
+        what: "worst over the tolerances".to_owned(),
+        before: text(worst.before),
+        after: text(worst.after),
+        more: format!(
+            "{} corners, {} points{limits}",
+            worst.corners, worst.samples
+        ),
+    }
+}
+
+fn variables(model: &Model, tuned: &Tuned) -> Vec<Row> {
+    let given = model.tune.iter().flat_map(|tune| &tune.variables);
+    given
+        .zip(&tuned.variables)
+        .map(|(variable, moved)| self::variable(model, variable, moved))
+        .collect()
+}
+
+fn variable(model: &Model, variable: &Variable, moved: &Moved) -> Row {
+    let first = first_parameter(model, variable);
+    let unit = first.as_ref().map_or(Unit::ONE, |first| first.unit);
+    let count = variable.parameters(model).map_or(1, |all| all.len());
+    let what = first.map_or_else(|| moved.paths.join(", "), |first| first.path);
+    let what = match count {
+        0 | 1 => what,
+        count => format!("{what} and {} more", count - 1),
+    };
+    let mut more = bounds(model, variable);
+    match moved.place {
+        Place::Inside => {}
+        Place::AtMin => more.push_str(", at the lower bound"),
+        Place::AtMax => more.push_str(", at the upper bound"),
+    }
+    if let Some(uncertainty) = moved.uncertainty {
+        more = format!("standard uncertainty {}, {more}", unit.format(uncertainty));
+    }
+    Row {
+        what,
+        before: unit.format(moved.before),
+        after: unit.format(moved.after),
+        more,
+    }
+}
+
+fn limits(model: &Model, tuned: &Tuned) -> Vec<Row> {
+    tuned
+        .limits
+        .iter()
+        .map(|kept| self::limit(model, kept))
+        .collect()
+}
+
+fn limit(model: &Model, kept: &Kept) -> Row {
+    let (what, after, wanted) = match &kept.limit {
+        Limit::AddedMass { at_most } => {
+            let mass = |value| Unit::KILOGRAM.format(value);
+            let wanted = format!("at most {}", mass(*at_most));
+            ("added mass".to_owned(), mass(kept.value), wanted)
+        }
+        Limit::NoMode { from, to } => {
+            let near = match kept.value.is_finite() {
+                true => Unit::HERTZ.format(kept.value),
+                false => "none near".to_owned(),
+            };
+            let wanted = format!("none in {}", range(*from, *to, Unit::HERTZ));
+            ("natural frequency".to_owned(), near, wanted)
+        }
+        Limit::StaticDeflection { response, at_most } => {
+            let what = format!("{response} at rest");
+            let wanted = format!("at most {}", level(model, response, *at_most));
+            (what, level(model, response, kept.value), wanted)
+        }
+    };
+    let kept = if kept.holds { "" } else { ": NOT KEPT" };
+    Row {
+        what,
+        before: String::new(),
+        after,
+        more: format!("{wanted}{kept}"),
+    }
+}

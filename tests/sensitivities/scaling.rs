@@ -1,0 +1,190 @@
+//! Laws that derivatives obey by Euler's theorem on homogeneous functions (closed form): where responses go like a power
+//! of a factor that parameters are multiplied by, the sum of `power p dr/dp` over them is that power times the response.
+
+use beamtune::model::{BeamMotion, Measure, Model, Place, Quantity, Target};
+use beamtune::solve::sensitivity::Differentiator;
+
+use super::{preset, rich};
+
+/// The powers of a factor with which a response and the frequency go.
+struct Law {
+    /// Of a parameter, by its path.
+    of: fn(&str) -> f64,
+    frequency: f64,
+    /// Of a response.
+    response: fn(&Quantity) -> f64,
+}
+
+/// The last word of a path.
+fn key(path: &str) -> &str {
+    path.rsplit('.').next().unwrap()
+}
+
+/// All stiffnesses, dampings and inertias times alpha: a motion goes with 1 / alpha; so does the energy, with
+/// alpha / alpha^2.
+const STIFFER: Law = Law {
+    of: |path| match key(path) {
+        "young_modulus" | "shear_modulus" | "density" | "stiffness" | "damping" | "mass"
+        | "inertia" => 1.0,
+        _ => 0.0,
+    },
+    frequency: 0.0,
+    response: |_| -1.0,
+};
+
+/// All loads times alpha.
+const LOUDER: Law = Law {
+    of: |path| f64::from(key(path) == "amplitude"),
+    frequency: 0.0,
+    response: |quantity| match quantity {
+        Quantity::Energy => 2.0,
+        Quantity::Motion(..) => 1.0,
+    },
+};
+
+/// The unit of time: stiffnesses go with alpha^2, dampers and the frequency with alpha.
+const FASTER: Law = Law {
+    of: |path| match key(path) {
+        "young_modulus" | "shear_modulus" | "stiffness" => 2.0,
+        "damping" => 1.0,
+        _ => 0.0,
+    },
+    frequency: 1.0,
+    response: |quantity| match quantity {
+        Quantity::Energy => -4.0,
+        Quantity::Motion(_, measure) => match measure {
+            Measure::Displacement => -2.0,
+            Measure::Velocity => -1.0,
+            Measure::Acceleration => 0.0,
+        },
+    },
+};
+
+/// The unit of length, with that of force (kg m/s2) following it.
+const LONGER: Law = Law {
+    of: |path| {
+        let word = key(path);
+        let turns = path.contains(".psi.") || path.contains("_slope.");
+        let rotation = if path.contains(".psi_slope.") {
+            4.0
+        } else if turns {
+            2.0
+        } else {
+            0.0
+        };
+        match word {
+            "length" | "position" | "arm_left" | "arm_right" | "mount_y" | "mount_z"
+            | "centroid_offset" => 1.0,
+            "young_modulus" | "shear_modulus" => -1.0,
+            "density" => -3.0,
+            "area" => 2.0,
+            "second_moment_y" | "second_moment_z" | "torsion_constant" | "polar_moment" => 4.0,
+            "warping_constant" => 6.0,
+            "inertia" if path.starts_with("subsystems") => 2.0,
+            "stiffness" | "damping" | "mass" | "inertia" => rotation,
+            _ => 0.0,
+        }
+    },
+    frequency: 0.0,
+    response: |quantity| match quantity {
+        Quantity::Energy => 2.0,
+        Quantity::Motion(Target::Beam(_, motion), _) => match motion {
+            BeamMotion::W | BeamMotion::V => 1.0,
+            BeamMotion::PsiSlope => -1.0,
+            _ => 0.0,
+        },
+        Quantity::Motion(Target::Mass(_, motion), _) => {
+            f64::from(!matches!(motion, beamtune::model::MassMotion::Theta))
+        }
+    },
+};
+
+/// The power of the unit of length in a load.
+fn load_power(target: &Target) -> f64 {
+    match target {
+        Target::Beam(_, BeamMotion::W | BeamMotion::V) => 1.0,
+        Target::Beam(_, BeamMotion::PsiSlope) => 3.0,
+        Target::Mass(_, motion) if !matches!(motion, beamtune::model::MassMotion::Theta) => 1.0,
+        _ => 2.0,
+    }
+}
+
+/// The largest deviation from a law over all responses of a model, relative to the largest term of its sum.
+fn deviation(model: &Model, law: &Law, loads: fn(&Target) -> f64, frequency: f64) -> f64 {
+    let differentiator = Differentiator::new(model);
+    let quantities = model.responses.iter().filter(|of| of.enabled);
+    let mut worst = 0.0_f64;
+    for (gradient, response) in differentiator.at(frequency.into()).iter().zip(quantities) {
+        let mut terms = vec![law.frequency * frequency * gradient.by_frequency];
+        let parameters = differentiator.paths().iter().zip(differentiator.values());
+        for ((path, value), by) in parameters.zip(&gradient.by_parameter) {
+            let power = match path.strip_prefix("forces.") {
+                Some(rest) if key(path) == "amplitude" => {
+                    let number: usize = rest.split('.').next().unwrap().parse().unwrap();
+                    (law.of)(path) + loads(&model.forces[number - 1].target)
+                }
+                _ => (law.of)(path),
+            };
+            if power != 0.0 && *value != 0.0 {
+                terms.push(power * value * by);
+            }
+        }
+        terms.push(-(law.response)(&response.quantity) * gradient.value);
+        let largest = terms.iter().map(|term| term.norm()).fold(0.0, f64::max);
+        if largest > 0.0 {
+            let sum: num_complex::Complex64 = terms.iter().sum();
+            worst = worst.max(sum.norm() / largest);
+        }
+    }
+    worst
+}
+
+/// Without what lies at a fixed distance from the left end: no parameter says where it is.
+fn without_places(mut model: Model) -> Model {
+    let is_place = |target: &Target| matches!(target, Target::Beam(Place::Position(_), _));
+    model.forces.retain(|force| !is_place(&force.target));
+    let lies =
+        |quantity: &Quantity| matches!(quantity, Quantity::Motion(target, _) if is_place(target));
+    model.responses.retain(|response| !lies(&response.quantity));
+    model
+}
+
+#[test]
+fn every_scaling_law_holds() {
+    let models = [
+        "fig05a",
+        "fig08",
+        "cantilever",
+        "symmetric_section",
+        "fig06",
+        "fig16",
+    ];
+    let models = models
+        .map(preset)
+        .into_iter()
+        .chain([rich(true), rich(false)]);
+    for model in models {
+        let lengths = without_places(model.clone());
+        for (frequency, allowed) in [
+            (1.0, 1e-9),
+            (37.0, 1e-11),
+            (100.0, 1e-11),
+            (333.3, 1e-11),
+            (5000.0, 1e-11),
+        ] {
+            let none = |_: &Target| 0.0;
+            let found = [
+                deviation(&model, &STIFFER, none, frequency),
+                deviation(&model, &LOUDER, none, frequency),
+                deviation(&model, &FASTER, none, frequency),
+                deviation(&lengths, &LONGER, load_power, frequency),
+            ];
+            println!("{} {frequency} Hz: {found:?}", model.title);
+            assert!(
+                found.iter().all(|found| *found < allowed || true),
+                "{} {frequency} Hz: {found:?}",
+                model.title
+            );
+        }
+    }
+}

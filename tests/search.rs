@@ -62,7 +62,8 @@ fn downhill_reaches_published_optima_in_few_evaluations() {
         );
         if let Some(at) = &problem.at {
             let apart = apart(&problem, &found.x, at);
-            assert!(apart < 1e-8, "{name}: {apart:e}");
+            // A goal that is flat to the last digit at its least leaves its place open to the root of that.
+            assert!(apart < 2e-7, "{name}: {apart:e}");
         }
     }
 }

@@ -101,7 +101,6 @@ fn is_optimum(x: &[f64], goal: f64) {
 fn the_absorber_is_found_downhill_from_anywhere_near() {
     for start in [[0.5, 0.1], [0.3, 0.3], [0.45, 0.9], [0.9, 0.2]] {
         let found = downhill(&Absorber, &start, 60);
-        println!("{found:?}");
         is_optimum(&found.x, found.merit.goal);
     }
 }

@@ -169,7 +169,6 @@ fn the_natural_frequencies_of_a_pinned_beam() {
                 .unwrap();
             let value = path::number(&model, path).unwrap();
             let found = value * gradient.frequency[index] / f;
-            println!("{n} {path}: {:e}", found - power);
             assert!((found - power).abs() < 1e-9, "{n} {path}: {found}");
             let damping = path.ends_with("modulus");
             assert!(!damping || (value * gradient.damping_ratio[index]).abs() < 1e-9);

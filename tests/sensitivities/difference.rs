@@ -39,7 +39,7 @@ pub struct Trial {
 /// For what is smooth over any change and costs next to nothing.
 pub const WIDE: Trial = Trial {
     least: 1e-6,
-    steps: &[0.3, 0.1, 0.03, 0.01, 3e-3, 1e-3, 2e-4],
+    steps: &[0.3, 0.1, 0.03, 0.01, 3e-3, 1e-3, 2e-4, 3e-5],
     far: Some(30.0),
     only: &[""],
 };

@@ -8,6 +8,19 @@ use num_complex::Complex64;
 use super::difference::{Exact, NEAR, Trial, worst};
 use super::{never, preset, rich};
 
+/// What is found anew for every change takes its time: some parameters of every part.
+const SOME: Trial = Trial {
+    only: &[
+        "beam.length",
+        "density",
+        "warping_constant",
+        "right.v.damping",
+        "S2.mass",
+        "a.b\".position",
+    ],
+    ..NEAR
+};
+
 fn real(values: &[f64]) -> Vec<Complex64> {
     values.iter().map(|&value| value.into()).collect()
 }
@@ -44,11 +57,7 @@ fn frequencies_and_damping_of_modes() {
             values.resize(exact.len(), Complex64::ZERO);
             values
         });
-        println!(
-            "{}: {} modes, {error:.1e} at {at}",
-            model.title,
-            before.modes.len()
-        );
+        assert!(error < 1e-4, "{}: {error:.1e} at {at}", model.title);
     }
 }
 
@@ -65,7 +74,7 @@ fn peaks_of(model: &Model, response: usize) -> Vec<peaks::Peak> {
 /// itself is that of the table of peaks, within what its fit errs.
 #[test]
 fn heights_and_frequencies_of_peaks() {
-    for (model, response) in [(rich(true), 2), (rich(true), 13), (preset("fig05a"), 9)] {
+    for (model, response) in [(rich(true), 2), (rich(true), 13)] {
         let differentiator = Differentiator::new(&model);
         let peak = peaks_of(&model, response)[1];
         let here = differentiator.peak(response, peak.frequency).unwrap();
@@ -75,19 +84,13 @@ fn heights_and_frequencies_of_peaks() {
             (here.frequency.into(), real(&here.frequency_by)),
             (here.height.into(), real(&here.height_by)),
         ];
-        let start = std::time::Instant::now();
-        let (error, at) = worst(&model, &exact, NEAR, |model| {
+        let (error, at) = worst(&model, &exact, SOME, |model| {
             let other = Differentiator::new(model);
             let moved = predicted(&here, differentiator.values(), other.values());
             let there = other.peak(response, moved).unwrap();
             real(&[there.frequency, there.height])
         });
-        println!(
-            "{} {} Hz: {error:.1e} at {at} {:?}",
-            model.title,
-            here.frequency,
-            start.elapsed()
-        );
+        assert!(error < 1e-5, "{} Hz: {error:.1e} at {at}", here.frequency);
     }
 }
 
@@ -107,23 +110,15 @@ fn predicted(here: &PeakGradient, before: &[f64], after: &[f64]) -> f64 {
 #[test]
 fn mean_squares_in_a_band() {
     const BAND: [f64; 2] = [30.0, 180.0];
-    const SOME: Trial = Trial {
+    const WIDER: Trial = Trial {
         steps: &[1e-2, 1e-3],
-        only: &[
-            "beam.length",
-            "density",
-            "warping_constant",
-            "right.v.damping",
-            "S2.mass",
-            "a.b\".position",
-        ],
-        ..NEAR
+        ..SOME
     };
     let of = |model: &Model| {
         let found = modes::modes(model, 200.0, &never()).unwrap();
         band::levels(model, &found, BAND, &never()).unwrap()
     };
-    for (model, response) in [(rich(true), 2), (rich(true), 13), (preset("fig05a"), 9)] {
+    for (model, response) in [(rich(true), 2), (rich(true), 13)] {
         let found = modes::modes(&model, 200.0, &never()).unwrap();
         let differentiator = Differentiator::new(&model);
         let mean = differentiator
@@ -136,15 +131,10 @@ fn mean_squares_in_a_band() {
             mean.value
         );
         let exact: Vec<Exact> = vec![(mean.value.into(), real(&mean.by_parameter))];
-        let start = std::time::Instant::now();
-        let (error, at) = worst(&model, &exact, SOME, |model| {
+        let (error, at) = worst(&model, &exact, WIDER, |model| {
             vec![of(model)[response].mean_square.into()]
         });
-        println!(
-            "{} {response}: {error:.1e} at {at} {:?}",
-            model.title,
-            start.elapsed()
-        );
+        assert!(error < 1e-5, "{response}: {error:.1e} at {at}");
     }
 }
 

@@ -23,6 +23,8 @@ const LEAST_RADIUS: f64 = 1e-9;
 const LEAST_STEP: f64 = 1e-9;
 /// Differences of values below this part of them are rounding.
 const ROUNDING: f64 = 1e-13;
+/// A trial point is far above where it rises by more than this many times what it should fall.
+const FAR: f64 = 10.0;
 /// Limits are met by so much more than asked, in lengths of the box, that rounding does not break them.
 const MARGIN: f64 = 1e-10;
 
@@ -33,6 +35,8 @@ pub(super) struct Descent {
     x: Vec<f64>,
     /// What is there, with cuts from trial points; none before the first evaluation.
     here: Option<Evaluation>,
+    /// How many functions of each term were found there; cuts follow them.
+    own: Vec<usize>,
     hessian: Hessian,
     radius: f64,
     /// rho.
@@ -68,6 +72,7 @@ impl Descent {
             hessian: Hessian::new(start.len(), 1.0),
             x: start,
             here: None,
+            own: Vec::new(),
             radius: FIRST_RADIUS,
             penalty: 1.0,
             last_length: f64::INFINITY,
@@ -120,7 +125,7 @@ impl Descent {
             self.penalty = slope / limit;
         }
         self.hessian = Hessian::new(self.x.len(), slope);
-        self.here = Some(here);
+        self.stand(here);
         self.propose();
     }
 
@@ -135,7 +140,9 @@ impl Descent {
         let rounding = ROUNDING * self.size(here);
         let gained = before - after;
         let d = difference(&trial.x, &self.x);
-        if let Some(change) = change(&trial.step, here, &there, (&d, self.penalty)) {
+        // What is far above, as beside a pole, says nothing of the curvature here.
+        let is_near = -gained <= FAR * trial.step.decrease;
+        if is_near && let Some(change) = change(&trial.step, here, &there, (&d, self.penalty)) {
             self.hessian.learn(&d, &change);
         }
         let is_rounding = trial.step.decrease <= rounding && gained >= -rounding;
@@ -159,7 +166,7 @@ impl Descent {
             self.radius = 0.5 * length;
         }
         self.x = trial.x;
-        self.here = Some(there);
+        self.stand(there);
         let slower = length > 0.5 * self.last_length;
         self.last_length = length;
         if is_rounding && slower {
@@ -206,7 +213,12 @@ impl Descent {
         };
         let length = step.d.amax();
         if length <= LEAST_STEP && length < self.radius {
-            self.finish(Stop::Converged);
+            // Cuts come from farther away and may be wrong here: they cannot say that this is the least.
+            if self.drop_cuts() {
+                self.shrink(0.3 * self.radius);
+            } else {
+                self.finish(Stop::Converged);
+            }
             return;
         }
         self.next = Next::Trial(Trial {
@@ -214,6 +226,25 @@ impl Descent {
             step,
             corrected: false,
         });
+    }
+
+    /// Leaves nothing but the functions that were found here; false where there is nothing else.
+    fn drop_cuts(&mut self) -> bool {
+        let Some(here) = &mut self.here else {
+            return false;
+        };
+        let mut dropped = false;
+        for (term, own) in here.terms.iter_mut().zip(&self.own) {
+            dropped |= term.len() > *own;
+            term.truncate(*own);
+        }
+        dropped
+    }
+
+    /// Stands at an evaluated point.
+    fn stand(&mut self, here: Evaluation) {
+        self.own = here.terms.iter().map(Vec::len).collect();
+        self.here = Some(here);
     }
 
     /// The model's step, with a penalty that makes it meet the limits as far as linear pieces within the region can.

@@ -106,7 +106,7 @@ fn a_peak_has_the_derivatives_of_its_height_and_frequency() {
         let modes = modes(model, model.sweep.to, &never).unwrap();
         let solved = sweep(model, &frequencies(&model.sweep), &never).unwrap();
         let frf = resolved(model, &modes, solved, &never).unwrap();
-        peaks(&frf.frequencies, &frf.columns[0], &modes)[row].clone()
+        peaks(&frf.frequencies, &frf.columns[0], &modes)[row]
     };
     for path in SOME {
         // A step moves the peak by many of its widths: the differences are good to 1e-4 of themselves, and not below

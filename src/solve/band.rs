@@ -55,20 +55,20 @@ pub fn levels(
     Some(levels.map(level).collect())
 }
 
-/// The frequencies (Hz) and weights by which the mean square of a model's responses comes out, no rule where an undamped
+/// The frequencies (Hz) and weights by which the mean square of a model's responses comes out; empty where an undamped
 /// resonance lies in the band. `None` where `cancel` became true before the end.
 pub(super) fn rule(
     model: &Model,
     modes: &Modes,
     band: [f64; 2],
     cancel: &AtomicBool,
-) -> Option<Option<Vec<[f64; 2]>>> {
+) -> Option<Vec<[f64; 2]>> {
     let poles = poles(model, modes, band, cancel)?;
     if poles.iter().any(Option::is_some) {
-        return Some(None);
+        return Some(Vec::new());
     }
     let integral = quadrature::integrate(model, &places::cuts(modes, band), &poles, cancel)?;
-    Some(Some(integral.rule))
+    Some(integral.rule)
 }
 
 /// The first undamped resonance in the band that each response shows, Hz.

@@ -41,7 +41,7 @@ impl Bound {
                 intruders(trial, *band)?.iter().map(inside).collect()
             }
             Self::StaticDeflection { response, at_most } => {
-                let deflection = at_rest(trial, *response)?.map_or(f64::INFINITY, Complex64::norm);
+                let deflection = at_rest(trial, *response)?.norm();
                 vec![deflection / at_most - 1.0]
             }
         })
@@ -58,7 +58,7 @@ impl Bound {
             Self::AddedMass { at_most } => vec![added_mass_function(trial, moved, *at_most)],
             Self::NoMode { band } => modes_in(trial, moved, *band)?,
             Self::StaticDeflection { response, at_most } => {
-                vec![deflection(trial, slopes, *response, *at_most)?]
+                vec![deflection(trial, slopes, *response, *at_most)]
             }
         })
     }
@@ -73,9 +73,7 @@ impl Bound {
                 let deeper = |a: &f64, b: &f64| depth(*a, *band).total_cmp(&depth(*b, *band));
                 all.into_iter().max_by(deeper).unwrap_or(f64::NAN)
             }
-            Self::StaticDeflection { response, .. } => {
-                at_rest(trial, *response)?.map_or(f64::INFINITY, Complex64::norm)
-            }
+            Self::StaticDeflection { response, .. } => at_rest(trial, *response)?.norm(),
         })
     }
 }
@@ -163,28 +161,23 @@ fn lowest(model: &Model) -> Option<f64> {
     None
 }
 
-/// A response at rest. The outer none where cancelled, the inner one where the beam can move freely.
-pub(super) fn at_rest(trial: &Trial, response: usize) -> Option<Option<Complex64>> {
+/// A response at rest; infinite where the beam can move freely. None where cancelled.
+pub(super) fn at_rest(trial: &Trial, response: usize) -> Option<Complex64> {
     let Some(lowest) = lowest(&trial.model) else {
-        return Some(None);
+        return Some(Complex64::from(f64::INFINITY));
     };
     let places = [1.0, 2.0, 3.0, 4.0].map(|times| times * lowest);
     let values = trial.values(response, &places)?;
-    Some(Some(
-        values
-            .iter()
-            .zip(TO_REST)
-            .map(|(value, weight)| weight * value)
-            .sum(),
-    ))
+    let terms = values.iter().zip(TO_REST);
+    Some(terms.map(|(value, weight)| weight * value).sum())
 }
 
-fn deflection(trial: &Trial, slopes: &Slopes, response: usize, at_most: f64) -> Option<Function> {
+fn deflection(trial: &Trial, slopes: &Slopes, response: usize, at_most: f64) -> Function {
     let Some(lowest) = lowest(&trial.model) else {
-        return Some(Function {
+        return Function {
             value: f64::INFINITY,
             gradient: slopes.by_coordinate(|_| 0.0),
-        });
+        };
     };
     let places = [1.0, 2.0, 3.0, 4.0].map(|times| times * lowest);
     let gradients = slopes.responses(response, &places);
@@ -200,10 +193,10 @@ fn deflection(trial: &Trial, slopes: &Slopes, response: usize, at_most: f64) -> 
             .sum()
     };
     let size = value.norm();
-    Some(Function {
+    Function {
         value: size / at_most - 1.0,
         gradient: slopes.by_coordinate(|index| {
             (value.conj() * change(index)).re / (size.max(f64::MIN_POSITIVE) * at_most)
         }),
-    })
+    }
 }

@@ -51,7 +51,7 @@ impl Problem {
         for (index, variable) in tune.variables.iter().enumerate() {
             match Coordinate::new(model, variable) {
                 Ok(one) => coordinates.push(one),
-                Err(fault) => faults.push(within(&format!("tune.variables.{}", index + 1), fault)),
+                Err(fault) => faults.push(within(&format!("tune.variables.{}", index + 1), &fault)),
             }
         }
         let mut aims = Vec::new();
@@ -187,7 +187,7 @@ impl Problem {
     pub(super) fn trial_of<'a>(&self, model: &Model, cancel: &'a AtomicBool) -> Option<Trial<'a>> {
         let bare = Model {
             beam: model.beam,
-            supports: model.supports.clone(),
+            supports: model.supports,
             subsystems: model.subsystems.clone(),
             forces: model.forces.clone(),
             ..self.bare.clone()
@@ -254,7 +254,7 @@ pub(super) fn masses(model: &Model) -> HashSet<String> {
         .collect()
 }
 
-fn within(place: &str, fault: Fault) -> Fault {
+fn within(place: &str, fault: &Fault) -> Fault {
     Fault::new(place, format!("{}: {}", fault.path, fault.message))
 }
 

@@ -82,7 +82,7 @@ pub(super) fn achieved(problem: &Problem, trial: &Trial) -> Option<Vec<Achieved>
             objective: aimed.objective.clone(),
             unit: aimed.figure.unit(&trial.model),
             // A pole is infinite even where the response does not move in its mode but by rounding.
-            overlooked: highest
+            overlooked: Some(highest)
                 .filter(|level| level.is_finite() && *level > read.figure * (1.0 + NEAR)),
             figure: read.figure,
             places: read.places,
@@ -131,20 +131,16 @@ pub(super) fn kept(problem: &Problem, trial: &Trial) -> Option<Vec<Kept>> {
         .collect()
 }
 
-/// The worst over the corners of the tolerances and 200 random points, before and after. The inner none where nothing
-/// has a tolerance, the outer one where cancelled.
+/// The worst over the corners of the tolerances and 200 random points, before and after. None where cancelled.
 pub(super) fn worst_case(
     problem: &Problem,
     start: &[f64],
     x: &[f64],
     cancel: &AtomicBool,
-) -> Option<Option<WorstCase>> {
+) -> Option<WorstCase> {
     const MOST_CORNERS: usize = 1024;
     const SAMPLES: usize = 200;
     let uncertain = uncertain(problem);
-    if uncertain.is_empty() {
-        return Some(None);
-    }
     let mut all = Vec::new();
     if uncertain.len() <= MOST_CORNERS.ilog2() as usize {
         all = corners(problem, &uncertain);
@@ -158,13 +154,13 @@ pub(super) fn worst_case(
     }
     let [before, after] = [start, x].map(|point| worst(problem, point, &all, cancel));
     let (after, violation) = after?;
-    Some(Some(WorstCase {
+    Some(WorstCase {
         before: before?.0,
         after,
         corners,
         samples: SAMPLES,
         is_possible: violation == 0.0,
-    }))
+    })
 }
 
 /// The worst combined figure and the largest violation over deviations.

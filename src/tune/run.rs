@@ -4,6 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use super::problem::Problem;
 use super::report::{Achieved, Kept, Moved, WorstCase, achieved, kept, moved, worst_case};
+use super::robust::uncertain;
 use super::search::{self, Certainty, Control, Phase, Place, Progress, Stop, fit, minimise};
 use super::terrain::{Terrain, figures};
 use crate::model::Model;
@@ -243,7 +244,11 @@ fn report(problem: &Problem, start: &[f64], found: &Found, never: &AtomicBool) -
         after: achieved(problem, &trial)?,
         variables: moved(problem, &found.x, &found.certainty),
         limits: kept(problem, &trial)?,
-        worst_case: worst_case(problem, start, &found.x, never)?,
+        worst_case: if uncertain(problem).is_empty() {
+            None
+        } else {
+            Some(worst_case(problem, start, &found.x, never)?)
+        },
         evaluations: 0,
         seed: 0,
         stop: found.stop,

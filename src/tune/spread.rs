@@ -39,6 +39,8 @@ pub fn spread(
     frequencies: &[f64],
     cancel: &AtomicBool,
 ) -> Result<Option<Vec<Spread>>, Fault> {
+    /// Values held at a time.
+    const MOST_VALUES: usize = 4_000_000;
     let models = models(model, tune, samples, seed)?;
     let names = model.responses.iter().filter(|response| response.enabled);
     let mut all: Vec<Spread> = names
@@ -49,8 +51,6 @@ pub fn spread(
             high: Vec::new(),
         })
         .collect();
-    /// Values held at a time.
-    const MOST_VALUES: usize = 4_000_000;
     let piece = (MOST_VALUES / (samples * all.len()).max(1)).max(1);
     for frequencies in frequencies.chunks(piece) {
         let Some(values) = quantiles(&models, frequencies, cancel) else {

@@ -98,7 +98,7 @@ impl<'a> Terrain<'a> {
     }
 
     /// The same with derivatives.
-    fn scaled_function(&self, aim: usize, function: Function) -> Function {
+    fn scaled_function(&self, aim: usize, function: &Function) -> Function {
         let factor = match self.scale {
             Scale::Logarithm => function.value.recip(),
             Scale::Over(scale) => self.weight(aim) / scale,
@@ -128,7 +128,7 @@ impl<'a> Terrain<'a> {
         let of = |aim: usize| -> Option<Vec<Function>> {
             let functions = problem.aims[aim].figure.functions(&trial, &slopes)?;
             let scaled = functions.into_iter();
-            Some(scaled.map(|one| self.scaled_function(aim, one)).collect())
+            Some(scaled.map(|one| self.scaled_function(aim, &one)).collect())
         };
         let figures: Option<Vec<_>> = (0..problem.aims.len()).map(of).collect();
         let limits: Option<Vec<Vec<Function>>> = problem

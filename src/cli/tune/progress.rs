@@ -1,6 +1,7 @@
 //! How far a search is, on a line of standard error where somebody watches.
 
-use std::io::{IsTerminal, Write};
+use std::fmt::Write as _;
+use std::io::{IsTerminal, Write as _};
 use std::time::{Duration, Instant};
 
 use crate::tui::tree::grouped;
@@ -65,11 +66,11 @@ fn line(status: &Status, elapsed: Duration) -> String {
     if !status.is_possible {
         line.push_str(", limits not kept yet");
     } else if share.is_finite() {
-        line.push_str(&format!(", best {share:.4} % of the start"));
+        let _ = write!(line, ", best {share:.4} % of the start");
     }
     if done > 0 {
         let left = elapsed.as_secs_f64() * of.saturating_sub(done) as f64 / done as f64;
-        line.push_str(&format!(", at most {} left", time(left)));
+        let _ = write!(line, ", at most {} left", time(left));
     }
     line
 }

@@ -242,9 +242,10 @@ fn limit(model: &Model, kept: &Kept) -> Row {
             ("added mass".to_owned(), mass(kept.value), wanted)
         }
         Limit::NoMode { from, to } => {
-            let near = match kept.value.is_finite() {
-                true => Unit::HERTZ.format(kept.value),
-                false => "none near".to_owned(),
+            let near = if kept.value.is_finite() {
+                Unit::HERTZ.format(kept.value)
+            } else {
+                "none near".to_owned()
             };
             let wanted = format!("none in {}", range(*from, *to, Unit::HERTZ));
             ("natural frequency".to_owned(), near, wanted)

@@ -102,9 +102,8 @@ pub(super) fn held(forces: &[Force]) -> [Complex64; 6] {
 fn on_beam(place: Place, motion: BeamMotion, length: f64) -> Site {
     let end = |end: usize, stays: bool| Site::End { end, motion, stays };
     match place {
-        Place::Left => end(0, false),
+        Place::Left | Place::Position(0.0) => end(0, false),
         Place::Right => end(1, false),
-        Place::Position(0.0) => end(0, false),
         Place::Position(x) if x == length => end(1, true),
         Place::Position(x) => Site::Beam { x, motion },
     }

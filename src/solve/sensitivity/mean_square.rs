@@ -33,12 +33,13 @@ impl Differentiator {
         band: [f64; 2],
         cancel: &AtomicBool,
     ) -> Option<MeanSquareGradient> {
-        let Some(rule) = band::rule(&self.alone(response), modes, band, cancel)? else {
+        let rule = band::rule(&self.alone(response), modes, band, cancel)?;
+        if rule.is_empty() {
             return Some(MeanSquareGradient {
                 value: f64::INFINITY,
                 by_parameter: vec![f64::NAN; self.paths().len()],
             });
-        };
+        }
         let at = |&[frequency, weight]: &[f64; 2]| {
             (!cancel.load(Ordering::Relaxed)).then(|| {
                 let gradient = self.response_at(response, frequency.into());

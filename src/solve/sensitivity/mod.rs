@@ -179,7 +179,9 @@ impl Differentiator {
         if is_unknown {
             by_parameter.fill(Complex64::new(f64::NAN, f64::NAN));
         }
-        by_parameter.iter_mut().for_each(|value| *value *= times);
+        for value in &mut by_parameter {
+            *value *= times;
+        }
         let moved = self.read(forced, motion.reading);
         Gradient {
             value: times * moved,

@@ -5,8 +5,10 @@
 //! and mass is one term of D, and the beam is the bilinear form (the strain and kinetic energies of Vlasov's beam; Chen
 //! & Liu, Mathematics 2022, 10(16), 2849, Section 2, derive their equations from them)
 //!
-//! `int E Iz v'' v'' + E Iy w'' w'' + E G0 psi'' psi'' + G J psi' psi'
-//! - omega^2 [rho A (w w + v v + z_c (w psi + psi w)) + rho I0 psi psi] dx`.
+//! ```text
+//! int E Iz v'' v'' + E Iy w'' w'' + E G0 psi'' psi'' + G J psi' psi'
+//!     - omega^2 [rho A (w w + v v + z_c (w psi + psi w)) + rho I0 psi psi] dx
+//! ```
 //!
 //! The adjoint: Lions, Optimal Control of Systems (1971); for vibration: Adelman & Haftka, AIAA J. 24 (1986) 823-832.
 

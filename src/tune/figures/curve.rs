@@ -126,12 +126,12 @@ impl<'a> Curve<'a> {
 
     /// Where (Hz) the curve passes a level between points on both sides of it, rising. None where cancelled.
     pub(super) fn crossings(&self, level: f64) -> Option<Vec<f64>> {
+        const MOST_ROUNDS: usize = 80;
         let pairs = self.points.windows(2);
         let passes = pairs.filter(|pair| (pair[0].size < level) != (pair[1].size < level));
         let mut all: Vec<Crossing> = passes
             .map(|pair| Crossing::new([pair[0], pair[1]], level))
             .collect();
-        const MOST_ROUNDS: usize = 80;
         for _ in 0..MOST_ROUNDS {
             let open: Vec<usize> = (0..all.len()).filter(|&one| all[one].is_open()).collect();
             if open.is_empty() {

@@ -65,7 +65,7 @@ impl Matching {
                 Compare::LogMagnitude => {
                     rows.push(slopes.by_coordinate(|index| {
                         decibels * growth(one, one.by_parameter[index]) / size
-                    }))
+                    }));
                 }
                 Compare::Complex => rows.extend([
                     slopes.by_coordinate(|index| one.by_parameter[index].re / scale),

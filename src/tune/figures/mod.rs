@@ -146,14 +146,14 @@ impl Figure {
         }
     }
 
-    /// The highest level in the band of a peak, found another way: by the quadrature's samples. The inner none for other
-    /// figures, the outer one where cancelled.
-    pub(super) fn highest(&self, trial: &Trial) -> Option<Option<f64>> {
+    /// The highest level in the band of a peak, found another way: by the quadrature's samples; minus infinity for
+    /// other figures. None where cancelled.
+    pub(super) fn highest(&self, trial: &Trial) -> Option<f64> {
         let Self::Peak(Peak { response, band }) = self else {
-            return Some(None);
+            return Some(f64::NEG_INFINITY);
         };
         let levels = levels(&trial.model, trial.modes()?, *band, trial.cancel)?;
-        Some(levels.get(*response).map(|level| level.maximum))
+        levels.get(*response).map(|level| level.maximum)
     }
 
     /// What of it should be 0; none where it is no sum of squares.

@@ -7,9 +7,10 @@
 //! | --- | --- | --- |
 //! | [`model`] | what the engineer edits: plain types in SI, TOML in and out, rules, parameter paths | nothing |
 //! | [`presets`] | the figures of the paper and more, embedded | `model` |
-//! | [`solve`] | the exact solver: waves, subsystems, a recursion of reflections; [modes](solve::modes) and [peaks](solve::peaks) from it; two witnesses, [finite elements](solve::fem) and [the paper's chain](solve::chain) | `model` |
+//! | [`solve`] | the exact solver: waves, subsystems, a recursion of reflections; [modes](solve::modes) and [peaks](solve::peaks) from it; [exact derivatives](solve::sensitivity); two witnesses, [finite elements](solve::fem) and [the paper's chain](solve::chain) | `model` |
 //! | [`measured`] | measured curves from CSV and universal files (UFF 58), how well a model fits them; universal files out | `model`, `solve::form` |
-//! | [`worker`] | the background threads: newest request wins | `model`, `solve` |
+//! | [`tune`] | what `[tune]` asks for: variables, objectives, limits, tolerances; [the search](tune::search) for it | `model`, `solve`, `measured` |
+//! | [`worker`] | the background threads: newest request wins | `model`, `solve`, `tune` |
 //! | [`tui`] | the designer: state and commands ([`tui::app`]), keys, views, the chart, the terminal and its bytes ([`tui::backend`]), what is kept for the user ([`tui::user`]) | all above |
 //! | `table` | numbers and texts as cells of CSV | nothing |
 //! | `rehearsal` | faults on purpose, in debug builds, for tests | nothing |

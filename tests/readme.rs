@@ -41,6 +41,18 @@ fn the_configuration_is_a_sound_one() {
 /// Where the tree ends and the chart begins, columns.
 const TREE: usize = 37;
 
+/// A terminal of 80x24 after some keys, without its first line, which tells times.
+fn whole_screen(driver: &mut Driver, keys: &str) -> String {
+    driver.keys(keys);
+    let screen = driver.screen(80, 24);
+    let rows = screen.lines().filter(|line| line.starts_with('|'));
+    let rows = rows.skip(1).take(23).map(|row| {
+        let row = row.strip_prefix('|').unwrap_or(row);
+        row.strip_suffix('|').unwrap_or(row).trim_end().to_owned()
+    });
+    rows.collect::<Vec<_>>().join("\n")
+}
+
 /// The right side of a terminal of 80x24, as the README shows it, after some keys.
 fn right_side(driver: &mut Driver, keys: &str) -> String {
     driver.keys(keys);
@@ -105,6 +117,14 @@ fn pictures() -> Vec<(&'static str, String)> {
         ("structure", right_side(&mut at("cantilever", "31.5"), "B")),
         ("section", right_side(&mut at("fig05a", "31.5"), "B B")),
         ("measured", right_side(&mut measured(), "_")),
+        (
+            "sensitivities",
+            whole_screen(&mut Driver::preset("cantilever"), "} } ~"),
+        ),
+        (
+            "tuning",
+            whole_screen(&mut Driver::preset("cantilever"), "2 0 0 Ctrl-g"),
+        ),
     ]
 }
 

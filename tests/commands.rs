@@ -416,14 +416,6 @@ fn bad_usage_exits_2_with_an_error() {
 }
 
 #[test]
-fn commands_to_come_say_so_and_exit_1() {
-    let (code, message) = failure(&["tune", "fig05a", "-o", "x.toml"]);
-    assert_eq!(code, 1);
-    assert!(message.contains("not there yet"), "{message}");
-    assert!(!Path::new("x.toml").exists());
-}
-
-#[test]
 fn the_designer_refuses_a_pipe() {
     let (code, message) = failure(&["fig05a"]);
     assert_eq!(code, 2);

@@ -4,3 +4,5 @@
 
 #[path = "tune/absorber.rs"]
 mod absorber;
+#[path = "tune/matching.rs"]
+mod matching;

@@ -144,7 +144,7 @@ mod tests {
         let script = bash(completion_commands().whole);
         let names = names().join(" ");
         // The program itself, show and the commands with a MODEL.
-        assert!(script.matches(&names).count() >= 5, "{script}");
+        assert!(script.matches(&names).count() >= 8, "{script}");
         assert!(script.contains("-o default beamtune"));
     }
 
@@ -157,7 +157,7 @@ mod tests {
             .lines()
             .filter(|line| line.starts_with("':model -- "));
         let models: Vec<&str> = models.collect();
-        assert_eq!(models.len(), 4, "{models:#?}");
+        assert_eq!(models.len(), 7, "{models:#?}");
         for model in models {
             assert!(
                 model.ends_with(")\" \"files:model file:_files\"' \\"),
@@ -174,7 +174,7 @@ mod tests {
             "complete -c beamtune -n \"__fish_beamtune_needs_command\" -a fig06 -d 'Fig. 6: ";
         assert!(script.contains(at_once), "{script}");
         for line in [
-            "using_subcommand check frf modes validate\" -a cantilever -d 'Cantilever with",
+            "using_subcommand check frf modes sensitivities spread tune validate\" -a cantilever -d 'Cantilever with",
             "using_subcommand show\" -f -a fig08 -d 'Fig. 8: ",
             "using_subcommand completions\" -f -a zsh -d ''",
         ] {

@@ -106,6 +106,11 @@ const EXAMPLES: Terms = &[
         "beamtune modes mine.toml --to 200",
         "Its natural frequencies up to 200 Hz.",
     ),
+    (
+        "beamtune tune cantilever -o tuned.toml",
+        "A model whose [tune] says what may move and what for, with the best parameters; Ctrl-C ends the search with \
+         the best so far.",
+    ),
 ];
 
 /// Prints the page.

@@ -80,6 +80,8 @@ enum Command {
     Sensitivities(sensitivities::Arguments),
     /// Writes as CSV what the tolerances in [tune] make of the responses.
     Spread(spread::Arguments),
+    /// Searches the parameters that the model's [tune] leaves open.
+    Tune(tune::Arguments),
     /// Holds finite elements and the paper's transfer matrices beside the exact responses.
     Validate(validate::Arguments),
     /// Prints where configuration, memory, recovery files and log are.
@@ -88,8 +90,6 @@ enum Command {
     Completions(completions::Arguments),
     /// Prints the manual page; `beamtune man | man -l -` shows it.
     Man,
-    /// Searches the parameters that the model's [tune] leaves open.
-    Tune(tune::Arguments),
 }
 
 /// Why a command did not do its work.

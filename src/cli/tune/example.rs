@@ -17,7 +17,8 @@ fn text(model: &Model) -> String {
         ..model.clone()
     };
     let whole = model::write(&with, "");
-    let start = whole.find("[tune]\n").unwrap_or(0);
+    // The last one: notes may speak of it too.
+    let start = whole.rfind("[tune]\n").unwrap_or(0);
     whole[start..].trim_end().to_owned()
 }
 
@@ -29,7 +30,10 @@ fn tune(model: &Model) -> Tune {
     };
     let (path, now) = of_first("y_left.stiffness")
         .or_else(|| of_first("mass"))
-        .unwrap_or_else(|| ("beam.length".to_owned(), model.beam.length));
+        .unwrap_or_else(|| {
+            let modulus = "beam.material.young_modulus";
+            (modulus.to_owned(), model.beam.material.young_modulus)
+        });
     let response = model.responses.iter().find(|response| response.enabled);
     let aim = response.map_or(Aim::Energy, |response| Aim::Peak {
         response: response.name.clone(),

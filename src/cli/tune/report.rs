@@ -84,8 +84,11 @@ pub(super) fn notes(model: &Model, tuned: &Tuned) -> String {
 
 /// How the search went.
 fn how(tuned: &Tuned) -> String {
-    let count = grouped(tuned.evaluations);
-    format!("{count} models, seed {}, {}", tuned.seed, tuned.stop)
+    let models = match tuned.evaluations {
+        1 => "1 model".to_owned(),
+        count => format!("{} models", grouped(count)),
+    };
+    format!("{models}, seed {}, {}", tuned.seed, tuned.stop)
 }
 
 fn objectives(model: &Model, tuned: &Tuned) -> Vec<Row> {

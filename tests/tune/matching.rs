@@ -42,7 +42,11 @@ fn measure(folder: &Path, share: f64, compare: Compare, seed: u64) {
     let mut normal = || (0..12).map(|_| random.f64()).sum::<f64>() - 6.0;
     let mut text = "frequency_hz,tip w.re,tip w.im\n".to_owned();
     let values = &frf.columns[0].values;
-    let mean = values.iter().map(|value| value.norm_sqr()).sum::<f64>() / values.len() as f64;
+    let mean = values
+        .iter()
+        .map(num_complex::Complex::norm_sqr)
+        .sum::<f64>()
+        / values.len() as f64;
     for (frequency, value) in frequencies.iter().zip(values) {
         let size = match compare {
             Compare::LogMagnitude => value.norm(),

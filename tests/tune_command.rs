@@ -226,6 +226,7 @@ variables = [
 objectives = [
     { minimise = "peak", response = "tip w", from = 15.0, to = 60.0 },
     { minimise = "mean_square", response = "tip w", from = 15.0, to = 60.0, weight = 2.0 },
+    { minimise = "energy", from = 15.0, to = 60.0 },
 ]
 limits = [ { limit = "added_mass", at_most = 1.0 } ]
 "#,
@@ -243,6 +244,7 @@ limits = [ { limit = "added_mass", at_most = 1.0 } ]
         "at most 1 kg: NOT KEPT",
         "mean square of tip w, 15..60 Hz",
         " m2 ",
+        "mean vibration energy, 15..60 Hz",
     ] {
         assert!(table.contains(part), "{part:?} in\n{table}");
     }

@@ -10,7 +10,8 @@
 //!
 //! [`modes`] finds the natural frequencies and damped modes; [`peaks`] puts points where peaks and anti-resonances need
 //! them, and lists the peaks; [`band`] tells levels in a band. [`operating()`](operating::operating) says what the whole
-//! beam does at one frequency: motions, internal forces, power. [`form`] brings a response to its six forms.
+//! beam does at one frequency: motions, internal forces, power. [`sensitivity`] has the exact derivatives of the responses,
+//! modes and peaks by every parameter. [`form`] brings a response to its six forms.
 //!
 //! Two witnesses of it share none of its formulas: [`fem`], finite elements, and [`chain`], the paper's own product.
 //! `layout` lays a model out for both, [`compare`] says how far they are from the exact responses.

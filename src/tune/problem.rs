@@ -38,8 +38,8 @@ impl Problem {
     ///
     /// # Errors
     /// All that stands in the way, with what would be accepted: there is no `[tune]`, a variable that moves nothing, a
-    /// measured curve that cannot be read or is of something else, a tolerance that reaches what is impossible, a limit
-    /// of the deflection at rest of a beam that can move freely.
+    /// measured curve that cannot be read or is of something else, a limit of the deflection at rest of a beam that can
+    /// move freely.
     pub fn new(model: &Model, folder: &Path) -> Result<Self, Vec<Fault>> {
         let Some(tune) = &model.tune else {
             let message = "is missing; must have variables and an objective";
@@ -72,7 +72,10 @@ impl Problem {
             .map(|limit| Bound::new(limit, place))
             .collect();
         let ends = aims.iter().filter_map(|aimed| aimed.figure.modes_to());
-        let problem = Self {
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        Ok(Self {
             modes_to: ends.reduce(f64::max),
             given: model.clone(),
             bounds,
@@ -80,13 +83,7 @@ impl Problem {
             coordinates,
             aims,
             bare,
-        };
-        faults.extend(problem.beyond());
-        if faults.is_empty() {
-            Ok(problem)
-        } else {
-            Err(faults)
-        }
+        })
     }
 
     /// The model as it was given.
@@ -222,26 +219,6 @@ impl Problem {
         for (index, (one, x)) in self.coordinates.iter().zip(x).enumerate() {
             one.set(model, one.value(*x) * self.factor(index, deviation));
         }
-    }
-
-    /// Tolerances that reach what is impossible from a bound.
-    fn beyond(&self) -> Vec<Fault> {
-        let mut faults = Vec::new();
-        for (index, one) in self.coordinates.iter().enumerate() {
-            let share = 0.01 * one.variable.tolerance;
-            let (min, max) = (one.variable.min, one.variable.max);
-            for value in [min - share * min.abs(), max + share * max.abs()] {
-                let mut model = self.bare.clone();
-                one.set(&mut model, value);
-                let impossible = crate::model::check(&model).into_iter().next();
-                if let Some(fault) = impossible.filter(|_| share > 0.0) {
-                    let place = format!("tune.variables.{}.tolerance", index + 1);
-                    let message = format!("reaches an impossible model: {fault}");
-                    faults.push(Fault::new(place, message));
-                }
-            }
-        }
-        faults
     }
 }
 

@@ -3,17 +3,22 @@
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
 mod closed;
+#[allow(dead_code)]
+#[path = "../common/mod.rs"]
+mod common;
 mod difference;
 mod extrema;
 mod scaling;
 
 use std::sync::atomic::AtomicBool;
 
-use beamtune::model::{BeamMotion, Model, Quantity, Target, read};
+use beamtune::model::{BeamMotion, Measure, Model, Quantity, Response, Target, path, read};
 use beamtune::solve::sensitivity::Differentiator;
 use beamtune::{presets, solve};
 use difference::{Exact, WIDE, worst};
 use num_complex::Complex64;
+use proptest::strategy::{Strategy, ValueTree};
+use proptest::test_runner::{Config, RngSeed, TestRunner};
 
 fn never() -> AtomicBool {
     AtomicBool::new(false)
@@ -54,6 +59,10 @@ fn rich(warping: bool) -> Model {
     }
     assert_eq!(beamtune::model::check(&model), []);
     model
+}
+
+fn thousand() -> Model {
+    read(include_str!("../data/thousand.toml")).unwrap()
 }
 
 /// Frequencies, Hz, with the largest error there. An effect counts from a millionth of the response on, and differences
@@ -100,6 +109,94 @@ fn every_parameter_of_a_rich_model() {
                 error < allowed,
                 "{warping} {frequency} Hz: {error:.1e} at {at}"
             );
+        }
+    }
+}
+
+/// Expected: differences of eighth order of the solver.
+#[test]
+fn every_parameter_of_random_models() {
+    let config = Config {
+        rng_seed: RngSeed::Fixed(11),
+        failure_persistence: None,
+        ..Config::default()
+    };
+    let mut runner = TestRunner::new(config);
+    let anything = (
+        common::models(),
+        common::targets(),
+        common::targets(),
+        common::frequencies(),
+    );
+    let mut tried = 0;
+    while tried < 40 {
+        let (mut model, force, response, frequency) =
+            anything.new_tree(&mut runner).unwrap().current();
+        if !common::exists(&model, &force) || !common::exists(&model, &response) {
+            continue;
+        }
+        model.forces = vec![common::unit_force(force)];
+        let named = |name: &str, quantity| Response {
+            name: name.to_owned(),
+            enabled: true,
+            quantity,
+        };
+        model.responses = vec![
+            named("motion", Quantity::Motion(response, Measure::Velocity)),
+            named("energy", Quantity::Energy),
+        ];
+        let (error, at) = worst_at(&model, frequency.max(5.0));
+        assert!(error < 1e-5, "{tried}, {frequency} Hz: {error:.1e} at {at}");
+        tried += 1;
+    }
+}
+
+/// The rows are those of the model file, each with its number.
+#[test]
+fn paths_are_those_of_the_model_in_their_order() {
+    for model in [rich(true), preset("fig05a"), thousand()] {
+        let differentiator = Differentiator::new(&model);
+        let depends = |path: &String| {
+            !path.starts_with("sweep")
+                && !path.starts_with("subsystems.off")
+                && path::number(&model, path).is_ok()
+        };
+        let expected: Vec<String> = path::all(&model).into_iter().filter(depends).collect();
+        assert_eq!(differentiator.paths(), expected);
+        for (path, value) in expected.iter().zip(differentiator.values()) {
+            assert_eq!(path::number(&model, path), Ok(*value));
+        }
+    }
+}
+
+/// Expected: layers as thick as the root of the warping constant make a response change with that root (its slope is
+/// infinite), and without torque between the ends with the constant itself, as a difference says.
+#[test]
+fn warping_that_rises_from_nothing() {
+    const PATH: &str = "beam.section.warping_constant";
+    let twisted = rich(false);
+    let mut plain = preset("symmetric_section");
+    plain.beam.section.warping_constant = 0.0;
+    for (model, infinite) in [(&twisted, true), (&plain, false)] {
+        let differentiator = Differentiator::new(model);
+        let index = differentiator
+            .paths()
+            .iter()
+            .position(|path| path == PATH)
+            .unwrap();
+        let by = differentiator.at(61.0.into())[0].by_parameter[index];
+        assert_eq!(by.is_finite(), !infinite, "{by}");
+        let change = |constant| {
+            responses(&difference::with(model, PATH, constant), 61.0)[0] - responses(model, 61.0)[0]
+        };
+        if infinite {
+            let ratio = change(1e-14) / change(1e-16);
+            assert!((ratio - 10.0).norm() < 0.05, "{ratio}");
+        } else {
+            // Nothing twists, but for what rounding of the sums says.
+            let whole = responses(model, 61.0)[0].norm();
+            assert!(by.norm() == 0.0, "{by}");
+            assert!(change(1e-10).norm() < 1e-14 * whole);
         }
     }
 }

@@ -4,7 +4,7 @@
 use beamtune::model::{BeamMotion, Measure, Model, Place, Quantity, Target};
 use beamtune::solve::sensitivity::Differentiator;
 
-use super::{preset, rich};
+use super::{preset, rich, thousand};
 
 /// The powers of a factor with which a response and the frequency go.
 struct Law {
@@ -149,6 +149,7 @@ fn without_places(mut model: Model) -> Model {
     model
 }
 
+/// Expected: nothing but rounding, which at 1 Hz is that of a beam whose waves are far longer than itself.
 #[test]
 fn every_scaling_law_holds() {
     let models = [
@@ -162,15 +163,15 @@ fn every_scaling_law_holds() {
     let models = models
         .map(preset)
         .into_iter()
-        .chain([rich(true), rich(false)]);
+        .chain([rich(true), rich(false), thousand()]);
     for model in models {
         let lengths = without_places(model.clone());
         for (frequency, allowed) in [
-            (1.0, 1e-9),
-            (37.0, 1e-11),
-            (100.0, 1e-11),
-            (333.3, 1e-11),
-            (5000.0, 1e-11),
+            (1.0, 1e-10),
+            (37.0, 1e-12),
+            (100.0, 1e-12),
+            (333.3, 1e-12),
+            (5000.0, 1e-12),
         ] {
             let none = |_: &Target| 0.0;
             let found = [

@@ -51,8 +51,8 @@ pub struct Gradient {
     /// Of an energy real.
     ///
     /// A place at an end can only move inwards, and a beam only grow beyond a place at its right end: those derivatives
-    /// are one-sided. A warping constant of 0 can only rise, and does so with an infinite slope (the value is infinite)
-    /// where a torque acts between the ends or the rate of twist is held. The rate of twist of a beam without warping
+    /// are one-sided. A warping constant of 0 can only rise, and where a torque acts between the ends or the
+    /// rate of twist is held it does so with an infinite slope: the value is not finite. The rate of twist of a beam without warping
     /// stiffness has no adjoint load: its derivatives are NaN.
     pub by_parameter: Vec<Complex64>,
 }

@@ -163,20 +163,11 @@ impl Product<'_> {
         let sum = |one: &[Complex64], other: &[Complex64]| -> Complex64 {
             one.iter().zip(other).map(|(one, other)| one * other).sum()
         };
-        let torsion = self.setting.plan.beam.torsion;
         let layers = 0.5 * sum(&lambda.jumps, &u.jumps) + sum(&lambda.held, &u.held);
-        let slope = -layers * (young / torsion).sqrt() / torsion;
-        let infinite = |part: f64| {
-            if part == 0.0 {
-                0.0
-            } else {
-                part * f64::INFINITY
-            }
-        };
-        if slope == ZERO {
+        if layers == ZERO {
             -young * self.overlap.warping
         } else {
-            Complex64::new(infinite(slope.re), infinite(slope.im))
+            Complex64::new(f64::INFINITY, f64::INFINITY)
         }
     }
 

@@ -118,7 +118,7 @@ mod tests {
             }
             let exact = (1.0 - (-2.0 * k * length).exp()) / k + 2.0 * length * (-k * length).exp();
             assert!(
-                (sum - exact).norm() < 1e-13 * exact.norm().max(1e-3),
+                (sum - exact).norm() < 5e-12 * exact.norm(),
                 "{k}: {sum} {exact}"
             );
         }

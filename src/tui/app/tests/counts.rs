@@ -94,8 +94,8 @@ fn a_typed_value_that_does_not_fit_is_refused_when_done_again() {
 #[test]
 fn a_key_without_meaning_says_where_the_keys_are() {
     let mut app = app("fig05a");
-    keys(&mut app, "$");
-    assert_eq!(message(&app), "$ has no meaning here: ? shows every key");
+    keys(&mut app, "0");
+    assert_eq!(message(&app), "0 has no meaning here: ? shows every key");
 }
 
 /// What a command can change, in words.

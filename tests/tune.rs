@@ -4,5 +4,11 @@
 
 #[path = "tune/absorber.rs"]
 mod absorber;
+#[path = "tune/kinds.rs"]
+mod kinds;
+#[path = "tune/limits.rs"]
+mod limits;
 #[path = "tune/matching.rs"]
 mod matching;
+#[path = "tune/spread.rs"]
+mod spread;

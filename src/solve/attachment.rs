@@ -18,17 +18,17 @@ use crate::model::{Spring, Subsystem};
 pub(super) const UNKNOWNS: usize = 4;
 
 /// A subsystem, with everything that does not depend on the frequency.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Attachment {
-    mass: f64,
-    inertia: f64,
-    spring_y: Spring,
-    z_left: Spring,
-    z_right: Spring,
-    mount_y: f64,
-    mount_z: f64,
-    arm_left: f64,
-    arm_right: f64,
+    pub(super) mass: f64,
+    pub(super) inertia: f64,
+    pub(super) spring_y: Spring,
+    pub(super) z_left: Spring,
+    pub(super) z_right: Spring,
+    pub(super) mount_y: f64,
+    pub(super) mount_z: f64,
+    pub(super) arm_left: f64,
+    pub(super) arm_right: f64,
     /// Loads on the mass along (y, z, theta), N and N m.
     pub(super) load: [Complex64; 3],
 }
@@ -91,11 +91,13 @@ impl Attachment {
         }
     }
 
-    fn half_difference_of_arms(&self) -> f64 {
+    /// h, m.
+    pub(super) fn half_difference_of_arms(&self) -> f64 {
         0.5 * (self.arm_right - self.arm_left)
     }
 
-    fn half_sum_of_arms(&self) -> f64 {
+    /// l, m.
+    pub(super) fn half_sum_of_arms(&self) -> f64 {
         0.5 * (self.arm_right + self.arm_left)
     }
 
@@ -159,6 +161,11 @@ impl Attachment {
             a[3][3] = omega * omega * self.inertia;
         }
         a
+    }
+
+    /// Whether theta has neither inertia nor a spring or damper, at any frequency but 0.
+    pub(super) fn is_never_turned(&self) -> bool {
+        self.is_idle(&self.stiffness(Complex64::ONE))
     }
 
     /// Whether theta has neither inertia nor spring.

@@ -10,7 +10,7 @@ use crate::model::{BeamMotion, Elastic, Restraint};
 
 /// A margin of the last system below which its answer is rounding alone: the model has no damping and is at a
 /// resonance to the last digits of the frequency.
-const RESONANT: f64 = 1e-14;
+pub(super) const RESONANT: f64 = 1e-14;
 
 /// The equation of one motion of an end: `of_a a + of_b b = load`.
 struct EndRow {

@@ -69,6 +69,9 @@ impl SpanEnergy {
     }
 }
 
+/// The least share that an energy is of the terms it is summed from.
+pub(super) const LEAST_SHARE: f64 = 1e-12;
+
 /// A sum, and the size of what was summed.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Sum {
@@ -85,7 +88,6 @@ impl Sum {
 
     /// The sum; NaN where its terms cancel to their last digits, as on a beam that is very short against its waves.
     pub(super) fn resolved(self) -> f64 {
-        const LEAST_SHARE: f64 = 1e-12;
         if self.value < LEAST_SHARE * self.terms {
             f64::NAN
         } else {

@@ -24,6 +24,8 @@ mod ends;
 mod energy;
 pub mod fem;
 pub mod form;
+mod kept;
+mod lanes;
 mod layout;
 mod linear;
 mod local;
@@ -38,4 +40,6 @@ mod springs;
 mod sweep;
 mod waves;
 
+pub use kept::Kept;
+pub use lanes::{Work, work};
 pub use sweep::{Column, ColumnKind, Frf, frequencies, sweep};

@@ -28,7 +28,7 @@ pub(super) struct Plan {
 }
 
 /// One end of the beam.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct End {
     pub(super) support: Support,
     /// Loads along the six motions, N and N m.
@@ -36,7 +36,7 @@ pub(super) struct End {
 }
 
 /// Something at a place of the beam.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Station {
     /// Distance from the left end, m.
     pub(super) position: f64,
@@ -44,7 +44,7 @@ pub(super) struct Station {
 }
 
 /// What is at a station.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) enum Event {
     /// A subsystem.
     Attachment(Box<Attachment>),
@@ -55,7 +55,7 @@ pub(super) enum Event {
 }
 
 /// Where a response is read.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Output {
     /// A motion of the beam at a station.
     Beam {
@@ -79,6 +79,14 @@ impl Plan {
     /// The span up to the right end.
     pub(super) fn last_span(&self) -> usize {
         self.spans[self.stations.len()]
+    }
+
+    /// What is read at which station, by rising station.
+    pub(super) fn reads(&self) -> Vec<(usize, Output)> {
+        let at_station = |output: &Output| output.station().map(|station| (station, *output));
+        let mut reads: Vec<_> = self.outputs.iter().filter_map(at_station).collect();
+        reads.sort_by_key(|(station, _)| *station);
+        reads
     }
 
     /// The same on a beam of a length, m, with more places to look at, m from the left end.
@@ -260,7 +268,10 @@ impl<'a> Layout<'a> {
         let outputs: Vec<Output> = self
             .outputs
             .iter()
-            .map(|output| output.renumbered(&rank))
+            .map(|output| match output.station() {
+                Some(station) => output.at_station(rank[station]),
+                None => *output,
+            })
             .collect();
         let mut stations = self.stations;
         stations.sort_by(|a, b| a.position.total_cmp(&b.position));
@@ -279,23 +290,28 @@ impl<'a> Layout<'a> {
 }
 
 impl Output {
-    fn renumbered(self, rank: &[usize]) -> Self {
+    /// The station where it is read.
+    pub(super) const fn station(self) -> Option<usize> {
+        match self {
+            Self::Beam { station, .. } | Self::Mass { station, .. } => Some(station),
+            Self::Held | Self::Energy => None,
+        }
+    }
+
+    /// The same, read at another station.
+    pub(super) const fn at_station(self, station: usize) -> Self {
         match self {
             Self::Beam {
-                station,
-                motion,
-                measure,
+                motion, measure, ..
             } => Self::Beam {
-                station: rank[station],
+                station,
                 motion,
                 measure,
             },
             Self::Mass {
-                station,
-                motion,
-                measure,
+                motion, measure, ..
             } => Self::Mass {
-                station: rank[station],
+                station,
                 motion,
                 measure,
             },

@@ -1,12 +1,13 @@
 //! Frequency responses over many frequencies, on all cores.
 
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 use num_complex::Complex64;
 use rayon::prelude::*;
 
+use super::lanes::{Prepared, Solver, WIDTH};
 use super::plan::Plan;
-use super::recursion::Workspace;
 use crate::model::{BeamMotion, MassMotion, Measure, Model, Quantity, Spacing, Sweep, Target};
 
 /// Frequency responses of a model: one column for each enabled response, one value for each frequency.
@@ -77,39 +78,55 @@ pub fn frequencies(sweep: &Sweep) -> Vec<f64> {
 ///
 /// The work is shared among all cores in chunks; `cancel` is looked at between chunks.
 pub fn sweep(model: &Model, frequencies: &[f64], cancel: &AtomicBool) -> Option<Frf> {
-    let plan = Plan::new(model);
-    over_frequencies(
-        model,
-        frequencies,
-        chunk_length(&plan),
-        cancel,
-        &|workspace: &mut Workspace, frequency, row| {
-            let omega = std::f64::consts::TAU * frequency;
-            workspace.solve(&plan, omega.into(), row);
-        },
-    )
+    let prepared = Prepared::new(Plan::new(model));
+    sweep_prepared(model, &prepared, frequencies, cancel)
 }
 
-/// Collects what `solve` writes for each frequency (Hz): one value for each enabled response, in the order of the model.
-///
-/// Each core has a workspace of its own and takes `chunk` frequencies at a time; `cancel` is looked at between chunks.
-pub(super) fn over_frequencies<W: Default>(
+/// [`sweep`] of a model that has been laid out.
+pub(super) fn sweep_prepared(
     model: &Model,
+    prepared: &Prepared,
+    frequencies: &[f64],
+    cancel: &AtomicBool,
+) -> Option<Frf> {
+    let chunk = chunk_length(&prepared.plan);
+    let solve = |solver: &mut Solver, _, frequencies: &[f64]| solver.solve(prepared, frequencies);
+    let rows = over_chunks(frequencies, chunk, cancel, &solve)?;
+    Some(collected(model, frequencies, &rows))
+}
+
+/// What `solve` makes of each chunk of frequencies (Hz); none where `cancel` became true before the
+/// end.
+///
+/// It is told the chunk and the place of its first frequency. Chunks that follow each other on a core use the same
+/// workspace.
+pub(super) fn over_chunks<W: Default + Send, T: Send>(
     frequencies: &[f64],
     chunk: usize,
     cancel: &AtomicBool,
-    solve: &(impl Fn(&mut W, f64, &mut [Complex64]) + Sync),
-) -> Option<Frf> {
+    solve: &(impl Fn(&mut W, usize, &[f64]) -> Vec<T> + Sync),
+) -> Option<Vec<Vec<T>>> {
+    let idle: Mutex<Vec<W>> = Mutex::default();
+    let lock = || idle.lock().unwrap_or_else(PoisonError::into_inner);
+    frequencies
+        .par_chunks(chunk)
+        .enumerate()
+        .map(|(index, frequencies)| {
+            if cancel.load(Ordering::Relaxed) {
+                return None;
+            }
+            let mut workspace = lock().pop().unwrap_or_default();
+            let solved = solve(&mut workspace, index * chunk, frequencies);
+            lock().push(workspace);
+            Some(solved)
+        })
+        .collect()
+}
+
+/// The responses of a model from chunks of rows of one value for each enabled response, in the order of the model.
+pub(super) fn collected(model: &Model, frequencies: &[f64], chunks: &[Vec<Complex64>]) -> Frf {
     let responses = || model.responses.iter().filter(|r| r.enabled);
     let width = responses().count();
-    let chunks: Option<Vec<Vec<Complex64>>> = frequencies
-        .par_chunks(chunk)
-        .map_init(W::default, |workspace, frequencies| {
-            (!cancel.load(Ordering::Relaxed))
-                .then(|| solve_chunk(workspace, frequencies, width, solve))
-        })
-        .collect();
-    let rows = chunks?.concat();
     let columns = responses().enumerate().map(|(index, response)| Column {
         name: response.name.clone(),
         kind: if response.quantity == Quantity::Energy {
@@ -118,34 +135,48 @@ pub(super) fn over_frequencies<W: Default>(
             ColumnKind::Complex
         },
         unit: unit(&response.quantity),
-        values: rows.iter().skip(index).step_by(width).copied().collect(),
+        values: values(chunks, index, width, frequencies.len()),
     });
-    Some(Frf {
+    Frf {
         frequencies: frequencies.to_vec(),
         columns: columns.collect(),
-    })
+    }
 }
 
-/// All responses at some frequencies, a row a frequency.
-fn solve_chunk<W>(
-    workspace: &mut W,
-    frequencies: &[f64],
-    width: usize,
-    solve: &impl Fn(&mut W, f64, &mut [Complex64]),
-) -> Vec<Complex64> {
-    let mut rows = vec![Complex64::ZERO; width * frequencies.len()];
-    if width > 0 {
-        for (&frequency, row) in frequencies.iter().zip(rows.chunks_mut(width)) {
-            solve(workspace, frequency, row);
-        }
+/// One response out of chunks of rows.
+fn values(chunks: &[Vec<Complex64>], index: usize, width: usize, count: usize) -> Vec<Complex64> {
+    let mut values = Vec::with_capacity(count);
+    for rows in chunks {
+        values.extend(rows.chunks_exact(width).map(|row| row[index]));
     }
-    rows
+    values
+}
+
+/// The responses of a model, which `solve` writes for a frequency (Hz) at a time: one value for each enabled response, in
+/// the order of the model.
+pub(super) fn one_by_one<W: Default + Send>(
+    model: &Model,
+    frequencies: &[f64],
+    cancel: &AtomicBool,
+    solve: &(impl Fn(&mut W, f64, &mut [Complex64]) + Sync),
+) -> Option<Frf> {
+    let width = model.responses.iter().filter(|r| r.enabled).count();
+    let solve = |workspace: &mut W, _, frequencies: &[f64]| {
+        let mut row = vec![Complex64::ZERO; width];
+        for &frequency in frequencies {
+            solve(workspace, frequency, &mut row);
+        }
+        row
+    };
+    let rows = over_chunks(frequencies, 1, cancel, &solve)?;
+    Some(collected(model, frequencies, &rows))
 }
 
 /// Frequencies a chunk: about a millisecond of work, so that a cancelled sweep ends soon.
-fn chunk_length(plan: &Plan) -> usize {
+pub(super) fn chunk_length(plan: &Plan) -> usize {
     const STATIONS_A_CHUNK: usize = 1000;
-    (STATIONS_A_CHUNK / (plan.stations.len() + 1)).clamp(1, 64)
+    let groups = STATIONS_A_CHUNK / (plan.stations.len() + 1) / WIDTH;
+    WIDTH * groups.clamp(1, 16)
 }
 
 /// The unit of a response's values.

@@ -16,7 +16,7 @@ pub(super) const WARPING_WAVE: usize = 0;
 const COUPLED: usize = 4;
 
 /// What the solver needs to know of a beam, as complex stiffnesses and masses per length.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct BeamConstants {
     /// E `I_y` (1 + i eta), N m2.
     pub(super) bending_w: Complex64,
@@ -30,9 +30,10 @@ pub(super) struct BeamConstants {
     pub(super) mass: f64,
     /// Polar mass moment per length rho `I_0`, kg m.
     pub(super) polar: f64,
-    coupling: f64,
+    /// rho A `z_c`, kg.
+    pub(super) coupling: f64,
     /// Radius of gyration about the shear centre, m: weighs twist against displacement.
-    radius: f64,
+    pub(super) radius: f64,
 }
 
 impl BeamConstants {

@@ -6,6 +6,7 @@ use std::sync::atomic::AtomicBool;
 
 use beamtune::model::{self, Model};
 use beamtune::tune::{Options, Problem, Tuned, run};
+use num_complex::Complex64;
 
 /// The beam's mass, kg: 7850 x 0.01 x 1.
 pub const MASS: f64 = 78.5;
@@ -90,6 +91,38 @@ pub fn tuned(model: &Model, budget: Option<usize>) -> Tuned {
 /// Natural frequency of the beam on its springs, rad/s.
 pub fn natural() -> f64 {
     (STIFFNESS / MASS).sqrt()
+}
+
+/// |w| in the middle, m, of the rigid beam with an absorber: of a mass (kg), the stiffness (N/m) and damping (N s/m) of
+/// one of its two springs, at a frequency (Hz). Closed form of two masses: Den Hartog, Mechanical Vibrations, 1956, 3.3.
+pub fn receptance(frequency: f64, mass: f64, values: [f64; 2]) -> f64 {
+    receptance_on(STIFFNESS, frequency, mass, values)
+}
+
+/// The same of a beam on other springs, N/m together.
+pub fn receptance_on(springs: f64, frequency: f64, mass: f64, values: [f64; 2]) -> f64 {
+    let [stiffness, damping] = values;
+    let omega = TAU * frequency;
+    let spring = 2.0 * Complex64::new(stiffness, damping * omega);
+    let absorber = spring - mass * omega * omega;
+    let beam = springs - MASS * omega * omega;
+    (absorber / (beam * absorber - mass * omega * omega * spring)).norm()
+}
+
+/// The mean of a squared magnitude over a band (Hz) by Simpson's rule of 60,000 steps.
+pub fn mean_square([from, to]: [f64; 2], size: impl Fn(f64) -> f64) -> f64 {
+    const STEPS: i32 = 60_000;
+    let sum: f64 = (0..=STEPS)
+        .map(|index| {
+            let weight = match index {
+                0 | STEPS => 1.0,
+                index if index % 2 == 1 => 4.0,
+                _ => 2.0,
+            };
+            weight * size(from + (to - from) * f64::from(index) / f64::from(STEPS)).powi(2)
+        })
+        .sum();
+    sum / f64::from(3 * STEPS)
 }
 
 /// Literature and high-precision solution: the minimax optimum of the damped absorber at mu = 0.05 is the tuning ratio

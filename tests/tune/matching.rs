@@ -4,7 +4,9 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
-use beamtune::model::{self, Aim, Combine, Compare, Hold, Model, Objective, Tune, Variable, path};
+use beamtune::model::{
+    self, Aim, Combine, Compare, Fault, Hold, Model, Objective, Tune, Variable, path,
+};
 use beamtune::presets;
 use beamtune::solve::sweep;
 use beamtune::tune::{Options, Problem, Tuned, run};
@@ -109,21 +111,22 @@ fn without_noise_the_parameters_come_back() {
     }
 }
 
-/// Expected: the same within their uncertainty. Over many seeds an error over its standard uncertainty has a root mean
-/// square of 1; of 3 parameters and 6 seeds it lies between 0.5 and 1.6 but for one time in a thousand (chi-square).
+/// Expected: the same within three of their standard uncertainties. Over many seeds an error over its standard
+/// uncertainty has a root mean square of 1; of 3 parameters and 10 seeds it lies between 0.6 and 1.45 but for one time in
+/// a thousand (chi-square).
 #[test]
 fn with_noise_they_come_back_within_their_uncertainty() {
     let folder = tempfile::tempdir().unwrap();
     for compare in Compare::ALL {
         let mut squares = 0.0;
-        for seed in 1..=6 {
+        for seed in 1..=10 {
             measure(folder.path(), 0.01, compare, seed);
             let tuned = updated(folder.path(), compare);
             for (found, factor) in tuned.variables.iter().zip(FACTORS) {
                 let uncertainty = found.uncertainty.unwrap();
                 let error = (found.after - factor * found.before) / uncertainty;
                 assert!(
-                    error.abs() < 4.0,
+                    error.abs() < 3.0,
                     "{compare:?} {seed} {:?}: {error}",
                     found.paths
                 );
@@ -132,19 +135,48 @@ fn with_noise_they_come_back_within_their_uncertainty() {
                 squares += error * error;
             }
         }
-        let mean = (squares / 18.0).sqrt();
-        assert!((0.5..1.6).contains(&mean), "{compare:?}: {mean}");
+        let mean = (squares / 30.0).sqrt();
+        assert!((0.6..1.45).contains(&mean), "{compare:?}: {mean}");
     }
 }
 
+/// What stands in the way where the curve is sought in a folder.
+fn refused(folder: &Path, tune: Option<&Tune>) -> Vec<Fault> {
+    let mut model = cantilever();
+    model.tune = tune.cloned();
+    Problem::new(&model, folder).unwrap_err()
+}
+
+/// Expected: one fault that names the file, and the curves it has where another is asked for.
 #[test]
-fn a_curve_that_is_not_there_is_named() {
+fn a_curve_that_cannot_be_read_is_named() {
     let folder = tempfile::tempdir().unwrap();
     measure(folder.path(), 0.0, Compare::Complex, 1);
-    let mut model = cantilever();
-    let tuned = updated(folder.path(), Compare::Complex);
-    model.tune = tuned.model.tune;
+    let mut tune = updated(folder.path(), Compare::Complex).model.tune;
     let elsewhere = tempfile::tempdir().unwrap();
-    let faults = Problem::new(&model, elsewhere.path()).unwrap_err();
-    assert!(faults[0].path.contains("measured.csv"), "{:?}", faults[0]);
+    let file = elsewhere.path().join("measured.csv");
+    let contents = [
+        None,
+        Some(""),
+        Some("no curve at all\n"),
+        Some("frequency_hz,tip w.re,tip w.im\n10.0,1.0\n"),
+        // Nothing in the band.
+        Some("frequency_hz,tip w.re,tip w.im\n200.0,1.0,0.0\n201.0,1.0,0.0\n"),
+    ];
+    for text in contents {
+        if let Some(text) = text {
+            std::fs::write(&file, text).unwrap();
+        }
+        let faults = refused(elsewhere.path(), tune.as_ref());
+        assert_eq!(faults.len(), 1, "{text:?}: {faults:?}");
+        assert!(faults[0].path.contains("measured.csv"), "{faults:?}");
+    }
+    for objective in tune.iter_mut().flat_map(|tune| &mut tune.objectives) {
+        if let Aim::Match { curve, .. } = &mut objective.aim {
+            *curve = Some("root w".to_owned());
+        }
+    }
+    let faults = refused(folder.path(), tune.as_ref());
+    assert!(faults[0].path.contains("measured.csv"), "{faults:?}");
+    assert!(faults[0].message.contains("tip w"), "{faults:?}");
 }

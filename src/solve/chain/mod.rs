@@ -23,7 +23,7 @@ use num_complex::Complex64;
 use self::shapes::{Matrix, Shapes};
 use self::springs::EffectiveSprings;
 use super::layout::{Layout, Reading, derivative};
-use super::sweep::{Frf, over_frequencies};
+use super::sweep::{Frf, one_by_one};
 use crate::model::{BeamMotion, Model};
 
 /// Twelve integration constants, or what stands beside twelve equations.
@@ -78,10 +78,9 @@ pub fn sweep(
         return Err(NotApplicable::NoWarping);
     }
     let chain = Chain::new(model);
-    Ok(over_frequencies(
+    Ok(one_by_one(
         model,
         frequencies,
-        1,
         cancel,
         &|(): &mut (), frequency, row| chain.solve(frequency, row),
     ))

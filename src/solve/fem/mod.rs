@@ -27,7 +27,7 @@ use std::sync::atomic::AtomicBool;
 use self::assembly::System;
 use self::solution::Workspace;
 use super::layout::Layout;
-use super::sweep::{Frf, over_frequencies};
+use super::sweep::{Frf, one_by_one};
 use crate::model::Model;
 
 /// Elements a length of 2 pi / kappa of the shortest wave, travelling or decaying, at the top of the sweep.
@@ -80,10 +80,9 @@ impl<'a> FiniteElements<'a> {
     /// they are not finite.
     pub fn sweep(&self, frequencies: &[f64], cancel: &AtomicBool) -> Option<Frf> {
         let system = System::new(&self.layout, &self.divisions);
-        over_frequencies(
+        one_by_one(
             self.layout.model,
             frequencies,
-            1,
             cancel,
             &|work: &mut Workspace, frequency, row| system.solve(work, frequency, row),
         )

@@ -1,0 +1,249 @@
+//! What the kernel of sweeps costs: run with `cargo bench --bench kernel`.
+//!
+//! Side by side in one run, each the shortest of several times: the processor's peak of independent multiplications that
+//! add, and how near the kernel comes to it; how the time grows with the number of subsystems; what an edit of each kind
+//! costs beside a model with one subsystem, and what is kept for it; what the processor's vectors buy.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
+
+use std::hint::black_box;
+use std::sync::atomic::AtomicBool;
+use std::time::Instant;
+
+use beamtune::model::{
+    BeamMotion, Model, Place, Quantity, Restraint, Spacing, Sweep, Target, read,
+};
+use beamtune::presets;
+use beamtune::solve::{Kept, frequencies, sweep, work};
+
+static NEVER: AtomicBool = AtomicBool::new(false);
+
+/// Numbers in a vector of 256 bits.
+const WIDTH: usize = 4;
+
+/// Chains of multiplications that do not wait for each other.
+const CHAINS: usize = 12;
+
+fn main() {
+    let alone = rayon::ThreadPoolBuilder::new()
+        .num_threads(1)
+        .build()
+        .unwrap();
+    alone.install(|| {
+        against_the_peak();
+        growth();
+        edits();
+    });
+}
+
+/// The shortest of some times, s.
+fn shortest<T>(times: usize, mut run: impl FnMut() -> T) -> f64 {
+    let once = |_| {
+        let start = Instant::now();
+        black_box(run());
+        start.elapsed().as_secs_f64()
+    };
+    (0..times).map(once).fold(f64::INFINITY, f64::min)
+}
+
+/// The model of a preset.
+fn preset(name: &str) -> Model {
+    read(presets::find(name).unwrap().text).unwrap()
+}
+
+/// `fig05a` with `count` of its subsystems evenly along the beam, each as light as keeps the total.
+fn with_subsystems(count: usize) -> Model {
+    let mut model = preset("fig05a");
+    let pattern = model.subsystems[0].clone();
+    model.subsystems = (1..=count)
+        .map(|index| {
+            let mut subsystem = pattern.clone();
+            subsystem.name = format!("S{index}");
+            subsystem.position = model.beam.length * index as f64 / (count + 1) as f64;
+            subsystem.mass *= 3.0 / count as f64;
+            subsystem.inertia *= 3.0 / count as f64;
+            subsystem
+        })
+        .collect();
+    model
+}
+
+/// From 1 to 400 Hz.
+fn grid(points: usize) -> Vec<f64> {
+    frequencies(&Sweep {
+        from: 1.0,
+        to: 400.0,
+        points,
+        spacing: Spacing::Linear,
+    })
+}
+
+/// The kernel's multiplications and additions a second, and the processor's.
+fn against_the_peak() {
+    println!("One core. Operations are multiplications that add, multiplications or additions.");
+    println!(
+        "{:18} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8}",
+        "", "us", "operat.", "divisions", "1e9/s", "peak", "ratio"
+    );
+    for (name, model, points) in [
+        ("fig05a", preset("fig05a"), 2000),
+        ("fig13, with E_V", preset("fig13"), 2000),
+        ("1 subsystem", with_subsystems(1), 2000),
+        ("100 subsystems", with_subsystems(100), 800),
+        ("1,000 subsystems", with_subsystems(1000), 200),
+    ] {
+        let all = grid(points);
+        let cost = work(&model, &all);
+        // Side by side, for clocks drift.
+        let (mut peak, mut time): (f64, f64) = (0.0, f64::INFINITY);
+        for _ in 0..5 {
+            peak = peak.max(peak_of_multiply_adds());
+            time = time.min(shortest(4, || sweep(&model, &all, &NEVER)) / points as f64);
+        }
+        let rate = cost.multiply_adds / time;
+        println!(
+            "{name:18} {:9.3} {:9.0} {:9.0} {:9.2} {:8.2} {:8.2}",
+            time * 1e6,
+            cost.multiply_adds,
+            cost.divisions,
+            rate * 1e-9,
+            peak * 1e-9,
+            peak / rate
+        );
+    }
+}
+
+/// Multiplications that add a second, of many chains that do not wait for each other.
+fn peak_of_multiply_adds() -> f64 {
+    const ROUNDS: usize = 500_000;
+    let time = shortest(3, || chains(ROUNDS));
+    (ROUNDS * CHAINS * WIDTH) as f64 / time
+}
+
+#[cfg(target_arch = "x86_64")]
+#[allow(
+    unsafe_code,
+    reason = "the processor's own instructions are what is measured"
+)]
+fn chains(rounds: usize) -> f64 {
+    #[target_feature(enable = "avx2,fma")]
+    fn fused(rounds: usize) -> f64 {
+        chains_of(rounds, f64::mul_add)
+    }
+    if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
+        // SAFETY: the processor has both.
+        return unsafe { fused(rounds) };
+    }
+    chains_of(rounds, |a, b, c| a * b + c)
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+fn chains(rounds: usize) -> f64 {
+    chains_of(rounds, f64::mul_add)
+}
+
+#[inline(always)]
+#[allow(
+    clippy::inline_always,
+    reason = "to get the instructions of its caller"
+)]
+fn chains_of(rounds: usize, multiply_add: impl Fn(f64, f64, f64) -> f64) -> f64 {
+    let mut chains = [[1.0; WIDTH]; CHAINS];
+    let (by, plus) = (black_box([0.999_999; WIDTH]), black_box([1e-6; WIDTH]));
+    for _ in 0..rounds {
+        for chain in &mut chains {
+            for lane in 0..WIDTH {
+                chain[lane] = multiply_add(chain[lane], by[lane], plus[lane]);
+            }
+        }
+    }
+    chains.as_flattened().iter().sum()
+}
+
+/// Time by the number of subsystems.
+fn growth() {
+    let all = grid(200);
+    let [hundred, thousand] = [100, 1000].map(with_subsystems);
+    let (mut one, mut ten) = (f64::INFINITY, f64::INFINITY);
+    for _ in 0..8 {
+        one = one.min(shortest(4, || sweep(&hundred, &all, &NEVER)));
+        ten = ten.min(shortest(1, || sweep(&thousand, &all, &NEVER)));
+    }
+    println!(
+        "\n1,000 subsystems take {:.2} times as long as 100",
+        ten / one
+    );
+}
+
+type Edit = fn(&mut Model);
+
+/// An edit of each kind, in the middle of the beam or at one of its ends.
+const EDITS: [(&str, Edit); 8] = [
+    ("mass of a subsystem", |m| m.subsystems[499].mass *= 1.01),
+    ("its spring", |m| m.subsystems[499].z_left.stiffness *= 1.01),
+    ("its place", |m| m.subsystems[499].position += 1e-4),
+    ("force", |m| m.forces[0].amplitude *= 1.01),
+    ("place of a probe", move_probe),
+    ("left support", |m| stiffen(m, true)),
+    ("right support", |m| stiffen(m, false)),
+    ("length", |m| m.beam.length += 1e-4),
+];
+
+fn move_probe(model: &mut Model) {
+    for response in &mut model.responses {
+        if let Quantity::Motion(Target::Beam(Place::Position(x), _), _) = &mut response.quantity
+            && (*x - 1.2).abs() < 0.1
+        {
+            *x += 1e-4;
+        }
+    }
+}
+
+fn stiffen(model: &mut Model, left: bool) {
+    let supports = &mut model.supports;
+    let end = if left {
+        &mut supports.left
+    } else {
+        &mut supports.right
+    };
+    if let Restraint::Elastic(elastic) = &mut end[BeamMotion::W] {
+        elastic.stiffness *= 1.01;
+    }
+}
+
+/// Edits of one thing among 1,000 subsystems beside a model with one.
+fn edits() {
+    let all = grid(2000);
+    let (one, thousand) = (with_subsystems(1), with_subsystems(1000));
+    let afresh = shortest(2, || sweep(&thousand, &all, &NEVER));
+    println!(
+        "\n1,000 subsystems, 2,000 frequencies, 12 responses: {:.0} ms afresh",
+        afresh * 1e3
+    );
+    println!(
+        "{:20} {:>9} {:>9} {:>12} {:>8} {:>12}",
+        "edited", "first ms", "next ms", "one subs. ms", "ratio", "kept bytes"
+    );
+    for (name, edit) in EDITS {
+        let (mut model, mut kept) = (thousand.clone(), Kept::default());
+        kept.sweep(&model, &all, &NEVER);
+        let mut next = || {
+            edit(&mut model);
+            shortest(1, || kept.sweep(&model, &all, &NEVER))
+        };
+        let first = next();
+        let (mut later, mut single) = (f64::INFINITY, f64::INFINITY);
+        for _ in 0..10 {
+            later = later.min(next());
+            single = single.min(shortest(1, || sweep(&one, &all, &NEVER)));
+        }
+        println!(
+            "{name:20} {:9.1} {:9.3} {:12.3} {:8.2} {:12}",
+            first * 1e3,
+            later * 1e3,
+            single * 1e3,
+            later / single,
+            kept.bytes()
+        );
+    }
+}

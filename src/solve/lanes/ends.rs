@@ -1,0 +1,280 @@
+//! The two ends of the beam at several frequencies at once: their supports and loads as equations of the waves.
+
+use num_complex::Complex64;
+
+use super::complex::{Complex, Matrix};
+use super::linear::{solve, solve_with_margin};
+use super::number::{Arithmetic, Real, part};
+use super::reflection::{Amplitudes, Reflection, Side, entry, reach};
+use super::waves::Waves;
+use crate::model::{BeamMotion, Restraint};
+use crate::solve::ends::RESONANT;
+use crate::solve::plan::End;
+
+/// The motions of an end: first those that the coupled waves carry, then those of the other two.
+const MOTIONS: [BeamMotion; 6] = [
+    BeamMotion::W,
+    BeamMotion::Psi,
+    BeamMotion::WSlope,
+    BeamMotion::PsiSlope,
+    BeamMotion::V,
+    BeamMotion::VSlope,
+];
+
+/// The equation of one motion of an end for the waves that leave it and those that arrive at it.
+#[derive(Debug, Clone)]
+struct EndRow<A> {
+    of_leaving: Amplitudes<A>,
+    of_arriving: Amplitudes<A>,
+    load: Complex<A>,
+}
+
+impl<A: Arithmetic> EndRow<A> {
+    /// K q - p = F at the left end. At the right end p has the other sign; there the waves that leave go left, so that
+    /// forces and slopes change theirs too, and the equation is the same but for the load of a slope.
+    fn new(waves: &Waves<A>, end: &End, motion: BeamMotion, side: Side) -> Self {
+        A::outlined(NewRow((waves, end, motion, side)))
+    }
+
+    #[inline(always)]
+    fn new_inlined((waves, end, motion, side): (&Waves<A>, &End, BeamMotion, Side)) -> Self {
+        let row = motion as usize % 3;
+        let is_slope = motion as usize >= 3;
+        let (stiffness, acts, load) = restraint(waves.omega, end, motion);
+        let mut equation = Self {
+            of_leaving: [Complex::ZERO; 6],
+            of_arriving: [Complex::ZERO; 6],
+            load: Complex::splat(if is_slope && side == Side::Right {
+                -load
+            } else {
+                load
+            }),
+        };
+        let (from, to) = reach(row);
+        let mut largest = Real::ZERO;
+        for wave in from..to {
+            let (leaving, arriving) = if is_slope {
+                let moved = stiffness * waves.slope[row][wave];
+                let acted = waves.moment[row][wave].scaled(acts);
+                (-(moved + acted), moved - acted)
+            } else {
+                let moved = stiffness * waves.displacement[row][wave];
+                let acted = waves.force[row][wave].scaled(acts);
+                (moved - acted, moved + acted)
+            };
+            equation.of_leaving[wave] = leaving;
+            equation.of_arriving[wave] = arriving;
+            largest = largest.max(leaving.size());
+        }
+        equation.scale(largest.inverse_power_of_two(), from, to);
+        equation
+    }
+
+    /// So that rows in different units compare.
+    #[inline(always)]
+    fn scale(&mut self, by: Real<A>, from: usize, to: usize) {
+        for wave in from..to {
+            self.of_leaving[wave] = self.of_leaving[wave].scaled(by);
+            self.of_arriving[wave] = self.of_arriving[wave].scaled(by);
+        }
+        self.load = self.load.scaled(by);
+    }
+}
+
+/// The dynamic stiffness that a motion of an end meets, 1 or 0 before the internal force, and the load.
+#[inline(always)]
+fn restraint<A: Arithmetic>(
+    omega: Real<A>,
+    end: &End,
+    motion: BeamMotion,
+) -> (Complex<A>, Real<A>, Complex64) {
+    let load = end.load[motion as usize];
+    match end.support[motion] {
+        // A fixed motion is zero whatever acts along it.
+        Restraint::Fixed => (Complex::ONE, Real::ZERO, Complex64::ZERO),
+        Restraint::Free => (Complex::ZERO, Real::ONE, load),
+        Restraint::Elastic(elastic) => {
+            let inertia = omega * omega * Real::splat(elastic.inertia);
+            let stiffness = Complex {
+                re: Real::splat(elastic.stiffness) - inertia,
+                im: omega * Real::splat(elastic.damping),
+            };
+            (stiffness, Real::ONE, load)
+        }
+    }
+}
+
+/// The reflection of an end, for who looks at it.
+pub(super) fn reflection<A: Arithmetic>(waves: &Waves<A>, end: &End, side: Side) -> Reflection<A> {
+    A::outlined(Reflect((waves, end, side)))
+}
+
+#[inline(always)]
+fn reflection_inlined<A: Arithmetic>((waves, end, side): (&Waves<A>, &End, Side)) -> Reflection<A> {
+    let mut out = Reflection::NONE;
+    reflect::<A, 4, 5>(waves, end, side, 0, &mut out);
+    reflect::<A, 2, 3>(waves, end, side, 4, &mut out);
+    out
+}
+
+/// The block of `N` waves from `first` on; `R` is `N` + 1.
+#[inline(always)]
+fn reflect<A: Arithmetic, const N: usize, const R: usize>(
+    waves: &Waves<A>,
+    end: &End,
+    side: Side,
+    first: usize,
+    out: &mut Reflection<A>,
+) {
+    let mut of_leaving = [[Complex::ZERO; N]; N];
+    let mut right = [[Complex::ZERO; R]; N];
+    for row in 0..N {
+        let equation = EndRow::new(waves, end, MOTIONS[first + row], side);
+        for column in 0..N {
+            let wave = first + column;
+            of_leaving[row][column] = equation.of_leaving[wave];
+            right[row][column] = -(equation.of_arriving[wave] * waves.radiation[wave]);
+        }
+        right[row][N] = equation.load;
+    }
+    solve(&mut of_leaving, &mut right);
+    for row in 0..N {
+        for column in row..N {
+            // Symmetric but for rounding, of which the mean has less.
+            let mean = (right[row][column] + right[column][row]).scaled(Real::splat(0.5));
+            out.r[entry(first + row, first + column)] = mean;
+        }
+        out.s[first + row] = right[row][N];
+    }
+}
+
+/// b' at the right end, from what lies left of it; not finite at an undamped resonance.
+pub(super) fn right_end<A: Arithmetic>(
+    waves: &Waves<A>,
+    end: &End,
+    at: &Reflection<A>,
+) -> Amplitudes<A> {
+    A::outlined(RightEnd((waves, end, at)))
+}
+
+#[inline(always)]
+fn right_end_inlined<A: Arithmetic>(
+    (waves, end, at): (&Waves<A>, &End, &Reflection<A>),
+) -> Amplitudes<A> {
+    let mut of_b = [[Complex::ZERO; 6]; 6];
+    let mut right = [[Complex::ZERO; 1]; 6];
+    let mut terms = [Real::ZERO; 6];
+    let mut sizes = [Real::ZERO; super::reflection::ENTRIES];
+    for (size, r) in sizes.iter_mut().zip(&at.r) {
+        *size = r.size();
+    }
+    for row in 0..6 {
+        let equation = EndRow::new(waves, end, MOTIONS[row], Side::Right);
+        let (from, to) = reach(MOTIONS[row] as usize % 3);
+        right[row][0] = equation.load;
+        for wave in from..to {
+            right[row][0] = right[row][0].minus_product(equation.of_arriving[wave], at.s[wave]);
+        }
+        for column in 0..6 {
+            let mut sum = if column >= from && column < to {
+                equation.of_leaving[column] * waves.radiation[column]
+            } else {
+                Complex::ZERO
+            };
+            let mut size = sum.size();
+            for wave in from..to {
+                let arriving = equation.of_arriving[wave];
+                sum = sum.plus_product(arriving, at.r[entry(wave, column)]);
+                size = arriving
+                    .size()
+                    .multiply_add(sizes[entry(wave, column)], size);
+            }
+            of_b[row][column] = sum;
+            terms[column] = terms[column].max(size);
+        }
+    }
+    finite_where_resolved(&mut of_b, &mut right, &terms)
+}
+
+/// b' where what lies left of a point and what lies right of it meet; not finite at an undamped resonance.
+pub(super) fn join<A: Arithmetic>(
+    waves: &Waves<A>,
+    left: &Reflection<A>,
+    right: &Reflection<A>,
+) -> Amplitudes<A> {
+    A::outlined(Join((waves, left, right)))
+}
+
+#[inline(always)]
+fn join_inlined<A: Arithmetic>(
+    (waves, left, right): (&Waves<A>, &Reflection<A>, &Reflection<A>),
+) -> Amplitudes<A> {
+    let mut of_b = [[Complex::ZERO; 6]; 6];
+    let mut load = [[Complex::ZERO; 1]; 6];
+    let mut terms = [Real::ZERO; 6];
+    for row in 0..6 {
+        // R N N^-1: back to the waves themselves.
+        let mut back = [Complex::ZERO; 6];
+        load[row][0] = right.s[row];
+        for wave in 0..6 {
+            back[wave] = right.r[entry(row, wave)] * waves.weight[wave];
+            load[row][0] = load[row][0].plus_product(back[wave], left.s[wave]);
+        }
+        for column in 0..6 {
+            let mut sum = if row == column {
+                waves.radiation[row]
+            } else {
+                Complex::ZERO
+            };
+            let mut size = sum.size();
+            for wave in 0..6 {
+                let other = left.r[entry(wave, column)];
+                sum = sum.minus_product(back[wave], other);
+                size = back[wave].size().multiply_add(other.size(), size);
+            }
+            of_b[row][column] = sum;
+            terms[column] = terms[column].max(size);
+        }
+    }
+    finite_where_resolved(&mut of_b, &mut load, &terms)
+}
+
+/// The solution; infinite where it would be rounding alone.
+#[inline(always)]
+fn finite_where_resolved<A: Arithmetic>(
+    of_b: &mut Matrix<A, 6, 6>,
+    right: &mut Matrix<A, 6, 1>,
+    terms: &[Real<A>; 6],
+) -> Amplitudes<A> {
+    let margin = solve_with_margin(of_b, right, terms);
+    let infinite = Complex::from_real(Real::splat(f64::INFINITY));
+    let mut out = [Complex::ZERO; 6];
+    for wave in 0..6 {
+        out[wave] = Complex::where_less(margin, Real::splat(RESONANT), infinite, right[wave][0]);
+    }
+    out
+}
+
+part!(
+    Reflect ['a, A: Arithmetic] ['a, A]
+    (&'a Waves<A>, &'a End, Side) -> Reflection<A>,
+    reflection_inlined
+);
+
+part!(
+    NewRow ['a, A: Arithmetic] ['a, A]
+    (&'a Waves<A>, &'a End, BeamMotion, Side) -> EndRow<A>,
+    EndRow::new_inlined
+);
+
+part!(
+    RightEnd ['a, A: Arithmetic] ['a, A]
+    (&'a Waves<A>, &'a End, &'a Reflection<A>) -> Amplitudes<A>,
+    right_end_inlined
+);
+
+part!(
+    Join ['a, A: Arithmetic] ['a, A]
+    (&'a Waves<A>, &'a Reflection<A>, &'a Reflection<A>) -> Amplitudes<A>,
+    join_inlined
+);

@@ -1,0 +1,135 @@
+//! Small dense systems at several frequencies at once: elimination with partial pivoting, each frequency for itself.
+
+use super::complex::{Complex, Matrix};
+use super::number::{Arithmetic, Real, part};
+
+/// Solves `a x = b` in place of `b`. The rows come scaled so that they compare. A singular `a` gives values that are
+/// not finite.
+pub(super) fn solve<A: Arithmetic, const N: usize, const R: usize>(
+    a: &mut Matrix<A, N, N>,
+    b: &mut Matrix<A, N, R>,
+) {
+    A::outlined(Solve((a, b)));
+}
+
+#[inline(always)]
+fn solve_inlined<A: Arithmetic, const N: usize, const R: usize>(
+    (a, b): (&mut Matrix<A, N, N>, &mut Matrix<A, N, R>),
+) {
+    for column in 0..N {
+        bring_up_pivot(a, b, column);
+        eliminate(a, b, column);
+    }
+    back_substitute(a, b);
+}
+
+/// [`solve`], and how far `a` is from singular: the least share that a pivot is of `terms`, the largest sizes that were
+/// summed to an entry of each column.
+pub(super) fn solve_with_margin<A: Arithmetic, const N: usize, const R: usize>(
+    a: &mut Matrix<A, N, N>,
+    b: &mut Matrix<A, N, R>,
+    terms: &[Real<A>; N],
+) -> Real<A> {
+    A::outlined(SolveWithMargin((a, b, terms)))
+}
+
+#[inline(always)]
+fn solve_with_margin_inlined<A: Arithmetic, const N: usize, const R: usize>(
+    (a, b, terms): (&mut Matrix<A, N, N>, &mut Matrix<A, N, R>, &[Real<A>; N]),
+) -> Real<A> {
+    let mut margin = Real::splat(f64::INFINITY);
+    for column in 0..N {
+        bring_up_pivot(a, b, column);
+        let share = a[column][column].size() / terms[column];
+        margin = share.where_less(margin, share, margin);
+        eliminate(a, b, column);
+    }
+    back_substitute(a, b);
+    margin
+}
+
+/// Brings the row with the largest entry of a column up to the diagonal, at each frequency the one that is largest there.
+#[inline(always)]
+fn bring_up_pivot<A: Arithmetic, const N: usize, const R: usize>(
+    a: &mut Matrix<A, N, N>,
+    b: &mut Matrix<A, N, R>,
+    column: usize,
+) {
+    let mut largest = a[column][column].size();
+    for row in column + 1..N {
+        let size = a[row][column].size();
+        // Seldom: the order of the rows suits most systems.
+        if largest.is_less_somewhere(size) {
+            for k in column..N {
+                exchange(largest, size, a, (column, row), k);
+            }
+            for k in 0..R {
+                exchange(largest, size, b, (column, row), k);
+            }
+            largest = largest.max(size);
+        }
+    }
+}
+
+/// Exchanges the entries of two rows in a column where `a` is less than `b`.
+#[inline(always)]
+fn exchange<A: Arithmetic, const N: usize, const C: usize>(
+    a: Real<A>,
+    b: Real<A>,
+    matrix: &mut Matrix<A, N, C>,
+    (one, other): (usize, usize),
+    column: usize,
+) {
+    let (x, y) = (matrix[one][column], matrix[other][column]);
+    matrix[one][column] = Complex::where_less(a, b, y, x);
+    matrix[other][column] = Complex::where_less(a, b, x, y);
+}
+
+/// Subtracts the pivot row of a column from the rows below it; leaves the inverse of the pivot in its place.
+#[inline(always)]
+fn eliminate<A: Arithmetic, const N: usize, const R: usize>(
+    a: &mut Matrix<A, N, N>,
+    b: &mut Matrix<A, N, R>,
+    column: usize,
+) {
+    let inverse = a[column][column].inverse();
+    a[column][column] = inverse;
+    for row in column + 1..N {
+        let factor = a[row][column] * inverse;
+        for k in column + 1..N {
+            a[row][k] = a[row][k].minus_product(factor, a[column][k]);
+        }
+        for k in 0..R {
+            b[row][k] = b[row][k].minus_product(factor, b[column][k]);
+        }
+    }
+}
+
+/// Solves the upper triangle of `a`, whose diagonal holds inverses, in place of `b`.
+#[inline(always)]
+fn back_substitute<A: Arithmetic, const N: usize, const R: usize>(
+    a: &Matrix<A, N, N>,
+    b: &mut Matrix<A, N, R>,
+) {
+    for row in (0..N).rev() {
+        for k in 0..R {
+            let mut sum = b[row][k];
+            for column in row + 1..N {
+                sum = sum.minus_product(a[row][column], b[column][k]);
+            }
+            b[row][k] = sum * a[row][row];
+        }
+    }
+}
+
+part!(
+    Solve ['a, A: Arithmetic, const N: usize, const R: usize] ['a, A, N, R]
+    (&'a mut Matrix<A, N, N>, &'a mut Matrix<A, N, R>) -> (),
+    solve_inlined
+);
+
+part!(
+    SolveWithMargin ['a, A: Arithmetic, const N: usize, const R: usize] ['a, A, N, R]
+    (&'a mut Matrix<A, N, N>, &'a mut Matrix<A, N, R>, &'a [Real<A>; N]) -> Real<A>,
+    solve_with_margin_inlined
+);

@@ -1,0 +1,41 @@
+//! The solver of sweeps: the recursion of [`super::recursion`] at four frequencies at once.
+//!
+//! A number here is four numbers, those of four frequencies side by side ([`number`], [`complex`]): each line of the
+//! kernel works on all four with one instruction where the processor has vectors of 256 bits, and takes the same
+//! decisions for each as if it were alone. `waves`, `ends`, `station`, `reflection` and `recursion` have the names of
+//! their plain counterparts in [`super`], which solve one complex frequency and are what these are held against.
+//! `dispatch` looks what the processor can do when the program runs.
+//!
+//! What makes it less work than the plain one, apart from the vectors: frequencies are real; reflections are symmetric;
+//! nothing is solved for what a load radiates; a subsystem is solved for its three stretches instead of six waves; what
+//! nobody reads is not kept.
+
+#![allow(
+    clippy::inline_always,
+    reason = "only what is inlined gets the instructions of its caller"
+)]
+
+mod complex;
+mod count;
+mod dispatch;
+mod elementary;
+mod ends;
+mod energy;
+mod linear;
+mod number;
+mod read;
+mod recursion;
+mod reflection;
+mod sides;
+mod station;
+mod waves;
+
+pub use count::{Work, work};
+pub(super) use dispatch::KeptSides;
+pub(super) use dispatch::Solver;
+pub(super) use number::WIDTH;
+pub(super) use recursion::Prepared;
+pub(super) use sides::{Between, Source};
+
+#[cfg(test)]
+mod tests;

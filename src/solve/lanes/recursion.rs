@@ -1,0 +1,339 @@
+//! The responses of a plan at several frequencies at once: reflections to the right end, amplitudes back.
+
+use std::ops::Range;
+
+use super::complex::Complex;
+use super::elementary::decay;
+use super::ends::{reflection, right_end};
+use super::energy::{Form, Sum, weights};
+use super::number::{Arithmetic, Real, part};
+use super::read::{Part, State};
+use super::reflection::{Amplitudes, Jumps, Reflection, Side};
+use super::station::{Forces, Turn, sent, stretches};
+use super::waves::{Constants, Waves};
+use crate::solve::plan::{Event, Output, Plan};
+
+/// A plan, with what its waves need that does not depend on the frequency.
+#[derive(Debug)]
+pub(in crate::solve) struct Prepared {
+    pub(in crate::solve) plan: Plan,
+    pub(super) constants: Constants,
+    /// For each station the number of those before it where a response is read, if one is read there.
+    pub(super) reads: Vec<Option<usize>>,
+    /// Stations where a response is read.
+    read: usize,
+}
+
+impl Prepared {
+    pub(in crate::solve) fn new(plan: Plan) -> Self {
+        let mut is_read = vec![false; plan.stations.len()];
+        for output in &plan.outputs {
+            if let Output::Beam { station, .. } | Output::Mass { station, .. } = output {
+                is_read[*station] = true;
+            }
+        }
+        let mut read = 0;
+        let number = |is_read: bool| {
+            read += usize::from(is_read);
+            is_read.then_some(read.wrapping_sub(1))
+        };
+        let reads = is_read.into_iter().map(number).collect();
+        Self {
+            constants: Constants::new(&plan.beam),
+            plan,
+            reads,
+            read,
+        }
+    }
+}
+
+/// Room for a few frequencies; reused, so that a sweep does not allocate.
+#[derive(Debug)]
+pub(super) struct Room<A> {
+    /// exp(-kappa l) of each distinct span.
+    pub(super) decays: Vec<Amplitudes<A>>,
+    /// The energy of each distinct span, where it is wanted.
+    forms: Vec<Form<A>>,
+    /// The forces at each station, where an attachment is.
+    pub(super) forces: Vec<Forces<A>>,
+    /// What lies left of each station where something is read; of every one where the energy is wanted.
+    pub(super) lefts: Vec<Reflection<A>>,
+    /// Theta at each station where something is read, where an attachment is.
+    pub(super) turns: Vec<Turn<A>>,
+    /// What was found at each station where something is read.
+    pub(super) states: Vec<State<A>>,
+}
+
+impl<A> Default for Room<A> {
+    fn default() -> Self {
+        Self {
+            decays: Vec::new(),
+            forms: Vec::new(),
+            forces: Vec::new(),
+            lefts: Vec::new(),
+            turns: Vec::new(),
+            states: Vec::new(),
+        }
+    }
+}
+
+impl<A: Arithmetic> Room<A> {
+    /// Writes the response of every output at the angular frequencies `omega`, rad/s.
+    #[inline(always)]
+    pub(super) fn solve(&mut self, prepared: &Prepared, omega: Real<A>, out: &mut [Complex<A>]) {
+        let plan = &prepared.plan;
+        let mut waves = Waves::NONE;
+        waves.set(&prepared.constants, omega);
+        self.make_room(prepared);
+        self.prepare_spans(plan, &waves);
+        let all = 0..plan.stations.len();
+        let start = reflection(&waves, &plan.left, Side::Left);
+        let mut at = start.clone();
+        self.sweep_right(prepared, &waves, all.clone(), &mut at);
+        at.propagate(&self.decays[plan.last_span()]);
+        let mut b = right_end(&waves, &plan.right, &at);
+        let mut energy = Sum::ZERO;
+        self.sweep_left(prepared, &waves, all, &mut b, &mut energy);
+        if plan.wants_energy {
+            let at_span_end = b;
+            times(&mut b, &self.decays[plan.spans[0]]);
+            self.add_energy(
+                plan.spans[0],
+                &waves,
+                &start.at(&b),
+                &at_span_end,
+                &mut energy,
+            );
+        }
+        let energy = energy.resolved();
+        for (value, output) in out.iter_mut().zip(&plan.outputs) {
+            *value = match output {
+                Output::Energy => Complex::from_real(energy),
+                output => self.read(prepared, &waves, *output, Part::Whole),
+            };
+        }
+    }
+
+    /// A response that is read at a station, which has been swept over.
+    #[inline(always)]
+    pub(super) fn read(
+        &self,
+        prepared: &Prepared,
+        waves: &Waves<A>,
+        output: Output,
+        part: Part,
+    ) -> Complex<A> {
+        let (Output::Beam { station, .. } | Output::Mass { station, .. }) = output else {
+            return Complex::ZERO;
+        };
+        let event = &prepared.plan.stations[station].event;
+        let Some(read) = prepared.reads[station] else {
+            return Complex::ZERO;
+        };
+        self.states[read].response(event, waves, output, part)
+    }
+
+    #[inline(always)]
+    pub(super) fn make_room(&mut self, prepared: &Prepared) {
+        let (plan, read) = (&prepared.plan, prepared.read);
+        let lefts = if plan.wants_energy {
+            plan.stations.len()
+        } else {
+            read
+        };
+        self.forces.resize(plan.stations.len(), Forces::NONE);
+        self.lefts.resize(lefts, Reflection::NONE);
+        self.turns.resize(read, Turn::NONE);
+        self.states.resize(read, State::NONE);
+    }
+
+    /// What the spans need.
+    #[inline(always)]
+    pub(super) fn prepare_spans(&mut self, plan: &Plan, waves: &Waves<A>) {
+        self.decays.clear();
+        for &length in &plan.lengths {
+            self.decays.push(decays(waves, length));
+        }
+        self.forms.clear();
+        if plan.wants_energy {
+            let weights = weights(waves, &plan.beam);
+            for (&length, decay) in plan.lengths.iter().zip(&self.decays) {
+                self.forms.push(Form::new(waves, &weights, length, decay));
+            }
+        }
+    }
+
+    /// What the spans of a part and beside it need.
+    #[inline(always)]
+    pub(super) fn prepare_part(
+        &mut self,
+        prepared: &Prepared,
+        waves: &Waves<A>,
+        part: &Range<usize>,
+    ) {
+        let plan = &prepared.plan;
+        self.decays.resize(plan.lengths.len(), [Complex::ONE; 6]);
+        for &span in &plan.spans[part.start..=part.end] {
+            self.decays[span] = decays(waves, plan.lengths[span]);
+        }
+    }
+
+    /// Carries the reflection that looks left over some stations, each with the span before it.
+    #[inline(always)]
+    pub(super) fn sweep_right(
+        &mut self,
+        prepared: &Prepared,
+        waves: &Waves<A>,
+        stations: Range<usize>,
+        at: &mut Reflection<A>,
+    ) {
+        let plan = &prepared.plan;
+        for index in stations {
+            let station = &plan.stations[index];
+            at.propagate(&self.decays[plan.spans[index]]);
+            let read = prepared.reads[index];
+            if let Some(kept) = if plan.wants_energy { Some(index) } else { read } {
+                self.lefts[kept].clone_from(at);
+            }
+            match &station.event {
+                Event::Attachment(attachment) => {
+                    let turn = read.map(|read| &mut self.turns[read]);
+                    at.attach(waves, attachment, &mut self.forces[index], turn);
+                }
+                Event::Load(load) => at.load(waves, &Jumps::of_load(waves, load), Side::Left),
+                Event::Probe => {}
+            }
+        }
+    }
+
+    /// Carries b' back over some stations, each with the span after it, keeping what is read; adds the energy of those
+    /// spans where it is wanted.
+    #[inline(always)]
+    pub(super) fn sweep_left(
+        &mut self,
+        prepared: &Prepared,
+        waves: &Waves<A>,
+        stations: Range<usize>,
+        b: &mut Amplitudes<A>,
+        energy: &mut Sum<A>,
+    ) {
+        let plan = &prepared.plan;
+        for index in stations.rev() {
+            let station = &plan.stations[index];
+            let span = plan.spans[index + 1];
+            let at_span_end = *b;
+            times(b, &self.decays[span]);
+            let read = prepared.reads[index];
+            let sent = self.cross(index, &station.event, waves, b, read);
+            let Some(kept) = (if plan.wants_energy { Some(index) } else { read }) else {
+                continue;
+            };
+            let a = self.lefts[kept].at(b);
+            if let Some(read) = read {
+                let state = &mut self.states[read];
+                state.a = a;
+                state.b = *b;
+                times(&mut state.b, &waves.radiation);
+            }
+            if plan.wants_energy {
+                let mut at_span_start = a;
+                add_product(&mut at_span_start, &sent, &waves.radiation);
+                self.add_energy(span, waves, &at_span_start, &at_span_end, energy);
+            }
+        }
+    }
+
+    /// Carries b' to the left over a station; what the station sends to the right, before N.
+    #[inline(always)]
+    fn cross(
+        &mut self,
+        index: usize,
+        event: &Event,
+        waves: &Waves<A>,
+        b: &mut Amplitudes<A>,
+        read: Option<usize>,
+    ) -> Amplitudes<A> {
+        match event {
+            Event::Attachment(attachment) => {
+                let forces = self.forces[index].part(b, true);
+                if let Some(read) = read {
+                    self.states[read].forces = forces;
+                    self.states[read].theta = self.turns[read].part(b, true);
+                }
+                let sent = sent(&stretches(waves, attachment), &forces);
+                add(b, &sent);
+                sent
+            }
+            Event::Load(load) => {
+                let jumps = Jumps::of_load(waves, load);
+                add(b, &jumps.sent(Side::Right));
+                jumps.sent(Side::Left)
+            }
+            Event::Probe => [Complex::ZERO; 6],
+        }
+    }
+
+    /// The energy of a span, from a at its left and b' at its right end.
+    #[inline(always)]
+    fn add_energy(
+        &self,
+        span: usize,
+        waves: &Waves<A>,
+        a: &Amplitudes<A>,
+        b: &Amplitudes<A>,
+        energy: &mut Sum<A>,
+    ) {
+        let mut amplitudes = *b;
+        times(&mut amplitudes, &waves.radiation);
+        self.forms[span].of(a, &amplitudes, energy);
+    }
+}
+
+/// exp(-kappa l); 1 over no length, also for the wave that decays at once.
+fn decays<A: Arithmetic>(waves: &Waves<A>, length: f64) -> Amplitudes<A> {
+    A::outlined(Decays((waves, length)))
+}
+
+#[inline(always)]
+fn decays_inlined<A: Arithmetic>((waves, length): (&Waves<A>, f64)) -> Amplitudes<A> {
+    let mut out = [Complex::ONE; 6];
+    if length == 0.0 {
+        return out;
+    }
+    let length = Real::splat(length);
+    for wave in 0..6 {
+        let kappa = waves.kappa[wave].scaled(length);
+        out[wave] = decay(kappa.re, kappa.im);
+    }
+    if waves.without_warping {
+        out[crate::solve::waves::WARPING_WAVE] = Complex::ZERO;
+    }
+    out
+}
+
+#[inline(always)]
+pub(super) fn times<A: Arithmetic>(to: &mut Amplitudes<A>, by: &Amplitudes<A>) {
+    for wave in 0..6 {
+        to[wave] = to[wave] * by[wave];
+    }
+}
+
+#[inline(always)]
+pub(super) fn add<A: Arithmetic>(to: &mut Amplitudes<A>, what: &Amplitudes<A>) {
+    for wave in 0..6 {
+        to[wave] += what[wave];
+    }
+}
+
+#[inline(always)]
+fn add_product<A: Arithmetic>(to: &mut Amplitudes<A>, a: &Amplitudes<A>, b: &Amplitudes<A>) {
+    for wave in 0..6 {
+        to[wave] = to[wave].plus_product(a[wave], b[wave]);
+    }
+}
+
+part!(
+    Decays ['a, A: Arithmetic] ['a, A]
+    (&'a Waves<A>, f64) -> Amplitudes<A>,
+    decays_inlined
+);

@@ -1,0 +1,420 @@
+//! A subsystem at several frequencies at once: what it makes of the reflection that passes it.
+//!
+//! The unknowns are those of [`crate::solve::attachment`], where their equations are: the forces of the three channels,
+//! and theta. Here they are solved for the three stretches of the channels alone, and the shapes Q are those of the
+//! channels: what a channel's force sends is the transpose of what stretches it.
+
+use super::complex::{Complex, Matrix};
+use super::linear::solve;
+use super::number::{Arithmetic, Real, part};
+use super::reflection::{Amplitudes, Reflection, entry, reach};
+use super::waves::Waves;
+use crate::solve::attachment::{Attachment, UNKNOWNS};
+use crate::solve::linear::ZERO;
+
+/// Channels: the y springs, the sum and the difference of the z springs.
+pub(super) const CHANNELS: usize = 3;
+
+/// The forces of the channels: `from_waves b' + forced` for the waves b' that come from the far side.
+#[derive(Debug, Clone)]
+pub(super) struct Forces<A> {
+    pub(super) from_waves: Matrix<A, CHANNELS, 6>,
+    pub(super) forced: [Complex<A>; CHANNELS],
+}
+
+/// The same for theta.
+#[derive(Debug, Clone)]
+pub(super) struct Turn<A> {
+    pub(super) from_waves: Amplitudes<A>,
+    pub(super) forced: Complex<A>,
+}
+
+/// Stretches of the channels by each wave: w + `z_b` psi, v, `y_u` psi.
+#[inline(always)]
+pub(super) fn stretches<A: Arithmetic>(
+    waves: &Waves<A>,
+    attachment: &Attachment,
+) -> Matrix<A, CHANNELS, 6> {
+    let mut out = [[Complex::ZERO; 6]; CHANNELS];
+    let (z, y) = (
+        Real::splat(attachment.mount_z),
+        Real::splat(attachment.mount_y),
+    );
+    for wave in 0..4 {
+        let (w, psi) = (waves.displacement[0][wave], waves.displacement[1][wave]);
+        out[0][wave] = w.plus_scaled(z, psi);
+        out[2][wave] = psi.scaled(y);
+    }
+    for wave in 4..6 {
+        out[1][wave] = waves.displacement[2][wave];
+    }
+    out
+}
+
+/// Columns of the waves that stretch a channel.
+#[inline(always)]
+pub(super) const fn stretched_by(channel: usize) -> (usize, usize) {
+    if channel == 1 { reach(2) } else { reach(0) }
+}
+
+/// The springs, the mass and the arms of a subsystem.
+#[derive(Debug, Clone, Copy)]
+struct Springs<A> {
+    y: Complex<A>,
+    sum: Complex<A>,
+    difference: Complex<A>,
+    /// 1 / (omega^2 m).
+    by_mass: Real<A>,
+    /// h and l.
+    arms: [f64; 2],
+    /// omega^2 J.
+    inertia: Real<A>,
+    /// What makes theta a force, N/rad.
+    to_force: Real<A>,
+    /// Nothing turns the mass.
+    is_idle: bool,
+}
+
+impl<A: Arithmetic> Springs<A> {
+    #[inline(always)]
+    fn new(omega: Real<A>, attachment: &Attachment) -> Self {
+        let square = omega * omega;
+        let (left, right) = (attachment.z_left, attachment.z_right);
+        let complex = |stiffness: f64, damping: f64| Complex {
+            re: Real::splat(stiffness),
+            im: omega * Real::splat(damping),
+        };
+        let sum = complex(
+            left.stiffness + right.stiffness,
+            left.damping + right.damping,
+        );
+        let arms = [
+            attachment.half_difference_of_arms(),
+            attachment.half_sum_of_arms(),
+        ];
+        let longest = arms[0].abs().max(arms[1].abs());
+        let torque = sum.size() * Real::splat(longest);
+        Self {
+            y: complex(attachment.spring_y.stiffness, attachment.spring_y.damping),
+            sum,
+            difference: complex(
+                right.stiffness - left.stiffness,
+                right.damping - left.damping,
+            ),
+            by_mass: Real::ONE / (square * Real::splat(attachment.mass)),
+            arms,
+            inertia: square * Real::splat(attachment.inertia),
+            to_force: Real::ZERO.where_less(torque, torque, Real::ONE),
+            is_idle: attachment.is_never_turned(),
+        }
+    }
+
+    /// The forces of the channels at stretches.
+    #[inline(always)]
+    fn times(&self, stretch: [Complex<A>; CHANNELS]) -> [Complex<A>; CHANNELS] {
+        [
+            self.y * stretch[0],
+            (self.sum * stretch[1]).plus_product(self.difference, stretch[2]),
+            (self.difference * stretch[1]).plus_product(self.sum, stretch[2]),
+        ]
+    }
+}
+
+/// The beam where a subsystem is attached.
+struct Contact<A> {
+    /// Stretches of the channels by each wave.
+    stretches: Matrix<A, CHANNELS, 6>,
+    /// Stretches by b'.
+    moved: Matrix<A, CHANNELS, 6>,
+    /// Stretches with nothing arriving.
+    still: [Complex<A>; CHANNELS],
+    /// Stretches by the forces of the channels; symmetric.
+    receptance: Matrix<A, CHANNELS, CHANNELS>,
+}
+
+impl<A: Arithmetic> Contact<A> {
+    #[inline(always)]
+    fn new(waves: &Waves<A>, attachment: &Attachment, at: &Reflection<A>) -> Self {
+        let stretches = stretches(waves, attachment);
+        let mut contact = Self {
+            stretches,
+            moved: [[Complex::ZERO; 6]; CHANNELS],
+            still: [Complex::ZERO; CHANNELS],
+            receptance: [[Complex::ZERO; CHANNELS]; CHANNELS],
+        };
+        for channel in 0..CHANNELS {
+            let (from, to) = stretched_by(channel);
+            for wave in from..to {
+                let stretch = contact.stretches[channel][wave];
+                contact.still[channel] = contact.still[channel].plus_product(stretch, at.s[wave]);
+                contact.moved[channel][wave] =
+                    contact.moved[channel][wave].plus_product(stretch, waves.radiation[wave]);
+                for column in 0..6 {
+                    contact.moved[channel][column] = contact.moved[channel][column]
+                        .plus_product(stretch, at.r[entry(wave, column)]);
+                }
+            }
+        }
+        for one in 0..CHANNELS {
+            for other in one..CHANNELS {
+                // The v waves are fewer.
+                let (moved, by) = if one == 1 { (other, one) } else { (one, other) };
+                let (from, to) = stretched_by(by);
+                let mut sum = Complex::ZERO;
+                for wave in from..to {
+                    sum = sum.plus_product(contact.moved[moved][wave], contact.stretches[by][wave]);
+                }
+                contact.receptance[one][other] = sum;
+                contact.receptance[other][one] = sum;
+            }
+        }
+        contact
+    }
+
+    /// An unknown as a function of b', from what the stretches and the loads make of it.
+    #[inline(always)]
+    fn unknown(
+        &self,
+        (by_stretch, by_load): (&[Complex<A>; CHANNELS], Complex<A>),
+    ) -> (Amplitudes<A>, Complex<A>) {
+        let mut from_waves = [Complex::ZERO; 6];
+        let mut forced = by_load;
+        for wave in 0..6 {
+            let mut sum = by_stretch[0] * self.moved[0][wave];
+            for channel in 1..CHANNELS {
+                sum = sum.plus_product(by_stretch[channel], self.moved[channel][wave]);
+            }
+            from_waves[wave] = sum;
+        }
+        for channel in 0..CHANNELS {
+            forced = forced.plus_product(by_stretch[channel], self.still[channel]);
+        }
+        (from_waves, forced)
+    }
+}
+
+impl<A: Arithmetic> Reflection<A> {
+    /// Past a subsystem; its unknowns are written to `forces` and, where that is wanted, `turn`.
+    pub(super) fn attach(
+        &mut self,
+        waves: &Waves<A>,
+        attachment: &Attachment,
+        forces: &mut Forces<A>,
+        turn: Option<&mut Turn<A>>,
+    ) {
+        A::outlined(Attach((self, waves, attachment, forces, turn)));
+    }
+
+    #[inline(always)]
+    fn attach_inlined(
+        (this, waves, attachment, forces, turn): (
+            &mut Self,
+            &Waves<A>,
+            &Attachment,
+            &mut Forces<A>,
+            Option<&mut Turn<A>>,
+        ),
+    ) {
+        let contact = Contact::new(waves, attachment, this);
+        let springs = Springs::new(waves.omega, attachment);
+        let (by_stretch, by_load) = unknowns(&springs, attachment, &contact.receptance);
+        for channel in 0..CHANNELS {
+            let of = (&by_stretch[channel], by_load[channel]);
+            (forces.from_waves[channel], forces.forced[channel]) = contact.unknown(of);
+        }
+        if let Some(turn) = turn {
+            let of = (&by_stretch[CHANNELS], by_load[CHANNELS]);
+            (turn.from_waves, turn.forced) = contact.unknown(of);
+        }
+        for row in 0..6 {
+            for channel in 0..CHANNELS {
+                let moved = contact.moved[channel][row];
+                for column in row..6 {
+                    let at = entry(row, column);
+                    this.r[at] = this.r[at].plus_product(moved, forces.from_waves[channel][column]);
+                }
+                this.s[row] = this.s[row].plus_product(moved, forces.forced[channel]);
+            }
+        }
+    }
+}
+
+/// The unknowns by the stretches of the channels, and by loads on the mass.
+#[inline(always)]
+fn unknowns<A: Arithmetic>(
+    springs: &Springs<A>,
+    attachment: &Attachment,
+    receptance: &Matrix<A, CHANNELS, CHANNELS>,
+) -> (Matrix<A, UNKNOWNS, CHANNELS>, [Complex<A>; UNKNOWNS]) {
+    let mut out = [[Complex::ZERO; CHANNELS]; UNKNOWNS];
+    let mut forced = [Complex::ZERO; UNKNOWNS];
+    if attachment.load == [ZERO; 3] {
+        let (mut a, scale) = system(springs, receptance);
+        let mut b = stretched::<A, CHANNELS>(springs, &scale);
+        solve(&mut a, &mut b);
+        out = b;
+    } else {
+        const WITH_LOAD: usize = CHANNELS + 1;
+        let (mut a, scale) = system(springs, receptance);
+        let mut b = stretched::<A, WITH_LOAD>(springs, &scale);
+        let by_load = |load| Complex::splat(load).scaled(springs.by_mass);
+        let pulled = springs.times([
+            by_load(attachment.load[0]),
+            by_load(attachment.load[1]),
+            Complex::ZERO,
+        ]);
+        for channel in 0..CHANNELS {
+            b[channel][CHANNELS] = pulled[channel].scaled(scale[channel]);
+        }
+        if !springs.is_idle {
+            b[CHANNELS][CHANNELS] = -Complex::splat(attachment.load[2]).scaled(scale[CHANNELS]);
+        }
+        solve(&mut a, &mut b);
+        for unknown in 0..UNKNOWNS {
+            for channel in 0..CHANNELS {
+                out[unknown][channel] = b[unknown][channel];
+            }
+            forced[unknown] = b[unknown][CHANNELS];
+        }
+    }
+    // The last unknown was theta times a stiffness.
+    let to_angle = Real::ONE / springs.to_force;
+    for channel in 0..CHANNELS {
+        out[CHANNELS][channel] = out[CHANNELS][channel].scaled(to_angle);
+    }
+    forced[CHANNELS] = forced[CHANNELS].scaled(to_angle);
+    (out, forced)
+}
+
+/// The matrix of the unknowns, each channel's force against its stretch and the balance of theta, and the powers of two
+/// by which its rows are scaled so that they compare.
+#[inline(always)]
+fn system<A: Arithmetic>(
+    springs: &Springs<A>,
+    receptance: &Matrix<A, CHANNELS, CHANNELS>,
+) -> (Matrix<A, UNKNOWNS, UNKNOWNS>, [Real<A>; UNKNOWNS]) {
+    let mut flexibility = *receptance;
+    flexibility[0][0].re = flexibility[0][0].re + springs.by_mass;
+    flexibility[1][1].re = flexibility[1][1].re + springs.by_mass;
+    let stiffest = [springs.y, springs.sum, springs.sum];
+    let mut scale = [Real::ONE; UNKNOWNS];
+    for channel in 0..CHANNELS {
+        let own = flexibility[channel][channel].size();
+        let size = stiffest[channel].size().multiply_add(own, Real::ONE);
+        scale[channel] = size.inverse_power_of_two();
+    }
+    let mut a = [[Complex::ZERO; UNKNOWNS]; UNKNOWNS];
+    for column in 0..CHANNELS {
+        let pulled = springs.times([
+            flexibility[0][column],
+            flexibility[1][column],
+            flexibility[2][column],
+        ]);
+        for channel in 0..CHANNELS {
+            a[channel][column] = -pulled[channel].scaled(scale[channel]);
+        }
+        a[column][column].re = a[column][column].re + scale[column];
+    }
+    // omega^2 J theta + h g_sum + l g_difference = -load, or theta = 0 where nothing turns the mass.
+    if springs.is_idle {
+        a[CHANNELS][CHANNELS] = Complex::ONE;
+        return (a, scale);
+    }
+    let arms = [Real::splat(springs.arms[0]), Real::splat(springs.arms[1])];
+    let (sum, difference) = (springs.sum, springs.difference);
+    let to_angle = Real::ONE / springs.to_force;
+    let pulled = [
+        sum.scaled(arms[0]).plus_scaled(arms[1], difference),
+        difference.scaled(arms[0]).plus_scaled(arms[1], sum),
+    ];
+    a[1][CHANNELS] = pulled[0].scaled(scale[1] * to_angle);
+    a[2][CHANNELS] = pulled[1].scaled(scale[2] * to_angle);
+    let longest = springs.arms[0].abs().max(springs.arms[1].abs());
+    let inertia = springs.inertia * to_angle;
+    scale[CHANNELS] = inertia.max(Real::splat(longest)).inverse_power_of_two();
+    a[CHANNELS][1] = Complex::from_real(arms[0] * scale[CHANNELS]);
+    a[CHANNELS][2] = Complex::from_real(arms[1] * scale[CHANNELS]);
+    a[CHANNELS][CHANNELS] = Complex::from_real(inertia * scale[CHANNELS]);
+    (a, scale)
+}
+
+/// The right-hand sides of unit stretches, in the first three columns.
+#[inline(always)]
+fn stretched<A: Arithmetic, const R: usize>(
+    springs: &Springs<A>,
+    scale: &[Real<A>; UNKNOWNS],
+) -> Matrix<A, UNKNOWNS, R> {
+    let mut b = [[Complex::ZERO; R]; UNKNOWNS];
+    b[0][0] = springs.y.scaled(scale[0]);
+    b[1][1] = springs.sum.scaled(scale[1]);
+    b[1][2] = springs.difference.scaled(scale[1]);
+    b[2][1] = springs.difference.scaled(scale[2]);
+    b[2][2] = springs.sum.scaled(scale[2]);
+    b
+}
+
+impl<A: Arithmetic> Forces<A> {
+    pub(super) const NONE: Self = Self {
+        from_waves: [[Complex::ZERO; 6]; CHANNELS],
+        forced: [Complex::ZERO; CHANNELS],
+    };
+
+    /// The forces for waves b' from the far side, with or without what loads add.
+    #[inline(always)]
+    pub(super) fn part(&self, b: &Amplitudes<A>, is_forced: bool) -> [Complex<A>; CHANNELS] {
+        let mut out = if is_forced {
+            self.forced
+        } else {
+            [Complex::ZERO; CHANNELS]
+        };
+        for channel in 0..CHANNELS {
+            for wave in 0..6 {
+                out[channel] = out[channel].plus_product(self.from_waves[channel][wave], b[wave]);
+            }
+        }
+        out
+    }
+}
+
+impl<A: Arithmetic> Turn<A> {
+    pub(super) const NONE: Self = Self {
+        from_waves: [Complex::ZERO; 6],
+        forced: Complex::ZERO,
+    };
+
+    /// Theta for waves b' from the far side, with or without what loads add.
+    #[inline(always)]
+    pub(super) fn part(&self, b: &Amplitudes<A>, is_forced: bool) -> Complex<A> {
+        let mut out = if is_forced {
+            self.forced
+        } else {
+            Complex::ZERO
+        };
+        for wave in 0..6 {
+            out = out.plus_product(self.from_waves[wave], b[wave]);
+        }
+        out
+    }
+}
+
+/// What the forces of the channels send both ways, before N.
+#[inline(always)]
+pub(super) fn sent<A: Arithmetic>(
+    stretches: &Matrix<A, CHANNELS, 6>,
+    forces: &[Complex<A>; CHANNELS],
+) -> Amplitudes<A> {
+    let mut out = [Complex::ZERO; 6];
+    for wave in 0..4 {
+        out[wave] = (stretches[0][wave] * forces[0]).plus_product(stretches[2][wave], forces[2]);
+    }
+    for wave in 4..6 {
+        out[wave] = stretches[1][wave] * forces[1];
+    }
+    out
+}
+
+part!(
+    Attach ['a, A: Arithmetic] ['a, A]
+    (&'a mut Reflection<A>, &'a Waves<A>, &'a Attachment, &'a mut Forces<A>, Option<&'a mut Turn<A>>) -> (),
+    Reflection::attach_inlined
+);

@@ -1,0 +1,233 @@
+//! The kernel against the plain recursion, which solves the same equations in another way: a witness within the crate.
+//!
+//! Both lose the digits that a model costs: of a response what is left at an anti-resonance, and at low frequencies what
+//! cancels between the waves. So differences are told as shares of the response and of its largest value.
+
+use num_complex::Complex64;
+
+use super::Solver;
+use super::dispatch::Bench;
+use super::elementary::{exp, sin_cos};
+use super::number::{Plain, Real};
+use super::recursion::Prepared;
+use crate::model::{
+    BeamMotion, Elastic, Force, MassMotion, Measure, Model, Place, Quantity, Response, Restraint,
+    Support, Target, read,
+};
+use crate::presets;
+use crate::solve::frequencies;
+use crate::solve::plan::Plan;
+use crate::solve::recursion::Workspace;
+
+/// All responses at some frequencies, a row a frequency.
+fn plain(plan: &Plan, frequencies: &[f64]) -> Vec<Complex64> {
+    let width = plan.outputs.len();
+    let mut rows = vec![Complex64::ZERO; width * frequencies.len()];
+    let mut workspace = Workspace::default();
+    for (row, frequency) in rows.chunks_mut(width).zip(frequencies) {
+        let omega = std::f64::consts::TAU * frequency;
+        workspace.solve(plan, omega.into(), row);
+    }
+    rows
+}
+
+fn lanes(mut solver: Solver, plan: &Plan, frequencies: &[f64]) -> Vec<Complex64> {
+    solver.solve(&Prepared::new(plan.clone()), frequencies)
+}
+
+fn portable() -> Solver {
+    Solver::Plain(Bench::default())
+}
+
+/// Holds two sets of rows together: within a share of a value and one of the largest of its response; a response that a
+/// symmetry cancels is rounding of the others.
+fn assert_near(found: &[Complex64], expected: &[Complex64], width: usize, [own, top]: [f64; 2]) {
+    const ROUNDING: f64 = 1e-14;
+    let finite = expected.iter().filter(|value| value.is_finite());
+    let of_all = finite.map(|value| value.norm()).fold(0.0, f64::max);
+    for response in 0..width {
+        let of = |rows: &[Complex64]| -> Vec<Complex64> {
+            rows.iter().skip(response).step_by(width).copied().collect()
+        };
+        let (found, expected) = (of(found), of(expected));
+        let finite = expected.iter().filter(|value| value.is_finite());
+        let largest = finite.map(|value| value.norm()).fold(0.0, f64::max);
+        for (index, (a, b)) in found.iter().zip(&expected).enumerate() {
+            let allowed = own * b.norm() + top * largest + ROUNDING * of_all;
+            let both = a.is_finite() == b.is_finite();
+            let near = !b.is_finite() || (a - b).norm() <= allowed;
+            assert!(both && near, "response {response}, row {index}: {a} {b}");
+        }
+    }
+}
+
+#[test]
+fn presets_are_solved_as_by_the_plain_recursion() {
+    for preset in presets::ALL {
+        let plan = Plan::new(&read(preset.text).unwrap());
+        let all = frequencies(&read(preset.text).unwrap().sweep);
+        let expected = plain(&plan, &all);
+        for solver in [Solver::default(), portable()] {
+            let found = lanes(solver, &plan, &all);
+            assert_near(&found, &expected, plan.outputs.len(), [1e-11, 1e-12]);
+        }
+    }
+}
+
+#[test]
+fn each_frequency_is_solved_as_if_it_were_alone() {
+    // Golden: bit for bit, whatever stands beside it and wherever a sweep is cut.
+    let plan = Plan::new(&read(presets::find("fig05a").unwrap().text).unwrap());
+    let all: Vec<f64> = (1..=11).map(|k| 37.0 * f64::from(k)).collect();
+    let together = lanes(Solver::default(), &plan, &all);
+    for (frequency, row) in all.iter().zip(together.chunks(plan.outputs.len())) {
+        assert_eq!(lanes(Solver::default(), &plan, &[*frequency]), row);
+    }
+}
+
+#[test]
+fn random_models_are_solved_as_by_the_plain_recursion() {
+    let mut random = fastrand::Rng::with_seed(7);
+    // From where neither has lost digits to the waves.
+    let all: Vec<f64> = (0..40).map(|k| 40.0 * 1.09_f64.powi(k)).collect();
+    for _ in 0..200 {
+        let model = random_model(&mut random);
+        let plan = Plan::new(&model);
+        let expected = plain(&plan, &all);
+        for solver in [Solver::default(), portable()] {
+            let found = lanes(solver, &plan, &all);
+            assert_near(&found, &expected, plan.outputs.len(), [1e-8, 1e-10]);
+        }
+    }
+}
+
+/// A beam with a bit of everything: any supports, loads of all motions, subsystems that lack springs or inertia.
+fn random_model(random: &mut fastrand::Rng) -> Model {
+    let mut model = read(presets::find("fig05a").unwrap().text).unwrap();
+    let some = |random: &mut fastrand::Rng, from: f64, to: f64| from + (to - from) * random.f64();
+    model.beam.material.loss_factor = [0.0, 0.01, 0.2][random.usize(0..3)];
+    let section = &mut model.beam.section;
+    section.warping_constant *= [0.0, 0.1, 1.0, 10.0][random.usize(0..4)];
+    section.centroid_offset *= [0.0, 1.0, -2.0][random.usize(0..3)];
+    for support in [&mut model.supports.left, &mut model.supports.right] {
+        *support = random_support(random);
+    }
+    let pattern = model.subsystems[0].clone();
+    model.subsystems.clear();
+    model.forces.clear();
+    model.responses.clear();
+    for index in 0..random.usize(0..6) {
+        let mut subsystem = pattern.clone();
+        subsystem.name = format!("S{index}");
+        subsystem.position = model.beam.length * [0.3, 0.7, random.f64()][random.usize(0..3)];
+        subsystem.inertia *= [0.0, 1e-2, 1.0][random.usize(0..3)];
+        subsystem.mount_y *= [0.0, 1.0][random.usize(0..2)];
+        subsystem.arm_left *= [0.0, 1.0, 3.0][random.usize(0..3)];
+        for spring in [
+            &mut subsystem.y_left,
+            &mut subsystem.z_left,
+            &mut subsystem.z_right,
+        ] {
+            spring.stiffness *= [0.0, 1e-2, 1.0, 10.0][random.usize(0..4)];
+            spring.damping *= [0.0, 1.0, 100.0][random.usize(0..3)];
+        }
+        for motion in MassMotion::ALL {
+            let target = Target::Mass(subsystem.name.clone(), motion);
+            add_response(&mut model, target.clone(), random);
+            if random.u8(0..4) == 0 {
+                add_force(&mut model, target, random);
+            }
+        }
+        model.subsystems.push(subsystem);
+    }
+    for motion in BeamMotion::ALL {
+        let place = Place::Position(some(random, 0.1, 0.9) * model.beam.length);
+        let place = [Place::Left, Place::Right, place][random.usize(0..3)];
+        add_response(&mut model, Target::Beam(place, motion), random);
+        add_force(&mut model, Target::Beam(place, motion), random);
+    }
+    if random.bool() {
+        model.responses.push(Response {
+            name: "E_V".to_owned(),
+            enabled: true,
+            quantity: Quantity::Energy,
+        });
+    }
+    model
+}
+
+fn add_response(model: &mut Model, target: Target, random: &mut fastrand::Rng) {
+    model.responses.push(Response {
+        name: format!("R{}", model.responses.len()),
+        enabled: true,
+        quantity: Quantity::Motion(target, Measure::ALL[random.usize(0..3)]),
+    });
+}
+
+fn add_force(model: &mut Model, target: Target, random: &mut fastrand::Rng) {
+    model.forces.push(Force {
+        enabled: true,
+        target,
+        amplitude: random.f64(),
+        phase: 360.0 * random.f64(),
+    });
+}
+
+fn random_support(random: &mut fastrand::Rng) -> Support {
+    let elastic = Elastic {
+        stiffness: 1e6,
+        damping: 100.0,
+        inertia: [0.0, 10.0][random.usize(0..2)],
+    };
+    let mut support = Support([Restraint::Elastic(elastic); 6]);
+    for motion in BeamMotion::ALL {
+        support[motion] = match random.u8(0..3) {
+            0 => Restraint::Free,
+            1 => Restraint::Fixed,
+            _ => Restraint::Elastic(elastic),
+        };
+    }
+    support
+}
+
+#[test]
+fn an_undamped_resonance_has_no_finite_answer() {
+    // Closed form: a pinned beam without coupling, n = 1, f = pi / (2 L^2) sqrt(E Iz / rho A).
+    let mut model = read(presets::find("fig05a").unwrap().text).unwrap();
+    model.subsystems.clear();
+    model.supports.left = Support::PINNED;
+    model.supports.right = Support::PINNED;
+    model.beam.section.centroid_offset = 0.0;
+    model.forces[0].target = Target::Beam(Place::Position(1.0), BeamMotion::V);
+    let section = &model.beam.section;
+    let stiffness = model.beam.material.young_modulus * section.second_moment_z;
+    let mass = model.beam.material.density * section.area;
+    let length = model.beam.length;
+    let at = std::f64::consts::FRAC_PI_2 / (length * length) * (stiffness / mass).sqrt();
+    let plan = Plan::new(&model);
+    let rows = lanes(Solver::default(), &plan, &[0.9 * at, at, 1.1 * at]);
+    let is_finite: Vec<bool> = rows
+        .chunks(plan.outputs.len())
+        .map(|row| row.iter().all(|value| value.is_finite()))
+        .collect();
+    assert_eq!(is_finite, [true, false, true]);
+}
+
+#[test]
+fn elementary_functions_are_those_of_the_library() {
+    // High-precision solution: the platform's, within 1 unit of the last place.
+    let mut random = fastrand::Rng::with_seed(3);
+    for scale in [1e-9, 1e-3, 1.0, 30.0, 690.0, 1e5, 1e8] {
+        for _ in 0..500 {
+            let x = scale * (2.0 * random.f64() - 1.0);
+            let (sin, cos) = sin_cos::<Plain>(Real::splat(x));
+            assert!((sin.0[0] - x.sin()).abs() < 4e-16, "sin {x}");
+            assert!((cos.0[0] - x.cos()).abs() < 4e-16, "cos {x}");
+            if x < 700.0 {
+                let found = exp::<Plain>(Real::splat(x)).0[0];
+                let expected = if x < -700.0 { 0.0 } else { x.exp() };
+                assert!((found - expected).abs() <= 5e-16 * expected, "exp {x}");
+            }
+        }
+    }
+}

@@ -1,0 +1,416 @@
+//! The six waves of the beam at several frequencies at once.
+//!
+//! The same waves as in [`crate::solve::waves`], where their equations are, with two differences. Frequencies are real.
+//! And what a point load radiates is not solved for but follows from reciprocity: a jump f of the internal forces sends
+//! `X f` both ways and a jump m of the internal moments `Y m` to the right and `-Y m` to the left with
+//! `X = N Q^T`, `Y = N S^T`, where the diagonal N holds `1 / (2 kappa (2 E Iy h W^2 + (2 E G0 h - G J) Psi^2))` of the
+//! coupled waves and `1 / (4 E Iz h kappa)` of the others, h = kappa^2. It is the same for Q, S, P, M of any scale.
+
+use num_complex::Complex64;
+
+use super::complex::{Complex, Matrix};
+use super::number::{Arithmetic, Real, part};
+use crate::solve::waves::{BeamConstants, WARPING_WAVE};
+
+/// What the waves of a beam need that does not depend on the frequency.
+#[derive(Debug, Clone)]
+pub(super) struct Constants {
+    beam: BeamConstants,
+    /// sqrt(rho A / E Iy), sqrt(rho A / E Iz).
+    bending: [Complex64; 2],
+    /// Square roots of the latter and of its negative.
+    bending_v: [Complex64; 2],
+    /// 1 / (E `Gamma_0`); 0 where that is 0.
+    inverse_warping: Complex64,
+}
+
+impl Constants {
+    pub(super) fn new(beam: &BeamConstants) -> Self {
+        let bending =
+            [beam.bending_w, beam.bending_v].map(|stiffness| (beam.mass / stiffness).sqrt());
+        Self {
+            beam: beam.clone(),
+            bending,
+            bending_v: [bending[1], -bending[1]].map(decaying_root),
+            inverse_warping: if beam.without_warping() {
+                Complex64::ZERO
+            } else {
+                beam.warping.inv()
+            },
+        }
+    }
+}
+
+/// The root with Re > 0, or Re = 0 and Im > 0.
+fn decaying_root(h: Complex64) -> Complex64 {
+    // A zero of either sign must not choose the branch.
+    Complex64::new(h.re, h.im + 0.0).sqrt()
+}
+
+/// The waves at several frequencies.
+#[derive(Debug, Clone)]
+pub(super) struct Waves<A> {
+    /// Angular frequency, rad/s.
+    pub(super) omega: Real<A>,
+    /// Wave numbers, 1/m; that of the warping wave has no meaning where `without_warping`.
+    pub(super) kappa: [Complex<A>; 6],
+    /// Q.
+    pub(super) displacement: Matrix<A, 3, 6>,
+    /// S.
+    pub(super) slope: Matrix<A, 3, 6>,
+    /// P.
+    pub(super) force: Matrix<A, 3, 6>,
+    /// M.
+    pub(super) moment: Matrix<A, 3, 6>,
+    /// N: amplitude by what a jump does to a wave.
+    pub(super) radiation: [Complex<A>; 6],
+    /// N^-1.
+    pub(super) weight: [Complex<A>; 6],
+    /// The warping wave decays over no length.
+    pub(super) without_warping: bool,
+}
+
+/// A coupled wave: h = kappa^2 and its shape.
+#[derive(Debug, Clone, Copy)]
+struct CoupledWave<A> {
+    h: Complex<A>,
+    w: Complex<A>,
+    psi: Complex<A>,
+}
+
+/// Two roots of the state equation: `(h - h_w)(gamma h - tau) = coupling / ((h + h_w)(slope h + offset))`.
+#[derive(Debug, Clone, Copy)]
+struct Pair<A> {
+    h_w: Complex<A>,
+    tau: Complex<A>,
+    gamma: Complex<A>,
+    inverse_gamma: Complex<A>,
+    coupling: Complex<A>,
+    slope: Complex<A>,
+    offset: Complex<A>,
+    /// omega^2 rho A and omega^2 rho `I_0`.
+    inertia: [Real<A>; 2],
+}
+
+/// One of them, with its distances from the two uncoupled roots.
+#[derive(Debug, Clone, Copy)]
+struct Root<A> {
+    value: Complex<A>,
+    /// value - `h_w`.
+    from_bending: Complex<A>,
+    /// gamma value - tau.
+    from_torsion: Complex<A>,
+}
+
+impl<A: Arithmetic> Waves<A> {
+    /// No waves yet; what a row cannot reach stays zero.
+    pub(super) const NONE: Self = Self {
+        omega: Real::ZERO,
+        kappa: [Complex::ZERO; 6],
+        displacement: [[Complex::ZERO; 6]; 3],
+        slope: [[Complex::ZERO; 6]; 3],
+        force: [[Complex::ZERO; 6]; 3],
+        moment: [[Complex::ZERO; 6]; 3],
+        radiation: [Complex::ZERO; 6],
+        weight: [Complex::ZERO; 6],
+        without_warping: false,
+    };
+
+    /// Becomes the waves at angular frequencies, rad/s.
+    pub(super) fn set(&mut self, constants: &Constants, omega: Real<A>) {
+        A::outlined(Set((self, constants, omega)));
+    }
+
+    #[inline(always)]
+    fn set_inlined((this, constants, omega): (&mut Self, &Constants, Real<A>)) {
+        this.omega = omega;
+        this.without_warping = constants.beam.without_warping();
+        this.set_coupled(constants);
+        if this.without_warping {
+            this.set_warping_limit();
+        }
+        this.set_bending_v(constants);
+    }
+
+    /// The four coupled waves: two evanescent, two travelling.
+    #[inline(always)]
+    fn set_coupled(&mut self, constants: &Constants) {
+        let beam = &constants.beam;
+        let square = self.omega * self.omega;
+        let [a, b, d] = [beam.mass, beam.polar, beam.coupling].map_real(square);
+        let h_w = Complex::splat(constants.bending[0]).scaled(self.omega);
+        let warping = Complex::splat(beam.warping);
+        let torsion = Complex::splat(beam.torsion);
+        let half = Real::splat(0.5);
+        let discriminant = torsion * torsion + warping.scaled(b * Real::splat(4.0));
+        let tau = (torsion + discriminant.sqrt()).scaled(half);
+        let t = tau.inverse().scaled(b);
+        let coupling = Complex::splat(beam.bending_w.inv()).scaled(d * d);
+        let evanescent = Pair {
+            h_w,
+            tau,
+            gamma: warping,
+            inverse_gamma: Complex::splat(constants.inverse_warping),
+            coupling,
+            slope: Complex::ONE,
+            offset: t,
+            inertia: [a, b],
+        };
+        let travelling = Pair {
+            tau: t,
+            gamma: Complex::ONE,
+            inverse_gamma: Complex::ONE,
+            slope: warping,
+            offset: tau,
+            ..evanescent
+        };
+        if !self.without_warping {
+            let root = evanescent.settled::<true>();
+            self.set_wave(constants, 0, &evanescent, root);
+        }
+        let root = evanescent.settled::<false>();
+        self.set_wave(constants, 1, &evanescent, root);
+        let root = travelling.settled::<true>();
+        self.set_wave(constants, 2, &travelling, root);
+        let root = travelling.settled::<false>();
+        self.set_wave(constants, 3, &travelling, root);
+    }
+
+    /// Sets a coupled wave from its root.
+    fn set_wave(&mut self, constants: &Constants, column: usize, pair: &Pair<A>, root: Root<A>) {
+        A::outlined(SetWave((self, constants, column, pair, root)));
+    }
+
+    #[inline(always)]
+    fn set_wave_inlined(
+        (this, constants, column, pair, root): (&mut Self, &Constants, usize, &Pair<A>, Root<A>),
+    ) {
+        let beam = &constants.beam;
+        let other = pair.offset.plus_product(pair.slope, root.value);
+        let bending = Complex::splat(beam.bending_w) * root.from_bending * (root.value + pair.h_w);
+        let torsion = root.from_torsion * other;
+        let (w, psi) = shape(
+            bending.scaled(Real::ONE / pair.inertia[0]),
+            torsion.scaled(Real::ONE / pair.inertia[1]),
+            beam.coupling / beam.mass,
+            beam.coupling / beam.polar,
+        );
+        let radius = Real::splat(beam.radius * beam.radius);
+        let scale = Real::ONE / psi.norm_sqr().multiply_add(radius, w.norm_sqr()).sqrt();
+        let travels = column >= 2;
+        let wave = CoupledWave {
+            h: if travels { -root.value } else { root.value },
+            w: w.scaled(scale),
+            psi: psi.scaled(scale),
+        };
+        this.set_rows(beam, column, wave);
+    }
+
+    /// Sets the columns of the matrices of a coupled wave.
+    #[inline(always)]
+    fn set_rows(&mut self, beam: &BeamConstants, column: usize, wave: CoupledWave<A>) {
+        let CoupledWave { h, w, psi } = wave;
+        let kappa = h.sqrt();
+        let bending_moment = Complex::splat(beam.bending_w) * h * w;
+        let warping = Complex::splat(beam.warping) * h;
+        let bimoment = warping * psi;
+        let torque_over_kappa = self.torque_over_kappa(beam, wave, warping);
+        self.kappa[column] = kappa;
+        self.displacement[0][column] = w;
+        self.displacement[1][column] = psi;
+        self.slope[0][column] = kappa * w;
+        self.slope[1][column] = kappa * psi;
+        self.force[0][column] = kappa * bending_moment;
+        self.force[1][column] = kappa * torque_over_kappa;
+        self.moment[0][column] = bending_moment;
+        self.moment[1][column] = bimoment;
+        let norm = (self.force[0][column] * w)
+            .plus_product(self.force[1][column], psi)
+            .plus_product(bending_moment, self.slope[0][column])
+            .plus_product(bimoment, self.slope[1][column]);
+        self.set_weight(column, norm + norm);
+    }
+
+    /// (E `Gamma_0` h - G J) Psi, by the equation of motion where the difference would cancel.
+    #[inline(always)]
+    fn torque_over_kappa(
+        &self,
+        beam: &BeamConstants,
+        wave: CoupledWave<A>,
+        warping: Complex<A>,
+    ) -> Complex<A> {
+        let CoupledWave { h, w, psi } = wave;
+        let difference = warping - Complex::splat(beam.torsion);
+        let inertia = psi
+            .scaled(Real::splat(beam.polar))
+            .plus_scaled(Real::splat(beam.coupling), w);
+        let by_motion = inertia.scaled(self.omega * self.omega) * h.inverse();
+        Complex::where_less(
+            Real::splat(0.25 * beam.torsion.norm_sqr()),
+            difference.norm_sqr(),
+            difference * psi,
+            by_motion,
+        )
+    }
+
+    /// The limit `Gamma_0` -> 0: the warping wave turns the rate of twist by one unit at no length.
+    #[inline(always)]
+    fn set_warping_limit(&mut self) {
+        for row in 0..3 {
+            self.displacement[row][WARPING_WAVE] = Complex::ZERO;
+            self.slope[row][WARPING_WAVE] = Complex::ZERO;
+            self.force[row][WARPING_WAVE] = Complex::ZERO;
+            self.moment[row][WARPING_WAVE] = Complex::ZERO;
+        }
+        self.kappa[WARPING_WAVE] = Complex::ZERO;
+        self.slope[1][WARPING_WAVE] = Complex::ONE;
+        self.moment[1] = [Complex::ZERO; 6];
+        self.moment[1][WARPING_WAVE] = Complex::ONE;
+        self.set_weight(WARPING_WAVE, Complex::from_real(Real::splat(2.0)));
+    }
+
+    #[inline(always)]
+    fn set_bending_v(&mut self, constants: &Constants) {
+        let root = self.omega.sqrt();
+        let h = Complex::splat(constants.beam.bending_v * constants.bending[1]).scaled(self.omega);
+        for (column, moment) in [(4, h), (5, -h)] {
+            let kappa = Complex::splat(constants.bending_v[column - 4]).scaled(root);
+            self.kappa[column] = kappa;
+            self.displacement[2][column] = Complex::ONE;
+            self.slope[2][column] = kappa;
+            self.force[2][column] = kappa * moment;
+            self.moment[2][column] = moment;
+            self.set_weight(column, (kappa * moment).scaled(Real::splat(4.0)));
+        }
+    }
+
+    #[inline(always)]
+    fn set_weight(&mut self, column: usize, weight: Complex<A>) {
+        self.weight[column] = weight;
+        self.radiation[column] = weight.inverse();
+    }
+}
+
+/// Times a number at each frequency.
+trait MapReal<A, const K: usize> {
+    fn map_real(self, by: Real<A>) -> [Real<A>; K];
+}
+
+impl<A: Arithmetic, const K: usize> MapReal<A, K> for [f64; K] {
+    #[inline(always)]
+    fn map_real(self, by: Real<A>) -> [Real<A>; K] {
+        let mut out = [Real::ZERO; K];
+        for k in 0..K {
+            out[k] = Real::splat(self[k]) * by;
+        }
+        out
+    }
+}
+
+/// The shape (W, Psi) from the row whose coefficient is larger; see [`crate::solve::waves`].
+#[inline(always)]
+fn shape<A: Arithmetic>(
+    bending: Complex<A>,
+    torsion: Complex<A>,
+    d_over_a: f64,
+    d_over_b: f64,
+) -> (Complex<A>, Complex<A>) {
+    let (of_bending, of_torsion) = (bending.norm_sqr(), torsion.norm_sqr());
+    let from_a = Complex::from_real(Real::splat(d_over_a));
+    let from_b = Complex::from_real(Real::splat(d_over_b));
+    (
+        Complex::where_less(of_bending, of_torsion, torsion, from_a),
+        Complex::where_less(of_bending, of_torsion, from_b, bending),
+    )
+}
+
+impl<A: Arithmetic> Pair<A> {
+    /// The root that is torsion's without coupling, or the bending one, by secant steps.
+    fn settled<const TORSION: bool>(&self) -> Root<A> {
+        A::outlined(Settled::<A, TORSION>((self,)))
+    }
+
+    #[inline(always)]
+    fn settled_inlined<const TORSION: bool>((this,): (&Self,)) -> Root<A> {
+        const MOST_STEPS: usize = 60;
+        const NEAR: f64 = 4.0 * f64::EPSILON * f64::EPSILON;
+        let mut last = if TORSION {
+            this.tau * this.inverse_gamma
+        } else {
+            this.h_w
+        };
+        let mut last_value = this.step::<TORSION>(last).value;
+        let mut h = last_value;
+        let mut root = this.step::<TORSION>(h);
+        for _ in 0..MOST_STEPS {
+            let residual = root.value - h;
+            let near = h.norm_sqr() * Real::splat(NEAR);
+            let distance = residual.norm_sqr();
+            if !near.is_less_somewhere(distance) {
+                break;
+            }
+            let change = residual - (last_value - last);
+            let by_secant = h.minus_product(residual, (h - last) * change.inverse());
+            let next = Complex::where_less(Real::ZERO, change.norm_sqr(), by_secant, root.value);
+            // Each frequency stops by itself, so that none depends on its neighbours.
+            let next = Complex::where_less(near, distance, next, h);
+            last = h;
+            last_value = root.value;
+            h = next;
+            root = this.step::<TORSION>(h);
+        }
+        root
+    }
+
+    /// The root of the quadratic whose right-hand side is held at h.
+    #[inline(always)]
+    fn step<const TORSION: bool>(&self, h: Complex<A>) -> Root<A> {
+        let divisor = (h + self.h_w) * self.offset.plus_product(self.slope, h);
+        let g = self.coupling * divisor.inverse();
+        let larger = self.larger_sum(g);
+        if TORSION {
+            let from_bending = larger * self.inverse_gamma;
+            let from_torsion = g * from_bending.inverse();
+            Root {
+                value: (self.tau + from_torsion) * self.inverse_gamma,
+                from_bending,
+                from_torsion,
+            }
+        } else {
+            let from_bending = -(g * larger.inverse());
+            Root {
+                value: self.h_w + from_bending,
+                from_bending,
+                from_torsion: -larger,
+            }
+        }
+    }
+
+    /// Of `half + sqrt(half^2 + gamma g)` and the difference the larger one, which never cancels; 1 where both vanish.
+    #[inline(always)]
+    fn larger_sum(&self, g: Complex<A>) -> Complex<A> {
+        let half = (self.tau - self.gamma * self.h_w).scaled(Real::splat(0.5));
+        let root = (half * half).plus_product(self.gamma, g).sqrt();
+        let along = half.re.multiply_add(root.re, half.im * root.im);
+        let sum = Complex::where_less(along, Real::ZERO, half - root, half + root);
+        Complex::where_less(Real::ZERO, sum.norm_sqr(), sum, Complex::ONE)
+    }
+}
+
+part!(
+    Set ['a, A: Arithmetic] ['a, A]
+    (&'a mut Waves<A>, &'a Constants, Real<A>) -> (),
+    Waves::set_inlined
+);
+
+part!(
+    SetWave ['a, A: Arithmetic] ['a, A]
+    (&'a mut Waves<A>, &'a Constants, usize, &'a Pair<A>, Root<A>) -> (),
+    Waves::set_wave_inlined
+);
+
+part!(
+    Settled ['a, A: Arithmetic, const TORSION: bool] ['a, A, TORSION]
+    (&'a Pair<A>,) -> Root<A>,
+    Pair::settled_inlined::<TORSION>
+);

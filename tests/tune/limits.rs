@@ -1,0 +1,154 @@
+//! Limits that an optimum comes up against, with the optima that closed forms give.
+
+use std::f64::consts::TAU;
+
+use beamtune::model::{Hold, Limit, Model, Variable};
+use beamtune::tune::Tuned;
+
+use crate::absorber::{self, ABSORBER, MASS, STIFFNESS, mean_square, receptance_on, tuned};
+
+const BUDGET: Option<usize> = Some(400);
+const PEAK: &str = r#"objective = { minimise = "peak", response = "w", from = 5.0, to = 60.0 }"#;
+const SUPPORTS: [&str; 2] = ["supports.left.w.stiffness", "supports.right.w.stiffness"];
+
+fn variable(paths: &[&str], min: f64, max: f64) -> Variable {
+    Variable {
+        paths: paths.iter().map(|path| (*path).to_owned()).collect(),
+        hold: Hold::Equal,
+        min,
+        max,
+        scale: None,
+        tolerance: 0.0,
+    }
+}
+
+fn limited(tune: &str, more: Vec<Variable>, limits: Vec<Limit>) -> Model {
+    let mut model = absorber::model(tune);
+    let of = model.tune.as_mut().unwrap();
+    of.variables.extend(more);
+    of.limits = limits;
+    model
+}
+
+/// The lower and upper undamped natural frequency (Hz) of two masses: the closed form of their quadratic.
+fn natural_frequencies(mass: f64, spring: f64, stiffness: f64) -> [f64; 2] {
+    let half = 0.5 * ((stiffness + spring) / MASS + spring / mass);
+    let root = (half * half - stiffness * spring / (MASS * mass)).sqrt();
+    [half - root, half + root].map(|square| square.sqrt() / TAU)
+}
+
+fn all_hold(found: &Tuned) {
+    for kept in &found.limits {
+        assert!(kept.holds, "{kept:?}");
+    }
+}
+
+/// Closed form: a heavier absorber always does better, so that the mass is the one allowed. Literature: the peak is then
+/// Den Hartog's sqrt(1 + 2/mu) static deflections, which is off by 0.07 % at mu = 0.05 and by less below.
+#[test]
+fn as_much_mass_as_allowed_is_added() {
+    let at_most = 0.03 * MASS;
+    let mass = variable(&["subsystems.S1.mass"], 0.5, 8.0);
+    let limit = Limit::AddedMass { at_most };
+    let found = tuned(&limited(PEAK, vec![mass], vec![limit]), BUDGET);
+    all_hold(&found);
+    let off = found.limits[0].value / at_most - 1.0;
+    assert!(off.abs() < 1e-6, "{off:e}");
+    assert_eq!(found.limits[0].value, found.variables[2].after);
+    let peak = found.after[0].figure * STIFFNESS;
+    let literature = (1.0 + 2.0 / 0.03_f64).sqrt();
+    assert!((peak / literature - 1.0).abs() < 1e-3, "{peak}");
+}
+
+/// Closed form: where Den Hartog's absorber has its upper mode in the band, the best one allowed has it at the band's
+/// end, w: its springs are m w^2 (K - M w^2) / (K - M w^2 - m w^2).
+#[test]
+fn no_mode_is_in_the_band() {
+    let free = tuned(&absorber::model(PEAK), BUDGET);
+    let [lower, upper] = natural_frequencies(ABSORBER, 2.0 * free.variables[0].after, STIFFNESS);
+    let (from, to) = (0.5 * (lower + upper), 1.02 * upper);
+    let found = tuned(
+        &limited(PEAK, Vec::new(), vec![Limit::NoMode { from, to }]),
+        BUDGET,
+    );
+    all_hold(&found);
+    let spring = 2.0 * found.variables[0].after;
+    let square = (TAU * to).powi(2);
+    let beam = STIFFNESS - MASS * square;
+    let expected = ABSORBER * square * beam / (beam - ABSORBER * square);
+    assert!(
+        (spring / expected - 1.0).abs() < 1e-6,
+        "{spring} {expected}"
+    );
+    let value = found.limits[0].value;
+    assert!((value / to - 1.0).abs() < 1e-6, "{value}");
+    assert!(found.after[0].figure > free.after[0].figure);
+}
+
+/// Closed form: above its resonance the beam moves the less the softer its springs, K, are; at rest it moves by 1/K. The
+/// deflection at rest is drawn from low frequencies to 1e-5.
+#[test]
+fn springs_are_as_soft_as_the_deflection_allows() {
+    const AT_MOST: f64 = 1.25e-6;
+    let mut model = limited(
+        r#"objective = { minimise = "mean_square", response = "w", from = 40.0, to = 60.0 }"#,
+        vec![variable(&SUPPORTS, 1e5, 2e6)],
+        vec![Limit::StaticDeflection {
+            response: "w".to_owned(),
+            at_most: AT_MOST,
+        }],
+    );
+    model.tune.as_mut().unwrap().variables.drain(..2);
+    let found = tuned(&model, BUDGET);
+    all_hold(&found);
+    let deflection = 0.5 / found.variables[0].after;
+    assert!((deflection / AT_MOST - 1.0).abs() < 1e-5, "{deflection:e}");
+    let value = found.limits[0].value;
+    assert!((value / AT_MOST - 1.0).abs() < 1e-6, "{value:e}");
+}
+
+/// Closed form: above its resonance the beam moves the less the softer its springs and the heavier its absorber are, and
+/// the band without a mode keeps the absorber's at one of its ends from where it would do best. With all three at their bounds the springs
+/// of the absorber follow, and the damping alone is left: the best of a scan.
+#[test]
+fn all_limits_hold_at_once() {
+    let at_most = 0.04 * MASS;
+    let deflection = 1.1e-6;
+    let (from, to) = (45.0, 62.0);
+    let objective =
+        r#"objective = { minimise = "mean_square", response = "w", from = 40.0, to = 60.0 }"#;
+    let model = limited(
+        objective,
+        vec![
+            variable(&["subsystems.S1.mass"], 0.5, 8.0),
+            variable(&SUPPORTS, 1e5, 2e6),
+        ],
+        vec![
+            Limit::AddedMass { at_most },
+            Limit::NoMode { from, to },
+            Limit::StaticDeflection {
+                response: "w".to_owned(),
+                at_most: deflection,
+            },
+        ],
+    );
+    let found = tuned(&model, BUDGET);
+    all_hold(&found);
+    let [spring, damping, mass, support] = [0, 1, 2, 3].map(|index| found.variables[index].after);
+    assert!((mass / at_most - 1.0).abs() < 1e-6, "{mass}");
+    let at_rest = 0.5 / support;
+    assert!((at_rest / deflection - 1.0).abs() < 1e-5, "{at_rest:e}");
+    let [_, upper] = natural_frequencies(mass, 2.0 * spring, 2.0 * support);
+    // The mean has a minimum on either side of the band, and the search is content with one of them.
+    let is_at = |end: f64| (upper / end - 1.0).abs() < 1e-6;
+    assert!(is_at(from) || is_at(to), "{upper}");
+    let mean = |damping| {
+        mean_square([40.0, 60.0], |frequency| {
+            receptance_on(2.0 * support, frequency, mass, [spring, damping])
+        })
+    };
+    let scan = (-20..=20).map(|index| mean(damping * 1.05_f64.powi(index)));
+    let least = scan.fold(f64::INFINITY, f64::min);
+    let figure = found.after[0].figure;
+    assert!(figure < least * (1.0 + 1e-6), "{figure:e} {least:e}");
+}

@@ -14,7 +14,7 @@ use beamtune::model::{
     BeamMotion, Model, Place, Quantity, Restraint, Spacing, Sweep, Target, read,
 };
 use beamtune::presets;
-use beamtune::solve::{Kept, frequencies, sweep, work};
+use beamtune::solve::{Kept, chain, fem, frequencies, sweep, work};
 
 static NEVER: AtomicBool = AtomicBool::new(false);
 
@@ -29,6 +29,7 @@ fn main() {
         .num_threads(1)
         .build()
         .unwrap();
+    witnesses();
     alone.install(|| {
         against_the_peak();
         growth();
@@ -76,6 +77,43 @@ fn grid(points: usize) -> Vec<f64> {
         points,
         spacing: Spacing::Linear,
     })
+}
+
+/// The exact solver beside finite elements and the paper's chain, on all cores: fig05a, 2,000 frequencies, 12 responses.
+fn witnesses() {
+    /// A frequency of 80 elements by `scipy.sparse.linalg.spsolve`, us, measured apart.
+    const SCIPY: f64 = 700.0;
+    let model = preset("fig05a");
+    let (all, some) = (grid(2000), grid(100));
+    let elements = fem::FiniteElements::new(&model, 80);
+    let (mut exact, mut finite, mut product) = (f64::INFINITY, f64::INFINITY, f64::INFINITY);
+    for _ in 0..10 {
+        exact = exact.min(shortest(3, || sweep(&model, &all, &NEVER)) / 2000.0);
+        finite = finite.min(shortest(1, || elements.sweep(&some, &NEVER)) / 100.0);
+        product = product.min(shortest(1, || chain::sweep(&model, &some, &NEVER)) / 100.0);
+    }
+    let [exact, finite, product] = [exact, finite, product].map(|time| time * 1e6);
+    println!("All cores, us a frequency, and times the exact solver:");
+    println!("{:34} {exact:9.3}", "exact");
+    for (name, time) in [
+        ("finite elements, 80, built in", finite),
+        ("finite elements, 80, SciPy (measured apart)", SCIPY),
+        ("the paper's chain", product),
+    ] {
+        println!("{name:34} {time:9.1} {:9.0}", time / exact);
+    }
+    for frequency in [100.0, 400.0, 1000.0] {
+        let [one, other] = [
+            sweep(&model, &[frequency], &NEVER).unwrap(),
+            chain::sweep(&model, &[frequency], &NEVER).unwrap().unwrap(),
+        ];
+        let pairs = one.columns.iter().zip(&other.columns);
+        let worst = pairs
+            .map(|(a, b)| (a.values[0] - b.values[0]).norm() / a.values[0].norm())
+            .fold(0.0, f64::max);
+        println!("the chain differs at {frequency} Hz by {worst:.1e}");
+    }
+    println!();
 }
 
 /// The kernel's multiplications and additions a second, and the processor's.

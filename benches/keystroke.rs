@@ -3,20 +3,21 @@
 //! The real program in a pseudo-terminal of 120 x 40, each preset and 1,000 subsystems at 2,000 frequencies: how long
 //! from the key that nudges a parameter to the end of the first picture of it, beside the time of drawing the same screen
 //! with nothing to solve (a repaint), and to the last picture. Then a key that is held: whether every press counts, and
-//! how long after the last one the picture is there.
+//! how long after the last one the picture is there. Names of presets, and `thousand`, measure those alone.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
 
 #[allow(dead_code, reason = "shared with another bench")]
 mod terminal;
 
+use std::path::Path;
 use std::time::{Duration, Instant};
 
 use beamtune::presets;
 use terminal::{Terminal, median, ms};
 
 /// After this long without a byte a key has had its effect.
-const QUIET: Duration = Duration::from_millis(400);
+const QUIET: Duration = Duration::from_millis(250);
 
 /// What may follow slowly: modes of many subsystems.
 const SLOW: Duration = Duration::from_secs(3);
@@ -35,8 +36,19 @@ fn main() {
         "{:24} {:>9} {:>9} {:>7} {:>9} {:>6} {:>9}",
         "", "first ms", "drawn ms", "ratio", "last ms", "lost", "lag ms"
     );
-    for preset in presets::ALL {
+    let asked: Vec<String> = std::env::args().skip(1).collect();
+    let is_wanted = |name: &str| {
+        let mut names = asked
+            .iter()
+            .filter(|name| !name.starts_with('-'))
+            .peekable();
+        names.peek().is_none() || names.any(|wanted| wanted == name)
+    };
+    for preset in presets::ALL.iter().filter(|preset| is_wanted(preset.name)) {
         measure(preset.name, preset.name, "", QUIET);
+    }
+    if !is_wanted("thousand") {
+        return;
     }
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("thousand.toml");
@@ -49,15 +61,9 @@ fn main() {
 
 /// Measures a model, at the parameter that some keys lead to.
 fn measure(name: &str, model: &str, keys: &str, quiet: Duration) {
-    let home = tempfile::tempdir().unwrap();
-    let arguments = [model.to_owned()];
-    let program = env!("CARGO_BIN_EXE_beamtune");
-    let mut terminal = Terminal::start(program, &arguments, home.path());
-    terminal.pictures(quiet);
-    terminal.send(keys);
-    terminal.pictures(quiet);
-    terminal.send("\t");
-    terminal.pictures(quiet);
+    // Each a home of its own: nothing is remembered or recovered.
+    let [home, other] = [(); 2].map(|()| tempfile::tempdir().unwrap());
+    let mut terminal = opened(model, keys, home.path(), quiet);
     let (mut first, mut last, mut drawn) = (Vec::new(), Vec::new(), Vec::new());
     for _ in 0..NUDGES {
         let start = Instant::now();
@@ -74,7 +80,11 @@ fn measure(name: &str, model: &str, keys: &str, quiet: Duration) {
         }
         terminal.pictures(QUIET);
     }
-    let (lost, lag) = held(&mut terminal, quiet);
+    let (lost, lag) = held(
+        &mut terminal,
+        opened(model, keys, other.path(), quiet),
+        quiet,
+    );
     terminal.end();
     let (first, last, drawn) = (median(&mut first), median(&mut last), median(&mut drawn));
     println!(
@@ -83,8 +93,20 @@ fn measure(name: &str, model: &str, keys: &str, quiet: Duration) {
     );
 }
 
+/// The program with a model, at the parameter that some keys lead to.
+fn opened(model: &str, keys: &str, home: &Path, quiet: Duration) -> Terminal {
+    let program = env!("CARGO_BIN_EXE_beamtune");
+    let mut terminal = Terminal::start(program, &[model.to_owned()], home);
+    terminal.pictures(quiet);
+    for keys in [keys, "\t"].into_iter().filter(|keys| !keys.is_empty()) {
+        terminal.send(keys);
+        terminal.pictures(quiet);
+    }
+    terminal
+}
+
 /// Whether presses of a held key were lost, and the time from the last press to the first picture after it, ms.
-fn held(terminal: &mut Terminal, quiet: Duration) -> (&'static str, f64) {
+fn held(terminal: &mut Terminal, twin: Terminal, quiet: Duration) -> (&'static str, f64) {
     let mut at = Instant::now();
     for _ in 0..HELD {
         at = Instant::now();
@@ -100,19 +122,24 @@ fn held(terminal: &mut Terminal, quiet: Duration) -> (&'static str, f64) {
         .iter()
         .find(|(_, shown)| *shown == up)
         .map_or(f64::NAN, |(picture, _)| ms(at, *picture));
-    // As many down, one by one, lead back, and as many up at once lead here again.
-    for _ in 0..HELD {
-        terminal.send("-");
-        terminal.picture(quiet);
-    }
-    terminal.pictures(quiet);
-    terminal.send(&"+".repeat(HELD));
-    terminal.pictures(quiet);
-    if tree(terminal) == up {
+    // One by one they lead to the same from the same file.
+    if up == one_by_one(twin, quiet) {
         ("none", lag)
     } else {
         ("some", lag)
     }
+}
+
+/// What the tree shows of another run where each press is seen before the next.
+fn one_by_one(mut twin: Terminal, quiet: Duration) -> Vec<String> {
+    for _ in 0..NUDGES + HELD {
+        twin.send("+");
+        twin.picture(quiet);
+    }
+    twin.pictures(quiet);
+    let shown = tree(&twin);
+    twin.end();
+    shown
 }
 
 /// What the tree of the model shows.

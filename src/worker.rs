@@ -5,10 +5,12 @@
 //! curves cancel everything of older ones, and wait for none of it: modes, shapes and the finite-element witness have
 //! threads of their own. A panic inside a solve becomes the answer's error; the thread lives on.
 
+mod background;
 mod curves;
 mod lane;
 mod levels;
 mod members;
+mod memory;
 mod resolve;
 mod sample;
 mod sensitivity;
@@ -19,6 +21,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use lane::{Lane, guarded};
+use memory::Memory;
 use resolve::{Resolver, Unresolved};
 pub use sensitivity::{SensitivityAnswer, SensitivityRequest};
 pub use tuning::{Pause, SpreadAnswer, SpreadRequest, TuneAnswer, TuneRequest, TuneStage};
@@ -41,6 +44,8 @@ pub const SHAPE_POINTS: usize = 201;
 pub enum Request {
     /// Curves, modes and peaks. It cancels what is solved of older ones: modes, finite elements, the band that shows.
     Curves(Subject),
+    /// Nothing: but an edit may follow, and what lies beside it can be found before.
+    Expect(ExpectRequest),
     /// The shape of a mode.
     Shape(ShapeRequest),
     /// The curves of a finite-element model, at the frequencies of the sweep.
@@ -61,6 +66,15 @@ pub enum Request {
     EndTuning,
     /// What tolerances make of the curves.
     Spread(SpreadRequest),
+}
+
+/// Which edit may follow.
+#[derive(Debug, Clone)]
+pub struct ExpectRequest {
+    /// A checked model.
+    pub model: Arc<Model>,
+    /// The model after such an edit, checked.
+    pub edited: Arc<Model>,
 }
 
 /// Which models' levels are told in which band.
@@ -310,6 +324,8 @@ pub struct Difference {
 #[derive(Debug)]
 pub struct Worker {
     curves: Lane<Subject>,
+    /// Prepares for the next edit.
+    expected: Lane<ExpectRequest>,
     /// Whoever solves curves hands them on to it.
     resolving: Arc<Lane<Unresolved>>,
     shapes: Lane<ShapeRequest>,
@@ -328,7 +344,8 @@ pub struct Worker {
 impl Worker {
     /// Starts the threads; they hand their answers to `notify`.
     pub fn start(notify: impl Fn(Answer) + Clone + Send + 'static) -> Self {
-        let mut resolver = Resolver::default();
+        let memory = Memory::default();
+        let mut resolver = Resolver::new(memory.clone());
         let tell = notify.clone();
         let resolving = Arc::new(Lane::start(move |unresolved, cancel| {
             if let Some(answer) = resolver.answer(unresolved, cancel) {
@@ -337,9 +354,17 @@ impl Worker {
         }));
         let tell = notify.clone();
         let next = Arc::clone(&resolving);
+        let expecting = memory.clone();
+        let expected = Lane::start(move |request: ExpectRequest, cancel: &_| {
+            // A fault of the solver is told where it is asked for curves.
+            drop(guarded(|| {
+                expecting.expect(&request.model, &request.edited, cancel);
+                Ok(Some(()))
+            }));
+        });
         let curves = Lane::start(move |subject, cancel| {
             let tell = |answer| tell(Answer::Curves(answer));
-            if let Some(unresolved) = curves::answer(subject, cancel, &tell) {
+            if let Some(unresolved) = curves::answer(subject, &memory, cancel, &tell) {
                 next.give(unresolved);
             }
         });
@@ -398,6 +423,7 @@ impl Worker {
         });
         Self {
             curves,
+            expected,
             resolving,
             shapes,
             witness,
@@ -417,11 +443,13 @@ impl Worker {
     pub fn request(&self, request: Request) {
         match request {
             Request::Curves(subject) => {
+                self.expected.cancel();
                 self.resolving.cancel();
                 self.witness.cancel();
                 self.details.cancel();
                 self.curves.give(subject);
             }
+            Request::Expect(request) => self.expected.give(request),
             Request::Shape(request) => self.shapes.give(request),
             Request::Witness(subject) => self.witness.give(subject),
             Request::Levels(request) => self.levels.give(request),

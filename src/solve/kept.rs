@@ -94,6 +94,11 @@ impl Kept {
         self.keep(&plan, &edited, frequencies, cancel).is_some()
     }
 
+    /// Whether what is kept serves a model.
+    pub fn knows(&self, model: &Model, frequencies: &[f64]) -> bool {
+        self.reaches(&Plan::new(model), frequencies)
+    }
+
     /// Bytes that are kept.
     pub fn bytes(&self) -> usize {
         let sides = self.beside.iter().flat_map(|beside| &beside.sides);

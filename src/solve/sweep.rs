@@ -58,6 +58,35 @@ impl Frf {
     }
 }
 
+impl Frf {
+    /// The rows of two responses of the same model, by rising frequency.
+    #[must_use]
+    pub fn merged(&self, other: &Self) -> Self {
+        let split = self.frequencies.len();
+        let both = [&self.frequencies[..], &other.frequencies].concat();
+        let mut order: Vec<usize> = (0..both.len()).collect();
+        // Stable, and fast on two rising runs.
+        order.sort_by(|&a, &b| both[a].total_cmp(&both[b]));
+        let columns = self.columns.iter().zip(&other.columns);
+        let columns = columns.map(|(one, other)| Column {
+            name: one.name.clone(),
+            kind: one.kind,
+            unit: one.unit,
+            values: order
+                .iter()
+                .map(|&row| match row.checked_sub(split) {
+                    None => one.values[row],
+                    Some(row) => other.values[row],
+                })
+                .collect(),
+        });
+        Self {
+            columns: columns.collect(),
+            frequencies: order.iter().map(|&row| both[row]).collect(),
+        }
+    }
+}
+
 /// The frequencies of a sweep, Hz; the first and the last are exactly `from` and `to`.
 pub fn frequencies(sweep: &Sweep) -> Vec<f64> {
     let last = sweep.points - 1;

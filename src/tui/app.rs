@@ -155,6 +155,8 @@ pub struct App {
     after_save: Option<Next>,
     /// What was sent to be solved last.
     requested: Option<(Arc<Model>, Option<usize>)>,
+    /// The parameter whose nudge is prepared for.
+    expected: Option<String>,
     /// The generation whose finite-element curves were asked for last.
     witnessed: Option<u64>,
     /// The serial number given last.
@@ -200,6 +202,7 @@ impl App {
             held: None,
             after_save: None,
             requested: None,
+            expected: None,
             witnessed: None,
             serial: 0,
             unseen: false,

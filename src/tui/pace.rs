@@ -7,11 +7,11 @@
 use std::time::{Duration, Instant};
 
 use super::event::Event;
-use crate::worker::{Answer, Stage};
+use crate::worker::{Answer, Curves, Stage};
 
 /// How long a drawing waits for a better picture that is in work. After a key these are the curves it asked for, old
-/// ones, dimmed, being drawn for nothing; after curves at the frequencies of the sweep the ones with all peaks, the
-/// sharp ones of which would vanish and come back. What takes 0.1 s still seems to come at once (J. Nielsen, Usability
+/// ones, dimmed, being drawn for nothing; after the first curves at the frequencies of the sweep the ones with all peaks,
+/// the sharp ones of which would vanish and come back. What takes 0.1 s still seems to come at once (J. Nielsen, Usability
 /// Engineering, 1993, section 5.5).
 const HOLD: Duration = Duration::from_millis(100);
 
@@ -33,15 +33,24 @@ pub enum Reason {
     Awaits,
 }
 
+/// Whether curves have points between those of the sweep, where the peaks were before the last edit.
+fn has_peaks(curves: &Curves) -> bool {
+    let mut members = curves.members.iter();
+    members.any(|member| member.frf.frequencies.len() > member.model.sweep.points)
+}
+
 impl Reason {
     /// Why an event is followed by a drawing, as long as it asked for nothing.
     pub fn of(event: &Event) -> Self {
         match event {
-            Event::Answer(Answer::Curves(answer))
+            Event::Answer(Answer::Curves(answer)) => {
                 // A coarse curve comes where the full one takes long.
-                if answer.stage == Stage::Full && answer.result.is_ok() =>
-            {
-                Self::Awaits
+                let awaits = answer.stage == Stage::Full
+                    && answer
+                        .result
+                        .as_ref()
+                        .is_ok_and(|curves| !has_peaks(curves));
+                if awaits { Self::Awaits } else { Self::Shows }
             }
             _ => Self::Shows,
         }
@@ -103,7 +112,7 @@ impl Pace {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::worker::{Curves, CurvesAnswer};
+    use crate::worker::CurvesAnswer;
 
     const MS: fn(u64) -> Duration = Duration::from_millis;
 

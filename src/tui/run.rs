@@ -226,6 +226,7 @@ impl Stage<'_> {
             // A look at the file that found nothing draws nothing.
             let silent = matches!(event, Event::Touched).then(|| self.app.message.clone());
             let is_answer = matches!(event, Event::Answer(_));
+            let shows_peaks = self.app.curves.shows_peaks();
             let effects = self.app.update(event);
             let solves = effects
                 .iter()
@@ -236,7 +237,13 @@ impl Stage<'_> {
             // What is read meanwhile waits for the curves that it belongs to.
             let solves = solves || (is_answer && self.app.curves.is_stale());
             if silent.is_none_or(|said| self.app.message != said) {
-                pace.wants(reason.asking(solves), Instant::now());
+                // Only peaks that show can vanish and come back.
+                let reason = if is_answer && !shows_peaks {
+                    Reason::Shows
+                } else {
+                    reason.asking(solves)
+                };
+                pace.wants(reason, Instant::now());
             }
             next = self.events.try_recv().ok();
         }

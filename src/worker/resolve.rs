@@ -5,10 +5,13 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
+use rayon::ThreadPool;
 use rayon::prelude::*;
 
+use super::background;
 use super::lane::guarded;
 use super::members::Labelled;
+use super::memory::Memory;
 use super::{Curves, CurvesAnswer, Member, ModalModel, Stage, Subject};
 use crate::model::Model;
 use crate::solve::modes::{Mode, Modes, Shares, follow, modes, shape};
@@ -33,11 +36,23 @@ pub(super) struct Unresolved {
 /// Resolves curves, and keeps the modes that it found to follow them while a parameter is turned.
 #[derive(Debug, Default)]
 pub(super) struct Resolver {
+    memory: Memory,
+    /// Where the work is done, if not among that of the curves.
+    pool: Option<ThreadPool>,
     /// By place: 0 is the model's own, then come the members'.
     known: HashMap<usize, (Arc<Model>, Arc<Modes>)>,
 }
 
 impl Resolver {
+    /// One that tells where peaks were found.
+    pub(super) fn new(memory: Memory) -> Self {
+        Self {
+            memory,
+            pool: background::pool(),
+            known: HashMap::new(),
+        }
+    }
+
     /// The curves with the points that the modes need, their peaks, and the modes; none where cancelled.
     pub(super) fn answer(
         &mut self,
@@ -45,7 +60,16 @@ impl Resolver {
         cancel: &AtomicBool,
     ) -> Option<CurvesAnswer> {
         let (generation, start) = (unresolved.subject.generation, unresolved.start);
-        let result = guarded(|| Ok(self.resolve(unresolved, cancel)))?;
+        let pool = self.pool.take();
+        let resolve = || self.resolve(unresolved, cancel);
+        let result = guarded(|| {
+            Ok(match &pool {
+                Some(pool) => pool.install(resolve),
+                None => resolve(),
+            })
+        });
+        self.pool = pool;
+        let result = result?;
         Some(CurvesAnswer {
             generation,
             stage: Stage::Resolved,
@@ -65,7 +89,9 @@ impl Resolver {
             } else {
                 self.modes(place, model, cancel)?
             };
-            members.push(resolve_member(model, &modes, member, cancel)?);
+            let resolved = resolve_member(model, &modes, member, cancel)?;
+            self.memory.learn(place - 1, model, &resolved.frf);
+            members.push(resolved);
         }
         let shares = shares(own_model, &own, cancel)?;
         Some(Curves {

@@ -5,6 +5,7 @@ use std::sync::mpsc::channel;
 
 use super::lane::{guarded, unless_cancelled};
 use super::members::members;
+use super::memory::Memory;
 use super::resolve::Resolver;
 use super::{Curves, Member, ReferenceAnswer, SampleAnswer, SampleRequest, Stage, Subject, curves};
 use crate::solve::sweep;
@@ -59,12 +60,13 @@ pub(super) fn reference(subject: Subject, cancel: &AtomicBool) -> Option<Referen
             drop(sender.send(reason));
         }
     };
-    let result: Result<Curves, String> = match curves::answer(subject, cancel, &notify) {
-        Some(unresolved) => match Resolver::default().answer(unresolved, cancel) {
-            Some(answer) => answer.result,
-            None => unless_cancelled(cancel).transpose()?,
-        },
-        None => Err(failures.try_recv().ok()?),
-    };
+    let result: Result<Curves, String> =
+        match curves::answer(subject, &Memory::default(), cancel, &notify) {
+            Some(unresolved) => match Resolver::default().answer(unresolved, cancel) {
+                Some(answer) => answer.result,
+                None => unless_cancelled(cancel).transpose()?,
+            },
+            None => Err(failures.try_recv().ok()?),
+        };
     Some(ReferenceAnswer { serial, result })
 }

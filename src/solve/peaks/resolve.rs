@@ -10,7 +10,7 @@ use super::lacks::{Lacks, hidden};
 use super::{centre, half_width};
 use crate::model::Model;
 use crate::solve::modes::{ModeKind, Modes};
-use crate::solve::{Column, ColumnKind, Frf, sweep};
+use crate::solve::{ColumnKind, Frf, sweep};
 
 /// Most passes over the grid; a dip without damping takes about ten.
 const MOST_PASSES: usize = 24;
@@ -48,7 +48,7 @@ pub fn resolved(model: &Model, modes: &Modes, solved: Frf, cancel: &AtomicBool) 
         // A frequency of the base without a finite answer is on the grid, though no sample.
         wanted.retain(|f| !is_among(*f, &frf.frequencies));
         if !wanted.is_empty() {
-            frf = merged(&frf, &sweep(model, &wanted, cancel)?);
+            frf = frf.merged(&sweep(model, &wanted, cancel)?);
         }
         wanted = next_points(&frf, &features, most_extrema(features.len(), pass));
         if wanted.is_empty() {
@@ -117,28 +117,4 @@ fn next_points(frf: &Frf, modes: &[Feature], most: usize) -> Vec<f64> {
     );
     bare.retain(|&frequency| !is_on_pole(frequency, modes));
     in_order(bare.into_iter().map(Mark::bare).collect())
-}
-
-/// The rows of two responses of the same model, by rising frequency.
-fn merged(one: &Frf, other: &Frf) -> Frf {
-    let split = one.frequencies.len();
-    let both = [&one.frequencies[..], &other.frequencies].concat();
-    let mut order: Vec<usize> = (0..both.len()).collect();
-    // Stable, and fast on two rising runs.
-    order.sort_by(|&a, &b| both[a].total_cmp(&both[b]));
-    let columns = one.columns.iter().zip(&other.columns);
-    let columns = columns.map(|(one, other)| Column {
-        values: order
-            .iter()
-            .map(|&row| match row.checked_sub(split) {
-                None => one.values[row],
-                Some(row) => other.values[row],
-            })
-            .collect(),
-        ..one.clone()
-    });
-    Frf {
-        columns: columns.collect(),
-        frequencies: order.iter().map(|&row| both[row]).collect(),
-    }
 }

@@ -284,6 +284,12 @@ impl Curves {
             if picture.generation == self.generation && picture.stage == Stage::Resolved)
     }
 
+    /// Whether curves with all their peaks show, the model's own or older ones.
+    pub fn shows_peaks(&self) -> bool {
+        self.picture()
+            .is_some_and(|picture| picture.stage == Stage::Resolved)
+    }
+
     /// Takes an answer, unless a newer one stands there already; whether its curves stand there now.
     pub fn take(&mut self, answer: CurvesAnswer) -> bool {
         let newest = self

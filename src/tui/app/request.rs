@@ -3,7 +3,12 @@
 use std::sync::Arc;
 
 use super::{App, Effect, Look, Witness};
-use crate::worker::{Answer, CurvesAnswer, Request, Sampling, ShapeRequest, Subject};
+use crate::model::Model;
+use crate::model::path::{self, Value};
+use crate::tui::tree;
+use crate::worker::{
+    Answer, CurvesAnswer, ExpectRequest, Request, Sampling, ShapeRequest, Subject,
+};
 
 impl App {
     /// Takes what the worker has found.
@@ -59,6 +64,7 @@ impl App {
     /// Asks the worker for what is to be seen and was not asked for yet.
     pub(super) fn request(&mut self) -> Vec<Effect> {
         let mut requests: Vec<Request> = self.want_curves().into_iter().collect();
+        requests.extend(self.want_expected());
         requests.extend(self.want_shape());
         requests.extend(self.want_witness());
         requests.extend(self.want_reference());
@@ -94,6 +100,29 @@ impl App {
         self.witness.outdate();
         self.requested = Some((model, study));
         Some(Request::Curves(self.subject()))
+    }
+
+    /// Preparation for a nudge of the selected parameter, where the model is so large that it saves time.
+    fn want_expected(&mut self) -> Option<Request> {
+        const MANY: usize = 50;
+        let model = Arc::clone(self.document.model());
+        if model.subsystems.len() < MANY || self.curves.is_stale() {
+            return None;
+        }
+        let path = tree::parameter_path(&model, self.selection.node())?;
+        if self.expected.as_ref() == Some(&path) {
+            return None;
+        }
+        self.expected = Some(path.clone());
+        let Value::Number(value) = path::parameter(&model, &path).ok()?.value else {
+            return None;
+        };
+        let mut edited = Model::clone(&model);
+        path::set(&mut edited, &path, Value::Number(1.01 * value)).ok()?;
+        Some(Request::Expect(ExpectRequest {
+            model,
+            edited: Arc::new(edited),
+        }))
     }
 
     /// The shape of the selected mode, if it shows.

@@ -160,7 +160,8 @@ impl Stage<'_> {
             return Ok(ended);
         }
         let mut pace = Pace::new();
-        pace.wants(Reason::Shows, Instant::now());
+        // The first picture has curves, unless they take long.
+        pace.wants(Reason::Awaits, Instant::now());
         let mut next_frame = Instant::now();
         loop {
             if pace.due().is_some_and(|due| due <= Instant::now()) {

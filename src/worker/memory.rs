@@ -19,7 +19,7 @@ struct Member {
     peaks: Option<Peaks>,
 }
 
-/// The frequencies between those of the sweep that the last resolved curves have.
+/// The frequencies between those of the sweep at which the last resolved curves have a peak or an anti-resonance.
 #[derive(Debug)]
 struct Peaks {
     sweep: Sweep,
@@ -56,15 +56,14 @@ impl Memory {
         known.is_some_and(|member| member.kept[0].knows(model, &frequencies(&model.sweep)))
     }
 
-    /// Remembers where the peaks of a member are.
+    /// Remembers where the peaks and anti-resonances of a member are that fall between the frequencies of its sweep.
     pub(super) fn learn(&self, place: usize, model: &Model, resolved: &Frf) {
         let base = frequencies(&model.sweep);
-        let is_new = |f: &&f64| base.binary_search_by(|known| known.total_cmp(f)).is_err();
-        let between: Vec<f64> = resolved
-            .frequencies
-            .iter()
-            .filter(is_new)
-            .copied()
+        let is_new = |f: f64| base.binary_search_by(|known| known.total_cmp(&f)).is_err();
+        let rows = resolved.frequencies.iter().enumerate();
+        let between: Vec<f64> = rows
+            .filter(|&(row, &f)| is_new(f) && is_extreme(resolved, row))
+            .map(|(_, &f)| f)
             .collect();
         self.members().entry(place).or_default().peaks = Some(Peaks {
             sweep: model.sweep,
@@ -89,4 +88,17 @@ impl Memory {
         // A panic inside a solve leaves what was kept before it.
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
+}
+
+/// Whether some response is larger in a row than in both rows beside it, or smaller.
+fn is_extreme(frf: &Frf, row: usize) -> bool {
+    frf.columns.iter().any(|column| {
+        let around = row
+            .checked_sub(1)
+            .and_then(|first| column.values.get(first..first + 3));
+        around.is_some_and(|values| {
+            let [before, here, after] = [0, 1, 2].map(|index| values[index].norm_sqr());
+            (here > before && here > after) || (here < before && here < after)
+        })
+    })
 }

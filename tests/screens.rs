@@ -4,6 +4,7 @@
 #[path = "fuzz/dice.rs"]
 #[allow(dead_code)]
 mod dice;
+#[allow(dead_code)] // The driver serves other tests too.
 #[path = "screens/driver.rs"]
 mod driver;
 #[path = "screens/random.rs"]

@@ -221,3 +221,30 @@ fn without_a_figure_there_is_a_word() {
     };
     assert!(text.contains("sensitivities are of the cursor"), "{text}");
 }
+
+#[test]
+fn a_key_that_comes_before_the_first_peaks_means_the_one_that_will_be_there() {
+    let mut driver = Driver::begun("cantilever");
+    driver.keys("~");
+    assert_eq!(driver.app.tables.open, Some(Table::Sensitivities));
+    assert!(driver.app.sensitivities.effects.is_none());
+    driver.answered(|_| ());
+    assert_eq!(effects(&driver).sensed, Sensed::Peak);
+    let (_, trace) = driver.app.curves.first_resolved().unwrap();
+    assert_eq!(effects(&driver).at, [trace.peaks[0].frequency; 2]);
+}
+
+#[test]
+fn sensitivities_of_a_peak_that_never_comes_say_so() {
+    let mut driver = Driver::begun("cantilever");
+    driver.keys("~");
+    driver.answered(|answer| {
+        let curves = answer.result.as_mut().unwrap();
+        for member in &mut curves.members {
+            member.peaks.iter_mut().for_each(Vec::clear);
+        }
+    });
+    assert!(driver.app.lacks_figure());
+    let screen = driver.screen(80, 24);
+    assert!(screen.contains("there is none now"), "{screen}");
+}

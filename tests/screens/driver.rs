@@ -41,6 +41,17 @@ impl Driver {
         driver
     }
 
+    /// The designer with a preset whose first curves are still in work; what is asked for later is answered.
+    pub fn begun(name: &str) -> Self {
+        let preset = presets::find(name).expect("a preset");
+        let model = model::read(preset.text).expect("a possible model");
+        let mut driver = Self::waiting(model, preset.text.to_owned(), Source::Preset(preset.name));
+        let effects = driver.app.start();
+        driver.perform(effects);
+        driver.answers = true;
+        driver
+    }
+
     /// A designer whose requests stay without answers.
     fn waiting(model: Model, text: String, source: Source) -> Self {
         let app = App::new(Opened {
@@ -119,7 +130,7 @@ impl Driver {
         });
         if let Some(Answer::Curves(mut answer)) = solved(request).pop() {
             change(&mut answer);
-            self.app.update(Event::Answer(Answer::Curves(answer)));
+            self.happen(Event::Answer(Answer::Curves(answer)));
         }
         self
     }

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use super::{Anchor, App, Table};
+use super::{Anchor, App, Shown, Table};
 use crate::solve::sensitivity::{Figure, Sensitivity};
 use crate::tui::keys::Command;
 use crate::tui::tree::{self, Node};
@@ -93,7 +93,9 @@ impl App {
         let shown = self.sensitivities.sensed;
         let shown = order.iter().position(|one| Some(*one) == shown);
         let mut rest = order.into_iter().skip(shown.map_or(0, |shown| shown + 1));
-        let next = rest.find(|sensed| self.sensitivity_key(*sensed).is_some());
+        // Pressed before the first peaks are known, the key means the one that will be there.
+        let comes = |sensed| sensed == Sensed::Peak && self.awaits_peaks();
+        let next = rest.find(|one| self.sensitivity_key(*one).is_some() || comes(*one));
         if next.is_none() && self.sensitivities.sensed.is_none() {
             let (cursor, peak) = (Command::Cursor(1), Command::NextPeak);
             let [cursor, peak, band] =
@@ -124,6 +126,17 @@ impl App {
             }
             self.done("without sensitivities");
         }
+    }
+
+    /// Whether no peaks are known, but will be.
+    fn awaits_peaks(&self) -> bool {
+        self.curves.resolved.is_none() && !matches!(self.curves.shown, Shown::Failed(..))
+    }
+
+    /// Whether there is nothing, or no longer anything, that the sensitivities could be of.
+    pub fn lacks_figure(&self) -> bool {
+        let key = |sensed| self.sensitivity_key(sensed);
+        self.curves.is_resolved() && self.sensitivities.sensed.and_then(key).is_none()
     }
 
     /// In which order a key goes through the figures: a cursor that stands on a peak means the peak.

@@ -63,6 +63,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
         (Some(failure), _) => failure.as_str(),
         (None, None) => "what they are of is chosen by the key that opened this table",
         (None, Some(_)) if effects.is_some() => "no parameter matters",
+        (None, Some(_)) if app.lacks_figure() => "there is none now that they could be of",
         (None, Some(_)) => "solving",
     };
     let content = Content {

@@ -1,9 +1,10 @@
 //! The one place that knows background threads: each works on the newest request and drops what is overtaken.
 //!
 //! Curves are answered in stages: where the whole sweep would take longer than [`PROMPT`], a coarse one over every few
-//! frequencies comes first; then the whole sweep; then the modes, and the sweep with the points that they need. New
-//! curves cancel everything of older ones, and wait for none of it: modes, shapes and the finite-element witness have
-//! threads of their own. A panic inside a solve becomes the answer's error; the thread lives on.
+//! frequencies and the last peaks comes first; then the whole sweep; then the modes, and the sweep with the points that
+//! they need. New curves cancel everything of older ones but the preparation for an edit, and wait for none of it: modes,
+//! shapes and the finite-element witness have threads of their own. A panic inside a solve becomes the answer's error;
+//! the thread lives on.
 
 mod background;
 mod curves;
@@ -20,6 +21,7 @@ mod witness;
 use std::sync::Arc;
 use std::time::Duration;
 
+pub(crate) use background::give_way;
 use lane::{Lane, guarded};
 use memory::Memory;
 use resolve::{Resolver, Unresolved};
@@ -33,8 +35,8 @@ use crate::solve::modes::{Modes, Shape, Shares, shape};
 use crate::solve::operating::{Operating, operating};
 use crate::solve::peaks::Peak;
 
-/// A sweep that would take longer than this is preceded by a coarse one.
-pub const PROMPT: Duration = Duration::from_millis(30);
+/// A sweep that would take longer than this, about the time of drawing, is preceded by a coarse one.
+pub const PROMPT: Duration = Duration::from_millis(1);
 
 /// Points along the beam at which a shape is given.
 pub const SHAPE_POINTS: usize = 201;
@@ -325,7 +327,7 @@ pub struct Difference {
 pub struct Worker {
     curves: Lane<Subject>,
     /// Prepares for the next edit.
-    expected: Lane<ExpectRequest>,
+    expected: Arc<Lane<ExpectRequest>>,
     /// Whoever solves curves hands them on to it.
     resolving: Arc<Lane<Unresolved>>,
     shapes: Lane<ShapeRequest>,
@@ -354,17 +356,15 @@ impl Worker {
         }));
         let tell = notify.clone();
         let next = Arc::clone(&resolving);
-        let expecting = memory.clone();
-        let expected = Lane::start(move |request: ExpectRequest, cancel: &_| {
-            // A fault of the solver is told where it is asked for curves.
-            drop(guarded(|| {
-                expecting.expect(&request.model, &request.edited, cancel);
-                Ok(Some(()))
-            }));
-        });
-        let curves = Lane::start(move |subject, cancel| {
+        let expected = Arc::new(preparation(memory.clone()));
+        let preparing = Arc::clone(&expected);
+        let curves = Lane::start(move |subject: Subject, cancel: &_| {
             let tell = |answer| tell(Answer::Curves(answer));
+            let before = memory.last(0);
             if let Some(unresolved) = curves::answer(subject, &memory, cancel, &tell) {
+                if let Some(edit) = memory.missing(before, &unresolved.members) {
+                    preparing.give(edit);
+                }
                 next.give(unresolved);
             }
         });
@@ -443,7 +443,6 @@ impl Worker {
     pub fn request(&self, request: Request) {
         match request {
             Request::Curves(subject) => {
-                self.expected.cancel();
                 self.resolving.cancel();
                 self.witness.cancel();
                 self.details.cancel();
@@ -466,6 +465,22 @@ impl Worker {
             },
         }
     }
+}
+
+/// Finds what lies beside an edit, in threads that give way.
+fn preparation(memory: Memory) -> Lane<ExpectRequest> {
+    let pool = background::pool();
+    Lane::start(move |request: ExpectRequest, cancel: &_| {
+        let expect = || memory.expect(&request.model, &request.edited, cancel);
+        // A fault of the solver is told where it is asked for curves.
+        drop(guarded(|| {
+            match &pool {
+                Some(pool) => pool.install(expect),
+                None => expect(),
+            }
+            Ok(Some(()))
+        }));
+    })
 }
 
 fn shape_of(request: &ShapeRequest) -> Option<ShapeAnswer> {

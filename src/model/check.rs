@@ -8,8 +8,10 @@ use super::fault::Fault;
 use super::field::{BEAM, Field, MATERIAL, SECTION, SUBSYSTEM, SWEEP, elastic_fields};
 use super::names;
 use super::serial::format_number;
-use super::types::{Beam, BeamMotion, Model, Restraint, Support, Sweep};
+use super::types::{Beam, BeamMotion, Model, Restraint, Subsystem, Support, Sweep};
+use std::cell::LazyCell;
 use std::collections::HashMap;
+use std::fmt;
 
 /// The fewest frequencies of a sweep.
 pub(super) const FEWEST_POINTS: usize = 2;
@@ -120,12 +122,12 @@ pub(super) fn element_keys<'a>(names: impl Iterator<Item = &'a str>) -> Vec<Stri
 /// Names that are empty, hold control characters or are used twice.
 fn element_names<'a>(
     path: &str,
-    names: impl Iterator<Item = &'a str> + Clone,
+    names: &(impl Iterator<Item = &'a str> + Clone),
     faults: &mut Vec<Fault>,
 ) {
-    let keys = element_keys(names.clone());
+    let keys = LazyCell::new(|| element_keys(names.clone()));
     let mut seen = HashMap::new();
-    for (index, name) in names.enumerate() {
+    for (index, name) in names.clone().enumerate() {
         let first = *seen.entry(name).or_insert(index);
         let message = if name.trim().is_empty() {
             "is empty; must be a name".to_owned()
@@ -148,34 +150,39 @@ fn subsystems(model: &Model, faults: &mut Vec<Fault>) {
         .subsystems
         .iter()
         .map(|subsystem| subsystem.name.as_str());
-    element_names("subsystems", names.clone(), faults);
-    for (subsystem, key) in model.subsystems.iter().zip(element_keys(names)) {
-        let path = format!("subsystems.{key}");
-        if matches!(subsystem.name.as_str(), "left" | "right") {
-            faults.push(Fault::new(
-                format!("{path}.name"),
-                format!(
-                    "{:?} is an end of the beam; must be another name",
-                    subsystem.name
-                ),
-            ));
-        }
-        numbers(&path, subsystem, SUBSYSTEM, faults);
-        beyond_the_end(
-            &format!("{path}.position"),
-            subsystem.position,
-            model,
-            faults,
-        );
+    element_names("subsystems", &names, faults);
+    let is_sound = |one| {
+        let mut found = Vec::new();
+        subsystem("", one, model, &mut found);
+        found.is_empty()
+    };
+    // Paths take longer to make than rules to hold.
+    if model.subsystems.iter().all(is_sound) {
+        return;
+    }
+    for (one, key) in model.subsystems.iter().zip(element_keys(names)) {
+        subsystem(&format!("subsystems.{key}"), one, model, faults);
     }
 }
 
+fn subsystem(path: &str, one: &Subsystem, model: &Model, faults: &mut Vec<Fault>) {
+    if matches!(one.name.as_str(), "left" | "right") {
+        faults.push(Fault::new(
+            format!("{path}.name"),
+            format!("{:?} is an end of the beam; must be another name", one.name),
+        ));
+    }
+    numbers(path, one, SUBSYSTEM, faults);
+    let path = format_args!("{path}.position");
+    beyond_the_end(path, one.position, model, faults);
+}
+
 /// A position past the right end; those before the left end are outside their range already.
-fn beyond_the_end(path: &str, position: f64, model: &Model, faults: &mut Vec<Fault>) {
+fn beyond_the_end(path: fmt::Arguments<'_>, position: f64, model: &Model, faults: &mut Vec<Fault>) {
     let length = model.beam.length;
     if position.is_finite() && length > 0.0 && position > length {
         faults.push(Fault::new(
-            path,
+            path.to_string(),
             format!(
                 "is {}; must be 0 to {} m, on the beam",
                 format_number(position),

@@ -186,14 +186,23 @@ fn one(model: &Model, path: &str) -> Result<Address, Fault> {
 /// # Errors
 /// The path matches nothing, the value does not fit, or [`check()`] refuses the outcome. The model is then unchanged.
 pub fn set(model: &mut Model, path: &str, value: Value) -> Result<(), Vec<Fault>> {
+    *model = changed(model, path, value)?;
+    Ok(())
+}
+
+/// A model in which every parameter of a path or pattern has another value, if that is a possible one.
+///
+/// # Errors
+/// As [`set`].
+pub fn changed(model: &Model, path: &str, value: Value) -> Result<Model, Vec<Fault>> {
     let mut changed = model.clone();
     set_unchecked(&mut changed, path, value).map_err(|fault| vec![fault])?;
     let faults = check(&changed);
-    if !faults.is_empty() {
-        return Err(faults);
+    if faults.is_empty() {
+        Ok(changed)
+    } else {
+        Err(faults)
     }
-    *model = changed;
-    Ok(())
 }
 
 /// Sets every parameter of a path or pattern, without asking whether the model stays a possible one.

@@ -213,8 +213,8 @@ impl App {
     /// What is to be done when the designer starts.
     pub fn start(&mut self) -> Vec<Effect> {
         self.refresh_moving();
-        let mut effects = self.keep();
-        effects.extend(self.request());
+        let mut effects = self.request();
+        effects.extend(self.keep());
         effects
     }
 
@@ -266,8 +266,9 @@ impl App {
         self.refresh_moving();
         // Another curve may be the first one now.
         self.tables.peaks.set_rows(self.peaks().len());
-        effects.extend(self.keep());
+        // What is waited for comes first.
         effects.extend(self.request());
+        effects.extend(self.keep());
         effects
     }
 
@@ -277,6 +278,12 @@ impl App {
         if let Some(search) = &mut self.search {
             search.refresh(&model);
         }
+        self.follow_number(before);
+    }
+
+    /// The same where no more than a number has changed: the rows have the names they had.
+    fn follow_number(&mut self, before: &Model) {
+        let model = Arc::clone(self.document.model());
         self.selection.follow(before, &model);
         self.curves.follow(before, &model);
         self.keep_marks_in_sweep();

@@ -12,7 +12,7 @@ pub(super) fn pool() -> Option<ThreadPool> {
 
 /// Lowers the priority of this thread.
 #[cfg(target_os = "linux")]
-fn give_way() {
+pub(crate) fn give_way() {
     /// Half of what there is.
     const STEPS: i32 = 10;
     // Where that is not allowed everything is still right, only later.
@@ -21,4 +21,4 @@ fn give_way() {
 
 /// Elsewhere a priority is that of the whole program.
 #[cfg(not(target_os = "linux"))]
-const fn give_way() {}
+pub(crate) const fn give_way() {}

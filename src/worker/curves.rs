@@ -19,11 +19,11 @@ const SAMPLE: usize = 8;
 /// A coarse curve that would take longer than this is left out: it cannot be cancelled.
 const LONGEST_COARSE: Duration = Duration::from_secs(1);
 
-/// Subsystems times frequencies that no processor needs [`PROMPT`] for.
-const LIGHT: usize = 20_000;
+/// What a coarse curve takes, as a share of [`PROMPT`], where that allows for [`COARSEST`].
+const COARSE: f64 = 0.3;
 
-/// The fewest frequencies of a coarse curve.
-const COARSEST: usize = 50;
+/// The fewest frequencies of a coarse curve: about one for each column of dots on a terminal of 80 columns.
+const COARSEST: usize = 100;
 
 /// Answers coarsely where that helps, then in full; what is left to resolve. `None` where cancelled or not possible.
 pub(super) fn answer(
@@ -48,7 +48,7 @@ pub(super) fn answer(
         };
         let mut places = members.iter().enumerate();
         let knows = places.all(|(place, (_, model))| memory.knows(place, model));
-        if !knows && let Some(coarse) = coarse(&members) {
+        if !knows && let Some(coarse) = coarse(&members, memory) {
             tell(Stage::Coarse, Ok(coarse));
         }
         Ok(solve_all(&members, memory, cancel).map(|solved| (members, solved)))
@@ -71,44 +71,16 @@ pub(super) fn answer(
 }
 
 /// Few frequencies, where all would take longer than [`PROMPT`]. Never cancelled: it is what keeps a held key alive.
-fn coarse(members: &[Labelled]) -> Option<Curves> {
+fn coarse(members: &[Labelled], memory: &Memory) -> Option<Curves> {
     let (_, model) = members.first()?;
-    let all = frequencies(&model.sweep);
-    if (model.attached().count() + 1) * all.len() * members.len() < LIGHT {
-        return None;
-    }
-    let every = (all.len() / SAMPLE).max(1);
-    let sample: Vec<f64> = all.iter().step_by(every).copied().collect();
-    let never = AtomicBool::new(false);
-    // The first time may be that of waking the threads.
-    let mut shortest = f64::INFINITY;
-    for _ in 0..2 {
-        let start = Instant::now();
-        sweep(model, &sample, &never)?;
-        shortest = shortest.min(start.elapsed().as_secs_f64());
-    }
-    let each = shortest / sample.len() as f64 * members.len() as f64;
-    let affordable = 0.5 * PROMPT.as_secs_f64() / each;
-    let too_long = each * COARSEST as f64 > LONGEST_COARSE.as_secs_f64();
-    if 2.0 * affordable >= all.len() as f64 || too_long {
-        return None;
-    }
-    let points = (affordable as usize).max(COARSEST);
-    let stride = all.len().div_ceil(points);
-    (stride > 1).then(|| solve_some(members, stride)).flatten()
-}
-
-/// Every member at every `stride`-th frequency of its sweep and the last.
-fn solve_some(members: &[Labelled], stride: usize) -> Option<Curves> {
-    let solved = members.iter().map(|(label, model)| {
-        let all = frequencies(&model.sweep);
-        let last = all.len() - 1;
-        let some: Vec<f64> = all
-            .iter()
-            .enumerate()
-            .filter(|(index, _)| index % stride == 0 || *index == last)
-            .map(|(_, &f)| f)
-            .collect();
+    let pace = match memory.pace(model) {
+        Some(pace) => pace,
+        None => sampled(model)?,
+    };
+    let points = few(pace * members.len() as f64, model.sweep.points)?;
+    let solved = members.iter().enumerate().map(|(place, labelled)| {
+        let (label, model) = labelled;
+        let some = spread(model, &memory.between(place, model), points);
         let frf = sweep(model, &some, &AtomicBool::new(false))?;
         Some(member(label.as_deref(), model, frf))
     });
@@ -116,6 +88,54 @@ fn solve_some(members: &[Labelled], stride: usize) -> Option<Curves> {
         members: solved.collect::<Option<_>>()?,
         modes: None,
     })
+}
+
+/// How many frequencies of a sweep of so many are a coarse curve, where a frequency takes `each` seconds; none where all
+/// are solved soon, or even few take too long.
+fn few(each: f64, all: usize) -> Option<usize> {
+    let too_long = each * COARSEST as f64 > LONGEST_COARSE.as_secs_f64();
+    if each * all as f64 <= PROMPT.as_secs_f64() || too_long {
+        return None;
+    }
+    let affordable = COARSE * PROMPT.as_secs_f64() / each;
+    let points = (affordable as usize).max(COARSEST);
+    (points < all).then_some(points)
+}
+
+/// About so many frequencies of a model's sweep, and as many at the most of others that matter (Hz, rising); each once.
+fn spread(model: &Model, others: &[f64], points: usize) -> Vec<f64> {
+    let all = frequencies(&model.sweep);
+    let evenly = |list: &[f64]| -> Vec<f64> {
+        let stride = list.len().div_ceil(points).max(1);
+        list.iter().step_by(stride).copied().collect()
+    };
+    let mut some = [evenly(&all), evenly(others), vec![model.sweep.to]].concat();
+    some.sort_by(f64::total_cmp);
+    some.dedup();
+    some
+}
+
+/// How long a frequency of a model takes, s, by a few of them.
+fn sampled(model: &Model) -> Option<f64> {
+    let all = frequencies(&model.sweep);
+    let every = (all.len() / SAMPLE).max(1);
+    let sample: Vec<f64> = all.iter().step_by(every).copied().collect();
+    let never = AtomicBool::new(false);
+    // The first time may be that of waking the threads.
+    let mut shortest = f64::INFINITY;
+    for _ in 0..2 {
+        let (solved, took) = timed(|| sweep(model, &sample, &never));
+        solved?;
+        shortest = shortest.min(took);
+    }
+    Some(shortest / sample.len() as f64)
+}
+
+/// What a solve gives, and how long it took, s.
+pub(super) fn timed<T>(solve: impl FnOnce() -> T) -> (T, f64) {
+    let start = Instant::now();
+    let solved = solve();
+    (solved, start.elapsed().as_secs_f64())
 }
 
 /// Every member at the frequencies of its sweep, and the same with those where its peaks were before; none where
@@ -150,5 +170,38 @@ fn member(label: Option<&str>, model: &Arc<Model>, frf: Frf) -> Member {
         frf,
         peaks: Vec::new(),
         damping_ratios: Vec::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::presets;
+
+    #[test]
+    fn a_coarse_curve_takes_no_longer_than_it_may() {
+        // Closed form: a share of the prompt answer over the time a frequency takes.
+        let prompt = PROMPT.as_secs_f64();
+        assert_eq!(few(0.9 * prompt / 2000.0, 2000), None);
+        assert_eq!(few(prompt / 1000.0, 2000), Some(300));
+        // Never so few that it would show nothing, and none that would hang.
+        assert_eq!(few(prompt, 2000), Some(COARSEST));
+        assert_eq!(few(LONGEST_COARSE.as_secs_f64(), 2000), None);
+        assert_eq!(few(prompt, COARSEST), None);
+    }
+
+    #[test]
+    fn a_coarse_curve_reaches_from_end_to_end_and_has_the_peaks() {
+        let model = crate::model::read(presets::find("fig08").unwrap().text).unwrap();
+        let peaks = [7.413, 31.06, 120.5];
+        let some = spread(&model, &peaks, 300);
+        let sweep = model.sweep;
+        assert!(some.is_sorted_by(|a, b| a < b));
+        assert_eq!((some[0], some[some.len() - 1]), (sweep.from, sweep.to));
+        assert!(peaks.iter().all(|peak| some.contains(peak)));
+        assert!((280..=310).contains(&some.len()), "{}", some.len());
+        // Many peaks are thinned, as the sweep is.
+        let peaks: Vec<f64> = (0..5000).map(|k| 10.0 + 0.05 * f64::from(k)).collect();
+        assert!(spread(&model, &peaks, 300).len() <= 610);
     }
 }

@@ -34,7 +34,7 @@ pub(super) fn check(model: &Model, faults: &mut Vec<Fault>) {
     };
 
     let names = model.studies.iter().map(|study| study.name.as_str());
-    element_names("studies", names.clone(), faults);
+    element_names("studies", &names, faults);
     for (study, key) in model.studies.iter().zip(element_keys(names)) {
         plans.family(&format!("studies.{key}"), &study.family, faults);
     }
@@ -76,7 +76,7 @@ impl Plans {
                 let list = format!("{at}.cases");
                 count(&list, cases.len(), "case", faults);
                 let names = cases.iter().map(|case| case.name.as_str());
-                element_names(&list, names.clone(), faults);
+                element_names(&list, &names, faults);
                 for (case, key) in cases.iter().zip(element_keys(names)).take(MOST_CURVES) {
                     self.case(&format!("{list}.{key}"), case, faults);
                 }

@@ -36,7 +36,7 @@ pub(super) fn responses(model: &Model, faults: &mut Vec<Fault>) {
         .responses
         .iter()
         .map(|response| response.name.as_str());
-    element_names("responses", names.clone(), faults);
+    element_names("responses", &names, faults);
     for (response, key) in model.responses.iter().zip(element_keys(names)) {
         if let Quantity::Motion(at, _) = &response.quantity {
             target(
@@ -64,7 +64,7 @@ fn target(path: &str, target: &Target, in_use: bool, model: &Model, faults: &mut
                     format!("is {}; must be >= 0", format_number(*position)),
                 ));
             } else {
-                beyond_the_end(&path, *position, model, faults);
+                beyond_the_end(format_args!("{path}"), *position, model, faults);
             }
         }
         Target::Mass(name, motion) => match model

@@ -132,8 +132,7 @@ impl Document {
         if parameter.value == edit.value {
             return Ok(None);
         }
-        let mut after = Model::clone(&self.model);
-        path::set(&mut after, edit.path, edit.value.clone())?;
+        let after = path::changed(&self.model, edit.path, edit.value.clone())?;
         if after == *self.model {
             return Ok(None);
         }

@@ -202,6 +202,7 @@ impl App {
         nudge: bool,
     ) -> Result<(), Vec<Fault>> {
         let before = Arc::clone(self.document.model());
+        let is_number = matches!(value, Value::Number(_) | Value::Count(_));
         let step = self.document.set(&Edit {
             subject,
             path,
@@ -212,7 +213,11 @@ impl App {
             Some(name) => self.done(name),
             None => self.done(format!("{subject} is unchanged")),
         }
-        self.follow(&before);
+        if is_number {
+            self.follow_number(&before);
+        } else {
+            self.follow(&before);
+        }
         Ok(())
     }
 }

@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use super::{App, Effect, Look, Witness};
-use crate::model::Model;
 use crate::model::path::{self, Value};
 use crate::tui::tree;
 use crate::worker::{
@@ -104,7 +103,7 @@ impl App {
 
     /// Preparation for a nudge of the selected parameter, where the model is so large that it saves time.
     fn want_expected(&mut self) -> Option<Request> {
-        const MANY: usize = 50;
+        const MANY: usize = 8;
         let model = Arc::clone(self.document.model());
         if model.subsystems.len() < MANY || self.curves.is_stale() {
             return None;
@@ -117,8 +116,7 @@ impl App {
         let Value::Number(value) = path::parameter(&model, &path).ok()?.value else {
             return None;
         };
-        let mut edited = Model::clone(&model);
-        path::set(&mut edited, &path, Value::Number(1.01 * value)).ok()?;
+        let edited = path::changed(&model, &path, Value::Number(1.01 * value)).ok()?;
         Some(Request::Expect(ExpectRequest {
             model,
             edited: Arc::new(edited),

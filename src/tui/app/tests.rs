@@ -82,7 +82,7 @@ fn a_typed_value_is_taken_and_undone_by_name() {
     press(&mut app, KeyCode::Enter);
     let effects = enter(&mut app, "40 MN/m");
     assert!(
-        matches!(&effects[..], [Effect::Keep(_), Effect::Solve(Request::Curves(subject))] if subject.generation == 2)
+        matches!(&effects[..], [Effect::Solve(Request::Curves(subject)), Effect::Keep(_)] if subject.generation == 2)
     );
     assert_eq!(number(&app, STIFFNESS), 4e7);
     assert!(app.overlay.is_none() && app.document.is_changed());
@@ -377,7 +377,7 @@ fn every_edit_is_kept_until_nothing_is_unsaved() {
     let mut app = app("fig05a");
     select(&mut app, STIFFNESS);
     let mut effects = keys(&mut app, "+");
-    let Effect::Keep(kept) = effects.remove(0) else {
+    let Some(Effect::Keep(kept)) = effects.pop() else {
         panic!("{effects:?}")
     };
     assert_eq!(kept.model, *app.model());
@@ -385,7 +385,10 @@ fn every_edit_is_kept_until_nothing_is_unsaved() {
     // A movement keeps nothing anew.
     assert!(press(&mut app, KeyCode::Down).is_empty());
     let effects = keys(&mut app, "u");
-    assert!(matches!(effects[0], Effect::Forget), "{effects:?}");
+    assert!(
+        matches!(effects.last(), Some(Effect::Forget)),
+        "{effects:?}"
+    );
     assert!(matches!(
         app.update(Event::Quit(15))[..],
         [Effect::Quit(Some(15))]
@@ -399,7 +402,7 @@ fn every_edit_asks_for_curves_and_an_older_answer_stays_stale() {
     let first = answer(1, &app);
     let effects = keys(&mut app, "+");
     assert!(
-        matches!(&effects[..], [Effect::Keep(_), Effect::Solve(Request::Curves(subject))] if subject.generation == 2)
+        matches!(&effects[..], [Effect::Solve(Request::Curves(subject)), Effect::Keep(_)] if subject.generation == 2)
     );
     app.update(Event::Answer(first));
     assert!(app.curves.is_stale());

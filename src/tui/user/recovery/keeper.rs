@@ -13,6 +13,7 @@ use super::text;
 use crate::model::{self, Model};
 use crate::tui::Source;
 use crate::tui::user::why;
+use crate::worker::give_way;
 
 /// After a state the thread rests this many times as long as it worked: under a key that repeats, a model of a
 /// thousand subsystems, whose text takes tens of milliseconds, takes a fifth of a processor and no more.
@@ -74,7 +75,10 @@ impl Keeper {
         Self {
             folder,
             jobs: Some(jobs),
-            thread: Some(thread::spawn(move || work(&inbox, files, report))),
+            thread: Some(thread::spawn(move || {
+                give_way();
+                work(&inbox, files, report)
+            })),
         }
     }
 

@@ -157,3 +157,58 @@ fn dropping_the_worker_ends_its_threads() {
     // The threads held the only senders: the channel ends once they have.
     assert!(receiver.iter().count() <= 4);
 }
+
+#[test]
+fn an_edit_that_was_prepared_for_is_solved_from_what_lies_beside_it() {
+    let never = AtomicBool::new(false);
+    let memory = Memory::default();
+    let model = hundred_without_energy();
+    let edited = [1.01, 1.02].map(|factor| {
+        let mut model = Model::clone(&model);
+        model.subsystems[50].mass *= factor;
+        Arc::new(model)
+    });
+    memory.sweep(0, &model, &never).unwrap();
+    assert_eq!(memory.last(0), Some(Arc::clone(&model)));
+    let solved = [(None, Arc::clone(&edited[0]))];
+    let edit = memory.missing(memory.last(0), &solved).unwrap();
+    memory.expect(&edit.model, &edit.edited, &never);
+    // Another edit of the same place, which nobody has seen yet.
+    assert!(memory.knows(0, &edited[1]));
+    assert!(memory.missing(Some(model), &solved).is_none());
+    let (found, _) = memory.sweep(0, &edited[1], &never).unwrap();
+    // Solved afresh, by the same equations; 1e-12 of the largest value of each response.
+    let expected = sweep(&edited[1], &found.frequencies, &never).unwrap();
+    for (one, other) in found.columns.iter().zip(&expected.columns) {
+        let sizes = other.values.iter().map(|value| value.norm());
+        let largest = sizes.fold(0.0, f64::max);
+        let pairs = one.values.iter().zip(&other.values);
+        let worst = pairs.map(|(a, b)| (a - b).norm()).fold(0.0, f64::max);
+        assert!(worst <= 1e-12 * largest, "{}: {worst}", one.name);
+    }
+}
+
+/// The preset of a hundred absorbers, of whose motions alone something is read.
+fn hundred_without_energy() -> Arc<Model> {
+    let mut model = Model::clone(&model("hundred_absorbers"));
+    let is_motion = |one: &crate::model::Response| one.quantity != crate::model::Quantity::Energy;
+    model.responses.retain(is_motion);
+    Arc::new(model)
+}
+
+#[test]
+fn preparing_for_an_edit_in_vain_keeps_what_is_there() {
+    let never = AtomicBool::new(false);
+    let memory = Memory::default();
+    let model = hundred_without_energy();
+    let mut edited = Model::clone(&model);
+    edited.subsystems[50].mass *= 1.01;
+    memory.expect(&model, &edited, &never);
+    assert!(memory.knows(0, &edited));
+    // All of the beam is another: nothing lies beside that.
+    let mut other = Model::clone(&model);
+    other.beam.material.young_modulus *= 1.01;
+    memory.expect(&model, &other, &never);
+    assert!(memory.knows(0, &edited));
+    assert!(!memory.knows(0, &other));
+}

@@ -13,7 +13,10 @@ use beamtune::model::{
     Target, read,
 };
 use beamtune::presets;
-use beamtune::solve::{Frf, Kept, sweep};
+use beamtune::solve::{ColumnKind, Frf, Kept, sweep};
+
+#[path = "kept/energy.rs"]
+mod energy;
 
 static NEVER: AtomicBool = AtomicBool::new(false);
 
@@ -85,7 +88,13 @@ fn assert_same(found: &Frf, fresh: &Frf) {
         assert!(top.is_finite(), "{}", b.name);
         for (a_value, b_value) in a.values.iter().zip(&b.values) {
             let distance = (a_value - b_value).norm();
-            assert!(distance <= 1e-12 * top, "{}: {a_value} {b_value}", b.name);
+            // An energy is never next to nothing.
+            let of = if a.kind == ColumnKind::Energy {
+                b_value.norm()
+            } else {
+                top
+            };
+            assert!(distance <= 1e-12 * of, "{}: {a_value} {b_value}", b.name);
         }
     }
 }
@@ -233,21 +242,13 @@ fn a_cancelled_sweep_gives_nothing_and_spoils_nothing() {
 }
 
 #[test]
-fn nothing_is_kept_of_a_small_model_or_with_the_energy() {
-    let mut small = read(presets::find("fig06").unwrap().text).unwrap();
-    let mut energy = crowded(40);
-    energy.responses.push(Response {
-        name: "E_V".to_owned(),
-        enabled: true,
-        quantity: Quantity::Energy,
-    });
-    for model in [&mut small, &mut energy] {
-        let mut kept = Kept::default();
-        for _ in 0..2 {
-            model.forces[0].amplitude *= 2.0;
-            let fresh = sweep(model, &grid(), &NEVER).unwrap();
-            assert_same(&kept.sweep(model, &grid(), &NEVER).unwrap(), &fresh);
-        }
-        assert_eq!(kept.bytes(), 0);
+fn nothing_is_kept_of_a_small_model() {
+    let mut model = read(presets::find("fig06").unwrap().text).unwrap();
+    let mut kept = Kept::default();
+    for _ in 0..2 {
+        model.forces[0].amplitude *= 2.0;
+        let fresh = sweep(&model, &grid(), &NEVER).unwrap();
+        assert_same(&kept.sweep(&model, &grid(), &NEVER).unwrap(), &fresh);
     }
+    assert_eq!(kept.bytes(), 0);
 }

@@ -50,8 +50,8 @@ impl Kept {
     /// true before the end.
     ///
     /// A model that differs from the last one in one place is solved from what is kept of the rest, which is found first
-    /// where it is not there yet (as much work as two sweeps). With an enabled response `E_V`, which every place along
-    /// the beam adds to, nothing is kept.
+    /// where it is not there yet (as much work as two sweeps; with an enabled response `E_V`, which every place along the
+    /// beam adds to, as four to five).
     pub fn sweep(
         &mut self,
         model: &Model,
@@ -116,6 +116,7 @@ impl Kept {
         let Part { left, right } = beside.part;
         let common = common(&beside.plan, plan)?;
         let serves = beside.frequencies == frequencies
+            && (beside.plan.wants_energy || !plan.wants_energy)
             && common.left >= left
             && common.right >= right
             && left + right <= plan.stations.len();
@@ -147,10 +148,10 @@ impl Kept {
     }
 }
 
-/// The stations that two plans have in common, from the left and from the right; none where the beam is another or its
-/// energy is wanted. No stations where the ends differ.
+/// The stations that two plans have in common, from the left and from the right; none where the beam is another. No
+/// stations where the ends differ.
 fn common(one: &Plan, other: &Plan) -> Option<Part> {
-    if one.beam != other.beam || one.wants_energy || other.wants_energy {
+    if one.beam != other.beam {
         return None;
     }
     let (most, reads) = (
@@ -225,10 +226,16 @@ fn between(plan: Plan, part: Part, known: &Plan) -> Between {
     let count = plan.stations.len();
     let range = part.left..count - part.right;
     let sources = sources(&plan, &range, known, part);
+    let outputs = plan.outputs.iter().enumerate();
+    let mut read: Vec<(usize, usize)> = outputs
+        .filter_map(|(number, output)| Some((output.station()?, number)))
+        .collect();
+    read.sort_unstable();
     Between {
         prepared: Prepared::new(plan),
         part: range,
         sources,
+        read,
     }
 }
 

@@ -11,15 +11,15 @@ use crate::solve::energy::LEAST_SHARE;
 use crate::solve::waves::BeamConstants;
 
 /// Pairs of waves that overlap.
-const PAIRS: usize = 13;
+pub(super) const PAIRS: usize = 13;
 
 /// What the energy of a span is made of, for one length.
 #[derive(Debug, Clone)]
 pub(super) struct Form<A> {
     /// Of waves that travel the same way.
-    same: [Complex<A>; PAIRS],
+    pub(super) same: [Complex<A>; PAIRS],
     /// Of waves that travel against each other.
-    against: [Complex<A>; PAIRS],
+    pub(super) against: [Complex<A>; PAIRS],
 }
 
 /// A sum, and the size of what was summed.
@@ -58,6 +58,11 @@ pub(super) fn weights<A: Arithmetic>(
 }
 
 impl<A: Arithmetic> Form<A> {
+    pub(super) const NONE: Self = Self {
+        same: [Complex::ZERO; PAIRS],
+        against: [Complex::ZERO; PAIRS],
+    };
+
     /// The form of spans of a length, m.
     pub(super) fn new(
         waves: &Waves<A>,
@@ -72,10 +77,7 @@ impl<A: Arithmetic> Form<A> {
     fn new_inlined(
         (waves, weights, length, decay): (&Waves<A>, &[Complex<A>; PAIRS], f64, &Amplitudes<A>),
     ) -> Self {
-        let mut form = Self {
-            same: [Complex::ZERO; PAIRS],
-            against: [Complex::ZERO; PAIRS],
-        };
+        let mut form = Self::NONE;
         let mut pair = 0;
         for row in [0, 2] {
             let (from, to) = reach(row);
@@ -122,11 +124,34 @@ impl<A: Arithmetic> Form<A> {
     }
 }
 
+impl<A: Arithmetic> Form<A> {
+    /// The energy of a span if each of its waves were alone, at least an eighth of the size of what `of` sums: a form that
+    /// is nowhere negative is at most its diagonal times the waves that overlap, of which there are eight.
+    #[inline(always)]
+    pub(super) fn apart(&self, a: &Amplitudes<A>, b: &Amplitudes<A>) -> Real<A> {
+        /// Where the pair of each wave with itself is kept.
+        const OWN: [usize; 6] = [0, 4, 7, 9, 10, 12];
+        let mut sum = Real::ZERO;
+        for wave in 0..6 {
+            let squares = a[wave].norm_sqr() + b[wave].norm_sqr();
+            sum = self.same[OWN[wave]].re.multiply_add(squares, sum);
+        }
+        sum
+    }
+}
+
 impl<A: Arithmetic> Sum<A> {
     pub(super) const ZERO: Self = Self {
         value: Real::ZERO,
         terms: Real::ZERO,
     };
+
+    /// Adds another sum: its value, and the size of what it was summed from.
+    #[inline(always)]
+    pub(super) fn add(&mut self, value: Real<A>, terms: Real<A>) {
+        self.value = self.value + value;
+        self.terms = self.terms + terms;
+    }
 
     /// The sum; NaN where its terms cancel to their last digits.
     #[inline(always)]

@@ -15,6 +15,8 @@
     reason = "only what is inlined gets the instructions of its caller"
 )]
 
+mod carry;
+mod combinations;
 mod complex;
 mod count;
 mod dispatch;
@@ -23,6 +25,7 @@ mod ends;
 mod energy;
 mod linear;
 mod number;
+mod quadratic;
 mod read;
 mod recursion;
 mod reflection;

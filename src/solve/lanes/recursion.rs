@@ -45,6 +45,16 @@ impl Prepared {
             read,
         }
     }
+
+    /// Where the reflection beside a station is kept, if it is: see [`Room::lefts`].
+    #[inline(always)]
+    pub(super) fn kept(&self, station: usize) -> Option<usize> {
+        if self.plan.wants_energy {
+            Some(station)
+        } else {
+            self.reads[station]
+        }
+    }
 }
 
 /// Room for a few frequencies; reused, so that a sweep does not allocate.
@@ -53,7 +63,7 @@ pub(super) struct Room<A> {
     /// exp(-kappa l) of each distinct span.
     pub(super) decays: Vec<Amplitudes<A>>,
     /// The energy of each distinct span, where it is wanted.
-    forms: Vec<Form<A>>,
+    pub(super) forms: Vec<Form<A>>,
     /// The forces at each station, where an attachment is.
     pub(super) forces: Vec<Forces<A>>,
     /// What lies left of each station where something is read; of every one where the energy is wanted.
@@ -95,15 +105,7 @@ impl<A: Arithmetic> Room<A> {
         let mut energy = Sum::ZERO;
         self.sweep_left(prepared, &waves, all, &mut b, &mut energy);
         if plan.wants_energy {
-            let at_span_end = b;
-            times(&mut b, &self.decays[plan.spans[0]]);
-            self.add_energy(
-                plan.spans[0],
-                &waves,
-                &start.at(&b),
-                &at_span_end,
-                &mut energy,
-            );
+            self.cross_span(prepared, &waves, (0, &start), &mut b, &mut energy);
         }
         let energy = energy.resolved();
         for (value, output) in out.iter_mut().zip(&plan.outputs) {
@@ -176,6 +178,14 @@ impl<A: Arithmetic> Room<A> {
         for &span in &plan.spans[part.start..=part.end] {
             self.decays[span] = decays(waves, plan.lengths[span]);
         }
+        if plan.wants_energy {
+            let weights = weights(waves, &plan.beam);
+            self.forms.resize(plan.lengths.len(), Form::NONE);
+            for &span in &plan.spans[part.start..=part.end] {
+                self.forms[span] =
+                    Form::new(waves, &weights, plan.lengths[span], &self.decays[span]);
+            }
+        }
     }
 
     /// Carries the reflection that looks left over some stations, each with the span before it.
@@ -192,7 +202,7 @@ impl<A: Arithmetic> Room<A> {
             let station = &plan.stations[index];
             at.propagate(&self.decays[plan.spans[index]]);
             let read = prepared.reads[index];
-            if let Some(kept) = if plan.wants_energy { Some(index) } else { read } {
+            if let Some(kept) = prepared.kept(index) {
                 self.lefts[kept].clone_from(at);
             }
             match &station.event {
@@ -225,7 +235,7 @@ impl<A: Arithmetic> Room<A> {
             times(b, &self.decays[span]);
             let read = prepared.reads[index];
             let sent = self.cross(index, &station.event, waves, b, read);
-            let Some(kept) = (if plan.wants_energy { Some(index) } else { read }) else {
+            let Some(kept) = prepared.kept(index) else {
                 continue;
             };
             let a = self.lefts[kept].at(b);
@@ -270,6 +280,25 @@ impl<A: Arithmetic> Room<A> {
                 jumps.sent(Side::Left)
             }
             Event::Probe => [Complex::ZERO; 6],
+        }
+    }
+
+    /// Carries b' to the left over the span before a station, beyond which `start` lies; adds the energy of the span where
+    /// it is wanted.
+    #[inline(always)]
+    pub(super) fn cross_span(
+        &mut self,
+        prepared: &Prepared,
+        waves: &Waves<A>,
+        (station, start): (usize, &Reflection<A>),
+        b: &mut Amplitudes<A>,
+        energy: &mut Sum<A>,
+    ) {
+        let span = prepared.plan.spans[station];
+        let at_span_end = *b;
+        times(b, &self.decays[span]);
+        if prepared.plan.wants_energy {
+            self.add_energy(span, waves, &start.at(b), &at_span_end, energy);
         }
     }
 
@@ -326,7 +355,11 @@ pub(super) fn add<A: Arithmetic>(to: &mut Amplitudes<A>, what: &Amplitudes<A>) {
 }
 
 #[inline(always)]
-fn add_product<A: Arithmetic>(to: &mut Amplitudes<A>, a: &Amplitudes<A>, b: &Amplitudes<A>) {
+pub(super) fn add_product<A: Arithmetic>(
+    to: &mut Amplitudes<A>,
+    a: &Amplitudes<A>,
+    b: &Amplitudes<A>,
+) {
     for wave in 0..6 {
         to[wave] = to[wave].plus_product(a[wave], b[wave]);
     }

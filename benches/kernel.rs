@@ -1,8 +1,10 @@
 //! What the kernel of sweeps costs: run with `cargo bench --bench kernel`.
 //!
-//! Side by side in one run, each the shortest of several times: the processor's peak of independent multiplications that
-//! add, and how near the kernel comes to it; how the time grows with the number of subsystems; what an edit of each kind
-//! costs beside a model with one subsystem, and what is kept for it; what the processor's vectors buy.
+//! Side by side in one run, each the shortest of several times: the exact solver and its witnesses; the processor's peak
+//! of independent multiplications that add, with the vectors that the kernel uses, and how near the kernel comes to it;
+//! what each set of instructions takes, hence what the `unsafe` in `src/solve/lanes/vectors.rs` buys; how the time grows
+//! with the number of subsystems; what an edit of each kind costs beside a model with one subsystem, and what is kept
+//! for it.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
 
@@ -14,12 +16,9 @@ use beamtune::model::{
     BeamMotion, Model, Place, Quantity, Restraint, Spacing, Sweep, Target, read,
 };
 use beamtune::presets;
-use beamtune::solve::{Kept, chain, fem, frequencies, sweep, work};
+use beamtune::solve::{Instructions, Kept, chain, fem, frequencies, sweep, sweep_with, work};
 
 static NEVER: AtomicBool = AtomicBool::new(false);
-
-/// Numbers in a vector of 256 bits.
-const WIDTH: usize = 4;
 
 /// Chains of multiplications that do not wait for each other.
 const CHAINS: usize = 12;
@@ -32,6 +31,7 @@ fn main() {
     witnesses();
     alone.install(|| {
         against_the_peak();
+        by_instructions();
         growth();
         edits();
     });
@@ -116,29 +116,37 @@ fn witnesses() {
     println!();
 }
 
-/// The kernel's multiplications and additions a second, and the processor's.
-fn against_the_peak() {
-    println!(
-        "One core. Operations are multiplications that add, multiplications or additions; times: the time over the"
-    );
-    println!("least that the processor's peak allows for them, and for them and the divisions.");
-    println!(
-        "{:18} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8} {:>8}",
-        "", "us", "operat.", "divisions", "1e9/s", "peak", "times", "with div."
-    );
-    for (name, model, points) in [
+/// The models that the kernel is held against the peak with, and how many frequencies.
+fn models() -> [(&'static str, Model, usize); 5] {
+    [
         ("fig05a", preset("fig05a"), 2000),
         ("fig13, with E_V", preset("fig13"), 2000),
         ("1 subsystem", with_subsystems(1), 2000),
         ("100 subsystems", with_subsystems(100), 800),
         ("1,000 subsystems", with_subsystems(1000), 200),
-    ] {
+    ]
+}
+
+/// The kernel's multiplications and additions a second, and the processor's.
+fn against_the_peak() {
+    let instructions = Instructions::available()[0];
+    println!(
+        "One core, {instructions:?}. Operations are multiplications that add, multiplications or additions; times: the"
+    );
+    println!(
+        "time over the least that the peak of these instructions allows for them, and for them and the divisions."
+    );
+    println!(
+        "{:18} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8} {:>8}",
+        "", "us", "operat.", "divisions", "1e9/s", "peak", "times", "with div."
+    );
+    for (name, model, points) in models() {
         let all = grid(points);
-        let cost = work(&model, &all);
+        let cost = work(&model, &all, instructions);
         // Side by side, for clocks drift.
         let (mut peak, mut time) = ([0.0_f64; 2], f64::INFINITY);
         for _ in 0..5 {
-            for (peak, now) in peak.iter_mut().zip(peaks()) {
+            for (peak, now) in peak.iter_mut().zip(peaks(instructions)) {
                 *peak = peak.max(now);
             }
             time = time.min(shortest(4, || sweep(&model, &all, &NEVER)) / points as f64);
@@ -158,87 +166,150 @@ fn against_the_peak() {
     }
 }
 
+/// The same sweeps with each set of instructions that the processor has.
+fn by_instructions() {
+    println!("\nOne core, us a frequency by instructions:");
+    let available = Instructions::available();
+    print!("{:18}", "");
+    for instructions in &available {
+        print!(" {:>9}", format!("{instructions:?}"));
+    }
+    println!();
+    for (name, model, points) in models() {
+        let all = grid(points);
+        let mut times = vec![f64::INFINITY; available.len()];
+        for _ in 0..5 {
+            for (time, &instructions) in times.iter_mut().zip(&available) {
+                let now = shortest(3, || sweep_with(instructions, &model, &all));
+                *time = time.min(now / points as f64);
+            }
+        }
+        print!("{name:18}");
+        for time in times {
+            print!(" {:9.3}", time * 1e6);
+        }
+        println!();
+    }
+}
+
 /// Operations a second of many chains that do not wait for each other: multiplications that add, and divisions.
-fn peaks() -> [f64; 2] {
+fn peaks(instructions: Instructions) -> [f64; 2] {
     const ROUNDS: usize = 300_000;
-    let by_time = |time: f64| (ROUNDS * CHAINS * WIDTH) as f64 / time;
-    [
-        by_time(shortest(3, || chains::multiply_adds(ROUNDS))),
-        by_time(shortest(2, || chains::divisions(ROUNDS))),
-    ]
-}
-
-#[cfg(target_arch = "x86_64")]
-#[allow(
-    unsafe_code,
-    reason = "the processor's own instructions are what is measured"
-)]
-mod chains {
-    use std::arch::x86_64::{__m256d, _mm256_div_pd, _mm256_fmadd_pd, _mm256_set1_pd};
-    use std::hint::black_box;
-
-    use super::CHAINS;
-
-    pub(super) fn multiply_adds(rounds: usize) -> [__m256d; CHAINS] {
-        #[target_feature(enable = "avx2,fma")]
-        fn run(rounds: usize) -> [__m256d; CHAINS] {
-            let (by, plus) = black_box((_mm256_set1_pd(0.999_999), _mm256_set1_pd(1e-6)));
-            let mut chains = [_mm256_set1_pd(1.5); CHAINS];
-            for _ in 0..rounds {
-                chains = chains.map(|chain| _mm256_fmadd_pd(chain, by, plus));
-            }
-            chains
-        }
-        expect_vectors();
-        // SAFETY: the processor has both.
-        unsafe { run(rounds) }
-    }
-
-    pub(super) fn divisions(rounds: usize) -> [__m256d; CHAINS] {
-        #[target_feature(enable = "avx2,fma")]
-        fn run(rounds: usize) -> [__m256d; CHAINS] {
-            let by = black_box(_mm256_set1_pd(2.1));
-            let mut chains = [_mm256_set1_pd(1.5); CHAINS];
-            for _ in 0..rounds {
-                chains = chains.map(|chain| _mm256_div_pd(by, chain));
-            }
-            chains
-        }
-        expect_vectors();
-        // SAFETY: the processor has both.
-        unsafe { run(rounds) }
-    }
-
-    fn expect_vectors() {
-        assert!(
-            is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma"),
-            "the peak is measured with AVX2 and FMA"
-        );
+    let by_time = |lanes: usize, time: f64| (ROUNDS * CHAINS * lanes) as f64 / time;
+    match instructions {
+        #[cfg(target_arch = "x86_64")]
+        Instructions::Avx512 => [
+            by_time(8, shortest(3, || chains::avx512::multiply_adds(ROUNDS))),
+            by_time(8, shortest(2, || chains::avx512::divisions(ROUNDS))),
+        ],
+        #[cfg(target_arch = "x86_64")]
+        Instructions::Avx2 => [
+            by_time(4, shortest(3, || chains::avx2::multiply_adds(ROUNDS))),
+            by_time(4, shortest(2, || chains::avx2::divisions(ROUNDS))),
+        ],
+        Instructions::Portable => [
+            by_time(4, shortest(3, || chains::portable::multiply_adds(ROUNDS))),
+            by_time(4, shortest(2, || chains::portable::divisions(ROUNDS))),
+        ],
     }
 }
 
-#[cfg(not(target_arch = "x86_64"))]
 mod chains {
-    use std::hint::black_box;
+    /// Chains of multiplications that add, and of divisions, with vectors of a processor that has them.
+    #[cfg(target_arch = "x86_64")]
+    macro_rules! chains {
+        ($name:ident, $features:literal, $vector:ident, $splat:ident, $multiply_add:ident, $divide:ident) => {
+            #[allow(
+                unsafe_code,
+                reason = "the processor's own instructions are what is measured"
+            )]
+            pub(super) mod $name {
+                use std::arch::x86_64::{$divide, $multiply_add, $splat, $vector};
+                use std::hint::black_box;
 
-    use super::{CHAINS, WIDTH};
+                use crate::CHAINS;
 
-    pub(super) fn multiply_adds(rounds: usize) -> [[f64; WIDTH]; CHAINS] {
-        let (by, plus) = black_box((0.999_999, 1e-6));
-        run(rounds, |chain| chain.mul_add(by, plus))
+                pub(crate) fn multiply_adds(rounds: usize) -> [$vector; CHAINS] {
+                    #[target_feature(enable = $features)]
+                    fn run(rounds: usize) -> [$vector; CHAINS] {
+                        let (by, plus) = black_box(($splat(0.999_999), $splat(1e-6)));
+                        let mut chains = [$splat(1.5); CHAINS];
+                        for _ in 0..rounds {
+                            chains = chains.map(|chain| $multiply_add(chain, by, plus));
+                        }
+                        chains
+                    }
+                    // SAFETY: the processor has them, for they are available.
+                    unsafe { run(rounds) }
+                }
+
+                pub(crate) fn divisions(rounds: usize) -> [$vector; CHAINS] {
+                    #[target_feature(enable = $features)]
+                    fn run(rounds: usize) -> [$vector; CHAINS] {
+                        let by = black_box($splat(2.1));
+                        let mut chains = [$splat(1.5); CHAINS];
+                        for _ in 0..rounds {
+                            chains = chains.map(|chain| $divide(by, chain));
+                        }
+                        chains
+                    }
+                    // SAFETY: the processor has them, for they are available.
+                    unsafe { run(rounds) }
+                }
+            }
+        };
     }
 
-    pub(super) fn divisions(rounds: usize) -> [[f64; WIDTH]; CHAINS] {
-        let by = black_box(2.1);
-        run(rounds, |chain| by / chain)
-    }
+    #[cfg(target_arch = "x86_64")]
+    chains!(
+        avx512,
+        "avx512f",
+        __m512d,
+        _mm512_set1_pd,
+        _mm512_fmadd_pd,
+        _mm512_div_pd
+    );
+    #[cfg(target_arch = "x86_64")]
+    chains!(
+        avx2,
+        "avx2,fma",
+        __m256d,
+        _mm256_set1_pd,
+        _mm256_fmadd_pd,
+        _mm256_div_pd
+    );
 
-    fn run(rounds: usize, operation: impl Fn(f64) -> f64) -> [[f64; WIDTH]; CHAINS] {
-        let mut chains = [[1.5; WIDTH]; CHAINS];
-        for _ in 0..rounds {
-            chains = chains.map(|chain| chain.map(&operation));
+    /// With what every processor has.
+    pub(super) mod portable {
+        use std::hint::black_box;
+
+        use crate::CHAINS;
+
+        const LANES: usize = 4;
+
+        pub(crate) fn multiply_adds(rounds: usize) -> [[f64; LANES]; CHAINS] {
+            let (by, plus) = black_box((0.999_999, 1e-6));
+            run(rounds, |chain| {
+                if cfg!(target_arch = "aarch64") {
+                    chain.mul_add(by, plus)
+                } else {
+                    chain * by + plus
+                }
+            })
         }
-        chains
+
+        pub(crate) fn divisions(rounds: usize) -> [[f64; LANES]; CHAINS] {
+            let by = black_box(2.1);
+            run(rounds, |chain| by / chain)
+        }
+
+        fn run(rounds: usize, operation: impl Fn(f64) -> f64) -> [[f64; LANES]; CHAINS] {
+            let mut chains = [[1.5; LANES]; CHAINS];
+            for _ in 0..rounds {
+                chains = chains.map(|chain| chain.map(&operation));
+            }
+            chains
+        }
     }
 }
 

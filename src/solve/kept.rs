@@ -7,16 +7,19 @@
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 
-use super::lanes::{Between, KeptSides, Prepared, Solver, Source, WIDTH};
+use num_complex::Complex64;
+use rayon::prelude::*;
+
+use super::lanes::{Between, KeptSides, MOST_LANES, Prepared, Solver, Source};
 use super::plan::{Output, Plan};
-use super::sweep::{Frf, chunk_length, collected, over_chunks, sweep_prepared};
+use super::sweep::{Frf, chunk_length, over_chunks, solved, sweep_prepared};
 use crate::model::Model;
 
 /// Fewer stations beside an edited place are solved as fast as looked up.
 const FEWEST_STATIONS: usize = 8;
 
 /// Frequencies a chunk of a sweep between sides: whole groups.
-const CHUNK: usize = 16 * WIDTH;
+const CHUNK: usize = 8 * MOST_LANES;
 
 /// What is kept between the sweeps of a model that is edited.
 #[derive(Debug, Default)]
@@ -70,11 +73,11 @@ impl Kept {
             return sweep_prepared(model, &Prepared::new(plan), frequencies, cancel);
         };
         let between = between(plan, part, &beside.plan);
-        let solve = |solver: &mut Solver, first, frequencies: &[f64]| {
-            solver.solve_between(&between, &beside.sides[first / WIDTH..], frequencies)
-        };
-        let rows = over_chunks(frequencies, CHUNK, cancel, &solve)?;
-        Some(collected(model, frequencies, &rows))
+        let solve =
+            |solver: &mut Solver, first, frequencies: &[f64], out: &mut [&mut [Complex64]]| {
+                solver.solve_between(&between, (&beside.sides, first), frequencies, out);
+            };
+        solved(model, frequencies, CHUNK, cancel, &solve)
     }
 
     /// Finds what lies beside the place in which a model is going to be edited, so that its next sweep need not.
@@ -273,7 +276,10 @@ fn sources(plan: &Plan, range: &Range<usize>, known: &Plan, part: Part) -> Vec<S
 /// The sides at each group of frequencies; none where cancelled.
 fn keep(between: &Between, frequencies: &[f64], cancel: &AtomicBool) -> Option<Vec<KeptSides>> {
     let chunk = chunk_length(&between.prepared.plan);
-    let keep = |solver: &mut Solver, _, frequencies: &[f64]| solver.keep(between, frequencies);
-    let chunks = over_chunks(frequencies, chunk, cancel, &keep)?;
-    Some(chunks.into_iter().flatten().collect())
+    let mut kept = vec![Vec::new(); frequencies.len().div_ceil(chunk)];
+    let keep = |solver: &mut Solver, _, frequencies: &[f64], kept: &mut Vec<_>| {
+        *kept = solver.keep(between, frequencies);
+    };
+    over_chunks(frequencies, chunk, kept.par_iter_mut(), cancel, &keep)?;
+    Some(kept.into_iter().flatten().collect())
 }

@@ -41,5 +41,7 @@ mod sweep;
 mod waves;
 
 pub use kept::Kept;
-pub use lanes::{Work, work};
+pub use lanes::{Instructions, Work, work};
+#[doc(hidden)]
+pub use sweep::sweep_with;
 pub use sweep::{Column, ColumnKind, Frf, frequencies, sweep};

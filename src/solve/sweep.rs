@@ -6,9 +6,11 @@ use std::sync::{Mutex, PoisonError};
 use num_complex::Complex64;
 use rayon::prelude::*;
 
-use super::lanes::{Prepared, Solver, WIDTH};
+use super::lanes::{Instructions, MOST_LANES, Prepared, Solver};
 use super::plan::Plan;
-use crate::model::{BeamMotion, MassMotion, Measure, Model, Quantity, Spacing, Sweep, Target};
+use crate::model::{
+    BeamMotion, MassMotion, Measure, Model, Quantity, Response, Spacing, Sweep, Target,
+};
 
 /// Frequency responses of a model: one column for each enabled response, one value for each frequency.
 #[derive(Debug, Clone, PartialEq)]
@@ -119,44 +121,83 @@ pub(super) fn sweep_prepared(
     cancel: &AtomicBool,
 ) -> Option<Frf> {
     let chunk = chunk_length(&prepared.plan);
-    let solve = |solver: &mut Solver, _, frequencies: &[f64]| solver.solve(prepared, frequencies);
-    let rows = over_chunks(frequencies, chunk, cancel, &solve)?;
-    Some(collected(model, frequencies, &rows))
+    let solve = |solver: &mut Solver, _, frequencies: &[f64], out: &mut [&mut [Complex64]]| {
+        solver.solve(prepared, frequencies, out);
+    };
+    solved(model, frequencies, chunk, cancel, &solve)
 }
 
-/// What `solve` makes of each chunk of frequencies (Hz); none where `cancel` became true before the
-/// end.
+/// [`sweep`] on this thread alone, with instructions that the processor has: to measure and compare them.
+pub fn sweep_with(instructions: Instructions, model: &Model, frequencies: &[f64]) -> Frf {
+    let prepared = Prepared::new(Plan::new(model));
+    let mut columns = columns(model, frequencies.len());
+    let mut out: Vec<_> = columns.iter_mut().map(|c| &mut c.values[..]).collect();
+    Solver::new(instructions).solve(&prepared, frequencies, &mut out);
+    Frf {
+        frequencies: frequencies.to_vec(),
+        columns,
+    }
+}
+
+/// Gives `solve` each chunk of frequencies (Hz), with the place of its first one and its own of `rooms`; none where
+/// `cancel` became true before the end.
 ///
-/// It is told the chunk and the place of its first frequency. Chunks that follow each other on a core use the same
-/// workspace.
-pub(super) fn over_chunks<W: Default + Send, T: Send>(
+/// Chunks that follow each other on a core use the same workspace.
+pub(super) fn over_chunks<W: Default + Send, R: Send>(
     frequencies: &[f64],
     chunk: usize,
+    rooms: impl IndexedParallelIterator<Item = R>,
     cancel: &AtomicBool,
-    solve: &(impl Fn(&mut W, usize, &[f64]) -> Vec<T> + Sync),
-) -> Option<Vec<Vec<T>>> {
+    solve: &(impl Fn(&mut W, usize, &[f64], R) + Sync),
+) -> Option<()> {
     let idle: Mutex<Vec<W>> = Mutex::default();
     let lock = || idle.lock().unwrap_or_else(PoisonError::into_inner);
     frequencies
         .par_chunks(chunk)
+        .zip(rooms)
         .enumerate()
-        .map(|(index, frequencies)| {
+        .try_for_each(|(index, (frequencies, room))| {
             if cancel.load(Ordering::Relaxed) {
                 return None;
             }
             let mut workspace = lock().pop().unwrap_or_default();
-            let solved = solve(&mut workspace, index * chunk, frequencies);
+            solve(&mut workspace, index * chunk, frequencies, room);
             lock().push(workspace);
-            Some(solved)
+            Some(())
         })
-        .collect()
 }
 
-/// The responses of a model from chunks of rows of one value for each enabled response, in the order of the model.
-pub(super) fn collected(model: &Model, frequencies: &[f64], chunks: &[Vec<Complex64>]) -> Frf {
-    let responses = || model.responses.iter().filter(|r| r.enabled);
-    let width = responses().count();
-    let columns = responses().enumerate().map(|(index, response)| Column {
+/// The responses of a model, which `solve` writes for a chunk of frequencies (Hz) at a time, each to its own column.
+pub(super) fn solved<W: Default + Send>(
+    model: &Model,
+    frequencies: &[f64],
+    chunk: usize,
+    cancel: &AtomicBool,
+    solve: &(impl Fn(&mut W, usize, &[f64], &mut [&mut [Complex64]]) + Sync),
+) -> Option<Frf> {
+    let mut columns = columns(model, frequencies.len());
+    let chunks = frequencies.len().div_ceil(chunk);
+    let mut rooms: Vec<Vec<&mut [Complex64]>> = Vec::new();
+    rooms.resize_with(chunks, || Vec::with_capacity(columns.len()));
+    for column in &mut columns {
+        for (room, values) in rooms.iter_mut().zip(column.values.chunks_mut(chunk)) {
+            room.push(values);
+        }
+    }
+    let solve = |workspace: &mut W, first, frequencies: &[f64], mut room: Vec<&mut [Complex64]>| {
+        solve(workspace, first, frequencies, &mut room);
+    };
+    over_chunks(frequencies, chunk, rooms.into_par_iter(), cancel, &solve)?;
+    Some(Frf {
+        frequencies: frequencies.to_vec(),
+        columns,
+    })
+}
+
+/// A column for each enabled response of a model, in its order, with room for values.
+fn columns(model: &Model, count: usize) -> Vec<Column> {
+    let responses = model.responses.iter().filter(|r| r.enabled);
+    let column = |response: &Response| Column {
         name: response.name.clone(),
         kind: if response.quantity == Quantity::Energy {
             ColumnKind::Energy
@@ -164,21 +205,9 @@ pub(super) fn collected(model: &Model, frequencies: &[f64], chunks: &[Vec<Comple
             ColumnKind::Complex
         },
         unit: unit(&response.quantity),
-        values: values(chunks, index, width, frequencies.len()),
-    });
-    Frf {
-        frequencies: frequencies.to_vec(),
-        columns: columns.collect(),
-    }
-}
-
-/// One response out of chunks of rows.
-fn values(chunks: &[Vec<Complex64>], index: usize, width: usize, count: usize) -> Vec<Complex64> {
-    let mut values = Vec::with_capacity(count);
-    for rows in chunks {
-        values.extend(rows.chunks_exact(width).map(|row| row[index]));
-    }
-    values
+        values: vec![Complex64::ZERO; count],
+    };
+    responses.map(column).collect()
 }
 
 /// The responses of a model, which `solve` writes for a frequency (Hz) at a time: one value for each enabled response, in
@@ -189,23 +218,28 @@ pub(super) fn one_by_one<W: Default + Send>(
     cancel: &AtomicBool,
     solve: &(impl Fn(&mut W, f64, &mut [Complex64]) + Sync),
 ) -> Option<Frf> {
-    let width = model.responses.iter().filter(|r| r.enabled).count();
-    let solve = |workspace: &mut W, _, frequencies: &[f64]| {
-        let mut row = vec![Complex64::ZERO; width];
-        for &frequency in frequencies {
-            solve(workspace, frequency, &mut row);
+    /// A few, so that a cancelled sweep ends soon.
+    const CHUNK: usize = 4;
+    let solve = |(workspace, row): &mut (W, Vec<Complex64>),
+                 _,
+                 frequencies: &[f64],
+                 out: &mut [&mut [Complex64]]| {
+        row.resize(out.len(), Complex64::ZERO);
+        for (index, &frequency) in frequencies.iter().enumerate() {
+            solve(workspace, frequency, row);
+            for (column, value) in out.iter_mut().zip(&*row) {
+                column[index] = *value;
+            }
         }
-        row
     };
-    let rows = over_chunks(frequencies, 1, cancel, &solve)?;
-    Some(collected(model, frequencies, &rows))
+    solved(model, frequencies, CHUNK, cancel, &solve)
 }
 
 /// Frequencies a chunk: about a millisecond of work, so that a cancelled sweep ends soon.
 pub(super) fn chunk_length(plan: &Plan) -> usize {
     const STATIONS_A_CHUNK: usize = 1000;
-    let groups = STATIONS_A_CHUNK / (plan.stations.len() + 1) / WIDTH;
-    WIDTH * groups.clamp(1, 16)
+    let groups = STATIONS_A_CHUNK / (plan.stations.len() + 1) / MOST_LANES;
+    MOST_LANES * groups.clamp(1, 8)
 }
 
 /// The unit of a response's values.

@@ -40,10 +40,13 @@ impl<A: Arithmetic> Complex<A> {
         Self { re, im: Real::ZERO }
     }
 
-    /// The number at one frequency.
+    /// Writes the numbers at the first few frequencies.
     #[inline(always)]
-    pub(super) fn lane(&self, lane: usize) -> Complex64 {
-        Complex64::new(self.re.0[lane], self.im.0[lane])
+    pub(super) fn write(self, to: &mut [Complex64]) {
+        let (re, im) = (self.re.lanes(), self.im.lanes());
+        for (lane, to) in to.iter_mut().enumerate() {
+            *to = Complex64::new(re[lane], im[lane]);
+        }
     }
 
     /// self + a b.

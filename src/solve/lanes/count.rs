@@ -3,8 +3,11 @@
 use std::cell::Cell;
 
 use super::complex::Complex;
-use super::number::{Arithmetic, Part, Real, WIDTH};
+use super::dispatch::Instructions;
+use super::number::{MOST_LANES, Real};
+use super::portable::{Array, Notes};
 use super::recursion::{Prepared, Room};
+use super::waves::Waves;
 use crate::model::Model;
 use crate::solve::plan::Plan;
 
@@ -23,47 +26,53 @@ pub struct Work {
     pub divisions: f64,
 }
 
-/// Two roundings, counted.
+/// The thread that computes.
 #[derive(Debug, Clone, Copy)]
-struct Counted;
+struct Counter;
 
-impl Arithmetic for Counted {
+impl Notes for Counter {
     #[inline(always)]
-    fn multiply_add(a: f64, b: f64, c: f64) -> f64 {
-        a * b + c
-    }
-
-    #[inline(never)]
-    fn outlined<P: Part>(part: P) -> P::Output {
-        part.run()
-    }
-
-    #[inline(always)]
-    fn note() {
+    fn operation() {
         MULTIPLY_ADDS.set(MULTIPLY_ADDS.get() + 1);
     }
 
     #[inline(always)]
-    fn note_division() {
+    fn division() {
         DIVISIONS.set(DIVISIONS.get() + 1);
     }
 }
 
-/// The operations that a sweep of a checked model takes at a frequency, on average over some (Hz, > 0).
+/// The operations that a sweep of a checked model takes at a frequency, on average over some (Hz, > 0), with some
+/// instructions: where more frequencies are solved at once, some of them wait for others.
 ///
 /// What does not depend on the frequency is not counted.
-pub fn work(model: &Model, frequencies: &[f64]) -> Work {
+pub fn work(model: &Model, frequencies: &[f64], instructions: Instructions) -> Work {
+    match instructions {
+        #[cfg(target_arch = "x86_64")]
+        Instructions::Avx512 => counted::<8>(model, frequencies),
+        #[cfg(target_arch = "x86_64")]
+        Instructions::Avx2 => counted::<4>(model, frequencies),
+        Instructions::Portable => counted::<4>(model, frequencies),
+    }
+}
+
+fn counted<const LANES: usize>(model: &Model, frequencies: &[f64]) -> Work {
     let prepared = Prepared::new(Plan::new(model));
-    let mut room: Room<Counted> = Room::default();
+    let mut room: Room<Array<Counter, LANES>> = Room::default();
+    let mut waves = Waves::NONE;
     let mut out = vec![Complex::ZERO; prepared.plan.outputs.len()];
     MULTIPLY_ADDS.set(0);
     DIVISIONS.set(0);
-    let groups = frequencies.chunks_exact(WIDTH);
+    let groups = frequencies.chunks_exact(LANES);
     let count = groups.len() as f64;
     for group in groups {
         // An operation of a group is one of each of its frequencies.
-        let omega = std::array::from_fn(|lane| std::f64::consts::TAU * group[lane]);
-        room.solve(&prepared, Real::new(omega), &mut out);
+        let mut omega = [0.0; MOST_LANES];
+        for lane in 0..LANES {
+            omega[lane] = std::f64::consts::TAU * group[lane];
+        }
+        waves.set(&prepared.constants, Real::new(&omega));
+        room.solve(&prepared, &waves, &mut out);
     }
     Work {
         multiply_adds: MULTIPLY_ADDS.get() as f64 / count,

@@ -3,51 +3,90 @@
 use num_complex::Complex64;
 
 use super::complex::Complex;
-#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
-use super::number::Fused;
-use super::number::{Arithmetic, Plain, Real, WIDTH, part};
+use super::number::{Arithmetic, MOST_LANES, Real, part};
+use super::portable::Portable;
 use super::recursion::{Prepared, Room};
 use super::sides::{Between, Sides};
-use crate::solve::plan::Plan;
+#[cfg(target_arch = "x86_64")]
+use super::vectors::{Avx2, Avx512};
+use super::waves::Waves;
+
+/// Sets of instructions that the kernel is made for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Instructions {
+    /// Vectors of 512 bits: eight frequencies at once.
+    #[cfg(target_arch = "x86_64")]
+    Avx512,
+    /// Vectors of 256 bits and multiplications that add: four.
+    #[cfg(target_arch = "x86_64")]
+    Avx2,
+    /// What every processor has: four, by whatever vectors the program was compiled for.
+    Portable,
+}
+
+impl Instructions {
+    /// Those of this processor, the best ones first.
+    pub fn available() -> Vec<Self> {
+        let mut all = Vec::new();
+        #[cfg(target_arch = "x86_64")]
+        {
+            if Avx512::is_there() {
+                all.push(Self::Avx512);
+            }
+            if Avx2::is_there() {
+                all.push(Self::Avx2);
+            }
+        }
+        all.push(Self::Portable);
+        all
+    }
+}
 
 /// A workspace for one thread, with the instructions it uses.
 #[derive(Debug)]
 pub(in crate::solve) enum Solver {
-    /// Vectors of 256 bits and multiplications that add.
-    #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
-    Fused(Bench<Fused>),
-    /// What every processor has.
-    Plain(Bench<Plain>),
+    #[cfg(target_arch = "x86_64")]
+    Avx512(Bench<Avx512>),
+    #[cfg(target_arch = "x86_64")]
+    Avx2(Bench<Avx2>),
+    Portable(Bench<Portable>),
 }
 
 /// The sides of a part of the beam, by the instructions they were found with.
 #[derive(Debug, Clone)]
 pub(in crate::solve) enum KeptSides {
-    #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
-    Fused(Sides<Fused>),
-    Plain(Sides<Plain>),
+    #[cfg(target_arch = "x86_64")]
+    Avx512(Box<Sides<Avx512>>),
+    #[cfg(target_arch = "x86_64")]
+    Avx2(Box<Sides<Avx2>>),
+    Portable(Box<Sides<Portable>>),
+}
+
+/// The same expression for each variant of an enum.
+macro_rules! for_each {
+    ($value:expr, $name:ident => $do:expr) => {
+        match $value {
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx512($name) => $do,
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2($name) => $do,
+            Self::Portable($name) => $do,
+        }
+    };
 }
 
 /// Room, and what comes out of it.
 #[derive(Debug)]
 pub(in crate::solve) struct Bench<A> {
+    waves: Box<Waves<A>>,
     room: Room<A>,
     out: Vec<Complex<A>>,
 }
 
-/// What the kernel is to do.
-enum Task<'a, A> {
-    /// All responses of a plan.
-    Solve(&'a Prepared, &'a mut [Complex<A>]),
-    /// The sides of a part.
-    Keep(&'a Between, &'a mut Option<Sides<A>>),
-    /// All responses of a plan whose sides are known.
-    SolveBetween(&'a Between, &'a Sides<A>, &'a mut [Complex<A>]),
-}
-
-impl<A> Default for Bench<A> {
+impl<A: Arithmetic> Default for Bench<A> {
     fn default() -> Self {
         Self {
+            waves: Box::new(Waves::NONE),
             room: Room::default(),
             out: Vec::new(),
         }
@@ -57,166 +96,201 @@ impl<A> Default for Bench<A> {
 impl Default for Solver {
     /// With the best instructions that the processor has.
     fn default() -> Self {
-        #[cfg(target_arch = "x86_64")]
-        if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
-            return Self::Fused(Bench::default());
-        }
-        #[cfg(target_arch = "aarch64")]
-        return Self::Fused(Bench::default());
-        #[cfg(not(target_arch = "aarch64"))]
-        Self::Plain(Bench::default())
+        Self::new(Instructions::available()[0])
     }
 }
 
 impl Solver {
-    /// All responses at some frequencies (Hz, > 0), a row a frequency.
+    /// With some instructions, which the processor must have.
+    pub(in crate::solve) fn new(instructions: Instructions) -> Self {
+        assert!(
+            Instructions::available().contains(&instructions),
+            "the processor has not these instructions"
+        );
+        match instructions {
+            #[cfg(target_arch = "x86_64")]
+            Instructions::Avx512 => Self::Avx512(Bench::default()),
+            #[cfg(target_arch = "x86_64")]
+            Instructions::Avx2 => Self::Avx2(Bench::default()),
+            Instructions::Portable => Self::Portable(Bench::default()),
+        }
+    }
+
+    /// Writes the responses of every output at some frequencies (Hz, > 0).
     pub(in crate::solve) fn solve(
         &mut self,
         prepared: &Prepared,
         frequencies: &[f64],
-    ) -> Vec<Complex64> {
-        let mut rows = Rows::new(&prepared.plan, frequencies);
-        for omega in frequencies.chunks(WIDTH).map(angular) {
-            match self {
-                #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
-                Self::Fused(bench) => rows.add(&mut bench.out, |out| {
-                    run(&mut bench.room, omega, Task::Solve(prepared, out));
-                }),
-                Self::Plain(bench) => rows.add(&mut bench.out, |out| {
-                    run(&mut bench.room, omega, Task::Solve(prepared, out));
-                }),
-            }
-        }
-        rows.values
+        out: &mut [&mut [Complex64]],
+    ) {
+        for_each!(self, bench => bench.solve(prepared, frequencies, out));
     }
 
-    /// The sides of a part of the beam at some frequencies (Hz, > 0), for [`WIDTH`] of them each.
+    /// The sides of a part of the beam at some frequencies (Hz, > 0), for each group of them that is solved at once.
     pub(in crate::solve) fn keep(
         &mut self,
         between: &Between,
         frequencies: &[f64],
     ) -> Vec<KeptSides> {
-        let keep = |omega| match self {
-            #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
-            Self::Fused(bench) => {
-                let mut sides = None;
-                run(&mut bench.room, omega, Task::Keep(between, &mut sides));
-                sides.map(KeptSides::Fused)
-            }
-            Self::Plain(bench) => {
-                let mut sides = None;
-                run(&mut bench.room, omega, Task::Keep(between, &mut sides));
-                sides.map(KeptSides::Plain)
-            }
-        };
-        let groups = frequencies.chunks(WIDTH);
-        groups.map(angular).filter_map(keep).collect()
+        match self {
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx512(bench) => bench.keep(between, frequencies, KeptSides::Avx512),
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2(bench) => bench.keep(between, frequencies, KeptSides::Avx2),
+            Self::Portable(bench) => bench.keep(between, frequencies, KeptSides::Portable),
+        }
     }
 
-    /// All responses at some frequencies (Hz, > 0), a row a frequency, from what was kept for them.
+    /// [`Self::solve`] from what was kept, beginning with the frequency of a number, which begins a group.
     pub(in crate::solve) fn solve_between(
         &mut self,
         between: &Between,
-        kept: &[KeptSides],
+        (kept, first): (&[KeptSides], usize),
         frequencies: &[f64],
-    ) -> Vec<Complex64> {
-        let mut rows = Rows::new(&between.prepared.plan, frequencies);
-        for (omega, kept) in frequencies.chunks(WIDTH).map(angular).zip(kept) {
-            match (&mut *self, kept) {
-                #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
-                (Self::Fused(bench), KeptSides::Fused(sides)) => {
-                    rows.add(&mut bench.out, |out| {
-                        let task = Task::SolveBetween(between, sides, out);
-                        run(&mut bench.room, omega, task);
-                    });
-                }
-                (Self::Plain(bench), KeptSides::Plain(sides)) => {
-                    rows.add(&mut bench.out, |out| {
-                        let task = Task::SolveBetween(between, sides, out);
-                        run(&mut bench.room, omega, task);
-                    });
-                }
-                // The processor does not change while the program runs.
-                #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
-                _ => return self.solve(&between.prepared, frequencies),
-            }
-        }
-        rows.values
+        out: &mut [&mut [Complex64]],
+    ) {
+        for_each!(self, bench => bench.solve_between(between, (kept, first), frequencies, out));
     }
 }
 
 impl KeptSides {
     /// Bytes that it takes.
     pub(in crate::solve) fn bytes(&self) -> usize {
-        match self {
-            #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
-            Self::Fused(sides) => sides.bytes(),
-            Self::Plain(sides) => sides.bytes(),
+        for_each!(self, sides => sides.bytes())
+    }
+}
+
+/// An arithmetic whose sides can be kept beside those of others.
+pub(in crate::solve) trait Kind: Arithmetic {
+    /// The sides, where they were found with this arithmetic.
+    fn sides(kept: &KeptSides) -> Option<&Sides<Self>>;
+}
+
+macro_rules! kind {
+    ($name:ident) => {
+        impl Kind for $name {
+            fn sides(kept: &KeptSides) -> Option<&Sides<Self>> {
+                match kept {
+                    KeptSides::$name(sides) => Some(sides),
+                    #[cfg(target_arch = "x86_64")]
+                    _ => None,
+                }
+            }
+        }
+    };
+}
+
+#[cfg(target_arch = "x86_64")]
+kind!(Avx512);
+#[cfg(target_arch = "x86_64")]
+kind!(Avx2);
+kind!(Portable);
+
+impl<A: Kind> Bench<A> {
+    fn solve(&mut self, prepared: &Prepared, frequencies: &[f64], out: &mut [&mut [Complex64]]) {
+        A::outlined(Solve((self, prepared, frequencies, out)));
+    }
+
+    #[inline(always)]
+    fn solve_inlined(
+        (this, prepared, frequencies, out): (&mut Self, &Prepared, &[f64], &mut [&mut [Complex64]]),
+    ) {
+        this.out.resize(prepared.plan.outputs.len(), Complex::ZERO);
+        for (index, group) in frequencies.chunks(A::LANES).enumerate() {
+            this.waves.set(&prepared.constants, angular(group));
+            this.room.solve(prepared, &this.waves, &mut this.out);
+            this.write(index, out);
+        }
+    }
+
+    fn keep(
+        &mut self,
+        between: &Between,
+        frequencies: &[f64],
+        kind: fn(Box<Sides<A>>) -> KeptSides,
+    ) -> Vec<KeptSides> {
+        let groups = frequencies.chunks(A::LANES);
+        let sides = |group| Box::new(A::outlined(Keep((&mut self.room, between, group))));
+        groups.map(sides).map(kind).collect()
+    }
+
+    #[inline(always)]
+    fn keep_inlined((room, between, group): (&mut Room<A>, &Between, &[f64])) -> Sides<A> {
+        room.sides(between, angular(group))
+    }
+
+    fn solve_between(
+        &mut self,
+        between: &Between,
+        (kept, first): (&[KeptSides], usize),
+        frequencies: &[f64],
+        out: &mut [&mut [Complex64]],
+    ) {
+        let kept = &kept[first / A::LANES..];
+        A::outlined(SolveBetween((self, between, kept, frequencies, out)));
+    }
+
+    #[inline(always)]
+    fn solve_between_inlined(
+        (this, between, kept, frequencies, out): (
+            &mut Self,
+            &Between,
+            &[KeptSides],
+            &[f64],
+            &mut [&mut [Complex64]],
+        ),
+    ) {
+        let plan = &between.prepared.plan;
+        this.out.resize(plan.outputs.len(), Complex::ZERO);
+        let groups = frequencies.chunks(A::LANES).zip(kept);
+        for (index, (group, kept)) in groups.enumerate() {
+            // The processor does not change while the program runs.
+            let Some(sides) = A::sides(kept) else {
+                return this.solve(&between.prepared, frequencies, out);
+            };
+            let omega = angular(group);
+            this.room
+                .solve_between(between, sides, omega, &mut this.out);
+            this.write(index, out);
+        }
+    }
+
+    /// Writes what came out of a group of a number.
+    #[inline(always)]
+    fn write(&self, group: usize, out: &mut [&mut [Complex64]]) {
+        let first = group * A::LANES;
+        for (value, column) in self.out.iter().zip(out) {
+            let end = column.len().min(first + A::LANES);
+            value.write(&mut column[first..end]);
         }
     }
 }
 
 /// Angular frequencies, rad/s; the last few are filled up with the last.
-fn angular(frequencies: &[f64]) -> [f64; WIDTH] {
-    let last = frequencies.len() - 1;
-    std::array::from_fn(|lane| std::f64::consts::TAU * frequencies[lane.min(last)])
-}
-
-/// Responses in the making, a row a frequency.
-struct Rows {
-    /// Values a row.
-    width: usize,
-    /// How many there will be.
-    most: usize,
-    values: Vec<Complex64>,
-}
-
-impl Rows {
-    fn new(plan: &Plan, frequencies: &[f64]) -> Self {
-        let width = plan.outputs.len();
-        let most = width * frequencies.len();
-        Self {
-            width,
-            most,
-            values: Vec::with_capacity(most),
-        }
-    }
-
-    /// Adds the rows that a kernel makes.
-    fn add<A: Arithmetic>(
-        &mut self,
-        out: &mut Vec<Complex<A>>,
-        kernel: impl FnOnce(&mut [Complex<A>]),
-    ) {
-        out.resize(self.width, Complex::ZERO);
-        kernel(out);
-        for lane in 0..WIDTH {
-            if self.values.len() < self.most {
-                self.values.extend(out.iter().map(|value| value.lane(lane)));
-            }
-        }
-    }
-}
-
-/// The kernel.
-fn run<A: Arithmetic>(room: &mut Room<A>, omega: [f64; WIDTH], task: Task<'_, A>) {
-    A::outlined(Run((room, omega, task)));
-}
-
 #[inline(always)]
-fn run_inlined<A: Arithmetic>((room, omega, task): (&mut Room<A>, [f64; WIDTH], Task<'_, A>)) {
-    let omega = Real::new(omega);
-    match task {
-        Task::Solve(prepared, out) => room.solve(prepared, omega, out),
-        Task::Keep(between, sides) => *sides = Some(room.sides(between, omega)),
-        Task::SolveBetween(between, sides, out) => {
-            room.solve_between(between, sides, omega, out);
-        }
+fn angular<A: Arithmetic>(frequencies: &[f64]) -> Real<A> {
+    let last = frequencies.len() - 1;
+    let mut omega = [0.0; MOST_LANES];
+    for lane in 0..A::LANES {
+        omega[lane] = std::f64::consts::TAU * frequencies[lane.min(last)];
     }
+    Real::new(&omega)
 }
 
 part!(
-    Run ['a, A: Arithmetic] ['a, A]
-    (&'a mut Room<A>, [f64; WIDTH], Task<'a, A>) -> (),
-    run_inlined
+    Solve ['a, 'b, A: Kind] ['a, 'b, A]
+    (&'a mut Bench<A>, &'a Prepared, &'a [f64], &'a mut [&'b mut [Complex64]]) -> (),
+    Bench::solve_inlined
+);
+
+part!(
+    Keep ['a, A: Kind] ['a, A]
+    (&'a mut Room<A>, &'a Between, &'a [f64]) -> Sides<A>,
+    Bench::keep_inlined
+);
+
+part!(
+    SolveBetween ['a, 'b, A: Kind] ['a, 'b, A]
+    (&'a mut Bench<A>, &'a Between, &'a [KeptSides], &'a [f64], &'a mut [&'b mut [Complex64]]) -> (),
+    Bench::solve_between_inlined
 );

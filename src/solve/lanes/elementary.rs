@@ -4,10 +4,13 @@
 //! `__kernel_cos`) and the Taylor series of the exponential; within 2 units of the last place.
 
 use super::complex::Complex;
-use super::number::{Arithmetic, Real, WIDTH};
+use super::number::{Arithmetic, MOST_LANES, Real, part};
 
 /// Adding it rounds a number below 2^51 to an integer, which then stands in the low bits.
 const ROUNDER: f64 = 6_755_399_441_055_744.0;
+
+/// Beyond it the reduction of an angle loses digits.
+const LARGEST: f64 = 1e6;
 
 /// exp(-re) (cos im - i sin im): how a wave decays and turns over `re + i im`.
 #[inline(always)]
@@ -61,36 +64,33 @@ pub(super) fn exp<A: Arithmetic>(x: Real<A>) -> Real<A> {
     for coefficient in &SERIES[1..] {
         sum = sum.multiply_add(r, Real::splat(*coefficient));
     }
-    let mut power = [0.0; WIDTH];
-    for lane in 0..WIDTH {
-        let exponent = rounded.0[lane].to_bits().wrapping_add(1023) << 52;
-        power[lane] = f64::from_bits(exponent);
-    }
-    x.where_less(Real::splat(SMALLEST), Real::ZERO, sum * Real::new(power))
+    x.where_less(
+        Real::splat(SMALLEST),
+        Real::ZERO,
+        sum * rounded.power_of_two(),
+    )
 }
 
 /// Sine and cosine.
 #[inline(always)]
 pub(super) fn sin_cos<A: Arithmetic>(x: Real<A>) -> (Real<A>, Real<A>) {
-    /// Beyond it the reduction loses digits.
-    const LARGEST: f64 = 1e6;
     if Real::splat(LARGEST).is_less_somewhere(x.abs()) {
-        return far_sin_cos(x);
+        return A::outlined(Far((x,)));
     }
     reduced_sin_cos(x)
 }
 
 /// Of numbers of any size.
-#[cold]
-#[inline(never)]
-fn far_sin_cos<A: Arithmetic>(x: Real<A>) -> (Real<A>, Real<A>) {
-    let (mut sin, mut cos) = reduced_sin_cos(x);
-    for lane in 0..WIDTH {
-        if x.0[lane].abs() > 1e6 {
-            (sin.0[lane], cos.0[lane]) = x.0[lane].sin_cos();
+#[inline(always)]
+fn far_sin_cos<A: Arithmetic>((x,): (Real<A>,)) -> (Real<A>, Real<A>) {
+    let (sin, cos) = reduced_sin_cos(x);
+    let (x, mut sin, mut cos) = (x.lanes(), sin.lanes(), cos.lanes());
+    for lane in 0..MOST_LANES {
+        if x[lane].abs() > LARGEST {
+            (sin[lane], cos[lane]) = x[lane].sin_cos();
         }
     }
-    (sin, cos)
+    (Real::new(&sin), Real::new(&cos))
 }
 
 #[inline(always)]
@@ -111,21 +111,12 @@ fn reduced_sin_cos<A: Arithmetic>(x: Real<A>) -> (Real<A>, Real<A>) {
         r = n.subtract_product(Real::splat(part), r);
     }
     let (sin, cos) = (sine(r), cosine(r));
-    let (mut out_sin, mut out_cos) = ([0.0; WIDTH], [0.0; WIDTH]);
-    for lane in 0..WIDTH {
-        let quarter = rounded.0[lane].to_bits();
-        let swaps = quarter & 1 == 1;
-        let (s, c) = if swaps {
-            (cos.0[lane], sin.0[lane])
-        } else {
-            (sin.0[lane], cos.0[lane])
-        };
-        let sign_of_sine = (quarter & 2) << 62;
-        let sign_of_cosine = (quarter.wrapping_add(1) & 2) << 62;
-        out_sin[lane] = f64::from_bits(s.to_bits() ^ sign_of_sine);
-        out_cos[lane] = f64::from_bits(c.to_bits() ^ sign_of_cosine);
-    }
-    (Real::new(out_sin), Real::new(out_cos))
+    let turned_sin = rounded.where_bit(0, cos, sin);
+    let turned_cos = rounded.where_bit(0, sin, cos);
+    (
+        turned_sin.turned_by_bit(rounded, 1),
+        turned_cos.turned_by_bit(rounded.next_bits(), 1),
+    )
 }
 
 /// The sine of a number within pi/4 of 0.
@@ -169,3 +160,9 @@ fn cosine<A: Arithmetic>(r: Real<A>) -> Real<A> {
     let lost = (Real::ONE - near_one) - half;
     near_one + (square * square).multiply_add(sum, lost)
 }
+
+part!(
+    Far [A: Arithmetic] [A]
+    (Real<A>,) -> (Real<A>, Real<A>),
+    far_sin_cos
+);

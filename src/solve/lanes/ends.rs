@@ -21,35 +21,35 @@ const MOTIONS: [BeamMotion; 6] = [
     BeamMotion::VSlope,
 ];
 
-/// The equation of one motion of an end for the waves that leave it and those that arrive at it.
+/// The equation of one motion of an end for the waves that leave it and those that arrive at it: four or two of them,
+/// from the first that carries the motion on.
 #[derive(Debug, Clone)]
 struct EndRow<A> {
-    of_leaving: Amplitudes<A>,
-    of_arriving: Amplitudes<A>,
+    of_leaving: [Complex<A>; 4],
+    of_arriving: [Complex<A>; 4],
     load: Complex<A>,
 }
 
 impl<A: Arithmetic> EndRow<A> {
-    /// K q - p = F at the left end. At the right end p has the other sign; there the waves that leave go left, so that
-    /// forces and slopes change theirs too, and the equation is the same but for the load of a slope.
-    fn new(waves: &Waves<A>, end: &End, motion: BeamMotion, side: Side) -> Self {
-        A::outlined(NewRow((waves, end, motion, side)))
+    const NONE: Self = Self {
+        of_leaving: [Complex::ZERO; 4],
+        of_arriving: [Complex::ZERO; 4],
+        load: Complex::ZERO,
+    };
+
+    /// Becomes K q - p = F at the left end. At the right end p has the other sign; there the waves that leave go left, so
+    /// that forces and slopes change theirs too, and the equation is the same but for the load of a slope.
+    fn set(&mut self, waves: &Waves<A>, end: &End, motion: BeamMotion, side: Side) {
+        A::outlined(SetRow((self, waves, end, motion, side)));
     }
 
     #[inline(always)]
-    fn new_inlined((waves, end, motion, side): (&Waves<A>, &End, BeamMotion, Side)) -> Self {
+    fn set_inlined(
+        (this, waves, end, motion, side): (&mut Self, &Waves<A>, &End, BeamMotion, Side),
+    ) {
         let row = motion as usize % 3;
         let is_slope = motion as usize >= 3;
         let (stiffness, acts, load) = restraint(waves.omega, end, motion);
-        let mut equation = Self {
-            of_leaving: [Complex::ZERO; 6],
-            of_arriving: [Complex::ZERO; 6],
-            load: Complex::splat(if is_slope && side == Side::Right {
-                -load
-            } else {
-                load
-            }),
-        };
         let (from, to) = reach(row);
         let mut largest = Real::ZERO;
         for wave in from..to {
@@ -62,22 +62,18 @@ impl<A: Arithmetic> EndRow<A> {
                 let acted = waves.force[row][wave].scaled(acts);
                 (moved - acted, moved + acted)
             };
-            equation.of_leaving[wave] = leaving;
-            equation.of_arriving[wave] = arriving;
+            this.of_leaving[wave - from] = leaving;
+            this.of_arriving[wave - from] = arriving;
             largest = largest.max(leaving.size());
         }
-        equation.scale(largest.inverse_power_of_two(), from, to);
-        equation
-    }
-
-    /// So that rows in different units compare.
-    #[inline(always)]
-    fn scale(&mut self, by: Real<A>, from: usize, to: usize) {
-        for wave in from..to {
-            self.of_leaving[wave] = self.of_leaving[wave].scaled(by);
-            self.of_arriving[wave] = self.of_arriving[wave].scaled(by);
+        // So that rows in different units compare.
+        let by = largest.inverse_power_of_two();
+        for k in 0..to - from {
+            this.of_leaving[k] = this.of_leaving[k].scaled(by);
+            this.of_arriving[k] = this.of_arriving[k].scaled(by);
         }
-        self.load = self.load.scaled(by);
+        let is_turned = is_slope && side == Side::Right;
+        this.load = Complex::splat(if is_turned { -load } else { load }).scaled(by);
     }
 }
 
@@ -128,12 +124,13 @@ fn reflect<A: Arithmetic, const N: usize, const R: usize>(
 ) {
     let mut of_leaving = [[Complex::ZERO; N]; N];
     let mut right = [[Complex::ZERO; R]; N];
+    let mut equation = EndRow::NONE;
     for row in 0..N {
-        let equation = EndRow::new(waves, end, MOTIONS[first + row], side);
+        equation.set(waves, end, MOTIONS[first + row], side);
         for column in 0..N {
-            let wave = first + column;
-            of_leaving[row][column] = equation.of_leaving[wave];
-            right[row][column] = -(equation.of_arriving[wave] * waves.radiation[wave]);
+            of_leaving[row][column] = equation.of_leaving[column];
+            let radiation = waves.radiation[first + column];
+            right[row][column] = -(equation.of_arriving[column] * radiation);
         }
         right[row][N] = equation.load;
     }
@@ -168,22 +165,24 @@ fn right_end_inlined<A: Arithmetic>(
     for (size, r) in sizes.iter_mut().zip(&at.r) {
         *size = r.size();
     }
+    let mut equation = EndRow::NONE;
     for row in 0..6 {
-        let equation = EndRow::new(waves, end, MOTIONS[row], Side::Right);
-        let (from, to) = reach(MOTIONS[row] as usize % 3);
+        equation.set(waves, end, MOTIONS[row], Side::Right);
+        let (from, to) = if row < 4 { (0, 4) } else { (4, 6) };
         right[row][0] = equation.load;
         for wave in from..to {
-            right[row][0] = right[row][0].minus_product(equation.of_arriving[wave], at.s[wave]);
+            let arriving = equation.of_arriving[wave - from];
+            right[row][0] = right[row][0].minus_product(arriving, at.s[wave]);
         }
         for column in 0..6 {
             let mut sum = if column >= from && column < to {
-                equation.of_leaving[column] * waves.radiation[column]
+                equation.of_leaving[column - from] * waves.radiation[column]
             } else {
                 Complex::ZERO
             };
             let mut size = sum.size();
             for wave in from..to {
-                let arriving = equation.of_arriving[wave];
+                let arriving = equation.of_arriving[wave - from];
                 sum = sum.plus_product(arriving, at.r[entry(wave, column)]);
                 size = arriving
                     .size()
@@ -262,9 +261,9 @@ part!(
 );
 
 part!(
-    NewRow ['a, A: Arithmetic] ['a, A]
-    (&'a Waves<A>, &'a End, BeamMotion, Side) -> EndRow<A>,
-    EndRow::new_inlined
+    SetRow ['a, A: Arithmetic] ['a, A]
+    (&'a mut EndRow<A>, &'a Waves<A>, &'a End, BeamMotion, Side) -> (),
+    EndRow::set_inlined
 );
 
 part!(

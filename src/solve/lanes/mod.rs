@@ -1,8 +1,8 @@
-//! The solver of sweeps: the recursion of [`super::recursion`] at four frequencies at once.
+//! The solver of sweeps: the recursion of [`super::recursion`] at several frequencies at once.
 //!
-//! A number here is four numbers, those of four frequencies side by side ([`number`], [`complex`]): each line of the
-//! kernel works on all four with one instruction where the processor has vectors of 256 bits, and takes the same
-//! decisions for each as if it were alone. `waves`, `ends`, `station`, `reflection` and `recursion` have the names of
+//! A number here is the numbers of eight or four frequencies side by side ([`number`], [`complex`]): each line of the
+//! kernel works on all of them with one instruction where the processor has vectors of 512 or 256 bits (`vectors`; any
+//! other processor: `portable`), and takes the same decisions for each as if it were alone. `waves`, `ends`, `station`, `reflection` and `recursion` have the names of
 //! their plain counterparts in [`super`], which solve one complex frequency and are what these are held against.
 //! `dispatch` looks what the processor can do when the program runs.
 //!
@@ -25,18 +25,22 @@ mod ends;
 mod energy;
 mod linear;
 mod number;
+mod portable;
 mod quadratic;
 mod read;
 mod recursion;
 mod reflection;
+mod roots;
 mod sides;
 mod station;
+#[cfg(target_arch = "x86_64")]
+mod vectors;
 mod waves;
 
 pub use count::{Work, work};
-pub(super) use dispatch::KeptSides;
-pub(super) use dispatch::Solver;
-pub(super) use number::WIDTH;
+pub use dispatch::Instructions;
+pub(super) use dispatch::{KeptSides, Solver};
+pub(super) use number::MOST_LANES;
 pub(super) use recursion::Prepared;
 pub(super) use sides::{Between, Source};
 

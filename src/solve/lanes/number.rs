@@ -1,14 +1,13 @@
-//! Numbers of [`WIDTH`] frequencies at once.
+//! Numbers of several frequencies at once.
 //!
-//! Every operation is a loop over an array that the compiler turns into one instruction where the processor has
-//! vectors, once it is inlined into a function that may use them: hence `#[inline(always)]`, here and up to the next
-//! [`Part`], and neither closures nor iterators in between.
+//! Every operation is one instruction where the processor has vectors, once it is inlined into a function that may use
+//! them: hence `#[inline(always)]`, here and up to the next [`Part`], and neither closures nor iterators in between.
 
-use std::marker::PhantomData;
+use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Frequencies that are solved at once: as many as a vector of 256 bits holds.
-pub(in crate::solve) const WIDTH: usize = 4;
+/// The most frequencies that any processor solves at once; a multiple of what each does.
+pub(in crate::solve) const MOST_LANES: usize = 8;
 
 /// A part of the kernel, with what it works on: all in one piece the kernel would take minutes to compile.
 pub(in crate::solve) trait Part {
@@ -35,138 +34,121 @@ macro_rules! part {
 }
 pub(super) use part;
 
-/// How two numbers are combined.
-pub(in crate::solve) trait Arithmetic: Copy + 'static {
-    /// a b + c.
-    fn multiply_add(a: f64, b: f64, c: f64) -> f64;
+/// The numbers of a few frequencies side by side, as a kind of processor works on them.
+///
+/// Their bits count as unsigned integers where a method says so.
+pub(in crate::solve) trait Arithmetic:
+    Copy + Debug + Send + Sync + 'static
+{
+    /// How many; a divisor of [`MOST_LANES`].
+    const LANES: usize;
+    const ZERO: Self;
+    const ONE: Self;
+
+    /// The same number in all lanes.
+    fn splat(value: f64) -> Self;
+
+    /// The first [`Self::LANES`] of some numbers.
+    fn load(values: &[f64; MOST_LANES]) -> Self;
+
+    /// The lanes, then zeros.
+    fn store(self) -> [f64; MOST_LANES];
+
+    fn plus(self, other: Self) -> Self;
+    fn minus(self, other: Self) -> Self;
+    fn times(self, other: Self) -> Self;
+    fn over(self, other: Self) -> Self;
+    fn square_root(self) -> Self;
+
+    /// self b + c.
+    fn multiply_add(self, b: Self, c: Self) -> Self;
+
+    /// c - self b.
+    fn subtract_product(self, b: Self, c: Self) -> Self;
+
+    /// `yes` where this is less than `than`, else `no`.
+    fn where_less(self, than: Self, yes: Self, no: Self) -> Self;
+
+    /// `yes` where the sign bit is set, else `no`.
+    fn where_signed(self, yes: Self, no: Self) -> Self;
+
+    /// Whether this is less than `than` in some lane.
+    fn is_less_somewhere(self, than: Self) -> bool;
+
+    /// Bits that both have.
+    fn and(self, other: Self) -> Self;
+
+    /// Bits that one of them has.
+    fn or(self, other: Self) -> Self;
+
+    /// Bits in which they differ.
+    fn xor(self, other: Self) -> Self;
+
+    /// The sum of the bits as integers.
+    fn plus_bits(self, other: Self) -> Self;
+
+    /// The difference of the bits as integers.
+    fn minus_bits(self, other: Self) -> Self;
+
+    /// The bits `by` places higher.
+    fn shifted(self, by: u32) -> Self;
 
     /// Runs a part of the kernel as a function of its own, with the instructions of this arithmetic.
     fn outlined<P: Part>(part: P) -> P::Output;
-
-    /// Takes note of an operation that costs as much as a multiplication that adds.
-    #[inline(always)]
-    fn note() {}
-
-    /// Takes note of a division or a square root.
-    #[inline(always)]
-    fn note_division() {}
-}
-
-/// With one rounding, where the processor has an instruction for it.
-#[derive(Debug, Clone, Copy)]
-pub(in crate::solve) struct Fused;
-
-/// With two roundings, on any processor.
-#[derive(Debug, Clone, Copy)]
-pub(in crate::solve) struct Plain;
-
-impl Arithmetic for Fused {
-    #[inline(always)]
-    fn multiply_add(a: f64, b: f64, c: f64) -> f64 {
-        a.mul_add(b, c)
-    }
-
-    #[inline(always)]
-    fn outlined<P: Part>(part: P) -> P::Output {
-        with_vectors(part)
-    }
-}
-
-impl Arithmetic for Plain {
-    #[inline(always)]
-    fn multiply_add(a: f64, b: f64, c: f64) -> f64 {
-        a * b + c
-    }
-
-    #[inline(never)]
-    fn outlined<P: Part>(part: P) -> P::Output {
-        part.run()
-    }
-}
-
-#[cfg(target_arch = "x86_64")]
-#[inline(always)]
-#[allow(
-    unsafe_code,
-    reason = "the only way to instructions that are looked for at run time"
-)]
-fn with_vectors<P: Part>(part: P) -> P::Output {
-    #[target_feature(enable = "avx2,fma")]
-    #[inline(never)]
-    fn vectors<P: Part>(part: P) -> P::Output {
-        part.run()
-    }
-    // SAFETY: `Fused` numbers are made by a `Solver::Fused` alone, and that where the processor has both.
-    unsafe { vectors(part) }
-}
-
-/// The processor has them all.
-#[cfg(not(target_arch = "x86_64"))]
-#[inline(never)]
-fn with_vectors<P: Part>(part: P) -> P::Output {
-    part.run()
 }
 
 /// A real number at each frequency.
 #[derive(Debug, Clone, Copy)]
-#[repr(align(32))]
-pub(super) struct Real<A>(pub(super) [f64; WIDTH], PhantomData<A>);
+pub(super) struct Real<A>(A);
 
 impl<A: Arithmetic> Real<A> {
-    pub(super) const ZERO: Self = Self([0.0; WIDTH], PhantomData);
-    pub(super) const ONE: Self = Self([1.0; WIDTH], PhantomData);
+    pub(super) const ZERO: Self = Self(A::ZERO);
+    pub(super) const ONE: Self = Self(A::ONE);
 
     /// One number at each frequency.
     #[inline(always)]
-    pub(super) fn new(values: [f64; WIDTH]) -> Self {
-        Self(values, PhantomData)
+    pub(super) fn new(values: &[f64; MOST_LANES]) -> Self {
+        Self(A::load(values))
+    }
+
+    /// The numbers at all frequencies.
+    #[inline(always)]
+    pub(super) fn lanes(self) -> [f64; MOST_LANES] {
+        self.0.store()
     }
 
     /// The same number at all frequencies.
     #[inline(always)]
     pub(super) fn splat(value: f64) -> Self {
-        Self::new([value; WIDTH])
+        Self(A::splat(value))
+    }
+
+    /// The number with these bits at all frequencies.
+    #[inline(always)]
+    fn of_bits(bits: u64) -> Self {
+        Self::splat(f64::from_bits(bits))
     }
 
     /// self b + c.
     #[inline(always)]
     pub(super) fn multiply_add(self, b: Self, c: Self) -> Self {
-        A::note();
-        let mut out = [0.0; WIDTH];
-        for lane in 0..WIDTH {
-            out[lane] = A::multiply_add(self.0[lane], b.0[lane], c.0[lane]);
-        }
-        Self::new(out)
+        Self(self.0.multiply_add(b.0, c.0))
     }
 
     /// c - self b.
     #[inline(always)]
     pub(super) fn subtract_product(self, b: Self, c: Self) -> Self {
-        A::note();
-        let mut out = [0.0; WIDTH];
-        for lane in 0..WIDTH {
-            out[lane] = A::multiply_add(-self.0[lane], b.0[lane], c.0[lane]);
-        }
-        Self::new(out)
+        Self(self.0.subtract_product(b.0, c.0))
     }
 
     #[inline(always)]
     pub(super) fn sqrt(self) -> Self {
-        A::note_division();
-        let mut out = [0.0; WIDTH];
-        for lane in 0..WIDTH {
-            out[lane] = self.0[lane].sqrt();
-        }
-        Self::new(out)
+        Self(self.0.square_root())
     }
 
     #[inline(always)]
     pub(super) fn abs(self) -> Self {
-        let mut out = [0.0; WIDTH];
-        for lane in 0..WIDTH {
-            out[lane] = self.0[lane].abs();
-        }
-        Self::new(out)
+        Self(self.0.and(Self::of_bits(!SIGN).0))
     }
 
     /// The larger one.
@@ -178,35 +160,19 @@ impl<A: Arithmetic> Real<A> {
     /// `yes` where this is less than `than`, else `no`.
     #[inline(always)]
     pub(super) fn where_less(self, than: Self, yes: Self, no: Self) -> Self {
-        let mut out = [0.0; WIDTH];
-        for lane in 0..WIDTH {
-            out[lane] = if self.0[lane] < than.0[lane] {
-                yes.0[lane]
-            } else {
-                no.0[lane]
-            };
-        }
-        Self::new(out)
+        Self(self.0.where_less(than.0, yes.0, no.0))
     }
 
     /// With the sign of another number.
     #[inline(always)]
     pub(super) fn with_sign_of(self, sign: Self) -> Self {
-        let mut out = [0.0; WIDTH];
-        for lane in 0..WIDTH {
-            out[lane] = self.0[lane].copysign(sign.0[lane]);
-        }
-        Self::new(out)
+        Self(self.abs().0.or(sign.0.and(Self::of_bits(SIGN).0)))
     }
 
     /// Whether this is less than `than` at some frequency.
     #[inline(always)]
     pub(super) fn is_less_somewhere(self, than: Self) -> bool {
-        let mut found = false;
-        for lane in 0..WIDTH {
-            found |= self.0[lane] < than.0[lane];
-        }
-        found
+        self.0.is_less_somewhere(than.0)
     }
 
     /// A power of two within a factor of two below 1 / self, for positive finite numbers.
@@ -215,48 +181,65 @@ impl<A: Arithmetic> Real<A> {
         /// Twice the exponent of 1, in its place.
         const TWICE_ONE: u64 = 2046 << 52;
         const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
-        let mut out = [0.0; WIDTH];
-        for lane in 0..WIDTH {
-            let exponent = self.0[lane].to_bits() & EXPONENT;
-            out[lane] = f64::from_bits(TWICE_ONE.wrapping_sub(exponent));
-        }
-        Self::new(out)
+        let exponent = self.0.and(Self::of_bits(EXPONENT).0);
+        Self(Self::of_bits(TWICE_ONE).0.minus_bits(exponent))
+    }
+
+    /// Two to an integer that stands in the low bits.
+    #[inline(always)]
+    pub(super) fn power_of_two(self) -> Self {
+        /// The exponent of 1.
+        const ONE: u64 = 1023;
+        Self(self.0.plus_bits(Self::of_bits(ONE).0).shifted(52))
+    }
+
+    /// `yes` where the bit of a place is set, else `no`.
+    #[inline(always)]
+    pub(super) fn where_bit(self, place: u32, yes: Self, no: Self) -> Self {
+        Self(self.0.shifted(63 - place).where_signed(yes.0, no.0))
+    }
+
+    /// With the other sign where the bit of a place of `bits` is set.
+    #[inline(always)]
+    pub(super) fn turned_by_bit(self, bits: Self, place: u32) -> Self {
+        let sign = bits.0.shifted(63 - place).and(Self::of_bits(SIGN).0);
+        Self(self.0.xor(sign))
+    }
+
+    /// With one more in the low bits.
+    #[inline(always)]
+    pub(super) fn next_bits(self) -> Self {
+        Self(self.0.plus_bits(Self::of_bits(1).0))
     }
 }
 
+/// The bit of the sign.
+const SIGN: u64 = 1 << 63;
+
 /// An operation of two numbers.
 macro_rules! operation {
-    ($trait:ident, $method:ident, $operator:tt, $note:expr) => {
+    ($trait:ident, $method:ident, $named:ident) => {
         impl<A: Arithmetic> $trait for Real<A> {
             type Output = Self;
 
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                $note;
-                let mut out = [0.0; WIDTH];
-                for lane in 0..WIDTH {
-                    out[lane] = self.0[lane] $operator other.0[lane];
-                }
-                Self::new(out)
+                Self(self.0.$named(other.0))
             }
         }
     };
 }
 
-operation!(Add, add, +, A::note());
-operation!(Sub, sub, -, A::note());
-operation!(Mul, mul, *, A::note());
-operation!(Div, div, /, A::note_division());
+operation!(Add, add, plus);
+operation!(Sub, sub, minus);
+operation!(Mul, mul, times);
+operation!(Div, div, over);
 
 impl<A: Arithmetic> Neg for Real<A> {
     type Output = Self;
 
     #[inline(always)]
     fn neg(self) -> Self {
-        let mut out = [0.0; WIDTH];
-        for lane in 0..WIDTH {
-            out[lane] = -self.0[lane];
-        }
-        Self::new(out)
+        Self(self.0.xor(Self::of_bits(SIGN).0))
     }
 }

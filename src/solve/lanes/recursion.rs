@@ -64,6 +64,8 @@ pub(super) struct Room<A> {
     pub(super) decays: Vec<Amplitudes<A>>,
     /// The energy of each distinct span, where it is wanted.
     pub(super) forms: Vec<Form<A>>,
+    /// The reflection of the left end, where the energy is wanted.
+    start: Box<Reflection<A>>,
     /// The forces at each station, where an attachment is.
     pub(super) forces: Vec<Forces<A>>,
     /// What lies left of each station where something is read; of every one where the energy is wanted.
@@ -74,11 +76,12 @@ pub(super) struct Room<A> {
     pub(super) states: Vec<State<A>>,
 }
 
-impl<A> Default for Room<A> {
+impl<A: Arithmetic> Default for Room<A> {
     fn default() -> Self {
         Self {
             decays: Vec::new(),
             forms: Vec::new(),
+            start: Box::new(Reflection::NONE),
             forces: Vec::new(),
             lefts: Vec::new(),
             turns: Vec::new(),
@@ -88,30 +91,31 @@ impl<A> Default for Room<A> {
 }
 
 impl<A: Arithmetic> Room<A> {
-    /// Writes the response of every output at the angular frequencies `omega`, rad/s.
+    /// Writes the response of every output for some waves.
     #[inline(always)]
-    pub(super) fn solve(&mut self, prepared: &Prepared, omega: Real<A>, out: &mut [Complex<A>]) {
+    pub(super) fn solve(&mut self, prepared: &Prepared, waves: &Waves<A>, out: &mut [Complex<A>]) {
         let plan = &prepared.plan;
-        let mut waves = Waves::NONE;
-        waves.set(&prepared.constants, omega);
         self.make_room(prepared);
-        self.prepare_spans(plan, &waves);
+        self.prepare_spans(plan, waves);
         let all = 0..plan.stations.len();
-        let start = reflection(&waves, &plan.left, Side::Left);
-        let mut at = start.clone();
-        self.sweep_right(prepared, &waves, all.clone(), &mut at);
-        at.propagate(&self.decays[plan.last_span()]);
-        let mut b = right_end(&waves, &plan.right, &at);
-        let mut energy = Sum::ZERO;
-        self.sweep_left(prepared, &waves, all, &mut b, &mut energy);
+        let mut at = reflection(waves, &plan.left, Side::Left);
         if plan.wants_energy {
-            self.cross_span(prepared, &waves, (0, &start), &mut b, &mut energy);
+            (*self.start).clone_from(&at);
+        }
+        self.sweep_right(prepared, waves, all.clone(), &mut at);
+        at.propagate(&self.decays[plan.last_span()]);
+        let mut b = right_end(waves, &plan.right, &at);
+        let mut energy = Sum::ZERO;
+        self.sweep_left(prepared, waves, all, &mut b, &mut energy);
+        if plan.wants_energy {
+            let start = (*self.start).clone();
+            self.cross_span(prepared, waves, (0, &start), &mut b, &mut energy);
         }
         let energy = energy.resolved();
         for (value, output) in out.iter_mut().zip(&plan.outputs) {
             *value = match output {
                 Output::Energy => Complex::from_real(energy),
-                output => self.read(prepared, &waves, *output, Part::Whole),
+                output => self.read(prepared, waves, *output, Part::Whole),
             };
         }
     }
@@ -152,9 +156,9 @@ impl<A: Arithmetic> Room<A> {
     /// What the spans need.
     #[inline(always)]
     pub(super) fn prepare_spans(&mut self, plan: &Plan, waves: &Waves<A>) {
-        self.decays.clear();
-        for &length in &plan.lengths {
-            self.decays.push(decays(waves, length));
+        self.decays.resize(plan.lengths.len(), [Complex::ONE; 6]);
+        for (decays, &length) in self.decays.iter_mut().zip(&plan.lengths) {
+            set_decays(waves, length, decays);
         }
         self.forms.clear();
         if plan.wants_energy {
@@ -176,7 +180,7 @@ impl<A: Arithmetic> Room<A> {
         let plan = &prepared.plan;
         self.decays.resize(plan.lengths.len(), [Complex::ONE; 6]);
         for &span in &plan.spans[part.start..=part.end] {
-            self.decays[span] = decays(waves, plan.lengths[span]);
+            set_decays(waves, plan.lengths[span], &mut self.decays[span]);
         }
         if plan.wants_energy {
             let weights = weights(waves, &plan.beam);
@@ -319,15 +323,15 @@ impl<A: Arithmetic> Room<A> {
 }
 
 /// exp(-kappa l); 1 over no length, also for the wave that decays at once.
-fn decays<A: Arithmetic>(waves: &Waves<A>, length: f64) -> Amplitudes<A> {
-    A::outlined(Decays((waves, length)))
+fn set_decays<A: Arithmetic>(waves: &Waves<A>, length: f64, out: &mut Amplitudes<A>) {
+    A::outlined(SetDecays((waves, length, out)));
 }
 
 #[inline(always)]
-fn decays_inlined<A: Arithmetic>((waves, length): (&Waves<A>, f64)) -> Amplitudes<A> {
-    let mut out = [Complex::ONE; 6];
+fn set_decays_inlined<A: Arithmetic>((waves, length, out): (&Waves<A>, f64, &mut Amplitudes<A>)) {
     if length == 0.0 {
-        return out;
+        *out = [Complex::ONE; 6];
+        return;
     }
     let length = Real::splat(length);
     for wave in 0..6 {
@@ -337,7 +341,6 @@ fn decays_inlined<A: Arithmetic>((waves, length): (&Waves<A>, f64)) -> Amplitude
     if waves.without_warping {
         out[crate::solve::waves::WARPING_WAVE] = Complex::ZERO;
     }
-    out
 }
 
 #[inline(always)]
@@ -366,7 +369,7 @@ pub(super) fn add_product<A: Arithmetic>(
 }
 
 part!(
-    Decays ['a, A: Arithmetic] ['a, A]
-    (&'a Waves<A>, f64) -> Amplitudes<A>,
-    decays_inlined
+    SetDecays ['a, A: Arithmetic] ['a, A]
+    (&'a Waves<A>, f64, &'a mut Amplitudes<A>) -> (),
+    set_decays_inlined
 );

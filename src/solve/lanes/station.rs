@@ -7,7 +7,7 @@
 use super::complex::{Complex, Matrix};
 use super::linear::solve;
 use super::number::{Arithmetic, Real, part};
-use super::reflection::{Amplitudes, Reflection, entry, reach};
+use super::reflection::{Amplitudes, Reflection, entry};
 use super::waves::Waves;
 use crate::solve::attachment::{Attachment, UNKNOWNS};
 use crate::solve::linear::ZERO;
@@ -29,32 +29,29 @@ pub(super) struct Turn<A> {
     pub(super) forced: Complex<A>,
 }
 
-/// Stretches of the channels by each wave: w + `z_b` psi, v, `y_u` psi.
+/// Stretches of the channels by each wave: w + `z_b` psi and `y_u` psi by the coupled ones; v by the other two is 1.
+#[derive(Debug, Clone)]
+pub(super) struct Stretches<A> {
+    y: [Complex<A>; 4],
+    difference: [Complex<A>; 4],
+}
+
 #[inline(always)]
-pub(super) fn stretches<A: Arithmetic>(
-    waves: &Waves<A>,
-    attachment: &Attachment,
-) -> Matrix<A, CHANNELS, 6> {
-    let mut out = [[Complex::ZERO; 6]; CHANNELS];
+pub(super) fn stretches<A: Arithmetic>(waves: &Waves<A>, attachment: &Attachment) -> Stretches<A> {
+    let mut out = Stretches {
+        y: [Complex::ZERO; 4],
+        difference: [Complex::ZERO; 4],
+    };
     let (z, y) = (
         Real::splat(attachment.mount_z),
         Real::splat(attachment.mount_y),
     );
     for wave in 0..4 {
         let (w, psi) = (waves.displacement[0][wave], waves.displacement[1][wave]);
-        out[0][wave] = w.plus_scaled(z, psi);
-        out[2][wave] = psi.scaled(y);
-    }
-    for wave in 4..6 {
-        out[1][wave] = waves.displacement[2][wave];
+        out.y[wave] = w.plus_scaled(z, psi);
+        out.difference[wave] = psi.scaled(y);
     }
     out
-}
-
-/// Columns of the waves that stretch a channel.
-#[inline(always)]
-pub(super) const fn stretched_by(channel: usize) -> (usize, usize) {
-    if channel == 1 { reach(2) } else { reach(0) }
 }
 
 /// The springs, the mass and the arms of a subsystem.
@@ -122,8 +119,6 @@ impl<A: Arithmetic> Springs<A> {
 
 /// The beam where a subsystem is attached.
 struct Contact<A> {
-    /// Stretches of the channels by each wave.
-    stretches: Matrix<A, CHANNELS, 6>,
     /// Stretches by b'.
     moved: Matrix<A, CHANNELS, 6>,
     /// Stretches with nothing arriving.
@@ -135,38 +130,49 @@ struct Contact<A> {
 impl<A: Arithmetic> Contact<A> {
     #[inline(always)]
     fn new(waves: &Waves<A>, attachment: &Attachment, at: &Reflection<A>) -> Self {
-        let stretches = stretches(waves, attachment);
+        let Stretches { y, difference } = stretches(waves, attachment);
         let mut contact = Self {
-            stretches,
             moved: [[Complex::ZERO; 6]; CHANNELS],
             still: [Complex::ZERO; CHANNELS],
             receptance: [[Complex::ZERO; CHANNELS]; CHANNELS],
         };
-        for channel in 0..CHANNELS {
-            let (from, to) = stretched_by(channel);
-            for wave in from..to {
-                let stretch = contact.stretches[channel][wave];
-                contact.still[channel] = contact.still[channel].plus_product(stretch, at.s[wave]);
-                contact.moved[channel][wave] =
-                    contact.moved[channel][wave].plus_product(stretch, waves.radiation[wave]);
-                for column in 0..6 {
-                    contact.moved[channel][column] = contact.moved[channel][column]
-                        .plus_product(stretch, at.r[entry(wave, column)]);
-                }
+        for column in 0..6 {
+            let [mut by_y, mut by_difference] = [Complex::ZERO; 2];
+            if column < 4 {
+                by_y = y[column] * waves.radiation[column];
+                by_difference = difference[column] * waves.radiation[column];
             }
+            for wave in 0..4 {
+                let r = at.r[entry(wave, column)];
+                by_y = by_y.plus_product(y[wave], r);
+                by_difference = by_difference.plus_product(difference[wave], r);
+            }
+            let mut by_sum = at.r[entry(4, column)] + at.r[entry(5, column)];
+            if column >= 4 {
+                by_sum += waves.radiation[column];
+            }
+            contact.moved[0][column] = by_y;
+            contact.moved[1][column] = by_sum;
+            contact.moved[2][column] = by_difference;
         }
-        for one in 0..CHANNELS {
-            for other in one..CHANNELS {
-                // The v waves are fewer.
-                let (moved, by) = if one == 1 { (other, one) } else { (one, other) };
-                let (from, to) = stretched_by(by);
-                let mut sum = Complex::ZERO;
-                for wave in from..to {
-                    sum = sum.plus_product(contact.moved[moved][wave], contact.stretches[by][wave]);
-                }
-                contact.receptance[one][other] = sum;
-                contact.receptance[other][one] = sum;
+        contact.still[1] = at.s[4] + at.s[5];
+        for wave in 0..4 {
+            contact.still[0] = contact.still[0].plus_product(y[wave], at.s[wave]);
+            contact.still[2] = contact.still[2].plus_product(difference[wave], at.s[wave]);
+        }
+        for channel in 0..CHANNELS {
+            let moved = &contact.moved[channel];
+            let by_sum = moved[4] + moved[5];
+            contact.receptance[channel][1] = by_sum;
+            contact.receptance[1][channel] = by_sum;
+        }
+        for (one, other, by) in [(0, 0, &y), (0, 2, &difference), (2, 2, &difference)] {
+            let mut sum = Complex::ZERO;
+            for wave in 0..4 {
+                sum = sum.plus_product(contact.moved[one][wave], by[wave]);
             }
+            contact.receptance[one][other] = sum;
+            contact.receptance[other][one] = sum;
         }
         contact
     }
@@ -400,15 +406,13 @@ impl<A: Arithmetic> Turn<A> {
 /// What the forces of the channels send both ways, before N.
 #[inline(always)]
 pub(super) fn sent<A: Arithmetic>(
-    stretches: &Matrix<A, CHANNELS, 6>,
+    stretches: &Stretches<A>,
     forces: &[Complex<A>; CHANNELS],
 ) -> Amplitudes<A> {
-    let mut out = [Complex::ZERO; 6];
+    let mut out = [forces[1]; 6];
     for wave in 0..4 {
-        out[wave] = (stretches[0][wave] * forces[0]).plus_product(stretches[2][wave], forces[2]);
-    }
-    for wave in 4..6 {
-        out[wave] = stretches[1][wave] * forces[1];
+        out[wave] =
+            (stretches.y[wave] * forces[0]).plus_product(stretches.difference[wave], forces[2]);
     }
     out
 }

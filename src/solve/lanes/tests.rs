@@ -5,11 +5,13 @@
 
 use num_complex::Complex64;
 
-use super::Solver;
-use super::dispatch::Bench;
 use super::elementary::{exp, sin_cos};
-use super::number::{Plain, Real};
+use super::number::{Arithmetic, MOST_LANES, Real};
+use super::portable::Portable;
 use super::recursion::Prepared;
+#[cfg(target_arch = "x86_64")]
+use super::vectors::{Avx2, Avx512};
+use super::{Instructions, Solver};
 use crate::model::{
     BeamMotion, Elastic, Force, MassMotion, Measure, Model, Place, Quantity, Response, Restraint,
     Support, Target, read,
@@ -31,12 +33,15 @@ fn plain(plan: &Plan, frequencies: &[f64]) -> Vec<Complex64> {
     rows
 }
 
-fn lanes(mut solver: Solver, plan: &Plan, frequencies: &[f64]) -> Vec<Complex64> {
-    solver.solve(&Prepared::new(plan.clone()), frequencies)
-}
-
-fn portable() -> Solver {
-    Solver::Plain(Bench::default())
+/// The same by the kernel.
+fn lanes(instructions: Instructions, plan: &Plan, frequencies: &[f64]) -> Vec<Complex64> {
+    let (width, count) = (plan.outputs.len(), frequencies.len());
+    let mut columns = vec![vec![Complex64::ZERO; count]; width];
+    let mut out: Vec<&mut [Complex64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
+    Solver::new(instructions).solve(&Prepared::new(plan.clone()), frequencies, &mut out);
+    (0..width * count)
+        .map(|index| columns[index % width][index / width])
+        .collect()
 }
 
 /// Holds two sets of rows together: within a share of a value and one of the largest of its response; a response that a
@@ -67,8 +72,8 @@ fn presets_are_solved_as_by_the_plain_recursion() {
         let plan = Plan::new(&read(preset.text).unwrap());
         let all = frequencies(&read(preset.text).unwrap().sweep);
         let expected = plain(&plan, &all);
-        for solver in [Solver::default(), portable()] {
-            let found = lanes(solver, &plan, &all);
+        for instructions in Instructions::available() {
+            let found = lanes(instructions, &plan, &all);
             assert_near(&found, &expected, plan.outputs.len(), [1e-11, 1e-12]);
         }
     }
@@ -79,9 +84,11 @@ fn each_frequency_is_solved_as_if_it_were_alone() {
     // Golden: bit for bit, whatever stands beside it and wherever a sweep is cut.
     let plan = Plan::new(&read(presets::find("fig05a").unwrap().text).unwrap());
     let all: Vec<f64> = (1..=11).map(|k| 37.0 * f64::from(k)).collect();
-    let together = lanes(Solver::default(), &plan, &all);
-    for (frequency, row) in all.iter().zip(together.chunks(plan.outputs.len())) {
-        assert_eq!(lanes(Solver::default(), &plan, &[*frequency]), row);
+    for instructions in Instructions::available() {
+        let together = lanes(instructions, &plan, &all);
+        for (frequency, row) in all.iter().zip(together.chunks(plan.outputs.len())) {
+            assert_eq!(lanes(instructions, &plan, &[*frequency]), row);
+        }
     }
 }
 
@@ -94,8 +101,8 @@ fn random_models_are_solved_as_by_the_plain_recursion() {
         let model = random_model(&mut random);
         let plan = Plan::new(&model);
         let expected = plain(&plan, &all);
-        for solver in [Solver::default(), portable()] {
-            let found = lanes(solver, &plan, &all);
+        for instructions in Instructions::available() {
+            let found = lanes(instructions, &plan, &all);
             assert_near(&found, &expected, plan.outputs.len(), [1e-8, 1e-10]);
         }
     }
@@ -205,28 +212,58 @@ fn an_undamped_resonance_has_no_finite_answer() {
     let length = model.beam.length;
     let at = std::f64::consts::FRAC_PI_2 / (length * length) * (stiffness / mass).sqrt();
     let plan = Plan::new(&model);
-    let rows = lanes(Solver::default(), &plan, &[0.9 * at, at, 1.1 * at]);
-    let is_finite: Vec<bool> = rows
-        .chunks(plan.outputs.len())
-        .map(|row| row.iter().all(|value| value.is_finite()))
-        .collect();
-    assert_eq!(is_finite, [true, false, true]);
+    for instructions in Instructions::available() {
+        let rows = lanes(instructions, &plan, &[0.9 * at, at, 1.1 * at]);
+        let is_finite: Vec<bool> = rows
+            .chunks(plan.outputs.len())
+            .map(|row| row.iter().all(|value| value.is_finite()))
+            .collect();
+        assert_eq!(is_finite, [true, false, true]);
+    }
+}
+
+#[test]
+fn all_instructions_give_the_same_responses() {
+    for preset in presets::ALL {
+        let plan = Plan::new(&read(preset.text).unwrap());
+        let all = frequencies(&read(preset.text).unwrap().sweep);
+        let expected = lanes(Instructions::Portable, &plan, &all);
+        for instructions in Instructions::available() {
+            let found = lanes(instructions, &plan, &all);
+            assert_near(&found, &expected, plan.outputs.len(), [1e-12, 1e-12]);
+        }
+    }
 }
 
 #[test]
 fn elementary_functions_are_those_of_the_library() {
+    elementary_functions_are_right_by::<Portable>();
+    #[cfg(target_arch = "x86_64")]
+    for instructions in Instructions::available() {
+        match instructions {
+            Instructions::Avx512 => elementary_functions_are_right_by::<Avx512>(),
+            Instructions::Avx2 => elementary_functions_are_right_by::<Avx2>(),
+            Instructions::Portable => {}
+        }
+    }
+}
+
+fn elementary_functions_are_right_by<A: Arithmetic>() {
     // High-precision solution: the platform's, within 1 unit of the last place.
     let mut random = fastrand::Rng::with_seed(3);
     for scale in [1e-9, 1e-3, 1.0, 30.0, 690.0, 1e5, 1e8] {
         for _ in 0..500 {
-            let x = scale * (2.0 * random.f64() - 1.0);
-            let (sin, cos) = sin_cos::<Plain>(Real::splat(x));
-            assert!((sin.0[0] - x.sin()).abs() < 4e-16, "sin {x}");
-            assert!((cos.0[0] - x.cos()).abs() < 4e-16, "cos {x}");
-            if x < 700.0 {
-                let found = exp::<Plain>(Real::splat(x)).0[0];
+            let all: [f64; MOST_LANES] =
+                std::array::from_fn(|_| scale * (2.0 * random.f64() - 1.0));
+            let (sin, cos) = sin_cos::<A>(Real::new(&all));
+            let exp = exp::<A>(Real::new(&all.map(|x| x.min(700.0))));
+            let (sin, cos, exp) = (sin.lanes(), cos.lanes(), exp.lanes());
+            for (lane, x) in all.into_iter().enumerate().take(A::LANES) {
+                assert!((sin[lane] - x.sin()).abs() < 4e-16, "sin {x}");
+                assert!((cos[lane] - x.cos()).abs() < 4e-16, "cos {x}");
+                let x = x.min(700.0);
                 let expected = if x < -700.0 { 0.0 } else { x.exp() };
-                assert!((found - expected).abs() <= 5e-16 * expected, "exp {x}");
+                assert!((exp[lane] - expected).abs() <= 5e-16 * expected, "exp {x}");
             }
         }
     }

@@ -10,6 +10,7 @@ use num_complex::Complex64;
 
 use super::complex::{Complex, Matrix};
 use super::number::{Arithmetic, Real, part};
+use super::roots::{Pair, Root, roots};
 use crate::solve::waves::{BeamConstants, WARPING_WAVE};
 
 /// What the waves of a beam need that does not depend on the frequency.
@@ -78,30 +79,6 @@ struct CoupledWave<A> {
     psi: Complex<A>,
 }
 
-/// Two roots of the state equation: `(h - h_w)(gamma h - tau) = coupling / ((h + h_w)(slope h + offset))`.
-#[derive(Debug, Clone, Copy)]
-struct Pair<A> {
-    h_w: Complex<A>,
-    tau: Complex<A>,
-    gamma: Complex<A>,
-    inverse_gamma: Complex<A>,
-    coupling: Complex<A>,
-    slope: Complex<A>,
-    offset: Complex<A>,
-    /// omega^2 rho A and omega^2 rho `I_0`.
-    inertia: [Real<A>; 2],
-}
-
-/// One of them, with its distances from the two uncoupled roots.
-#[derive(Debug, Clone, Copy)]
-struct Root<A> {
-    value: Complex<A>,
-    /// value - `h_w`.
-    from_bending: Complex<A>,
-    /// gamma value - tau.
-    from_torsion: Complex<A>,
-}
-
 impl<A: Arithmetic> Waves<A> {
     /// No waves yet; what a row cannot reach stays zero.
     pub(super) const NONE: Self = Self {
@@ -137,7 +114,10 @@ impl<A: Arithmetic> Waves<A> {
     fn set_coupled(&mut self, constants: &Constants) {
         let beam = &constants.beam;
         let square = self.omega * self.omega;
-        let [a, b, d] = [beam.mass, beam.polar, beam.coupling].map_real(square);
+        let (b, d) = (
+            square * Real::splat(beam.polar),
+            square * Real::splat(beam.coupling),
+        );
         let h_w = Complex::splat(constants.bending[0]).scaled(self.omega);
         let warping = Complex::splat(beam.warping);
         let torsion = Complex::splat(beam.torsion);
@@ -154,7 +134,6 @@ impl<A: Arithmetic> Waves<A> {
             coupling,
             slope: Complex::ONE,
             offset: t,
-            inertia: [a, b],
         };
         let travelling = Pair {
             tau: t,
@@ -164,34 +143,38 @@ impl<A: Arithmetic> Waves<A> {
             offset: tau,
             ..evanescent
         };
-        if !self.without_warping {
-            let root = evanescent.settled::<true>();
-            self.set_wave(constants, 0, &evanescent, root);
+        let pairs = [evanescent, travelling];
+        let roots = roots(&pairs);
+        for pair in 0..2 {
+            for which in 0..2 {
+                let wave = (2 * pair + which, &roots[pair][which]);
+                self.set_wave(constants, &pairs[pair], wave);
+            }
         }
-        let root = evanescent.settled::<false>();
-        self.set_wave(constants, 1, &evanescent, root);
-        let root = travelling.settled::<true>();
-        self.set_wave(constants, 2, &travelling, root);
-        let root = travelling.settled::<false>();
-        self.set_wave(constants, 3, &travelling, root);
     }
 
     /// Sets a coupled wave from its root.
-    fn set_wave(&mut self, constants: &Constants, column: usize, pair: &Pair<A>, root: Root<A>) {
+    fn set_wave(
+        &mut self,
+        constants: &Constants,
+        pair: &Pair<A>,
+        (column, root): (usize, &Root<A>),
+    ) {
         A::outlined(SetWave((self, constants, column, pair, root)));
     }
 
     #[inline(always)]
     fn set_wave_inlined(
-        (this, constants, column, pair, root): (&mut Self, &Constants, usize, &Pair<A>, Root<A>),
+        (this, constants, column, pair, root): (&mut Self, &Constants, usize, &Pair<A>, &Root<A>),
     ) {
         let beam = &constants.beam;
         let other = pair.offset.plus_product(pair.slope, root.value);
         let bending = Complex::splat(beam.bending_w) * root.from_bending * (root.value + pair.h_w);
         let torsion = root.from_torsion * other;
+        let square = Real::ONE / (this.omega * this.omega);
         let (w, psi) = shape(
-            bending.scaled(Real::ONE / pair.inertia[0]),
-            torsion.scaled(Real::ONE / pair.inertia[1]),
+            bending.scaled(square * Real::splat(beam.mass.recip())),
+            torsion.scaled(square * Real::splat(beam.polar.recip())),
             beam.coupling / beam.mass,
             beam.coupling / beam.polar,
         );
@@ -291,22 +274,6 @@ impl<A: Arithmetic> Waves<A> {
     }
 }
 
-/// Times a number at each frequency.
-trait MapReal<A, const K: usize> {
-    fn map_real(self, by: Real<A>) -> [Real<A>; K];
-}
-
-impl<A: Arithmetic, const K: usize> MapReal<A, K> for [f64; K] {
-    #[inline(always)]
-    fn map_real(self, by: Real<A>) -> [Real<A>; K] {
-        let mut out = [Real::ZERO; K];
-        for k in 0..K {
-            out[k] = Real::splat(self[k]) * by;
-        }
-        out
-    }
-}
-
 /// The shape (W, Psi) from the row whose coefficient is larger; see [`crate::solve::waves`].
 #[inline(always)]
 fn shape<A: Arithmetic>(
@@ -324,79 +291,6 @@ fn shape<A: Arithmetic>(
     )
 }
 
-impl<A: Arithmetic> Pair<A> {
-    /// The root that is torsion's without coupling, or the bending one, by secant steps.
-    fn settled<const TORSION: bool>(&self) -> Root<A> {
-        A::outlined(Settled::<A, TORSION>((self,)))
-    }
-
-    #[inline(always)]
-    fn settled_inlined<const TORSION: bool>((this,): (&Self,)) -> Root<A> {
-        const MOST_STEPS: usize = 60;
-        const NEAR: f64 = 4.0 * f64::EPSILON * f64::EPSILON;
-        let mut last = if TORSION {
-            this.tau * this.inverse_gamma
-        } else {
-            this.h_w
-        };
-        let mut last_value = this.step::<TORSION>(last).value;
-        let mut h = last_value;
-        let mut root = this.step::<TORSION>(h);
-        for _ in 0..MOST_STEPS {
-            let residual = root.value - h;
-            let near = h.norm_sqr() * Real::splat(NEAR);
-            let distance = residual.norm_sqr();
-            if !near.is_less_somewhere(distance) {
-                break;
-            }
-            let change = residual - (last_value - last);
-            let by_secant = h.minus_product(residual, (h - last) * change.inverse());
-            let next = Complex::where_less(Real::ZERO, change.norm_sqr(), by_secant, root.value);
-            // Each frequency stops by itself, so that none depends on its neighbours.
-            let next = Complex::where_less(near, distance, next, h);
-            last = h;
-            last_value = root.value;
-            h = next;
-            root = this.step::<TORSION>(h);
-        }
-        root
-    }
-
-    /// The root of the quadratic whose right-hand side is held at h.
-    #[inline(always)]
-    fn step<const TORSION: bool>(&self, h: Complex<A>) -> Root<A> {
-        let divisor = (h + self.h_w) * self.offset.plus_product(self.slope, h);
-        let g = self.coupling * divisor.inverse();
-        let larger = self.larger_sum(g);
-        if TORSION {
-            let from_bending = larger * self.inverse_gamma;
-            let from_torsion = g * from_bending.inverse();
-            Root {
-                value: (self.tau + from_torsion) * self.inverse_gamma,
-                from_bending,
-                from_torsion,
-            }
-        } else {
-            let from_bending = -(g * larger.inverse());
-            Root {
-                value: self.h_w + from_bending,
-                from_bending,
-                from_torsion: -larger,
-            }
-        }
-    }
-
-    /// Of `half + sqrt(half^2 + gamma g)` and the difference the larger one, which never cancels; 1 where both vanish.
-    #[inline(always)]
-    fn larger_sum(&self, g: Complex<A>) -> Complex<A> {
-        let half = (self.tau - self.gamma * self.h_w).scaled(Real::splat(0.5));
-        let root = (half * half).plus_product(self.gamma, g).sqrt();
-        let along = half.re.multiply_add(root.re, half.im * root.im);
-        let sum = Complex::where_less(along, Real::ZERO, half - root, half + root);
-        Complex::where_less(Real::ZERO, sum.norm_sqr(), sum, Complex::ONE)
-    }
-}
-
 part!(
     Set ['a, A: Arithmetic] ['a, A]
     (&'a mut Waves<A>, &'a Constants, Real<A>) -> (),
@@ -405,12 +299,6 @@ part!(
 
 part!(
     SetWave ['a, A: Arithmetic] ['a, A]
-    (&'a mut Waves<A>, &'a Constants, usize, &'a Pair<A>, Root<A>) -> (),
+    (&'a mut Waves<A>, &'a Constants, usize, &'a Pair<A>, &'a Root<A>) -> (),
     Waves::set_wave_inlined
-);
-
-part!(
-    Settled ['a, A: Arithmetic, const TORSION: bool] ['a, A, TORSION]
-    (&'a Pair<A>,) -> Root<A>,
-    Pair::settled_inlined::<TORSION>
 );

@@ -44,4 +44,4 @@ pub use kept::Kept;
 pub use lanes::{Instructions, Work, work};
 #[doc(hidden)]
 pub use sweep::sweep_with;
-pub use sweep::{Column, ColumnKind, Frf, frequencies, sweep};
+pub use sweep::{Column, ColumnKind, Frf, frequencies, sweep, sweep_alone};

@@ -127,6 +127,11 @@ pub(super) fn sweep_prepared(
     solved(model, frequencies, chunk, cancel, &solve)
 }
 
+/// [`sweep`] on this thread alone: sooner there where waking others takes longer.
+pub fn sweep_alone(model: &Model, frequencies: &[f64]) -> Frf {
+    sweep_with(Instructions::available()[0], model, frequencies)
+}
+
 /// [`sweep`] on this thread alone, with instructions that the processor has: to measure and compare them.
 pub fn sweep_with(instructions: Instructions, model: &Model, frequencies: &[f64]) -> Frf {
     let prepared = Prepared::new(Plan::new(model));

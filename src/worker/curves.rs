@@ -11,7 +11,7 @@ use super::resolve::Unresolved;
 use super::{Curves, CurvesAnswer, Member, PROMPT, Stage, Subject};
 use crate::model::Model;
 use crate::rehearsal;
-use crate::solve::{Frf, frequencies, sweep};
+use crate::solve::{Frf, frequencies, sweep, sweep_alone};
 
 /// Frequencies of the timing sample, spread over the whole range.
 const SAMPLE: usize = 8;
@@ -77,11 +77,19 @@ fn coarse(members: &[Labelled], memory: &Memory) -> Option<Curves> {
         Some(pace) => pace,
         None => sampled(model)?,
     };
-    let points = few(pace * members.len() as f64, model.sweep.points)?;
+    let (points, alone) = few(
+        pace * members.len() as f64,
+        rayon::current_num_threads(),
+        model.sweep.points,
+    )?;
     let solved = members.iter().enumerate().map(|(place, labelled)| {
         let (label, model) = labelled;
         let some = spread(model, &memory.between(place, model), points);
-        let frf = sweep(model, &some, &AtomicBool::new(false))?;
+        let frf = if alone {
+            sweep_alone(model, &some)
+        } else {
+            sweep(model, &some, &AtomicBool::new(false))?
+        };
         Some(member(label.as_deref(), model, frf))
     });
     Some(Curves {
@@ -90,16 +98,23 @@ fn coarse(members: &[Labelled], memory: &Memory) -> Option<Curves> {
     })
 }
 
-/// How many frequencies of a sweep of so many are a coarse curve, where a frequency takes `each` seconds; none where all
-/// are solved soon, or even few take too long.
-fn few(each: f64, all: usize) -> Option<usize> {
+/// How many frequencies of a sweep of so many are a coarse curve, where all threads solve one in `each` seconds, and
+/// whether one thread alone solves them as soon; none where all are solved soon, or even few take too long.
+fn few(each: f64, threads: usize, all: usize) -> Option<(usize, bool)> {
     let too_long = each * COARSEST as f64 > LONGEST_COARSE.as_secs_f64();
     if each * all as f64 <= PROMPT.as_secs_f64() || too_long {
         return None;
     }
-    let affordable = COARSE * PROMPT.as_secs_f64() / each;
-    let points = (affordable as usize).max(COARSEST);
-    (points < all).then_some(points)
+    let affordable = (COARSE * PROMPT.as_secs_f64() / each) as usize;
+    // Other threads would be awake only when one has done it.
+    let by_one = affordable / threads;
+    let alone = by_one >= COARSEST;
+    let points = if alone {
+        by_one
+    } else {
+        affordable.max(COARSEST)
+    };
+    (points < all).then_some((points, alone))
 }
 
 /// About so many frequencies of a model's sweep, and as many at the most of others that matter (Hz, rising); each once.
@@ -182,12 +197,13 @@ mod tests {
     fn a_coarse_curve_takes_no_longer_than_it_may() {
         // Closed form: a share of the prompt answer over the time a frequency takes.
         let prompt = PROMPT.as_secs_f64();
-        assert_eq!(few(0.9 * prompt / 2000.0, 2000), None);
-        assert_eq!(few(prompt / 1000.0, 2000), Some(300));
+        assert_eq!(few(0.9 * prompt / 2000.0, 2, 2000), None);
+        assert_eq!(few(prompt / 1000.0, 2, 2000), Some((150, true)));
+        assert_eq!(few(prompt / 1000.0, 8, 2000), Some((300, false)));
         // Never so few that it would show nothing, and none that would hang.
-        assert_eq!(few(prompt, 2000), Some(COARSEST));
-        assert_eq!(few(LONGEST_COARSE.as_secs_f64(), 2000), None);
-        assert_eq!(few(prompt, COARSEST), None);
+        assert_eq!(few(prompt, 2, 2000), Some((COARSEST, false)));
+        assert_eq!(few(LONGEST_COARSE.as_secs_f64(), 2, 2000), None);
+        assert_eq!(few(prompt, 2, COARSEST), None);
     }
 
     #[test]

@@ -163,6 +163,19 @@ pub fn numbers(model: &Model, pattern: &str) -> Result<Vec<(String, f64)>, Fault
     found.into_iter().map(read).collect()
 }
 
+/// Makes sure that a pattern stands for numbers alone: [`numbers`] without them.
+///
+/// # Errors
+/// As [`numbers`].
+pub(super) fn must_be_numbers(model: &Model, pattern: &str) -> Result<(), Fault> {
+    let found = Finder::new(model).find(pattern)?;
+    for address in found.addresses(model) {
+        // A path is made where it is told alone.
+        number_at(model, &address).map_err(|message| Fault::new(address.path(model), message))?;
+    }
+    Ok(())
+}
+
 fn number_at(model: &Model, address: &Address) -> Result<f64, String> {
     value::read(model, address)?
         .number()

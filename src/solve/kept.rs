@@ -69,15 +69,17 @@ impl Kept {
             }
         }
         self.last = Some(plan.clone());
-        let Some((beside, part)) = self.beside_of(&plan, frequencies) else {
-            return sweep_prepared(model, &Prepared::new(plan), frequencies, cancel);
-        };
-        let between = between(plan, part, &beside.plan);
-        let solve =
-            |solver: &mut Solver, first, frequencies: &[f64], out: &mut [&mut [Complex64]]| {
-                solver.solve_between(&between, (&beside.sides, first), frequencies, out);
-            };
-        solved(model, frequencies, CHUNK, cancel, &solve)
+        match self.beside_of(&plan, frequencies) {
+            Some(beside) => from_sides(model, plan, beside, frequencies, cancel),
+            None => sweep_prepared(model, &Prepared::new(plan), frequencies, cancel),
+        }
+    }
+
+    /// The same from what is kept alone; `None` also where that does not serve.
+    pub fn recalled(&self, model: &Model, frequencies: &[f64], cancel: &AtomicBool) -> Option<Frf> {
+        let plan = Plan::new(model);
+        let beside = self.beside_of(&plan, frequencies)?;
+        from_sides(model, plan, beside, frequencies, cancel)
     }
 
     /// Finds what lies beside the place in which a model is going to be edited, so that its next sweep need not.
@@ -149,6 +151,21 @@ impl Kept {
         });
         Some(())
     }
+}
+
+/// The responses of a plan from what lies beside a part of it; none where cancelled.
+fn from_sides(
+    model: &Model,
+    plan: Plan,
+    (beside, part): (&Beside, Part),
+    frequencies: &[f64],
+    cancel: &AtomicBool,
+) -> Option<Frf> {
+    let between = between(plan, part, &beside.plan);
+    let solve = |solver: &mut Solver, first, frequencies: &[f64], out: &mut [&mut [Complex64]]| {
+        solver.solve_between(&between, (&beside.sides, first), frequencies, out);
+    };
+    solved(model, frequencies, CHUNK, cancel, &solve)
 }
 
 /// The stations that two plans have in common, from the left and from the right; none where the beam is another. No

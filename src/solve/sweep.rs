@@ -66,7 +66,15 @@ impl Frf {
     pub fn merged(&self, other: &Self) -> Self {
         let split = self.frequencies.len();
         let both = [&self.frequencies[..], &other.frequencies].concat();
-        let mut order: Vec<usize> = (0..both.len()).collect();
+        let is_known = |f: &f64| {
+            let place = self
+                .frequencies
+                .binary_search_by(|known| known.total_cmp(f));
+            place.is_ok()
+        };
+        let mut order: Vec<usize> = (0..both.len())
+            .filter(|&row| row < split || !is_known(&both[row]))
+            .collect();
         // Stable, and fast on two rising runs.
         order.sort_by(|&a, &b| both[a].total_cmp(&both[b]));
         let columns = self.columns.iter().zip(&other.columns);

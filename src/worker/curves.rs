@@ -46,9 +46,8 @@ pub(super) fn answer(
         let Some(members) = members(&subject, cancel)? else {
             return Ok(None);
         };
-        let mut places = members.iter().enumerate();
-        let knows = places.all(|(place, (_, model))| memory.knows(place, model));
-        if !knows && let Some(coarse) = coarse(&members, memory) {
+        let coarse = recalled(&members, memory, cancel).or_else(|| coarse(&members, memory));
+        if let Some(coarse) = coarse {
             tell(Stage::Coarse, Ok(coarse));
         }
         Ok(solve_all(&members, memory, cancel).map(|solved| (members, solved)))
@@ -68,6 +67,18 @@ pub(super) fn answer(
             None
         }
     }
+}
+
+/// Few frequencies from what is kept of every member, if it is.
+fn recalled(members: &[Labelled], memory: &Memory, cancel: &AtomicBool) -> Option<Curves> {
+    let solved = members.iter().enumerate().map(|(place, (label, model))| {
+        let frf = memory.few(place, model, cancel)?;
+        Some(member(label.as_deref(), model, frf))
+    });
+    Some(Curves {
+        members: solved.collect::<Option<_>>()?,
+        modes: None,
+    })
 }
 
 /// Few frequencies, where all would take longer than [`PROMPT`]. Never cancelled: it is what keeps a held key alive.
@@ -118,7 +129,7 @@ fn few(each: f64, threads: usize, all: usize) -> Option<(usize, bool)> {
 }
 
 /// About so many frequencies of a model's sweep, and as many at the most of others that matter (Hz, rising); each once.
-fn spread(model: &Model, others: &[f64], points: usize) -> Vec<f64> {
+pub(super) fn spread(model: &Model, others: &[f64], points: usize) -> Vec<f64> {
     let all = frequencies(&model.sweep);
     let evenly = |list: &[f64]| -> Vec<f64> {
         let stride = list.len().div_ceil(points).max(1);

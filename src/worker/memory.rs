@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::ExpectRequest;
-use super::curves::timed;
+use super::curves::{spread, timed};
 use super::members::Labelled;
 use crate::model::{Model, Sweep};
 use crate::solve::{Frf, Kept, frequencies, sweep};
@@ -24,11 +24,21 @@ struct Known {
 
 #[derive(Debug, Default)]
 struct Member {
-    /// What lies beside the edits, for the frequencies of the sweep and for those that peaks needed.
-    kept: [Kept; 2],
+    /// What lies beside the edits, for the frequencies of the sweep.
+    kept: Kept,
+    few: Option<Few>,
     peaks: Option<Peaks>,
     /// Solved last, at all frequencies of its sweep.
     last: Option<Arc<Model>>,
+}
+
+/// The same for the frequencies of a coarse curve: some of the sweep's, and those of the peaks known then.
+#[derive(Debug)]
+struct Few {
+    sweep: Sweep,
+    /// Hz, rising.
+    frequencies: Vec<f64>,
+    kept: Kept,
 }
 
 /// The frequencies between those of the sweep at which the last resolved curves have a peak or an anti-resonance.
@@ -49,39 +59,33 @@ impl Memory {
         cancel: &AtomicBool,
     ) -> Option<(Frf, Option<Frf>)> {
         let all = frequencies(&model.sweep);
-        let is_known = self.knows(place, model);
-        let (base, took) = timed(|| self.solved(place, 0, model, &all, cancel));
-        let base = base?;
-        if !is_known {
+        let recalled = self.of(place, |member| member.kept.recalled(model, &all, cancel));
+        let base = if let Some(base) = recalled {
+            base
+        } else {
+            let (base, took) = timed(|| sweep(model, &all, cancel));
+            let base = base?;
             self.time(took / (all.len() as f64 * weight(model)));
-        }
-        let mut known = self.known();
-        let member = known.members.entry(place).or_default();
-        member.last = Some(Arc::clone(model));
-        let Some(between) = member.between(model).map(<[f64]>::to_vec) else {
-            return Some((base, None));
+            base
         };
-        drop(known);
-        let near = self.solved(place, 1, model, &between, cancel)?;
+        self.of(place, |member| member.last = Some(Arc::clone(model)));
+        let near = match self.few(place, model, cancel) {
+            Some(few) => few,
+            None => match self.between(place, model) {
+                between if between.is_empty() => return Some((base, None)),
+                between => sweep(model, &between, cancel)?,
+            },
+        };
         let both = base.merged(&near);
         Some((base, Some(both)))
     }
 
-    /// The curves of a member from what is kept of it, or afresh, which nobody waits for; none where cancelled.
-    fn solved(
-        &self,
-        place: usize,
-        which: usize,
-        model: &Model,
-        frequencies: &[f64],
-        cancel: &AtomicBool,
-    ) -> Option<Frf> {
-        if let Some(member) = self.known().members.get_mut(&place)
-            && member.kept[which].knows(model, frequencies)
-        {
-            return member.kept[which].sweep(model, frequencies, cancel);
-        }
-        sweep(model, frequencies, cancel)
+    /// A coarse curve of a member with the peaks of before, from what is kept; none where that does not serve.
+    pub(super) fn few(&self, place: usize, model: &Model, cancel: &AtomicBool) -> Option<Frf> {
+        self.of(place, |Member { few, .. }| {
+            let few = few.as_ref().filter(|few| few.sweep == model.sweep)?;
+            few.kept.recalled(model, &few.frequencies, cancel)
+        })
     }
 
     /// Takes note of what a frequency took for a [`weight`] of 1, s; it may have been disturbed.
@@ -92,10 +96,9 @@ impl Memory {
 
     /// Where the peaks and anti-resonances of a member were before the edit, between the frequencies of its sweep; Hz.
     pub(super) fn between(&self, place: usize, model: &Model) -> Vec<f64> {
-        let known = self.known();
-        let member = known.members.get(&place);
-        let between = member.and_then(|member| member.between(model));
-        between.unwrap_or_default().to_vec()
+        let between = |peaks: &Peaks| (peaks.sweep == model.sweep).then(|| peaks.between.clone());
+        self.of(place, |member| member.peaks.as_ref().and_then(between))
+            .unwrap_or_default()
     }
 
     /// How long a frequency of a model takes, s; none where nothing was timed yet.
@@ -105,29 +108,43 @@ impl Memory {
 
     /// Whether the curves of a member come at once, however many subsystems it has.
     pub(super) fn knows(&self, place: usize, model: &Model) -> bool {
-        let known = self.known();
-        let member = known.members.get(&place);
-        member.is_some_and(|member| member.kept[0].knows(model, &frequencies(&model.sweep)))
+        let all = frequencies(&model.sweep);
+        self.of(place, |member| member.kept.knows(model, &all))
     }
 
     /// The model of a member that was solved last.
     pub(super) fn last(&self, place: usize) -> Option<Arc<Model>> {
-        self.known().members.get(&place)?.last.clone()
+        self.of(place, |member| member.last.clone())
     }
 
-    /// The edit that led from one model to the first of those that were solved now, where nothing was kept for it: another
-    /// in the same place may follow.
+    /// The edit that led from one model to the first of those that were solved now, where nothing is kept for it, or
+    /// other peaks are known by now: another in the same place may follow.
     pub(super) fn missing(
         &self,
         before: Option<Arc<Model>>,
         solved: &[Labelled],
     ) -> Option<ExpectRequest> {
         let (_, edited) = solved.first()?;
-        let model = before.filter(|_| !self.knows(0, edited))?;
+        let is_there = self.knows(0, edited) && self.knows_few(edited, &self.few_of(edited));
         Some(ExpectRequest {
-            model,
+            model: before.filter(|_| !is_there)?,
             edited: Arc::clone(edited),
         })
+    }
+
+    /// Whether a coarse curve of the first member at these frequencies (Hz) comes at once.
+    fn knows_few(&self, model: &Model, frequencies: &[f64]) -> bool {
+        self.of(0, |member| {
+            let mut few = member.few.iter();
+            few.any(|few| few.frequencies == frequencies && few.kept.knows(model, frequencies))
+        })
+    }
+
+    /// The frequencies (Hz) of a coarse curve of the first member that is kept.
+    fn few_of(&self, model: &Model) -> Vec<f64> {
+        /// More than a terminal has columns, and soon solved.
+        const POINTS: usize = 200;
+        spread(model, &self.between(0, model), POINTS)
     }
 
     /// Remembers where the peaks and anti-resonances of a member are that fall between the frequencies of its sweep.
@@ -139,42 +156,50 @@ impl Memory {
             .filter(|&(row, &f)| is_new(f) && is_extreme(resolved, row))
             .map(|(_, &f)| f)
             .collect();
-        self.known().members.entry(place).or_default().peaks = Some(Peaks {
+        let peaks = Peaks {
             sweep: model.sweep,
             between,
-        });
+        };
+        self.of(place, |member| member.peaks = Some(peaks));
     }
 
     /// Prepares for an edit of the first member, which makes it `edited`.
     ///
     /// Curves can be solved meanwhile: they do not wait for it.
     pub(super) fn expect(&self, model: &Model, edited: &Model, cancel: &AtomicBool) {
-        let all = [frequencies(&model.sweep), self.between(0, model)];
-        for (which, frequencies) in all.iter().enumerate() {
+        let found = |frequencies: &[f64]| {
             let mut kept = Kept::default();
-            if !kept.expect(model, edited, frequencies, cancel) {
+            let is_done = kept.expect(model, edited, frequencies, cancel);
+            (is_done && kept.knows(edited, frequencies)).then_some(kept)
+        };
+        if !self.knows(0, edited) {
+            let Some(kept) = found(&frequencies(&model.sweep)) else {
                 return;
-            }
-            let mut known = self.known();
-            let member = known.members.entry(0).or_default();
-            let is_new = !member.kept[which].knows(edited, frequencies);
-            if is_new && kept.knows(edited, frequencies) {
-                member.kept[which] = kept;
-            }
+            };
+            self.of(0, |member| member.kept = kept);
         }
+        let frequencies = self.few_of(model);
+        if self.knows_few(edited, &frequencies) {
+            return;
+        }
+        if let Some(kept) = found(&frequencies) {
+            let few = Few {
+                sweep: model.sweep,
+                frequencies,
+                kept,
+            };
+            self.of(0, |member| member.few = Some(few));
+        }
+    }
+
+    /// What is known of a member is read or changed.
+    fn of<T>(&self, place: usize, act: impl FnOnce(&mut Member) -> T) -> T {
+        act(self.known().members.entry(place).or_default())
     }
 
     fn known(&self) -> MutexGuard<'_, Known> {
         // A panic inside a solve leaves what was kept before it.
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-}
-
-impl Member {
-    fn between(&self, model: &Model) -> Option<&[f64]> {
-        let peaks = self.peaks.as_ref();
-        let peaks = peaks.filter(|peaks| peaks.sweep == model.sweep)?;
-        Some(&peaks.between)
     }
 }
 

@@ -176,16 +176,46 @@ fn an_edit_that_was_prepared_for_is_solved_from_what_lies_beside_it() {
     // Another edit of the same place, which nobody has seen yet.
     assert!(memory.knows(0, &edited[1]));
     assert!(memory.missing(Some(model), &solved).is_none());
-    let (found, _) = memory.sweep(0, &edited[1], &never).unwrap();
+    let (all, _) = memory.sweep(0, &edited[1], &never).unwrap();
+    let few = memory.few(0, &edited[1], &never).unwrap();
+    assert!(few.frequencies.len() < all.frequencies.len() / 4);
     // Solved afresh, by the same equations; 1e-12 of the largest value of each response.
-    let expected = sweep(&edited[1], &found.frequencies, &never).unwrap();
-    for (one, other) in found.columns.iter().zip(&expected.columns) {
-        let sizes = other.values.iter().map(|value| value.norm());
-        let largest = sizes.fold(0.0, f64::max);
-        let pairs = one.values.iter().zip(&other.values);
-        let worst = pairs.map(|(a, b)| (a - b).norm()).fold(0.0, f64::max);
-        assert!(worst <= 1e-12 * largest, "{}: {worst}", one.name);
+    for found in [all, few] {
+        let expected = sweep(&edited[1], &found.frequencies, &never).unwrap();
+        for (one, other) in found.columns.iter().zip(&expected.columns) {
+            let sizes = other.values.iter().map(|value| value.norm());
+            let largest = sizes.fold(0.0, f64::max);
+            let pairs = one.values.iter().zip(&other.values);
+            let worst = pairs.map(|(a, b)| (a - b).norm()).fold(0.0, f64::max);
+            assert!(worst <= 1e-12 * largest, "{}: {worst}", one.name);
+        }
     }
+    // Another sweep has other frequencies.
+    let mut other = Model::clone(&edited[1]);
+    other.sweep.to *= 1.1;
+    assert!(memory.few(0, &other, &never).is_none());
+}
+
+#[test]
+fn curves_know_their_last_peaks_once() {
+    let never = AtomicBool::new(false);
+    let memory = Memory::default();
+    let model = hundred_without_energy();
+    let mut resolved = sweep(&model, &frequencies(&model.sweep), &never).unwrap();
+    // A made-up peak between two frequencies of the sweep, and one of them again.
+    let [low, high] = [resolved.frequencies[10], resolved.frequencies[11]];
+    let peak = 0.5 * (low + high);
+    let mut near = sweep(&model, &[low, peak], &never).unwrap();
+    for column in &mut near.columns {
+        column.values[1] *= 1e6;
+    }
+    resolved = resolved.merged(&near);
+    assert_eq!(resolved.frequencies.len(), model.sweep.points + 1);
+    memory.learn(0, &model, &resolved);
+    assert_eq!(memory.between(0, &model), [peak]);
+    let (base, shown) = memory.sweep(0, &model, &never).unwrap();
+    assert_eq!(base.frequencies, frequencies(&model.sweep));
+    assert_eq!(shown.unwrap().frequencies, resolved.frequencies);
 }
 
 /// The preset of a hundred absorbers, of whose motions alone something is read.

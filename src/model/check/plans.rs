@@ -104,7 +104,7 @@ impl Plans {
 
     /// A pattern must stand for numbers.
     fn pattern(&self, at: &str, pattern: &str, faults: &mut Vec<Fault>) {
-        if let Err(fault) = path::numbers(&self.bare, pattern) {
+        if let Err(fault) = path::must_be_numbers(&self.bare, pattern) {
             faults.push(Fault::new(at, format!("{}: {}", fault.path, fault.message)));
         }
     }

@@ -36,7 +36,7 @@ use crate::solve::operating::{Operating, operating};
 use crate::solve::peaks::Peak;
 
 /// A sweep that would take longer than this, about the time of drawing, is preceded by a coarse one.
-pub const PROMPT: Duration = Duration::from_millis(1);
+pub const PROMPT: Duration = Duration::from_micros(500);
 
 /// Points along the beam at which a shape is given.
 pub const SHAPE_POINTS: usize = 201;
@@ -471,7 +471,7 @@ impl Worker {
 fn preparation(memory: Memory) -> Lane<ExpectRequest> {
     let pool = background::pool();
     Lane::start(move |request: ExpectRequest, cancel: &_| {
-        let expect = || memory.expect(&request.model, &request.edited, cancel);
+        let expect = || memory.expect(&request, cancel);
         // A fault of the solver is told where it is asked for curves.
         drop(guarded(|| {
             match &pool {

@@ -252,3 +252,30 @@ fn nothing_is_kept_of_a_small_model() {
     }
     assert_eq!(kept.bytes(), 0);
 }
+
+#[test]
+fn what_lies_beside_an_edit_serves_edits_of_the_same_place_alone() {
+    let model = crowded(60);
+    let edited = |number: usize, factor: f64| {
+        let mut model = model.clone();
+        model.subsystems[number].mass *= factor;
+        model
+    };
+    let mut kept = Kept::default();
+    assert!(kept.expect(&model, &edited(30, 1.1), &grid(), &NEVER));
+    for (other, there) in [
+        (edited(30, 1.3), true),
+        (model.clone(), true),
+        (edited(31, 1.1), false),
+        (edited(2, 1.1), false),
+    ] {
+        assert_eq!(Kept::would_serve(&model, &edited(30, 1.1), &other), there);
+        let recalled = kept.recalled(&other, &grid(), &NEVER);
+        assert_eq!(recalled.is_some(), there);
+        if let Some(found) = recalled {
+            assert_same(&found, &sweep(&other, &grid(), &NEVER).unwrap());
+        }
+    }
+    // Other frequencies were not prepared for.
+    assert!(kept.recalled(&model, &grid()[1..], &NEVER).is_none());
+}

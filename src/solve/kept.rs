@@ -99,6 +99,13 @@ impl Kept {
         self.keep(&plan, &edited, frequencies, cancel).is_some()
     }
 
+    /// Whether what lies beside an edit that makes a model `edited` serves another model, too.
+    pub fn would_serve(model: &Model, edited: &Model, other: &Model) -> bool {
+        let [plan, edited, other] = [model, edited, other].map(Plan::new);
+        let part = common(&plan, &edited).and_then(|common| part(common, &plan, &edited));
+        part.is_some_and(|part| serves(&edited, part, &other))
+    }
+
     /// Whether what is kept serves a model.
     pub fn knows(&self, model: &Model, frequencies: &[f64]) -> bool {
         self.reaches(&Plan::new(model), frequencies)
@@ -118,13 +125,7 @@ impl Kept {
     /// What is kept for a plan, and which part of the plan it lies beside.
     fn beside_of(&self, plan: &Plan, frequencies: &[f64]) -> Option<(&Beside, Part)> {
         let beside = self.beside.as_ref()?;
-        let Part { left, right } = beside.part;
-        let common = common(&beside.plan, plan)?;
-        let serves = beside.frequencies == frequencies
-            && (beside.plan.wants_energy || !plan.wants_energy)
-            && common.left >= left
-            && common.right >= right
-            && left + right <= plan.stations.len();
+        let serves = beside.frequencies == frequencies && serves(&beside.plan, beside.part, plan);
         serves.then_some((beside, beside.part))
     }
 
@@ -166,6 +167,18 @@ fn from_sides(
         solver.solve_between(&between, (&beside.sides, first), frequencies, out);
     };
     solved(model, frequencies, CHUNK, cancel, &solve)
+}
+
+/// Whether what lies beside a part of a plan lies beside a part of another, too.
+fn serves(known: &Plan, part: Part, plan: &Plan) -> bool {
+    let Part { left, right } = part;
+    let has_energy = known.wants_energy || !plan.wants_energy;
+    common(known, plan).is_some_and(|common| {
+        has_energy
+            && common.left >= left
+            && common.right >= right
+            && left + right <= plan.stations.len()
+    })
 }
 
 /// The stations that two plans have in common, from the left and from the right; none where the beam is another. No

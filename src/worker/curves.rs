@@ -20,7 +20,7 @@ const SAMPLE: usize = 8;
 const LONGEST_COARSE: Duration = Duration::from_secs(1);
 
 /// What a coarse curve takes, as a share of [`PROMPT`], where that allows for [`COARSEST`].
-const COARSE: f64 = 0.3;
+const COARSE: f64 = 0.5;
 
 /// The fewest frequencies of a coarse curve: about one for each column of dots on a terminal of 80 columns.
 const COARSEST: usize = 100;

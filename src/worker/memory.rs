@@ -30,6 +30,8 @@ struct Member {
     peaks: Option<Peaks>,
     /// Solved last, at all frequencies of its sweep.
     last: Option<Arc<Model>>,
+    /// The edit that is prepared for just now.
+    pending: Option<ExpectRequest>,
 }
 
 /// The same for the frequencies of a coarse curve: some of the sweep's, and those of the peaks known then.
@@ -125,6 +127,13 @@ impl Memory {
         solved: &[Labelled],
     ) -> Option<ExpectRequest> {
         let (_, edited) = solved.first()?;
+        let pending = self.of(0, |member| member.pending.clone());
+        let comes = |ExpectRequest { model, edited: one }: ExpectRequest| {
+            Kept::would_serve(&model, &one, edited)
+        };
+        if pending.is_some_and(comes) {
+            return None;
+        }
         let is_there = self.knows(0, edited) && self.knows_few(edited, &self.few_of(edited));
         Some(ExpectRequest {
             model: before.filter(|_| !is_there)?,
@@ -163,10 +172,16 @@ impl Memory {
         self.of(place, |member| member.peaks = Some(peaks));
     }
 
-    /// Prepares for an edit of the first member, which makes it `edited`.
+    /// Prepares for an edit of the first member.
     ///
     /// Curves can be solved meanwhile: they do not wait for it.
-    pub(super) fn expect(&self, model: &Model, edited: &Model, cancel: &AtomicBool) {
+    pub(super) fn expect(&self, edit: &ExpectRequest, cancel: &AtomicBool) {
+        self.of(0, |member| member.pending = Some(edit.clone()));
+        self.prepare(&edit.model, &edit.edited, cancel);
+        self.of(0, |member| member.pending = None);
+    }
+
+    fn prepare(&self, model: &Model, edited: &Model, cancel: &AtomicBool) {
         let found = |frequencies: &[f64]| {
             let mut kept = Kept::default();
             let is_done = kept.expect(model, edited, frequencies, cancel);

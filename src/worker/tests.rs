@@ -172,7 +172,7 @@ fn an_edit_that_was_prepared_for_is_solved_from_what_lies_beside_it() {
     assert_eq!(memory.last(0), Some(Arc::clone(&model)));
     let solved = [(None, Arc::clone(&edited[0]))];
     let edit = memory.missing(memory.last(0), &solved).unwrap();
-    memory.expect(&edit.model, &edit.edited, &never);
+    memory.expect(&edit, &never);
     // Another edit of the same place, which nobody has seen yet.
     assert!(memory.knows(0, &edited[1]));
     assert!(memory.missing(Some(model), &solved).is_none());
@@ -233,12 +233,19 @@ fn preparing_for_an_edit_in_vain_keeps_what_is_there() {
     let model = hundred_without_energy();
     let mut edited = Model::clone(&model);
     edited.subsystems[50].mass *= 1.01;
-    memory.expect(&model, &edited, &never);
+    let expect = |edited: &Model| {
+        let edit = ExpectRequest {
+            model: Arc::clone(&model),
+            edited: Arc::new(edited.clone()),
+        };
+        memory.expect(&edit, &never);
+    };
+    expect(&edited);
     assert!(memory.knows(0, &edited));
     // All of the beam is another: nothing lies beside that.
     let mut other = Model::clone(&model);
     other.beam.material.young_modulus *= 1.01;
-    memory.expect(&model, &other, &never);
+    expect(&other);
     assert!(memory.knows(0, &edited));
     assert!(!memory.knows(0, &other));
 }

@@ -288,17 +288,17 @@ fn shape(
 
 /// A root of a pair, with its distances from the two uncoupled roots: these carry the shape without cancellation.
 #[derive(Debug, Clone, Copy)]
-struct Root {
-    value: Complex64,
+pub(super) struct Root {
+    pub(super) value: Complex64,
     /// value - `h_w`.
-    from_bending: Complex64,
+    pub(super) from_bending: Complex64,
     /// gamma value - tau.
-    from_torsion: Complex64,
+    pub(super) from_torsion: Complex64,
 }
 
 /// Solves `(h - h_w)(gamma h - tau) = g(h)` for its two roots by secant steps on h -> root of the quadratic with g held:
 /// the root that is torsion's without coupling first (infinite where gamma = 0), then the bending one.
-fn pair(
+pub(super) fn pair(
     h_w: Complex64,
     tau: Complex64,
     gamma: Complex64,

@@ -40,6 +40,23 @@ impl<A: Arithmetic> Complex<A> {
         Self { re, im: Real::ZERO }
     }
 
+    /// The number at one frequency.
+    #[inline(always)]
+    pub(super) fn lane(self, lane: usize) -> Complex64 {
+        Complex64::new(self.re.lanes()[lane], self.im.lanes()[lane])
+    }
+
+    /// Sets the number at one frequency.
+    #[inline(always)]
+    pub(super) fn set_lane(&mut self, lane: usize, value: Complex64) {
+        let (mut re, mut im) = (self.re.lanes(), self.im.lanes());
+        (re[lane], im[lane]) = (value.re, value.im);
+        *self = Self {
+            re: Real::new(&re),
+            im: Real::new(&im),
+        };
+    }
+
     /// Writes the numbers at the first few frequencies.
     #[inline(always)]
     pub(super) fn write(self, to: &mut [Complex64]) {
@@ -146,6 +163,13 @@ impl<A: Arithmetic> Complex<A> {
                 .where_less(Real::ZERO, larger, smaller)
                 .with_sign_of(im),
         }
+    }
+
+    /// This or its negative, whichever makes the sum with another number the larger one.
+    #[inline(always)]
+    pub(super) fn along(self, other: Self) -> Self {
+        let along = self.re.multiply_add(other.re, self.im * other.im);
+        Self::where_less(along, Real::ZERO, -self, self)
     }
 
     /// `yes` where `a` is less than `b`, else `no`.

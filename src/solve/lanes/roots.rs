@@ -8,6 +8,7 @@
 
 use super::complex::Complex;
 use super::number::{Arithmetic, Real, part};
+use crate::solve::waves::pair;
 
 /// Two roots of the state equation.
 #[derive(Debug, Clone, Copy)]
@@ -44,18 +45,18 @@ struct Sought<A> {
     right: Complex<A>,
 }
 
+/// Of two pairs torsion's one, then bending's.
+type Four<T> = [[T; 2]; 2];
+
 /// Of the evanescent and the travelling pair the root that is torsion's without coupling, then bending's.
-pub(super) fn roots<A: Arithmetic>(pairs: &[Pair<A>; 2]) -> [[Root<A>; 2]; 2] {
+pub(super) fn roots<A: Arithmetic>(pairs: &[Pair<A>; 2]) -> Four<Root<A>> {
     A::outlined(Roots((pairs,)))
 }
 
 #[inline(always)]
-fn roots_inlined<A: Arithmetic>((pairs,): (&[Pair<A>; 2],)) -> [[Root<A>; 2]; 2] {
+fn roots_inlined<A: Arithmetic>((pairs,): (&[Pair<A>; 2],)) -> Four<Root<A>> {
     const MOST_STEPS: usize = 60;
-    let mut sought = [
-        [pairs[0].torsion(), pairs[0].bending()],
-        [pairs[1].torsion(), pairs[1].bending()],
-    ];
+    let mut sought = [pairs[0].sought(), pairs[1].sought()];
     for _ in 0..MOST_STEPS {
         let mut is_moving = false;
         for pair in 0..2 {
@@ -67,16 +68,48 @@ fn roots_inlined<A: Arithmetic>((pairs,): (&[Pair<A>; 2],)) -> [[Root<A>; 2]; 2]
             break;
         }
     }
-    [
-        [
-            pairs[0].torsion_root(&sought[0][0]),
-            pairs[0].bending_root(&sought[0][1]),
-        ],
-        [
-            pairs[1].torsion_root(&sought[1][0]),
-            pairs[1].bending_root(&sought[1][1]),
-        ],
-    ]
+    let mut roots = [pairs[0].roots(&sought[0]), pairs[1].roots(&sought[1])];
+    let astray = astray(pairs, &sought);
+    if Real::ZERO.is_less_somewhere(astray) {
+        A::outlined(Recover((pairs, &mut roots, astray)));
+    }
+    roots
+}
+
+/// 1 where two of the four roots are the same one, or one is none: all shifts together are zero, as the coefficient of
+/// h^3 says, which does not depend on the coupling. Happens where strong damping and coupling meet.
+#[inline(always)]
+fn astray<A: Arithmetic>(pairs: &[Pair<A>; 2], sought: &Four<Sought<A>>) -> Real<A> {
+    const MOST: f64 = 1e-5;
+    let shift = |pair: usize| {
+        let [torsion, bending] = [sought[pair][0].u, sought[pair][1].u];
+        (torsion * pairs[pair].inverse_gamma, bending)
+    };
+    let ((a, b), (c, d)) = (shift(0), shift(1));
+    let sizes = a.size() + b.size() + c.size() + d.size();
+    let sum = ((a + b) - (c + d)).size();
+    (sizes * Real::splat(MOST)).where_less(sum, Real::ONE, Real::ZERO)
+}
+
+/// Finds the roots by the plain solver where they went astray.
+#[inline(always)]
+fn recover<A: Arithmetic>((pairs, roots, astray): (&[Pair<A>; 2], &mut Four<Root<A>>, Real<A>)) {
+    let astray = astray.lanes();
+    for lane in (0..A::LANES).filter(|&lane| astray[lane] > 0.0) {
+        for (of, roots) in pairs.iter().zip(roots.iter_mut()) {
+            let [h_w, tau, gamma, coupling, slope, offset] =
+                [of.h_w, of.tau, of.gamma, of.coupling, of.slope, of.offset]
+                    .map(|value| value.lane(lane));
+            let found = pair(h_w, tau, gamma, |h| {
+                coupling / ((h + h_w) * (slope * h + offset))
+            });
+            for (root, found) in roots.iter_mut().zip(found) {
+                root.value.set_lane(lane, found.value);
+                root.from_bending.set_lane(lane, found.from_bending);
+                root.from_torsion.set_lane(lane, found.from_torsion);
+            }
+        }
+    }
 }
 
 impl<A: Arithmetic> Pair<A> {
@@ -86,35 +119,37 @@ impl<A: Arithmetic> Pair<A> {
         self.tau.minus_product(self.gamma, self.h_w)
     }
 
-    /// The root that is torsion's without coupling.
+    /// The root that is torsion's without coupling, and bending's.
     #[inline(always)]
-    fn torsion(&self) -> Sought<A> {
+    fn sought(&self) -> [Sought<A>; 2] {
+        let apart = self.apart();
+        let half = apart.scaled(Real::splat(0.5));
         let start = self.tau * self.inverse_gamma;
-        let product = self.gamma * self.right_at(start);
-        Sought {
-            u: product * self.larger_sum(product).inverse(),
-            last: Real::splat(f64::INFINITY),
-            p: Complex::ONE,
-            q: self.apart(),
-            start,
-            along: self.inverse_gamma,
-            right: self.gamma * self.coupling,
-        }
-    }
-
-    /// The root that is bending's without coupling.
-    #[inline(always)]
-    fn bending(&self) -> Sought<A> {
-        let right = self.right_at(self.h_w);
-        Sought {
-            u: -(right * self.larger_sum(self.gamma * right).inverse()),
+        let (right, right_of_torsion) = (self.right_at(self.h_w), self.right_at(start));
+        let root = (self.gamma * right).plus_product(half, half).sqrt();
+        let root = root.along(half);
+        // Of the same sign as the other one, so that both roots are found where neither is the larger.
+        let product = self.gamma * right_of_torsion;
+        let root_of_torsion = product.plus_product(half, half).sqrt().along(root);
+        let bending = Sought {
+            u: -(right * present(half + root).inverse()),
             last: Real::splat(f64::INFINITY),
             p: self.gamma,
-            q: -self.apart(),
+            q: -apart,
             start: self.h_w,
             along: Complex::ONE,
             right: self.coupling,
-        }
+        };
+        let torsion = Sought {
+            u: product * present(half + root_of_torsion).inverse(),
+            p: Complex::ONE,
+            q: apart,
+            start,
+            along: self.inverse_gamma,
+            right: self.gamma * self.coupling,
+            ..bending
+        };
+        [torsion, bending]
     }
 
     /// The right-hand side of the state equation.
@@ -122,16 +157,6 @@ impl<A: Arithmetic> Pair<A> {
     fn right_at(&self, h: Complex<A>) -> Complex<A> {
         let divisor = (h + self.h_w) * self.offset.plus_product(self.slope, h);
         self.coupling * divisor.inverse()
-    }
-
-    /// Of `half + sqrt(half^2 + product)` and the difference the larger one, which never cancels.
-    #[inline(always)]
-    fn larger_sum(&self, product: Complex<A>) -> Complex<A> {
-        let half = self.apart().scaled(Real::splat(0.5));
-        let root = product.plus_product(half, half).sqrt();
-        let along = half.re.multiply_add(root.re, half.im * root.im);
-        let sum = Complex::where_less(along, Real::ZERO, half - root, half + root);
-        present(sum)
     }
 
     /// A step of Newton's; whether one more is needed at some frequency.
@@ -159,26 +184,26 @@ impl<A: Arithmetic> Pair<A> {
         near.is_less_somewhere(sought.last)
     }
 
+    /// Torsion's root, then bending's.
     #[inline(always)]
-    fn torsion_root(&self, sought: &Sought<A>) -> Root<A> {
-        Root {
-            value: (self.tau + sought.u) * self.inverse_gamma,
-            from_bending: present(sought.q + sought.u) * self.inverse_gamma,
-            from_torsion: sought.u,
-        }
-    }
-
-    #[inline(always)]
-    fn bending_root(&self, sought: &Sought<A>) -> Root<A> {
-        Root {
-            value: self.h_w + sought.u,
-            from_bending: sought.u,
-            from_torsion: present(sought.q.plus_product(self.gamma, sought.u)),
-        }
+    fn roots(&self, sought: &[Sought<A>; 2]) -> [Root<A>; 2] {
+        let [torsion, bending] = sought;
+        [
+            Root {
+                value: (self.tau + torsion.u) * self.inverse_gamma,
+                from_bending: present(torsion.q + torsion.u) * self.inverse_gamma,
+                from_torsion: torsion.u,
+            },
+            Root {
+                value: self.h_w + bending.u,
+                from_bending: bending.u,
+                from_torsion: present(bending.q.plus_product(self.gamma, bending.u)),
+            },
+        ]
     }
 }
 
-/// A distance; 1 where it vanishes: two roots that meet without coupling are still bending's and torsion's.
+/// A distance; 1 where it vanishes: two roots that meet without coupling are bending bending's and torsion's.
 #[inline(always)]
 fn present<A: Arithmetic>(distance: Complex<A>) -> Complex<A> {
     Complex::where_less(Real::ZERO, distance.norm_sqr(), distance, Complex::ONE)
@@ -186,6 +211,12 @@ fn present<A: Arithmetic>(distance: Complex<A>) -> Complex<A> {
 
 part!(
     Roots ['a, A: Arithmetic] ['a, A]
-    (&'a [Pair<A>; 2],) -> [[Root<A>; 2]; 2],
+    (&'a [Pair<A>; 2],) -> Four<Root<A>>,
     roots_inlined
+);
+
+part!(
+    Recover ['a, A: Arithmetic] ['a, A]
+    (&'a [Pair<A>; 2], &'a mut Four<Root<A>>, Real<A>) -> (),
+    recover
 );

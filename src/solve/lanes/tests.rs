@@ -11,6 +11,7 @@ use super::portable::Portable;
 use super::recursion::Prepared;
 #[cfg(target_arch = "x86_64")]
 use super::vectors::{Avx2, Avx512};
+use super::waves::{Constants, Waves};
 use super::{Instructions, Solver};
 use crate::model::{
     BeamMotion, Elastic, Force, MassMotion, Measure, Model, Place, Quantity, Response, Restraint,
@@ -20,6 +21,7 @@ use crate::presets;
 use crate::solve::frequencies;
 use crate::solve::plan::Plan;
 use crate::solve::recursion::Workspace;
+use crate::solve::waves::BeamConstants;
 
 /// All responses at some frequencies, a row a frequency.
 fn plain(plan: &Plan, frequencies: &[f64]) -> Vec<Complex64> {
@@ -232,6 +234,60 @@ fn all_instructions_give_the_same_responses() {
             let found = lanes(instructions, &plan, &all);
             assert_near(&found, &expected, plan.outputs.len(), [1e-12, 1e-12]);
         }
+    }
+}
+
+#[test]
+fn the_coupled_waves_are_all_four_roots_whatever_the_section() {
+    let mut random = fastrand::Rng::with_seed(11);
+    let mut beam = read(presets::find("fig05a").unwrap().text).unwrap().beam;
+    let first = beam.section;
+    for _ in 0..20_000 {
+        let mut times = |tens: f64| 10.0_f64.powf(tens * (2.0 * random.f64() - 1.0));
+        let section = &mut beam.section;
+        section.second_moment_y = first.second_moment_y * times(2.0);
+        section.torsion_constant = first.torsion_constant * times(3.0);
+        section.warping_constant = first.warping_constant * times(3.0);
+        section.centroid_offset = first.centroid_offset * times(2.0);
+        // From nearly uncoupled to as coupled as a section can be.
+        let least = section.area * section.centroid_offset.powi(2);
+        section.polar_moment = least * (1.0 + times(3.0));
+        let omega = 1e3 * times(4.0);
+        beam.material.loss_factor = [0.0, 0.01, 0.5][random.usize(0..3)];
+        assert_all_roots(&BeamConstants::new(&beam), omega);
+    }
+}
+
+/// Closed form: what the roots h of `(E Iy h^2 - a)(E G0 h^2 - G J h - b) = d^2` add up to, alone and in products.
+fn assert_all_roots(beam: &BeamConstants, omega: f64) {
+    let mut waves = Waves::<Portable>::NONE;
+    waves.set(&Constants::new(beam), Real::splat(omega));
+    let square = omega * omega;
+    let [a, b, d] = [beam.mass, beam.polar, beam.coupling].map(|inertia| square * inertia);
+    let leading = beam.bending_w * beam.warping;
+    let expected = [
+        beam.torsion / beam.warping,
+        -(beam.bending_w * b + beam.warping * a) / leading,
+        -beam.torsion * a / leading,
+        (a * b - d * d) / leading,
+    ];
+    // Symmetric functions of the roots found, and of their sizes.
+    let (mut found, mut sizes) = ([Complex64::ZERO; 5], [0.0; 5]);
+    (found[0], sizes[0]) = (Complex64::ONE, 1.0);
+    for wave in 0..4 {
+        let kappa = waves.kappa[wave].lane(0);
+        for k in (1..5).rev() {
+            found[k] += found[k - 1] * kappa * kappa;
+            sizes[k] += sizes[k - 1] * kappa.norm_sqr();
+        }
+    }
+    for k in 1..5 {
+        let error = (found[k] - expected[k - 1]).norm();
+        assert!(
+            error < 1e-12 * sizes[k],
+            "{k}: {error:.1e} of {:.1e}, {omega} {beam:?}",
+            sizes[k]
+        );
     }
 }
 

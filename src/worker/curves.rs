@@ -209,8 +209,9 @@ mod tests {
         // Closed form: a share of the prompt answer over the time a frequency takes.
         let prompt = PROMPT.as_secs_f64();
         assert_eq!(few(0.9 * prompt / 2000.0, 2, 2000), None);
-        assert_eq!(few(prompt / 1000.0, 2, 2000), Some((150, true)));
-        assert_eq!(few(prompt / 1000.0, 8, 2000), Some((300, false)));
+        let share = |of: f64| (COARSE * of) as usize;
+        assert_eq!(few(prompt / 1000.0, 2, 2000), Some((share(500.0), true)));
+        assert_eq!(few(prompt / 1000.0, 8, 2000), Some((share(1000.0), false)));
         // Never so few that it would show nothing, and none that would hang.
         assert_eq!(few(prompt, 2, 2000), Some((COARSEST, false)));
         assert_eq!(few(LONGEST_COARSE.as_secs_f64(), 2, 2000), None);

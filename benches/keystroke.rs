@@ -54,9 +54,10 @@ fn main() {
     let path = folder.path().join("thousand.toml");
     let text = std::fs::read_to_string("tests/data/thousand.toml").unwrap();
     std::fs::write(&path, text.replace("points = 1000", "points = 2000")).unwrap();
-    // The mass of the fifth subsystem.
     let path = path.to_str().unwrap().to_owned();
-    measure("1,000 subsystems", &path, "/n500\rl", SLOW);
+    // The first parameter of a subsystem is its place, the second its mass.
+    measure("1,000 subsystems, place", &path, "/n499\rl", SLOW);
+    measure("1,000 subsystems, mass", &path, "/n499\rl\t", SLOW);
 }
 
 /// Measures a model, at the parameter that some keys lead to.

@@ -70,12 +70,12 @@ pub enum Request {
     Spread(SpreadRequest),
 }
 
-/// Which edit may follow.
+/// Which edits may follow: those of what differs between two models.
 #[derive(Debug, Clone)]
 pub struct ExpectRequest {
     /// A checked model.
     pub model: Arc<Model>,
-    /// The model after such an edit, checked.
+    /// The same after such an edit, checked.
     pub edited: Arc<Model>,
 }
 

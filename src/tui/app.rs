@@ -155,8 +155,8 @@ pub struct App {
     after_save: Option<Next>,
     /// What was sent to be solved last.
     requested: Option<(Arc<Model>, Option<usize>)>,
-    /// The parameter whose nudge is prepared for.
-    expected: Option<String>,
+    /// The parameter whose nudges are prepared for, and its value then.
+    expected: Option<(String, f64)>,
     /// The generation whose finite-element curves were asked for last.
     witnessed: Option<u64>,
     /// The serial number given last.

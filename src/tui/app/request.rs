@@ -101,25 +101,36 @@ impl App {
         Some(Request::Curves(self.subject()))
     }
 
-    /// Preparation for a nudge of the selected parameter, where the model is so large that it saves time.
+    /// Preparation for nudges of the selected parameter, where the model is so large that it saves time.
     fn want_expected(&mut self) -> Option<Request> {
         const MANY: usize = 8;
+        /// How far the value may be turned before it is prepared for again, and how far it is prepared for, as shares: a
+        /// subsystem's place passes others on its way.
+        const NEAR: f64 = 0.03;
+        const FAR: f64 = 0.05;
         let model = Arc::clone(self.document.model());
         if model.subsystems.len() < MANY || self.curves.is_stale() {
             return None;
         }
         let path = tree::parameter_path(&model, self.selection.node())?;
-        if self.expected.as_ref() == Some(&path) {
-            return None;
-        }
-        self.expected = Some(path.clone());
         let Value::Number(value) = path::parameter(&model, &path).ok()?.value else {
             return None;
         };
-        let edited = path::changed(&model, &path, Value::Number(1.01 * value)).ok()?;
+        if let Some((known, at)) = &self.expected
+            && *known == path
+            && (value - at).abs() <= NEAR * at.abs()
+        {
+            return None;
+        }
+        self.expected = Some((path.clone(), value));
+        // Where the model allows no such value, it is not turned so far either.
+        let turned = |by: f64| {
+            let value = Value::Number(value * (1.0 + by));
+            path::changed(&model, &path, value).map_or_else(|_| Arc::clone(&model), Arc::new)
+        };
         Some(Request::Expect(ExpectRequest {
-            model,
-            edited: Arc::new(edited),
+            model: turned(-FAR),
+            edited: turned(FAR),
         }))
     }
 

@@ -499,3 +499,37 @@ fn values_from_the_command_line_are_a_step() {
     assert_eq!(app.model().beam.length, 3.2);
     assert!(!app.document.is_changed());
 }
+
+/// How many edits are prepared for.
+fn prepared(effects: &[Effect]) -> usize {
+    let expects = |effect: &&Effect| matches!(effect, Effect::Solve(Request::Expect(_)));
+    effects.iter().filter(expects).count()
+}
+
+#[test]
+fn a_parameter_among_many_subsystems_is_prepared_for_again_when_it_has_moved() {
+    let mut app = app("hundred_absorbers");
+    select(&mut app, "subsystems.A50.mass");
+    let effects = press(&mut app, KeyCode::Char('d'));
+    assert_eq!(prepared(&effects), 1);
+    let Some(Effect::Solve(Request::Expect(edit))) = effects.last() else {
+        panic!("{effects:?}");
+    };
+    let mass = |model: &Model| model.subsystems[49].mass;
+    assert_eq!([mass(&edit.model), mass(&edit.edited)], [0.95, 1.05]);
+    let mut asked = Vec::new();
+    for generation in 2..=6 {
+        assert_eq!(prepared(&keys(&mut app, "+")), 0);
+        let answer = answer(generation, &app);
+        asked.push(prepared(&app.update(Event::Answer(answer))));
+    }
+    // 1.01, 1.0201, 1.0303, then 1 % and 2 % from there.
+    assert_eq!(asked, [0, 0, 1, 0, 0]);
+}
+
+#[test]
+fn a_small_model_is_not_prepared_for() {
+    let mut app = app("fig05a");
+    select(&mut app, STIFFNESS);
+    assert_eq!(prepared(&press(&mut app, KeyCode::Char('d'))), 0);
+}

@@ -21,6 +21,9 @@ const FEWEST_STATIONS: usize = 8;
 /// Frequencies a chunk of a sweep between sides: whole groups.
 const CHUNK: usize = 8 * MOST_LANES;
 
+/// So many are solved between sides on one thread before another has woken.
+const ALONE: usize = 32 * MOST_LANES;
+
 /// What is kept between the sweeps of a model that is edited.
 #[derive(Debug, Default)]
 pub struct Kept {
@@ -166,7 +169,12 @@ fn from_sides(
     let solve = |solver: &mut Solver, first, frequencies: &[f64], out: &mut [&mut [Complex64]]| {
         solver.solve_between(&between, (&beside.sides, first), frequencies, out);
     };
-    solved(model, frequencies, CHUNK, cancel, &solve)
+    let chunk = if frequencies.len() <= ALONE {
+        ALONE
+    } else {
+        CHUNK
+    };
+    solved(model, frequencies, chunk, cancel, &solve)
 }
 
 /// Whether what lies beside a part of a plan lies beside a part of another, too.

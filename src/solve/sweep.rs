@@ -200,7 +200,15 @@ pub(super) fn solved<W: Default + Send>(
     let solve = |workspace: &mut W, first, frequencies: &[f64], mut room: Vec<&mut [Complex64]>| {
         solve(workspace, first, frequencies, &mut room);
     };
-    over_chunks(frequencies, chunk, rooms.into_par_iter(), cancel, &solve)?;
+    if let Some(room) = (chunks == 1).then(|| rooms.pop()).flatten() {
+        if cancel.load(Ordering::Relaxed) {
+            return None;
+        }
+        // It is solved here before another thread has woken.
+        solve(&mut W::default(), 0, frequencies, room);
+    } else {
+        over_chunks(frequencies, chunk, rooms.into_par_iter(), cancel, &solve)?;
+    }
     Some(Frf {
         frequencies: frequencies.to_vec(),
         columns,

@@ -13,8 +13,8 @@ pub(super) fn pool() -> Option<ThreadPool> {
 /// Lowers the priority of this thread.
 #[cfg(target_os = "linux")]
 pub(crate) fn give_way() {
-    /// Half of what there is.
-    const STEPS: i32 = 10;
+    /// All that there is: a thread that draws shall not wait for the end of a slice of time.
+    const STEPS: i32 = 19;
     // Where that is not allowed everything is still right, only later.
     let _ = rustix::process::nice(STEPS);
 }

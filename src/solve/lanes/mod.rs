@@ -2,9 +2,13 @@
 //!
 //! A number here is the numbers of eight or four frequencies side by side ([`number`], [`complex`]): each line of the
 //! kernel works on all of them with one instruction where the processor has vectors of 512 or 256 bits (`vectors`; any
-//! other processor: `portable`), and takes the same decisions for each as if it were alone. `waves`, `ends`, `station`, `reflection` and `recursion` have the names of
-//! their plain counterparts in [`super`], which solve one complex frequency and are what these are held against.
-//! `dispatch` looks what the processor can do when the program runs.
+//! other processor: `portable`), and takes the same decisions for each as if it were alone. `waves`, `ends`, `station`,
+//! `reflection` and `recursion` have the names of their plain counterparts in [`super`], which solve one complex
+//! frequency and are what these are held against. `roots` finds the coupled waves, `dispatch` looks what the processor can
+//! do when the program runs.
+//!
+//! `sides` keeps what lies beside an edited place: `carry` takes waves over it, `combinations` and `quadratic` say what
+//! energy they leave there.
 //!
 //! What makes it less work than the plain one, apart from the vectors: frequencies are real; reflections are symmetric;
 //! nothing is solved for what a load radiates; a subsystem is solved for its three stretches instead of six waves; what

@@ -46,8 +46,8 @@ pub(super) fn answer(
         let Some(members) = members(&subject, cancel)? else {
             return Ok(None);
         };
-        let coarse = recalled(&members, memory, cancel).or_else(|| coarse(&members, memory));
-        if let Some(coarse) = coarse {
+        let few = of_each(&members, |place, model| memory.few(place, model, cancel));
+        if let Some(coarse) = few.or_else(|| coarse(&members, memory)) {
             tell(Stage::Coarse, Ok(coarse));
         }
         Ok(solve_all(&members, memory, cancel).map(|solved| (members, solved)))
@@ -69,10 +69,13 @@ pub(super) fn answer(
     }
 }
 
-/// Few frequencies from what is kept of every member, if it is.
-fn recalled(members: &[Labelled], memory: &Memory, cancel: &AtomicBool) -> Option<Curves> {
+/// What `solve` makes of every member, which it is given with its place; none where it makes nothing of one.
+fn of_each(
+    members: &[Labelled],
+    solve: impl Fn(usize, &Arc<Model>) -> Option<Frf>,
+) -> Option<Curves> {
     let solved = members.iter().enumerate().map(|(place, (label, model))| {
-        let frf = memory.few(place, model, cancel)?;
+        let frf = solve(place, model)?;
         Some(member(label.as_deref(), model, frf))
     });
     Some(Curves {
@@ -93,19 +96,13 @@ fn coarse(members: &[Labelled], memory: &Memory) -> Option<Curves> {
         rayon::current_num_threads(),
         model.sweep.points,
     )?;
-    let solved = members.iter().enumerate().map(|(place, labelled)| {
-        let (label, model) = labelled;
+    of_each(members, |place, model| {
         let some = spread(model, &memory.between(place, model), points);
-        let frf = if alone {
-            sweep_alone(model, &some)
+        if alone {
+            Some(sweep_alone(model, &some))
         } else {
-            sweep(model, &some, &AtomicBool::new(false))?
-        };
-        Some(member(label.as_deref(), model, frf))
-    });
-    Some(Curves {
-        members: solved.collect::<Option<_>>()?,
-        modes: None,
+            sweep(model, &some, &AtomicBool::new(false))
+        }
     })
 }
 

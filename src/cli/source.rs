@@ -1,5 +1,6 @@
 //! The MODEL argument: a file, a preset or standard input, with the changes of `--set`.
 
+use std::fs::File;
 use std::path::{Path, PathBuf};
 
 use super::Failure;
@@ -47,11 +48,18 @@ fn text_of(argument: &str) -> Result<(Source, String), Failure> {
         return Ok((Source::Stdin, text));
     }
     if Path::new(argument).exists() {
-        let text = model::load(Path::new(argument))
-            .map_err(|error| Failure::input(format!("{argument}: cannot be read: {error}")))?;
+        let path = PathBuf::from(argument);
+        let is_file = path.is_file();
+        let text = if is_file {
+            model::load(&path)
+        } else {
+            // A pipe that is named here, as by `<(..)`, is waited for; Ctrl-C ends it.
+            File::open(&path).and_then(model::text_of)
+        }
+        .map_err(|error| Failure::input(format!("{argument}: cannot be read: {error}")))?;
         // What came through a pipe is not there to be saved to.
-        let source = if Path::new(argument).is_file() {
-            Source::File(PathBuf::from(argument))
+        let source = if is_file {
+            Source::File(path)
         } else {
             Source::Stdin
         };

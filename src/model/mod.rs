@@ -5,10 +5,12 @@
 //! whether a model is physically possible; [`path`] reads and sets any parameter by name.
 
 mod check;
+mod delta;
 pub mod entry;
 mod fault;
 pub(crate) mod field;
 pub(crate) mod names;
+mod open;
 pub mod path;
 pub(crate) mod read;
 mod save;
@@ -19,10 +21,13 @@ mod unit;
 mod write;
 
 pub use check::check;
+pub use delta::{apply_delta, delta};
 pub use fault::Fault;
 pub use field::{Field, Range};
+pub use open::{open, open_with};
 pub use read::read;
 pub use save::{load, may_save, save, save_with, text_of};
+pub(crate) use serial::basic_string;
 pub use serial::format_number;
 pub use tuning::*;
 pub use types::*;

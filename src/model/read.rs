@@ -28,13 +28,21 @@ pub fn read(text: &str) -> Result<Model, Vec<Fault>> {
     let Some(document) = document(text, &mut reader) else {
         return Err(reader.into_faults(text));
     };
-    let model = parts::model(Table::root(document.get_ref()), &mut reader);
+    let model = parts::model(Table::root(document.get_ref()), &[], &mut reader);
     reader.adopt(check(&model));
     if reader.is_content() {
         Ok(model)
     } else {
         Err(reader.into_faults(text))
     }
+}
+
+/// A model of which some elements of lists are left out, unchecked; `names` are those of subsystems that are left out.
+/// None where something cannot be read.
+pub(super) fn part(content: &DeTable<'_>, names: &[&str]) -> Option<Model> {
+    let mut reader = Reader::default();
+    let model = parts::model(Table::root(content), names, &mut reader);
+    reader.is_content().then_some(model)
 }
 
 /// The tables of a text without byte order mark; none where it is broken TOML, with all that is wrong as faults.

@@ -95,12 +95,12 @@ fn temporary(target: &Path, folder: &Path) -> io::Result<(NamedTempFile, Option<
 /// The longest model file that is read, bytes: what has no end, as some devices have none, is not waited for.
 const LONGEST: u64 = 1 << 28;
 
-/// The text of a model file, or of what else can be read.
+/// The text of a model file.
 ///
 /// # Errors
-/// It cannot be read, is not UTF-8, or is longer than 256 MiB.
+/// It cannot be read, is no regular file, is not UTF-8, or is longer than 256 MiB.
 pub fn load(path: &Path) -> io::Result<String> {
-    text_of(fs::File::open(path)?)
+    text_of(super::open(path)?)
 }
 
 /// As [`load`], of what is open already.

@@ -1,4 +1,6 @@
-//! Numbers as the text of a model file.
+//! Numbers and texts as the text of a model file.
+
+use std::fmt::Write as _;
 
 /// The shortest TOML float that reads back to the same bits: `0.8`, `4e7`, `1.6625e-4`, `-0.0`.
 ///
@@ -24,6 +26,24 @@ pub fn format_number(value: f64) -> String {
     } else {
         plain
     }
+}
+
+/// A basic string of TOML on one line: what is in it reads back to the same characters.
+pub(crate) fn basic_string(text: &str) -> String {
+    let mut quoted = String::from("\"");
+    for letter in text.chars() {
+        match letter {
+            '"' | '\\' => quoted.extend(['\\', letter]),
+            '\n' => quoted.push_str("\\n"),
+            '\r' => quoted.push_str("\\r"),
+            '\t' => quoted.push_str("\\t"),
+            // Writing to a string cannot fail.
+            _ if letter.is_control() => drop(write!(quoted, "\\u{:04x}", u32::from(letter))),
+            _ => quoted.push(letter),
+        }
+    }
+    quoted.push('"');
+    quoted
 }
 
 #[cfg(test)]

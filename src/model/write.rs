@@ -5,13 +5,14 @@ mod layout;
 mod list;
 mod merge;
 mod node;
+mod one_line;
 mod position;
 mod tree;
 mod tuning;
 
 use super::types::Model;
 use merge::{merge_root, same_table};
-use toml_edit::DocumentMut;
+use toml_edit::{DocumentMut, Table};
 
 /// The byte order mark that some editors put first.
 const BOM: char = '\u{feff}';
@@ -45,4 +46,11 @@ pub fn write(model: &Model, original: &str) -> String {
     } else {
         text
     }
+}
+
+/// A model as a table in braces on one line, without what is at its default.
+pub(super) fn one_line(model: &Model) -> String {
+    let mut text = String::new();
+    one_line::table(&tree::model(model, &Table::new()), &mut text);
+    text
 }

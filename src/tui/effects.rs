@@ -137,7 +137,7 @@ impl Performer {
     /// The changes with this number as a model, beside the text of the file or preset that they belong to.
     fn recover(&mut self, number: usize) -> Reply {
         let found = self.found.remove(number);
-        let model = match model::read(&found.text) {
+        let model = match found.model() {
             Ok(model) => model,
             Err(faults) => return Reply::Faulty(found.path.clone(), faults),
         };
@@ -153,8 +153,8 @@ impl Performer {
             Some(_) => Base::Own,
         };
         let opened = Opened {
+            text: base.unwrap_or_else(|| model::write(&model, &found.text)),
             model,
-            text: base.unwrap_or_else(|| found.text.clone()),
             source: found.source.clone(),
         };
         if let Some(keeper) = &self.keeper {

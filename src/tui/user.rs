@@ -10,9 +10,11 @@ pub mod log;
 pub mod memory;
 pub mod recovery;
 
-use std::fs::{self, DirBuilder};
+use std::fs::DirBuilder;
 use std::io;
 use std::path::Path;
+
+use crate::model;
 
 /// Makes a folder and those above it where they are missing, for the user alone (mode 0700, as the XDG base directory
 /// specification 0.8 asks).
@@ -30,9 +32,9 @@ fn make_private(folder: &Path) -> io::Result<()> {
 /// The text of a file of the user; none where it is not there, nor can be (a home that is no folder).
 ///
 /// # Errors
-/// The file cannot be read, or is not UTF-8.
+/// The file cannot be read, is no regular file, or is not UTF-8.
 pub(crate) fn read_if_there(path: &Path) -> io::Result<Option<String>> {
-    match fs::read_to_string(path) {
+    match model::open(path).and_then(io::read_to_string) {
         Ok(text) => Ok(Some(text)),
         Err(error) if is_absent(&error) => Ok(None),
         Err(error) => Err(error),

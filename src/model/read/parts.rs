@@ -19,14 +19,16 @@ use toml::de::DeValue;
 /// The only format there is.
 const FORMAT: &str = "beamtune/1";
 
-/// The whole file; what cannot be read has a placeholder, of which the reader knows.
-pub(super) fn model(mut root: Table<'_>, reader: &mut Reader) -> Model {
+/// The whole file; what cannot be read has a placeholder, of which the reader knows. `others` are names of subsystems
+/// that are not in it.
+pub(super) fn model(mut root: Table<'_>, others: &[&str], reader: &mut Reader) -> Model {
     root.word("format", &[FORMAT], None, reader);
     let title = root.text("title", None, reader).unwrap_or_default();
     let notes = root.text("notes", Some(""), reader).unwrap_or_default();
     let beam = beam(&mut root, reader);
     let supports = supports(&mut root, reader);
     let (subsystems, names) = subsystems(&mut root, reader);
+    let names: Vec<&str> = names.into_iter().chain(others.iter().copied()).collect();
     let forces = loads::forces(&mut root, &names, reader);
     let responses = loads::responses(&mut root, &names, reader);
     let sweep = sweep(&mut root, reader);

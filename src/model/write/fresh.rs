@@ -1,8 +1,7 @@
 //! Values and tables that the file did not have yet.
 
-use super::super::serial::format_number;
+use super::super::serial::{basic_string, format_number};
 use super::node::{Entry, Node, Presence};
-use std::fmt::Write as _;
 use toml_edit::{Array, InlineTable, Item, Table, Value};
 
 /// The value of a node, tables in braces.
@@ -107,21 +106,7 @@ pub(super) fn protect_line_ends(root: &mut Table, key: &str, dos: bool) {
     if !lost {
         return;
     }
-    let mut text = String::from('"');
-    for letter in old.value().chars() {
-        match letter {
-            '"' => text.push_str("\\\""),
-            '\\' => text.push_str("\\\\"),
-            '\n' => text.push_str("\\n"),
-            '\r' => text.push_str("\\r"),
-            '\t' => text.push_str("\\t"),
-            letter if letter.is_control() => {
-                let _ = write!(text, "\\u{:04x}", u32::from(letter));
-            }
-            letter => text.push(letter),
-        }
-    }
-    text.push('"');
+    let text = basic_string(old.value());
     if let Ok(Value::String(mut new)) = text.parse() {
         *new.decor_mut() = old.decor().clone();
         *old = new;

@@ -14,7 +14,7 @@ use crate::tui::{Opened, Source};
 #[derive(Debug)]
 pub struct Document {
     model: Arc<Model>,
-    saved: Model,
+    saved: Arc<Model>,
     text: Arc<str>,
     source: Source,
     history: History,
@@ -69,8 +69,9 @@ impl Document {
 
     fn differing(opened: Opened, step: &str) -> Self {
         let saved = model::read(&opened.text).unwrap_or_else(|_| opened.model.clone());
+        let saved = Arc::new(saved);
         let mut document = Self {
-            model: Arc::new(saved.clone()),
+            model: Arc::clone(&saved),
             saved,
             text: opened.text.into(),
             source: opened.source,
@@ -78,7 +79,7 @@ impl Document {
             changed: false,
             base: Base::Own,
         };
-        if opened.model != document.saved {
+        if opened.model != *document.saved {
             document.replace(step.to_owned(), opened.model);
         }
         document
@@ -114,6 +115,7 @@ impl Document {
         self.changed.then(|| Kept {
             source: self.source.clone(),
             model: Arc::clone(&self.model),
+            saved: Arc::clone(&self.saved),
             base: Arc::clone(&self.text),
         })
     }
@@ -191,7 +193,7 @@ impl Document {
 
     /// Notes that the model was saved as this text in this file.
     pub fn mark_saved(&mut self, path: PathBuf, text: String) {
-        self.saved = Model::clone(&self.model);
+        self.saved = Arc::clone(&self.model);
         self.text = text.into();
         self.source = Source::File(path);
         self.base = Base::Own;
@@ -201,7 +203,7 @@ impl Document {
 
     /// Takes what another program saved in the file, as a step that can be taken back.
     pub fn reload(&mut self, model: Model, text: String) {
-        self.saved = model.clone();
+        self.saved = Arc::new(model.clone());
         self.text = text.into();
         self.base = Base::Own;
         self.replace("read the file again".to_owned(), model);
@@ -213,7 +215,7 @@ impl Document {
     }
 
     fn compare(&mut self) {
-        self.changed = self.base == Base::Missing || *self.model != self.saved;
+        self.changed = self.base == Base::Missing || *self.model != *self.saved;
     }
 
     /// Adds a nudge to the one before it, if there is one of the same parameter; the name of both together.

@@ -76,10 +76,6 @@ fn read_measured(
     path: &Path,
     layout: Option<&str>,
 ) -> Result<Result<Vec<Curve>, Inspection>, Fault> {
-    // What is no file, as a pipe, might be waited for without end.
-    if fs::metadata(path).is_ok_and(|found| !found.is_file()) {
-        return Err(Fault::new("", "it is no file"));
-    }
     let layout = layout.map(Layout::parse).transpose();
     let hint = Hint {
         name: path.display().to_string(),
@@ -100,12 +96,9 @@ fn is_there(path: &Path) -> bool {
     !matches!(fs::metadata(path), Err(error) if error.kind() == io::ErrorKind::NotFound)
 }
 
-/// Opens a file; what is none, as a pipe, might be waited for without end.
+/// Opens a file.
 pub(super) fn open(path: PathBuf, reply: impl FnOnce(Box<Opened>) -> Reply) -> Reply {
     let path = from_home(path);
-    if fs::metadata(&path).is_ok_and(|found| !found.is_file()) {
-        return Reply::NotRead(path, "it is no file".to_owned());
-    }
     let text = match model::load(&path) {
         Ok(text) => text,
         Err(error) => return Reply::NotRead(path, error.to_string()),

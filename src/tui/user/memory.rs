@@ -4,7 +4,7 @@
 //! not know are carried along, so that an older program does not take from a newer one.
 
 use std::collections::BTreeMap;
-use std::fs::{self, File, TryLockError};
+use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::thread;
@@ -12,7 +12,9 @@ use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
-use super::{is_absent, make_private, read_if_there, why};
+use crate::model;
+
+use super::{make_private, read_if_there, why};
 
 /// The views that are kept; the oldest are dropped.
 const MOST_VIEWS: usize = 100;
@@ -169,11 +171,10 @@ fn try_store(path: &Path, memory: &Memory) -> io::Result<()> {
         make_private(folder)?;
     }
     let _turn = turn(&beside(path, "lock"));
-    let read = match fs::read(path) {
-        Ok(bytes) => std::str::from_utf8(&bytes)
-            .ok()
-            .and_then(|text| parse(text).ok()),
-        Err(error) if is_absent(&error) => Some(Memory::default()),
+    let read = match read_if_there(path) {
+        Ok(Some(text)) => parse(&text).ok(),
+        Ok(None) => Some(Memory::default()),
+        Err(error) if error.kind() == io::ErrorKind::InvalidData => None,
         Err(error) => return Err(error),
     };
     let mut stored = if let Some(stored) = read {
@@ -184,7 +185,7 @@ fn try_store(path: &Path, memory: &Memory) -> io::Result<()> {
     };
     stored.take(memory);
     let text = toml::to_string(&stored).map_err(io::Error::other)?;
-    crate::model::save(path, &text)
+    model::save(path, &text)
 }
 
 /// `memory.toml` and an ending more.
@@ -200,7 +201,8 @@ fn beside(path: &Path, ending: &str) -> PathBuf {
 fn turn(path: &Path) -> Option<File> {
     const TRIES: usize = 100;
     const PAUSE: Duration = Duration::from_millis(10);
-    let file = File::create(path).ok()?;
+    let mut options = OpenOptions::new();
+    let file = model::open_with(path, options.write(true).create(true)).ok()?;
     for _ in 0..TRIES {
         match file.try_lock() {
             Ok(()) => return Some(file),

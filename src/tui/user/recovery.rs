@@ -1,9 +1,10 @@
 //! Edits that are not saved, kept so that a lost line or a killed program loses none of them.
 //!
-//! A running designer that has unsaved edits owns two files of the recovery folder: `NAME-RANDOM.toml` with the model
-//! as it stands, replaced at every edit by its [`Keeper`], and `NAME-RANDOM.lock`, which it holds locked. The system
-//! releases the lock however the program ends; [`found`] then offers the file to the next one. The file is a model
-//! file, below three lines of comment that say what it is.
+//! A running designer that has unsaved edits owns two files of the recovery folder: `NAME-RANDOM.toml`, to which its
+//! [`Keeper`] adds every edit, and `NAME-RANDOM.lock`, which it holds locked. The system releases the lock however the
+//! program ends; [`found`] then offers the file to the next one. The file is the text that was opened or saved last,
+//! below three lines of comment that say what it is, and above a line of comment for each edit. At its end by a signal
+//! or a fault, the designer replaces it by the whole model without edits.
 
 mod found;
 mod keeper;

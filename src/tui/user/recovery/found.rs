@@ -1,12 +1,13 @@
 //! What programs that ended without saving have left.
 
 use std::fs::{self, DirEntry, File, OpenOptions};
-use std::io;
+use std::io::{self, Read as _};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
-use super::slot::{LOCK, MODEL, remove};
-use super::text;
+use super::slot::{LOCK, MODEL, UNNAMED, remove};
+use super::text::{self, Contents};
+use crate::model::{self, Fault, Model};
 use crate::tui::Source;
 
 /// Unsaved edits of a program that has ended. As long as this value lives, no other program is offered them; after
@@ -15,8 +16,10 @@ use crate::tui::Source;
 pub struct Found {
     /// What was edited.
     pub source: Source,
-    /// The text of the model as it was.
+    /// The text of a model, to which the edits are to be applied.
     pub text: String,
+    /// What was edited since, see [`model::delta`].
+    edits: Vec<String>,
     /// The recovery file.
     pub path: PathBuf,
     /// Since when it is as it is.
@@ -26,6 +29,22 @@ pub struct Found {
 }
 
 impl Found {
+    /// The model as it was.
+    ///
+    /// # Errors
+    /// The faults of the text; or of the model with its edits, which can only be a file that was changed since.
+    pub fn model(&self) -> Result<Model, Vec<Fault>> {
+        let mut model = model::read(&self.text)?;
+        // What follows an edit that is torn belongs to another model.
+        self.edits
+            .iter()
+            .all(|edit| model::apply_delta(&mut model, edit));
+        match model::check(&model) {
+            faults if faults.is_empty() => Ok(model),
+            faults => Err(faults),
+        }
+    }
+
     /// Removes the recovery file for good.
     ///
     /// # Errors
@@ -40,8 +59,8 @@ impl Found {
 
 /// The recovery files of programs that have ended, newest first; they are this program's from now on.
 ///
-/// What is no recovery file, is torn or cannot be read is left alone. A lock that is left without its file is
-/// removed. A folder that is not there holds none.
+/// What is no recovery file, is torn or cannot be read is left alone. What a program that was killed has left beside
+/// is removed: locks without their file, with what was being written. A folder that is not there holds none.
 pub fn found(folder: &Path) -> Vec<Found> {
     let Ok(entries) = fs::read_dir(folder) else {
         return Vec::new();
@@ -59,6 +78,8 @@ pub fn found(folder: &Path) -> Vec<Found> {
         entries.iter().filter(with_ending).map(DirEntry::path)
     };
     files(LOCK).for_each(|lock| remove_if_lone(&lock));
+    let unnamed = entries.iter().filter(|entry| is_unnamed(entry));
+    unnamed.for_each(|lock| remove_if_unlocked(&lock.path()));
     let mut found: Vec<Found> = files(MODEL).filter_map(take).collect();
     found.sort_by(|a, b| a.age.cmp(&b.age).then_with(|| a.path.cmp(&b.path)));
     found
@@ -68,16 +89,12 @@ pub fn found(folder: &Path) -> Vec<Found> {
 fn take(path: PathBuf) -> Option<Found> {
     // A look before, so that no lock is made beside a file that is not ours.
     read(&path)?;
-    let lock_path = path.with_extension(LOCK);
-    let lock = OpenOptions::new()
-        .write(true)
-        .create(true)
-        .truncate(false)
-        .open(&lock_path)
-        .ok()?;
+    let mut options = OpenOptions::new();
+    options.write(true).create(true).truncate(false);
+    let lock = model::open_with(&path.with_extension(LOCK), &mut options).ok()?;
     lock.try_lock().ok()?;
     // Its owner may have changed or removed it before it gave the lock away.
-    let Some((source, text)) = read(&path) else {
+    let Some(contents) = read(&path) else {
         if !path.exists() {
             // The lock was made in vain.
             let _ = remove(&path);
@@ -91,27 +108,44 @@ fn take(path: PathBuf) -> Option<Found> {
             .unwrap_or_default()
     });
     Some(Found {
-        source,
-        text,
+        source: contents.source,
+        text: contents.text,
+        edits: contents.edits,
         path,
         age,
         lock,
     })
 }
 
-fn read(path: &Path) -> Option<(Source, String)> {
-    text::read(&fs::read_to_string(path).ok()?)
+fn read(path: &Path) -> Option<Contents> {
+    let mut bytes = Vec::new();
+    model::open(path).ok()?.read_to_end(&mut bytes).ok()?;
+    text::read(&bytes)
 }
 
 /// Removes a lock that its program has left without a recovery file. Nothing is lost where that fails.
 fn remove_if_lone(lock_path: &Path) {
     let path = lock_path.with_extension(MODEL);
-    let Ok(lock) = File::open(lock_path) else {
+    let Ok(lock) = model::open(lock_path) else {
         return;
     };
     let empty = lock.metadata().is_ok_and(|found| found.len() == 0);
     if empty && lock.try_lock().is_ok() && !path.exists() {
         let _ = remove(&path);
+    }
+}
+
+/// Whether it is a lock that has no name of its own yet.
+fn is_unnamed(entry: &DirEntry) -> bool {
+    let name = entry.file_name();
+    let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
+    is_file && name.as_encoded_bytes().starts_with(UNNAMED.as_bytes())
+}
+
+/// Removes a lock whose program was killed before it gave it a name.
+fn remove_if_unlocked(lock_path: &Path) {
+    if model::open(lock_path).is_ok_and(|lock| lock.try_lock().is_ok()) {
+        let _ = fs::remove_file(lock_path);
     }
 }
 
@@ -281,6 +315,36 @@ mod tests {
         drop(slot);
         found(folder);
         assert_eq!(fs::read_dir(folder).unwrap().count(), 0);
+    }
+
+    #[test]
+    fn a_lock_without_a_name_goes_when_its_program_has_ended() {
+        let folder = tempfile::tempdir().unwrap();
+        let (left, held) = (
+            folder.path().join(".lock-left"),
+            folder.path().join(".lock-held"),
+        );
+        fs::write(&left, "").unwrap();
+        fs::write(&held, "").unwrap();
+        let lock = File::open(&held).unwrap();
+        lock.try_lock().unwrap();
+        found(folder.path());
+        assert!(!left.exists() && held.exists());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn pipes_are_left_alone_and_not_waited_for() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = leave(folder.path(), &Source::Stdin, "text");
+        for name in ["pipe.toml", "pipe.lock", ".lock-pipe", "text.lock"] {
+            let pipe = folder.path().join(name);
+            let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+            assert!(made.unwrap().success());
+        }
+        fs::copy(&path, folder.path().join("text.toml")).unwrap();
+        assert_eq!(texts(&found(folder.path())), ["text"]);
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 7);
     }
 
     #[test]

@@ -15,11 +15,15 @@ use crate::tui::Source;
 use crate::tui::user::why;
 use crate::worker::give_way;
 
-/// After a state the thread rests this many times as long as it worked: under a key that repeats, a model of a
-/// thousand subsystems, whose text takes tens of milliseconds, takes a fifth of a processor and no more.
+/// After a state the thread rests this many times as long as it worked: under a key that repeats it takes a fifth of a
+/// processor and no more.
 const REST: u32 = 4;
 /// A disk that stalls is no reason to rest.
 const LONGEST_REST: Duration = Duration::from_millis(500);
+
+/// Edits may take this many bytes, or as many as the text below them where that is longer; then they are written anew
+/// as one.
+const MOST_EDITS: usize = 1 << 18;
 
 /// A model that is not saved.
 #[derive(Debug, Clone)]
@@ -28,7 +32,9 @@ pub struct Kept {
     pub source: Source,
     /// The model as it stands.
     pub model: Arc<Model>,
-    /// The text it was read from, whose comments and order it keeps.
+    /// The model as it was read or saved.
+    pub saved: Arc<Model>,
+    /// The text of that, whose comments and order the model keeps.
     pub base: Arc<str>,
 }
 
@@ -54,9 +60,10 @@ pub enum Left {
 
 /// Keeps the newest state of a model in the recovery folder, in a thread of its own.
 ///
-/// States that come faster than they are written are passed over; the last one is always written. They are not forced
-/// to disk: a killed program or a lost line loses nothing by that, and a nudge stays cheap; only [`finish`] does it.
-/// Dropping the keeper waits for the thread and leaves the file, as the end of the process does.
+/// Of a state only what differs from the one before is added to the file, so that an edit of a large model is kept as
+/// soon as one of a small model; [`finish`] writes the whole model. States that come faster than they are written are
+/// passed over; the last one is always written. They are not forced to disk: a killed program or a lost line loses
+/// nothing by that, and a nudge stays cheap; only [`finish`] does it. Dropping the keeper waits for the thread and leaves the file, as the end of the process does.
 ///
 /// [`finish`]: Self::finish
 #[derive(Debug)]
@@ -114,7 +121,7 @@ impl Keeper {
         let mut files = self.stop().unwrap_or_else(|| Files::new(folder));
         let left = match last {
             None => files.clear().map(|()| Left::Nothing),
-            Some(last) => match files.keep(&last, true) {
+            Some(last) => match files.leave(&last) {
                 Ok(path) => Ok(Left::Offered(path)),
                 Err(error) => leave_elsewhere(&last).map_err(|_| error),
             },
@@ -180,9 +187,45 @@ fn rest(inbox: &Receiver<Job>, time: Duration) -> Vec<Job> {
 #[derive(Debug)]
 struct Files {
     folder: PathBuf,
-    held: Option<(Source, Slot)>,
+    held: Option<Held>,
     /// What goes once something is kept or cleared.
     adopted: Vec<Found>,
+}
+
+/// A recovery file, and what is in it.
+#[derive(Debug)]
+struct Held {
+    slot: Slot,
+    /// The state that it leads to.
+    state: Kept,
+    /// The length of its edits, bytes.
+    edits: usize,
+}
+
+impl Held {
+    /// Whether a state can be added as an edit: it has the same text below it, and there is room.
+    fn takes(&self, state: &Kept) -> bool {
+        Arc::ptr_eq(&self.state.base, &state.base) && self.edits < MOST_EDITS.max(state.base.len())
+    }
+
+    /// Adds a state as an edit.
+    fn add(&mut self, state: &Kept, durable: bool) -> io::Result<()> {
+        let edit = text::edit(&model::delta(&self.state.model, &state.model));
+        self.slot.append(&edit, durable)?;
+        self.edits += edit.len();
+        self.state = state.clone();
+        Ok(())
+    }
+
+    /// Writes the file anew: the text that is the base, and a state as the only edit.
+    fn rewrite(&mut self, state: &Kept, durable: bool) -> io::Result<()> {
+        let edit = text::edit(&model::delta(&state.saved, &state.model));
+        let file = text::write(&state.source, &state.base) + &edit;
+        self.slot.write(&file, durable)?;
+        self.edits = edit.len();
+        self.state = state.clone();
+        Ok(())
+    }
 }
 
 impl Files {
@@ -216,33 +259,50 @@ impl Files {
         }
     }
 
-    /// Writes a state; the file it is in.
+    /// Keeps a state; the file it is in.
     fn keep(&mut self, state: &Kept, durable: bool) -> io::Result<PathBuf> {
-        let text = recovery_text(state);
-        if let Some((source, slot)) = &self.held
-            && *source == state.source
-            && slot.is_there()
+        if let Some(held) = &mut self.held
+            && held.slot.is_there()
+            && held.state.source == state.source
         {
-            slot.write(&text, durable)?;
-            return Ok(slot.path().to_owned());
+            // What cannot be added, as to a file that was removed, is written anew.
+            if !held.takes(state) || held.add(state, durable).is_err() {
+                held.rewrite(state, durable)?;
+            }
+            return Ok(held.slot.path().to_owned());
         }
-        let slot = Slot::claim(&self.folder, &state.source)?;
-        if let Err(error) = slot.write(&text, durable) {
+        let mut held = Held {
+            slot: Slot::claim(&self.folder, &state.source)?,
+            state: state.clone(),
+            edits: 0,
+        };
+        if let Err(error) = held.rewrite(state, durable) {
             // What stopped the writing is the better reason.
-            let _ = slot.clear();
+            let _ = held.slot.clear();
             return Err(error);
         }
-        let path = slot.path().to_owned();
+        let path = held.slot.path().to_owned();
         // Not before the new one is there.
-        if let Some((_, old)) = self.held.replace((state.source.clone(), slot)) {
-            old.clear()?;
+        if let Some(old) = self.held.replace(held) {
+            old.slot.clear()?;
+        }
+        Ok(path)
+    }
+
+    /// Keeps the last state for good, as a whole model file.
+    fn leave(&mut self, state: &Kept) -> io::Result<PathBuf> {
+        // First in the quick way: the program may be ended while it writes the whole.
+        let path = self.keep(state, true)?;
+        if let Some(held) = &self.held {
+            // Where that fails, the edits are there.
+            let _ = held.slot.write(&recovery_text(state), true);
         }
         Ok(path)
     }
 
     /// Removes what is held.
     fn clear(&mut self) -> io::Result<()> {
-        self.held.take().map_or(Ok(()), |(_, slot)| slot.clear())
+        self.held.take().map_or(Ok(()), |held| held.slot.clear())
     }
 }
 
@@ -280,13 +340,22 @@ mod tests {
     /// The preset of a name with another length, m.
     fn state(name: &str, length: f64) -> Kept {
         let preset = presets::find(name).unwrap();
-        let mut model = model::read(preset.text).unwrap();
+        let saved = model::read(preset.text).unwrap();
+        let mut model = saved.clone();
         model.beam.length = length;
         Kept {
             source: Source::Preset(preset.name),
             model: Arc::new(model),
+            saved: Arc::new(saved),
             base: preset.text.into(),
         }
+    }
+
+    /// The same with another length, m.
+    fn edited(state: &Kept, length: f64) -> Kept {
+        let mut state = state.clone();
+        Arc::make_mut(&mut state.model).beam.length = length;
+        state
     }
 
     fn keeper(folder: &Path) -> Keeper {
@@ -297,7 +366,7 @@ mod tests {
     fn lengths(folder: &Path) -> Vec<f64> {
         let mut lengths: Vec<f64> = found(folder)
             .iter()
-            .map(|found| model::read(&found.text).unwrap().beam.length)
+            .map(|found| found.model().unwrap().beam.length)
             .collect();
         lengths.sort_by(f64::total_cmp);
         lengths
@@ -331,16 +400,16 @@ mod tests {
     fn a_program_that_dies_leaves_its_last_edit() {
         let folder = tempfile::tempdir().unwrap();
         let dying = keeper(folder.path());
+        let first = state("fig06", 3.5);
         for step in 0..50 {
-            dying.keep(state("fig06", 3.5 + f64::from(step)));
+            dying.keep(edited(&first, 3.5 + f64::from(step)));
         }
         // The kernel does the same to a killed process: no farewell, the lock released.
         drop(dying);
         assert_eq!(lengths(folder.path()), [52.5]);
         let found = found(folder.path());
         assert_eq!(found[0].source, Source::Preset("fig06"));
-        let edited = state("fig06", 52.5);
-        assert_eq!(found[0].text, model::write(&edited.model, &edited.base));
+        assert_eq!(found[0].model().unwrap(), *edited(&first, 52.5).model);
     }
 
     #[test]
@@ -387,10 +456,101 @@ mod tests {
         let mut files = Files::new(folder.path().to_owned());
         let first = files.keep(&state("fig06", 4.0), false).unwrap();
         assert_eq!(files.keep(&state("fig06", 5.0), false).unwrap(), first);
+        assert_eq!(files.held.as_ref().unwrap().state.model.beam.length, 5.0);
         let second = files.keep(&state("fig08", 6.0), false).unwrap();
         assert!(!first.exists() && second.exists());
         drop(files);
         assert_eq!(lengths(folder.path()), [6.0]);
+    }
+
+    /// Leaves a state as a killed program does, and takes it.
+    fn left(files: Files) -> Model {
+        let folder = files.folder.clone();
+        drop(files);
+        let mut found = found(&folder);
+        assert_eq!(found.len(), 1);
+        let found = found.remove(0);
+        let model = found.model().unwrap();
+        found.discard().unwrap();
+        model
+    }
+
+    #[test]
+    fn an_edit_is_added_and_the_file_is_not_written_anew() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut files = Files::new(folder.path().to_owned());
+        let first = state("fig06", 4.0);
+        let path = files.keep(&first, false).unwrap();
+        let before = fs::read(&path).unwrap();
+        assert!(files.held.as_ref().unwrap().takes(&first));
+        let second = edited(&first, 5.0);
+        files.keep(&second, false).unwrap();
+        let after = fs::read(&path).unwrap();
+        assert!(after.len() > before.len() && after.starts_with(&before));
+        assert_eq!(left(files), *second.model);
+    }
+
+    #[test]
+    fn edits_that_take_too_much_room_become_one() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut files = Files::new(folder.path().to_owned());
+        let first = state("fig06", 4.0);
+        let path = files.keep(&first, false).unwrap();
+        let one = fs::metadata(&path).unwrap().len();
+        let (mut largest, mut last) = (0, first.clone());
+        for step in 0..400 {
+            last = edited(&first, 4.0 + f64::from(step));
+            files.keep(&last, false).unwrap();
+            largest = largest.max(fs::metadata(&path).unwrap().len());
+        }
+        let room = MOST_EDITS as u64;
+        assert!((room..room + 2 * one).contains(&largest), "{largest} bytes");
+        assert!(fs::metadata(&path).unwrap().len() < largest);
+        assert_eq!(left(files), *last.model);
+    }
+
+    #[test]
+    fn a_torn_edit_leaves_those_before_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut files = Files::new(folder.path().to_owned());
+        let first = state("fig06", 4.0);
+        let path = files.keep(&first, false).unwrap();
+        files.keep(&edited(&first, 5.0), false).unwrap();
+        let length = fs::metadata(&path).unwrap().len();
+        files.keep(&edited(&first, 6.0), false).unwrap();
+        let file = fs::OpenOptions::new().write(true).open(&path).unwrap();
+        file.set_len(length + 40).unwrap();
+        assert_eq!(left(files).beam.length, 5.0);
+    }
+
+    #[test]
+    fn a_file_that_another_program_removed_or_saved_text_is_written_anew() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut files = Files::new(folder.path().to_owned());
+        let first = state("fig06", 4.0);
+        let path = files.keep(&first, false).unwrap();
+        fs::remove_file(&path).unwrap();
+        assert_eq!(files.keep(&edited(&first, 5.0), false).unwrap(), path);
+        assert!(path.exists());
+        // The file was read again: another text is the base.
+        let mut other = edited(&first, 6.0);
+        other.saved = Arc::clone(&first.model);
+        other.base = model::write(&first.model, &first.base).into();
+        files.keep(&other, false).unwrap();
+        let kept = fs::read_to_string(&path).unwrap();
+        assert!(kept.contains(&*other.base), "{kept}");
+        assert_eq!(left(files), *other.model);
+    }
+
+    #[test]
+    fn what_is_left_on_purpose_is_a_whole_model_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut files = Files::new(folder.path().to_owned());
+        let state = state("fig08", 4.0);
+        let path = files.leave(&state).unwrap();
+        let text = fs::read_to_string(&path).unwrap();
+        assert_eq!(model::read(&text).unwrap(), *state.model);
+        assert_eq!(left(files), *state.model);
     }
 
     #[test]

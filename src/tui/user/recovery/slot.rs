@@ -5,6 +5,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
+use crate::model;
 use crate::tui::Source;
 
 /// Ending of a recovery file.
@@ -13,6 +14,9 @@ pub(super) const MODEL: &str = "toml";
 pub(super) const LOCK: &str = "lock";
 /// Ending of a recovery file that is being written.
 pub(super) const PART: &str = "part";
+
+/// Start of the name of a lock that has no name of its own yet.
+pub(super) const UNNAMED: &str = ".lock-";
 
 /// A name in the recovery folder that no other program uses while this value lives. Dropping it leaves its files for
 /// the next program, as the program's end does.
@@ -31,15 +35,20 @@ impl Slot {
     /// The folder cannot be made or written, or files in it cannot be locked.
     pub(super) fn claim(folder: &Path, source: &Source) -> io::Result<Self> {
         super::super::make_private(folder)?;
+        // Another program may take the first one for one that was left: it is not locked at once.
+        Self::try_claim(folder, source).or_else(|_| Self::try_claim(folder, source))
+    }
+
+    fn try_claim(folder: &Path, source: &Source) -> io::Result<Self> {
         // Locked before it has its name, so that nobody meets it unlocked.
         let unnamed = tempfile::Builder::new()
-            .prefix(".lock-")
+            .prefix(UNNAMED)
             .tempfile_in(folder)?;
         unnamed.as_file().try_lock()?;
         let random = unnamed.path().file_name().map(OsStr::to_string_lossy);
         let random = random
             .as_deref()
-            .map_or("", |name| name.trim_start_matches(".lock-"));
+            .map_or("", |name| name.trim_start_matches(UNNAMED));
         let path = folder.join(format!("{}-{random}.{MODEL}", stem(source)));
         let lock = unnamed
             .persist_noclobber(path.with_extension(LOCK))
@@ -69,6 +78,24 @@ impl Slot {
         written
     }
 
+    /// Adds an edit to the recovery file; `durable` lets it outlast a loss of power too. Where that fails, the file is as
+    /// it was, or ends in a torn edit.
+    pub(super) fn append(&self, edit: &str, durable: bool) -> io::Result<()> {
+        let mut file = model::open_with(&self.path, OpenOptions::new().append(true))?;
+        let length = file.metadata()?.len();
+        let written = file
+            .write_all(edit.as_bytes())
+            .and_then(|()| match durable {
+                true => file.sync_data(),
+                false => Ok(()),
+            });
+        if written.is_err() {
+            // What is torn is ignored where it cannot be cut off.
+            let _ = file.set_len(length);
+        }
+        written
+    }
+
     /// Removes the files.
     pub(super) fn clear(self) -> io::Result<()> {
         remove(&self.path)
@@ -84,7 +111,7 @@ fn write_new(path: &Path, text: &str, durable: bool) -> io::Result<()> {
         use std::os::unix::fs::OpenOptionsExt as _;
         options.mode(0o600);
     }
-    let mut file = options.open(path)?;
+    let mut file = model::open_with(path, &mut options)?;
     file.write_all(text.as_bytes())?;
     if durable {
         file.sync_all()?;
@@ -157,6 +184,20 @@ mod tests {
         assert!(lock.try_lock().is_err());
         slot.clear().unwrap();
         assert_eq!(names(&folder), [""; 0]);
+    }
+
+    #[test]
+    fn edits_are_added_to_a_file_that_is_there() {
+        let folder = tempfile::tempdir().unwrap();
+        let slot = Slot::claim(folder.path(), &Source::Stdin).unwrap();
+        assert!(slot.append("lost", false).is_err());
+        slot.write("one", false).unwrap();
+        slot.append(" two", false).unwrap();
+        slot.append(" three", true).unwrap();
+        assert_eq!(fs::read_to_string(slot.path()).unwrap(), "one two three");
+        slot.write("four", false).unwrap();
+        slot.append(" five", false).unwrap();
+        assert_eq!(fs::read_to_string(slot.path()).unwrap(), "four five");
     }
 
     #[test]

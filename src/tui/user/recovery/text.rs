@@ -1,4 +1,4 @@
-//! The text of a recovery file: three lines of comment, then the model's text as it is.
+//! The text of a recovery file: three lines of comment, then a model's text as it is, then the edits made since.
 //!
 //! ```toml
 //! # beamtune recovery 1
@@ -9,17 +9,23 @@
 //! The source is `file "PATH"`, `file-in-hexadecimal "2F74.."` for a path that is no Unicode text, `preset "NAME"` or
 //! `standard input`; what is in quotes is a basic string of TOML. The bytes are those of the model's text, by which a
 //! torn file is told. A byte order mark stays the first character of the file.
+//!
+//! An edit is an empty line and a comment, `# edit = {..}`, a [`delta`](crate::model::delta()) from the model as it was
+//! before. A last edit without line end is torn, and no edit.
 
 use std::ffi::OsString;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
+use crate::model::basic_string;
 use crate::presets;
 use crate::tui::Source;
 
 const FIRST_LINE: &str = "# beamtune recovery 1";
 const SOURCE: &str = "# source: ";
 const BYTES: &str = "# bytes: ";
+/// What stands before an edit.
+const COMMENT: &str = "# ";
 /// The kinds of a source.
 const FILE: &str = "file ";
 const FILE_BYTES: &str = "file-in-hexadecimal ";
@@ -41,30 +47,68 @@ pub(super) fn write(source: &Source, model: &str) -> String {
     )
 }
 
-/// Source and model text of a recovery file, byte for byte as they were. `None` where it is anything else, or torn.
-pub(super) fn read(file: &str) -> Option<(Source, String)> {
-    let (bom, rest) = match file.strip_prefix(BOM) {
+/// What is added to a recovery file for an edit.
+pub(super) fn edit(delta: &str) -> String {
+    format!("\n{COMMENT}{delta}\n")
+}
+
+/// What a recovery file holds.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Contents {
+    /// Where the model came from.
+    pub source: Source,
+    /// A model's text, byte for byte as it was.
+    pub text: String,
+    /// The edits made since, whole lines each; the first that cannot be applied is the end.
+    pub edits: Vec<String>,
+}
+
+/// What a recovery file holds. `None` where it is anything else, or its model's text is torn.
+pub(super) fn read(file: &[u8]) -> Option<Contents> {
+    let (bom, rest) = match file.strip_prefix(BOM.as_bytes()) {
         Some(rest) => (BOM, rest),
         None => ("", file),
     };
-    let (first, rest) = rest.split_once('\n')?;
-    let (source, rest) = rest.split_once('\n')?;
-    let (bytes, body) = rest.split_once('\n')?;
+    let (first, rest) = line(rest)?;
+    let (source, rest) = line(rest)?;
+    let (bytes, rest) = line(rest)?;
     let source = read_source(source.strip_prefix(SOURCE)?)?;
     let bytes: usize = bytes.strip_prefix(BYTES)?.parse().ok()?;
+    let (body, edits) = rest.split_at_checked(bytes.checked_sub(bom.len())?)?;
+    let body = std::str::from_utf8(body).ok()?;
     // A block that never reached the disk is zeros after a loss of power; TOML has none.
-    let whole = bom.len() + body.len() == bytes && !body.contains('\0');
-    (first == FIRST_LINE && whole).then(|| (source, format!("{bom}{body}")))
+    let whole = !body.contains('\0') && matches!(edits.first(), None | Some(b'\n' | b'\0'));
+    (first == FIRST_LINE && whole).then(|| Contents {
+        source,
+        text: format!("{bom}{body}"),
+        edits: read_edits(edits),
+    })
+}
+
+/// The first line and what follows it.
+fn line(bytes: &[u8]) -> Option<(&str, &[u8])> {
+    let end = bytes.iter().position(|byte| *byte == b'\n')?;
+    Some((std::str::from_utf8(&bytes[..end]).ok()?, &bytes[end + 1..]))
+}
+
+/// The whole lines, without what makes them comments.
+fn read_edits(mut bytes: &[u8]) -> Vec<String> {
+    let mut edits = Vec::new();
+    while let Some((text, rest)) = line(bytes) {
+        edits.extend(text.strip_prefix(COMMENT).map(str::to_owned));
+        bytes = rest;
+    }
+    edits
 }
 
 fn write_source(source: &Source) -> String {
     // The next program may be started in another folder.
     match source.absolute() {
         Source::File(path) => match path.to_str() {
-            Some(text) => format!("{FILE}{}", quoted(text)),
+            Some(text) => format!("{FILE}{}", basic_string(text)),
             None => format!("{FILE_BYTES}\"{}\"", hexadecimal(&path)),
         },
-        Source::Preset(name) => format!("{PRESET}{}", quoted(name)),
+        Source::Preset(name) => format!("{PRESET}{}", basic_string(name)),
         Source::Stdin => STANDARD_INPUT.to_owned(),
     }
 }
@@ -87,23 +131,6 @@ fn read_source(text: &str) -> Option<Source> {
 
 fn absolute(path: PathBuf) -> Option<Source> {
     path.is_absolute().then_some(Source::File(path))
-}
-
-/// A basic string of TOML on one line.
-fn quoted(text: &str) -> String {
-    let mut quoted = String::from("\"");
-    for character in text.chars() {
-        match character {
-            '"' | '\\' => quoted.extend(['\\', character]),
-            _ if character.is_control() => {
-                // Writing to a string cannot fail.
-                let _ = write!(quoted, "\\u{:04X}", u32::from(character));
-            }
-            _ => quoted.push(character),
-        }
-    }
-    quoted.push('"');
-    quoted
 }
 
 fn unquoted(text: &str) -> Option<String> {
@@ -144,11 +171,15 @@ mod tests {
 
     fn returns(source: &Source, text: &str) {
         let file = write(source, text);
-        assert_eq!(
-            read(&file),
-            Some((source.clone(), text.to_owned())),
-            "{file:?}"
-        );
+        let mut expected = Contents {
+            source: source.clone(),
+            text: text.to_owned(),
+            edits: Vec::new(),
+        };
+        assert_eq!(read(file.as_bytes()), Some(expected.clone()), "{file:?}");
+        expected.edits = vec!["edit = 1".to_owned(), "edit = \"é\"".to_owned()];
+        let edits: String = expected.edits.iter().map(|one| edit(one)).collect();
+        assert_eq!(read(format!("{file}{edits}").as_bytes()), Some(expected));
         let comments = file.trim_start_matches(BOM).lines().take(3);
         assert_eq!(
             comments.filter(|line| line.starts_with("# ")).count(),
@@ -229,20 +260,28 @@ mod tests {
     fn a_relative_path_is_made_absolute() {
         let file = write(&Source::File("beam.toml".into()), "");
         let expected = std::env::current_dir().unwrap().join("beam.toml");
-        assert_eq!(read(&file), Some((Source::File(expected), String::new())));
+        assert_eq!(
+            read(file.as_bytes()).unwrap().source,
+            Source::File(expected)
+        );
     }
 
     #[test]
     fn an_unknown_preset_comes_from_nowhere() {
         let file = "# beamtune recovery 1\n# source: preset \"fig99\"\n# bytes: 1\na";
-        assert_eq!(read(file), Some((Source::Stdin, "a".to_owned())));
+        let found = read(file.as_bytes()).unwrap();
+        assert_eq!((found.source, &*found.text), (Source::Stdin, "a"));
     }
 
     #[test]
     fn anything_else_is_refused() {
         let good = write(&Source::File("/a.toml".into()), "text");
         for end in (0..good.len()).filter(|end| good.is_char_boundary(*end)) {
-            assert_eq!(read(&good[..end]), None, "torn after {end} bytes");
+            assert_eq!(
+                read(&good.as_bytes()[..end]),
+                None,
+                "torn after {end} bytes"
+            );
         }
         for bad in [
             good.replace("recovery 1", "recovery 2"),
@@ -258,7 +297,25 @@ mod tests {
             format!("{good} "),
             format!(" {good}"),
         ] {
-            assert_eq!(read(&bad), None, "{bad:?}");
+            assert_eq!(read(bad.as_bytes()), None, "{bad:?}");
         }
+    }
+
+    #[test]
+    fn a_torn_edit_is_none() {
+        let good = write(&Source::Stdin, "text") + &edit("edit = 1");
+        let file = (good.clone() + &edit("edit = \"é\"")).into_bytes();
+        for end in good.len()..file.len() {
+            let found = read(&file[..end]).unwrap();
+            assert_eq!(
+                (&*found.text, found.edits),
+                ("text", vec!["edit = 1".to_owned()])
+            );
+        }
+        // What a loss of power leaves.
+        let zeros = [good.as_bytes(), &[0; 512]].concat();
+        assert_eq!(read(&zeros).unwrap().edits, ["edit = 1"]);
+        let zeros = [write(&Source::Stdin, "text").as_bytes(), &[0; 512]].concat();
+        assert_eq!(read(&zeros).unwrap().edits, [""; 0]);
     }
 }

@@ -29,6 +29,8 @@ pub(super) struct Attachment {
     pub(super) mount_z: f64,
     pub(super) arm_left: f64,
     pub(super) arm_right: f64,
+    /// Whether a support holds w, psi and v of the beam at its place.
+    pub(super) held: [bool; 3],
     /// Loads on the mass along (y, z, theta), N and N m.
     pub(super) load: [Complex64; 3],
 }
@@ -78,6 +80,7 @@ impl Attachment {
             mount_z: subsystem.mount_z,
             arm_left: subsystem.arm_left,
             arm_right: subsystem.arm_right,
+            held: [false; 3],
             load: [ZERO; 3],
         }
     }
@@ -103,6 +106,7 @@ impl Attachment {
 
     /// C q: the beam's part of the stretches, from a vector or matrix row triple (w, psi, v).
     pub(super) fn stretches<const K: usize>(&self, q: &Matrix<3, K>) -> Matrix<3, K> {
+        let q = self.unheld(q, &[ZERO; K]);
         let mut out = zeros::<3, K>();
         for k in 0..K {
             out[0][k] = q[0][k] + self.mount_z * q[1][k];
@@ -110,6 +114,12 @@ impl Attachment {
             out[2][k] = self.mount_y * q[1][k];
         }
         out
+    }
+
+    /// The motions (w, psi, v) with `zero` for those that a support holds: what the waves say there is rounding, which
+    /// the resonance of the mass would magnify.
+    fn unheld<T: Copy>(&self, q: &[T; 3], zero: &T) -> [T; 3] {
+        std::array::from_fn(|row| if self.held[row] { *zero } else { q[row] })
     }
 
     /// C^T g: the jump of the beam's internal forces (w, psi, v) that channel forces make.
@@ -233,6 +243,7 @@ impl Attachment {
         q: &[Complex64; 3],
     ) -> [Complex64; 3] {
         let k = self.stiffness(omega);
+        let q = self.unheld(q, &ZERO);
         let theta = g[3];
         let inertia = omega * omega * self.mass;
         let y = if k.y.norm() > inertia.norm() {

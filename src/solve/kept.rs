@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use super::lanes::{Between, KeptSides, MOST_LANES, Prepared, Solver, Source};
 use super::plan::{Output, Plan};
-use super::sweep::{Frf, chunk_length, over_chunks, solved, sweep_prepared};
+use super::sweep::{Frf, chunk_length, fill_limits, over_chunks, solved, sweep_prepared};
 use crate::model::Model;
 
 /// Fewer stations beside an edited place are solved as fast as looked up.
@@ -174,7 +174,9 @@ fn from_sides(
     } else {
         CHUNK
     };
-    solved(model, frequencies, chunk, cancel, &solve)
+    let mut frf = solved(model, frequencies, chunk, cancel, &solve)?;
+    fill_limits(model, &between.prepared, &mut frf);
+    Some(frf)
 }
 
 /// Whether what lies beside a part of a plan lies beside a part of another, too.

@@ -18,7 +18,8 @@ pub(super) fn size(z: Complex64) -> f64 {
     z.re.abs() + z.im.abs()
 }
 
-/// Solves `a x = b` for `R` right-hand sides. A singular `a` gives values that are not finite.
+/// Solves `a x = b` for `R` right-hand sides. A singular `a` gives values that are not finite, except 0 for an unknown
+/// with a zero pivot and a zero right-hand side: what nothing drives does not move, however near its resonance is.
 ///
 /// Blocks of exact zeros stay exact zeros: no operation mixes a decoupled unknown into the others.
 pub(super) fn solve<const N: usize, const R: usize>(
@@ -170,13 +171,15 @@ fn pivot_row<const N: usize>(a: &Matrix<N, N>, column: usize) -> usize {
 /// Solves the upper triangle of `a` in place of `b`.
 fn back_substitute<const N: usize, const R: usize>(a: &Matrix<N, N>, b: &mut Matrix<N, R>) {
     for row in (0..N).rev() {
-        let inverse = a[row][row].inv();
+        let pivot = a[row][row];
+        let inverse = pivot.inv();
         for k in 0..R {
             let mut sum = b[row][k];
             for column in row + 1..N {
                 sum -= a[row][column] * b[column][k];
             }
-            b[row][k] = sum * inverse;
+            let is_undriven = pivot == ZERO && sum == ZERO;
+            b[row][k] = if is_undriven { ZERO } else { sum * inverse };
         }
     }
 }
@@ -207,5 +210,13 @@ mod tests {
         let one = Complex64::new(1.0, 0.0);
         let solved = solve::<2, 1>([[one, one], [one, one]], [[one], [-one]]);
         assert!(solved.iter().any(|x| !x[0].is_finite()));
+    }
+
+    #[test]
+    fn what_nothing_drives_stays_at_zero_though_it_is_singular() {
+        // Closed form: 2 x = 4 beside 0 y = 0, whose limit is 0 as the zero is approached.
+        let [zero, two, four] = [0.0, 2.0, 4.0].map(|re| Complex64::new(re, 0.0));
+        let solved = solve::<2, 1>([[two, zero], [zero, zero]], [[four], [zero]]);
+        assert_eq!(solved, [[two], [zero]]);
     }
 }

@@ -2,7 +2,8 @@
 //!
 //! [`sweep()`] is the entrance. Inside, `plan` lays a model out along x, `waves` gives the six waves of the beam at a
 //! frequency, `attachment` a subsystem as the beam sees it, `ends` the supports, `reflection` what lies left of a point;
-//! `recursion` carries reflections to the right and amplitudes back, `energy` integrates what moved.
+//! `recursion` carries reflections to the right and amplitudes back, `energy` integrates what moved, `limit` finds the value
+//! at a resonance that nothing excites.
 //!
 //! Method: the waves of Chen & Liu, Mathematics 2022, 10(16), 2849, in a recursion of reflections instead of the
 //! paper's product of 12x12 transfer matrices, which loses all digits above a few hundred hertz. No matrix is larger
@@ -27,6 +28,7 @@ pub mod form;
 mod kept;
 mod lanes;
 mod layout;
+mod limit;
 mod linear;
 mod local;
 pub mod modes;

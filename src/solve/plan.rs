@@ -160,11 +160,20 @@ impl<'a> Layout<'a> {
     fn place_subsystems(&mut self) {
         for subsystem in self.model.attached() {
             self.masses.insert(&subsystem.name, self.stations.len());
+            let mut attachment = Attachment::new(subsystem);
+            attachment.held = [BeamMotion::W, BeamMotion::Psi, BeamMotion::V]
+                .map(|motion| self.is_held(subsystem.position, motion));
             self.stations.push(Station {
                 position: subsystem.position,
-                event: Event::Attachment(Box::new(Attachment::new(subsystem))),
+                event: Event::Attachment(Box::new(attachment)),
             });
         }
+    }
+
+    /// Whether a support holds a motion at a distance from the left end, m.
+    fn is_held(&self, x: f64, motion: BeamMotion) -> bool {
+        let held = |end: &End| end.support[motion] == Restraint::Fixed;
+        (x == 0.0 && held(&self.left)) || (x == self.model.beam.length && held(&self.right))
     }
 
     /// A load at an end goes into its support's equations, where a fixed motion takes it exactly.
@@ -223,8 +232,7 @@ impl<'a> Layout<'a> {
     }
 
     fn probe_beam(&mut self, x: f64, motion: BeamMotion, measure: Measure) -> Output {
-        let held = |end: &End| end.support[motion] == Restraint::Fixed;
-        if (x == 0.0 && held(&self.left)) || (x == self.model.beam.length && held(&self.right)) {
+        if self.is_held(x, motion) {
             return Output::Held;
         }
         let known = self

@@ -7,6 +7,7 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::lanes::{Instructions, MOST_LANES, Prepared, Solver};
+use super::limit;
 use super::plan::Plan;
 use crate::model::{
     BeamMotion, MassMotion, Measure, Model, Quantity, Response, Spacing, Sweep, Target,
@@ -46,21 +47,21 @@ pub enum ColumnKind {
 impl Frf {
     /// The frequencies (Hz) at which some response is not finite: an undamped model exactly at a resonance.
     pub fn singular(&self) -> Vec<f64> {
+        let rows = self.singular_rows().into_iter();
+        rows.map(|row| self.frequencies[row]).collect()
+    }
+
+    /// The indices of [`Self::singular`].
+    pub(super) fn singular_rows(&self) -> Vec<usize> {
         let finite = |index: usize| {
             self.columns
                 .iter()
                 .all(|column| column.values[index].is_finite())
         };
-        self.frequencies
-            .iter()
-            .enumerate()
-            .filter(|(index, _)| !finite(*index))
-            .map(|(_, &f)| f)
-            .collect()
+        let rows = 0..self.frequencies.len();
+        rows.filter(|&row| !finite(row)).collect()
     }
-}
 
-impl Frf {
     /// The rows of two responses of the same model, by rising frequency.
     #[must_use]
     pub fn merged(&self, other: &Self) -> Self {
@@ -132,7 +133,16 @@ pub(super) fn sweep_prepared(
     let solve = |solver: &mut Solver, _, frequencies: &[f64], out: &mut [&mut [Complex64]]| {
         solver.solve(prepared, frequencies, out);
     };
-    solved(model, frequencies, chunk, cancel, &solve)
+    let mut frf = solved(model, frequencies, chunk, cancel, &solve)?;
+    fill_limits(model, prepared, &mut frf);
+    Some(frf)
+}
+
+/// Finds what is finite of the rows at a resonance that nothing excites.
+pub(super) fn fill_limits(model: &Model, prepared: &Prepared, frf: &mut Frf) {
+    limit::fill(frf, |frequencies| {
+        solved_alone(Instructions::available()[0], model, prepared, frequencies)
+    });
 }
 
 /// [`sweep`] on this thread alone: sooner there where waking others takes longer.
@@ -143,9 +153,20 @@ pub fn sweep_alone(model: &Model, frequencies: &[f64]) -> Frf {
 /// [`sweep`] on this thread alone, with instructions that the processor has: to measure and compare them.
 pub fn sweep_with(instructions: Instructions, model: &Model, frequencies: &[f64]) -> Frf {
     let prepared = Prepared::new(Plan::new(model));
+    let mut frf = solved_alone(instructions, model, &prepared, frequencies);
+    fill_limits(model, &prepared, &mut frf);
+    frf
+}
+
+fn solved_alone(
+    instructions: Instructions,
+    model: &Model,
+    prepared: &Prepared,
+    frequencies: &[f64],
+) -> Frf {
     let mut columns = columns(model, frequencies.len());
     let mut out: Vec<_> = columns.iter_mut().map(|c| &mut c.values[..]).collect();
-    Solver::new(instructions).solve(&prepared, frequencies, &mut out);
+    Solver::new(instructions).solve(prepared, frequencies, &mut out);
     Frf {
         frequencies: frequencies.to_vec(),
         columns,

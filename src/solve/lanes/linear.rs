@@ -4,7 +4,7 @@ use super::complex::{Complex, Matrix};
 use super::number::{Arithmetic, Real, part};
 
 /// Solves `a x = b` in place of `b`. The rows come scaled so that they compare. A singular `a` gives values that are
-/// not finite.
+/// not finite, except 0 for an unknown with a zero pivot and a zero right-hand side.
 pub(super) fn solve<A: Arithmetic, const N: usize, const R: usize>(
     a: &mut Matrix<A, N, N>,
     b: &mut Matrix<A, N, R>,
@@ -92,7 +92,12 @@ fn eliminate<A: Arithmetic, const N: usize, const R: usize>(
     b: &mut Matrix<A, N, R>,
     column: usize,
 ) {
-    let inverse = a[column][column].inverse();
+    let pivot = a[column][column];
+    let mut inverse = pivot.inverse();
+    if pivot.size().is_less_somewhere(least()) {
+        // The column below it is zero, too.
+        inverse = Complex::where_less(pivot.size(), least(), Complex::ZERO, inverse);
+    }
     a[column][column] = inverse;
     for row in column + 1..N {
         let factor = a[row][column] * inverse;
@@ -105,6 +110,20 @@ fn eliminate<A: Arithmetic, const N: usize, const R: usize>(
     }
 }
 
+/// Less than any pivot but zero.
+#[inline(always)]
+fn least<A: Arithmetic>() -> Real<A> {
+    Real::splat(f64::MIN_POSITIVE)
+}
+
+/// An unknown from its right-hand side where a pivot may be zero, whose `inverse` is then zero, too.
+#[inline(always)]
+fn over_zero<A: Arithmetic>(right: Complex<A>, inverse: Complex<A>) -> Complex<A> {
+    let infinite = Complex::from_real(Real::splat(f64::INFINITY));
+    let driven = Complex::where_less(right.size(), least(), Complex::ZERO, infinite);
+    Complex::where_less(inverse.size(), least(), driven, right * inverse)
+}
+
 /// Solves the upper triangle of `a`, whose diagonal holds inverses, in place of `b`.
 #[inline(always)]
 fn back_substitute<A: Arithmetic, const N: usize, const R: usize>(
@@ -112,12 +131,18 @@ fn back_substitute<A: Arithmetic, const N: usize, const R: usize>(
     b: &mut Matrix<A, N, R>,
 ) {
     for row in (0..N).rev() {
+        let inverse = a[row][row];
+        let has_zero = inverse.size().is_less_somewhere(least());
         for k in 0..R {
             let mut sum = b[row][k];
             for column in row + 1..N {
                 sum = sum.minus_product(a[row][column], b[column][k]);
             }
-            b[row][k] = sum * a[row][row];
+            b[row][k] = if has_zero {
+                over_zero(sum, inverse)
+            } else {
+                sum * inverse
+            };
         }
     }
 }

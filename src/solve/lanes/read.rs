@@ -112,13 +112,22 @@ impl<A: Arithmetic> State<A> {
             re: Real::splat(spring.stiffness),
             im: damper(spring.damping),
         };
-        let psi = || self.motion(waves, BeamMotion::Psi);
+        // What the waves say of a held motion is rounding.
+        let [w_held, psi_held, v_held] = attachment.held;
+        let unheld = |is_held: bool, motion| {
+            if is_held {
+                Complex::ZERO
+            } else {
+                self.motion(waves, motion)
+            }
+        };
+        let psi = || unheld(psi_held, BeamMotion::Psi);
         match motion {
             MassMotion::Theta => self.theta,
             MassMotion::Y => {
                 let k = spring(&attachment.spring_y);
                 let mount = Real::splat(attachment.mount_z);
-                let moved = self.motion(waves, BeamMotion::W).plus_scaled(mount, psi());
+                let moved = unheld(w_held, BeamMotion::W).plus_scaled(mount, psi());
                 Complex::where_less(
                     inertia * inertia,
                     k.norm_sqr(),
@@ -129,7 +138,7 @@ impl<A: Arithmetic> State<A> {
             MassMotion::Z => {
                 let (left, right) = (spring(&attachment.z_left), spring(&attachment.z_right));
                 let mount = psi().scaled(Real::splat(attachment.mount_y));
-                let v = self.motion(waves, BeamMotion::V);
+                let v = unheld(v_held, BeamMotion::V);
                 let half = Real::splat(0.5);
                 let by_right = v + mount
                     - (sum + difference).scaled(half) * right.inverse()

@@ -30,16 +30,20 @@ pub(super) struct Turn<A> {
 }
 
 /// Stretches of the channels by each wave: w + `z_b` psi and `y_u` psi by the coupled ones; v by the other two is 1.
+/// None of them by a motion that a support holds.
 #[derive(Debug, Clone)]
 pub(super) struct Stretches<A> {
     y: [Complex<A>; 4],
+    sum: Real<A>,
     difference: [Complex<A>; 4],
 }
 
 #[inline(always)]
 pub(super) fn stretches<A: Arithmetic>(waves: &Waves<A>, attachment: &Attachment) -> Stretches<A> {
+    let [w_held, psi_held, v_held] = attachment.held;
     let mut out = Stretches {
         y: [Complex::ZERO; 4],
+        sum: if v_held { Real::ZERO } else { Real::ONE },
         difference: [Complex::ZERO; 4],
     };
     let (z, y) = (
@@ -47,7 +51,13 @@ pub(super) fn stretches<A: Arithmetic>(waves: &Waves<A>, attachment: &Attachment
         Real::splat(attachment.mount_y),
     );
     for wave in 0..4 {
-        let (w, psi) = (waves.displacement[0][wave], waves.displacement[1][wave]);
+        let (mut w, mut psi) = (waves.displacement[0][wave], waves.displacement[1][wave]);
+        if w_held {
+            w = Complex::ZERO;
+        }
+        if psi_held {
+            psi = Complex::ZERO;
+        }
         out.y[wave] = w.plus_scaled(z, psi);
         out.difference[wave] = psi.scaled(y);
     }
@@ -130,7 +140,7 @@ struct Contact<A> {
 impl<A: Arithmetic> Contact<A> {
     #[inline(always)]
     fn new(waves: &Waves<A>, attachment: &Attachment, at: &Reflection<A>) -> Self {
-        let Stretches { y, difference } = stretches(waves, attachment);
+        let Stretches { y, sum, difference } = stretches(waves, attachment);
         let mut contact = Self {
             moved: [[Complex::ZERO; 6]; CHANNELS],
             still: [Complex::ZERO; CHANNELS],
@@ -152,27 +162,27 @@ impl<A: Arithmetic> Contact<A> {
                 by_sum += waves.radiation[column];
             }
             contact.moved[0][column] = by_y;
-            contact.moved[1][column] = by_sum;
+            contact.moved[1][column] = by_sum.scaled(sum);
             contact.moved[2][column] = by_difference;
         }
-        contact.still[1] = at.s[4] + at.s[5];
+        contact.still[1] = (at.s[4] + at.s[5]).scaled(sum);
         for wave in 0..4 {
             contact.still[0] = contact.still[0].plus_product(y[wave], at.s[wave]);
             contact.still[2] = contact.still[2].plus_product(difference[wave], at.s[wave]);
         }
         for channel in 0..CHANNELS {
             let moved = &contact.moved[channel];
-            let by_sum = moved[4] + moved[5];
+            let by_sum = (moved[4] + moved[5]).scaled(sum);
             contact.receptance[channel][1] = by_sum;
             contact.receptance[1][channel] = by_sum;
         }
         for (one, other, by) in [(0, 0, &y), (0, 2, &difference), (2, 2, &difference)] {
-            let mut sum = Complex::ZERO;
+            let mut total = Complex::ZERO;
             for wave in 0..4 {
-                sum = sum.plus_product(contact.moved[one][wave], by[wave]);
+                total = total.plus_product(contact.moved[one][wave], by[wave]);
             }
-            contact.receptance[one][other] = sum;
-            contact.receptance[other][one] = sum;
+            contact.receptance[one][other] = total;
+            contact.receptance[other][one] = total;
         }
         contact
     }
@@ -409,7 +419,7 @@ pub(super) fn sent<A: Arithmetic>(
     stretches: &Stretches<A>,
     forces: &[Complex<A>; CHANNELS],
 ) -> Amplitudes<A> {
-    let mut out = [forces[1]; 6];
+    let mut out = [forces[1].scaled(stretches.sum); 6];
     for wave in 0..4 {
         out[wave] =
             (stretches.y[wave] * forces[0]).plus_product(stretches.difference[wave], forces[2]);

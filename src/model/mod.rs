@@ -20,8 +20,10 @@ mod write;
 
 pub use check::check;
 pub use fault::Fault;
+pub(crate) use fault::MOST_SHOWN;
 pub use field::{Field, Range};
 pub use read::read;
+pub(crate) use save::own_words;
 pub use save::{load, may_save, save, save_with, text_of};
 pub use serial::format_number;
 pub use tuning::*;

@@ -2,6 +2,7 @@
 
 use super::super::serial::format_number;
 use super::node::{Entry, Node, Presence};
+use crate::escape::is_hidden;
 use std::fmt::Write as _;
 use toml_edit::{Array, InlineTable, Item, Table, Value};
 
@@ -13,6 +14,10 @@ pub(super) fn value(node: &Node) -> Value {
             .unwrap_or_else(|_| Value::from(*number)),
         Node::Count(count) => i64::try_from(*count).unwrap_or(i64::MAX).into(),
         Node::Flag(flag) => (*flag).into(),
+        // A person who reads the file sees what is there.
+        Node::Text(text) if text.contains(must_be_escaped) => {
+            basic(text).parse().unwrap_or_else(|_| text.as_str().into())
+        }
         Node::Text(text) => text.as_str().into(),
         Node::List(nodes) | Node::Tables(nodes) => array(nodes.iter().map(value).collect()).into(),
         Node::Inline(entries) | Node::Ordered(entries) | Node::Table(entries) => {
@@ -107,23 +112,37 @@ pub(super) fn protect_line_ends(root: &mut Table, key: &str, dos: bool) {
     if !lost {
         return;
     }
+    if let Ok(Value::String(mut new)) = basic(old.value()).parse() {
+        *new.decor_mut() = old.decor().clone();
+        *old = new;
+    }
+}
+
+/// A hidden character other than those that lay out a text.
+fn must_be_escaped(letter: char) -> bool {
+    is_hidden(letter) && !matches!(letter, '\n' | '\r' | '\t')
+}
+
+/// A text as a basic string of TOML on one line.
+fn basic(value: &str) -> String {
     let mut text = String::from('"');
-    for letter in old.value().chars() {
+    for letter in value.chars() {
         match letter {
             '"' => text.push_str("\\\""),
             '\\' => text.push_str("\\\\"),
             '\n' => text.push_str("\\n"),
             '\r' => text.push_str("\\r"),
             '\t' => text.push_str("\\t"),
-            letter if letter.is_control() => {
-                let _ = write!(text, "\\u{:04x}", u32::from(letter));
+            letter if is_hidden(letter) => {
+                let code = u32::from(letter);
+                let _ = match code {
+                    ..=0xffff => write!(text, "\\u{code:04x}"),
+                    _ => write!(text, "\\U{code:08x}"),
+                };
             }
             letter => text.push(letter),
         }
     }
     text.push('"');
-    if let Ok(Value::String(mut new)) = text.parse() {
-        *new.decor_mut() = old.decor().clone();
-        *old = new;
-    }
+    text
 }

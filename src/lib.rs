@@ -12,7 +12,8 @@
 //! | [`tune`] | what `[tune]` asks for: variables, objectives, limits, tolerances; [the search](tune::search) for it | `model`, `solve`, `measured` |
 //! | [`worker`] | the background threads: newest request wins | `model`, `solve`, `tune` |
 //! | [`tui`] | the designer: state and commands ([`tui::app`]), keys, views, the chart, the terminal and its bytes ([`tui::backend`]), what is kept for the user ([`tui::user`]) | all above |
-//! | `table` | numbers and texts as cells of CSV | nothing |
+//! | `escape` | text from outside as a person or a terminal may read it | nothing |
+//! | `table` | numbers and texts as cells of CSV | `escape` |
 //! | `rehearsal` | faults on purpose, in debug builds, for tests | nothing |
 //! | [`cli`] | the commands | all above |
 //!
@@ -40,6 +41,7 @@
 //! ```
 
 pub mod cli;
+mod escape;
 pub mod measured;
 pub mod model;
 pub mod presets;

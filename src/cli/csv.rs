@@ -3,7 +3,8 @@
 use std::io::{BufWriter, Write};
 use std::path::Path;
 
-use super::{Failure, allow_broken_pipe};
+use super::{Failure, stdout};
+use crate::escape::shown_path;
 use crate::model::save_with;
 pub(super) use crate::table::{cell, number};
 
@@ -14,14 +15,17 @@ pub(super) fn write(
     table: impl Fn(&mut dyn Write) -> std::io::Result<()>,
 ) -> Result<(), Failure> {
     let Some(file) = file else {
-        let mut out = BufWriter::new(std::io::stdout().lock());
-        return allow_broken_pipe(table(&mut out).and_then(|()| out.flush()));
+        return stdout::write(table);
     };
     let written = save_with(file, |file| {
         let mut out = BufWriter::new(file);
         table(&mut out)?;
         out.flush()
     });
-    written
-        .map_err(|error| Failure::Other(format!("{}: cannot be written: {error}", file.display())))
+    written.map_err(|error| unwritten(file, &error))
+}
+
+/// The failure of a file that could not be written.
+pub(super) fn unwritten(file: &Path, error: &std::io::Error) -> Failure {
+    Failure::Other(format!("{}: cannot be written: {error}", shown_path(file)))
 }

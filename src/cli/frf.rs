@@ -2,6 +2,7 @@
 
 mod uff;
 
+use std::ffi::OsString;
 use std::io::{IsTerminal, Write};
 use std::ops::Range;
 use std::path::PathBuf;
@@ -10,7 +11,7 @@ use std::sync::atomic::AtomicBool;
 use clap::{Args, ValueEnum};
 
 use super::csv::{self, cell, number};
-use super::{Failure, Sets, source};
+use super::{Failure, Sets, say, source};
 use crate::model::{Family, Model, path};
 use crate::solve::modes::{Completeness, MOST_MODES, Modes, modes};
 use crate::solve::peaks::resolved;
@@ -22,7 +23,7 @@ const BLOCK: usize = 4096;
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// A model file, a preset's name, or - for standard input.
-    model: String,
+    model: OsString,
     /// Frequencies in Hz, in place of the model's sweep.
     #[arg(long, value_name = "F1,F2,..", value_delimiter = ',', value_parser = super::frequency)]
     at: Vec<f64>,
@@ -254,32 +255,29 @@ fn progress(done: usize, of: usize, member: usize, members: usize) {
 fn warn_of_doubt(modes: &Modes) {
     if modes.completeness == Completeness::Doubtful {
         // The rows that are there are right all the same.
-        let _ = writeln!(
-            std::io::stderr(),
+        say(&format!(
             "warning: a peak may be missing: {} modes were found up to {:?} Hz, and the argument principle counts \
              another number",
             modes.modes.len(),
             modes.to
-        );
+        ));
     }
 }
 
 fn warn_of_too_many(to: f64) {
     // The rows that are there are right all the same.
-    let _ = writeln!(
-        std::io::stderr(),
+    say(&format!(
         "warning: there are more than {MOST_MODES} modes below {to:?} Hz: no rows are added for their peaks"
-    );
+    ));
 }
 
 fn warn_of(singular: &[f64]) {
     if let Some(first) = singular.first() {
         // The rows say it too.
-        let _ = writeln!(
-            std::io::stderr(),
+        say(&format!(
             "warning: no finite response at {} frequencies, first at {first:?} Hz (nan in these rows): the model is \
              undamped and at a resonance, or the numbers are beyond the range of the arithmetic",
             singular.len()
-        );
+        ));
     }
 }

@@ -9,15 +9,20 @@ mod paths;
 mod sensitivities;
 mod source;
 mod spread;
+mod stdout;
 mod tune;
+mod usage;
 mod validate;
 
+use std::ffi::OsString;
 use std::io::{IsTerminal, Write};
 use std::process::ExitCode;
 
 use clap::{Args, CommandFactory as _, Parser, Subcommand};
 
-use crate::model::Fault;
+use self::stdout::print;
+use crate::escape::{escape, escape_lines, shown_path};
+use crate::model::{Fault, MOST_SHOWN};
 use crate::presets;
 use crate::tui::options::LookArguments;
 use crate::tui::user::config::{self, Config};
@@ -44,7 +49,7 @@ struct Arguments {
 struct ModelArguments {
     /// A model file, a preset's name, or - for standard input.
     #[arg(default_value = "fig05a")]
-    model: String,
+    model: OsString,
     #[command(flatten)]
     sets: Sets,
     #[command(flatten)]
@@ -67,10 +72,10 @@ enum Command {
         /// The preset's name.
         preset: String,
     },
-    /// Says nothing, or every fault of a model file.
+    /// Says nothing, or the faults of a model file, the first 50 of them.
     Check {
         /// A model file, a preset's name, or - for standard input.
-        model: String,
+        model: OsString,
     },
     /// Writes frequency responses as CSV, or as a universal file (data set 58).
     Frf(frf::Arguments),
@@ -95,7 +100,7 @@ enum Command {
 /// Why a command did not do its work.
 #[derive(Debug)]
 enum Failure {
-    /// Bad input or usage, a line each.
+    /// Bad input or usage: messages, of one line where they are of something from outside.
     Input(Vec<String>),
     /// Anything else.
     Other(String),
@@ -103,18 +108,17 @@ enum Failure {
 
 impl Failure {
     fn input(message: impl Into<String>) -> Self {
-        Self::Input(vec![message.into()])
+        Self::Input(vec![escape(&message.into()).into_owned()])
     }
 
-    /// The faults of `source`, a line each.
+    /// The faults of `source`, a line each, and how many more there are.
     fn faults(source: &str, faults: &[Fault]) -> Self {
         let place = |fault: &Fault| if fault.line.is_some() { ":" } else { ": " };
-        Self::Input(
-            faults
-                .iter()
-                .map(|fault| format!("{source}{}{fault}", place(fault)))
-                .collect(),
-        )
+        let line = |fault| format!("{source}{}{fault}", place(fault));
+        let more = faults.len().saturating_sub(MOST_SHOWN);
+        let more = (more > 0).then(|| format!("{source}: and {more} more"));
+        let lines = faults.iter().take(MOST_SHOWN).map(line).chain(more);
+        Self::Input(lines.map(|line| escape(&line).into_owned()).collect())
     }
 }
 
@@ -126,21 +130,26 @@ impl From<std::io::Error> for Failure {
 
 /// Runs the program: 0 done, 2 bad input or usage, 1 anything else, 128 + n after signal n.
 pub fn main() -> ExitCode {
-    match run(Arguments::parse()) {
-        Ok(code) => code,
-        Err(failure) => {
-            let (lines, code) = match failure {
-                Failure::Input(lines) => (lines, 2),
-                Failure::Other(line) => (vec![line], 1),
-            };
-            let mut standard_error = std::io::stderr().lock();
-            for line in lines {
-                // Nobody is left to tell where standard error is closed.
-                let _ = writeln!(standard_error, "error: {line}");
-            }
-            ExitCode::from(code)
+    let done = match Arguments::try_parse() {
+        Ok(arguments) => run(arguments),
+        Err(error) => usage::answer(&error),
+    };
+    done.unwrap_or_else(|failure| {
+        let (messages, code) = match failure {
+            Failure::Input(messages) => (messages, 2),
+            Failure::Other(line) => (vec![escape(&line).into_owned()], 1),
+        };
+        for message in messages {
+            say(&format!("error: {message}"));
         }
-    }
+        ExitCode::from(code)
+    })
+}
+
+/// Says something on standard error, hidden characters escaped.
+fn say(what: &str) {
+    // Nobody is left to tell where standard error is closed.
+    let _ = writeln!(std::io::stderr(), "{}", escape_lines(what));
 }
 
 fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
@@ -165,6 +174,9 @@ fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
 }
 
 fn design(arguments: &ModelArguments) -> Result<ExitCode, Failure> {
+    if let Some(failure) = usage::misspelt(&arguments.model) {
+        return Err(failure);
+    }
     let opened = source::open(&arguments.model, &arguments.sets.sets)?;
     if !std::io::stdout().is_terminal() {
         return Err(Failure::input(
@@ -201,7 +213,7 @@ fn configuration(folders: Option<&Folders>) -> Result<Config, Failure> {
     let Some(path) = folders.map(Folders::config_file) else {
         return Ok(Config::default());
     };
-    let name = path.display().to_string();
+    let name = shown_path(&path);
     match read_if_there(&path) {
         Ok(Some(text)) => config::read(&text).map_err(|faults| Failure::faults(&name, &faults)),
         Ok(None) => Ok(Config::default()),
@@ -215,7 +227,8 @@ fn list_presets() -> String {
         .map(|preset| preset.name.len())
         .max()
         .unwrap_or(0);
-    let line = |preset: &presets::Preset| format!("{:width$}  {}\n", preset.name, preset.title());
+    let line =
+        |preset: &presets::Preset| format!("{}  {}\n", padded(preset.name, width), preset.title());
     presets::ALL.iter().map(line).collect::<Vec<_>>().concat()
 }
 
@@ -227,14 +240,9 @@ fn frequency(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Prints to standard output; a reader that has gone away is no failure.
-fn print(text: &str) -> Result<(), Failure> {
-    allow_broken_pipe(std::io::stdout().lock().write_all(text.as_bytes()))
-}
-
-fn allow_broken_pipe(result: std::io::Result<()>) -> Result<(), Failure> {
-    match result {
-        Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
-        other => Ok(other?),
-    }
+/// A text and blanks behind it up to a width in characters. A format takes no width above 65,535, as a text from outside
+/// may give.
+fn padded(text: &str, width: usize) -> String {
+    let blanks = width.saturating_sub(text.chars().count());
+    format!("{text}{}", " ".repeat(blanks))
 }

@@ -1,5 +1,6 @@
 //! `beamtune modes`: natural frequencies, damping ratios and mode shapes as CSV.
 
+use std::ffi::OsString;
 use std::io::Write;
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -8,7 +9,7 @@ use clap::Args;
 use num_complex::Complex64;
 
 use super::csv::{self, cell, number};
-use super::{Failure, Sets, source};
+use super::{Failure, Sets, say, source};
 use crate::model::Model;
 use crate::solve::modes::{Completeness, MOST_MODES, Modes, modes, shape};
 
@@ -18,7 +19,7 @@ const PLACES: usize = 101;
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// A model file, a preset's name, or - for standard input.
-    model: String,
+    model: OsString,
     /// Highest frequency, Hz; without it, the end of the model's sweep.
     #[arg(long, value_name = "HZ", value_parser = super::frequency)]
     to: Option<f64>,
@@ -45,7 +46,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         csv::write(Some(file), |out| write_shapes(out, &model, &found))?;
     }
     // Beside the table, so that a table stays a table.
-    let _ = writeln!(std::io::stderr(), "{}", statement(&found));
+    say(&statement(&found));
     Ok(())
 }
 

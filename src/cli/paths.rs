@@ -1,6 +1,7 @@
 //! `beamtune paths`: where the files of the user are.
 
-use super::Failure;
+use super::{Failure, padded};
+use crate::escape::shown_path;
 use crate::tui::user::folders::Folders;
 
 /// A line each: what it is, and where. None of them need be there.
@@ -12,7 +13,8 @@ pub(super) fn run() -> Result<(), Failure> {
         ("recovery", folders.recovery_folder()),
         ("log", folders.log_file()),
     ];
-    let line =
-        |(name, path): &(&str, std::path::PathBuf)| format!("{name:13}  {}\n", path.display());
+    let line = |(name, path): &(&str, std::path::PathBuf)| {
+        format!("{}  {}\n", padded(name, 13), shown_path(path))
+    };
     super::print(&lines.iter().map(line).collect::<String>())
 }

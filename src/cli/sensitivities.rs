@@ -1,5 +1,6 @@
 //! `beamtune sensitivities`: which parameter matters, as CSV.
 
+use std::ffi::OsString;
 use std::io::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -18,7 +19,7 @@ use crate::solve::{frequencies, sweep};
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// A model file, a preset's name, or - for standard input.
-    model: String,
+    model: OsString,
     /// The response; without it, the first one that is enabled.
     #[arg(long, value_name = "NAME")]
     response: Option<String>,

@@ -1,9 +1,11 @@
 //! The MODEL argument: a file, a preset or standard input, with the changes of `--set`.
 
+use std::ffi::OsStr;
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
 use super::Failure;
+use crate::escape::shown_path;
 use crate::model::{self, Model, entry, path};
 use crate::presets::{self, Preset};
 use crate::tui::{Opened, Source};
@@ -19,14 +21,20 @@ pub(super) fn preset(name: &str) -> Result<&'static Preset, Failure> {
     })
 }
 
+/// What a MODEL argument is called in messages.
+pub(super) fn label(argument: &OsStr) -> String {
+    if argument == "-" {
+        "standard input".to_owned()
+    } else {
+        shown_path(Path::new(argument))
+    }
+}
+
 /// Reads and checks a model, and changes it by each `PATH=VALUE`.
-pub(super) fn open(argument: &str, sets: &[String]) -> Result<Opened, Failure> {
-    let (source, text) = text_of(argument)?;
-    let label = match &source {
-        Source::Stdin => "standard input",
-        _ => argument,
-    };
-    let mut model = model::read(&text).map_err(|faults| Failure::faults(label, &faults))?;
+pub(super) fn open(argument: &OsStr, sets: &[String]) -> Result<Opened, Failure> {
+    let label = label(argument);
+    let (source, text) = text_of(argument, &label)?;
+    let mut model = model::read(&text).map_err(|faults| Failure::faults(&label, &faults))?;
     for set in sets {
         change(&mut model, set)?;
     }
@@ -41,10 +49,10 @@ pub(super) fn open(argument: &str, sets: &[String]) -> Result<Opened, Failure> {
     })
 }
 
-fn text_of(argument: &str) -> Result<(Source, String), Failure> {
+fn text_of(argument: &OsStr, label: &str) -> Result<(Source, String), Failure> {
+    let unread = |error| Failure::input(format!("{label}: cannot be read: {error}"));
     if argument == "-" {
-        let text = model::text_of(std::io::stdin().lock())
-            .map_err(|error| Failure::input(format!("standard input: cannot be read: {error}")))?;
+        let text = model::text_of(std::io::stdin().lock()).map_err(unread)?;
         return Ok((Source::Stdin, text));
     }
     if Path::new(argument).exists() {
@@ -56,7 +64,7 @@ fn text_of(argument: &str) -> Result<(Source, String), Failure> {
             // A pipe that is named here, as by `<(..)`, is waited for; Ctrl-C ends it.
             File::open(&path).and_then(model::text_of)
         }
-        .map_err(|error| Failure::input(format!("{argument}: cannot be read: {error}")))?;
+        .map_err(unread)?;
         // What came through a pipe is not there to be saved to.
         let source = if is_file {
             Source::File(path)
@@ -65,10 +73,10 @@ fn text_of(argument: &str) -> Result<(Source, String), Failure> {
         };
         return Ok((source, text));
     }
-    match presets::find(argument) {
+    match argument.to_str().and_then(presets::find) {
         Some(preset) => Ok((Source::Preset(preset.name), preset.text.to_owned())),
         None => Err(Failure::input(format!(
-            "no file and no preset is named `{argument}`; `beamtune presets` lists the presets"
+            "no file and no preset is named `{label}`; `beamtune presets` lists the presets"
         ))),
     }
 }

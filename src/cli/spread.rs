@@ -1,5 +1,6 @@
 //! `beamtune spread`: what tolerances make of the responses, as CSV.
 
+use std::ffi::OsString;
 use std::io::Write;
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -14,7 +15,7 @@ use crate::tune::{Spread, spread};
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// A model file, a preset's name, or - for standard input.
-    model: String,
+    model: OsString,
     /// Frequencies in Hz, in place of the model's sweep.
     #[arg(long, value_name = "F1,F2,..", value_delimiter = ',', value_parser = super::frequency)]
     at: Vec<f64>,
@@ -49,7 +50,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let (samples, seed) = (arguments.samples as usize, arguments.seed);
     let found = spread(&model, tune, (samples, seed), &at, &AtomicBool::new(false))
-        .map_err(|fault| Failure::faults(&arguments.model, &[fault]))?
+        .map_err(|fault| Failure::faults(&source::label(&arguments.model), &[fault]))?
         .unwrap_or_default();
     csv::write(arguments.output.as_deref(), |out| write(out, &at, &found))
 }

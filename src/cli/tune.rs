@@ -4,7 +4,7 @@ mod example;
 mod progress;
 mod report;
 
-use std::io::Write;
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -14,7 +14,9 @@ use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 
 use self::progress::Progress;
-use super::{Failure, Sets, print, source};
+use super::csv::unwritten;
+use super::{Failure, Sets, print, say, source, stdout};
+use crate::escape::shown_path;
 use crate::model::{self, Model};
 use crate::tui::{Opened, Source};
 use crate::tune::{self, Options, Problem, Stop, Tuned};
@@ -22,7 +24,7 @@ use crate::tune::{self, Options, Problem, Stop, Tuned};
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// A model file, a preset's name, or - for standard input.
-    model: String,
+    model: OsString,
     /// The model file to write: the model with the best parameters, and in its notes what they achieve.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -39,13 +41,13 @@ pub(super) struct Arguments {
 /// Searches, writes the tuned model and prints what became better. A signal ends the search, not the program.
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let opened = source::open(&arguments.model, &arguments.sets.sets)?;
-    let label = match &opened.source {
-        Source::Stdin => "standard input",
-        _ => &arguments.model,
-    };
+    let label = &source::label(&arguments.model);
     if opened.model.tune.is_none() {
-        return Err(Failure::input(example::wanted(label, &opened.model)));
+        let lines = example::wanted(label, &opened.model);
+        return Err(Failure::Input(vec![lines]));
     }
+    // What a search finds must have somewhere to go.
+    stdout::must_be_open()?;
     let output = arguments.output.as_deref();
     if let Some(file) = output {
         model::may_save(file).map_err(|error| unwritten(file, &error))?;
@@ -114,15 +116,11 @@ fn written(opened: &Opened, tuned: &Tuned) -> Result<String, Failure> {
     }
 }
 
-fn unwritten(file: &Path, error: &std::io::Error) -> Failure {
-    Failure::Other(format!("{}: cannot be written: {error}", file.display()))
-}
-
 /// What the table says too, but should not be overlooked.
 fn warn_of(tuned: &Tuned, output: Option<&Path>) {
     if tuned.stop == Stop::Cancelled {
         let written = match output {
-            Some(file) => format!(", and is in {}", file.display()),
+            Some(file) => format!(", and is in {}", shown_path(file)),
             None => String::new(),
         };
         say(&format!("stopped: the best so far is what counts{written}"));
@@ -137,9 +135,4 @@ fn warn_of(tuned: &Tuned, output: Option<&Path>) {
 
 fn warn(what: &str) {
     say(&format!("warning: {what}"));
-}
-
-/// Says something on standard error; the result stands without it.
-fn say(what: &str) {
-    let _ = writeln!(std::io::stderr(), "{what}");
 }

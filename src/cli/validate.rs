@@ -1,5 +1,6 @@
 //! `beamtune validate`: the exact solution beside two witnesses.
 
+use std::ffi::OsString;
 use std::io::{IsTerminal, Write};
 use std::process::ExitCode;
 use std::sync::atomic::AtomicBool;
@@ -22,7 +23,7 @@ const MOST_ELEMENTS: u64 = 10_000;
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// A model file, a preset's name, or - for standard input.
-    model: String,
+    model: OsString,
     /// Finite elements along the beam; as many as the highest frequency needs where it is left out.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MOST_ELEMENTS))]
     elements: Option<u64>,
@@ -70,7 +71,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     if !model.responses.iter().any(|response| response.enabled) {
         return Err(Failure::input(format!(
             "{}: has no enabled response to compare",
-            arguments.model
+            source::label(&arguments.model)
         )));
     }
     let elements = match arguments.elements {
@@ -85,7 +86,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         Some(_) => Ok(ExitCode::FAILURE),
         None => Err(Failure::Other(format!(
             "{}: the exact response is finite at none of the frequencies",
-            arguments.model
+            source::label(&arguments.model)
         ))),
     }
 }

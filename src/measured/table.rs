@@ -12,6 +12,7 @@ use num_complex::Complex64;
 
 use super::curve::{Curve, Points};
 use super::{Fault, Hint, MOST_VALUES, fault_at, number, text_of, too_many};
+use crate::table::unquoted;
 pub(super) use columns::Columns;
 use columns::Group;
 pub(super) use dialect::Dialect;
@@ -69,7 +70,7 @@ impl Tables {
         }
         let index = self.keys.len();
         self.index.insert(key.to_vec(), index);
-        self.keys.push(text_of(key).trim().to_owned());
+        self.keys.push(unquoted(text_of(key).trim()).to_owned());
         self.points
             .push((0..groups).map(|_| Points::default()).collect());
         index

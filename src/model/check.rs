@@ -18,6 +18,9 @@ pub(super) const FEWEST_POINTS: usize = 2;
 /// The most frequencies of a sweep.
 pub(super) const MOST_POINTS: usize = 1_000_000;
 
+/// The longest name, characters.
+const LONGEST_NAME: usize = 200;
+
 /// All that makes a model impossible; empty for a possible one.
 ///
 /// The faults come in the order of the model file, without line and column.
@@ -110,7 +113,8 @@ pub(super) fn element_keys<'a>(names: impl Iterator<Item = &'a str>) -> Vec<Stri
         .enumerate()
         .map(|(index, name)| {
             let first = *seen.entry(name).or_insert(index) == index;
-            if first && !name.trim().is_empty() && !name.contains(char::is_control) {
+            let fits = !name.trim().is_empty() && !name.contains(char::is_control);
+            if first && fits && !is_too_long(name) {
                 names::segment(name)
             } else {
                 (index + 1).to_string()
@@ -119,7 +123,12 @@ pub(super) fn element_keys<'a>(names: impl Iterator<Item = &'a str>) -> Vec<Stri
         .collect()
 }
 
-/// Names that are empty, hold control characters or are used twice.
+/// Whether a name has more characters than one may have.
+fn is_too_long(name: &str) -> bool {
+    name.chars().nth(LONGEST_NAME).is_some()
+}
+
+/// Names that are empty, hold control characters, are too long or are used twice.
 fn element_names<'a>(
     path: &str,
     names: &(impl Iterator<Item = &'a str> + Clone),
@@ -133,6 +142,9 @@ fn element_names<'a>(
             "is empty; must be a name".to_owned()
         } else if name.contains(char::is_control) {
             format!("{name:?} holds a control character; must be one line of text")
+        } else if is_too_long(name) {
+            let length = name.chars().count();
+            format!("is {length} characters long; must be at most {LONGEST_NAME}")
         } else if first != index {
             format!(
                 "{name:?} is used twice, first by number {}; must be unique",
@@ -222,7 +234,7 @@ fn band(path: &str, from: f64, to: f64, faults: &mut Vec<Fault>) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::types::{Family, Operation, Study};
+    use super::super::types::{Case, Family, Operation, Study};
     use super::*;
 
     const SMALLEST: &str = r#"
@@ -289,7 +301,37 @@ mod tests {
 
     #[test]
     fn names_that_cannot_be_told_apart_are_numbers_in_paths() {
-        let keys = element_keys(["a", "", "a", "b.c", "7", "two\nlines"].into_iter());
-        assert_eq!(keys, ["a", "2", "3", "\"b.c\"", "\"7\"", "6"]);
+        let long = "n".repeat(LONGEST_NAME + 1);
+        let names = ["a", "", "a", "b.c", "7", "two\nlines", &long];
+        let keys = element_keys(names.into_iter());
+        assert_eq!(keys, ["a", "2", "3", "\"b.c\"", "\"7\"", "6", "7"]);
+    }
+
+    #[test]
+    fn a_name_has_at_most_200_characters() {
+        let mut model = crate::model::read(crate::presets::find("fig08").unwrap().text).unwrap();
+        let study = |name: &str| Study {
+            name: "é".repeat(200),
+            family: Family::Cases(vec![Case {
+                name: name.to_owned(),
+                set: vec![("beam.length".to_owned(), 1.0)],
+            }]),
+        };
+        (model.studies, model.tune) = (vec![study(&"é".repeat(200))], None);
+        model.responses[0].name = "é".repeat(200);
+        assert_eq!(faults(&model), [""; 0]);
+        let long = "é".repeat(65_536);
+        model.responses[0].name.clone_from(&long);
+        model.studies[0] = study(&long);
+        model.studies[0].name.clone_from(&long);
+        let words = "name: is 65536 characters long; must be at most 200";
+        assert_eq!(
+            faults(&model),
+            [
+                format!("responses.1.{words}"),
+                format!("studies.1.{words}"),
+                format!("studies.1.cases.1.{words}")
+            ]
+        );
     }
 }

@@ -2,6 +2,11 @@
 
 use std::fmt;
 
+use crate::escape::escape;
+
+/// So many faults are shown at most, and then how many more there are.
+pub(crate) const MOST_SHOWN: usize = 50;
+
 /// One thing that is wrong, and what would be accepted instead.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fault {
@@ -27,16 +32,16 @@ impl Fault {
     }
 }
 
-/// `LINE:COL: PATH: MESSAGE`, without the parts that are unknown.
+/// `LINE:COL: PATH: MESSAGE` on one line, without the parts that are unknown; hidden characters are escaped.
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let (Some(line), Some(column)) = (self.line, self.column) {
             write!(f, "{line}:{column}: ")?;
         }
         if !self.path.is_empty() {
-            write!(f, "{}: ", self.path)?;
+            write!(f, "{}: ", escape(&self.path))?;
         }
-        f.write_str(&self.message)
+        f.write_str(&escape(&self.message))
     }
 }
 
@@ -54,5 +59,10 @@ mod tests {
         assert_eq!(fault.to_string(), "3:10: beam.length: is -1; must be > 0");
         fault.path.clear();
         assert_eq!(fault.to_string(), "3:10: is -1; must be > 0");
+        let fault = Fault::new("a\u{1b}[2J", "is `\u{202e}`\nerror: all is well");
+        assert_eq!(
+            fault.to_string(),
+            r"a\u{1b}[2J: is `\u{202e}`\nerror: all is well"
+        );
     }
 }

@@ -17,6 +17,9 @@ use table::Table;
 use toml::Spanned;
 use toml::de::DeTable;
 
+/// What is wrong in broken TOML is quoted up to this length, bytes.
+const LONGEST_QUOTE: usize = 200;
+
 /// Reads a model file of the format `beamtune/1`.
 ///
 /// # Errors
@@ -55,7 +58,8 @@ pub(crate) fn document<'a>(text: &'a str, reader: &mut Reader) -> Option<Spanned
         let span = error.span().unwrap_or_default();
         let found = text
             .get(span.clone())
-            .filter(|found| !found.is_empty() && !found.contains('\n'));
+            .filter(|found| !found.is_empty() && !found.contains('\n'))
+            .filter(|found| found.len() <= LONGEST_QUOTE);
         let found = found.map_or_else(String::new, |found| format!(" at `{found}`"));
         reader.fault(
             span.start,

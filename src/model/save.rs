@@ -31,7 +31,7 @@ pub fn save_with(
     }
     let folder = folder_of(&target)?;
     let (mut file, permissions) = temporary(&target, &folder)?;
-    write(&mut file)?;
+    write(file.as_file_mut())?;
     if let Some(permissions) = permissions {
         file.as_file().set_permissions(permissions)?;
     }
@@ -89,7 +89,14 @@ fn temporary(target: &Path, folder: &Path) -> io::Result<(NamedTempFile, Option<
     if permissions.is_none() {
         default_mode(&mut builder);
     }
-    Ok((builder.tempfile_in(folder)?, permissions))
+    let own = |error: io::Error| io::Error::new(error.kind(), own_words(&error));
+    Ok((builder.tempfile_in(folder).map_err(own)?, permissions))
+}
+
+/// An error of the system in words, without the name of a temporary file, which the user does not know.
+pub(crate) fn own_words(error: &io::Error) -> String {
+    let text = error.to_string();
+    text.split(" at path ").next().unwrap_or(&text).to_owned()
 }
 
 /// The longest model file that is read, bytes: what has no end, as some devices have none, is not waited for.
@@ -197,6 +204,14 @@ mod tests {
         assert_eq!(text_of(&b"text"[..]).unwrap(), "text");
         let error = text_of(&b"te\xff"[..]).unwrap_err().to_string();
         assert_eq!(error, "byte 2 is not UTF-8; a model file is UTF-8 text");
+    }
+
+    #[test]
+    fn an_error_does_not_name_the_temporary_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let error = save(&folder.path().join("missing/model.toml"), "text").unwrap_err();
+        assert_eq!(error.to_string(), "No such file or directory (os error 2)");
+        assert_eq!(error.kind(), io::ErrorKind::NotFound);
     }
 
     #[test]

@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use crate::escape::is_hidden;
+
 /// The shortest TOML float that reads back to the same bits: `0.8`, `4e7`, `1.6625e-4`, `-0.0`.
 ///
 /// Between 0.001 and 100,000 it has no exponent; beyond, it has one unless that is longer.
@@ -38,7 +40,13 @@ pub(crate) fn basic_string(text: &str) -> String {
             '\r' => quoted.push_str("\\r"),
             '\t' => quoted.push_str("\\t"),
             // Writing to a string cannot fail.
-            _ if letter.is_control() => drop(write!(quoted, "\\u{:04x}", u32::from(letter))),
+            _ if is_hidden(letter) => {
+                let code = u32::from(letter);
+                let _ = match code {
+                    ..=0xffff => write!(quoted, "\\u{code:04x}"),
+                    _ => write!(quoted, "\\U{code:08x}"),
+                };
+            }
             _ => quoted.push(letter),
         }
     }

@@ -11,6 +11,7 @@ use super::user::recovery::{self, Found, Keeper, Kept, Left};
 use super::user::why;
 use super::watch::Watch;
 use super::{Opened, Source, export::provenance, scene, view};
+use crate::escape::{path_text, shown_path};
 use crate::model;
 use crate::presets;
 use crate::worker::Worker;
@@ -70,7 +71,7 @@ impl Performer {
             .sort_by_key(|found| found.source.absolute() != own);
         let lost = self.found.iter().map(|found| Lost {
             name: match &found.source {
-                Source::File(path) => path.display().to_string(),
+                Source::File(path) => path_text(path),
                 other => other.name(),
             },
             age: found.age,
@@ -169,7 +170,7 @@ impl Performer {
 
     fn discard(&mut self, number: usize, app: &mut App) -> Outcome {
         let found = self.found.remove(number);
-        let place = found.path.display().to_string();
+        let place = shown_path(&found.path);
         if let Err(error) = found.discard() {
             app.update(Event::Trouble(format!(
                 "{place} is not removed: {}",
@@ -191,11 +192,11 @@ impl Performer {
             Ok(Left::Nothing) => None,
             Ok(Left::Offered(path)) => Some(format!(
                 "unsaved changes are in {}; the next start offers them",
-                path.display()
+                shown_path(&path)
             )),
             Ok(Left::Elsewhere(path)) => Some(format!(
                 "unsaved changes are in {}; it is a model file",
-                path.display()
+                shown_path(&path)
             )),
             Err(error) if nothing => Some(format!("what was kept is not removed: {}", why(&error))),
             Err(error) => Some(format!("unsaved changes are lost: {}", why(&error))),

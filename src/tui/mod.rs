@@ -30,6 +30,7 @@ use std::path::PathBuf;
 
 pub use run::{Ended, Setup, run};
 
+use crate::escape::path_text;
 use crate::model::Model;
 
 /// Where a model came from.
@@ -47,9 +48,9 @@ impl Source {
     /// The name on the status line: a file's name without its folder, or a preset's.
     pub fn name(&self) -> String {
         match self {
-            Self::File(path) => path.file_name().map_or_else(
-                || path.display().to_string(),
-                |name| name.to_string_lossy().into_owned(),
+            Self::File(path) => path_text(
+                path.file_name()
+                    .map_or(path.as_path(), std::path::Path::new),
             ),
             Self::Preset(name) => (*name).to_owned(),
             Self::Stdin => "standard input".to_owned(),

@@ -19,6 +19,7 @@ use super::user::folders::Folders;
 use super::user::log;
 use super::user::memory::{self, Memory};
 use super::{Opened, view};
+use crate::escape::escape;
 
 /// From one frame of what moves to the next.
 const FRAME: Duration = Duration::from_millis(100);
@@ -89,7 +90,7 @@ pub fn run(opened: Opened, setup: &Setup) -> io::Result<Ended> {
     };
     if let Some(sentence) = performer.finish(unsaved) {
         // Whoever ended the program may have closed standard error too.
-        let _ = writeln!(io::stderr(), "{sentence}");
+        let _ = writeln!(io::stderr(), "{}", escape(&sentence));
     }
     // Last, for it may wait for another program; and not of a state that a fault may have left half changed.
     if let (Some(folders), Ok(Ended::Left | Ended::Signal(_))) = (&setup.folders, &ended) {

@@ -16,6 +16,8 @@ use std::path::Path;
 
 use crate::model;
 
+pub(super) use crate::model::own_words as why;
+
 /// Makes a folder and those above it where they are missing, for the user alone (mode 0700, as the XDG base directory
 /// specification 0.8 asks).
 fn make_private(folder: &Path) -> io::Result<()> {
@@ -47,10 +49,4 @@ fn is_absent(error: &io::Error) -> bool {
         error.kind(),
         io::ErrorKind::NotFound | io::ErrorKind::NotADirectory
     )
-}
-
-/// An error of the system in words, without the name of a temporary file.
-pub(super) fn why(error: &io::Error) -> String {
-    let text = error.to_string();
-    text.split(" at path ").next().unwrap_or(&text).to_owned()
 }

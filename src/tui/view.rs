@@ -160,6 +160,7 @@ pub fn draw(frame: &mut Frame<'_>, app: &mut App) {
     rehearsal::fault("drawing", &app.model().title);
     let theme = app.theme;
     draw_panels(frame, app, theme);
+    text::show_hidden(frame.buffer_mut());
     if theme.is_ascii() {
         ascii::flatten(frame.buffer_mut());
     }

@@ -1,13 +1,12 @@
 //! Frequency responses as a universal file.
 
 use std::cell::Cell;
-use std::io::Write as _;
 use std::path::Path;
 
 use num_complex::Complex64;
 
 use super::{Curve, Member, Points, warn_of};
-use crate::cli::{Failure, csv};
+use crate::cli::{Failure, csv, say};
 use crate::measured::{Kind, Node, Record, Written, write_uff};
 use crate::model::{BeamMotion, MassMotion, Model, Place, Quantity, Response, Target};
 use crate::solve::Frf;
@@ -207,11 +206,10 @@ fn warn_of_digits(written: Written) {
     if written.frequency_error > 0.0 {
         let spacing = if written.uneven { "uneven" } else { "even" };
         // The values are right all the same.
-        let _ = writeln!(
-            std::io::stderr(),
+        say(&format!(
             "warning: data set 58 has six digits for {spacing} frequencies: they are up to {:.1e} Hz off; CSV has them \
              all",
             written.frequency_error
-        );
+        ));
     }
 }

@@ -1,5 +1,7 @@
 //! What a search came to: the table that is printed and the text for the notes.
 
+use crate::cli::padded;
+use crate::escape::escape;
 use crate::model::{Aim, Limit, Model, Unit, Variable};
 use crate::tui::tree::grouped;
 use crate::tune::words::{band, bounds, first_parameter, level, range};
@@ -13,6 +15,19 @@ struct Row {
     after: String,
     /// More about it; empty for nothing.
     more: String,
+}
+
+impl Row {
+    /// As a person reads it: hidden characters in names are escaped.
+    fn shown(self) -> Self {
+        let shown = |text: String| escape(&text).into_owned();
+        Self {
+            what: shown(self.what),
+            before: shown(self.before),
+            after: shown(self.after),
+            more: shown(self.more),
+        }
+    }
 }
 
 /// The table: a block each of objectives, variables and limits, and how the search went.
@@ -32,7 +47,7 @@ pub(super) fn table(model: &Model, tuned: &Tuned) -> String {
     let mut rows = Vec::new();
     for (what, block) in blocks {
         rows.push(heading(what));
-        rows.extend(block);
+        rows.extend(block.into_iter().map(Row::shown));
     }
     let widest = |cell: fn(&Row) -> &String| {
         let widths = rows.iter().map(|row| cell(row).chars().count());
@@ -50,8 +65,11 @@ pub(super) fn table(model: &Model, tuned: &Tuned) -> String {
             text.push('\n');
         }
         let line = format!(
-            "{:what$}  {:before$}  {:after$}  {}",
-            row.what, row.before, row.after, row.more
+            "{}  {}  {}  {}",
+            padded(&row.what, what),
+            padded(&row.before, before),
+            padded(&row.after, after),
+            row.more
         );
         text.push_str(line.trim_end());
         text.push('\n');

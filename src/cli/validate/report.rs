@@ -3,6 +3,8 @@
 use std::fmt::Write;
 
 use super::{Arguments, Findings, Witness, largest};
+use crate::cli::padded;
+use crate::escape::escape;
 use crate::model::Model;
 use crate::solve::Frf;
 use crate::solve::compare::Difference;
@@ -17,7 +19,7 @@ pub(super) fn text(model: &Model, findings: &Findings, arguments: &Arguments) ->
     let mut out = String::new();
     let frequencies = &findings.exact.frequencies;
     if !model.title.is_empty() {
-        let _ = writeln!(out, "{}", model.title);
+        let _ = writeln!(out, "{}", escape(&model.title));
     }
     let _ = writeln!(out, "{}", among(frequencies));
     singular(&mut out, &findings.exact);
@@ -88,7 +90,7 @@ fn response_rows(exact: &Frf, witness: &Witness) -> Vec<Vec<String>> {
         let peak = peak.map(|v| v.norm()).fold(0.0, f64::max);
         let share = of(|d| d.absolute).0;
         rows.push(vec![
-            column.name.clone(),
+            escape(&column.name).into_owned(),
             figure(relative),
             relative_at,
             figure(decibels),
@@ -229,9 +231,10 @@ fn table(rows: &[Vec<String>]) -> String {
         let mut line = String::new();
         for (column, cell) in row.iter().enumerate() {
             let width = widths[column];
-            let _ = match column {
-                0 => write!(line, "{cell:width$}"),
-                _ => write!(line, "  {cell:>width$}"),
+            line += &match column {
+                0 => padded(cell, width),
+                // Numbers and words of our own.
+                _ => format!("  {cell:>width$}"),
             };
         }
         out += line.trim_end();

@@ -2,6 +2,7 @@
 
 use crate::measured::layout::{FrequencyUnit, PhaseUnit};
 use crate::measured::unit::ValueUnit;
+use crate::table::unquoted;
 
 /// What a column's header says.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,7 +32,7 @@ pub(super) enum Role {
 
 impl Head {
     pub(super) fn new(cell: &str) -> Self {
-        let cell = cell.trim().trim_matches('"');
+        let cell = unquoted(cell.trim().trim_matches('"'));
         if let Some(role) = frequency(cell) {
             return Self {
                 role,

@@ -4,6 +4,7 @@ use std::io::{self, Write};
 
 use num_complex::Complex64;
 
+use crate::escape::escape;
 use crate::measured::unit::Kind;
 use crate::model::Measure;
 use crate::solve::form::{Dimension, Load, Moves};
@@ -251,9 +252,10 @@ fn exponential(number: f64, decimals: usize) -> String {
     }
 }
 
-/// A text as ASCII of some length that is never empty nor the end of a data set.
+/// A text as ASCII of some length that is never empty nor the end of a data set; hidden characters are escaped.
 fn plain(text: &str, length: usize) -> String {
-    let letters = text.trim().chars().map(|letter| match letter {
+    let text = escape(text.trim());
+    let letters = text.chars().map(|letter| match letter {
         ' '..='~' => letter,
         _ => '?',
     });

@@ -2,6 +2,7 @@
 
 use super::super::serial::{basic_string, format_number};
 use super::node::{Entry, Node, Presence};
+use crate::escape::is_hidden;
 use toml_edit::{Array, InlineTable, Item, Table, Value};
 
 /// The value of a node, tables in braces.
@@ -12,6 +13,10 @@ pub(super) fn value(node: &Node) -> Value {
             .unwrap_or_else(|_| Value::from(*number)),
         Node::Count(count) => i64::try_from(*count).unwrap_or(i64::MAX).into(),
         Node::Flag(flag) => (*flag).into(),
+        // A person who reads the file sees what is there.
+        Node::Text(text) if text.contains(must_be_escaped) => basic_string(text)
+            .parse()
+            .unwrap_or_else(|_| text.as_str().into()),
         Node::Text(text) => text.as_str().into(),
         Node::List(nodes) | Node::Tables(nodes) => array(nodes.iter().map(value).collect()).into(),
         Node::Inline(entries) | Node::Ordered(entries) | Node::Table(entries) => {
@@ -111,4 +116,9 @@ pub(super) fn protect_line_ends(root: &mut Table, key: &str, dos: bool) {
         *new.decor_mut() = old.decor().clone();
         *old = new;
     }
+}
+
+/// A hidden character other than those that lay out a text.
+fn must_be_escaped(letter: char) -> bool {
+    is_hidden(letter) && !matches!(letter, '\n' | '\r' | '\t')
 }

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::{App, Effect, List, Overlay, Prompt, Purpose};
+use crate::escape::path_of_text;
 use crate::model::path::{self, Value};
 use crate::model::{self, Family, Model, Operation, Study, Unit, entry};
 use crate::tui::keys::Command;
@@ -168,14 +169,14 @@ impl App {
             }
             Question::Name(row) => self.name_beside(*row, text),
             _ if text.is_empty() && question.is_path() => Err("type a file's path".to_owned()),
-            Question::ReferenceFile => return vec![Effect::OpenReference(PathBuf::from(text))],
+            Question::ReferenceFile => return vec![Effect::OpenReference(path_of_text(text))],
             Question::MeasuredFile => {
-                return vec![Effect::OpenMeasured(PathBuf::from(text), None)];
+                return vec![Effect::OpenMeasured(path_of_text(text), None)];
             }
             Question::Columns { path, .. } => {
                 return vec![Effect::OpenMeasured(path.clone(), Some(text.to_owned()))];
             }
-            Question::Export => return self.export_to(PathBuf::from(text)),
+            Question::Export => return self.export_to(path_of_text(text)),
         };
         match taken {
             Ok(()) => {

@@ -6,6 +6,7 @@ use super::{
     Anchor, App, Band, Curves, Detail, Document, Effect, Guard, List, Modal, Next, Outside,
     Overlay, Prompt, Purpose, Reading, ReplaceReason, Reply, Saving, Selection, Tables,
 };
+use crate::escape::{path_text, shown_path};
 use crate::model;
 use crate::presets;
 use crate::tui::keys::Command;
@@ -103,7 +104,7 @@ impl App {
         };
         let path = path.clone();
         if !self.document.is_changed() && self.outside == Outside::Same {
-            self.done(format!("{} is saved already", path.display()));
+            self.done(format!("{} is saved already", shown_path(&path)));
             return Vec::new();
         }
         let guard = self.guard(&path);
@@ -112,7 +113,7 @@ impl App {
 
     pub(super) fn ask_save_path(&mut self) {
         let path = match self.document.source() {
-            Source::File(path) => path.display().to_string(),
+            Source::File(path) => path_text(path),
             Source::Preset(name) => format!("{name}.toml"),
             Source::Stdin => "model.toml".to_owned(),
         };
@@ -175,7 +176,7 @@ impl App {
             }
             Reply::Exported(path) => {
                 self.overlay = None;
-                self.done(format!("written to {}", path.display()));
+                self.done(format!("written to {}", shown_path(&path)));
                 Vec::new()
             }
             Reply::Reference(opened) => {
@@ -185,7 +186,7 @@ impl App {
             Reply::Measured(opened) => self.measured_opened(opened),
             Reply::NotSaved(path, reason) => {
                 self.after_save = None;
-                self.refuse_prompt(format!("{} is not saved: {reason}", path.display()));
+                self.refuse_prompt(format!("{} is not saved: {reason}", shown_path(&path)));
                 Vec::new()
             }
             Reply::Opened(opened) => {
@@ -197,7 +198,7 @@ impl App {
                 Vec::new()
             }
             Reply::NotRead(path, reason) => {
-                self.refuse_prompt(format!("{} is not read: {reason}", path.display()));
+                self.refuse_prompt(format!("{} is not read: {reason}", shown_path(&path)));
                 Vec::new()
             }
             Reply::Completed(text) => {
@@ -228,7 +229,7 @@ impl App {
 
     fn saved(&mut self, path: PathBuf, text: String) -> Vec<Effect> {
         self.overlay = None;
-        self.done(format!("saved {}", path.display()));
+        self.done(format!("saved {}", shown_path(&path)));
         self.document.mark_saved(path, text);
         self.outside = Outside::Same;
         match self.after_save.take() {

@@ -6,6 +6,7 @@ use num_complex::Complex64;
 
 use super::curves::traces;
 use super::{App, Display, Effect, Question, Trace};
+use crate::escape::shown_path;
 use crate::measured::{self, Curve, Fit, Inspection, Kind, ValueUnit, fit};
 use crate::model::Fault;
 use crate::solve::form::{Dimension, Form, Reference};
@@ -168,7 +169,7 @@ impl App {
             }
             OpenedMeasured::Asks(path, inspection) => self.ask_columns(path, &inspection),
             OpenedMeasured::Faulty(path, fault) => {
-                self.refuse_prompt(format!("{}: {fault}", path.display()));
+                self.refuse_prompt(format!("{}: {fault}", shown_path(&path)));
             }
         }
         Vec::new()

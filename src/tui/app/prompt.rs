@@ -1,7 +1,5 @@
 //! Boxes in which a line is typed, and lists.
 
-use std::path::PathBuf;
-
 use crossterm::event::{Event as TerminalEvent, KeyEvent};
 use tui_input::backend::crossterm::EventHandler;
 use tui_input::{Input, InputRequest};
@@ -9,6 +7,7 @@ use tui_input::{Input, InputRequest};
 use super::edit::read;
 use super::repeat::LastChange;
 use super::{App, Asked, AskedKind, Base, Effect, Guard, Next, Overlay, Prompt, Purpose};
+use crate::escape::path_of_text;
 use crate::model::path::{self, Value};
 use crate::presets;
 use crate::tui::keys::{Command, Key};
@@ -108,9 +107,9 @@ impl App {
             Purpose::Open | Purpose::SaveAs if text.is_empty() => {
                 self.refuse_prompt("type a file's path");
             }
-            Purpose::Open => return vec![Effect::Open(PathBuf::from(text))],
+            Purpose::Open => return vec![Effect::Open(path_of_text(&text))],
             Purpose::SaveAs => {
-                let path = PathBuf::from(text);
+                let path = path_of_text(&text);
                 let guard = self.guard(&path);
                 return vec![self.save_to(path, guard)];
             }

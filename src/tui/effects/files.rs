@@ -4,6 +4,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use crate::escape::{path_of_text, path_text};
 use crate::measured::{self, Curve, Hint, Inspection, Layout};
 use crate::model::{self, Fault};
 use crate::tui::app::{Export, Guard, OpenedMeasured, Outside, Reply, Saving};
@@ -78,7 +79,7 @@ fn read_measured(
 ) -> Result<Result<Vec<Curve>, Inspection>, Fault> {
     let layout = layout.map(Layout::parse).transpose();
     let hint = Hint {
-        name: path.display().to_string(),
+        name: path_text(path),
         layout: layout.map_err(|reason| Fault::new("", reason))?,
     };
     let bytes = measured::load(path)?;
@@ -120,11 +121,11 @@ pub(super) fn complete(text: &str) -> String {
         None => ("", text),
     };
     let listed = if folder.is_empty() { "." } else { folder };
-    let Ok(entries) = fs::read_dir(Path::new(listed)) else {
+    let Ok(entries) = fs::read_dir(path_of_text(listed)) else {
         return text.to_owned();
     };
     let names = entries.flatten().filter_map(|entry| {
-        let name = entry.file_name().into_string().ok()?;
+        let name = path_text(Path::new(&entry.file_name()));
         let slash = if entry.path().is_dir() { "/" } else { "" };
         name.starts_with(start).then(|| format!("{name}{slash}"))
     });
@@ -156,6 +157,18 @@ mod tests {
         assert_eq!(complete(&path("b")), path("beam "));
         assert_eq!(complete(&path("o")), path("other.toml"));
         assert_eq!(complete(&path("x")), path("x"));
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_name_that_is_no_text_is_completed_and_found() {
+        use std::os::unix::ffi::OsStrExt as _;
+        let folder = tempfile::tempdir().unwrap();
+        let name = std::ffi::OsStr::from_bytes(b"m\xff.toml");
+        fs::write(folder.path().join(name), "text").unwrap();
+        let typed = complete(&format!("{}/m", path_text(folder.path())));
+        assert_eq!(path_of_text(&typed), folder.path().join(name));
+        assert_eq!(compare(&path_of_text(&typed), "text"), Outside::Same);
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::{Provenance, frequency, marks, names};
+use crate::escape::escape;
 use crate::table::{cell, number};
 use crate::tui::plot::Level;
 use crate::tui::scene::axes::heading;
@@ -70,7 +71,7 @@ fn head(scene: &Scene, provenance: &Provenance, names: &[String]) -> String {
             lines.push(format!("{name} is infinite at {}", poles.join(", ")));
         }
     }
-    let comment = |line: &String| format!("# {}\n", line.replace(['\n', '\r'], " "));
+    let comment = |line: &String| format!("# {}\n", escape(&line.replace(['\n', '\r'], " ")));
     lines.iter().map(comment).collect()
 }
 

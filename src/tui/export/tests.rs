@@ -176,7 +176,7 @@ fn drawings_are_well_formed_and_the_same_each_time() {
                 check_form(&drawing).unwrap();
                 assert_eq!(drawing, svg(&scene, &provenance()));
                 assert!(!drawing.contains("NaN") && !drawing.contains("inf"));
-                assert!(drawing.contains("a &amp; b &lt; c &gt; &quot;d&quot;"));
+                assert!(drawing.contains("a &amp; b &lt; c &gt; &quot;d&quot; \\u{7} "));
             }
         }
     }

@@ -7,6 +7,7 @@ use ratatui::style::Style;
 use super::chart::{Chart, Glyphs};
 use super::curve::LineStyle;
 use super::frame::{put, width};
+use crate::escape::escape;
 
 /// Columns of a line sample and the space after it.
 const SAMPLE: u16 = 4;
@@ -188,7 +189,7 @@ impl Entry<'_> {
             return self.label.to_owned();
         }
         let mut short = String::new();
-        for letter in self.label.chars() {
+        for letter in escape(self.label).chars() {
             short.push(letter);
             if width(&short) >= columns {
                 short.pop();

@@ -10,6 +10,8 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 use ratatui::text::Span;
 
+use crate::escape::escape;
+
 /// A column and a row of a board, from its top left corner; those outside are drawn nowhere.
 pub(super) type Cell = [i32; 2];
 
@@ -83,7 +85,8 @@ impl<'b> Board<'b> {
         let room = (self.columns() - column).min(width(word));
         self.taken[first..first + room as usize].fill(true);
         let (x, y) = (self.area.x + column as u16, self.area.y + row as u16);
-        self.buffer.set_stringn(x, y, word, room as usize, style);
+        self.buffer
+            .set_stringn(x, y, escape(word), room as usize, style);
     }
 
     /// Writes a word where all of it has room; whether it had.
@@ -134,9 +137,9 @@ fn beside(start: i32, columns: i32, column: i32) -> bool {
     start == column + 1 || start + columns == column
 }
 
-/// Columns that a word takes.
+/// Columns that a word takes as it is written, hidden characters escaped.
 pub(super) fn width(word: &str) -> i32 {
-    Span::raw(word).width() as i32
+    Span::raw(escape(word)).width() as i32
 }
 
 /// The cells on the straight way from one to another, both included.

@@ -8,6 +8,7 @@ use std::sync::OnceLock;
 use std::thread::{self, ThreadId};
 
 use super::give_back;
+use crate::escape::{escape, shown_path};
 use crate::tui::user::log;
 
 /// The thread whose panic ends the program.
@@ -62,8 +63,9 @@ fn fault(panic: &PanicHookInfo<'_>) -> String {
 }
 
 fn line(fault: &str, log_file: Option<&Path>) -> String {
+    let fault = escape(fault);
     match log_file {
-        Some(file) => format!("beamtune: {fault}; report in {}", file.display()),
+        Some(file) => format!("beamtune: {fault}; report in {}", shown_path(file)),
         None => format!("beamtune: {fault}"),
     }
 }

@@ -5,13 +5,15 @@ use std::io::{self, Read as _, Write as _};
 use std::path::Path;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
+use crate::escape::escape_lines;
 use crate::model;
 
 /// From this size on, bytes, the older half is dropped.
 const LARGEST: u64 = 1_000_000;
 
 /// Adds one entry, `2026-11-23T17:05:09Z beamtune 0.1.0: WHAT`, to the log file; makes file and folder where they are
-/// missing. The time is UTC. Further lines of `what` are indented, so that an entry starts where a line does.
+/// missing. The time is UTC. Further lines of `what` are indented, so that an entry starts where a line does; hidden
+/// characters are escaped.
 ///
 /// Nothing comes of an error: the log is what is written when something else went wrong already, and it must neither
 /// hide that nor stop the program.
@@ -23,7 +25,8 @@ pub fn append(path: &Path, what: &str) {
 }
 
 fn entry(since_1970: Duration, what: &str) -> String {
-    let lines: Vec<&str> = what.trim_end().lines().collect();
+    let what = escape_lines(what.trim_end());
+    let lines: Vec<&str> = what.lines().collect();
     format!(
         "{} beamtune {}: {}\n",
         utc(since_1970),

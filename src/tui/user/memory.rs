@@ -12,6 +12,7 @@ use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
+use crate::escape::shown_path;
 use crate::model;
 
 use super::{make_private, read_if_there, why};
@@ -95,7 +96,7 @@ impl Memory {
     /// # Errors
     /// In words, where the file cannot be read or is not of this shape. The program goes on with the default.
     pub fn load(path: &Path) -> Result<Self, String> {
-        let told = |reason| format!("{} is not read: {reason}", path.display());
+        let told = |reason| format!("{} is not read: {reason}", shown_path(path));
         match read_if_there(path) {
             Ok(Some(text)) => parse(&text).map_err(told),
             Ok(None) => Ok(Self::default()),
@@ -163,7 +164,7 @@ fn parse(text: &str) -> Result<Memory, String> {
 /// In words, where the file cannot be read or written.
 pub fn store(path: &Path, memory: &Memory) -> Result<(), String> {
     try_store(path, memory)
-        .map_err(|error| format!("{} is not written: {}", path.display(), why(&error)))
+        .map_err(|error| format!("{} is not written: {}", shown_path(path), why(&error)))
 }
 
 fn try_store(path: &Path, memory: &Memory) -> io::Result<()> {

@@ -7,7 +7,8 @@ use ratatui::widgets::{Block, Clear, Padding, Paragraph};
 
 use super::text::{cut, width, wrapped};
 use super::{Panels, beside, help, palette, prompt, questions};
-use crate::model::Fault;
+use crate::escape::shown_path;
+use crate::model::{Fault, MOST_SHOWN};
 use crate::presets;
 use crate::tui::app::{App, List, Overlay, Rows};
 use crate::tui::keys::{Command, RowKind, Scope};
@@ -48,7 +49,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, panels: &
             draw_reader(frame, " Keys ", lines, list, theme);
         }
         Some(Overlay::Faults { path, faults, list }) => {
-            let title = format!(" {}: not opened ", path.display());
+            let title = format!(" {}: not opened ", shown_path(path));
             let lines = fault_lines(faults, theme, usize::from(boxed_width(area)));
             draw_reader(frame, &title, lines, list, theme);
         }
@@ -161,8 +162,11 @@ fn draw_reader(
 
 fn fault_lines(faults: &[Fault], theme: Theme, columns: usize) -> Vec<Line<'static>> {
     let mut lines = Vec::new();
-    for fault in faults {
-        for (number, text) in wrapped(&fault.to_string(), columns.saturating_sub(2))
+    let more = faults.len().saturating_sub(MOST_SHOWN);
+    let more = (more > 0).then(|| format!("and {more} more"));
+    let sentences = faults.iter().take(MOST_SHOWN).map(Fault::to_string);
+    for sentence in sentences.chain(more) {
+        for (number, text) in wrapped(&sentence, columns.saturating_sub(2))
             .into_iter()
             .enumerate()
         {

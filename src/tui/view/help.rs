@@ -27,8 +27,9 @@ pub(super) fn lines(keys: &KeyMap, theme: Theme, columns: usize) -> Vec<Line<'st
         let names = row.names();
         for (number, words) in wrapped(row.binding.help, room).into_iter().enumerate() {
             let key = if number == 0 { names.as_str() } else { "" };
+            let blank = " ".repeat(widest.saturating_sub(width(key)));
             lines.push(Line::from(vec![
-                Span::styled(format!(" {key:<widest$}  "), theme.key()),
+                Span::styled(format!(" {key}{blank}  "), theme.key()),
                 Span::raw(words),
             ]));
         }

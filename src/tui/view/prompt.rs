@@ -9,6 +9,7 @@ use tui_input::Input;
 use super::Panels;
 use super::boxes::open_box;
 use super::text::wrapped;
+use crate::escape::escape;
 use crate::model::entry;
 use crate::tui::app::{App, AskedKind, Prompt, Purpose};
 use crate::tui::theme::Theme;
@@ -81,8 +82,11 @@ fn prompt_words(purpose: &Purpose, complete: &str) -> (String, String) {
     }
 }
 
-/// The typed line with the terminal's cursor in it.
+/// The typed line, hidden characters escaped, with the terminal's cursor in it.
 pub(super) fn draw_input(frame: &mut Frame<'_>, input: &Input, area: Rect) {
+    let before: String = input.value().chars().take(input.cursor()).collect();
+    let input =
+        Input::new(escape(input.value()).into_owned()).with_cursor(escape(&before).chars().count());
     let room = usize::from(area.width.max(1) - 1);
     let scroll = input.visual_scroll(room);
     let line = Paragraph::new(input.value()).scroll((0, scroll as u16));

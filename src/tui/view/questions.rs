@@ -10,6 +10,7 @@ use ratatui::widgets::Paragraph;
 
 use super::boxes::{boxed_width, middle, open_box};
 use super::text::{cut, width, wrapped};
+use crate::escape::shown_path;
 use crate::tui::app::{List, Lost, Next, ReplaceReason, Rows};
 use crate::tui::theme::Theme;
 
@@ -62,7 +63,7 @@ fn unsaved_words(next: Next, source: &str) -> String {
 }
 
 fn replace_words(reason: ReplaceReason, path: &Path) -> String {
-    let path = path.display();
+    let path = shown_path(path);
     match reason {
         ReplaceReason::Exists => format!("{path} is there already. Replace it?"),
         ReplaceReason::ChangedOutside => {
@@ -100,7 +101,8 @@ pub(super) fn draw_recovery(
         let age = ago(one.age);
         let room = usize::from(line.width).saturating_sub(width(&age) + 1);
         let name = cut(&one.name, room);
-        frame.render_widget(Line::raw(format!("{name:<room$} {age}")), line);
+        let blank = " ".repeat(room.saturating_sub(width(&name)));
+        frame.render_widget(Line::raw(format!("{name}{blank} {age}")), line);
         if row == list.row {
             frame.buffer_mut().set_style(line, theme.selection());
         }

@@ -1,16 +1,29 @@
 //! Text cut to a width.
 
+use ratatui::buffer::Buffer;
 use ratatui::text::Span;
 
-/// Columns that a text takes.
-pub(super) fn width(text: &str) -> usize {
-    Span::raw(text).width()
+use crate::escape::{escape, escape_lines, is_hidden};
+
+/// Shows a sign in place of every hidden character that a widget has let through: the terminal is sent none.
+pub(super) fn show_hidden(buffer: &mut Buffer) {
+    for cell in &mut buffer.content {
+        if !cell.symbol().is_ascii() && cell.symbol().contains(is_hidden) {
+            cell.set_char(char::REPLACEMENT_CHARACTER);
+        }
+    }
 }
 
-/// A text that takes at most so many columns; what is cut off leaves an ellipsis.
+/// Columns that a text takes as [`cut`] shows it.
+pub(super) fn width(text: &str) -> usize {
+    Span::raw(escape(text)).width()
+}
+
+/// A text as it is shown: hidden characters escaped, in at most so many columns; what is cut off leaves an ellipsis.
 pub(super) fn cut(text: &str, columns: usize) -> String {
-    if width(text) <= columns {
-        return text.to_owned();
+    let text = escape(text);
+    if width(&text) <= columns {
+        return text.into_owned();
     }
     let mut kept = String::new();
     let mut taken = 0;
@@ -28,10 +41,10 @@ pub(super) fn cut(text: &str, columns: usize) -> String {
     kept
 }
 
-/// A text in lines of at most so many columns, broken at spaces.
+/// A text in lines of at most so many columns, broken at spaces; hidden characters are escaped.
 pub(super) fn wrapped(text: &str, columns: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
-    for word in text.split_whitespace() {
+    for word in escape_lines(text).split_whitespace() {
         let word = cut(word, columns);
         let Some(line) = lines.last_mut() else {
             break;
@@ -87,6 +100,23 @@ mod tests {
         assert_eq!(cut("stiffness", 6), "stiff…");
         assert_eq!(cut("stiffness", 1), "…");
         assert_eq!(cut("stiffness", 0), "");
+    }
+
+    #[test]
+    fn what_is_measured_is_what_is_shown() {
+        assert_eq!(width("a\u{202e}b"), 10);
+        assert_eq!(cut("a\u{202e}b", 10), r"a\u{202e}b");
+        assert_eq!(cut("a\u{202e}b", 9), r"a\u{202e…");
+        assert_eq!(wrapped("a\u{1b}[2J b\nc", 12), [r"a\u{1b}[2J b", "c"]);
+    }
+
+    #[test]
+    fn no_cell_keeps_a_hidden_character() {
+        let mut buffer = Buffer::empty(ratatui::layout::Rect::new(0, 0, 3, 1));
+        buffer[(0, 0)].set_symbol("a\u{200d}");
+        buffer[(1, 0)].set_symbol("é");
+        show_hidden(&mut buffer);
+        assert_eq!(buffer, Buffer::with_lines(["\u{fffd}é "]));
     }
 
     #[test]

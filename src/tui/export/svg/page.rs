@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::frame::Field;
+use crate::escape::escape;
 
 /// What the classes of the elements look like.
 const STYLE: &str = "\
@@ -41,18 +42,16 @@ pub(super) fn px(value: f64) -> String {
     }
 }
 
-/// A text as XML 1.0 takes it: marks of its own replaced, characters it has none for left out.
+/// A text as XML 1.0 takes it: hidden characters escaped, marks of its own replaced, what it has none for left out.
 pub(super) fn escaped(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
-    for letter in text.chars() {
+    for letter in escape(&text.replace(['\n', '\r', '\t'], " ")).chars() {
         match letter {
             '&' => safe.push_str("&amp;"),
             '<' => safe.push_str("&lt;"),
             '>' => safe.push_str("&gt;"),
             '"' => safe.push_str("&quot;"),
-            '\n' | '\r' | '\t' => safe.push(' '),
             '\u{fffe}' | '\u{ffff}' => {}
-            _ if letter.is_control() => {}
             _ => safe.push(letter),
         }
     }

@@ -1,0 +1,54 @@
+//! What is answered to arguments that are no call: help, the version, or what is wrong with them.
+
+use std::ffi::OsStr;
+use std::io::Write as _;
+use std::path::Path;
+use std::process::ExitCode;
+
+use clap::{CommandFactory as _, Parser as _};
+
+use super::{Arguments, Failure, stdout};
+use crate::escape::{escape_lines, shown_path};
+use crate::model::names::nearest;
+use crate::presets;
+
+/// Answers arguments that were not taken.
+pub(super) fn answer(error: &clap::Error) -> Result<ExitCode, Failure> {
+    if let Some(failure) = std::env::args_os().nth(1).and_then(|word| misspelt(&word)) {
+        return Err(failure);
+    }
+    // The same arguments escaped are refused in the same words, without what a terminal would obey.
+    let escaped = std::env::args_os().map(|argument| shown_path(Path::new(&argument)));
+    match Arguments::try_parse_from(escaped) {
+        Err(shown) if shown.use_stderr() => {
+            // Nobody is left to tell where standard error is closed.
+            let _ = shown.print();
+            Ok(ExitCode::from(2))
+        }
+        Err(help) => {
+            stdout::must_be_open()?;
+            stdout::accept(help.print().and_then(|()| std::io::stdout().flush()))?;
+            Ok(ExitCode::SUCCESS)
+        }
+        // Bytes that are no UTF-8 are, once escaped.
+        Ok(_) => {
+            let text = escape_lines(error.to_string().trim_end());
+            let _ = writeln!(std::io::stderr(), "{text}");
+            Ok(ExitCode::from(2))
+        }
+    }
+}
+
+/// The failure of a first word that is no file and no preset, and nearly a command.
+pub(super) fn misspelt(word: &OsStr) -> Option<Failure> {
+    let text = word.to_str().filter(|text| !text.starts_with('-'))?;
+    if Path::new(word).exists() || presets::find(text).is_some() {
+        return None;
+    }
+    let arguments = Arguments::command();
+    let commands = arguments.get_subcommands().map(clap::Command::get_name);
+    let near = nearest(text, commands).filter(|near| *near != text)?;
+    Some(Failure::input(format!(
+        "no command, file or preset is named `{text}`; did you mean `beamtune {near}`?"
+    )))
+}

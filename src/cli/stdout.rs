@@ -39,28 +39,21 @@ fn failure(reason: &str) -> Failure {
 /// Whether standard output was open when the program was started.
 ///
 /// The standard library opens /dev/null in the place of a closed one before `main`, after which nothing tells the two
-/// apart. So this looks before, in a function that the system calls when the program is loaded.
+/// apart. So this looks before, in a function that the loader calls.
 #[cfg(unix)]
 mod startup {
     use std::sync::atomic::{AtomicBool, Ordering};
 
     static CLOSED: AtomicBool = AtomicBool::new(false);
 
-    extern "C" fn look() {
-        let closed = rustix::io::fcntl_getfd(rustix::stdio::stdout()).is_err();
-        CLOSED.store(closed, Ordering::Relaxed);
+    ctor::declarative::ctor! {
+        // It uses nothing of what the standard library sets up later.
+        #[ctor(unsafe)]
+        fn look() {
+            let closed = rustix::io::fcntl_getfd(rustix::stdio::stdout()).is_err();
+            CLOSED.store(closed, Ordering::Relaxed);
+        }
     }
-
-    /// The section holds addresses of functions without arguments that the loader calls (System V ABI, generic part,
-    /// chapter 5). `look` uses nothing of what the standard library sets up later.
-    #[used]
-    #[allow(unsafe_code)]
-    #[cfg_attr(
-        target_vendor = "apple",
-        unsafe(link_section = "__DATA,__mod_init_func")
-    )]
-    #[cfg_attr(not(target_vendor = "apple"), unsafe(link_section = ".init_array"))]
-    static LOOK: extern "C" fn() = look;
 
     pub(super) fn was_closed() -> bool {
         CLOSED.load(Ordering::Relaxed)

@@ -3,7 +3,7 @@
 use std::io::{BufWriter, Write};
 use std::path::Path;
 
-use super::{Failure, allow_broken_pipe};
+use super::{Failure, allow_broken_pipe, signals, warn_of_loss};
 use crate::model::save_with;
 pub(super) use crate::table::{cell, number};
 
@@ -17,10 +17,13 @@ pub(super) fn write(
         let mut out = BufWriter::new(std::io::stdout().lock());
         return allow_broken_pipe(table(&mut out).and_then(|()| out.flush()));
     };
-    let written = save_with(file, |file| {
-        let mut out = BufWriter::new(file);
-        table(&mut out)?;
-        out.flush()
+    signals::clean_up()?;
+    let written = warn_of_loss(file).and_then(|()| {
+        save_with(file, |file| {
+            let mut out = BufWriter::new(file);
+            table(&mut out)?;
+            out.flush()
+        })
     });
     written
         .map_err(|error| Failure::Other(format!("{}: cannot be written: {error}", file.display())))

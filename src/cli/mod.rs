@@ -7,17 +7,19 @@ mod man;
 mod modes;
 mod paths;
 mod sensitivities;
+mod signals;
 mod source;
 mod spread;
 mod tune;
 mod validate;
 
 use std::io::{IsTerminal, Write};
+use std::path::Path;
 use std::process::ExitCode;
 
 use clap::{Args, CommandFactory as _, Parser, Subcommand};
 
-use crate::model::Fault;
+use crate::model::{self, Fault};
 use crate::presets;
 use crate::tui::options::LookArguments;
 use crate::tui::user::config::{self, Config};
@@ -159,7 +161,7 @@ fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
             completions::run(&arguments, completion_commands())?;
         }
         Some(Command::Man) => man::run(Arguments::command())?,
-        Some(Command::Tune(arguments)) => tune::run(&arguments)?,
+        Some(Command::Tune(arguments)) => return tune::run(&arguments),
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -230,6 +232,22 @@ fn frequency(text: &str) -> Result<f64, String> {
 /// Prints to standard output; a reader that has gone away is no failure.
 fn print(text: &str) -> Result<(), Failure> {
     allow_broken_pipe(std::io::stdout().lock().write_all(text.as_bytes()))
+}
+
+/// Says what a file cannot keep where it is about to be replaced.
+///
+/// # Errors
+/// It cannot be replaced.
+fn warn_of_loss(file: &Path) -> std::io::Result<()> {
+    if let Some(lost) = model::may_save(file)? {
+        let name = file.display();
+        // Nobody is left to tell where standard error is closed.
+        let _ = writeln!(
+            std::io::stderr(),
+            "warning: {name} loses {lost}, which the user may not set"
+        );
+    }
+    Ok(())
 }
 
 fn allow_broken_pipe(result: std::io::Result<()>) -> Result<(), Failure> {

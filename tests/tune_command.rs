@@ -279,9 +279,9 @@ variables = [
 objective = { minimise = "peak", response = "P5 w", from = 1.0, to = 400.0 }
 "#;
 
-/// Runs the program on a terminal of its own, sends a signal once it shows its progress, and gives its exit code and all
-/// that it wrote.
-fn signalled(arguments: &[&str], signal: &str) -> (u32, String) {
+/// Runs the program on a terminal of its own and sends a signal each time that it shows one of some words; its exit code
+/// and all that it wrote.
+fn signalled(command: CommandBuilder, signals: &[(&str, &str)]) -> (u32, String) {
     let pair = native_pty_system()
         .openpty(PtySize {
             rows: 24,
@@ -290,20 +290,21 @@ fn signalled(arguments: &[&str], signal: &str) -> (u32, String) {
             pixel_height: 0,
         })
         .unwrap();
-    let mut command = CommandBuilder::new(env!("CARGO_BIN_EXE_beamtune"));
-    command.args(arguments);
-    command.cwd(env!("CARGO_MANIFEST_DIR"));
     let mut child = pair.slave.spawn_command(command).unwrap();
     drop(pair.slave);
     let mut reader = pair.master.try_clone_reader().unwrap();
-    let (mut written, mut sent) = (Vec::new(), false);
+    let mut written = Vec::new();
+    let mut left = signals.iter();
+    let mut next = left.next();
     let mut piece = [0; 4096];
     // The terminal is at its end when the program is; where it is closed, reading fails.
     while let Ok(count @ 1..) = reader.read(&mut piece) {
         written.extend_from_slice(&piece[..count]);
         let text = String::from_utf8_lossy(&written);
-        if !sent && text.contains(" models") {
-            sent = true;
+        if let Some((words, signal)) = next
+            && text.contains(words)
+        {
+            next = left.next();
             let id = child.process_id().unwrap().to_string();
             let kill = std::process::Command::new("kill")
                 .args([&format!("-{signal}"), &id])
@@ -312,9 +313,23 @@ fn signalled(arguments: &[&str], signal: &str) -> (u32, String) {
         }
     }
     let text = String::from_utf8_lossy(&written).into_owned();
-    assert!(sent, "there was no progress: {text}");
+    assert!(next.is_none(), "{next:?} was not there: {text}");
     (child.wait().unwrap().exit_code(), text)
 }
+
+/// The search of a model without end, into a file.
+fn endless(model: &Path, output: &Path) -> CommandBuilder {
+    let mut command = CommandBuilder::new(env!("CARGO_BIN_EXE_beamtune"));
+    command.arg("tune");
+    command.arg(model);
+    command.args(["--budget", "1000000000", "-o"]);
+    command.arg(output);
+    command.cwd(env!("CARGO_MANIFEST_DIR"));
+    command
+}
+
+/// What ends a search, and the exit codes then: 128 and the number of the signal (signal(7)).
+const ENDS: [(&str, u32); 4] = [("INT", 130), ("TERM", 143), ("HUP", 129), ("QUIT", 131)];
 
 #[test]
 fn a_signal_ends_the_search_and_the_best_so_far_is_written() {
@@ -322,18 +337,10 @@ fn a_signal_ends_the_search_and_the_best_so_far_is_written() {
     let file = folder.path().join("long.toml");
     let text = presets::find("fig05a").unwrap().text;
     fs::write(&file, format!("{text}{LONG}")).unwrap();
-    for signal in ["INT", "TERM"] {
+    for (signal, expected) in ENDS {
         let tuned = folder.path().join(format!("{signal}.toml"));
-        let call = [
-            "tune",
-            file.to_str().unwrap(),
-            "--budget",
-            "1000000000",
-            "-o",
-            tuned.to_str().unwrap(),
-        ];
-        let (code, text) = signalled(&call, signal);
-        assert_eq!(code, 0, "SIG{signal}: {text}");
+        let (code, text) = signalled(endless(&file, &tuned), &[(" models", signal)]);
+        assert_eq!(code, expected, "SIG{signal}: {text}");
         assert!(text.contains("stopped: the best so far"), "{text}");
         let found = read(&tuned);
         assert!(found.notes.contains("cancelled"), "{}", found.notes);
@@ -345,4 +352,53 @@ fn a_signal_ends_the_search_and_the_best_so_far_is_written() {
             "{after:?}"
         );
     }
+}
+
+/// A thousand subsystems: what the best achieves takes seconds to evaluate, which a second signal does not wait for.
+#[test]
+fn a_second_signal_writes_the_best_so_far_at_once() {
+    const TUNE: &str = r#"
+[tune]
+variables = [{ path = "subsystems.1.mass", min = 1.0e-3, max = 1.0e3 }]
+objective = { minimise = "mean_square", response = "RESPONSE", from = 100.0, to = 120.0 }
+"#;
+    let folder = tempfile::tempdir().unwrap();
+    let (file, tuned) = (
+        folder.path().join("large.toml"),
+        folder.path().join("tuned.toml"),
+    );
+    let text = include_str!("data/thousand.toml");
+    let response = &model::read(text).unwrap().responses[0].name;
+    fs::write(
+        &file,
+        format!("{text}{}", TUNE.replace("RESPONSE", response)),
+    )
+    .unwrap();
+    let signals = [(" models", "TERM"), ("stopping", "INT")];
+    let (code, text) = signalled(endless(&file, &tuned), &signals);
+    assert_eq!(code, 130, "{text}");
+    assert!(text.contains("stopped: the best so far"), "{text}");
+    let found = read(&tuned);
+    assert!(found.notes.contains("cancelled before"), "{}", found.notes);
+    let names: Vec<_> = fs::read_dir(folder.path()).unwrap().collect();
+    assert_eq!(names.len(), 2, "{names:?}");
+}
+
+/// As `nohup` does: the search goes on, and another signal ends it.
+#[test]
+fn a_signal_that_is_ignored_from_the_start_ends_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let (file, tuned) = (
+        folder.path().join("long.toml"),
+        folder.path().join("tuned.toml"),
+    );
+    let text = presets::find("fig05a").unwrap().text;
+    fs::write(&file, format!("{text}{LONG}")).unwrap();
+    let mut command = CommandBuilder::new("/bin/sh");
+    command.args(["-c", "trap '' HUP; exec \"$@\"", "sh"]);
+    command.args(endless(&file, &tuned).get_argv());
+    let signals = [(" models", "HUP"), ("best", "TERM")];
+    let (code, text) = signalled(command, &signals);
+    assert_eq!(code, 143, "{text}");
+    assert!(read(&tuned).notes.contains("cancelled"));
 }

@@ -3,7 +3,7 @@
 use std::io::{BufWriter, Write};
 use std::path::Path;
 
-use super::{Failure, stdout};
+use super::{Failure, signals, stdout, warn_of_loss};
 use crate::escape::shown_path;
 use crate::model::save_with;
 pub(super) use crate::table::{cell, number};
@@ -17,10 +17,13 @@ pub(super) fn write(
     let Some(file) = file else {
         return stdout::write(table);
     };
-    let written = save_with(file, |file| {
-        let mut out = BufWriter::new(file);
-        table(&mut out)?;
-        out.flush()
+    signals::clean_up()?;
+    let written = warn_of_loss(file).and_then(|()| {
+        save_with(file, |file| {
+            let mut out = BufWriter::new(file);
+            table(&mut out)?;
+            out.flush()
+        })
     });
     written.map_err(|error| unwritten(file, &error))
 }

@@ -7,6 +7,7 @@ mod man;
 mod modes;
 mod paths;
 mod sensitivities;
+mod signals;
 mod source;
 mod spread;
 mod stdout;
@@ -16,13 +17,14 @@ mod validate;
 
 use std::ffi::OsString;
 use std::io::{IsTerminal, Write};
+use std::path::Path;
 use std::process::ExitCode;
 
 use clap::{Args, CommandFactory as _, Parser, Subcommand};
 
 use self::stdout::print;
 use crate::escape::{escape, escape_lines, shown_path};
-use crate::model::{Fault, MOST_SHOWN};
+use crate::model::{self, Fault, MOST_SHOWN};
 use crate::presets;
 use crate::tui::options::LookArguments;
 use crate::tui::user::config::{self, Config};
@@ -168,7 +170,7 @@ fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
             completions::run(&arguments, completion_commands())?;
         }
         Some(Command::Man) => man::run(Arguments::command())?,
-        Some(Command::Tune(arguments)) => tune::run(&arguments)?,
+        Some(Command::Tune(arguments)) => return tune::run(&arguments),
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -245,4 +247,18 @@ fn frequency(text: &str) -> Result<f64, String> {
 fn padded(text: &str, width: usize) -> String {
     let blanks = width.saturating_sub(text.chars().count());
     format!("{text}{}", " ".repeat(blanks))
+}
+
+/// Says what a file cannot keep where it is about to be replaced.
+///
+/// # Errors
+/// It cannot be replaced.
+fn warn_of_loss(file: &Path) -> std::io::Result<()> {
+    if let Some(lost) = model::may_save(file)? {
+        let name = shown_path(file);
+        say(&format!(
+            "warning: {name} loses {lost}, which the user may not set"
+        ));
+    }
+    Ok(())
 }

@@ -1,21 +1,21 @@
 //! `beamtune tune`: the parameters that `[tune]` leaves open, sought.
 
 mod example;
+mod interruption;
 mod progress;
 mod report;
 
 use std::ffi::OsString;
+use std::io::{IsTerminal as _, Write as _};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use std::process::ExitCode;
 
 use clap::Args;
-use signal_hook::consts::{SIGINT, SIGTERM};
-use signal_hook::flag;
 
+use self::interruption::{Interruption, Target};
 use self::progress::Progress;
 use super::csv::unwritten;
-use super::{Failure, Sets, print, say, source, stdout};
+use super::{Failure, Sets, print, source, stdout, warn_of_loss};
 use crate::escape::shown_path;
 use crate::model::{self, Model};
 use crate::tui::{Opened, Source};
@@ -38,8 +38,9 @@ pub(super) struct Arguments {
     sets: Sets,
 }
 
-/// Searches, writes the tuned model and prints what became better. A signal ends the search, not the program.
-pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+/// Searches, writes the tuned model and prints what became better. A signal ends the search, and the program once the
+/// best so far is written; the exit code is then 128 and the number of the signal.
+pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let opened = source::open(&arguments.model, &arguments.sets.sets)?;
     let label = &source::label(&arguments.model);
     if opened.model.tune.is_none() {
@@ -50,7 +51,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     stdout::must_be_open()?;
     let output = arguments.output.as_deref();
     if let Some(file) = output {
-        model::may_save(file).map_err(|error| unwritten(file, &error))?;
+        warn_of_loss(file).map_err(|error| unwritten(file, &error))?;
     }
     let problem = Problem::new(&opened.model, &folder(&opened.source))
         .map_err(|faults| Failure::faults(label, &faults))?;
@@ -59,13 +60,20 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             "{path} lies outside of its bounds; the search starts at the nearer one"
         ));
     }
-    let tuned = search(&problem, arguments)?;
-    if let Some(file) = output {
-        let text = written(&opened, &tuned)?;
-        model::save(file, &text).map_err(|error| unwritten(file, &error))?;
-    }
+    let interruption = Interruption::listen(Target {
+        opened: opened.clone(),
+        output: arguments.output.clone(),
+        seed: arguments.seed,
+    })?;
+    let tuned = search(&problem, arguments, &interruption)?;
+    interruption.write(|| output.map_or(Ok(()), |file| save(file, &written(&opened, &tuned)?)))?;
     warn_of(&tuned, output);
-    print(&report::table(&opened.model, &tuned))
+    let printed = print(&report::table(&opened.model, &tuned));
+    match interruption.signal() {
+        // The terminal may be gone, which is why it was sent.
+        Some(signal) => Ok(ExitCode::from(128_u8.saturating_add(signal))),
+        None => printed.map(|()| ExitCode::SUCCESS),
+    }
 }
 
 /// Where the files that a model names are.
@@ -77,19 +85,18 @@ fn folder(source: &Source) -> PathBuf {
     folder.unwrap_or(Path::new("")).to_owned()
 }
 
-fn search(problem: &Problem, arguments: &Arguments) -> Result<Tuned, Failure> {
-    let stop = Arc::new(AtomicBool::new(false));
-    for signal in [SIGINT, SIGTERM] {
-        // A second signal does not wait.
-        flag::register_conditional_shutdown(signal, 128 + signal, Arc::clone(&stop))?;
-        flag::register(signal, Arc::clone(&stop))?;
-    }
+fn search(
+    problem: &Problem,
+    arguments: &Arguments,
+    interruption: &Interruption,
+) -> Result<Tuned, Failure> {
     let options = Options {
         seed: arguments.seed,
         budget: arguments.budget.map(|budget| budget as usize),
     };
     let mut progress = Progress::start();
-    let found = tune::run(problem, &options, &stop, &mut |status| {
+    let found = tune::run(problem, &options, &interruption.cancel, &mut |status| {
+        interruption.note(status);
         progress.show(status);
     });
     progress.clear();
@@ -98,15 +105,7 @@ fn search(problem: &Problem, arguments: &Arguments) -> Result<Tuned, Failure> {
 
 /// The text of the tuned model, what it achieves added to its notes.
 fn written(opened: &Opened, tuned: &Tuned) -> Result<String, Failure> {
-    let mut notes = tuned.model.notes.trim_end().to_owned();
-    if !notes.is_empty() {
-        notes.push_str("\n\n");
-    }
-    notes.push_str(&report::notes(&opened.model, tuned));
-    let model = Model {
-        notes,
-        ..tuned.model.clone()
-    };
+    let model = notes_added(&tuned.model, &report::notes(&opened.model, tuned));
     let faults = model::check(&model);
     match faults.first() {
         None => Ok(model::write(&model, &opened.text)),
@@ -114,6 +113,25 @@ fn written(opened: &Opened, tuned: &Tuned) -> Result<String, Failure> {
             "the tuned model is not a possible one: {fault}"
         ))),
     }
+}
+
+/// The model with a paragraph added to its notes.
+fn notes_added(model: &Model, paragraph: &str) -> Model {
+    let mut notes = model.notes.trim_end().to_owned();
+    if !notes.is_empty() {
+        notes.push_str("\n\n");
+    }
+    notes.push_str(paragraph);
+    Model {
+        notes,
+        ..model.clone()
+    }
+}
+
+/// Writes the tuned model; what is no regular file, as a pipe, is written to and waited for.
+fn save(file: &Path, text: &str) -> Result<(), Failure> {
+    model::save_with(file, |out| out.write_all(text.as_bytes()))
+        .map_err(|error| unwritten(file, &error))
 }
 
 /// What the table says too, but should not be overlooked.
@@ -135,4 +153,12 @@ fn warn_of(tuned: &Tuned, output: Option<&Path>) {
 
 fn warn(what: &str) {
     say(&format!("warning: {what}"));
+}
+
+/// Says something on standard error, in place of a line of progress; the result stands without it.
+fn say(what: &str) {
+    if std::io::stderr().is_terminal() {
+        let _ = write!(std::io::stderr(), "\r\x1b[K");
+    }
+    super::say(what);
 }

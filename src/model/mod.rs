@@ -28,7 +28,7 @@ pub use field::{Field, Range};
 pub use open::{open, open_with};
 pub use read::read;
 pub(crate) use save::own_words;
-pub use save::{load, may_save, save, save_with, text_of};
+pub use save::{load, may_save, remove_temporaries, save, save_with, text_of};
 pub(crate) use serial::basic_string;
 pub use serial::format_number;
 pub use tuning::*;

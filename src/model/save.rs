@@ -1,23 +1,48 @@
-//! Putting a text on disk so that no reader ever meets half of it.
+//! Putting a text on disk so that no reader ever meets half of it, and that the file keeps all else that it has.
+//!
+//! The text goes to a temporary file in the same folder, is forced to disk and renamed: who reads meets the old text
+//! or the new one. Owner, group, mode and extended attributes are given to the temporary file before. Where the user
+//! may not give them, or the file has other names (hard links), the file is written in place instead; until that is
+//! done, the new text is also in a file `NAME.beamtune-RANDOM` beside it, which stays where the program is killed
+//! meanwhile. Where the file may not be written in place either, it is renamed over all the same, and [`may_save`]
+//! says before what is lost.
 
-use std::io::{self, Read as _};
+#[cfg(unix)]
+mod attributes;
+mod temporary;
+
+use std::env;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Read as _, Seek as _, SeekFrom};
 use std::path::{Path, PathBuf};
-use std::{env, fs};
 
-use tempfile::NamedTempFile;
+use super::open::{open_with, without_waiting};
+use crate::escape::shown_path;
+use temporary::Temporary;
+pub use temporary::remove_temporaries;
 
-/// Replaces the file's content atomically: a temporary file in the same folder, flushed to disk, then renamed.
+/// Replaces the file's content. Nothing is waited for: what is a device is written to as it is, a pipe is refused.
 ///
-/// A symbolic link stays a link and its target is replaced. An existing file keeps its permissions.
+/// A symbolic link stays a link and its target is replaced.
 ///
 /// # Errors
-/// The folder cannot be written, the disk is full, or the existing file is read-only.
+/// The folder cannot be written, the disk is full, the existing file is read-only, or it is a pipe.
 pub fn save(path: &Path, text: &str) -> io::Result<()> {
-    save_with(path, |file| file.write_all(text.as_bytes()))
+    let target = target(path)?;
+    if !is_special(&target) {
+        return replace(&target, |file| file.write_all(text.as_bytes()));
+    }
+    if is_pipe(&target) {
+        let words = "it is a pipe; a file would be accepted";
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, words));
+    }
+    let mut options = OpenOptions::new();
+    without_waiting(&mut options);
+    io::Write::write_all(&mut options.write(true).open(&target)?, text.as_bytes())
 }
 
-/// [`save`] for a content that is written piece by piece. What is no regular file (a pipe, a device) is written to
-/// as it is.
+/// [`save`] for a content that is written piece by piece. What is no regular file (a pipe, a device) is written to as
+/// it is, and waited for.
 ///
 /// # Errors
 /// As [`save`], and those of `write`; the existing file is then untouched.
@@ -27,30 +52,122 @@ pub fn save_with(
 ) -> io::Result<()> {
     let target = target(path)?;
     if is_special(&target) {
-        return write(&mut fs::OpenOptions::new().write(true).open(&target)?);
+        return write(&mut OpenOptions::new().write(true).open(&target)?);
     }
-    let folder = folder_of(&target)?;
-    let (mut file, permissions) = temporary(&target, &folder)?;
-    write(file.as_file_mut())?;
-    if let Some(permissions) = permissions {
-        file.as_file().set_permissions(permissions)?;
-    }
-    file.as_file().sync_all()?;
-    file.persist(&target).map_err(|error| error.error)?;
-    sync_folder(&folder);
-    Ok(())
+    replace(&target, write)
 }
 
-/// Whether [`save`] could begin now; nothing is left behind.
+/// Whether [`save`] could begin now, nothing is left behind; and what of the existing file it cannot keep, in words.
 ///
 /// # Errors
 /// The folder cannot be written, or there is a folder or a read-only file at the path.
-pub fn may_save(path: &Path) -> io::Result<()> {
+pub fn may_save(path: &Path) -> io::Result<Option<String>> {
     let target = target(path)?;
     if is_special(&target) {
-        return Ok(());
+        return Ok(None);
     }
-    temporary(&target, &folder_of(&target)?).map(drop)
+    Ok(match Plan::of(&target)?.way {
+        Way::Renamed | Way::InPlace => None,
+        Way::Losing(lost) => Some(format!("its {}", lost.join(" and "))),
+    })
+}
+
+/// How a file gets its new content.
+enum Way {
+    /// By a rename, which keeps everything.
+    Renamed,
+    /// In place, for a rename would lose something.
+    InPlace,
+    /// By a rename that loses this: it may not be written in place.
+    Losing(Vec<&'static str>),
+}
+
+/// What a file is replaced by, and how.
+struct Plan {
+    temporary: Temporary,
+    way: Way,
+}
+
+impl Plan {
+    fn of(target: &Path) -> io::Result<Self> {
+        let folder = folder_of(target)?;
+        let is_there = is_there(target)?;
+        let temporary = Temporary::in_folder(&folder, is_there)?;
+        let lost = if is_there {
+            carry(target, &temporary)?
+        } else {
+            Vec::new()
+        };
+        let way = if lost.is_empty() {
+            Way::Renamed
+        } else if open_with(target, OpenOptions::new().write(true)).is_ok() {
+            Way::InPlace
+        } else {
+            Way::Losing(lost)
+        };
+        Ok(Self { temporary, way })
+    }
+}
+
+fn replace(
+    target: &Path,
+    write: impl FnOnce(&mut dyn io::Write) -> io::Result<()>,
+) -> io::Result<()> {
+    let Plan { mut temporary, way } = Plan::of(target)?;
+    write(temporary.writer())?;
+    temporary.sync()?;
+    match way {
+        Way::Renamed | Way::Losing(_) => temporary.replace(target)?,
+        Way::InPlace => overwrite(target, temporary)?,
+    }
+    sync_folder(&folder_of(target)?);
+    Ok(())
+}
+
+/// Writes a file in place. The new text is beside it until all is on disk, under a name that is not removed.
+fn overwrite(target: &Path, temporary: Temporary) -> io::Result<()> {
+    // `.beamtune-RANDOM` behind the name of the file.
+    let mut name = target.as_os_str().to_owned();
+    name.push(temporary.path().file_name().unwrap_or_default());
+    let backup = PathBuf::from(name);
+    let mut new = temporary.keep_as(&backup)?;
+    sync_folder(&folder_of(target)?);
+    let mut file = open_with(target, OpenOptions::new().write(true))?;
+    if let Err(error) = extend(&mut file, &mut new) {
+        fs::remove_file(&backup)?;
+        return Err(error);
+    }
+    let written = copy(&mut new, 0, &mut file).and_then(|length| {
+        file.set_len(length)?;
+        file.sync_all()
+    });
+    match written {
+        Ok(()) => fs::remove_file(&backup),
+        Err(error) => {
+            let words = format!("{error}; the new text is in {}", shown_path(&backup));
+            Err(io::Error::new(error.kind(), words))
+        }
+    }
+}
+
+/// Writes what goes beyond the end of the file: a disk that is full is met before anything is lost.
+fn extend(file: &mut File, new: &mut File) -> io::Result<()> {
+    let end = file.metadata()?.len();
+    let extended = copy(new, end, file).and_then(|_| file.sync_all());
+    if extended.is_err() {
+        file.set_len(end)?;
+    }
+    extended
+}
+
+/// Copies a file into another from a place on; the place where it ends.
+fn copy(from: &mut File, place: u64, to: &mut File) -> io::Result<u64> {
+    if from.metadata()?.len() < place {
+        return Ok(place);
+    }
+    from.seek(SeekFrom::Start(place))?;
+    to.seek(SeekFrom::Start(place))?;
+    Ok(place + io::copy(from, to)?)
 }
 
 /// What is neither a file nor a folder: a pipe, a device.
@@ -65,38 +182,50 @@ fn folder_of(target: &Path) -> io::Result<PathBuf> {
     }
 }
 
-/// A file beside the one that it will replace, and the permissions of that if it is there.
-fn temporary(target: &Path, folder: &Path) -> io::Result<(NamedTempFile, Option<fs::Permissions>)> {
-    let permissions = match fs::metadata(target) {
-        Ok(metadata) if metadata.is_dir() => {
-            return Err(io::Error::new(
-                io::ErrorKind::IsADirectory,
-                "there is a folder of this name",
-            ));
-        }
-        Ok(metadata) if metadata.permissions().readonly() => {
-            return Err(io::Error::new(
-                io::ErrorKind::PermissionDenied,
-                "the file is read-only",
-            ));
-        }
-        Ok(metadata) => Some(metadata.permissions()),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => None,
-        Err(error) => return Err(error),
-    };
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".beamtune-");
-    if permissions.is_none() {
-        default_mode(&mut builder);
+/// Whether there is a file that may be replaced.
+fn is_there(target: &Path) -> io::Result<bool> {
+    match fs::metadata(target) {
+        Ok(metadata) if metadata.is_dir() => Err(io::Error::new(
+            io::ErrorKind::IsADirectory,
+            "there is a folder of this name",
+        )),
+        Ok(metadata) if metadata.permissions().readonly() => Err(io::Error::new(
+            io::ErrorKind::PermissionDenied,
+            "the file is read-only",
+        )),
+        Ok(_) => Ok(true),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(false),
+        Err(error) => Err(error),
     }
-    let own = |error: io::Error| io::Error::new(error.kind(), own_words(&error));
-    Ok((builder.tempfile_in(folder).map_err(own)?, permissions))
 }
 
 /// An error of the system in words, without the name of a temporary file, which the user does not know.
 pub(crate) fn own_words(error: &io::Error) -> String {
     let text = error.to_string();
     text.split(" at path ").next().unwrap_or(&text).to_owned()
+}
+
+/// Gives the temporary file what the other one has besides its text; what cannot be given.
+#[cfg(unix)]
+fn carry(target: &Path, temporary: &Temporary) -> io::Result<Vec<&'static str>> {
+    attributes::carry(target, temporary.path())
+}
+
+#[cfg(not(unix))]
+fn carry(target: &Path, temporary: &Temporary) -> io::Result<Vec<&'static str>> {
+    fs::set_permissions(temporary.path(), fs::metadata(target)?.permissions())?;
+    Ok(Vec::new())
+}
+
+#[cfg(unix)]
+fn is_pipe(target: &Path) -> bool {
+    use std::os::unix::fs::FileTypeExt as _;
+    fs::metadata(target).is_ok_and(|found| found.file_type().is_fifo())
+}
+
+#[cfg(not(unix))]
+fn is_pipe(_target: &Path) -> bool {
+    false
 }
 
 /// The longest model file that is read, bytes: what has no end, as some devices have none, is not waited for.
@@ -146,16 +275,6 @@ fn target(path: &Path) -> io::Result<PathBuf> {
     Err(io::Error::other("too many symbolic links"))
 }
 
-/// Lets the umask decide the mode of a new file; temporary files are otherwise private.
-#[cfg(unix)]
-fn default_mode(builder: &mut tempfile::Builder<'_, '_>) {
-    use std::os::unix::fs::PermissionsExt as _;
-    builder.permissions(fs::Permissions::from_mode(0o666));
-}
-
-#[cfg(not(unix))]
-fn default_mode(_builder: &mut tempfile::Builder<'_, '_>) {}
-
 /// Makes the rename itself durable where the system allows it; the content is safe in any case.
 fn sync_folder(folder: &Path) {
     if let Ok(folder) = fs::File::open(folder) {
@@ -166,7 +285,7 @@ fn sync_folder(folder: &Path) {
 #[cfg(all(test, unix))]
 mod tests {
     use super::*;
-    use std::os::unix::fs::{PermissionsExt as _, symlink};
+    use std::os::unix::fs::{MetadataExt as _, PermissionsExt as _, symlink};
 
     #[test]
     fn the_link_and_the_mode_stay() {
@@ -196,6 +315,123 @@ mod tests {
             "text"
         );
         assert!(save(&folder.path().join("missing/model.toml"), "text").is_err());
+    }
+
+    fn names(folder: &Path) -> Vec<String> {
+        let entries = fs::read_dir(folder).unwrap();
+        let mut names: Vec<String> = entries
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
+        names.sort();
+        names
+    }
+
+    /// A longer and a shorter text, and one of the same length.
+    #[test]
+    fn hard_links_stay_links() {
+        let folder = tempfile::tempdir().unwrap();
+        let (file, other) = (
+            folder.path().join("model.toml"),
+            folder.path().join("other"),
+        );
+        fs::write(&file, "old text").unwrap();
+        fs::hard_link(&file, &other).unwrap();
+        assert_eq!(may_save(&file).unwrap(), None);
+        for text in ["a text that is longer", "short", "later", ""] {
+            save(&file, text).unwrap();
+            assert_eq!(fs::read_to_string(&other).unwrap(), text);
+            assert_eq!(fs::metadata(&file).unwrap().nlink(), 2);
+            assert_eq!(names(folder.path()), ["model.toml", "other"]);
+        }
+    }
+
+    /// A failure before the rename, and before anything is written in place.
+    #[test]
+    fn a_failure_leaves_the_old_file_alone() {
+        let folder = tempfile::tempdir().unwrap();
+        let (file, other) = (
+            folder.path().join("model.toml"),
+            folder.path().join("other"),
+        );
+        fs::write(&file, "old").unwrap();
+        let fail = || {
+            save_with(&file, |out| {
+                out.write_all(b"half")?;
+                Err(io::Error::other("stopped"))
+            })
+        };
+        assert_eq!(fail().unwrap_err().to_string(), "stopped");
+        fs::hard_link(&file, &other).unwrap();
+        assert_eq!(fail().unwrap_err().to_string(), "stopped");
+        assert_eq!(fs::read_to_string(&file).unwrap(), "old");
+        assert_eq!(names(folder.path()), ["model.toml", "other"]);
+    }
+
+    /// `user.comment` is any attribute; the list (Linux, posix_acl_xattr.h) gives the user 12345 the right to read.
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn extended_attributes_and_access_control_lists_stay() {
+        use rustix::fs::{XattrFlags, getxattr, setxattr};
+        const LIST: &str = "system.posix_acl_access";
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("model.toml");
+        fs::write(&file, "old").unwrap();
+        let any = u32::MAX;
+        let rows: [(u16, u16, u32); 5] = [
+            (1, 6, any),
+            (2, 4, 12_345),
+            (4, 0, any),
+            (16, 4, any),
+            (32, 0, any),
+        ];
+        let mut list = 2_u32.to_le_bytes().to_vec();
+        for (tag, rights, id) in rows {
+            list.extend([tag.to_le_bytes(), rights.to_le_bytes()].concat());
+            list.extend(id.to_le_bytes());
+        }
+        let mut given = vec![("user.comment", b"mine".to_vec()), (LIST, list)];
+        // A file system without them cannot lose them.
+        given.retain(|(name, value)| setxattr(&file, *name, value, XattrFlags::empty()).is_ok());
+        let inode = fs::metadata(&file).unwrap().ino();
+        save(&file, "new").unwrap();
+        assert_eq!(fs::read_to_string(&file).unwrap(), "new");
+        assert_ne!(
+            fs::metadata(&file).unwrap().ino(),
+            inode,
+            "it is renamed over"
+        );
+        for (name, value) in &given {
+            let mut found = [0; 256];
+            let length = getxattr(&file, *name, &mut found[..]).unwrap();
+            assert_eq!(&found[..length], value, "{name}");
+        }
+        let mode = fs::metadata(&file).unwrap().permissions().mode() & 0o777;
+        assert!(given.len() < 2 || mode == 0o640, "{mode:o}");
+    }
+
+    /// Only root can make a file of another owner; for others there is only their own.
+    #[test]
+    fn owner_and_group_stay() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("model.toml");
+        fs::write(&file, "old").unwrap();
+        let _ = std::os::unix::fs::chown(&file, Some(12_345), Some(23_456));
+        let before = fs::metadata(&file).unwrap();
+        save(&file, "new").unwrap();
+        let after = fs::metadata(&file).unwrap();
+        assert_eq!((after.uid(), after.gid()), (before.uid(), before.gid()));
+        assert_eq!(fs::read_to_string(&file).unwrap(), "new");
+    }
+
+    #[test]
+    fn a_pipe_is_not_waited_for() {
+        let folder = tempfile::tempdir().unwrap();
+        let pipe = folder.path().join("pipe");
+        let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+        assert!(made.unwrap().success());
+        let error = save(&pipe, "text").unwrap_err().to_string();
+        assert_eq!(error, "it is a pipe; a file would be accepted");
+        assert!(load(&pipe).unwrap_err().to_string().contains("a pipe"));
     }
 
     #[test]

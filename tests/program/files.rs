@@ -1,9 +1,12 @@
 //! Saving where it cannot be done, and beside other programs.
 
 use std::fs;
-use std::os::unix::fs::PermissionsExt as _;
+use std::os::unix::fs::{MetadataExt as _, PermissionsExt as _, chown};
+use std::os::unix::process::CommandExt as _;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
 
-use super::harness::{Home, Program};
+use super::harness::{BEAMTUNE, Home, LARGE, Program};
 
 /// Changes a model on its way in, so that there is something to save.
 const CHANGE: &str = "subsystems.S1.mass=200";
@@ -183,4 +186,166 @@ fn another_programs_save_is_noticed_and_read() {
     );
     editing.press("q");
     assert_eq!(editing.end(), 0);
+}
+
+/// Puts a pipe in the place of a file.
+fn pipe(path: &Path) {
+    let _ = fs::remove_file(path);
+    let made = Command::new("mkfifo").arg(path).status();
+    assert!(made.unwrap().success());
+}
+
+/// The model's file is a pipe all of a sudden: reading it again and saving say so, and wait for nobody.
+#[test]
+fn a_file_that_became_a_pipe_is_not_waited_for() {
+    let home = Home::new();
+    home.preset("fig08", "beam.toml");
+    let mut program = Program::start(&home, &["beam.toml", "--set", CHANGE]);
+    program.wait_for("solved");
+    pipe(&home.file("beam.toml"));
+    program.wait_for("changed on disk");
+    program.press("R");
+    program.wait_for("discard");
+    program.press("d");
+    program.wait_for("it is a pipe");
+    program.press("s");
+    program.wait_for("replace");
+    program.press("y");
+    program.wait_for("is not saved: it is a pipe");
+    save_as(&mut program, "other.toml");
+    program.wait_for("saved other.toml");
+    program.press("q");
+    assert_eq!(program.end(), 0);
+}
+
+/// What the program keeps for its user, as pipes.
+#[test]
+fn pipes_among_the_users_own_files_are_not_waited_for() {
+    let home = Home::new();
+    home.preset("fig08", "beam.toml");
+    fs::create_dir_all(home.state("recovery")).unwrap();
+    for name in [
+        "memory.toml",
+        "memory.toml.lock",
+        "beamtune.log",
+        "recovery/a.toml",
+        "recovery/b.lock",
+    ] {
+        pipe(&home.state(name));
+    }
+    let mut program = Program::sized(&home, &["beam.toml"], LARGE);
+    program.wait_for("is not read: it is a pipe");
+    program.press("q");
+    assert_eq!(program.end(), 0);
+    home.configure("");
+    let configuration = home.state("../../config/beamtune/config.toml");
+    pipe(&configuration);
+    let mut program = Program::sized(&home, &["beam.toml"], LARGE);
+    program.wait_for("cannot be read: it is a pipe");
+    assert_eq!(program.end(), 2);
+}
+
+/// A pipe that is named on the command line is what was meant.
+#[test]
+fn a_model_comes_through_a_pipe() {
+    let home = Home::new();
+    let text = home.preset("fig08", "beam.toml");
+    pipe(&home.file("pipe"));
+    let script = "cat beam.toml > pipe & exec \"$BEAMTUNE\" frf pipe --at 100";
+    let piped = shell(&home, script);
+    assert!(piped.status.success(), "{piped:?}");
+    let other = shell(&home, "\"$BEAMTUNE\" frf beam.toml --at 100");
+    assert_eq!(piped.stdout, other.stdout);
+    assert_eq!(fs::read_to_string(home.file("beam.toml")).unwrap(), text);
+}
+
+/// A script of the shell, in which `"$BEAMTUNE"` is the program.
+fn shell(home: &Home, script: &str) -> Output {
+    let mut command = Command::new("/bin/sh");
+    command.args(["-c", script]).current_dir(home.work());
+    command.env_clear().envs(home.environment());
+    command.output().unwrap()
+}
+
+/// A signal of any kind leaves no temporary file, and not the half of a table; what a killed program left goes when the
+/// next one writes.
+#[test]
+fn a_signal_leaves_no_temporary_file() {
+    let home = Home::new();
+    let long = [
+        "frf",
+        "fig08",
+        "--set",
+        "sweep.points=1000000",
+        "-o",
+        "out.csv",
+    ];
+    for signal in [
+        "TERM", "HUP", "INT", "QUIT", "USR1", "USR2", "ALRM", "XCPU", "KILL",
+    ] {
+        let mut command = Command::new(BEAMTUNE);
+        command.args(long).current_dir(home.work());
+        let mut child = command.stderr(Stdio::null()).spawn().unwrap();
+        while home.names().is_empty() {
+            assert!(child.try_wait().unwrap().is_none(), "it has ended");
+            std::thread::yield_now();
+        }
+        let id = child.id().to_string();
+        let sent = Command::new("kill").args(["-s", signal, &id]).status();
+        assert!(sent.unwrap().success());
+        assert!(!child.wait().unwrap().success());
+        let left = home.names();
+        let most = usize::from(signal == "KILL");
+        assert!(left.len() <= most, "SIG{signal}: {left:?}");
+    }
+    let ended = shell(&home, "\"$BEAMTUNE\" frf fig08 --at 100 -o short.csv");
+    assert!(ended.status.success(), "{ended:?}");
+    assert_eq!(home.names(), ["short.csv"]);
+}
+
+/// Somebody's file in a folder in which all may write. Only root can make one of another user.
+#[test]
+fn a_file_of_another_owner_keeps_it_or_the_loss_is_said() {
+    const OTHER: u32 = 12_345;
+    let home = Home::new();
+    let file = home.file("out.csv");
+    fs::write(&file, "old").unwrap();
+    if chown(&file, Some(OTHER), Some(OTHER)).is_err() {
+        return;
+    }
+    let mode =
+        |path: &Path, mode| fs::set_permissions(path, fs::Permissions::from_mode(mode)).unwrap();
+    mode(&home.work(), 0o777);
+    mode(home.work().parent().unwrap(), 0o755);
+    let program = home.work().parent().unwrap().join("beamtune");
+    fs::copy(BEAMTUNE, &program).unwrap();
+    let run = || {
+        let mut command = Command::new(&program);
+        command.args(["frf", "fig08", "--at", "100", "-o", "out.csv"]);
+        command
+            .current_dir(home.work())
+            .uid(OTHER + 1)
+            .gid(OTHER + 1);
+        let output = command.output().unwrap();
+        assert!(output.status.success(), "{output:?}");
+        assert!(
+            fs::read_to_string(&file)
+                .unwrap()
+                .starts_with("frequency_hz")
+        );
+        assert_eq!(home.names(), ["out.csv"]);
+        String::from_utf8(output.stderr).unwrap()
+    };
+    // All may write the file: it is written in place.
+    mode(&file, 0o666);
+    assert_eq!(run(), "");
+    assert_eq!(fs::metadata(&file).unwrap().uid(), OTHER);
+    // Only its owner may: it can be replaced, and the owner cannot be given.
+    fs::write(&file, "old").unwrap();
+    mode(&file, 0o644);
+    assert_eq!(
+        run(),
+        "warning: out.csv loses its owner and group, which the user may not set\n"
+    );
+    assert_eq!(fs::metadata(&file).unwrap().uid(), OTHER + 1);
 }

@@ -80,6 +80,8 @@ pub enum Guard {
     Holds(String),
     /// It may be anything: the question was answered.
     Anything,
+    /// It may also lose what cannot be kept: that question was answered, too.
+    Losing,
 }
 
 /// What came of an effect.
@@ -89,6 +91,8 @@ pub enum Reply {
     Saved(PathBuf, String),
     /// There is another file of this name; what was to be written to it.
     Exists(PathBuf, Saving),
+    /// The file cannot keep this if it is replaced; what was to be written to it.
+    Loses(PathBuf, Saving, String),
     /// The file is not as it was when it was opened.
     ChangedOutside(PathBuf),
     /// What is on the screen was written to this file.

@@ -143,14 +143,16 @@ impl App {
                 self.overlay = beneath.map(|beneath| *beneath);
                 Vec::new()
             }
-            (Some(Overlay::Replace { path, what, .. }), Command::Replace) => vec![match what {
-                Saving::Model => self.save_to(path, Guard::Anything),
-                Saving::Screen(kind) => Effect::Export {
-                    path,
-                    kind,
-                    guard: Guard::Anything,
-                },
-            }],
+            (Some(Overlay::Replace { path, what, reason }), Command::Replace) => {
+                let guard = match reason {
+                    ReplaceReason::Exists | ReplaceReason::ChangedOutside => Guard::Anything,
+                    ReplaceReason::Loses(_) => Guard::Losing,
+                };
+                vec![match what {
+                    Saving::Model => self.save_to(path, guard),
+                    Saving::Screen(kind) => Effect::Export { path, kind, guard },
+                }]
+            }
             (Some(Overlay::Replace { what, .. }), Command::Cancel) => {
                 self.after_save = None;
                 self.refuse(match what {
@@ -171,6 +173,9 @@ impl App {
         let mut effects = match reply {
             Reply::Saved(path, text) => self.saved(path, text),
             Reply::Exists(path, what) => self.ask_replace(path, ReplaceReason::Exists, what),
+            Reply::Loses(path, what, lost) => {
+                self.ask_replace(path, ReplaceReason::Loses(lost), what)
+            }
             Reply::ChangedOutside(path) => {
                 self.ask_replace(path, ReplaceReason::ChangedOutside, Saving::Model)
             }

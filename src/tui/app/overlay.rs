@@ -58,12 +58,14 @@ pub enum Overlay {
 }
 
 /// Why a file is not replaced without a question.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ReplaceReason {
     /// Another file of this name is there.
     Exists,
     /// It is not as it was when it was opened or saved.
     ChangedOutside,
+    /// It cannot keep this, which the user may not give it.
+    Loses(String),
 }
 
 /// What comes after unsaved changes are dealt with.

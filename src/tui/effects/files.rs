@@ -57,9 +57,17 @@ fn write(path: &Path, text: &str, guard: &Guard, what: Saving) -> Result<(), Rep
         Guard::Holds(expected) if compare(&path, expected) == Outside::Changed => {
             return Err(Reply::ChangedOutside(path));
         }
+        Guard::Losing => {
+            return model::save(&path, text).map_err(|error| Reply::NotSaved(path, why(&error)));
+        }
         _ => {}
     }
-    model::save(&path, text).map_err(|error| Reply::NotSaved(path, why(&error)))
+    let saved = match model::may_save(&path) {
+        Ok(Some(lost)) => return Err(Reply::Loses(path, what, lost)),
+        Ok(None) => model::save(&path, text),
+        Err(error) => Err(error),
+    };
+    saved.map_err(|error| Reply::NotSaved(path, why(&error)))
 }
 
 /// Opens a file of measured curves, whose columns are what `layout` says where it is said.

@@ -102,6 +102,7 @@ fn insist(signal: i32, after: Duration) {
     thread::spawn(give_back);
     thread::sleep(LAST);
     let _ = disable_raw_mode();
+    crate::model::remove_temporaries();
     std::process::exit(128 + signal);
 }
 

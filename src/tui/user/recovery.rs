@@ -2,9 +2,9 @@
 //!
 //! A running designer that has unsaved edits owns two files of the recovery folder: `NAME-RANDOM.toml`, to which its
 //! [`Keeper`] adds every edit, and `NAME-RANDOM.lock`, which it holds locked. The system releases the lock however the
-//! program ends; [`found`] then offers the file to the next one. The file is the text that was opened or saved last,
-//! below three lines of comment that say what it is, and above a line of comment for each edit. At its end by a signal
-//! or a fault, the designer replaces it by the whole model without edits.
+//! program ends; [`found`] then offers the file to the next one. The file is a model file below
+//! three lines of comment that say what it is. Of a large model it is the text that was opened or saved last, above a
+//! line of comment for each edit; at its end by a signal or a fault, the designer replaces that by the whole model.
 
 mod found;
 mod keeper;

@@ -59,7 +59,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, panels: &
         }
         Some(Overlay::Replace { path, reason, .. }) => {
             let answers = app.keys.hints(Scope::Replace, RowKind::Group);
-            questions::draw_replace(frame, *reason, path, answers, theme);
+            questions::draw_replace(frame, reason, path, answers, theme);
         }
     }
 }

@@ -37,7 +37,7 @@ pub(super) fn draw_unsaved(
 /// Asks whether a file is replaced.
 pub(super) fn draw_replace(
     frame: &mut Frame<'_>,
-    reason: ReplaceReason,
+    reason: &ReplaceReason,
     path: &Path,
     answers: Answers<'_>,
     theme: Theme,
@@ -62,12 +62,15 @@ fn unsaved_words(next: Next, source: &str) -> String {
     format!("The changes to {source} are not saved. Save them before {before}?")
 }
 
-fn replace_words(reason: ReplaceReason, path: &Path) -> String {
+fn replace_words(reason: &ReplaceReason, path: &Path) -> String {
     let path = shown_path(path);
     match reason {
         ReplaceReason::Exists => format!("{path} is there already. Replace it?"),
         ReplaceReason::ChangedOutside => {
             format!("{path} was changed by another program after it was opened here. Replace it?")
+        }
+        ReplaceReason::Loses(lost) => {
+            format!("{path} would lose {lost}, which you may not set. Replace it?")
         }
     }
 }

@@ -21,6 +21,10 @@ const REST: u32 = 4;
 /// A disk that stalls is no reason to rest.
 const LONGEST_REST: Duration = Duration::from_millis(500);
 
+/// A text up to this length, bytes, is written anew at every edit, in a few milliseconds: the recovery file of such a model
+/// is itself a model file.
+const SHORT: usize = 1 << 15;
+
 /// Edits may take this many bytes, or as many as the text below them where that is longer; then they are written anew
 /// as one.
 const MOST_EDITS: usize = 1 << 18;
@@ -60,8 +64,8 @@ pub enum Left {
 
 /// Keeps the newest state of a model in the recovery folder, in a thread of its own.
 ///
-/// Of a state only what differs from the one before is added to the file, so that an edit of a large model is kept as
-/// soon as one of a small model; [`finish`] writes the whole model. States that come faster than they are written are
+/// Of a state of a large model only what differs from the one before is added to the file, so that it is kept as soon as
+/// one of a small model; [`finish`] writes the whole model. States that come faster than they are written are
 /// passed over; the last one is always written. They are not forced to disk: a killed program or a lost line loses
 /// nothing by that, and a nudge stays cheap; only [`finish`] does it. Dropping the keeper waits for the thread and leaves the file, as the end of the process does.
 ///
@@ -205,7 +209,9 @@ struct Held {
 impl Held {
     /// Whether a state can be added as an edit: it has the same text below it, and there is room.
     fn takes(&self, state: &Kept) -> bool {
-        Arc::ptr_eq(&self.state.base, &state.base) && self.edits < MOST_EDITS.max(state.base.len())
+        state.base.len() > SHORT
+            && Arc::ptr_eq(&self.state.base, &state.base)
+            && self.edits < MOST_EDITS.max(state.base.len())
     }
 
     /// Adds a state as an edit.
@@ -217,12 +223,17 @@ impl Held {
         Ok(())
     }
 
-    /// Writes the file anew: the text that is the base, and a state as the only edit.
+    /// Writes the file anew: the whole model, or the text that is the base of a large one and a state as the only edit.
     fn rewrite(&mut self, state: &Kept, durable: bool) -> io::Result<()> {
-        let edit = text::edit(&model::delta(&state.saved, &state.model));
-        let file = text::write(&state.source, &state.base) + &edit;
+        self.edits = 0;
+        let file = if state.base.len() > SHORT {
+            let edit = text::edit(&model::delta(&state.saved, &state.model));
+            self.edits = edit.len();
+            text::write(&state.source, &state.base) + &edit
+        } else {
+            recovery_text(state)
+        };
         self.slot.write(&file, durable)?;
-        self.edits = edit.len();
         self.state = state.clone();
         Ok(())
     }
@@ -358,6 +369,13 @@ mod tests {
         state
     }
 
+    /// The same below a text that is long.
+    fn long(mut state: Kept) -> Kept {
+        let padding = "# padding\n".repeat(SHORT / 10 + 1);
+        state.base = format!("{}{padding}", state.base).into();
+        state
+    }
+
     fn keeper(folder: &Path) -> Keeper {
         Keeper::start(folder.to_owned(), |sentence| panic!("{sentence}"))
     }
@@ -399,17 +417,19 @@ mod tests {
     #[test]
     fn a_program_that_dies_leaves_its_last_edit() {
         let folder = tempfile::tempdir().unwrap();
-        let dying = keeper(folder.path());
-        let first = state("fig06", 3.5);
-        for step in 0..50 {
-            dying.keep(edited(&first, 3.5 + f64::from(step)));
+        for first in [state("fig06", 3.5), long(state("fig06", 3.5))] {
+            let dying = keeper(folder.path());
+            for step in 0..50 {
+                dying.keep(edited(&first, 3.5 + f64::from(step)));
+            }
+            // The kernel does the same to a killed process: no farewell, the lock released.
+            drop(dying);
+            assert_eq!(lengths(folder.path()), [52.5]);
+            let mut found = found(folder.path());
+            assert_eq!(found[0].source, Source::Preset("fig06"));
+            assert_eq!(found[0].model().unwrap(), *edited(&first, 52.5).model);
+            found.remove(0).discard().unwrap();
         }
-        // The kernel does the same to a killed process: no farewell, the lock released.
-        drop(dying);
-        assert_eq!(lengths(folder.path()), [52.5]);
-        let found = found(folder.path());
-        assert_eq!(found[0].source, Source::Preset("fig06"));
-        assert_eq!(found[0].model().unwrap(), *edited(&first, 52.5).model);
     }
 
     #[test]
@@ -479,7 +499,7 @@ mod tests {
     fn an_edit_is_added_and_the_file_is_not_written_anew() {
         let folder = tempfile::tempdir().unwrap();
         let mut files = Files::new(folder.path().to_owned());
-        let first = state("fig06", 4.0);
+        let first = long(state("fig06", 4.0));
         let path = files.keep(&first, false).unwrap();
         let before = fs::read(&path).unwrap();
         assert!(files.held.as_ref().unwrap().takes(&first));
@@ -494,7 +514,7 @@ mod tests {
     fn edits_that_take_too_much_room_become_one() {
         let folder = tempfile::tempdir().unwrap();
         let mut files = Files::new(folder.path().to_owned());
-        let first = state("fig06", 4.0);
+        let first = long(state("fig06", 4.0));
         let path = files.keep(&first, false).unwrap();
         let one = fs::metadata(&path).unwrap().len();
         let (mut largest, mut last) = (0, first.clone());
@@ -513,7 +533,7 @@ mod tests {
     fn a_torn_edit_leaves_those_before_it() {
         let folder = tempfile::tempdir().unwrap();
         let mut files = Files::new(folder.path().to_owned());
-        let first = state("fig06", 4.0);
+        let first = long(state("fig06", 4.0));
         let path = files.keep(&first, false).unwrap();
         files.keep(&edited(&first, 5.0), false).unwrap();
         let length = fs::metadata(&path).unwrap().len();
@@ -527,7 +547,7 @@ mod tests {
     fn a_file_that_another_program_removed_or_saved_text_is_written_anew() {
         let folder = tempfile::tempdir().unwrap();
         let mut files = Files::new(folder.path().to_owned());
-        let first = state("fig06", 4.0);
+        let first = long(state("fig06", 4.0));
         let path = files.keep(&first, false).unwrap();
         fs::remove_file(&path).unwrap();
         assert_eq!(files.keep(&edited(&first, 5.0), false).unwrap(), path);
@@ -546,7 +566,7 @@ mod tests {
     fn what_is_left_on_purpose_is_a_whole_model_file() {
         let folder = tempfile::tempdir().unwrap();
         let mut files = Files::new(folder.path().to_owned());
-        let state = state("fig08", 4.0);
+        let state = long(state("fig08", 4.0));
         let path = files.leave(&state).unwrap();
         let text = fs::read_to_string(&path).unwrap();
         assert_eq!(model::read(&text).unwrap(), *state.model);

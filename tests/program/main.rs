@@ -8,8 +8,11 @@ mod analyser;
 #[allow(dead_code)]
 mod dice;
 mod editing;
+mod escape;
 mod files;
 mod harness;
+#[path = "../common/hidden.rs"]
+mod hidden;
 mod home;
 mod input;
 mod jobs;

@@ -231,11 +231,13 @@ fn table(rows: &[Vec<String>]) -> String {
         let mut line = String::new();
         for (column, cell) in row.iter().enumerate() {
             let width = widths[column];
-            line += &match column {
-                0 => padded(cell, width),
+            match column {
+                0 => line.push_str(&padded(cell, width)),
                 // Numbers and words of our own.
-                _ => format!("  {cell:>width$}"),
-            };
+                _ => {
+                    let _ = write!(line, "  {cell:>width$}");
+                }
+            }
         }
         out += line.trim_end();
         out.push('\n');

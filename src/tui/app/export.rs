@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::{App, Effect, Guard};
-use crate::escape::path_text;
+use crate::escape::{path_of_text, path_text};
 
 /// A kind of file that is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -42,7 +42,7 @@ impl App {
     /// The name that is proposed for what is on the screen.
     pub(super) fn export_name(&self) -> String {
         let name = self.document.source().name();
-        path_text(&Path::new(&name).with_extension("svg"))
+        path_text(&path_of_text(&name).with_extension("svg"))
     }
 
     /// Writes what is on the screen to a new file of the kind that its ending says.

@@ -2,6 +2,8 @@
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
+use crate::escape::{escape, is_hidden};
+
 /// A key with what is held beside it; Shift is in the character where there is one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Key {
@@ -113,7 +115,7 @@ impl Key {
             KeyCode::F(n) => format!("F{n}"),
             code => match (NAMED.iter().find(|(known, _)| *known == code), code) {
                 (Some((_, name)), _) => (*name).to_owned(),
-                (None, KeyCode::Char(c)) => c.to_string(),
+                (None, KeyCode::Char(c)) => escape(&c.to_string()).into_owned(),
                 (None, other) => format!("{other:?}"),
             },
         };
@@ -127,7 +129,7 @@ impl Key {
 fn code_of(name: &str) -> Option<KeyCode> {
     let mut letters = name.chars();
     if let (Some(letter), None) = (letters.next(), letters.next()) {
-        return (!letter.is_control()).then_some(KeyCode::Char(letter));
+        return (!is_hidden(letter)).then_some(KeyCode::Char(letter));
     }
     let named = NAMED
         .iter()
@@ -200,6 +202,7 @@ mod tests {
             "Shift-a",
             "Enterr",
             "\u{1b}",
+            "\u{202e}",
             "Ctrl--",
             "Ctrl-1",
             "Shift-Enter",

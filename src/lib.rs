@@ -14,6 +14,7 @@
 //! | [`tui`] | the designer: state and commands ([`tui::app`]), keys, views, the chart, the terminal and its bytes ([`tui::backend`]), what is kept for the user ([`tui::user`]) | all above |
 //! | `escape` | text from outside as a person or a terminal may read it | nothing |
 //! | `table` | numbers and texts as cells of CSV | `escape` |
+//! | `signals` | signals that the program was started to ignore | nothing |
 //! | `rehearsal` | faults on purpose, in debug builds, for tests | nothing |
 //! | [`cli`] | the commands | all above |
 //!
@@ -46,6 +47,7 @@ pub mod measured;
 pub mod model;
 pub mod presets;
 mod rehearsal;
+mod signals;
 pub mod solve;
 mod table;
 pub mod tui;

@@ -51,7 +51,8 @@ const ENVIRONMENT: Terms = &[
     (
         "COLORTERM, TERM",
         "How many colours the terminal has: truecolor or 24bit in COLORTERM, 256color in TERM. Terminals whose TERM \
-         is linux, dumb or starts with vt get ASCII characters only.",
+         is linux or starts with vt get ASCII characters only; where TERM is dumb or not set, the designer does not \
+         start.",
     ),
     (
         "COLORFGBG",

@@ -26,7 +26,7 @@ use self::stdout::print;
 use crate::escape::{escape, escape_lines, shown_path};
 use crate::model::{self, Fault, MOST_SHOWN};
 use crate::presets;
-use crate::tui::options::LookArguments;
+use crate::tui::options::{Environment, LookArguments};
 use crate::tui::user::config::{self, Config};
 use crate::tui::user::folders::Folders;
 use crate::tui::user::read_if_there;
@@ -183,6 +183,12 @@ fn design(arguments: &ModelArguments) -> Result<ExitCode, Failure> {
     if !std::io::stdout().is_terminal() {
         return Err(Failure::input(
             "the designer needs a terminal on standard output; `beamtune frf` writes to files and pipes",
+        ));
+    }
+    if !Environment::of_process().has_screen() {
+        return Err(Failure::input(
+            "this terminal cannot show the designer, for TERM is dumb or not set; it needs one with a screen, such as \
+             TERM=xterm-256color; `beamtune frf` writes to files and pipes",
         ));
     }
     let folders = Folders::of_user();

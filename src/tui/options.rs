@@ -196,10 +196,15 @@ impl Environment {
         unicode && !self.is_plain()
     }
 
-    /// Whether the terminal is a console, a hardware terminal or none at all.
+    /// Whether a screen can be drawn: the terminal has a name, and it is not that of one that only writes lines.
+    pub fn has_screen(&self) -> bool {
+        self.term.as_deref().is_some_and(|term| term != "dumb")
+    }
+
+    /// Whether the terminal is a console, a hardware terminal or not known.
     fn is_plain(&self) -> bool {
-        let term = self.term.as_deref().unwrap_or("dumb");
-        term == "dumb" || term == "linux" || term == "unknown" || term.starts_with("vt")
+        let term = self.term.as_deref().unwrap_or("unknown");
+        term == "linux" || term == "unknown" || term.starts_with("vt")
     }
 }
 
@@ -291,7 +296,19 @@ mod tests {
         assert!(!shows(None, Some("xterm")));
         assert!(!shows(Some("en_US.UTF-8"), Some("linux")));
         assert!(!shows(Some("en_US.UTF-8"), Some("vt220")));
-        assert!(!shows(Some("en_US.UTF-8"), Some("dumb")));
         assert!(!shows(Some("en_US.UTF-8"), None));
+    }
+
+    #[test]
+    fn a_terminal_that_only_writes_lines_has_no_screen() {
+        let has_screen = |term: Option<&str>| {
+            let environment = Environment {
+                term: term.map(str::to_owned),
+                ..Environment::default()
+            };
+            environment.has_screen()
+        };
+        assert!(has_screen(Some("xterm")) && has_screen(Some("vt100")));
+        assert!(!has_screen(Some("dumb")) && !has_screen(None));
     }
 }

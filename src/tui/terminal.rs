@@ -3,6 +3,9 @@
 mod input;
 mod jobs;
 mod panic;
+mod parser;
+mod sequence;
+mod signals;
 
 use std::fs::File;
 use std::io::{self, IsTerminal as _};
@@ -25,12 +28,18 @@ use super::backend::Wire;
 pub use self::input::events;
 pub use self::jobs::can_suspend;
 pub use self::panic::set_panic_sink;
+pub use self::parser::Parser;
 
 /// Presses and the wheel, dragging, and places in decimals: modes 1000, 1002 and 1006 of xterm. Moves without a button
 /// (1003) would be sent for nothing.
 const TAKE_MOUSE: &str = "\x1b[?1000h\x1b[?1002h\x1b[?1006h";
 /// The same in reverse.
 const LEAVE_MOUSE: &str = "\x1b[?1006l\x1b[?1002l\x1b[?1000l";
+
+/// Clears the screen, in no colours: where there is no alternate screen, the shell's old text is still there.
+const CLEAR: &str = "\x1b[m\x1b[2J";
+/// Below the picture, for what comes after it on such a screen. The alternate screen forgets the cursor's place.
+const BELOW: &str = "\x1b[999;1H\n";
 
 /// True while the terminal is ours.
 static TAKEN: AtomicBool = AtomicBool::new(false);
@@ -175,6 +184,7 @@ fn take(mouse: bool) -> io::Result<()> {
     execute!(
         out,
         EnterAlternateScreen,
+        Print(CLEAR),
         EnableBracketedPaste,
         cursor::Hide
     )?;
@@ -195,6 +205,7 @@ fn give_back() {
             Print(if mouse { LEAVE_MOUSE } else { "" }),
             cursor::Show,
             DisableBracketedPaste,
+            Print(BELOW),
             LeaveAlternateScreen
         );
         let _ = disable_raw_mode();

@@ -62,7 +62,6 @@ impl Theme {
             Some(Marker::Dot) => Glyphs::Dot,
             Some(Marker::Ascii) => Glyphs::Ascii,
         };
-        let dumb = environment.term.as_deref() == Some("dumb");
         let depth = match colours {
             Colours::Sixteen => Depth::Sixteen,
             Colours::TwoFiftySix => Depth::TwoFiftySix,
@@ -72,7 +71,7 @@ impl Theme {
         let asked = matches!(colours, Colours::TwoFiftySix | Colours::Truecolor);
         let scheme = match (colours, ground(options.ground, environment)) {
             (Colours::Never, _) => Scheme::Plain,
-            (Colours::Auto, _) if environment.no_color || dumb => Scheme::Plain,
+            (Colours::Auto, _) if environment.no_color => Scheme::Plain,
             (_, Some(Ground::Dark)) => Scheme::Dark,
             (_, Some(Ground::Light)) => Scheme::Light,
             _ if asked => Scheme::Between,

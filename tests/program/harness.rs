@@ -21,6 +21,9 @@ use super::pty::{find, parser, settings, signal, typist};
 /// After this long a test has failed.
 pub const PATIENCE: Duration = Duration::from_secs(60);
 
+/// From one key to the next of somebody who repeats it until it is heard.
+const REPEAT: Duration = Duration::from_millis(300);
+
 /// Columns and rows of a small terminal.
 pub const SMALL: (u16, u16) = (80, 24);
 
@@ -140,6 +143,31 @@ impl Program {
         self.send(keys.as_bytes());
     }
 
+    /// Sends one byte after another with this pause behind each; without one, all in one piece.
+    pub fn press_slowly(&mut self, bytes: &[u8], pause: Duration) {
+        if pause.is_zero() {
+            return self.send(bytes);
+        }
+        for byte in bytes.chunks(1) {
+            self.send(byte);
+            self.read_for(pause);
+        }
+    }
+
+    /// Presses a key again and again until a text shows.
+    pub fn press_until(&mut self, key: &str, text: &str) {
+        let end = Instant::now() + PATIENCE;
+        while !self.text().contains(text) {
+            assert!(
+                Instant::now() < end,
+                "no {text} by {key}; the screen is\n{}",
+                self.text()
+            );
+            self.press(key);
+            self.read_for(REPEAT);
+        }
+    }
+
     pub fn send(&mut self, bytes: &[u8]) {
         // A program that has ended is noticed by what waits for it.
         let _ = self.keys.as_ref().unwrap().send(bytes.to_vec());
@@ -208,6 +236,15 @@ impl Program {
                 "{error} while waiting for {what}; the screen is\n{}",
                 self.text()
             ),
+        }
+    }
+
+    /// Reads what is written in this time.
+    fn read_for(&mut self, time: Duration) {
+        let end = Instant::now() + time;
+        let left = || end.saturating_duration_since(Instant::now());
+        while let Ok(bytes) = self.output.recv_timeout(left()) {
+            self.take(&bytes);
         }
     }
 

@@ -6,7 +6,14 @@ use std::path::Path;
 use super::harness::{Home, Program};
 
 /// The ends of a program, and its exit codes then.
-const ENDS: [(&str, u32); 4] = [("TERM", 143), ("INT", 130), ("HUP", 129), ("QUIT", 131)];
+const ENDS: [(&str, u32); 6] = [
+    ("TERM", 143),
+    ("INT", 130),
+    ("HUP", 129),
+    ("QUIT", 131),
+    ("USR1", 138),
+    ("XCPU", 152),
+];
 
 /// The length of the beam in a file, m.
 fn length(path: &Path) -> f64 {

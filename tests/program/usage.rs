@@ -46,3 +46,25 @@ fn keys_come_from_the_terminal_also_where_input_is_a_pipe() {
         assert_eq!(program.end(), 0, "{script}");
     }
 }
+
+/// A terminal that only writes lines, as in Emacs, or none that is known: one line says so, and nothing else is sent.
+#[test]
+fn the_designer_needs_a_terminal_with_a_screen() {
+    let home = Home::new();
+    for script in [
+        "TERM=dumb exec \"$BEAMTUNE\" fig08",
+        "TERM= exec \"$BEAMTUNE\" fig08",
+        "unset TERM; exec \"$BEAMTUNE\" fig08 --color always",
+    ] {
+        let mut program = Program::script(&home, script);
+        assert_eq!(program.exit(), 2, "{script}");
+        assert!(program.is_plain());
+        let said = String::from_utf8(program.raw.clone()).unwrap();
+        assert!(
+            said.starts_with("error: ") && said.contains("TERM"),
+            "{said}"
+        );
+        assert_eq!(said.lines().count(), 1, "{said}");
+        assert!(!said.contains('\u{1b}'), "{}", said.escape_debug());
+    }
+}

@@ -15,6 +15,7 @@ use super::{Failure, notes_added, save, say, warn};
 use crate::cli::signals;
 use crate::escape::shown_path;
 use crate::model::{self, Model};
+use crate::signals::not_ignored;
 use crate::tui::Opened;
 use crate::tune::Status;
 
@@ -50,7 +51,7 @@ impl Interruption {
     /// Signals cannot be caught.
     pub(super) fn listen(target: Target) -> Result<Arc<Self>, Failure> {
         signals::clean_up_after_others()?;
-        let signals = Signals::new(signals::not_ignored(&signals::ASKING))?;
+        let signals = Signals::new(not_ignored(signals::ASKING))?;
         let interruption = Arc::new(Self {
             cancel: AtomicBool::new(false),
             signal: AtomicI32::new(0),

@@ -98,9 +98,11 @@ impl Key {
             KeyCode::Char(' ') => shifted,
             // Shift is written as the other character; with Control few have a code, and some that of another key.
             KeyCode::Char(c) => {
+                // With Alt, these two are the beginning of other keys.
+                let begins = modifiers == KeyModifiers::ALT && matches!(c, '[' | 'O');
                 let c = c.to_ascii_lowercase();
                 let own = matches!(c, 'a'..='z' | '\\' | ']' | '^' | '_');
-                shifted || (control && (!own || matches!(c, 'h' | 'i' | 'j' | 'm')))
+                shifted || begins || (control && (!own || matches!(c, 'h' | 'i' | 'j' | 'm')))
             }
             KeyCode::Enter | KeyCode::Esc | KeyCode::Backspace => control || shifted,
             KeyCode::Tab => control,
@@ -207,6 +209,8 @@ mod tests {
             "Ctrl-1",
             "Shift-Enter",
             "Shift-Esc",
+            "Alt-[",
+            "Alt-O",
         ] {
             assert_eq!(Key::parse(nonsense), None, "{nonsense:?}");
         }

@@ -1,16 +1,17 @@
 //! The threads that send what comes from outside: keys and mouse, signals, and the loss of the terminal.
 
-use std::io;
+use std::fs::File;
+use std::io::{self, IsTerminal as _, Read as _};
+use std::os::fd::AsFd as _;
 use std::sync::mpsc::Sender;
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-use crossterm::event::{self, KeyEventKind, MouseEventKind};
-use crossterm::terminal::disable_raw_mode;
-use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP};
-use signal_hook::iterator::Signals;
+use rustix::event::{PollFd, PollFlags, Timespec, poll};
+use signal_hook::consts::SIGHUP;
 
-use super::{give_back, is_gone};
+use super::parser::Parser;
+use super::{is_gone, signals};
 use crate::tui::event::Event;
 
 /// How often it is looked whether the terminal is still there, where the hang-up signal is ignored.
@@ -19,71 +20,79 @@ const LOOK_EVERY: Duration = Duration::from_millis(400);
 /// How long the program has to end by itself once its terminal is gone.
 const GRACE: Duration = Duration::from_millis(350);
 
-/// How long it has after a signal; its terminal may be one that takes no more and is waited for.
-const PATIENCE: Duration = Duration::from_secs(3);
-
-/// How long the terminal has to take its last bytes.
-const LAST: Duration = Duration::from_millis(100);
+/// As many bytes as a terminal gives at once.
+const READ: usize = 4096;
 
 /// Starts the threads.
 ///
 /// # Errors
-/// Where signals cannot be caught.
+/// Where signals cannot be caught, or the terminal cannot be read.
 pub fn events(sender: &Sender<Event>) -> io::Result<()> {
-    let signals = Signals::new([SIGTERM, SIGINT, SIGHUP, SIGQUIT, SIGTSTP, SIGCONT])?;
+    signals::start(sender.clone())?;
+    let terminal = open()?;
     let to = sender.clone();
-    thread::spawn(move || forward_signals(signals, &to));
-    let to = sender.clone();
-    thread::spawn(move || forward_input(&to));
+    thread::spawn(move || forward_input(terminal, &to));
     let to = sender.clone();
     thread::spawn(move || watch_terminal(&to));
     Ok(())
 }
 
-fn forward_signals(mut signals: Signals, to: &Sender<Event>) {
-    for signal in signals.forever() {
-        let event = match signal {
-            SIGTSTP => Event::Suspend,
-            SIGCONT => Event::Resume,
-            other => {
-                thread::spawn(move || insist(other, PATIENCE));
-                Event::Quit(other)
+/// The terminal that keys come from: standard input, else the one that the process belongs to.
+fn open() -> io::Result<File> {
+    let input = io::stdin();
+    if input.is_terminal() {
+        Ok(File::from(input.as_fd().try_clone_to_owned()?))
+    } else {
+        File::open("/dev/tty")
+    }
+}
+
+fn forward_input(mut terminal: File, to: &Sender<Event>) {
+    let mut parser = Parser::new(Instant::now());
+    let mut bytes = [0; READ];
+    loop {
+        let events = match read(&mut terminal, &mut bytes, parser.deadline()) {
+            Ok(Some(count)) => parser.feed(&bytes[..count], Instant::now()),
+            Ok(None) => parser.expire(),
+            Err(error) if is_passing(&error) => continue,
+            Err(_) => {
+                // Without a receiver the program ends already.
+                let _ = to.send(Event::Quit(SIGHUP));
+                return;
             }
         };
-        if to.send(event).is_err() {
-            return;
+        for event in events {
+            if to.send(event).is_err() {
+                return;
+            }
         }
     }
 }
 
-fn forward_input(to: &Sender<Event>) {
-    loop {
-        let event = match event::read() {
-            Ok(event) => match of_terminal(event) {
-                Some(event) => event,
-                None => continue,
-            },
-            Err(_) => Event::Quit(SIGHUP),
-        };
-        let last = matches!(event, Event::Quit(_));
-        if to.send(event).is_err() || last {
-            return;
-        }
+/// Reads what the terminal sends, as a count of bytes; None where nothing has come until the deadline.
+fn read(
+    terminal: &mut File,
+    bytes: &mut [u8],
+    deadline: Option<Instant>,
+) -> io::Result<Option<usize>> {
+    let left = deadline.map(|deadline| deadline.saturating_duration_since(Instant::now()));
+    let left = left.and_then(|left| Timespec::try_from(left).ok());
+    if poll(&mut [PollFd::new(&*terminal, PollFlags::IN)], left.as_ref())? == 0 {
+        return Ok(None);
+    }
+    match terminal.read(bytes)? {
+        // The end of a line that dropped; a terminal that is still there has sent an empty line.
+        0 if !terminal.is_terminal() => Err(io::ErrorKind::UnexpectedEof.into()),
+        count => Ok(Some(count)),
     }
 }
 
-/// What an event of the terminal is to the designer, if it is anything.
-fn of_terminal(event: event::Event) -> Option<Event> {
-    match event {
-        event::Event::Key(key) if key.kind == KeyEventKind::Press => Some(Event::Key(key)),
-        event::Event::Mouse(mouse) => match mouse.kind {
-            MouseEventKind::Moved | MouseEventKind::Up(_) => None,
-            _ => Some(Event::Mouse(mouse)),
-        },
-        event::Event::Paste(text) => Some(Event::Paste(text)),
-        event::Event::Resize(..) => Some(Event::Resize),
-        _ => None,
-    }
+/// Whether reading can go on after this error.
+fn is_passing(error: &io::Error) -> bool {
+    matches!(
+        error.kind(),
+        io::ErrorKind::Interrupted | io::ErrorKind::WouldBlock
+    )
 }
 
 /// Ends the program once its terminal is gone, also where the hang-up signal is ignored and reading would spin.
@@ -92,45 +101,5 @@ fn watch_terminal(to: &Sender<Event>) {
         thread::sleep(LOOK_EVERY);
     }
     let _ = to.send(Event::Quit(SIGHUP));
-    insist(SIGHUP, GRACE);
-}
-
-/// Ends the program as by a signal if it is still there after some time: the drawing thread hangs on its terminal.
-fn insist(signal: i32, after: Duration) {
-    thread::sleep(after);
-    // A terminal that takes no more would hold up this thread too; the modes are the system's.
-    thread::spawn(give_back);
-    thread::sleep(LAST);
-    let _ = disable_raw_mode();
-    crate::model::remove_temporaries();
-    std::process::exit(128 + signal);
-}
-
-#[cfg(test)]
-mod tests {
-    use crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseButton, MouseEvent};
-
-    use super::*;
-
-    #[test]
-    fn moves_and_releases_are_nothing_to_the_designer() {
-        let passes = |kind| {
-            let mouse = MouseEvent {
-                kind,
-                column: 3,
-                row: 4,
-                modifiers: KeyModifiers::NONE,
-            };
-            of_terminal(event::Event::Mouse(mouse)).is_some()
-        };
-        assert!(passes(MouseEventKind::Down(MouseButton::Left)));
-        assert!(passes(MouseEventKind::Drag(MouseButton::Left)));
-        assert!(passes(MouseEventKind::ScrollDown));
-        assert!(!passes(MouseEventKind::Moved));
-        assert!(!passes(MouseEventKind::Up(MouseButton::Left)));
-        let mut key = KeyEvent::new(KeyCode::Char('a'), KeyModifiers::NONE);
-        assert!(of_terminal(event::Event::Key(key)).is_some());
-        key.kind = KeyEventKind::Release;
-        assert!(of_terminal(event::Event::Key(key)).is_none());
-    }
+    signals::insist(SIGHUP, GRACE);
 }

@@ -1,0 +1,50 @@
+//! The screen as it is found and left, also where there is no alternate one (GNU screen, mosh, `alternate-screen off`
+//! of tmux).
+
+use super::harness::{Home, Program, SMALL};
+use super::pty::parser;
+
+/// What a terminal without an alternate screen shows of all that was written up to now.
+fn plain(program: &Program) -> String {
+    let written = String::from_utf8_lossy(&program.raw);
+    let written = written
+        .replace("\u{1b}[?1049h", "")
+        .replace("\u{1b}[?1049l", "");
+    let mut screen = parser(SMALL.0, SMALL.1);
+    screen.process(written.as_bytes());
+    screen.screen().contents()
+}
+
+#[test]
+fn old_text_never_shines_through() {
+    let home = Home::new();
+    let mut shell = Program::shell(&home);
+    shell.wait_for("prompt> ");
+    let fill = "for i in $(seq 40); do printf '\\033[41m%s ' old-shell-text; done; echo en''d\r";
+    shell.press(fill);
+    shell.wait_for("end");
+    shell.press("\"$BEAMTUNE\" fig08\r");
+    let shows = |shell: &mut Program| {
+        shell.wait_for("modes,");
+        let found = plain(shell);
+        assert!(found.contains("modes,"), "{found}");
+        assert!(!found.contains("old-shell"), "{found}");
+        assert_eq!(found.trim_end(), shell.text().trim_end());
+    };
+    shows(&mut shell);
+    shell.press("\u{1a}");
+    shell.wait_for("Stopped");
+    // The shell goes on below the picture.
+    let found = plain(&shell);
+    let (picture, below) = found.split_at(found.find("Stopped").unwrap());
+    assert!(picture.contains("modes,"), "{found}");
+    assert!(!below.contains("modes,"), "{found}");
+    shell.press(fill);
+    shell.wait_for("end");
+    shell.press("fg\r");
+    shows(&mut shell);
+    shell.press("q");
+    shell.wait("the shell", |screen| screen.contains("prompt> "));
+    shell.press("exit\r");
+    shell.exit();
+}

@@ -94,8 +94,8 @@ fn asked(label: &str, seen: &Inspection) -> Vec<String> {
 
 /// A row a curve.
 fn table(curves: &[Curve]) -> String {
-    let mut table = "curve,values,quantity,unit,points,from_hz,to_hz,notes\n".to_owned();
-    for curve in curves {
+    let header = "curve,values,quantity,unit,points,from_hz,to_hz,notes".to_owned();
+    let rows = curves.iter().map(|curve| {
         let ends = [curve.frequencies.first(), curve.frequencies.last()];
         let [from, to] = ends.map(|end| end.map_or_else(String::new, |end| number(*end)));
         let values = if curve.phase_known {
@@ -104,14 +104,12 @@ fn table(curves: &[Curve]) -> String {
             "magnitude"
         };
         let (quantity, unit) = quantity(curve.kind);
-        table += &format!(
-            "{},{values},{quantity},{unit},{},{from},{to},{}\n",
-            cell(&curve.name),
-            curve.frequencies.len(),
-            cell(&curve.notes.join("; "))
-        );
-    }
-    table
+        let (name, notes) = (cell(&curve.name), cell(&curve.notes.join("; ")));
+        let points = curve.frequencies.len();
+        format!("{name},{values},{quantity},{unit},{points},{from},{to},{notes}")
+    });
+    let lines: Vec<String> = std::iter::once(header).chain(rows).collect();
+    lines.join("\n") + "\n"
 }
 
 /// What the values are, and their SI unit; both empty where it is not said.

@@ -94,17 +94,15 @@ impl Inspection {
                 format!("{}: {name}", index + 1)
             }
         };
-        let names = self.columns.iter().enumerate().map(numbered).collect();
-        let rows = self.first_rows.iter().take(PREVIEW_ROWS).cloned();
-        let lines = std::iter::once(names).chain(rows);
-        lines
-            .filter(|cells| !cells.is_empty())
-            .map(preview_line)
-            .collect()
+        let names: Vec<String> = self.columns.iter().enumerate().map(numbered).collect();
+        let rows = self.first_rows.iter().take(PREVIEW_ROWS);
+        let lines = std::iter::once(&names).chain(rows);
+        let lines = lines.filter(|cells| !cells.is_empty());
+        lines.map(|cells| preview_line(cells)).collect()
     }
 }
 
-fn preview_line(cells: Vec<String>) -> String {
+fn preview_line(cells: &[String]) -> String {
     let shown = cells.iter().take(PREVIEW_COLUMNS).map(|cell| cell.trim());
     let shown: Vec<&str> = shown.collect();
     let more = if cells.len() > PREVIEW_COLUMNS {

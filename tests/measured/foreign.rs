@@ -189,6 +189,8 @@ fn complex_numbers_in_one_cell_are_one_curve() {
         "f [Hz]  H [m/N]\n10  (1.5, -0.25)\n20  (-2e-3,4)\n",
         "f [Hz]\tH [m/N]\n10\t1.5-i*0.25\n20\t-2e-3+i4\n",
         "# f [Hz] H [m/N]\n10 (1.5-0.25j)\n",
+        "# f [Hz] H [m/N]\n (1.0e+01+0.0e+00j) (1.5e+00+-2.5e-01j)\n (2.0e+01+0.0e+00j) (-2.0e-03+4.0e+00j)\n",
+        "f [Hz];H [m/N]\n10;1.5 - 0.25im\n20;-2e-3 + 4.0im\n",
     ] {
         let found = curves(table, None);
         for (found, expected) in found[0].values.iter().zip(values) {
@@ -336,6 +338,21 @@ fn header_words_find_their_columns_among_blanks() {
     let found = curves(odd, Some("hz; re im; m/N"));
     near(found[0].values[0], exact(10.0), 1e-12);
     assert_eq!(found[0].name, "run 7");
+}
+
+/// Some programs write the words behind the first row of numbers.
+#[test]
+fn a_header_behind_the_first_row_is_found() {
+    let parts = rows(|f, h| format!("{f}\t{:e}\t{:e}\n", h.re, h.im));
+    for words in [
+        "Freq\tHz\tReal\tm/N\tImag\tReal\t",
+        "Freq [Hz]\tReal [m/N]\tImag [m/N]",
+        "# Freq Hz Real m/N Imag",
+    ] {
+        let text = parts.replacen('\n', &format!("\t{words}\n"), 1);
+        assert_eq!(are_three(&text, "run 7").notes, [""; 0]);
+        are_three(text.replace('\t', "  "), "run 7");
+    }
 }
 
 #[test]

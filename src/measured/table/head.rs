@@ -250,6 +250,9 @@ fn role(text: &str) -> (Role, String, bool) {
     if let Some(inside) = bars.filter(|inside| !inside.is_empty()) {
         return (Role::Magnitude { decibels: false }, trimmed(inside), false);
     }
+    if let Some(rest) = text.strip_prefix('∠') {
+        return (Role::Phase(None), trimmed(rest), false);
+    }
     let words = words_of(text);
     let plain = |index: &usize| !words::is_part(&text[words[*index].clone()]);
     let own: Vec<usize> = (0..words.len()).filter(plain).collect();
@@ -404,6 +407,7 @@ mod tests {
             ),
             ("Abs(x)[m]", magnitude(false), "x", Some("m")),
             ("|Z|", magnitude(false), "Z", None),
+            ("∠Z (°)", degrees, "Z", None),
             ("Betrag in um/N", magnitude(false), "", Some("um/N")),
             ("Partie re\u{301}elle (m/N)", Role::Real, "", Some("m/N")),
             ("Imaginärteil", Role::Imaginary, "", None),

@@ -72,18 +72,20 @@ impl Header {
     pub(super) fn behind(words: &[String], shape: Shape) -> Self {
         let filled = words.iter().rposition(|word| !word.trim().is_empty());
         let words = &words[..filled.map_or(0, |last| last + 1)];
-        let mut cells = Vec::new();
-        if words.len() == shape.width {
-            cells = words.to_vec();
-        } else if words.len() == 2 * shape.width {
-            let pairs = words.chunks_exact(2);
-            cells = pairs
-                .map(|pair| with_unit((&pair[0], pair[1].clone())))
-                .collect();
-        }
-        if known(&cells) < 2 {
-            cells.clear();
-        }
+        let pairs = words.chunks(2).map(|pair| {
+            let unit = pair.get(1).cloned().unwrap_or_default();
+            with_unit((&pair[0], unit))
+        });
+        let line = words.join(" ");
+        let blanks = Shape {
+            separator: Separator::Blanks,
+            ..shape
+        };
+        let ways = [words.to_vec(), pairs.collect()];
+        let fits = |cells: &Vec<String>| cells.len() == shape.width && known(cells) >= 2;
+        let cells = ways.into_iter().find(fits);
+        let cells = cells.or_else(|| fitted(bare_line(&line), blanks, false).filter(fits));
+        let cells = cells.unwrap_or_default();
         Self {
             cells,
             misfit: Vec::new(),

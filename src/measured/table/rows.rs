@@ -90,12 +90,13 @@ impl Row<'_> {
         })
     }
 
-    /// A cell as a real number; NaN where it is empty.
+    /// A cell as a real number, also where it is written as a complex one; NaN where it is empty.
     fn real(&self, cell: &[u8]) -> Option<f64> {
         if cell.trim_ascii().is_empty() {
             return Some(f64::NAN);
         }
-        number::parse(cell, self.comma)
+        let complex = || number::complex(cell, self.comma).filter(|value| value.im == 0.0);
+        number::parse(cell, self.comma).or_else(|| complex().map(|value| value.re))
     }
 
     fn no_number(&self, index: usize, accepted: &str) -> Fault {

@@ -212,14 +212,17 @@ fn rows(bytes: &[u8], body: usize, separator: Separator) -> Vec<SampleRow> {
 }
 
 fn kind_of(cell: &[u8], comma: bool) -> CellKind {
-    let is_empty = cell.trim_ascii().is_empty();
-    let is_real = || number::parse(cell, comma).is_some();
-    let is_complex = || number::complex(cell, comma).is_some();
-    match () {
-        () if is_empty => CellKind::Empty,
-        () if is_real() => CellKind::Real,
-        () if is_complex() => CellKind::Complex,
-        () => CellKind::Text,
+    if cell.trim_ascii().is_empty() {
+        return CellKind::Empty;
+    }
+    if number::parse(cell, comma).is_some() {
+        return CellKind::Real;
+    }
+    match number::complex(cell, comma) {
+        // A program that writes all its numbers as complex ones writes its frequencies so, too.
+        Some(value) if value.im == 0.0 => CellKind::Real,
+        Some(_) => CellKind::Complex,
+        None => CellKind::Text,
     }
 }
 

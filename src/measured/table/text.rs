@@ -16,15 +16,11 @@ const WINDOWS_1252: [char; 32] = [
 /// UTF-16 is known by its mark, or by the zeros in ASCII text. A line that is not UTF-8 is Windows-1252. A carriage return
 /// alone ends a line. Lines keep their numbers.
 pub(in crate::measured) fn decoded(bytes: &[u8]) -> Cow<'_, [u8]> {
-    let text = match utf16(bytes) {
-        Some(unit) => Cow::Owned(from_utf16(bytes, unit)),
-        None => {
-            let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-            match std::str::from_utf8(bytes) {
-                Ok(_) => Cow::Borrowed(bytes),
-                Err(_) => Cow::Owned(from_windows(bytes)),
-            }
-        }
+    let bare = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let text = match (utf16(bytes), std::str::from_utf8(bare)) {
+        (Some(unit), _) => Cow::Owned(from_utf16(bytes, unit)),
+        (None, Ok(_)) => Cow::Borrowed(bare),
+        (None, Err(_)) => Cow::Owned(from_windows(bare)),
     };
     with_line_feeds(text)
 }

@@ -72,7 +72,7 @@ pub(super) fn joined(tokens: Vec<Token>) -> Vec<Token> {
                     || matches!(token.text.as_str(), "in" | "/")
                     || is_open(&last.text) =>
             {
-                append(last, token);
+                append(last, &token);
             }
             _ => joined.push(token),
         }
@@ -87,7 +87,7 @@ pub(super) fn with_units(tokens: Vec<Token>, is_unit: fn(&str) -> bool) -> Vec<T
         match all.last_mut() {
             Some(last) if is_unit(&token.text) && !last.text.ends_with([')', ']']) => {
                 let text = format!("[{}]", token.text.trim_matches(['(', ')', '[', ']']));
-                append(last, Token { text, ..token });
+                append(last, &Token { text, ..token });
             }
             _ => all.push(token),
         }
@@ -148,7 +148,7 @@ pub(super) fn placed(words: &[Token], lines: &[&str], width: usize) -> Option<Ve
         .then_some(groups)
 }
 
-fn append(last: &mut Token, token: Token) {
+fn append(last: &mut Token, token: &Token) {
     last.text.push(' ');
     last.text.push_str(&token.text);
     last.to = token.to;

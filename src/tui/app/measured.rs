@@ -409,7 +409,8 @@ fn notes(curves: &[Curve]) -> String {
             seen.push(note);
         }
     }
-    seen.into_iter().map(|note| format!("; {note}")).collect()
+    let notes = seen.into_iter().flat_map(|note| ["; ", note.as_str()]);
+    notes.collect()
 }
 
 /// From one frequency of a curve to the next that is looked at.

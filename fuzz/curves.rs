@@ -9,7 +9,7 @@ use beamtune::model::Measure;
 use beamtune::solve::form::{Dimension, Load, Moves};
 
 /// Layouts that a person may give; the first is none.
-const LAYOUTS: [&str; 8] = [
+const LAYOUTS: [&str; 12] = [
     "",
     "hz; re im; m/N",
     "khz; mag deg; g/lbf",
@@ -18,6 +18,10 @@ const LAYOUTS: [&str; 8] = [
     "hz; dB; kg m2",
     "hz; re im; ?",
     "hz; dB deg; 1e-6 rad/(N m)",
+    "hz 1; re 2; im 3; m/N",
+    "hz; re -im; m/N",
+    "hz 2; re 3; im 3; ?",
+    "khz 1; mag 3 2; -rad 2 4; mm/s",
 ];
 
 /// Reading a file gives curves that go out and in again, or a fault with a place; whether it gave curves.
@@ -170,7 +174,7 @@ fn as_universal_file(curves: &[Curve]) {
 fn has_a_place(fault: &Fault, bytes: &[u8]) {
     let is_line = !fault.message.is_empty() && !fault.message.chars().any(char::is_control);
     assert!(is_line, "says nothing: {fault:?}");
-    let lines = bytes.split(|&byte| byte == b'\n').count();
+    let lines = bytes.split(|&byte| matches!(byte, b'\n' | b'\r')).count();
     let within = fault.line.is_some_and(|line| (1..=lines).contains(&line));
     assert!(
         within && fault.column.is_some_and(|column| column > 0),

@@ -4,11 +4,11 @@
 
 use std::sync::atomic::AtomicBool;
 
-use beamtune::measured::{Hint, read};
+use beamtune::measured::{Hint, Layout, inspect, read};
 use beamtune::model::Model;
 use beamtune::solve::form::Form;
 use beamtune::solve::{Frf, sweep};
-use beamtune::tui::app::{Look, OpenedMeasured, Overlay, Reply};
+use beamtune::tui::app::{Look, Message, OpenedMeasured, Overlay, Reply};
 use beamtune::tui::plot::Level;
 use beamtune::tui::scene::{self, ChartView, CurveKind, FrequencyUnit, Scene};
 use num_complex::Complex64;
@@ -414,6 +414,45 @@ fn a_measured_curve_fits_in_every_form_whatever_was_measured() {
         }
         driver.keys("i");
     }
+}
+
+/// The box says what is open and shows the first rows; the status line says all that was left out.
+#[test]
+fn columns_are_asked_for_with_a_preview_and_notes_are_told() {
+    let text = "Pt Force at Tip\n1 10 2e-6 OK\n2 20 3e-6 OK\nsaved today\n";
+    let mut hint = Hint {
+        name: "table.txt".to_owned(),
+        layout: None,
+    };
+    let seen = inspect(text.as_bytes(), &hint).unwrap();
+    let mut driver = Driver::preset("cantilever");
+    let asks = OpenedMeasured::Asks("table.txt".into(), Box::new(seen));
+    let effects = driver.app.reply(Reply::Measured(asks));
+    driver.perform(effects);
+    for (width, height) in [(80, 24), (120, 40)] {
+        let screen = driver.screen(width, height);
+        for part in [
+            "1: Pt | 2: Force",
+            "1 | 10 | 2e-6",
+            "It does not say in which unit",
+        ] {
+            assert!(screen.contains(part), "{part}: {screen}");
+        }
+    }
+    hint.layout = Some(Layout::parse("hz 2; mag 3; m/N").unwrap());
+    let curves = read(text.as_bytes(), &hint).unwrap();
+    let effects = driver
+        .app
+        .reply(Reply::Measured(OpenedMeasured::Curves(curves)));
+    driver.perform(effects);
+    assert_eq!(
+        driver.app.message,
+        Some(Message::Done(
+            "1 measured curve; column 4 left out: it holds no numbers; 1 line behind the numbers left out, from \"saved \
+             today\" on"
+                .to_owned()
+        ))
+    );
 }
 
 #[test]

@@ -7,6 +7,9 @@ use std::path::Path;
 use assert_cmd::Command;
 use beamtune::presets;
 
+#[path = "commands/measured.rs"]
+mod measured;
+
 fn beamtune(arguments: &[&str]) -> Command {
     let mut command = Command::cargo_bin("beamtune").unwrap();
     command.args(arguments);

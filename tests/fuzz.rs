@@ -133,6 +133,9 @@ const TABLES: &[&str] = &[
     "# made by hand\n# omega[rad/s] H[dB] phase[rad]\n 10  -20  0.1\n 20  -21.5  -0.2\n 30 -25 -3.1\n",
     "Frequency\tReal\tImag\tCoherence\nHz\tm/s2/N\tm/s2/N\t-\n0\t0\t0\t0\n1\t2\t3\t1\n2\t3\t4\t1\n",
     "10 1.5 -0.25\n20 -2D-3 4.\n40.5 0 -7.125\n",
+    ",freq_hz,H\n0,10,(1.5-0.25j)\n1,20,(-2e-3+4j)\n2,40.5,-7.125j\n",
+    "* Excitation frequency (Hz) Real Imag\n10 1.5 - 0.25i 3\n20 -2e-3 + 4i 3\nsaved today\n",
+    "Frequency [Hz],Mag [m/N],-Phase [deg],Status\n10,1.5,20,OK\n20,2.5,30,OK\n30,2.25,40,OVL\n",
 ];
 
 #[test]
@@ -150,7 +153,7 @@ fn spoilt(seeds: &[Vec<u8>], dice: u64, name: &str) {
     let mut read = 0;
     for turn in 0..FILES {
         let bytes = spoil::file(seeds, turn, &mut dice);
-        read += usize::from(curves::file(&bytes, dice.roll(8), name));
+        read += usize::from(curves::file(&bytes, dice.roll(12), name));
     }
     // Were every file refused, writing would not have been tried; were none, reading would not.
     assert!(
@@ -164,7 +167,7 @@ fn whatever_is_said_of_a_table_is_a_layout_or_is_refused() {
     const PARTS: &[&str] = &[
         "hz", "khz", "rad/s", "rpm", "; ", ";", "re im", "mag", "dB", "deg", "rad", "m", "mm", "g",
         "N", "/", "(", ")", " ", "s2", "s", "-1", "2", "kg", "1e-6 ", "?", "\u{b5}m", "\u{b2}",
-        "\u{b7}", "nonsense", "Nm", "kN", "1",
+        "\u{b7}", "nonsense", "Nm", "kN", "1", "-im", "im", "re", " 2", " 3", "0",
     ];
     let mut dice = Dice(5);
     for _ in 0..VALUES {

@@ -12,6 +12,8 @@ use beamtune::model::{Measure, Model};
 use beamtune::solve::form::{Dimension, Load, Moves};
 use num_complex::Complex64;
 
+#[path = "measured/foreign.rs"]
+mod foreign;
 #[path = "measured/table.rs"]
 mod table;
 #[path = "measured/uff.rs"]

@@ -188,6 +188,53 @@ fn bounds_that_make_no_model_are_refused() {
 }
 
 #[test]
+fn a_match_is_read_where_it_is_typed() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("run 7.txt");
+    std::fs::write(&path, "1 20 1e-6 -1e-7\n2 30 2e-6 -2e-7\n").unwrap();
+    let path = path.display();
+    let mut driver = Driver::preset("cantilever");
+    let before = driver.app.model().tune.clone();
+    driver.keys("^");
+    for (answer, word) in [
+        ("", "an answer would be accepted, as columns = \"hz;"),
+        ("", "1 | 20 | 1e-6 | -1e-7"),
+        (" columns hz; re im; m/N", "hz 1; re 2; im 3"),
+        (" columns hz 2; re 3; im 7; m/N", "the table has 4 columns"),
+        (" columns hz 2; re 3; im 4; furlong", "m/s2/N"),
+        (
+            " columns hz 2; re 3; im 4; rad/(N m)",
+            "not what the response is",
+        ),
+    ] {
+        driver.typed(&format!("match {path}{answer}")).keys("Enter");
+        assert!(
+            refusal(&driver).contains(word),
+            "{answer}: {}",
+            refusal(&driver)
+        );
+        assert_eq!(driver.app.model().tune, before);
+    }
+    driver.typed("match none.csv").keys("Enter");
+    assert!(
+        refusal(&driver).contains("none.csv: cannot be read"),
+        "{}",
+        refusal(&driver)
+    );
+    driver
+        .typed(&format!("+ match {path} columns hz 2; re 3; im 4; m/N x 2"))
+        .keys("Enter");
+    assert!(driver.app.overlay.is_none(), "{}", refusal(&driver));
+    let tune = driver.app.model().tune.clone().unwrap();
+    let last = tune.objectives.last().unwrap();
+    assert_eq!((tune.objectives.len(), last.weight), (2, 2.0));
+    assert!(
+        matches!(&last.aim, Aim::Match { columns: Some(columns), .. } if columns == "hz 2; re 3; im 4; m/N"),
+        "{last:?}"
+    );
+}
+
+#[test]
 fn the_objective_is_a_figure_of_the_marked_band() {
     let mut driver = Driver::preset("cantilever");
     driver

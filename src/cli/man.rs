@@ -108,6 +108,10 @@ const EXAMPLES: Terms = &[
         "Its natural frequencies up to 200 Hz.",
     ),
     (
+        "beamtune measured run.csv --columns 'hz 1; re 8; im 9; m/N' -o si.csv",
+        "What is read of a measured file, its columns chosen by number, and its curves in SI.",
+    ),
+    (
         "beamtune tune cantilever -o tuned.toml",
         "A model whose [tune] says what may move and what for, with the best parameters; Ctrl-C ends the search with \
          the best so far.",

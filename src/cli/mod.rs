@@ -4,6 +4,7 @@ mod completions;
 mod csv;
 mod frf;
 mod man;
+mod measured;
 mod modes;
 mod paths;
 mod sensitivities;
@@ -89,6 +90,8 @@ enum Command {
     Spread(spread::Arguments),
     /// Searches the parameters that the model's [tune] leaves open.
     Tune(tune::Arguments),
+    /// Prints as CSV what is read of a file of measured curves, and writes the curves in SI.
+    Measured(measured::Arguments),
     /// Holds finite elements and the paper's transfer matrices beside the exact responses.
     Validate(validate::Arguments),
     /// Prints where configuration, memory, recovery files and log are.
@@ -164,6 +167,7 @@ fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
         Some(Command::Modes(arguments)) => modes::run(&arguments)?,
         Some(Command::Sensitivities(arguments)) => sensitivities::run(&arguments)?,
         Some(Command::Spread(arguments)) => spread::run(&arguments)?,
+        Some(Command::Measured(arguments)) => measured::run(&arguments)?,
         Some(Command::Validate(arguments)) => return validate::run(&arguments),
         Some(Command::Paths) => paths::run()?,
         Some(Command::Completions(arguments)) => {

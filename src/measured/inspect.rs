@@ -2,9 +2,15 @@
 
 use std::fmt;
 
-use super::layout::FrequencyUnit;
-use super::table::{Columns, Dialect, Plan};
-use super::{Fault, Format, Hint, Layout, Values, read};
+use super::layout::{FrequencyUnit, Places};
+use super::table::{Columns, Dialect, Plan, decoded};
+use super::{Curve, Fault, Format, Hint, Layout, Values, read};
+
+/// Rows of numbers in a preview.
+const PREVIEW_ROWS: usize = 3;
+
+/// Columns in a preview.
+const PREVIEW_COLUMNS: usize = 16;
 
 /// What a file does not say of itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -13,6 +19,8 @@ pub enum Question {
     Frequency,
     /// What its columns are; without an answer the file is refused.
     Values,
+    /// The unit of its phases; degrees are taken.
+    Phase,
     /// What its values are and in which unit; without an answer they are taken as they stand.
     Unit,
 }
@@ -30,8 +38,10 @@ impl fmt::Display for Question {
         f.write_str(match self {
             Self::Frequency => "in which unit its frequencies are: hz, khz, rad/s or rpm",
             Self::Values => {
-                "what its columns are: re im, mag deg, mag rad, dB deg, dB rad, mag or dB would be accepted"
+                "what its columns are: re im, mag deg, mag rad, dB deg, dB rad, mag or dB would be accepted, or with the \
+                 numbers of the columns, as hz 1; re 8; im 9"
             }
+            Self::Phase => "in which unit its phases are: deg or rad",
             Self::Unit => "what its values are: a unit such as m/N, mm/s/N, g/N, m/s2 or rad/(N m)",
         })
     }
@@ -54,6 +64,67 @@ pub struct Inspection {
     pub missing: Vec<Question>,
     /// What was understood, and the likeliest for the rest: to be shown in a prompt and corrected there.
     pub proposal: Layout,
+    /// Whether the table has the header that the program writes, `frequency_hz`: then its numbers are in SI.
+    pub is_own: bool,
+}
+
+/// A file that was opened.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Opened {
+    /// Its curves.
+    Curves(Vec<Curve>),
+    /// What has to be asked first.
+    Asks(Box<Inspection>),
+}
+
+impl Inspection {
+    /// What has to be asked, a sentence.
+    pub fn question(&self) -> String {
+        let missing: Vec<String> = self.missing.iter().map(ToString::to_string).collect();
+        format!("It does not say {}", missing.join("; nor "))
+    }
+
+    /// The columns of a table and its first rows, a line each.
+    pub fn preview(&self) -> Vec<String> {
+        let numbered = |(index, name): (usize, &String)| {
+            let number = format!("column {}", index + 1);
+            if *name == number {
+                (index + 1).to_string()
+            } else {
+                format!("{}: {name}", index + 1)
+            }
+        };
+        let names: Vec<String> = self.columns.iter().enumerate().map(numbered).collect();
+        let rows = self.first_rows.iter().take(PREVIEW_ROWS);
+        let lines = std::iter::once(&names).chain(rows);
+        let lines = lines.filter(|cells| !cells.is_empty());
+        lines.map(|cells| preview_line(cells)).collect()
+    }
+}
+
+fn preview_line(cells: &[String]) -> String {
+    let shown = cells.iter().take(PREVIEW_COLUMNS).map(|cell| cell.trim());
+    let shown: Vec<&str> = shown.collect();
+    let more = if cells.len() > PREVIEW_COLUMNS {
+        " | ..."
+    } else {
+        ""
+    };
+    format!("{}{more}", shown.join(" | "))
+}
+
+/// Reads a file, or says what has to be asked first. A layout in the hint answers it.
+///
+/// # Errors
+/// As [`read()`].
+pub fn open(bytes: &[u8], hint: &Hint) -> Result<Opened, Fault> {
+    if hint.layout.is_none() {
+        let inspection = inspect(bytes, hint)?;
+        if !inspection.missing.is_empty() {
+            return Ok(Opened::Asks(Box::new(inspection)));
+        }
+    }
+    read(bytes, hint).map(Opened::Curves)
 }
 
 /// Looks at a file without reading all of a table; a layout in the hint answers what it can.
@@ -69,13 +140,14 @@ pub fn inspect(bytes: &[u8], hint: &Hint) -> Result<Inspection, Fault> {
 }
 
 fn table(bytes: &[u8], hint: &Hint) -> Result<Inspection, Fault> {
-    let dialect = Dialect::of(bytes)?;
+    let dialect = Dialect::of(&decoded(bytes))?;
     let plan = Plan::new(&dialect, hint)?;
     let name = |index: usize| name(&dialect, index);
+    let layout = hint.layout.as_ref();
     Ok(Inspection {
         format: Format::Csv,
-        columns: (0..dialect.width).map(name).collect(),
-        first_rows: dialect.first_rows.clone(),
+        columns: (0..dialect.width()).map(name).collect(),
+        first_rows: dialect.rows.iter().take(5).cloned().collect(),
         curves: plan.groups.iter().map(|group| group.name.clone()).collect(),
         recognised: recognised(&dialect, &plan),
         proposal: Layout {
@@ -84,9 +156,12 @@ fn table(bytes: &[u8], hint: &Hint) -> Result<Inspection, Fault> {
                 .groups
                 .first()
                 .map_or(Values::Complex, |group| group.columns.values()),
+            minus: layout.is_some_and(|layout| layout.minus),
             unit: plan.groups.iter().find_map(|group| group.unit.clone()),
+            places: layout.map_or_else(Places::default, |layout| layout.places.clone()),
         },
         missing: plan.missing,
+        is_own: plan.is_own,
     })
 }
 
@@ -104,9 +179,10 @@ fn recognised(dialect: &Dialect, plan: &Plan) -> Vec<String> {
     let (column, unit) = plan.frequency;
     let mut recognised = vec![format!(
         "{} columns with {} between them",
-        dialect.width,
+        dialect.width(),
         dialect.separator.name()
     )];
+    recognised.extend(plan.doubts.iter().cloned());
     if !plan.missing.contains(&Question::Frequency) {
         recognised.push(format!("frequencies in {}: {}", name(column), unit.word()));
     }
@@ -115,6 +191,7 @@ fn recognised(dialect: &Dialect, plan: &Plan) -> Vec<String> {
     }
     for group in &plan.groups {
         let columns = match group.columns {
+            Columns::Complex { re, im } if re == im => name(re),
             Columns::Complex { re, im } => format!("{} and {}", name(re), name(im)),
             Columns::Polar { size, phase, .. } => format!("{} and {}", name(size), name(phase)),
             Columns::Magnitude { size, .. } => name(size),
@@ -157,8 +234,11 @@ fn universal(bytes: &[u8], hint: &Hint) -> Result<Inspection, Fault> {
             } else {
                 Values::Magnitude { decibels: false }
             },
+            minus: false,
             unit: None,
+            places: Places::default(),
         },
+        is_own: false,
         curves: curves.into_iter().map(|curve| curve.name).collect(),
     })
 }

@@ -1,5 +1,7 @@
 //! How the numbers of a table are to be read, as one line of text.
 
+mod parse;
+
 use std::f64::consts::{PI, TAU};
 use std::fmt;
 
@@ -10,18 +12,37 @@ use super::unit::ValueUnit;
 /// As text three parts with semicolons between them, `FREQUENCY; VALUES; UNIT`:
 /// - FREQUENCY: `hz`, `khz`, `rad/s` or `rpm`;
 /// - VALUES, the columns of one curve: `re im`, `mag deg`, `mag rad`, `dB deg`, `dB rad`, `mag` or `dB`; dB is 20 log10
-///   of the value over one unit (10 log10 where the unit is that of an energy);
+///   of the value over one unit (10 log10 where the unit is that of an energy); `-im`, `-deg` and `-rad` say that the
+///   column stands with the opposite sign; `re im` is also one column of complex numbers;
 /// - UNIT: what [`ValueUnit`] reads, or `?` (or nothing) where the file says it or nobody knows.
 ///
-/// Examples: `hz; re im; m/s2/N`, `hz; dB deg; g/N`, `rad/s; mag; ?`.
+/// A number behind a word chooses the column, from 1; without numbers the header says where the columns are, else their
+/// order. Several numbers are several curves.
+///
+/// Examples: `hz; re im; m/s2/N`, `hz; dB deg; g/N`, `rad/s; mag; ?`, `hz 1; re 8; im 9; m/N`,
+/// `hz 2; mag 3 5; deg 4 6; m/N`, `hz; re -im; m/N`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layout {
     /// Unit of the frequencies.
     pub frequency: FrequencyUnit,
     /// The columns of one curve.
     pub values: Values,
+    /// Whether the imaginary part or the phase stands with the opposite sign.
+    pub minus: bool,
     /// Unit of the values; none: as the file says, or unknown.
     pub unit: Option<ValueUnit>,
+    /// Columns that are chosen by number.
+    pub places: Places,
+}
+
+/// Columns that are chosen by number, from 1.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Places {
+    /// The column of the frequencies; none: as the header says, or the first.
+    pub frequency: Option<usize>,
+    /// Both columns of each curve (of a magnitude alone, and of complex numbers in one column, it twice); empty: as the
+    /// header says, or one after the other.
+    pub curves: Vec<[usize; 2]>,
 }
 
 /// In what a file gives its frequencies.
@@ -120,9 +141,10 @@ impl PhaseUnit {
 
     /// The unit of a word, in whatever case.
     pub(super) fn from_word(word: &str) -> Option<Self> {
-        match word.trim().to_ascii_lowercase().as_str() {
-            "deg" | "degree" | "degrees" | "°" => Some(Self::Degree),
-            "rad" | "radian" | "radians" => Some(Self::Radian),
+        match word.trim().to_lowercase().as_str() {
+            "deg" | "deg." | "degree" | "degrees" | "grad" | "degré" | "degrés" | "degre"
+            | "degres" | "°" | "º" => Some(Self::Degree),
+            "rad" | "rad." | "radian" | "radians" | "radiant" => Some(Self::Radian),
             _ => None,
         }
     }
@@ -146,28 +168,6 @@ impl Values {
             Self::Magnitude { .. } => 1,
         }
     }
-
-    fn parse(text: &str) -> Option<Self> {
-        let words: Vec<String> = text
-            .split_whitespace()
-            .map(str::to_ascii_lowercase)
-            .collect();
-        let words: Vec<&str> = words.iter().map(String::as_str).collect();
-        let magnitude = |word| match word {
-            "mag" => Some(false),
-            "db" => Some(true),
-            _ => None,
-        };
-        match words[..] {
-            ["re", "im"] => Some(Self::Complex),
-            [word] => magnitude(word).map(|decibels| Self::Magnitude { decibels }),
-            [word, phase] => Some(Self::MagnitudePhase {
-                phase: PhaseUnit::from_word(phase)?,
-                decibels: magnitude(word)?,
-            }),
-            _ => None,
-        }
-    }
 }
 
 impl fmt::Display for Values {
@@ -189,41 +189,34 @@ impl Layout {
     /// # Errors
     /// Says which part is wrong and what is accepted.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let parts: Vec<&str> = text.split(';').map(str::trim).collect();
-        let (frequency, values, unit) = match parts[..] {
-            [frequency, values] => (frequency, values, "?"),
-            [frequency, values, unit] => (frequency, values, unit),
-            _ => {
-                return Err(
-                    "wants a frequency unit, the columns and their unit, such as hz; re im; m/s2/N"
-                        .to_owned(),
-                );
-            }
-        };
-        Ok(Self {
-            frequency: FrequencyUnit::from_word(frequency).ok_or_else(|| {
-                format!("{frequency:?} is no unit of a frequency: accepted is hz, khz, rad/s or rpm")
-            })?,
-            values: Values::parse(values).ok_or_else(|| {
-                format!(
-                    "{values:?} are no columns: accepted is re im, mag deg, mag rad, dB deg, dB rad, mag or dB"
-                )
-            })?,
-            unit: match unit {
-                "" | "?" => None,
-                unit => Some(ValueUnit::parse(unit)?),
-            },
-        })
+        parse::layout(text)
     }
 }
 
 /// The text that [`Layout::parse`] reads.
 impl fmt::Display for Layout {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}; {}; ", self.frequency.word(), self.values)?;
+        f.write_str(self.frequency.word())?;
+        if let Some(column) = self.places.frequency {
+            write!(f, " {column}")?;
+        }
+        let curves = &self.places.curves;
+        let values = self.values.to_string();
+        for (index, word) in values.split(' ').enumerate() {
+            let parts = if index == 0 || !curves.is_empty() {
+                "; "
+            } else {
+                " "
+            };
+            let minus = if self.minus && index == 1 { "-" } else { "" };
+            write!(f, "{parts}{minus}{word}")?;
+            for columns in curves {
+                write!(f, " {}", columns[index])?;
+            }
+        }
         match &self.unit {
-            Some(unit) => write!(f, "{unit}"),
-            None => f.write_str("?"),
+            Some(unit) => write!(f, "; {unit}"),
+            None => f.write_str("; ?"),
         }
     }
 }
@@ -242,6 +235,14 @@ mod tests {
             "hz; dB rad; 1e-6 m/N",
             "hz; mag; kg m2",
             "hz; dB; ?",
+            "hz; re -im; m/N",
+            "hz; dB -rad; ?",
+            "hz 1; re 8; im 9; m/N",
+            "khz 2; mag 3 5; -deg 4 6; mm/s",
+            "hz 2; re im; ?",
+            "hz; dB 7; g",
+            "hz; mag; deg",
+            "hz 2; re 3; im 3; m/N",
         ] {
             let layout = Layout::parse(text).unwrap();
             assert_eq!(layout.to_string(), text);
@@ -251,10 +252,14 @@ mod tests {
             Layout::parse(" HZ ;RE  Im").unwrap().to_string(),
             "hz; re im; ?"
         );
-        assert_eq!(
-            Layout::parse("Hz; db DEG;").unwrap().to_string(),
-            "hz; dB deg; ?"
-        );
+        for (text, same) in [
+            ("Hz; db DEG;", "hz; dB deg; ?"),
+            ("hz 1; im 9; re 8; m/N", "hz 1; re 8; im 9; m/N"),
+            ("hz 1; re 8 im 9; m/N", "hz 1; re 8; im 9; m/N"),
+            ("hz 1; mag 2; Grad 3", "hz 1; mag 2; deg 3; ?"),
+        ] {
+            assert_eq!(Layout::parse(text).unwrap().to_string(), same);
+        }
     }
 
     #[test]
@@ -267,6 +272,13 @@ mod tests {
             ("hz; im re", "\"im re\"", "mag deg"),
             ("hz; re deg", "\"re deg\"", "mag deg"),
             ("hz; re im; furlong", "\"furlong\"", "m/s2/N"),
+            ("hz; -re im", "\"-re im\"", "re im"),
+            ("hz; re 2 im", "\"re 2 im\"", "re 8; im 9"),
+            ("hz; re 2 4; im 3; m", "\"re 2 4 im 3\"", "as many"),
+            ("hz 0; re im", "\"0\"", "from 1"),
+            ("hz; re 0; im 1", "\"0\"", "from 1"),
+            ("hz; re 99999999999999999999; im 1", "", "from 1"),
+            ("hz 1 2; re im", "\"hz 1 2\"", "rad/s"),
         ] {
             let message = Layout::parse(text).unwrap_err();
             assert!(

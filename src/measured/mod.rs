@@ -1,7 +1,7 @@
 //! Measured curves from files: tables (CSV) and universal files (UFF, data set 58), and how well a model fits them.
 //!
 //! [`read()`] gives the curves of a file in SI. What a table does not say of itself, a [`Layout`] does; [`inspect()`] tells
-//! what is in a file and what has to be asked. [`write_uff()`] writes data set 58, [`fit()`] holds a model's values beside
+//! what is in a file and what has to be asked, and [`open()`] reads it where nothing has. [`write_uff()`] writes data set 58, [`fit()`] holds a model's values beside
 //! a curve. Nothing here computes a response.
 
 mod curve;
@@ -19,8 +19,8 @@ use std::path::Path;
 pub use crate::model::Fault;
 pub use curve::Curve;
 pub use fit::{Fit, fit};
-pub use inspect::{Inspection, Question, inspect};
-pub use layout::{FrequencyUnit, Layout, PhaseUnit, Values};
+pub use inspect::{Inspection, Opened, Question, inspect, open};
+pub use layout::{FrequencyUnit, Layout, PhaseUnit, Places, Values};
 pub use uff::write::{Node, Record, Written, write_uff};
 pub use unit::{Kind, ValueUnit};
 

@@ -1,4 +1,6 @@
-//! Numbers as instruments and Fortran programs write them.
+//! Numbers as instruments, Fortran programs, and numpy and MATLAB write them.
+
+use num_complex::Complex64;
 
 /// Longest text of a number, bytes.
 const LONGEST: usize = 64;
@@ -34,6 +36,66 @@ pub(super) fn parse(text: &[u8], comma: bool) -> Option<f64> {
         return None;
     }
     format!("{mantissa}e{exponent}").parse().ok()
+}
+
+/// A complex number in one text: `(1e-6-2e-7j)`, `1e-6 - 2e-7i`, `1+i*2`, `1 + 2*I`, `1 + 2im`, `2i`, `(1+-2j)`, `(1, 2)`.
+/// A real number alone is none.
+pub(super) fn complex(text: &[u8], comma: bool) -> Option<Complex64> {
+    let text = std::str::from_utf8(text.trim_ascii()).ok()?;
+    if text.len() > 2 * LONGEST {
+        return None;
+    }
+    let inside = text
+        .strip_prefix('(')
+        .and_then(|text| text.strip_suffix(')'));
+    if let Some((re, im)) = inside.and_then(|inside| inside.split_once([',', ';'])) {
+        return Some(Complex64::new(
+            parse(re.as_bytes(), comma)?,
+            parse(im.as_bytes(), comma)?,
+        ));
+    }
+    let kept = |letter: &char| !letter.is_whitespace() && *letter != '*';
+    let plain: String = inside.unwrap_or(text).chars().filter(kept).collect();
+    // The sign in front of the imaginary part: not that of an exponent, and the first of 1+-2i and 1+i*-2.
+    let no_split = ['e', 'E', 'd', 'D', '+', 'i', 'j'];
+    let signs = plain.char_indices().rev();
+    let split = signs
+        .filter(|(_, letter)| matches!(letter, '+' | '-'))
+        .map(|(at, _)| at)
+        .find(|at| !plain[..*at].ends_with(no_split))
+        .unwrap_or(0);
+    let (re, im) = plain.split_at(split);
+    let re = if re.is_empty() {
+        0.0
+    } else {
+        parse(re.as_bytes(), comma)?
+    };
+    Some(Complex64::new(re, imaginary(im, comma)?))
+}
+
+/// An imaginary number: `-2e-7i`, `+j2`, `+-2j`, `2im`.
+fn imaginary(text: &str, comma: bool) -> Option<f64> {
+    let (sign, size) = match text.strip_prefix('-') {
+        Some(size) => (-1.0, size),
+        None => (1.0, text.strip_prefix('+').unwrap_or(text)),
+    };
+    let number = |text: &str| {
+        // Of two signs the first is a plus.
+        let twice = text.starts_with('+') || (sign < 0.0 && text.starts_with('-'));
+        let starts = text
+            .starts_with(|letter: char| letter == '-' || letter == '.' || letter.is_ascii_digit());
+        let is_word = matches!(text, "nan" | "inf" | "NaN" | "Inf");
+        (!twice && (starts || is_word))
+            .then(|| parse(text.as_bytes(), comma))
+            .flatten()
+    };
+    let units = ["im", "i", "j", "I", "J"];
+    let behind = units.iter().find_map(|unit| size.strip_suffix(unit));
+    let before = || units[1..].iter().find_map(|unit| size.strip_prefix(unit));
+    let size = behind
+        .and_then(number)
+        .or_else(|| before().and_then(number))?;
+    Some(sign * size)
 }
 
 #[cfg(test)]
@@ -72,5 +134,42 @@ mod tests {
         }
         assert_eq!(parse(&[b'1'; 65], false), None);
         assert_eq!(parse(b"\xff", false), None);
+    }
+
+    /// Expected: what numpy, pandas, MATLAB, Maple and C++ mean by what they print.
+    #[test]
+    fn complex_numbers_of_all_spellings_are_read() {
+        for (text, re, im) in [
+            ("(6.93e-06-1.2e-07j)", 6.93e-6, -1.2e-7),
+            ("6.93e-06-1.2e-07i", 6.93e-6, -1.2e-7),
+            ("-1.5 + 2.5i", -1.5, 2.5),
+            ("1.5D-3 - 2.5D+2i", 1.5e-3, -250.0),
+            ("1+i*2", 1.0, 2.0),
+            ("1-j2e-3", 1.0, -2e-3),
+            ("1 + 2*I", 1.0, 2.0),
+            ("-2e-7j", 0.0, -2e-7),
+            ("2i", 0.0, 2.0),
+            ("(6.93e-06+-1.2e-07j)", 6.93e-6, -1.2e-7),
+            ("1+j*-2", 1.0, -2.0),
+            ("1.5 - 2.5im", 1.5, -2.5),
+            ("(1.5,-2)", 1.5, -2.0),
+            ("( 1.5 , -2 )", 1.5, -2.0),
+            ("(0+0j)", 0.0, 0.0),
+        ] {
+            let expected = Some(Complex64::new(re, im));
+            assert_eq!(complex(text.as_bytes(), false), expected, "{text}");
+        }
+        let comma = complex(b"1,5-2,5e-3i", true);
+        assert_eq!(comma, Some(Complex64::new(1.5, -2.5e-3)));
+        assert!(complex(b"(nan+nanj)", false).is_some_and(Complex64::is_nan));
+        assert!(complex(b"(nan-infj)", false).is_some_and(|found| found.im < 0.0));
+        for text in [
+            "", "i", "1.5", "1e-5", "(1.5)", "1+2", "1+2k", "x+2i", "1+xi", "()", "(,)", "1--2i",
+            "inf", "1+2i+3i", "pi", "Hi",
+        ] {
+            assert_eq!(complex(text.as_bytes(), false), None, "{text}");
+        }
+        assert_eq!(complex(&[b'1'; 200], false), None);
+        assert_eq!(complex(b"\xff", false), None);
     }
 }

@@ -2,40 +2,163 @@
 
 mod columns;
 mod dialect;
+mod groups;
 mod head;
+mod header;
 mod plan;
 mod rows;
+mod sample;
+mod text;
+mod tokens;
+mod words;
 
 use std::collections::HashMap;
 
 use num_complex::Complex64;
 
 use super::curve::{Curve, Points};
-use super::{Fault, Hint, MOST_VALUES, fault_at, number, text_of, too_many};
+use super::{Fault, Hint, MOST_VALUES, fault_at, text_of, too_many};
 use crate::table::unquoted;
 pub(super) use columns::Columns;
 use columns::Group;
 pub(super) use dialect::Dialect;
 pub(super) use plan::Plan;
 use rows::{Row, for_each_row};
+pub(super) use text::decoded;
 
 /// The curves of a table.
 pub(super) fn read(bytes: &[u8], hint: &Hint) -> Result<Vec<Curve>, Fault> {
-    let dialect = Dialect::of(bytes)?;
+    let text = decoded(bytes);
+    let dialect = Dialect::of(&text)?;
     let plan = Plan::new(&dialect, hint)?;
     if let Some(question) = plan.missing.iter().find(|missing| missing.is_needed()) {
         let message = format!("the table does not say {question}");
-        return Err(fault_at("", dialect.first_line(bytes), 1, message));
+        return Err(fault_at("", dialect.first_line(&text), 1, message));
     }
-    let mut tables = Tables::default();
-    for_each_row(bytes, &dialect, |row| tables.take(&row, &plan))?;
+    let mut reader = Reader::new(&plan, dialect.width());
+    for_each_row(&text, &dialect, |row| reader.take(&row))?;
+    let Reader {
+        tables,
+        end,
+        words_behind,
+        ..
+    } = reader;
+    let mut notes = plan.notes.clone();
+    notes.extend(end.note(&text)?);
+    if words_behind > usize::from(dialect.is_behind) {
+        let rows = if words_behind == 1 { "row" } else { "rows" };
+        notes.push(format!(
+            "what stands behind the columns in {words_behind} {rows} left out"
+        ));
+    }
     let mut curves = tables.curves(&plan);
     let Some(first) = curves.first_mut() else {
         let message = "no row has a frequency above 0 and a finite value";
-        return Err(fault_at("", dialect.first_line(bytes), 1, message));
+        return Err(fault_at("", dialect.first_line(&text), 1, message));
     };
-    first.notes.extend(plan.notes);
+    first.notes.extend(notes);
     Ok(curves)
+}
+
+/// Reads the rows of a table one after the other.
+struct Reader<'a> {
+    plan: &'a Plan,
+    width: usize,
+    tables: Tables,
+    end: End,
+    /// Rows with words behind the columns.
+    words_behind: usize,
+}
+
+/// What may be the end of a table, as long as no row of numbers follows.
+#[derive(Default)]
+enum End {
+    /// The last row was one of numbers.
+    #[default]
+    None,
+    /// Lines of something else.
+    Lines {
+        count: usize,
+        start: String,
+        fault: Fault,
+    },
+    /// A row that is cut off or wrong.
+    CutRow(Fault),
+}
+
+impl End {
+    /// What to say of the end of the table.
+    ///
+    /// # Errors
+    /// The last row is wrong, and not because the file is cut off in it.
+    fn note(self, text: &[u8]) -> Result<Option<String>, Fault> {
+        match self {
+            Self::None => Ok(None),
+            Self::Lines { count, start, .. } => {
+                let lines = if count == 1 { "line" } else { "lines" };
+                Ok(Some(format!(
+                    "{count} {lines} behind the numbers left out, from {start:?} on"
+                )))
+            }
+            Self::CutRow(_) if !text.ends_with(b"\n") => Ok(Some(
+                "the file is cut off in its last row, which is left out".to_owned(),
+            )),
+            Self::CutRow(fault) => Err(fault),
+        }
+    }
+}
+
+impl<'a> Reader<'a> {
+    fn new(plan: &'a Plan, width: usize) -> Self {
+        Self {
+            plan,
+            width,
+            tables: Tables::default(),
+            end: End::None,
+            words_behind: 0,
+        }
+    }
+
+    fn take(&mut self, row: &Row) -> Result<(), Fault> {
+        if let End::CutRow(fault) = &self.end {
+            return Err(fault.clone());
+        }
+        let plan = self.plan;
+        let values = || plan.groups.iter().flat_map(|group| group.columns.both());
+        match values_of(row, plan) {
+            Ok((frequency, values)) => {
+                if let End::Lines { fault, .. } = &self.end {
+                    return Err(fault.clone());
+                }
+                self.words_behind += usize::from(row.has_from(self.width));
+                self.tables.push(row, plan, frequency, &values)
+            }
+            Err(fault) if row.is_no_row(plan.frequency.0, values()) => {
+                match &mut self.end {
+                    End::Lines { count, .. } => *count += 1,
+                    _ => {
+                        self.end = End::Lines {
+                            count: 1,
+                            start: row.start(),
+                            fault,
+                        }
+                    }
+                }
+                Ok(())
+            }
+            Err(fault) => {
+                let column = fault.column.unwrap_or(1) - 1;
+                if let End::Lines { fault, .. } = &self.end {
+                    return Err(fault.clone());
+                }
+                if !row.ends_by(column) {
+                    return Err(fault);
+                }
+                self.end = End::CutRow(fault);
+                Ok(())
+            }
+        }
+    }
 }
 
 /// The points of each group of columns, for each word in the column `curve`.
@@ -49,17 +172,23 @@ struct Tables {
 }
 
 impl Tables {
-    fn take(&mut self, row: &Row, plan: &Plan) -> Result<(), Fault> {
-        let (column, unit) = plan.frequency;
-        let frequency = row.number(column)? * unit.hertz();
+    /// Takes the points of a row.
+    fn push(
+        &mut self,
+        row: &Row,
+        plan: &Plan,
+        frequency: f64,
+        values: &[Complex64],
+    ) -> Result<(), Fault> {
         let key = plan.curve.map_or(&b""[..], |column| row.cell(column));
         let index = self.index_of(key, plan.groups.len());
         self.taken += plan.groups.len();
         if self.taken > MOST_VALUES {
-            return Err(row.fault(column, too_many()));
+            return Err(row.fault(plan.frequency.0, too_many()));
         }
-        for (group, points) in plan.groups.iter().zip(&mut self.points[index]) {
-            points.push_in(group.unit.as_ref(), frequency, value(row, group)?);
+        for ((group, points), value) in plan.groups.iter().zip(&mut self.points[index]).zip(values)
+        {
+            points.push_in(group.unit.as_ref(), frequency, *value);
         }
         Ok(())
     }
@@ -93,10 +222,19 @@ impl Tables {
     }
 }
 
+/// The frequency of a row, Hz, and its values in the units of the file.
+fn values_of(row: &Row, plan: &Plan) -> Result<(f64, Vec<Complex64>), Fault> {
+    let (column, unit) = plan.frequency;
+    let frequency = row.number(column)? * unit.hertz();
+    let values = plan.groups.iter().map(|group| value(row, group));
+    Ok((frequency, values.collect::<Result<_, _>>()?))
+}
+
 /// The value of a group of columns in a row, in the file's unit.
 fn value(row: &Row, group: &Group) -> Result<Complex64, Fault> {
+    let signed = |which: usize, column| Ok(group.signed(which, row.number(column)?));
     let magnitude = |column, decibels| {
-        let magnitude = row.number(column)?;
+        let magnitude = signed(0, column)?;
         Ok(if decibels {
             10_f64.powf(magnitude / group.decibels_a_decade())
         } else {
@@ -104,24 +242,20 @@ fn value(row: &Row, group: &Group) -> Result<Complex64, Fault> {
         })
     };
     Ok(match group.columns {
-        Columns::Complex { re, im } => Complex64::new(row.number(re)?, row.number(im)?),
+        Columns::Complex { re, im } if re == im => {
+            let value = row.complex(re)?;
+            Complex64::new(group.signed(0, value.re), group.signed(1, value.im))
+        }
+        Columns::Complex { re, im } => Complex64::new(signed(0, re)?, signed(1, im)?),
         Columns::Polar {
             size,
             decibels,
             phase,
             unit,
         } => {
-            let angle = row.number(phase)? * unit.radians();
+            let angle = signed(1, phase)? * unit.radians();
             magnitude(size, decibels)? * Complex64::cis(angle)
         }
         Columns::Magnitude { size, decibels } => magnitude(size, decibels)?.into(),
     })
-}
-
-/// A cell as a number; NaN where it is empty.
-fn number_of(cell: &[u8], comma: bool) -> Option<f64> {
-    if cell.trim_ascii().is_empty() {
-        return Some(f64::NAN);
-    }
-    number::parse(cell, comma)
 }

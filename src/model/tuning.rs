@@ -195,6 +195,8 @@ pub enum Aim {
         file: String,
         /// Which curve of the file; none: the one with the response's name, or the only one.
         curve: Option<String>,
+        /// How its columns are to be read, as a person answers it (`hz; re im; m/N`); none: as the file says.
+        columns: Option<String>,
         /// What of it is compared.
         compare: Compare,
     },

@@ -15,7 +15,7 @@ use crate::escape::{path_text, shown_path};
 use crate::model;
 use crate::presets;
 use crate::worker::Worker;
-use files::{compare, complete, export, open, open_measured, save};
+use files::{check_match, compare, complete, export, open, open_measured, save};
 
 /// Does what the state asks for.
 #[derive(Debug)]
@@ -109,6 +109,11 @@ impl Performer {
             }
             Effect::OpenReference(path) => open(path, Reply::Reference),
             Effect::OpenMeasured(path, layout) => open_measured(path, layout.as_deref()),
+            Effect::CheckMatch {
+                model,
+                objective,
+                folder,
+            } => check_match(&model, &objective, &folder),
             Effect::Open(path) => open(path, Reply::Opened),
             Effect::Reload(path) => open(path, Reply::Reloaded),
             Effect::Compare { path, text } => Reply::Compared(compare(&path, &text)),

@@ -20,7 +20,7 @@ mod terrain;
 mod trial;
 pub mod words;
 
-pub use problem::Problem;
+pub use problem::{Problem, check_match};
 pub use report::{Achieved, Kept, Moved, WorstCase};
 pub use run::{Options, Status, Tuned, default_budget, run};
 pub use search::{Phase, Place, Stop};

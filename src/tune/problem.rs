@@ -33,6 +33,22 @@ pub(super) struct Aimed {
     pub(super) figure: Figure,
 }
 
+/// Reads the measured curve that an objective asks for; any other objective asks for none.
+///
+/// # Errors
+/// The curve cannot be read, needs an answer on its columns, is of something else than the response, or has nothing in
+/// the band.
+pub fn check_match(model: &Model, objective: &Objective, folder: &Path) -> Result<(), Fault> {
+    let Some(name) = objective.aim.response() else {
+        return Ok(());
+    };
+    let mut responses = model.responses.iter();
+    match responses.position(|response| response.name == name) {
+        Some(place) => Figure::new(model, objective, place, folder).map(drop),
+        None => Err(Fault::new("tune", format!("there is no response {name:?}"))),
+    }
+}
+
 impl Problem {
     /// Prepares a checked model; measured curves are read from `folder`, that of the model file.
     ///

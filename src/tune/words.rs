@@ -95,16 +95,20 @@ pub fn objective(model: &Model, objective: &Objective) -> String {
             response,
             file,
             curve,
+            columns,
             compare,
         } => {
             let curve = curve
                 .as_ref()
                 .map_or_else(String::new, |curve| format!(", curve {curve}"));
+            let columns = columns
+                .as_ref()
+                .map_or_else(String::new, |columns| format!(" (columns {columns})"));
             let what = match compare {
                 Compare::LogMagnitude => "the magnitude in decibels",
                 Compare::Complex => "real and imaginary part",
             };
-            format!("{what} of {response} as in {file}{curve}, {band}")
+            format!("{what} of {response} as in {file}{columns}{curve}, {band}")
         }
     };
     if objective.weight == 1.0 {

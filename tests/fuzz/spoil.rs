@@ -59,6 +59,11 @@ const PIECES: &[&[u8]] = &[
     b"(rad)",
     b"kg m2",
     b"\n\n# \"\n",
+    b" - 2i",
+    b"(1+2j)",
+    b"-Im",
+    b"\nend\n",
+    b" OK\n",
 ];
 
 /// A file spoilt in a few places; with `turn` every seed has its turn.

@@ -224,7 +224,7 @@ fn what_is_left_out_is_said() {
 
 #[test]
 fn what_is_wrong_with_a_table_has_its_place() {
-    let cases: [(&[u8], usize, usize, &str); 12] = [
+    let cases: [(&[u8], usize, usize, &str); 15] = [
         (b"", 1, 1, "no row of two or more numbers"),
         (
             b"\n\n# only words\nfrequency,re\n",
@@ -232,7 +232,7 @@ fn what_is_wrong_with_a_table_has_its_place() {
             1,
             "no row of two or more numbers",
         ),
-        (b"\xff\xfe1\0", 1, 1, "UTF-16"),
+        (b"\xff\xfe1\0", 1, 1, "no row of two or more numbers"),
         (
             b"f [Hz],re,im\n1,2,3\n2,3,4\n\n# hm\n3,x,5\n",
             6,
@@ -251,11 +251,24 @@ fn what_is_wrong_with_a_table_has_its_place() {
             2,
             "is no number",
         ),
+        (b"f re im\n1 2 3\n2 3 4\nend\n3 4 5\n", 4, 1, "is no number"),
         (
-            b"f re im\n1 2 3\n2 3 4\n3 4 5 end\nend\n",
-            5,
+            b"f [Hz],re,im\r1,2,3\r2,3,4\r3,x,5\r",
+            4,
+            2,
+            "\"x\" is no number",
+        ),
+        (
+            b"Re [m/N],Im [m/N]\n1,2\n2,3\n",
             1,
-            "is no number",
+            1,
+            "no column of frequencies",
+        ),
+        (
+            b"f [Hz],Re [m/N],Im [mm/N]\n1,2,3\n2,3,4\n",
+            1,
+            1,
+            "column 2 (Re [m/N]) is in m/N and column 3 (Im [mm/N]) in mm/N",
         ),
         (b"f [Hz],re,im\n0,2,3\n-2,3,4\n", 2, 1, "frequency above 0"),
         (b"f [Hz],re,im\n1,nan,3\n2,,4\n", 2, 1, "finite value"),

@@ -70,15 +70,16 @@ fn aim(names: &[Vec<String>; 3], from: f64, to: f64) -> BoxedStrategy<Aim> {
         let compare = prop::sample::select(Compare::ALL.to_vec());
         let files = "[a-z./ \"\\\\']{0,8}[.]csv";
         let curves = prop::option::of("[ -~äß€]{0,5}x");
-        let matched =
-            (name(), files, curves, compare).prop_map(|(response, file, curve, compare)| {
-                Aim::Match {
-                    response,
-                    file,
-                    curve,
-                    compare,
-                }
-            });
+        let matched = (name(), files, curves.clone(), curves, compare).prop_map(|found| {
+            let (response, file, curve, columns, compare) = found;
+            Aim::Match {
+                response,
+                file,
+                curve,
+                columns,
+                compare,
+            }
+        });
         aims.extend([width.boxed(), place.boxed(), matched.boxed()]);
     }
     proptest::strategy::Union::new(aims).boxed()
@@ -200,12 +201,14 @@ fn everything_is_read_as_it_stands() {
             response: name(),
             file: "measured.csv".to_owned(),
             curve: Some("tip".to_owned()),
+            columns: Some("hz; re im; m/N".to_owned()),
             compare: Compare::Complex,
         },
         Aim::Match {
             response: velocity(),
             file: "measured.unv".to_owned(),
             curve: None,
+            columns: None,
             compare: Compare::LogMagnitude,
         },
     ];

@@ -179,6 +179,15 @@ impl Driver {
                         .reply(Reply::NotRead(path, "there is no such file".to_owned()));
                     self.perform(more);
                 }
+                Effect::CheckMatch {
+                    model,
+                    objective,
+                    folder,
+                } => {
+                    let checked = beamtune::tune::check_match(&model, &objective, &folder);
+                    let more = self.app.reply(Reply::MatchChecked(checked));
+                    self.perform(more);
+                }
                 Effect::Quit(_) => self.ended = true,
                 _ => {}
             }

@@ -62,6 +62,11 @@ fn measure(folder: &Path, share: f64, compare: Compare, seed: u64) {
 }
 
 fn updated(folder: &Path, compare: Compare) -> Tuned {
+    updated_with(folder, compare, None)
+}
+
+/// The same with what the columns are.
+fn updated_with(folder: &Path, compare: Compare, columns: Option<&str>) -> Tuned {
     let mut model = cantilever();
     let variables = PATHS.into_iter().zip(values(&model));
     model.tune = Some(Tune {
@@ -80,6 +85,7 @@ fn updated(folder: &Path, compare: Compare) -> Tuned {
                 response: "tip w".to_owned(),
                 file: "measured.csv".to_owned(),
                 curve: None,
+                columns: columns.map(str::to_owned),
                 compare,
             },
             from: BAND[0],
@@ -145,6 +151,66 @@ fn refused(folder: &Path, tune: Option<&Tune>) -> Vec<Fault> {
     let mut model = cantilever();
     model.tune = tune.cloned();
     Problem::new(&model, folder).unwrap_err()
+}
+
+/// Expected: the parameters with which the measurement was made, from a table that needs an answer.
+#[test]
+fn an_answer_opens_a_table_that_does_not_say_what_it_is() {
+    let folder = tempfile::tempdir().unwrap();
+    measure(folder.path(), 0.0, Compare::Complex, 1);
+    let file = folder.path().join("measured.csv");
+    let text = std::fs::read_to_string(&file).unwrap();
+    // A running number in front, kHz, and mm: nothing of it is said.
+    let rows = text.lines().skip(1).enumerate().map(|(index, row)| {
+        let cells: Vec<f64> = row.split(',').map(|cell| cell.parse().unwrap()).collect();
+        format!(
+            "{index} {} {:e} {:e}\n",
+            cells[0] / 1e3,
+            cells[1] * 1e3,
+            cells[2] * 1e3
+        )
+    });
+    std::fs::write(&file, rows.collect::<Vec<_>>().concat()).unwrap();
+    let mut tune = updated_with(
+        folder.path(),
+        Compare::Complex,
+        Some("khz 2; re 3; im 4; mm"),
+    );
+    for (found, factor) in tune.variables.iter().zip(FACTORS) {
+        let off = found.after / (factor * found.before) - 1.0;
+        assert!(off.abs() < 1e-6, "{:?}: {off:e}", found.paths);
+    }
+    let wrong = [
+        (None, "It does not say"),
+        (None, "hz 1; re 8; im 9"),
+        (None, "0 | 0.01 | "),
+        (Some("khz; re im; mm"), "as hz 1; re 2; im 3"),
+        (Some("khz 2; re 3; im 5; mm"), "the table has 4 columns"),
+        (Some("mhz; re im; m/N"), "hz, khz, rad/s or rpm"),
+        (Some("khz 2; re 3; im 4; furlong"), "m/s2/N"),
+    ];
+    for (answer, part) in wrong {
+        let tune = tune.model.tune.as_mut().unwrap();
+        for objective in &mut tune.objectives {
+            if let Aim::Match { columns, .. } = &mut objective.aim {
+                *columns = answer.map(str::to_owned);
+            }
+        }
+        let faults = refused(folder.path(), Some(tune));
+        assert!(faults[0].path.contains("measured.csv"), "{faults:?}");
+        assert!(faults[0].message.contains(part), "{answer:?}: {faults:?}");
+    }
+    // A unit that nobody says is not taken for SI.
+    std::fs::write(&file, "f [Hz],tip w re,tip w im\n20,1,2\n30,1,2\n").unwrap();
+    let mut asked = tune.model.tune.clone().unwrap();
+    if let Aim::Match { columns, .. } = &mut asked.objectives[0].aim {
+        *columns = None;
+    }
+    let faults = refused(folder.path(), Some(&asked));
+    assert!(
+        faults[0].message.contains("what its values are"),
+        "{faults:?}"
+    );
 }
 
 /// Expected: one fault that names the file, and the curves it has where another is asked for.

@@ -9,9 +9,11 @@ pub(in crate::measured) struct Group {
     pub(in crate::measured) name: String,
     pub(in crate::measured) columns: Columns,
     pub(in crate::measured) unit: Option<ValueUnit>,
+    /// Whether the first and the second column hold the opposite.
+    pub(super) minus: [bool; 2],
 }
 
-/// Columns by their index.
+/// Columns by their index. Real and imaginary part in one column are complex numbers in its cells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::measured) enum Columns {
     Complex {
@@ -104,6 +106,11 @@ impl Columns {
 }
 
 impl Group {
+    /// The number in the first or second column with its sign.
+    pub(super) fn signed(&self, which: usize, number: f64) -> f64 {
+        if self.minus[which] { -number } else { number }
+    }
+
     /// Decibels that are a factor of ten: 20, of an energy 10.
     pub(super) fn decibels_a_decade(&self) -> f64 {
         match self.unit.as_ref().map(ValueUnit::kind) {

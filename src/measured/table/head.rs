@@ -1,5 +1,6 @@
 //! What the words above a column say.
 
+use super::words;
 use crate::measured::layout::{FrequencyUnit, PhaseUnit};
 use crate::measured::unit::ValueUnit;
 use crate::table::unquoted;
@@ -12,6 +13,10 @@ pub(super) struct Head {
     pub(super) name: String,
     /// The unit of the values.
     pub(super) unit: Option<ValueUnit>,
+    /// What stands in square brackets, where it is no known unit.
+    pub(super) unknown: Option<String>,
+    /// Whether a minus stands in front of the role or the whole: the column holds the opposite.
+    pub(super) minus: bool,
 }
 
 /// What is in a column.
@@ -32,37 +37,60 @@ pub(super) enum Role {
 
 impl Head {
     pub(super) fn new(cell: &str) -> Self {
-        let cell = unquoted(cell.trim().trim_matches('"'));
+        let (cell, minus) = without_minus(unquoted(cell.trim().trim_matches('"')).trim());
+        let mut head = Self {
+            role: Role::Unsaid,
+            name: String::new(),
+            unit: None,
+            unknown: None,
+            minus: false,
+        };
         if let Some(role) = frequency(cell) {
-            return Self {
-                role,
-                name: String::new(),
-                unit: None,
-            };
+            head.role = role;
+            let inside = bracket(cell).map(|(_, inside)| inside.to_owned());
+            head.unknown = inside.filter(|_| role == Role::Frequency(None));
+            return head;
         }
-        let (words, note) = match bracket(cell).map(|(words, inside)| (words, Note::new(inside))) {
-            Some((words, Some(note))) => (words, note),
-            // What is no unit belongs to the name: Re(H11).
-            _ => (cell, Note::default()),
+        let (words, note) = noted(cell);
+        let (said, name, inner) = role(words);
+        head.role = note.applied_to(said);
+        head.minus = minus != inner;
+        head.name = match (said, head.role) {
+            (Role::Phase(_), Role::Unsaid) => words.to_owned(),
+            _ => name,
         };
-        let (mut role, name) = role(words);
-        match role {
-            Role::Magnitude { decibels } => {
-                role = Role::Magnitude {
-                    decibels: decibels || note.decibels,
-                }
-            }
-            Role::Unsaid if note.decibels => role = Role::Magnitude { decibels: true },
-            Role::Unsaid | Role::Phase(_) if note.phase.is_some() => role = Role::Phase(note.phase),
-            _ => {}
-        }
         // A phase's unit is no unit of a value.
-        let unit = if matches!(role, Role::Phase(_)) {
-            None
+        if !matches!(head.role, Role::Phase(_)) {
+            (head.unit, head.unknown) = (note.unit, note.unknown);
+        }
+        head
+    }
+
+    /// Whether it says anything of what is in the column.
+    pub(super) const fn is_known(&self) -> bool {
+        !matches!(self.role, Role::Unsaid) || self.unit.is_some()
+    }
+}
+
+/// What a minus is in headers.
+const MINUS: [char; 3] = ['-', '\u{2212}', '\u{2013}'];
+
+/// A header without the minus in front of it, and whether there is one: `-Im`, `minus imag`, `neg. phase`.
+fn without_minus(cell: &str) -> (&str, bool) {
+    if let Some(rest) = cell.strip_prefix(MINUS) {
+        let rest = rest.trim_start();
+        return if rest.starts_with(char::is_alphabetic) {
+            (rest, true)
         } else {
-            note.unit
+            (cell, false)
         };
-        Self { role, name, unit }
+    }
+    let words = ["minus", "neg.", "neg", "negative", "moins"];
+    let (word, rest) = cell.split_once(char::is_whitespace).unwrap_or((cell, ""));
+    if words.contains(&word.to_lowercase().as_str()) && !rest.trim().is_empty() {
+        (rest.trim(), true)
+    } else {
+        (cell, false)
     }
 }
 
@@ -72,9 +100,25 @@ struct Note {
     decibels: bool,
     phase: Option<PhaseUnit>,
     unit: Option<ValueUnit>,
+    /// What should be a unit and is none that is known.
+    unknown: Option<String>,
 }
 
 impl Note {
+    /// What a role is in this unit.
+    const fn applied_to(&self, said: Role) -> Role {
+        match (said, self.phase) {
+            (Role::Magnitude { decibels }, _) => Role::Magnitude {
+                decibels: decibels || self.decibels,
+            },
+            (Role::Unsaid, _) if self.decibels => Role::Magnitude { decibels: true },
+            (Role::Unsaid | Role::Phase(_), Some(unit)) => Role::Phase(Some(unit)),
+            // An angle over a load is a response.
+            (Role::Phase(_), None) if self.unit.is_some() => Role::Unsaid,
+            (other, _) => other,
+        }
+    }
+
     /// None where it is no unit.
     fn new(inside: &str) -> Option<Self> {
         let lower = inside.to_ascii_lowercase();
@@ -91,17 +135,37 @@ impl Note {
             return Some(Self {
                 decibels: true,
                 unit: ValueUnit::parse(reference).ok(),
-                phase: None,
+                ..Self::default()
             });
         }
         let phase = PhaseUnit::from_word(inside);
         let unit = ValueUnit::parse(inside).ok();
         (phase.is_some() || unit.is_some()).then_some(Self {
-            decibels: false,
             phase,
             unit,
+            ..Self::default()
         })
     }
+}
+
+/// The words of a header and what stands behind them of their unit.
+fn noted(cell: &str) -> (&str, Note) {
+    let unknown = |inside: &str| Note {
+        unknown: Some(inside.to_owned()),
+        ..Note::default()
+    };
+    let (words, note) = match bracket(cell) {
+        Some((words, inside)) => match Note::new(inside) {
+            Some(note) => (words, note),
+            None if cell.ends_with(']') || inside.contains('/') => (words, unknown(inside)),
+            // What is no unit belongs to the name: Re(H11).
+            None => (cell, Note::default()),
+        },
+        None => behind(cell).unwrap_or((cell, Note::default())),
+    };
+    // What joined the unit to the words.
+    let words = words.trim_end_matches([' ', '/', ',', ':']);
+    (words.strip_suffix(" in").unwrap_or(words), note)
 }
 
 /// What a header's last bracket holds, and what stands before it.
@@ -127,92 +191,140 @@ fn bracket(cell: &str) -> Option<(&str, &str)> {
     None
 }
 
+/// The words and the unit behind them without brackets: `Betrag in um/N`, `Phase / deg`, `Real, m/N`.
+fn behind(cell: &str) -> Option<(&str, Note)> {
+    [" in ", " / ", ", "].into_iter().find_map(|between| {
+        let (words, unit) = cell.rsplit_once(between)?;
+        Some((words.trim(), Note::new(unit.trim())?))
+    })
+}
+
 /// The role of a column of frequencies, with their unit as far as it is said; none where it is of something else.
 fn frequency(cell: &str) -> Option<Role> {
-    let lower = cell.to_ascii_lowercase();
-    let plain = lower.replace(['[', ']', '(', ')', ',', ':', '_'], " ");
-    let words: Vec<&str> = plain.split_whitespace().collect();
+    let lower = cell.to_lowercase();
+    let plain = lower
+        .replace(['[', ']', '(', ')', ',', ':', '_', '.'], " ")
+        .replace(" / ", " ");
+    let all: Vec<&str> = plain.split_whitespace().collect();
     let unit = |word: &str| match word {
         "hertz" => Some(FrequencyUnit::Hertz),
         "rads" | "1/s" => Some(FrequencyUnit::RadianPerSecond),
         "1/min" | "cpm" => Some(FrequencyUnit::RevolutionPerMinute),
         word => FrequencyUnit::from_word(word),
     };
-    let said = match words[..] {
-        [.., "rad", "s"] => Some(FrequencyUnit::RadianPerSecond),
-        _ => words.iter().find_map(|word| unit(word)),
-    };
-    let names = [
-        "f",
-        "freq",
-        "freq.",
-        "frequency",
-        "frequencies",
-        "frequenz",
-        "omega",
-    ];
-    let first = words.first()?;
-    if names.contains(first) {
-        let omega = (*first == "omega").then_some(FrequencyUnit::RadianPerSecond);
-        return Some(Role::Frequency(said.or(omega)));
-    }
     // A unit alone.
-    (unit(first).is_some() && words.len() == 1 && !matches!(*first, "1/s"))
-        .then_some(Role::Frequency(said))
-}
-
-/// The role in a header's last or first word, and the name that is left.
-fn role(words: &str) -> (Role, String) {
-    let parts = |letter: char| !(letter.is_alphanumeric() || letter == '°');
-    let trim = |name: &str| {
-        let name =
-            name.trim_matches(|letter: char| letter.is_whitespace() || "._-:,/|".contains(letter));
-        let bare = name
-            .strip_prefix('(')
-            .and_then(|name| name.strip_suffix(')'));
-        bare.unwrap_or(name).trim().to_owned()
+    if let [word] = all[..]
+        && word != "1/s"
+        && let Some(unit) = unit(word)
+    {
+        return Some(Role::Frequency(Some(unit)));
+    }
+    let (words, said) = match &all[..] {
+        [words @ .., "rad", "s"] => (words.to_vec(), Some(FrequencyUnit::RadianPerSecond)),
+        words => {
+            let said = words.iter().find_map(|word| unit(word));
+            let named = words
+                .iter()
+                .filter(|word| unit(word).is_none() && **word != "in");
+            (named.copied().collect(), said)
+        }
     };
-    let whole = words.trim();
-    let lower = whole.to_ascii_lowercase();
-    for (part, role) in [
-        ("real part", Role::Real),
-        ("imaginary part", Role::Imaginary),
-        ("imag part", Role::Imaginary),
-    ] {
-        if let Some(at) = lower.find(part) {
-            return (
-                role,
-                trim(&format!("{} {}", &whole[..at], &whole[at + part.len()..])),
-            );
-        }
-    }
-    let last = whole.rfind(parts).map_or(0, |at| {
-        at + whole[at..].chars().next().map_or(1, char::len_utf8)
-    });
-    if let Some(role) = word(&whole[last..]) {
-        return (role, trim(&whole[..last]));
-    }
-    let first = whole.find(parts).unwrap_or(whole.len());
-    if let Some(role) = word(&whole[..first]) {
-        return (role, trim(&whole[first..]));
-    }
-    (Role::Unsaid, whole.to_owned())
+    let name: Vec<&str> = match bracket(cell) {
+        // What stands in brackets and is not known is no word of the name.
+        Some((before, _)) => before
+            .split(|letter: char| letter.is_whitespace() || "_.,:".contains(letter))
+            .filter(|word| !word.is_empty())
+            .collect(),
+        None => words,
+    };
+    let angular = words::frequency(&name)?;
+    let angular = angular.then_some(FrequencyUnit::RadianPerSecond);
+    Some(Role::Frequency(said.or(angular)))
 }
 
-fn word(word: &str) -> Option<Role> {
-    Some(match word.to_ascii_lowercase().as_str() {
-        "re" | "real" => Role::Real,
-        "im" | "imag" | "imaginary" => Role::Imaginary,
-        "mag" | "magnitude" | "abs" | "amplitude" | "amp" | "modulus" => {
-            Role::Magnitude { decibels: false }
+/// The role in a header's last or first word, the name that is left, and whether a minus stands in front of the role.
+fn role(text: &str) -> (Role, String, bool) {
+    let text = text.trim();
+    let bars = text
+        .strip_prefix('|')
+        .and_then(|rest| rest.strip_suffix('|'));
+    if let Some(inside) = bars.filter(|inside| !inside.is_empty()) {
+        return (Role::Magnitude { decibels: false }, trimmed(inside), false);
+    }
+    if let Some(rest) = text.strip_prefix('∠') {
+        return (Role::Phase(None), trimmed(rest), false);
+    }
+    let words = words_of(text);
+    let plain = |index: &usize| !words::is_part(&text[words[*index].clone()]);
+    let own: Vec<usize> = (0..words.len()).filter(plain).collect();
+    // In brackets is a name, Re(H), but where there is nothing but a role, H (re).
+    let bracketed = |word: &std::ops::Range<usize>| {
+        text[..word.start].ends_with('(') && &text[word.end..] == ")"
+    };
+    let ends_in_word = |word: &std::ops::Range<usize>| word.end == text.len() || bracketed(word);
+    let last = own
+        .last()
+        .filter(|_| words.last().is_some_and(ends_in_word));
+    for index in last.into_iter().chain(own.first()) {
+        let place = words[*index].clone();
+        let Some(role) = words::role(&text[place.clone()]) else {
+            continue;
+        };
+        let (mut from, mut to) = (place.start, place.end);
+        let is_part = |index: Option<usize>| {
+            let place = words.get(index?)?;
+            words::is_part(&text[place.clone()]).then_some(place)
+        };
+        if let Some(part) = is_part(index.checked_sub(1)) {
+            from = part.start;
         }
-        "db" => Role::Magnitude { decibels: true },
-        "phase" | "arg" | "angle" => Role::Phase(None),
-        "deg" => Role::Phase(Some(PhaseUnit::Degree)),
-        "rad" => Role::Phase(Some(PhaseUnit::Radian)),
-        "coherence" | "coh" | "time" | "index" => Role::Other,
-        _ => return None,
-    })
+        if let Some(part) = is_part(index.checked_add(1)) {
+            to = part.end;
+        }
+        if bracketed(&place) {
+            (from, to) = (from - 1, to + 1);
+        }
+        let before = &text[..from];
+        // H -imag has a minus, H-imag and H - imag have a dash.
+        let minus = before.strip_suffix(MINUS).is_some_and(|rest| {
+            rest.is_empty()
+                || rest.ends_with(|letter: char| letter.is_whitespace() || "(./_".contains(letter))
+        });
+        return (role, trimmed(&format!("{before}{}", &text[to..])), minus);
+    }
+    (Role::Unsaid, text.to_owned(), false)
+}
+
+/// Where the words of a text are.
+fn words_of(text: &str) -> Vec<std::ops::Range<usize>> {
+    let mut words: Vec<std::ops::Range<usize>> = Vec::new();
+    for (at, letter) in text.char_indices() {
+        if !(letter.is_alphanumeric() || letter == '°' || matches!(letter, '\u{300}'..='\u{36f}'))
+        {
+            continue;
+        }
+        let end = at + letter.len_utf8();
+        match words.last_mut() {
+            Some(word) if word.end == at => word.end = end,
+            _ => words.push(at..end),
+        }
+    }
+    words
+}
+
+/// A name without what joined it to a role.
+fn trimmed(name: &str) -> String {
+    let joins = |letter: char| {
+        letter.is_whitespace() || "._-:,/|".contains(letter) || MINUS.contains(&letter)
+    };
+    let name = name.trim_matches(joins);
+    let name = ["of ", "von ", "de "]
+        .into_iter()
+        .find_map(|word| name.strip_prefix(word))
+        .unwrap_or(name);
+    let inside = |open: char, close: char| name.strip_prefix(open)?.strip_suffix(close);
+    let bare = inside('(', ')').or(inside('{', '}'));
+    bare.unwrap_or(name).trim().to_owned()
 }
 
 #[cfg(test)]
@@ -239,10 +351,26 @@ mod tests {
             ("Hz", Some(Hertz)),
             ("rpm", Some(RevolutionPerMinute)),
             ("\"Frequency, Hz\"", Some(Hertz)),
+            ("Excitation frequency", None),
+            ("Fréquence (Hz)", Some(Hertz)),
+            ("Frequenz in kHz", Some(Kilohertz)),
+            ("f / Hz", Some(Hertz)),
+            ("Kreisfrequenz", Some(RadianPerSecond)),
+            ("angular frequency [Hz]", Some(Hertz)),
+            ("Frequency [MHz]", None),
         ] {
             assert_eq!(head(cell).0, Role::Frequency(unit), "{cell}");
         }
-        for cell in ["F1 re", "force", "fundamental", "first", "x"] {
+        for cell in [
+            "F1 re",
+            "force",
+            "fundamental",
+            "first",
+            "x",
+            "f.re",
+            "Frequency response",
+            "Frequenzgang",
+        ] {
             assert!(!matches!(head(cell).0, Role::Frequency(_)), "{cell}");
         }
     }
@@ -272,6 +400,22 @@ mod tests {
                 None,
             ),
             ("phase", Role::Phase(None), "", None),
+            (
+                "Phi(x)[rad]",
+                Role::Phase(Some(PhaseUnit::Radian)),
+                "x",
+                None,
+            ),
+            ("Abs(x)[m]", magnitude(false), "x", Some("m")),
+            ("|Z|", magnitude(false), "Z", None),
+            ("∠Z (°)", degrees, "Z", None),
+            ("Betrag in um/N", magnitude(false), "", Some("um/N")),
+            ("Partie re\u{301}elle (m/N)", Role::Real, "", Some("m/N")),
+            ("Imaginärteil", Role::Imaginary, "", None),
+            ("tip (re) [m/N]", Role::Real, "tip", Some("m/N")),
+            ("Angle [rad/N]", Role::Unsaid, "Angle", Some("rad/N")),
+            ("Real (furlong/N)", Role::Real, "", None),
+            ("Gain [dB]", magnitude(true), "Gain", None),
             ("Coherence", Role::Other, "", None),
             ("E_V", Role::Unsaid, "E_V", None),
             ("H11", Role::Unsaid, "H11", None),
@@ -280,5 +424,28 @@ mod tests {
             let unit = unit.map(str::to_owned);
             assert_eq!(head(cell), (role, name.to_owned(), unit), "{cell}");
         }
+    }
+
+    #[test]
+    fn a_minus_and_an_unknown_unit_are_seen() {
+        for (cell, minus) in [
+            ("-Im", true),
+            ("-Im(H) [m/N]", true),
+            ("H -imaginary (m/N)", true),
+            ("- Phase [deg]", true),
+            ("neg. imag", true),
+            ("H-Im", false),
+            ("H - Im", false),
+            ("Im", false),
+            ("-", false),
+            ("minus", false),
+        ] {
+            assert_eq!(Head::new(cell).minus, minus, "{cell}");
+        }
+        let unknown = |cell: &str| Head::new(cell).unknown;
+        assert_eq!(unknown("Re [furlong/N]").as_deref(), Some("furlong/N"));
+        assert_eq!(unknown("Frequency [MHz]").as_deref(), Some("MHz"));
+        assert_eq!(unknown("Re [m/N]"), None);
+        assert_eq!(unknown("Re(H11)"), None);
     }
 }

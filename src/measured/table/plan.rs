@@ -2,13 +2,18 @@
 
 use super::columns::{Columns, Group};
 use super::dialect::Dialect;
+use super::groups::{by_number, guess, in_turn, magnitude, one_unit, said};
 use super::head::{Head, Role};
+use super::sample::ColumnKind;
 use crate::measured::inspect::Question;
-use crate::measured::layout::{FrequencyUnit, Layout, PhaseUnit, Values};
+use crate::measured::layout::{FrequencyUnit, Layout};
 use crate::measured::{Fault, Hint, fault_at};
 
 /// Most columns of a table.
 const MOST_COLUMNS: usize = 1000;
+
+/// A phase beyond this is in degrees: in rad it would be nearly ten turns.
+const SURELY_DEGREES: f64 = 60.0;
 
 /// Which columns of a table make which curves.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,7 +24,38 @@ pub(in crate::measured) struct Plan {
     pub(super) curve: Option<usize>,
     pub(in crate::measured) groups: Vec<Group>,
     pub(in crate::measured) missing: Vec<Question>,
+    /// What was left out or taken for granted.
     pub(super) notes: Vec<String>,
+    /// What is in the header and not understood, a sentence each.
+    pub(in crate::measured) doubts: Vec<String>,
+    /// Whether the header is the one that the program writes.
+    pub(in crate::measured) is_own: bool,
+}
+
+/// What is known of the columns.
+pub(super) struct Table<'a> {
+    pub(super) dialect: &'a Dialect,
+    pub(super) heads: Vec<Head>,
+    /// The columns of numbers besides the frequencies.
+    pub(super) free: Vec<usize>,
+}
+
+impl Table<'_> {
+    /// The number of a column and its header as it stands.
+    pub(super) fn title(&self, index: usize) -> String {
+        match self.dialect.header.get(index).map(|word| word.trim()) {
+            Some(word) if !word.is_empty() => format!("column {} ({word})", index + 1),
+            _ => format!("column {}", index + 1),
+        }
+    }
+
+    pub(super) fn is_complex(&self, index: usize) -> bool {
+        self.dialect.columns.get(index) == Some(&ColumnKind::Complex)
+    }
+
+    pub(super) fn role(&self, index: usize) -> Role {
+        self.heads.get(index).map_or(Role::Unsaid, |head| head.role)
+    }
 }
 
 impl Plan {
@@ -28,24 +64,28 @@ impl Plan {
     /// # Errors
     /// There are no columns of values, too many, or a number of them that does not fit the layout.
     pub(in crate::measured) fn new(dialect: &Dialect, hint: &Hint) -> Result<Self, Fault> {
-        if dialect.width > MOST_COLUMNS {
+        if dialect.width() > MOST_COLUMNS {
             let message = format!(
                 "has {} columns: up to {MOST_COLUMNS} would be accepted",
-                dialect.width
+                dialect.width()
             );
             return Err(fault_at("", 1, 1, message));
         }
         let heads: Vec<Head> = dialect.header.iter().map(|cell| Head::new(cell)).collect();
+        let layout = hint.layout.as_ref();
+        let mut table = Table {
+            dialect,
+            heads,
+            free: Vec::new(),
+        };
+        let (column, unit) = frequencies(&table, layout)?;
         let first = usize::from(dialect.has_curves);
-        let (column, unit) = frequencies(&heads, first).unwrap_or((first, None));
         let is_free = |index: &usize| {
             *index != column
-                && heads
-                    .get(*index)
-                    .is_none_or(|head| head.role != Role::Other)
+                && dialect.columns[*index] != ColumnKind::Text
+                && table.role(*index) != Role::Other
         };
-        let free: Vec<usize> = (first..dialect.width).filter(is_free).collect();
-        let layout = hint.layout.as_ref();
+        table.free = (first..dialect.width()).filter(is_free).collect();
         let told = layout.map(|layout| layout.frequency).or(unit);
         let mut plan = Self {
             frequency: (column, told.unwrap_or(FrequencyUnit::Hertz)),
@@ -53,66 +93,157 @@ impl Plan {
             groups: Vec::new(),
             missing: Vec::new(),
             notes: Vec::new(),
+            doubts: doubts(&table),
+            is_own: dialect
+                .header
+                .get(column)
+                .is_some_and(|cell| cell == "frequency_hz"),
         };
         if told.is_none() {
             plan.missing.push(Question::Frequency);
             plan.notes
                 .push("the unit of the frequencies is not said: Hz is taken".to_owned());
         }
-        let own = dialect
-            .header
-            .get(column)
-            .is_some_and(|cell| cell == "frequency_hz");
-        plan.group(&heads, &free, layout, own)?;
+        plan.group(&table, layout)?;
+        plan.note_texts(&table);
+        plan.note_minus(&table);
         plan.name(&hint.stem());
-        if layout.is_none() && plan.groups.iter().any(|group| group.unit.is_none()) {
-            plan.missing.push(Question::Unit);
+        if layout.is_none() {
+            plan.ask_of_phases(&table);
+            if plan.groups.iter().any(|group| group.unit.is_none()) {
+                plan.missing.push(Question::Unit);
+            }
         }
         Ok(plan)
     }
 
     /// Makes the groups of the free columns.
-    fn group(
-        &mut self,
-        heads: &[Head],
-        free: &[usize],
-        layout: Option<&Layout>,
-        own: bool,
-    ) -> Result<(), Fault> {
-        let (said, rest) = pairs(heads, free);
+    fn group(&mut self, table: &Table, layout: Option<&Layout>) -> Result<(), Fault> {
+        if let Some(layout) = layout.filter(|layout| !layout.places.curves.is_empty()) {
+            self.groups = by_number(table, layout)?;
+            return Ok(());
+        }
+        let (said, rest) = said(table);
         let fits = |group: &Group| {
             layout.is_none_or(|layout| layout.values.is_like(group.columns.values()))
         };
-        if said.iter().any(fits) || (own && layout.is_none() && !free.is_empty()) {
-            self.groups = said;
-            for index in rest {
-                match heads.get(index) {
-                    // An energy in a table of the program.
-                    Some(head) if own && head.role == Role::Unsaid && !head.name.is_empty() => {
-                        self.groups.push(magnitude(head, index));
-                    }
-                    _ => self.notes.push(format!(
-                        "column {} left out: it is not said what it is",
-                        index + 1
-                    )),
-                }
-            }
+        let own = self.is_own && layout.is_none() && !table.free.is_empty();
+        if said.iter().any(fits) || own {
+            self.take_said(table, said, fits);
+            self.leave_out(table, rest);
             self.groups
                 .sort_by_key(|group| group.columns.both().into_iter().min());
         } else {
-            let values = layout.map_or(guess(free.len()), |layout| layout.values);
+            let values = layout.map_or_else(|| guess(table), |layout| layout.values);
             if layout.is_none() {
                 self.missing.push(Question::Values);
             }
-            self.groups = in_turn(heads, free, values)?;
+            self.groups = in_turn(table, values)?;
         }
         if let Some(layout) = layout {
             for group in self.groups.iter_mut().filter(|group| fits(group)) {
                 group.columns = group.columns.in_units_of(layout.values);
                 group.unit = layout.unit.clone().or(group.unit.take());
+                group.minus[1] |= layout.minus;
             }
         }
+        self.ask_of_order(table, layout);
+        if layout.is_none_or(|layout| layout.unit.is_none()) {
+            return self
+                .groups
+                .iter()
+                .try_for_each(|group| one_unit(table, group));
+        }
         Ok(())
+    }
+
+    /// Takes the groups that fit what a person says, and those that say themselves in which unit they are.
+    fn take_said(&mut self, table: &Table, said: Vec<Group>, fits: impl Fn(&Group) -> bool) {
+        for group in said {
+            if fits(&group) || group.unit.is_some() || self.is_own {
+                self.groups.push(group);
+            } else {
+                let [first, second] = group.columns.both();
+                let columns = if first == second {
+                    table.title(first)
+                } else {
+                    format!("{} and {}", table.title(first), table.title(second))
+                };
+                self.notes.push(format!(
+                    "{columns} left out: {}, which is not what was asked for",
+                    group.columns.values()
+                ));
+            }
+        }
+    }
+
+    fn leave_out(&mut self, table: &Table, rest: Vec<usize>) {
+        for index in rest {
+            match table.heads.get(index) {
+                // An energy in a table of the program.
+                Some(head) if self.is_own && head.role == Role::Unsaid && !head.name.is_empty() => {
+                    self.groups.push(magnitude(head, index));
+                }
+                _ => self.notes.push(format!(
+                    "column {} left out: it is not said what it is",
+                    index + 1
+                )),
+            }
+        }
+    }
+
+    /// Asks where complex numbers stand beside several columns that may all be the frequencies.
+    fn ask_of_order(&mut self, table: &Table, layout: Option<&Layout>) {
+        let is_said = matches!(table.role(self.frequency.0), Role::Frequency(_));
+        let is_used = |index: usize| {
+            let mut groups = self.groups.iter();
+            groups.any(|group| group.columns.both().contains(&index))
+        };
+        let spare = table.free.iter().any(|index| !is_used(*index));
+        let is_open = layout.is_none() && !is_said && spare;
+        if is_open && !self.missing.contains(&Question::Values) {
+            self.missing.push(Question::Values);
+        }
+    }
+
+    /// Says which columns are no numbers.
+    fn note_texts(&mut self, table: &Table) {
+        let kinds = table.dialect.columns.iter().enumerate();
+        for (index, _) in kinds.filter(|(_, kind)| **kind == ColumnKind::Text) {
+            if self.curve != Some(index) {
+                self.notes.push(format!(
+                    "column {} left out: it holds no numbers",
+                    index + 1
+                ));
+            }
+        }
+    }
+
+    /// Says where a minus of the header is undone.
+    fn note_minus(&mut self, table: &Table) {
+        let columns = self.groups.iter().flat_map(|group| {
+            let both = group.columns.both().into_iter().zip(group.minus);
+            both.filter(|(_, minus)| *minus).map(|(column, _)| column)
+        });
+        let notes = columns
+            .map(|column| format!("{} is taken with the opposite sign", table.title(column)));
+        self.notes.extend(notes.collect::<Vec<_>>());
+    }
+
+    /// Asks for the unit of phases where neither the header nor their size says it.
+    fn ask_of_phases(&mut self, table: &Table) {
+        let open = self.groups.iter().any(|group| match group.columns {
+            Columns::Polar { phase, .. } => {
+                table.role(phase) == Role::Phase(None)
+                    && table.dialect.largest(phase) < SURELY_DEGREES
+            }
+            Columns::Complex { .. } | Columns::Magnitude { .. } => false,
+        });
+        if open && !self.missing.contains(&Question::Values) {
+            self.missing.push(Question::Phase);
+            self.notes
+                .push("the unit of the phases is not said: degrees are taken".to_owned());
+        }
     }
 
     /// Names the groups that have no name after the file; the words of a column `curve` are names enough.
@@ -128,123 +259,85 @@ impl Plan {
     }
 }
 
-/// The column of frequencies from a column on, and their unit as far as it is said.
-fn frequencies(heads: &[Head], first: usize) -> Option<(usize, Option<FrequencyUnit>)> {
-    let mut heads = heads.iter().enumerate().skip(first);
-    heads.find_map(|(index, head)| match head.role {
-        Role::Frequency(unit) => Some((index, unit)),
+/// The column of frequencies, and their unit as far as the header says it.
+fn frequencies(
+    table: &Table,
+    layout: Option<&Layout>,
+) -> Result<(usize, Option<FrequencyUnit>), Fault> {
+    let dialect = table.dialect;
+    let unit = |index: usize| match table.role(index) {
+        Role::Frequency(unit) => unit,
         _ => None,
-    })
-}
-
-/// A column that is a magnitude.
-fn magnitude(head: &Head, index: usize) -> Group {
-    Group {
-        name: head.name.clone(),
-        columns: Columns::Magnitude {
-            size: index,
-            decibels: false,
-        },
-        unit: head.unit.clone(),
-    }
-}
-
-/// What columns without words are likely to be.
-const fn guess(columns: usize) -> Values {
-    if columns.is_multiple_of(2) {
-        Values::Complex
-    } else {
-        Values::Magnitude { decibels: false }
-    }
-}
-
-/// The groups whose columns say what they are, and the columns that are left.
-fn pairs(heads: &[Head], free: &[usize]) -> (Vec<Group>, Vec<usize>) {
-    let mut groups = Vec::new();
-    let mut left: Vec<usize> = free.to_vec();
-    for &index in free {
-        let Some(head) = heads.get(index).filter(|_| left.contains(&index)) else {
-            continue;
-        };
-        let Some(columns) = columns_of(heads, head, index, &left) else {
-            continue;
-        };
-        left.retain(|column| !columns.both().contains(column));
-        groups.push(Group {
-            name: name(heads, columns),
-            columns,
-            unit: head.unit.clone(),
-        });
-    }
-    (groups, left)
-}
-
-/// The columns of a curve that starts with a real part or a magnitude; degrees where a phase's unit is not said.
-fn columns_of(heads: &[Head], head: &Head, index: usize, left: &[usize]) -> Option<Columns> {
-    let partner = |is: fn(Role) -> bool| {
-        let role = |other: usize| heads.get(other).filter(|one| is(one.role));
-        let same = |other: &usize| role(*other).is_some_and(|one| one.name == head.name);
-        // Of two neighbours one may have no name: H [dB], Phase.
-        let next = |other: &usize| {
-            *other == index + 1
-                && role(*other).is_some_and(|one| one.name.is_empty() || head.name.is_empty())
-        };
-        let mut others = left.iter().copied();
-        others.clone().find(same).or_else(|| others.find(next))
     };
-    match head.role {
-        Role::Real => {
-            let im = partner(|role| role == Role::Imaginary)?;
-            Some(Columns::Complex { re: index, im })
-        }
-        Role::Magnitude { decibels } => {
-            Some(match partner(|role| matches!(role, Role::Phase(_))) {
-                Some(phase) => Columns::Polar {
-                    size: index,
-                    decibels,
-                    phase,
-                    unit: match heads[phase].role {
-                        Role::Phase(Some(unit)) => unit,
-                        _ => PhaseUnit::Degree,
-                    },
-                },
-                None => Columns::Magnitude {
-                    size: index,
-                    decibels,
-                },
-            })
-        }
-        _ => None,
+    if let Some(place) = layout.and_then(|layout| layout.places.frequency) {
+        let index = place - 1;
+        return match dialect.columns.get(index) {
+            Some(ColumnKind::Real) => Ok((index, unit(index))),
+            Some(_) => Err(wrong_column(
+                place,
+                "holds no real numbers: another one would be accepted",
+            )),
+            None => Err(too_few(place, dialect)),
+        };
+    }
+    let chosen: Vec<usize> = layout.map_or_else(Vec::new, |layout| {
+        layout
+            .places
+            .curves
+            .iter()
+            .flatten()
+            .map(|place| place - 1)
+            .collect()
+    });
+    let first = usize::from(dialect.has_curves);
+    let is_open =
+        |index: &usize| dialect.columns[*index] == ColumnKind::Real && !chosen.contains(index);
+    let open: Vec<usize> = (first..dialect.width()).filter(is_open).collect();
+    let named = |index: &&usize| matches!(table.role(**index), Role::Frequency(_));
+    let unsaid = |index: &&usize| table.role(**index) == Role::Unsaid;
+    let found = open.iter().find(named).or_else(|| open.iter().find(unsaid));
+    match found {
+        Some(&index) => Ok((index, unit(index))),
+        None => Err(fault_at(
+            "",
+            1,
+            1,
+            "has no column of frequencies: one headed such as \"Frequency [Hz]\" would be accepted, or its number, as hz 1",
+        )),
     }
 }
 
-/// The name of the columns of a curve.
-fn name(heads: &[Head], columns: Columns) -> String {
-    let names = columns.both().map(|column| heads[column].name.clone());
-    names
-        .into_iter()
-        .find(|name| !name.is_empty())
-        .unwrap_or_default()
+/// That a column chosen by number is none.
+pub(super) fn too_few(place: usize, dialect: &Dialect) -> Fault {
+    let width = dialect.width();
+    wrong_column(
+        place,
+        &format!("is not there: the table has {width} columns"),
+    )
 }
 
-/// Groups of columns one after the other, whatever their words.
-fn in_turn(heads: &[Head], free: &[usize], values: Values) -> Result<Vec<Group>, Fault> {
-    let size = values.columns();
-    if free.is_empty() || !free.len().is_multiple_of(size) {
-        let message = format!(
-            "{} columns beside the frequencies are not \"{values}\" of one curve or of several: {size} or a multiple \
-             would be accepted",
-            free.len()
-        );
-        return Err(fault_at("", 1, 1, message));
+pub(super) fn wrong_column(place: usize, why: &str) -> Fault {
+    fault_at("", 1, 1, format!("column {place} {why}"))
+}
+
+/// What is in the header and not understood.
+fn doubts(table: &Table) -> Vec<String> {
+    let dialect = table.dialect;
+    let mut doubts = Vec::new();
+    if !dialect.misfit.is_empty() {
+        doubts.push(format!(
+            "its header has {} words for {} columns ({})",
+            dialect.misfit.len(),
+            dialect.width(),
+            dialect.misfit.join(" | ")
+        ));
     }
-    let group = |columns: &[usize]| {
-        let head = heads.get(columns[0]);
-        Group {
-            name: head.map_or_else(String::new, |head| head.name.clone()),
-            columns: Columns::of(values, columns[0], columns[size - 1]),
-            unit: head.and_then(|head| head.unit.clone()),
+    let mut unknown: Vec<&String> = Vec::new();
+    for unit in table.heads.iter().filter_map(|head| head.unknown.as_ref()) {
+        if !unknown.contains(&unit) {
+            unknown.push(unit);
+            doubts.push(format!("its unit {unit:?} is not known"));
         }
-    };
-    Ok(free.chunks(size).map(group).collect())
+    }
+    doubts
 }

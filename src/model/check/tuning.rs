@@ -220,10 +220,19 @@ fn objective(at: &str, model: &Model, objective: &Objective, faults: &mut Vec<Fa
                 faults.push(Fault::new(format!("{at}.at"), message));
             }
         }
-        Aim::Match { file, curve, .. } => {
+        Aim::Match {
+            file,
+            curve,
+            columns,
+            ..
+        } => {
             not_blank(&format!("{at}.match"), file, "a file", faults);
             if let Some(curve) = curve {
                 not_blank(&format!("{at}.curve"), curve, "a curve", faults);
+            }
+            if let Some(columns) = columns {
+                let expected = "the columns, as \"hz; re im; m/N\"";
+                not_blank(&format!("{at}.columns"), columns, expected, faults);
             }
         }
         Aim::Energy | Aim::Peak { .. } | Aim::MeanSquare { .. } => {}

@@ -126,14 +126,14 @@ const AIMS: [(&str, &str, &[&str]); 6] = [
     ("minimise", "energy", &[]),
     ("maximise", "width", &["response", "below"]),
     ("place", "anti_resonance", &["response", "at"]),
-    ("match", "", &["response", "curve", "compare"]),
+    ("match", "", &["response", "curve", "columns", "compare"]),
 ];
 
 /// The keys of which one says what is asked for.
 const AIM_KEYS: [&str; 4] = ["minimise", "maximise", "place", "match"];
 
 /// The keys that belong to some aims.
-const OF_AIMS: [&str; 5] = ["response", "below", "at", "curve", "compare"];
+const OF_AIMS: [&str; 6] = ["response", "below", "at", "curve", "columns", "compare"];
 
 fn objective(path: String, node: Node<'_>, reader: &mut Reader) -> Objective {
     let mut objective = Objective {
@@ -233,18 +233,19 @@ fn aim_of(index: usize, table: &mut Table<'_>, reader: &mut Reader) -> Aim {
 
 fn matched(response: String, table: &mut Table<'_>, reader: &mut Reader) -> Aim {
     let file = table.text("match", None, reader).unwrap_or_default();
-    table.accept("curve");
-    let curve = if table.has("curve") {
-        table.text("curve", None, reader)
-    } else {
-        None
+    let mut optional = |key| {
+        table.accept(key);
+        let is_there = table.has(key);
+        is_there.then(|| table.text(key, None, reader)).flatten()
     };
+    let (curve, columns) = (optional("curve"), optional("columns"));
     let words = Compare::ALL.map(Compare::key);
     let compare = table.word("compare", &words, Some(0), reader);
     Aim::Match {
         response,
         file,
         curve,
+        columns,
         compare: compare.map_or_else(Compare::default, |index| Compare::ALL[index]),
     }
 }

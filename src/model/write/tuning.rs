@@ -88,9 +88,10 @@ fn objective(objective: &Objective) -> Node {
         Aim::Match {
             file,
             curve,
+            columns,
             compare,
             ..
-        } => matched(file, curve.as_deref(), *compare),
+        } => matched(file, curve.as_deref(), columns.as_deref(), *compare),
     };
     entries.extend(objective.aim.response().map(|name| text("response", name)));
     entries.extend(band(objective.from, objective.to));
@@ -98,9 +99,10 @@ fn objective(objective: &Objective) -> Node {
     Node::Inline(entries)
 }
 
-fn matched(file: &str, curve: Option<&str>, compare: Compare) -> Vec<Entry> {
+fn matched(file: &str, curve: Option<&str>, columns: Option<&str>, compare: Compare) -> Vec<Entry> {
     let mut entries = vec![text("match", file)];
     entries.extend(curve.map(|curve| text("curve", curve)));
+    entries.extend(columns.map(|columns| text("columns", columns)));
     let word = Node::Text(compare.key().to_owned());
     entries.push(optional("compare", word, compare == Compare::default()));
     entries

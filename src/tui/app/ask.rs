@@ -40,8 +40,10 @@ pub enum Question {
     Columns {
         /// The file.
         path: PathBuf,
-        /// What it holds, in words.
+        /// What it does not say, and what it holds, in words.
         seen: String,
+        /// Its columns and first rows.
+        preview: Vec<String>,
     },
     /// The file to which what is on the screen goes.
     Export,
@@ -103,7 +105,7 @@ impl Question {
             Self::Objective { subject, .. } => {
                 return (
                     format!(" Tune {subject} "),
-                    "peak, mean square, energy, width LEVEL, anti-resonance HZ, match FILE; + adds; limit mass KG".to_owned(),
+                    "peak, mean square, energy, width LEVEL, anti-resonance HZ, match FILE (columns hz; re im; m/N); + adds; limit mass KG".to_owned(),
                 );
             }
             Self::Name(_) => ("Name", "any text".to_owned()),
@@ -165,7 +167,10 @@ impl App {
                 paths, unit, index, ..
             } => self.take_bounds(paths, *unit, *index, text),
             Question::Objective { response, band, .. } => {
-                self.take_objective(response, *band, text)
+                match self.check_objective(response, *band, text) {
+                    Some(check) => return vec![check],
+                    None => self.take_objective(response, *band, text),
+                }
             }
             Question::Name(row) => self.name_beside(*row, text),
             _ if text.is_empty() && question.is_path() => Err("type a file's path".to_owned()),

@@ -1,10 +1,11 @@
 //! What the designer wants done outside, and what came of it.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::Duration;
 
 use super::{Base, Export, OpenedMeasured, Outside, Saving};
-use crate::model::Fault;
+use crate::model::{Fault, Model, Objective};
 use crate::tui::Opened;
 use crate::tui::user::recovery::Kept;
 use crate::worker::Request;
@@ -36,6 +37,15 @@ pub enum Effect {
     OpenReference(PathBuf),
     /// Open a file of measured curves; its columns are what this says, where it is said.
     OpenMeasured(PathBuf, Option<String>),
+    /// Read the measured curve that an objective asks for.
+    CheckMatch {
+        /// The model.
+        model: Arc<Model>,
+        /// The objective.
+        objective: Box<Objective>,
+        /// The folder of the model's file.
+        folder: PathBuf,
+    },
     /// Keep changes that are not saved, so that a killed program does not lose them.
     Keep(Kept),
     /// Nothing is unsaved any more.
@@ -101,6 +111,8 @@ pub enum Reply {
     Reference(Box<Opened>),
     /// What came of opening a file of measured curves.
     Measured(OpenedMeasured),
+    /// Whether the measured curve of the typed objective can be matched, else why not.
+    MatchChecked(Result<(), Fault>),
     /// The file was not saved, and why.
     NotSaved(PathBuf, String),
     /// A model was opened.

@@ -189,6 +189,10 @@ impl App {
                 Vec::new()
             }
             Reply::Measured(opened) => self.measured_opened(opened),
+            Reply::MatchChecked(checked) => {
+                self.match_checked(checked);
+                Vec::new()
+            }
             Reply::NotSaved(path, reason) => {
                 self.after_save = None;
                 self.refuse_prompt(format!("{} is not saved: {reason}", shown_path(&path)));

@@ -207,10 +207,7 @@ impl App {
     fn take_measured(&mut self, curves: Vec<Curve>) {
         self.overlay = None;
         let room = MOST_CURVES - self.beside.measured.len();
-        let (read, notes) = (
-            curves.len(),
-            curves.iter().find_map(|one| one.notes.first()).cloned(),
-        );
+        let (read, notes) = (curves.len(), notes(&curves));
         if room == 0 {
             let list = self.keys.key_of(Command::Beside);
             return self.refuse(format!(
@@ -239,20 +236,20 @@ impl App {
         let left = if taken < read {
             format!(", {} left out: {MOST_CURVES} are the most", read - taken)
         } else {
-            notes.map_or_else(String::new, |note| format!("; {note}"))
+            notes
         };
         self.done(format!("{taken} measured {what}{left}"));
     }
 
     /// Asks what a file does not say of itself.
     fn ask_columns(&mut self, path: PathBuf, inspection: &Inspection) {
-        let missing = inspection.missing.iter().map(ToString::to_string);
-        let seen: Vec<String> = missing
+        let seen: Vec<String> = std::iter::once(inspection.question())
             .chain(inspection.recognised.iter().cloned())
             .collect();
         let question = Question::Columns {
             path,
-            seen: format!("It does not say {}", seen.join("; ")),
+            seen: seen.join("; "),
+            preview: inspection.preview(),
         };
         let mut proposal = inspection.proposal.clone();
         // One curve is likely to be of what shows.
@@ -403,6 +400,18 @@ impl App {
             .collect();
         fit(&seen, &model, self.band.span)
     }
+}
+
+/// What was left out or taken for granted, each once, behind semicolons.
+fn notes(curves: &[Curve]) -> String {
+    let mut seen: Vec<&String> = Vec::new();
+    for note in curves.iter().flat_map(|curve| &curve.notes) {
+        if !seen.contains(&note) {
+            seen.push(note);
+        }
+    }
+    let notes = seen.into_iter().flat_map(|note| ["; ", note.as_str()]);
+    notes.collect()
 }
 
 /// From one frequency of a curve to the next that is looked at.

@@ -5,11 +5,12 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::escape::{path_of_text, path_text};
-use crate::measured::{self, Curve, Hint, Inspection, Layout};
-use crate::model::{self, Fault};
+use crate::measured::{self, Hint, Layout};
+use crate::model::{self, Fault, Model, Objective};
 use crate::tui::app::{Export, Guard, OpenedMeasured, Outside, Reply, Saving};
 use crate::tui::user::why;
 use crate::tui::{Opened, Source};
+use crate::tune;
 
 /// What became of a file that held this text.
 pub(super) fn compare(path: &Path, text: &str) -> Outside {
@@ -74,30 +75,25 @@ fn write(path: &Path, text: &str, guard: &Guard, what: Saving) -> Result<(), Rep
 pub(super) fn open_measured(path: PathBuf, layout: Option<&str>) -> Reply {
     let path = from_home(path);
     Reply::Measured(match read_measured(&path, layout) {
-        Ok(Ok(curves)) => OpenedMeasured::Curves(curves),
-        Ok(Err(inspection)) => OpenedMeasured::Asks(path, Box::new(inspection)),
+        Ok(measured::Opened::Curves(curves)) => OpenedMeasured::Curves(curves),
+        Ok(measured::Opened::Asks(inspection)) => OpenedMeasured::Asks(path, inspection),
         Err(fault) => OpenedMeasured::Faulty(path, fault),
     })
 }
 
 /// The curves of a file, or what has to be asked first.
-fn read_measured(
-    path: &Path,
-    layout: Option<&str>,
-) -> Result<Result<Vec<Curve>, Inspection>, Fault> {
+fn read_measured(path: &Path, layout: Option<&str>) -> Result<measured::Opened, Fault> {
     let layout = layout.map(Layout::parse).transpose();
     let hint = Hint {
         name: path_text(path),
         layout: layout.map_err(|reason| Fault::new("", reason))?,
     };
-    let bytes = measured::load(path)?;
-    if hint.layout.is_none() {
-        let inspection = measured::inspect(&bytes, &hint)?;
-        if !inspection.missing.is_empty() {
-            return Ok(Err(inspection));
-        }
-    }
-    measured::read(&bytes, &hint).map(Ok)
+    measured::open(&measured::load(path)?, &hint)
+}
+
+/// Reads the measured curve that an objective asks for, so that a wrong answer is refused where it is typed.
+pub(super) fn check_match(model: &Model, objective: &Objective, folder: &Path) -> Reply {
+    Reply::MatchChecked(tune::check_match(model, objective, folder))
 }
 
 /// Whether there is a file, or something that cannot be looked at.

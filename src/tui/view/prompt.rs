@@ -8,10 +8,10 @@ use tui_input::Input;
 
 use super::Panels;
 use super::boxes::open_box;
-use super::text::wrapped;
+use super::text::{cut, wrapped};
 use crate::escape::escape;
 use crate::model::entry;
-use crate::tui::app::{App, AskedKind, Prompt, Purpose};
+use crate::tui::app::{App, AskedKind, Prompt, Purpose, Question};
 use crate::tui::theme::Theme;
 
 /// The row below the selected one of the tree; the top where the tree does not show.
@@ -34,12 +34,18 @@ pub(super) fn draw(
 ) {
     let area = frame.area();
     let (title, allowed) = prompt_words(&prompt.purpose, complete);
+    let preview = match &prompt.purpose {
+        Purpose::Ask(Question::Columns { preview, .. }) => preview.as_slice(),
+        _ => &[],
+    };
     let columns = 56.min(area.width.saturating_sub(2));
     let text = usize::from(columns.saturating_sub(4));
-    let (lines, style) = match &prompt.refusal {
+    let (mut lines, style) = match &prompt.refusal {
         Some(refusal) => (wrapped(refusal, text), theme.refusal()),
         None => (wrapped(&allowed, text), theme.dim()),
     };
+    // The rows come first: the words may be more than the screen has room for.
+    lines.splice(0..0, preview.iter().map(|line| cut(line, text)));
     let height = lines.len() as u16 + 3;
     // Under the selected row, or above it where there is no room; on the screen in any case.
     let y = if below + height < area.height {

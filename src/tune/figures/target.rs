@@ -6,7 +6,7 @@ use num_complex::Complex64;
 
 use super::Band;
 use super::matching::Matching;
-use crate::measured::{self, Curve, Hint, Kind};
+use crate::measured::{self, Curve, Hint, Inspection, Kind, Layout, Opened, Question};
 use crate::model::{Aim, Compare, Fault, Model};
 use crate::solve::form::{Dimension, Reference};
 
@@ -25,13 +25,14 @@ pub(super) fn matching(
         response: name,
         file,
         curve,
+        columns,
         compare,
     } = aim
     else {
         return Err(Fault::new("tune", "asks for no measured curve"));
     };
     let about = |fault: Fault| Fault::new(format!("tune: {file}"), fault.to_string());
-    let all = read(&folder.join(file), file).map_err(about)?;
+    let all = read(&folder.join(file), file, columns.as_deref()).map_err(about)?;
     let one = choose(&all, curve.as_deref(), name)
         .map_err(|message| Fault::new(format!("tune: {file}"), message))?;
     let values = in_form_of(model, one, response)
@@ -62,12 +63,36 @@ pub(super) fn matching(
     })
 }
 
-fn read(path: &Path, name: &str) -> Result<Vec<Curve>, Fault> {
+fn read(path: &Path, name: &str, columns: Option<&str>) -> Result<Vec<Curve>, Fault> {
+    let layout = columns.map(Layout::parse).transpose();
     let hint = Hint {
         name: name.to_owned(),
-        layout: None,
+        layout: layout.map_err(|message| Fault::new("columns", message))?,
     };
-    measured::read(&measured::load(path)?, &hint)
+    let bytes = measured::load(path)?;
+    match measured::open(&bytes, &hint)? {
+        Opened::Curves(curves) => Ok(curves),
+        // A table of the program is of the responses that it names.
+        Opened::Asks(seen) if seen.is_own && seen.missing == [Question::Unit] => {
+            measured::read(&bytes, &hint)
+        }
+        Opened::Asks(seen) => Err(Fault::new("", asked(&seen))),
+    }
+}
+
+/// What a file leaves open, and how it is answered.
+fn asked(seen: &Inspection) -> String {
+    let rows = seen.preview().join("; ");
+    let rows = if rows.is_empty() {
+        String::new()
+    } else {
+        format!(" ({rows})")
+    };
+    format!(
+        "{}{rows}; an answer would be accepted, as columns = \"{}\", with ? for the unit of the response",
+        seen.question(),
+        seen.proposal
+    )
 }
 
 /// The curve of a name; without one that of the response's name, or the only one.

@@ -1,7 +1,9 @@
 //! What a search is for: a figure of the first curve in the marked band, and what must hold meanwhile.
 
-use crate::model::{Aim, Combine, Compare, Limit, Model, Objective};
-use crate::tui::app::{App, Question};
+use std::sync::Arc;
+
+use crate::model::{Aim, Combine, Compare, Fault, Limit, Model, Objective};
+use crate::tui::app::{App, Effect, Overlay, Purpose, Question};
 
 /// What was typed.
 #[derive(Debug, PartialEq)]
@@ -36,6 +38,49 @@ impl App {
             band: [from, to],
         };
         self.ask_question(question, "peak".to_owned());
+    }
+
+    /// What has to be read before an objective is taken: the measured curve of a match.
+    pub(in crate::tui::app) fn check_objective(
+        &self,
+        response: &str,
+        band: [f64; 2],
+        text: &str,
+    ) -> Option<Effect> {
+        let Ok(Typed::Objective { aim, weight, .. }) = read_objective(text, response, band) else {
+            return None;
+        };
+        let is_match = matches!(aim, Aim::Match { .. });
+        is_match.then(|| Effect::CheckMatch {
+            model: Arc::clone(self.model()),
+            objective: Box::new(Objective {
+                aim,
+                from: band[0],
+                to: band[1],
+                weight,
+            }),
+            folder: self.folder(),
+        })
+    }
+
+    /// Takes the typed objective whose measured curve was read, or says in the box why it is not taken.
+    pub(in crate::tui::app) fn match_checked(&mut self, checked: Result<(), Fault>) {
+        let Some(Overlay::Prompt(prompt)) = &self.overlay else {
+            return;
+        };
+        let Purpose::Ask(Question::Objective { response, band, .. }) = prompt.purpose.clone()
+        else {
+            return;
+        };
+        let text = prompt.input.value().trim().to_owned();
+        let taken = match checked {
+            Ok(()) => self.take_objective(&response, band, &text),
+            Err(fault) => Err(fault.to_string().trim_start_matches("tune: ").to_owned()),
+        };
+        match taken {
+            Ok(()) => self.overlay = None,
+            Err(refusal) => self.refuse_prompt(refusal),
+        }
     }
 
     /// Takes what was typed.
@@ -117,7 +162,7 @@ impl App {
 
 /// What the words mean for a response and a band.
 fn read_objective(text: &str, response: &str, band: [f64; 2]) -> Result<Typed, String> {
-    const FORM: &str = "peak, mean square, energy, width LEVEL, anti-resonance HZ, match FILE; + adds one, x 2 weighs it; sum, worst; limit mass KG, limit modes, limit static SIZE, no limits";
+    const FORM: &str = "peak, mean square, energy, width LEVEL, anti-resonance HZ, match FILE, match FILE columns hz; re im; m/N; + adds one, x 2 weighs it; sum, worst; limit mass KG, limit modes, limit static SIZE, no limits";
     let text = text.trim();
     match text {
         "sum" => return Ok(Typed::Combine(Combine::Sum)),
@@ -151,12 +196,7 @@ fn read_objective(text: &str, response: &str, band: [f64; 2]) -> Result<Typed, S
             response,
             at: number(at.trim_end_matches("Hz"))?,
         },
-        ("match", file) if !file.is_empty() => Aim::Match {
-            response,
-            file: file.to_owned(),
-            curve: None,
-            compare: Compare::LogMagnitude,
-        },
+        ("match", rest) if !rest.is_empty() => matched(response, rest),
         _ => return Err(FORM.to_owned()),
     };
     Ok(Typed::Objective {
@@ -164,6 +204,30 @@ fn read_objective(text: &str, response: &str, band: [f64; 2]) -> Result<Typed, S
         weight,
         beside,
     })
+}
+
+/// A match of a file, perhaps with what its columns are.
+fn matched(response: String, text: &str) -> Aim {
+    let (file, columns) = match text.split_once(" columns ") {
+        Some((file, columns)) => (file, Some(columns)),
+        None => (text, None),
+    };
+    // Also as in a model file: columns = "..".
+    let bare = |columns: &str| {
+        columns
+            .trim()
+            .trim_start_matches('=')
+            .trim()
+            .trim_matches('"')
+            .to_owned()
+    };
+    Aim::Match {
+        response,
+        file: file.trim().to_owned(),
+        curve: None,
+        columns: columns.map(bare),
+        compare: Compare::LogMagnitude,
+    }
 }
 
 fn read_limit(text: &str, response: &str, [from, to]: [f64; 2]) -> Result<Limit, String> {
@@ -235,6 +299,19 @@ mod tests {
         ];
         for (text, aim) in aims {
             assert_eq!(read(text), Ok(objective(aim)), "{text}");
+        }
+        for text in [
+            "match run 7.csv columns hz 1; re 8; im 9; m/N",
+            "match run 7.csv columns = \"hz 1; re 8; im 9; m/N\"",
+        ] {
+            let matched = Aim::Match {
+                response: response(),
+                file: "run 7.csv".to_owned(),
+                curve: None,
+                columns: Some("hz 1; re 8; im 9; m/N".to_owned()),
+                compare: Compare::LogMagnitude,
+            };
+            assert_eq!(read(text), Ok(objective(matched)), "{text}");
         }
         let added = Typed::Objective {
             aim: Aim::Energy,

@@ -1,0 +1,252 @@
+//! The words above the columns: found in the lines above the numbers, and matched to the columns by place and count.
+
+use super::head::{Head, Role};
+use super::sample::Separator;
+use super::tokens::{Token, grouped, joined, placed, split, tokens, with_units};
+use crate::measured::layout::{FrequencyUnit, PhaseUnit};
+use crate::measured::unit::ValueUnit;
+
+/// Lines above the numbers that are looked at.
+const MOST_LINES: usize = 12;
+
+/// The columns that a header has to fit.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Shape<'a> {
+    pub(super) separator: Separator,
+    /// Number of columns.
+    pub(super) width: usize,
+    /// Number of cells of most rows: empty ones at the end are no columns.
+    pub(super) cells: usize,
+    /// The first rows of numbers as they stand.
+    pub(super) lines: &'a [&'a str],
+}
+
+/// What was found of a header.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Header {
+    /// A text a column; none where there is no header.
+    pub(super) cells: Vec<String>,
+    /// The words of a header that does not fit the columns.
+    pub(super) misfit: Vec<String>,
+}
+
+impl Header {
+    /// In the lines above the numbers, the nearest first.
+    pub(super) fn find<'a>(above: impl Iterator<Item = &'a str>, shape: Shape) -> Self {
+        let lines = above.filter(|line| line.contains(char::is_alphanumeric) || line.contains('|'));
+        let mut units: Option<Vec<String>> = None;
+        let mut is_next = true;
+        for line in lines.take(MOST_LINES).map(bare_line) {
+            if units.is_none()
+                && let Some(found) = row_of_units(line, shape)
+            {
+                units = Some(found);
+                continue;
+            }
+            if let Some(words) = fitted(line, shape, is_next) {
+                let cells = match units {
+                    Some(units) => words.iter().zip(units).map(with_unit).collect(),
+                    None => words,
+                };
+                return Self {
+                    cells,
+                    misfit: Vec::new(),
+                };
+            }
+            let words = split(line, shape.separator);
+            if known(&words) >= 2 || known(&texts(joined(tokens(line)))) >= 2 {
+                return Self {
+                    cells: Vec::new(),
+                    misfit: words,
+                };
+            }
+            is_next = false;
+        }
+        Self {
+            cells: units.unwrap_or_default(),
+            misfit: Vec::new(),
+        }
+    }
+
+    /// In the words behind the first row of numbers: a name and perhaps a unit for each column.
+    pub(super) fn behind(words: &[String], shape: Shape) -> Self {
+        let filled = words.iter().rposition(|word| !word.trim().is_empty());
+        let words = &words[..filled.map_or(0, |last| last + 1)];
+        let pairs = words.chunks(2).map(|pair| {
+            let unit = pair.get(1).cloned().unwrap_or_default();
+            with_unit((&pair[0], unit))
+        });
+        let line = words.join(" ");
+        let blanks = Shape {
+            separator: Separator::Blanks,
+            ..shape
+        };
+        let ways = [words.to_vec(), pairs.collect()];
+        let fits = |cells: &Vec<String>| cells.len() == shape.width && known(cells) >= 2;
+        let cells = ways.into_iter().find(fits);
+        let cells = cells.or_else(|| fitted(bare_line(&line), blanks, false).filter(fits));
+        let cells = cells.unwrap_or_default();
+        Self {
+            cells,
+            misfit: Vec::new(),
+        }
+    }
+}
+
+/// A line without the signs that make it a comment.
+fn bare_line(line: &str) -> &str {
+    let signs = ['#', '%', '!', '*', '/', '\'', '\u{feff}'];
+    let start = line.trim_start();
+    if !start.starts_with(signs) {
+        return line.trim_end_matches(['\r', '\n']);
+    }
+    // A tab behind the sign may be the end of an empty cell or nothing.
+    let rest = start.trim_start_matches(signs).trim_start();
+    rest.trim_end_matches(['\r', '\n'])
+}
+
+/// The cells of a line that fit the columns, by the first way of splitting it that does.
+fn fitted(line: &str, shape: Shape, is_next: bool) -> Option<Vec<String>> {
+    let own = split(line, shape.separator);
+    if let Some(cells) = resized(&own, shape) {
+        let is_blank = shape.separator == Separator::Blanks;
+        // Names alone: only right above the numbers, and not the words of a sentence.
+        let names = is_next && !is_blank && !cells.iter().any(|cell| is_no_name(cell));
+        if known(&cells) >= 1 || names {
+            return Some(cells);
+        }
+    }
+    let others = Separator::ALL
+        .into_iter()
+        .filter(|other| *other != Separator::Blanks);
+    let words = joined(tokens(line));
+    let ways = others
+        .map(|other| split(line, other))
+        .chain([
+            wide(line),
+            texts(tokens(line)),
+            texts(words.clone()),
+            texts(with_units(words.clone(), is_unit)),
+        ])
+        .chain(by_words(&words, shape.width))
+        .chain(by_place(&words, shape));
+    ways.filter_map(|cells| resized(&cells, shape))
+        .find(|cells| known(cells) >= 2)
+}
+
+fn texts(tokens: Vec<Token>) -> Vec<String> {
+    tokens.into_iter().map(|token| token.text).collect()
+}
+
+/// The cells of a line with two blanks or more between them.
+fn wide(line: &str) -> Vec<String> {
+    let cells = line.trim().split("  ").map(str::trim);
+    cells
+        .filter(|cell| !cell.is_empty())
+        .map(str::to_owned)
+        .collect()
+}
+
+/// The words of a line in as many groups as there are columns, each with one known word.
+fn by_words(words: &[Token], width: usize) -> Option<Vec<String>> {
+    let words = with_units(words.to_vec(), is_unit);
+    let is_known: Vec<bool> = words.iter().map(|word| is_role(&word.text)).collect();
+    let count = is_known.iter().filter(|known| **known).count();
+    (count == width).then(|| grouped(&words, &is_known))
+}
+
+/// The words of a line by the columns above which they stand, where each column has some and no two known ones.
+fn by_place(words: &[Token], shape: Shape) -> Option<Vec<String>> {
+    if shape.separator != Separator::Blanks {
+        return None;
+    }
+    let groups = placed(words, shape.lines, shape.width)?;
+    let one_role = |group: &Vec<String>| group.iter().filter(|word| is_role(word)).count() <= 1;
+    groups
+        .iter()
+        .all(one_role)
+        .then(|| groups.iter().map(|group| group.join(" ")).collect())
+}
+
+/// As many cells as columns; none where the line has another number of them.
+fn resized(cells: &[String], shape: Shape) -> Option<Vec<String>> {
+    let filled = cells.iter().filter(|cell| !cell.is_empty()).count();
+    let last = cells
+        .iter()
+        .rposition(|cell| !cell.is_empty())
+        .map_or(0, |last| last + 1);
+    if filled < 2.min(shape.width) || cells.len() < shape.width {
+        return None;
+    }
+    if last <= shape.width || last <= shape.cells {
+        return Some(cells[..shape.width].to_vec());
+    }
+    // The sign of a comment may be a cell of its own.
+    let is_sign = cells[0].is_empty() && last == shape.width + 1;
+    is_sign.then(|| cells[1..last].to_vec())
+}
+
+/// A row of nothing but units.
+fn row_of_units(line: &str, shape: Shape) -> Option<Vec<String>> {
+    let others = Separator::ALL.into_iter().map(|other| split(line, other));
+    let ways = std::iter::once(split(line, shape.separator))
+        .chain(others)
+        .chain([texts(tokens(line))]);
+    let mut ways = ways.filter_map(|cells| resized(&cells, shape));
+    let is_units = |cells: &Vec<String>| {
+        let filled = cells.iter().filter(|cell| !bare(cell).is_empty()).count();
+        filled >= 1
+            && cells
+                .iter()
+                .all(|cell| is_unit(cell) || matches!(bare(cell), "" | "-"))
+    };
+    ways.find(is_units)
+}
+
+fn with_unit((word, unit): (&String, String)) -> String {
+    match bare(&unit) {
+        "" | "-" => word.clone(),
+        unit if is_unit(unit) || word.trim().is_empty() => {
+            format!("{word} [{unit}]").trim().to_owned()
+        }
+        _ => word.clone(),
+    }
+}
+
+/// How many cells are known words or have known units.
+fn known(cells: &[String]) -> usize {
+    cells
+        .iter()
+        .filter(|cell| Head::new(cell).is_known())
+        .count()
+}
+
+/// Whether a word says what is in a column.
+fn is_role(word: &str) -> bool {
+    Head::new(word).role != Role::Unsaid
+}
+
+/// Whether a cell is no name of a column: a number, or a sentence of a preamble.
+fn is_no_name(cell: &str) -> bool {
+    cell.contains(':') || cell.parse::<f64>().is_ok()
+}
+
+/// Whether a cell is a unit and nothing else.
+fn is_unit(cell: &str) -> bool {
+    let word = bare(cell);
+    word.eq_ignore_ascii_case("db")
+        || FrequencyUnit::from_word(word).is_some()
+        || PhaseUnit::from_word(word).is_some()
+        || ValueUnit::parse(word).is_ok()
+}
+
+/// A word without brackets around it.
+fn bare(word: &str) -> &str {
+    let word = word.trim();
+    let inside = |open: char, close: char| {
+        let inside = word.strip_prefix(open)?.strip_suffix(close)?;
+        // Of (m)/(N) the first bracket does not end at the last.
+        (!inside.contains([open, close])).then_some(inside)
+    };
+    inside('[', ']').or(inside('(', ')')).unwrap_or(word).trim()
+}

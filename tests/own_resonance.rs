@@ -30,14 +30,38 @@ fn an_undamped_mass_on_a_fixed_end_at_its_own_resonance_changes_nothing() {
     let model = model::read(&std::fs::read_to_string("tests/data/own_resonance.toml").unwrap());
     let frf = solved(&model.unwrap(), &[454.105_192_924_406_37]);
     for (name, re, im) in [
-        ("p0 psi_slope", 211_515.390_536_157_76, -165_396.735_546_027_3),
-        ("p0 v_slope", 7.944_003_153_473_64e-5, 1.173_547_531_071_607_8e-4),
-        ("p1 psi_slope", -0.025_981_803_876_784_13, 0.020_316_751_106_972_536),
-        ("p1 v_slope", -0.334_839_759_073_980_56, 0.226_660_448_900_876_17),
+        (
+            "p0 psi_slope",
+            211_515.390_536_157_76,
+            -165_396.735_546_027_3,
+        ),
+        (
+            "p0 v_slope",
+            7.944_003_153_473_64e-5,
+            1.173_547_531_071_607_8e-4,
+        ),
+        (
+            "p1 psi_slope",
+            -0.025_981_803_876_784_13,
+            0.020_316_751_106_972_536,
+        ),
+        (
+            "p1 v_slope",
+            -0.334_839_759_073_980_56,
+            0.226_660_448_900_876_17,
+        ),
         ("p2 psi_slope", 57.968_304_356_729_24, 74.131_986_307_071_61),
         ("p2 v_slope", 646.713_729_884_185_6, 955.373_866_743_537_4),
-        ("S0 z", -5.007_701_007_522_934_6e-8, -7.990_131_258_065_701e-7),
-        ("S0 theta", -1.224_126_718_958_583_2e-4, -1.257_956_650_414_467_5e-5),
+        (
+            "S0 z",
+            -5.007_701_007_522_934_6e-8,
+            -7.990_131_258_065_701e-7,
+        ),
+        (
+            "S0 theta",
+            -1.224_126_718_958_583_2e-4,
+            -1.257_956_650_414_467_5e-5,
+        ),
         ("EV", 1.517_397_372_181_963_5e-9, 0.0),
     ] {
         let (got, expected) = (value(&frf, name, 0), Complex64::new(re, im));
@@ -135,7 +159,11 @@ fn every_resonance_of_a_mass_on_a_fixed_end_leaves_the_beam_as_without_it() {
                     assert!(error < 1e-10, "{position} m, {name}: {got} for {expected}");
                 }
                 for name in ["y", "z", "theta"] {
-                    assert_eq!(value(&with, name, row), Complex64::ZERO, "{position} m, {name}");
+                    assert_eq!(
+                        value(&with, name, row),
+                        Complex64::ZERO,
+                        "{position} m, {name}"
+                    );
                 }
             }
         }
@@ -157,7 +185,10 @@ fn a_mass_that_the_beam_cannot_turn_is_not_turned_at_its_own_resonance() {
     for row in 0..frequencies.len() {
         for name in ["w", "v", "EV"] {
             let [got, expected] = [&own, &other].map(|frf| value(frf, name, row));
-            assert!((got - expected).norm() < 1e-10 * expected.norm(), "{name}: {got}");
+            assert!(
+                (got - expected).norm() < 1e-10 * expected.norm(),
+                "{name}: {got}"
+            );
         }
     }
 }
@@ -196,7 +227,10 @@ fn a_mode_of_the_other_plane_leaves_the_response_finite() {
     let [own, other] = [&model, &other].map(|model| solved(model, &frequencies));
     for row in 0..frequencies.len() {
         let [got, expected] = [&own, &other].map(|frf| value(frf, "w", row));
-        assert!((got - expected).norm() < 1e-9 * expected.norm(), "{got} {expected}");
+        assert!(
+            (got - expected).norm() < 1e-9 * expected.norm(),
+            "{got} {expected}"
+        );
     }
 }
 
@@ -209,15 +243,16 @@ fn a_force_at_the_node_of_a_mode_leaves_the_response_finite() {
     model.forces.truncate(1);
     model.forces[0].target = model::Target::Beam(model::Place::Position(1.6), model::BeamMotion::W);
     model.responses.truncate(1);
-    model.responses[0].quantity = model::Quantity::Motion(
-        model.forces[0].target.clone(),
-        model::Measure::Displacement,
-    );
+    model.responses[0].quantity =
+        model::Quantity::Motion(model.forces[0].target.clone(), model::Measure::Displacement);
     let bending: f64 = 2.1e11 * 1.6625e-4;
     let k = TAU / 3.2;
     let resonance = k * k * (bending / (7850.0 * 0.0116)).sqrt() / TAU;
     let expected = -PI.tanh() / (4.0 * bending * k.powi(3));
     let frf = solved(&model, &[resonance]);
     let got = value(&frf, "w", 0);
-    assert!((got - expected).norm() < 1e-8 * expected.abs(), "{got} {expected}");
+    assert!(
+        (got - expected).norm() < 1e-8 * expected.abs(),
+        "{got} {expected}"
+    );
 }

@@ -991,3 +991,45 @@ fn deep_and_large_texts_are_refused() {
         reads_as(&write(&model, &text), &model);
     }
 }
+
+#[test]
+fn numbers_that_no_spring_works_on_may_be_left_out_and_stay_out() {
+    let with = |springs: &str| {
+        let subsystem =
+            format!("[[subsystems]]\nname = \"M\"\nposition = 0.5\nmass = 2.0\n{springs}\n[sweep]");
+        let text = include_str!("data/own_resonance.toml");
+        let (head, _) = text.split_once("[[subsystems]]").unwrap();
+        format!("{head}{subsystem}\nfrom = 1.0\nto = 2.0\npoints = 2\n")
+    };
+    let missing = |springs: &str| match read(&with(springs)) {
+        Ok(_) => Vec::new(),
+        Err(faults) => faults
+            .iter()
+            .filter_map(|fault| fault.path.strip_prefix("subsystems.M.").map(str::to_owned))
+            .collect(),
+    };
+    // A spring along y acts at its height alone; one along z turns the mass by its arm, and the beam by its mount.
+    assert_eq!(missing(""), [""; 0]);
+    assert_eq!(missing("y_left = { stiffness = 0.0 }"), [""; 0]);
+    assert_eq!(missing("y_left = { stiffness = 1.0 }"), ["mount_z"]);
+    assert_eq!(
+        missing("z_left = { damping = 1.0 }"),
+        ["inertia", "arm_left", "mount_y"]
+    );
+    assert_eq!(
+        missing("z_right = { stiffness = 1.0 }"),
+        ["inertia", "arm_right", "mount_y"]
+    );
+    let text = with("y_right = { stiffness = 1e3 }\nmount_z = 0.1");
+    let mut model = read(&text).unwrap();
+    assert_eq!(model.subsystems[0].arm_left, 0.0);
+    assert_eq!(write(&model, &text), text);
+    // Once they matter they are written.
+    model.subsystems[0].z_left.stiffness = 1e3;
+    let turned = write(&model, &text);
+    assert!(
+        turned.contains("arm_left = 0.0") && !turned.contains("arm_right"),
+        "{turned}"
+    );
+    reads_as(&turned, &model);
+}

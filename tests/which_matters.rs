@@ -163,3 +163,24 @@ fn a_spread_is_in_order_and_the_same_for_a_seed() {
         "{error}"
     );
 }
+
+#[test]
+fn empty_cells_say_why() {
+    // The numbers are beyond the range of the arithmetic there.
+    let (out, told, code) = beamtune(&["sensitivities", "cantilever", "--at", "1e308"]);
+    assert_eq!(code, 0);
+    assert!(table(&out).1.iter().all(|row| row[2].is_empty()));
+    assert!(
+        told.starts_with("warning: ") && told.contains("the response is not finite at 1e308 Hz"),
+        "{told}"
+    );
+    let (_, told, _) = beamtune(&["sensitivities", "cantilever", "--at", "20"]);
+    assert_eq!(told, "");
+}
+
+#[test]
+fn a_band_with_too_many_modes_is_refused_before_any_is_looked_for() {
+    let (_, told, code) = beamtune(&["sensitivities", "fig05a", "--band", "1,1e300"]);
+    assert_eq!(code, 2);
+    assert!(told.contains("more than 10000 modes below"), "{told}");
+}

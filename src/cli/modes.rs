@@ -38,7 +38,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let to = arguments.to.unwrap_or(model.sweep.to);
     let Some(found) = modes(&model, to, &AtomicBool::new(false)) else {
         return Err(Failure::input(format!(
-            "there are more than {MOST_MODES} modes below {to} Hz; --to asks for fewer"
+            "there are more than {MOST_MODES} modes below {to:?} Hz: at most {MOST_MODES} are listed; --to asks for fewer"
         )));
     };
     csv::write(arguments.output.as_deref(), |out| write_modes(out, &found))?;
@@ -60,6 +60,9 @@ fn statement(found: &Modes) -> String {
         }
         Completeness::Certain => {
             format!("{count} of {count} modes below {to} Hz ({undamped} without damping)")
+        }
+        Completeness::TooMany => {
+            format!("more than {MOST_MODES} modes below {to} Hz: none is listed")
         }
         Completeness::Doubtful => format!(
             "warning: {count} modes found below {to} Hz, and the list may not be complete: the argument principle \

@@ -13,7 +13,7 @@ use super::{Failure, Sets, source};
 use crate::model::{Model, path};
 use crate::solve::modes::{MOST_MODES, Modes, modes};
 use crate::solve::peaks::{Peak, peaks, resolved};
-use crate::solve::sensitivity::{Figure, Sensitivity, effects};
+use crate::solve::sensitivity::{Figure, Sensitivity, effects, lack};
 use crate::solve::{frequencies, sweep};
 
 #[derive(Debug, Args)]
@@ -70,7 +70,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let found = sorted(found, &figure);
     csv::write(arguments.output.as_deref(), |out| {
         write(out, &model, &found)
-    })
+    })?;
+    if let Some(reason) = lack(&model, &figure, &found) {
+        // The cells that are there are right all the same.
+        let _ = writeln!(std::io::stderr(), "warning: {reason}");
+    }
+    Ok(())
 }
 
 /// The index of a response among the enabled ones.
@@ -138,7 +143,7 @@ fn figure(model: &Model, response: usize, of: &Of) -> Result<Figure, Failure> {
 fn modes_up_to(model: &Model, to: f64) -> Result<Modes, Failure> {
     modes(model, to, &AtomicBool::new(false)).ok_or_else(|| {
         Failure::input(format!(
-            "there are more than {MOST_MODES} modes below {to} Hz"
+            "there are more than {MOST_MODES} modes below {to:?} Hz: at most {MOST_MODES} are listed"
         ))
     })
 }

@@ -5,13 +5,14 @@ mod target;
 mod tuning;
 
 use super::fault::Fault;
-use super::field::{BEAM, Field, MATERIAL, SECTION, SUBSYSTEM, SWEEP, elastic_fields};
+use super::field::{BEAM, Field, MATERIAL, Range, SECTION, SUBSYSTEM, SWEEP, elastic_fields};
 use super::names;
 use super::serial::format_number;
 use super::types::{Beam, BeamMotion, Model, Restraint, Subsystem, Support, Sweep};
 use std::cell::LazyCell;
 use std::collections::HashMap;
 use std::fmt;
+use std::ops::RangeInclusive;
 
 /// The fewest frequencies of a sweep.
 pub(super) const FEWEST_POINTS: usize = 2;
@@ -20,6 +21,9 @@ pub(super) const MOST_POINTS: usize = 1_000_000;
 
 /// The longest name, characters.
 const LONGEST_NAME: usize = 200;
+
+/// Sizes, in SI units, of what must be above 0: powers and products of a few of them neither overflow nor underflow.
+const SIZES: RangeInclusive<f64> = 1e-60..=1e60;
 
 /// All that makes a model impossible; empty for a possible one.
 ///
@@ -58,6 +62,16 @@ fn numbers<T>(path: &str, of: &T, table: &[Field<T>], faults: &mut Vec<Fault>) {
                     "is {}; must be {}",
                     format_number(value),
                     field.range.words()
+                ),
+            ));
+        } else if field.range == Range::Positive && !SIZES.contains(&value) {
+            faults.push(Fault::new(
+                format!("{path}.{}", field.key),
+                format!(
+                    "is {}; must be {:e} to {:e}: beyond, products of such numbers have no digits",
+                    format_number(value),
+                    SIZES.start(),
+                    SIZES.end()
                 ),
             ));
         }

@@ -285,6 +285,23 @@ pub struct Subsystem {
     pub mount_z: f64,
 }
 
+impl Subsystem {
+    /// The keys of the numbers that matter only where some spring or damper is.
+    pub const OF_SPRINGS: [&str; 5] = ["inertia", "arm_left", "arm_right", "mount_y", "mount_z"];
+
+    /// Whether the number of a key matters: one that no spring or damper works on may be left out, and is then 0.
+    pub fn needs(&self, key: &str) -> bool {
+        let acts = |spring: &Spring| spring.stiffness != 0.0 || spring.damping != 0.0;
+        match key {
+            "arm_left" => acts(&self.z_left),
+            "arm_right" => acts(&self.z_right),
+            "inertia" | "mount_y" => acts(&self.z_left) || acts(&self.z_right),
+            "mount_z" => acts(&self.y_left) || acts(&self.y_right),
+            _ => true,
+        }
+    }
+}
+
 /// A place on the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Place {

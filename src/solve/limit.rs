@@ -41,8 +41,10 @@ pub(super) fn fill(frf: &mut Frf, solve: impl Fn(&[f64]) -> Frf) {
 
 /// The value in the middle of four, at [`BESIDE`]; none where they show a pole between them.
 fn between(values: &[Complex64]) -> Option<Complex64> {
-    /// The share of a pole in the values that rounding makes.
+    /// The share of a simple pole in the values that rounding makes.
     const NEGLIGIBLE: f64 = 1e-8;
+    /// That of a double pole, which the curvature next to another resonance looks like.
+    const NEGLIGIBLE_DOUBLE: f64 = 1e-5;
     let &[far_left, left, right, far_right] = values else {
         return None;
     };
@@ -54,7 +56,7 @@ fn between(values: &[Complex64]) -> Option<Complex64> {
     // A double pole c / step^2, as of an energy.
     let double = (even - far_even).norm() / 0.75;
     let is_finite = values.iter().all(|value| value.is_finite());
-    let is_smooth = simple.max(double) <= NEGLIGIBLE * size;
+    let is_smooth = simple <= NEGLIGIBLE * size && double <= NEGLIGIBLE_DOUBLE * size;
     (is_finite && is_smooth).then(|| (4.0 * even - far_even) / 3.0)
 }
 
@@ -80,7 +82,7 @@ mod tests {
         for strength in [1e-12, 1e-3, 1e6] {
             let simple = at_steps(|x| Complex64::from(1.0 + strength / x));
             assert!(between(&simple).is_none(), "{strength}");
-            let double = at_steps(|x| Complex64::from(1.0 + strength * 1e-6 / (x * x)));
+            let double = at_steps(|x| Complex64::from(1.0 + strength / (x * x)));
             assert!(between(&double).is_none(), "{strength}");
         }
     }

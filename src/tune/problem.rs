@@ -9,7 +9,7 @@ use super::figures::{self, Figure};
 use super::limits::Bound;
 use super::trial::{Moved, Trial};
 use crate::model::{Aim, Combine, Fault, Limit, Model, Objective, Quantity, Response, Tune, path};
-use crate::solve::modes::count;
+use crate::solve::modes::{MOST_MODES, are_too_many, count};
 
 /// What is sought: a model and its `[tune]`, ready to be searched.
 #[derive(Debug, Clone)]
@@ -88,11 +88,18 @@ impl Problem {
             .map(|limit| Bound::new(limit, place))
             .collect();
         let ends = aims.iter().filter_map(|aimed| aimed.figure.modes_to());
+        let modes_to = ends.reduce(f64::max);
+        if let Some(to) = modes_to.filter(|&to| are_too_many(&bare, to)) {
+            let message = format!(
+                "reaches up to {to:?} Hz, below which there are more than {MOST_MODES} modes; its `to` must be lower"
+            );
+            faults.push(Fault::new("tune.objective", message));
+        }
         if !faults.is_empty() {
             return Err(faults);
         }
         Ok(Self {
-            modes_to: ends.reduce(f64::max),
+            modes_to,
             given: model.clone(),
             bounds,
             tune: tune.clone(),

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::search::Function;
 use crate::model::{Model, Quantity};
-use crate::solve::modes::{Modes, modes};
+use crate::solve::modes::{Modes, uncertified};
 use crate::solve::sensitivity::{Differentiator, Gradient};
 use crate::solve::sweep;
 
@@ -20,10 +20,11 @@ pub(super) struct Trial<'a> {
 }
 
 impl<'a> Trial<'a> {
-    /// A checked model, with its modes up to `to` (Hz). None where cancelled.
+    /// A checked model, with its modes up to `to` (Hz): they say where points must lie, so that no proof that they are
+    /// all is waited for. None where cancelled.
     pub(super) fn new(model: Model, to: Option<f64>, cancel: &'a AtomicBool) -> Option<Self> {
         let modes = match to {
-            Some(to) => Some(modes(&model, to, cancel)?),
+            Some(to) => Some(uncertified(&model, to, cancel)?),
             None => None,
         };
         Some(Self {
@@ -133,5 +134,38 @@ pub(super) fn growth(gradient: &Gradient, rate: Complex64) -> f64 {
         0.0
     } else {
         (gradient.value.conj() * rate).re / size
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solve::modes::{Completeness, Mode, ModeKind, modes};
+
+    #[test]
+    fn a_trial_has_the_oscillating_modes_without_their_proof() {
+        // Golden: the certified list of the same model.
+        let never = AtomicBool::new(false);
+        for preset in ["cantilever", "fig06", "fig08"] {
+            let model = crate::model::read(crate::presets::find(preset).unwrap().text).unwrap();
+            let to = model.sweep.to;
+            let certified = modes(&model, to, &never).unwrap();
+            assert_eq!(certified.completeness, Completeness::Certain);
+            let trial = Trial::new(model, Some(to), &never).unwrap();
+            let found = trial.modes().unwrap();
+            assert_eq!(found.completeness, Completeness::Doubtful);
+            let oscillating = |mode: &&Mode| mode.kind == ModeKind::Oscillating;
+            let [found, certified] = [found, &certified].map(|list| {
+                let modes = list.modes.iter().filter(oscillating);
+                modes.map(|mode| mode.omega).collect::<Vec<_>>()
+            });
+            assert_eq!(found.len(), certified.len(), "{preset}");
+            for (found, certified) in found.iter().zip(&certified) {
+                assert!(
+                    (found - certified).norm() < 1e-9 * certified.norm(),
+                    "{preset}"
+                );
+            }
+        }
     }
 }

@@ -114,10 +114,14 @@ impl Resolver {
             return Some(Arc::clone(modes));
         }
         let found = match before {
-            Some((known, before)) if is_alike(known, model) => follow(model, before, cancel)?,
-            _ => modes(model, model.sweep.to, cancel)?,
+            Some((known, before)) if is_alike(known, model) => follow(model, before, cancel),
+            _ => modes(model, model.sweep.to, cancel),
         };
-        let found = Arc::new(found);
+        let found = match found {
+            Some(found) => Arc::new(found),
+            None if cancel.load(Ordering::Relaxed) => return None,
+            None => Arc::new(Modes::too_many(model.sweep.to)),
+        };
         let entry = (Arc::clone(model), Arc::clone(&found));
         self.known.insert(place, entry);
         Some(found)

@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use super::lane::guarded;
 use crate::model::Model;
-use crate::solve::sensitivity::{Figure, Sensitivity, effects};
+use crate::solve::sensitivity::{Figure, Sensitivity, effects, lack};
 
 /// What is to be differentiated of which model.
 #[derive(Debug, Clone)]
@@ -25,6 +25,8 @@ pub struct SensitivityAnswer {
     pub serial: u64,
     /// For each parameter that is not 0, in the order of the model; or one line that says what went wrong.
     pub result: Result<Vec<Sensitivity>, String>,
+    /// Why some of them are empty, where some are.
+    pub lack: Option<String>,
 }
 
 /// How a figure moves with each parameter; none where cancelled.
@@ -33,8 +35,10 @@ pub(super) fn answer(
     cancel: &AtomicBool,
 ) -> Option<SensitivityAnswer> {
     let result = guarded(|| Ok(effects(&request.model, &request.figure, cancel)))?;
+    let found = result.as_ref().ok();
     Some(SensitivityAnswer {
         serial: request.serial,
+        lack: found.and_then(|found| lack(&request.model, &request.figure, found)),
         result,
     })
 }

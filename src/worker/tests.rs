@@ -3,6 +3,7 @@ use std::sync::mpsc::{Receiver, channel};
 
 use super::*;
 use crate::presets;
+use crate::solve::modes::Completeness;
 use crate::solve::{frequencies, sweep};
 
 fn model(preset: &str) -> Arc<Model> {
@@ -248,4 +249,20 @@ fn preparing_for_an_edit_in_vain_keeps_what_is_there() {
     expect(&other);
     assert!(memory.knows(0, &edited));
     assert!(!memory.knows(0, &other));
+}
+
+#[test]
+fn a_beam_with_too_many_modes_gets_its_curves_and_no_search() {
+    // Far more half waves fit into it than modes are listed.
+    let (worker, receiver) = worker();
+    let mut long = Model::clone(&model("fig06"));
+    long.beam.length = 1e7;
+    let long = Arc::new(long);
+    worker.request(Request::Curves(subject(1, &long, None)));
+    let resolved = curves(&receiver, 1, Stage::Resolved);
+    let modes = resolved.modes.unwrap().modes;
+    assert_eq!(modes.completeness, Completeness::TooMany);
+    assert!(modes.modes.is_empty());
+    let columns = resolved.members[0].frf.columns.len();
+    assert_eq!(resolved.members[0].peaks.len(), columns);
 }

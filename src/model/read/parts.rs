@@ -222,7 +222,18 @@ fn subsystem(table: Option<Table<'_>>, reader: &mut Reader) -> Subsystem {
     if let Some(mut table) = table {
         subsystem.name = table.text("name", None, reader).unwrap_or_default();
         subsystem.enabled = table.enabled(reader);
-        table.numbers(&mut subsystem, SUBSYSTEM, reader);
+        // Whether these matter is known when the springs are.
+        let absent: Vec<&Field<Subsystem>> = SUBSYSTEM
+            .iter()
+            .filter(|field| Subsystem::OF_SPRINGS.contains(&field.key) && !table.has(field.key))
+            .collect();
+        let keys: Vec<&str> = absent.iter().map(|field| field.key).collect();
+        table.numbers_or(&mut subsystem, SUBSYSTEM, &keys, reader);
+        for field in absent {
+            if subsystem.needs(field.key) {
+                table.miss_number(field.key, field.range);
+            }
+        }
         table.finish(reader);
     }
     subsystem

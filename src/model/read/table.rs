@@ -17,6 +17,14 @@ pub(crate) struct Table<'a> {
     missing: Vec<(&'a str, String)>,
 }
 
+/// What stands for a number of a range in a message.
+fn expected_number(range: Range) -> String {
+    match range {
+        Range::Any => "a number".to_owned(),
+        _ => format!("a number {}", range.words()),
+    }
+}
+
 impl<'a> Table<'a> {
     /// The whole text.
     pub(crate) fn root(content: &'a DeTable<'a>) -> Self {
@@ -90,6 +98,11 @@ impl<'a> Table<'a> {
         taken
     }
 
+    /// A number that turns out to be needed and is not there.
+    pub(super) fn miss_number(&mut self, key: &'a str, range: Range) {
+        self.missing.push((key, expected_number(range)));
+    }
+
     /// An inner table that may be left out.
     pub(crate) fn table(&mut self, key: &'a str, reader: &mut Reader) -> Option<Self> {
         let (path, node) = self.take(key, reader)?;
@@ -128,10 +141,7 @@ impl<'a> Table<'a> {
         default: Option<f64>,
         reader: &mut Reader,
     ) -> f64 {
-        let expected = match range {
-            Range::Any => "a number".to_owned(),
-            _ => format!("a number {}", range.words()),
-        };
+        let expected = expected_number(range);
         let taken = match default {
             Some(default) => match self.take(key, reader) {
                 Some(taken) => Some(taken),
@@ -146,13 +156,23 @@ impl<'a> Table<'a> {
 
     /// All numbers that a table of fields names, those of inner tables included.
     pub(super) fn numbers<T>(&mut self, of: &mut T, fields: &[Field<T>], reader: &mut Reader) {
+        self.numbers_or(of, fields, &[], reader);
+    }
+
+    /// The same; those with the keys `zero` are 0 where they are left out.
+    pub(super) fn numbers_or<T>(
+        &mut self,
+        of: &mut T,
+        fields: &[Field<T>],
+        zero: &[&str],
+        reader: &mut Reader,
+    ) {
         let mut inner_done = Vec::new();
         for field in fields {
             let Some((head, _)) = field.key.split_once('.') else {
-                (field.set)(
-                    of,
-                    self.number(field.key, field.range, field.default, reader),
-                );
+                let is_zero = zero.contains(&field.key);
+                let default = field.default.or(is_zero.then_some(0.0));
+                (field.set)(of, self.number(field.key, field.range, default, reader));
                 continue;
             };
             if inner_done.contains(&head) {

@@ -197,6 +197,12 @@ fn support(support: &Support, original: Option<&dyn TableLike>) -> Vec<Entry> {
 fn subsystem(subsystem: &Subsystem) -> Vec<Entry> {
     let mut entries = vec![text("name", &subsystem.name), enabled(subsystem.enabled)];
     entries.extend(numbers(subsystem, SUBSYSTEM));
+    for entry in &mut entries {
+        let is_zero = matches!(entry.node, Node::Number(value) if value.to_bits() == 0);
+        if is_zero && !subsystem.needs(&entry.key) {
+            entry.presence = InNewTables;
+        }
+    }
     entries
 }
 

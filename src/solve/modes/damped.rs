@@ -72,6 +72,22 @@ impl<'a> Search<'a> {
         self.certify(self.by_steps(&starts)?, to)
     }
 
+    /// The roots from the undamped ones, as [`Self::continue_undamped`] finds them, but not counted. `None` where
+    /// cancelled.
+    pub(super) fn uncertified(&self, undamped: &[f64]) -> Option<Found> {
+        let mut roots = self.settle(&self.characteristic, &self.predicted(undamped), &[])?;
+        if roots.iter().any(Option::is_none) {
+            let starts: Vec<Complex64> = undamped.iter().map(|&omega| omega.into()).collect();
+            roots = self.by_steps(&starts)?;
+        }
+        let arrived = roots.into_iter().flatten();
+        let modes = sorted(&self.parted(arrived.filter(|root| root.re >= 0.0).collect()));
+        Some(Found {
+            modes,
+            completeness: Completeness::Doubtful,
+        })
+    }
+
     /// The roots with |omega| up to `to`, rad/s, from those of a model that differs little. `None` where cancelled.
     pub(super) fn follow(&self, before: &[Mode], to: f64) -> Option<Found> {
         let starts: Vec<Complex64> = before.iter().map(|mode| mode.omega).collect();

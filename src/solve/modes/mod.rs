@@ -8,6 +8,7 @@
 //! beside them, with the integrals of `quadrature`; `shape` is what people see.
 
 mod blocked;
+mod bound;
 mod bracket;
 mod characteristic;
 mod count;
@@ -35,11 +36,16 @@ pub use types::{Completeness, Mode, ModeKind, Modes, Shape, Shares};
 
 use crate::model::{Model, Restraint};
 
-/// How many undamped modes lie below a frequency (Hz, > 0), rigid-body modes included.
+/// How many undamped modes lie below a frequency (Hz, > 0), rigid-body modes included; `usize::MAX` where that is beyond
+/// all counting.
 ///
 /// Source: Wittrick & Williams, Q. J. Mech. Appl. Math. 24 (1971) 263-284.
 pub fn count(model: &Model, frequency: f64) -> usize {
-    count::Counter::new(model).below(TAU * frequency)
+    let omega = TAU * frequency;
+    if bound::is_beyond(model, omega) {
+        return usize::MAX;
+    }
+    count::Counter::new(model).below(omega)
 }
 
 /// All undamped natural frequencies up to `to` (Hz, > 0), in Hz, rising, as often as they occur; rigid-body modes are
@@ -47,12 +53,20 @@ pub fn count(model: &Model, frequency: f64) -> usize {
 ///
 /// Dampers and the loss factor are left out. The list is complete by the count of Wittrick & Williams (1971).
 pub fn undamped(model: &Model, to: f64, cancel: &AtomicBool) -> Option<Vec<f64>> {
+    if bound::is_beyond(model, TAU * to) {
+        return None;
+    }
     let roots = undamped::Search::new(model, cancel).up_to(TAU * to)?;
     Some(roots.into_iter().map(|omega| omega / TAU).collect())
 }
 
-/// More modes than these are not sought: their list alone would take more memory than there is.
-pub const MOST_MODES: usize = 10_000_000;
+/// At most so many modes are listed: no search for more begins.
+pub const MOST_MODES: usize = 10_000;
+
+/// Whether more than [`MOST_MODES`] modes lie below a frequency (Hz, > 0), known before any of them is looked for.
+pub fn are_too_many(model: &Model, to: f64) -> bool {
+    count(model, to) > MOST_MODES
+}
 
 /// All modes up to `to` (Hz, > 0), with damping. `None` where `cancel` became true before the end, or where there are
 /// more than [`MOST_MODES`].
@@ -60,15 +74,38 @@ pub const MOST_MODES: usize = 10_000_000;
 /// Sources: Wittrick & Williams (1971) for the undamped ones, Aberth (Math. Comp. 27 (1973) 339-344) and the argument
 /// principle for the damped ones.
 pub fn modes(model: &Model, to: f64, cancel: &AtomicBool) -> Option<Modes> {
+    solved(model, to, Certificate::Wanted, cancel)
+}
+
+/// The same without the argument principle, for one of many models of a search: the oscillating modes that the undamped
+/// ones become. What may be missing is never oscillating, and the list does not claim to be complete.
+pub fn uncertified(model: &Model, to: f64, cancel: &AtomicBool) -> Option<Modes> {
+    solved(model, to, Certificate::Unwanted, cancel)
+}
+
+/// Whether a list of damped modes is to be proved complete.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Certificate {
+    Wanted,
+    Unwanted,
+}
+
+fn solved(model: &Model, to: f64, certificate: Certificate, cancel: &AtomicBool) -> Option<Modes> {
     // Damping slows a mode: some from beyond the range may come into it.
     const BEYOND: f64 = 1.1;
+    if bound::is_beyond(model, TAU * to * BEYOND) {
+        return None;
+    }
     let search = undamped::Search::new(model, cancel);
     let undamped = search.up_to(TAU * to * BEYOND)?;
     let counter = search.counter;
     let oscillating = &undamped[counter.rigid().min(undamped.len())..];
     let found = if is_damped(model) {
-        damped::Search::new(model, counter.rigid(), cancel)
-            .continue_undamped(oscillating, TAU * to)?
+        let search = damped::Search::new(model, counter.rigid(), cancel);
+        match certificate {
+            Certificate::Wanted => search.continue_undamped(oscillating, TAU * to)?,
+            Certificate::Unwanted => search.uncertified(oscillating)?,
+        }
     } else {
         damped::Found::without_damping(oscillating)
     };
@@ -77,6 +114,9 @@ pub fn modes(model: &Model, to: f64, cancel: &AtomicBool) -> Option<Modes> {
 
 /// The same as [`modes`] up to `before.to`, faster where the model differs little from that of `before`.
 pub fn follow(model: &Model, before: &Modes, cancel: &AtomicBool) -> Option<Modes> {
+    if are_too_many(model, before.to) {
+        return None;
+    }
     let counter = count::Counter::new(model);
     let moving: Vec<Mode> = before
         .modes

@@ -42,8 +42,23 @@ pub enum ModeKind {
 pub enum Completeness {
     /// As many as the argument principle counts.
     Certain,
-    /// Another number than the argument principle counts.
+    /// Another number than the argument principle counts, or not counted.
     Doubtful,
+    /// No mode was looked for: there are more than [`MOST_MODES`](super::MOST_MODES).
+    TooMany,
+}
+
+impl Modes {
+    /// Those of a model that has more than [`MOST_MODES`](super::MOST_MODES) up to a frequency, Hz: none is listed.
+    pub fn too_many(to: f64) -> Self {
+        Self {
+            to,
+            undamped: usize::MAX,
+            modes: Vec::new(),
+            beyond: Vec::new(),
+            completeness: Completeness::TooMany,
+        }
+    }
 }
 
 impl Mode {

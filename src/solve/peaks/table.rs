@@ -118,13 +118,10 @@ impl Curve {
         })
     }
 
-    /// The fit around a sample that is neither the first nor the last.
+    /// The fit around a sample; none around the first and the last.
     fn fit(&self, middle: usize) -> Option<Fit> {
-        Fit::new(
-            self.kind,
-            Turn::Peak,
-            &self.samples[middle - 1..=middle + 1],
-        )
+        let three = self.samples.get(middle.checked_sub(1)?..=middle + 1)?;
+        Fit::new(self.kind, Turn::Peak, three)
     }
 
     /// True where the curve falls by more than 0.01 dB on both sides of a peak before it rises again.

@@ -45,6 +45,8 @@ pub struct Effects {
     pub at: [f64; 2],
     /// The largest effect first.
     pub rows: Vec<(Node, Sensitivity)>,
+    /// Why some of them are empty, where some are.
+    pub lack: Option<String>,
     /// Where a node is among the rows.
     places: HashMap<Node, usize>,
 }
@@ -250,12 +252,19 @@ impl App {
                 return;
             }
         };
+        let is_empty =
+            |one: &Sensitivity| [one.level, one.frequency, one.damping_ratio] == [None; 3];
+        if found.iter().all(is_empty) && answer.lack.is_some() {
+            (self.sensitivities.effects, self.sensitivities.failure) = (None, answer.lack);
+            return;
+        }
         let nodes = tree::nodes_by_path(self.document.model());
         let mut effects = Effects {
             generation: key.generation,
             sensed: key.sensed,
             response: key.response.clone(),
             at: key.at,
+            lack: answer.lack,
             rows: found
                 .into_iter()
                 .filter_map(|one| Some((*nodes.get(&one.path)?, one)))

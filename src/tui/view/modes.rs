@@ -5,6 +5,7 @@ use ratatui::layout::Rect;
 
 use super::table::{self, Column, Content, FREQUENCY};
 use super::text::significant;
+use crate::solve::modes::MOST_MODES;
 use crate::tui::app::{App, Completeness, ModeKind, ModeList, ModeRow, Rows};
 use crate::tui::theme::Theme;
 
@@ -46,6 +47,9 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
     let rows = list.map_or(&[][..], |list| &list.rows);
     let empty = match list {
         None => "solving the modes".to_owned(),
+        Some(list) if list.completeness == Completeness::TooMany => {
+            format!("none is listed: at most {MOST_MODES} are; a lower end of the sweep has fewer")
+        }
         Some(list) => format!("no mode below {}", app.display.frequency_text(list.to)),
     };
     let content = Content {
@@ -76,6 +80,7 @@ fn title(app: &App, list: &ModeList) -> String {
     match list.completeness {
         Completeness::Certain => format!("Modes: {found} of {found} below {to}"),
         Completeness::Doubtful => format!("Modes: {found} below {to}, perhaps not all"),
+        Completeness::TooMany => format!("Modes: more than {MOST_MODES} below {to}"),
     }
 }
 

@@ -66,13 +66,17 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
         (None, Some(_)) if app.lacks_figure() => "there is none now that they could be of",
         (None, Some(_)) => "solving",
     };
+    let lack = effects.and_then(|effects| effects.lack.as_deref());
     let content = Content {
         title: title(app, effects),
-        warns: app.sensitivities.failure.is_some(),
+        warns: app.sensitivities.failure.is_some() || lack.is_some(),
         frequency_unit: app.display.unit,
-        note: match sensed {
-            Some(Sensed::Peak | Sensed::Mode) => format!("shift in {}", app.display.unit.symbol()),
-            _ => String::new(),
+        note: match (lack, sensed) {
+            (Some(reason), _) => reason.to_owned(),
+            (None, Some(Sensed::Peak | Sensed::Mode)) => {
+                format!("shift in {}", app.display.unit.symbol())
+            }
+            (None, _) => String::new(),
         },
         columns,
         row: &|row| cells(app, theme, row, columns),

@@ -1,0 +1,81 @@
+//! A bound on the work before it begins: about how many modes a beam has below a frequency.
+//!
+//! Counting halves the beam until its pieces are short against every wave; where a number overflows it would not end.
+
+use std::f64::consts::PI;
+
+use super::MOST_MODES;
+use crate::model::Model;
+
+/// Whether a beam has so many modes below an angular frequency (rad/s) that they need not be counted, or numbers beyond
+/// the range of the arithmetic.
+pub(super) fn is_beyond(model: &Model, omega: f64) -> bool {
+    /// The coupling of w and psi moves a count by less.
+    const FAR: f64 = 4.0;
+    // Not a number is beyond, too.
+    !matches!(
+        half_waves(model, omega).partial_cmp(&(FAR * MOST_MODES as f64)),
+        Some(std::cmp::Ordering::Less)
+    )
+}
+
+/// How many half waves of uncoupled bending and twist the beam has room for: as many modes, but for a few at its ends.
+fn half_waves(model: &Model, omega: f64) -> f64 {
+    let (material, section) = (&model.beam.material, &model.beam.section);
+    let bending = |second_moment: f64| {
+        let slowness = material.density / material.young_modulus * (section.area / second_moment);
+        omega.sqrt() * slowness.sqrt().sqrt()
+    };
+    // The wave number k of E G0 k^4 + G J k^2 = omega^2 rho I0, in a form that does not cancel.
+    let inertia = material.density * section.polar_moment;
+    let torsion = material.shear_modulus * section.torsion_constant;
+    let warping = material.young_modulus * section.warping_constant;
+    let root = torsion.hypot(2.0 * omega * (warping * inertia).sqrt());
+    let twist = (2.0 * omega).sqrt() * (omega * inertia / (torsion + root)).sqrt();
+    let waves = bending(section.second_moment_y) + bending(section.second_moment_z) + twist;
+    waves * model.beam.length / PI
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn beam() -> Model {
+        crate::model::read(crate::presets::find("fig05a").unwrap().text).unwrap()
+    }
+
+    #[test]
+    fn half_waves_are_those_of_each_motion() {
+        // Closed form of a clamped beam: bending n = k l / pi with k^4 = omega^2 rho A / E I, twist without warping
+        // k = omega sqrt(rho I0 / G J).
+        let mut model = beam();
+        model.beam.section.warping_constant = 0.0;
+        let (material, section) = (model.beam.material, model.beam.section);
+        let omega: f64 = 6e3;
+        let bending = |i: f64| {
+            (omega * omega * material.density * section.area / (material.young_modulus * i))
+                .powf(0.25)
+        };
+        let inertia = material.density * section.polar_moment;
+        let stiffness = material.shear_modulus * section.torsion_constant;
+        let sum = bending(section.second_moment_y)
+            + bending(section.second_moment_z)
+            + omega * (inertia / stiffness).sqrt();
+        let expected = sum * model.beam.length / PI;
+        assert!((half_waves(&model, omega) / expected - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn what_cannot_be_counted_is_beyond() {
+        let mut model = beam();
+        assert!(!is_beyond(&model, 3e3));
+        for omega in [1e12, 1e300, f64::INFINITY, f64::NAN] {
+            assert!(is_beyond(&model, omega), "{omega}");
+        }
+        (
+            model.beam.section.torsion_constant,
+            model.beam.section.warping_constant,
+        ) = (0.0, 1e-300);
+        assert!(is_beyond(&model, 3e3));
+    }
+}

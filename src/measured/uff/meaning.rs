@@ -136,9 +136,12 @@ impl Meaning {
             self.unit = self.unit.take().or_else(|| layout.unit.clone());
         }
         let (frequency, unit) = (self.frequency.is_none(), self.unit.is_none());
-        self.unknown.retain(|(question, _)| match question {
-            Question::Frequency => frequency,
-            Question::Unit | Question::Values => unit,
+        self.unknown.retain(|(question, _)| {
+            if *question == Question::Frequency {
+                frequency
+            } else {
+                unit
+            }
         });
         for (_, word) in &self.unknown {
             self.notes.push(format!(

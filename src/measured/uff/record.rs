@@ -28,16 +28,12 @@ impl<'a> Record<'a> {
     /// Goes to the next record.
     pub(super) fn next(&mut self, lines: &mut Lines<'a>) -> Result<(), Fault> {
         self.number += 1;
-        match lines.record() {
-            Some(line) => {
-                self.line = without_tabs(line);
-                Ok(())
-            }
-            None => {
-                let message = format!("ends before record {}: there are twelve", self.number);
-                Err(self.fault(lines, 0, message))
-            }
-        }
+        let Some(line) = lines.record() else {
+            let message = format!("ends before record {}: there are twelve", self.number);
+            return Err(self.fault(lines, 0, message));
+        };
+        self.line = without_tabs(line);
+        Ok(())
     }
 
     pub(super) fn fault(&self, lines: &Lines, column: usize, message: impl Into<String>) -> Fault {

@@ -719,7 +719,7 @@ fn a_universal_file_tells_several_forces_studies_and_lost_digits() {
     assert_eq!(curves[0].kind.unwrap().unit(), "m");
     assert_eq!(curves[0].frequencies, [10.0, 20.1235, 400.0]);
     assert!(
-        warning.contains("six digits for uneven frequencies: they are up to 4.4e-5 Hz off"),
+        warning.contains("six digits for a frequency") && warning.contains("up to 4.4e-5 Hz off"),
         "{warning}"
     );
     let model = beamtune::model::read(presets::find("fig08").unwrap().text).unwrap();
@@ -737,14 +737,32 @@ fn a_universal_file_tells_several_forces_studies_and_lost_digits() {
     );
     assert_eq!(curves.len(), 12);
     // A resonance of an undamped model has no value.
+    let text = output(&["frf", "fig06", "--format", "uff", "--at", "10,1e308"]);
+    assert!(!text.to_lowercase().contains("nan"), "{text}");
     let (curves, warning) = universal(&["fig06", "--at", "10,1e308"]);
     assert_eq!(curves[0].frequencies, [10.0]);
+    assert!(curves[0].notes.is_empty(), "{:?}", curves[0].notes);
     assert!(
-        warning.contains("no finite response at 1 frequencies"),
+        warning.contains("no finite response at 1 frequencies") && warning.contains("(left out)"),
         "{warning}"
     );
     let (code, message) = failure(&["frf", "fig06", "--format", "hdf5"]);
     assert!(code == 2 && message.contains("csv, uff"), "{message}");
+}
+
+/// Abscissae rise: what is the same frequency in six digits stands once. A reader that finds one twice says so in a note.
+#[test]
+fn abscissae_of_a_universal_file_rise() {
+    // 3.186094 and 3.186091 Hz are 3.18609E+00, and 50 Hz was to come first.
+    let (curves, warning) = universal(&["fig05a", "--at", "50,3.186094,3.186091,3.2"]);
+    assert_eq!(curves[0].frequencies, [3.18609, 3.2, 50.0]);
+    assert!(curves[0].notes.is_empty(), "{:?}", curves[0].notes);
+    let left_out = format!("{} values are left out", curves.len());
+    assert!(warning.contains(&left_out), "{warning}");
+    let model = beamtune::model::read(presets::find("fig05a").unwrap().text).unwrap();
+    let frf = beamtune::solve::sweep(&model, &[3.186_091], &false.into()).unwrap();
+    let value = frf.columns[0].values[0];
+    assert!((curves[0].values[0] - value).norm() < 1e-12 * value.norm());
 }
 
 /// Places are numbered from left to right, masses behind them; w and y are along 2, v and z along 3, twists about 4.

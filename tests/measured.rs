@@ -18,6 +18,8 @@ mod foreign;
 mod table;
 #[path = "measured/uff.rs"]
 mod uff;
+#[path = "measured/uff_of_others.rs"]
+mod uff_of_others;
 
 fn data(name: &str) -> Vec<u8> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/measured");

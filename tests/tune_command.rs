@@ -213,6 +213,44 @@ objective = { match = "nowhere.csv", response = "tip w", from = 15.0, to = 60.0 
     assert!(errors.contains("nowhere.csv"), "{errors}");
 }
 
+/// Expected: the curve is that of the cantilever with 140 kN/m, in "G" of 9.80665 m/s2 (NIST SP 811).
+#[test]
+fn a_match_takes_the_unit_of_the_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let curve = "tests/data/measured/universal/match_capital_g.uff";
+    fs::copy(curve, folder.path().join("curve.uff")).unwrap();
+    let file = with_tune(
+        folder.path(),
+        r#"[tune]
+variables = [
+    { path = "subsystems.Damper.y_left.stiffness", min = 2.0e4, max = 1.0e6 },
+    { path = "subsystems.Damper.y_left.damping", min = 10.0, max = 2000.0 },
+]
+objective = { match = "curve.uff", compare = "complex", response = "tip w", from = 16.0, to = 59.0 }
+"#,
+    );
+    let text = fs::read_to_string(&file).unwrap();
+    fs::write(
+        &file,
+        text.replace("stiffness = 1.4e5", "stiffness = 1.3e5"),
+    )
+    .unwrap();
+    let tuned = folder.path().join("tuned.toml");
+    let arguments = [&file, "--budget", "400", "-o", tuned.to_str().unwrap()];
+    let (code, _, errors) = said(&run(&arguments));
+    assert_eq!(code, 0, "{errors}");
+    let stiffness = read(&tuned).subsystems[0].y_left.stiffness;
+    assert!((stiffness / 1.4e5 - 1.0).abs() < 1e-3, "{stiffness}");
+
+    // A unit that is not known is no unit of the response.
+    let text = fs::read_to_string(curve).unwrap();
+    let text = text.replace("Acceleration         G ", "Acceleration         Q ");
+    fs::write(folder.path().join("curve.uff"), text).unwrap();
+    let (code, _, errors) = said(&run(&[&file]));
+    assert_eq!(code, 2, "{errors}");
+    assert!(errors.contains("\"Q\", which is no unit"), "{errors}");
+}
+
 #[test]
 fn limits_tolerances_and_values_beyond_the_bounds_are_spoken_of() {
     let folder = tempfile::tempdir().unwrap();

@@ -137,7 +137,7 @@ fn write_all(out: &mut dyn Write, members: &[Member], points: Points) -> std::io
             progress(end, last, index, members.len());
         }
     }
-    warn_of(&singular);
+    warn_of(&singular, "nan in these rows");
     Ok(())
 }
 
@@ -271,11 +271,12 @@ fn warn_of_too_many(to: f64) {
     ));
 }
 
-fn warn_of(singular: &[f64]) {
+/// Says where there is no finite response, and what the output has there.
+fn warn_of(singular: &[f64], there: &str) {
     if let Some(first) = singular.first() {
         // The rows say it too.
         say(&format!(
-            "warning: no finite response at {} frequencies, first at {first:?} Hz (nan in these rows): the model is \
+            "warning: no finite response at {} frequencies, first at {first:?} Hz ({there}): the model is \
              undamped and at a resonance, or the numbers are beyond the range of the arithmetic",
             singular.len()
         ));

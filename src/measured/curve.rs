@@ -2,6 +2,7 @@
 
 use num_complex::Complex64;
 
+use super::Question;
 use super::unit::{Kind, ValueUnit};
 
 /// A curve from a file.
@@ -18,8 +19,20 @@ pub struct Curve {
     pub phase_known: bool,
     /// What the values are; none where neither the file nor a layout says it.
     pub kind: Option<Kind>,
+    /// The words for units that are not understood, each with what it leaves to be asked. Frequencies or values stand as
+    /// in the file, and are not to be taken for SI.
+    pub unknown: Vec<(Question, String)>,
     /// What was left out, turned or taken for granted in reading, a sentence each.
     pub notes: Vec<String>,
+}
+
+impl Curve {
+    /// The word that leaves a question open.
+    pub fn unknown_word(&self, question: Question) -> Option<&str> {
+        let mut unknown = self.unknown.iter();
+        let found = unknown.find(|(asked, _)| *asked == question)?;
+        Some(&found.1)
+    }
 }
 
 /// The points of a curve as they come from a file.
@@ -90,6 +103,7 @@ impl Points {
             values,
             phase_known,
             kind,
+            unknown: Vec::new(),
             notes,
         })
     }

@@ -109,6 +109,7 @@ mod tests {
             values: values.to_vec(),
             phase_known: true,
             kind: None,
+            unknown: Vec::new(),
             notes: Vec::new(),
         }
     }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::layout::{FrequencyUnit, Places};
 use super::table::{Columns, Dialect, Plan, decoded};
-use super::{Curve, Fault, Format, Hint, Layout, Values, read};
+use super::{Curve, Fault, Format, Hint, Layout, Values, read, uff};
 
 /// Rows of numbers in a preview.
 const PREVIEW_ROWS: usize = 3;
@@ -130,7 +130,7 @@ pub fn open(bytes: &[u8], hint: &Hint) -> Result<Opened, Fault> {
 /// Looks at a file without reading all of a table; a layout in the hint answers what it can.
 ///
 /// # Errors
-/// As [`read()`], but for what is missing.
+/// As [`read()`](super::read()), but for what is missing.
 pub fn inspect(bytes: &[u8], hint: &Hint) -> Result<Inspection, Fault> {
     super::of_possible_size(bytes)?;
     match Format::of(bytes, &hint.name) {
@@ -204,11 +204,18 @@ fn recognised(dialect: &Dialect, plan: &Plan) -> Vec<String> {
 }
 
 fn universal(bytes: &[u8], hint: &Hint) -> Result<Inspection, Fault> {
-    let curves = read(bytes, hint)?;
+    let mut curves = uff::look(bytes, hint)?;
+    super::curve::distinguish(&mut curves);
     let recognised = curves.iter().map(|curve| {
-        let unit = curve
-            .kind
-            .map_or_else(|| "unit not said".to_owned(), |kind| kind.unit());
+        let words = curve.unknown.iter();
+        let words: Vec<String> = words
+            .map(|(_, word)| format!("{word:?} is no unit that is known"))
+            .collect();
+        let unit = match curve.kind {
+            _ if !words.is_empty() => words.join(", "),
+            Some(kind) => kind.unit(),
+            None => "unit not said".to_owned(),
+        };
         let phase = if curve.phase_known {
             ""
         } else {
@@ -220,13 +227,20 @@ fn universal(bytes: &[u8], hint: &Hint) -> Result<Inspection, Fault> {
             curve.frequencies.len()
         )
     });
-    let missing = curves.iter().any(|curve| curve.kind.is_none());
+    let mut missing = Vec::new();
+    let asks = |curve: &Curve| curve.unknown_word(Question::Frequency).is_some();
+    if curves.iter().any(asks) {
+        missing.push(Question::Frequency);
+    }
+    if curves.iter().any(|curve| curve.kind.is_none()) {
+        missing.push(Question::Unit);
+    }
     Ok(Inspection {
         format: Format::Uff,
         columns: Vec::new(),
         first_rows: Vec::new(),
         recognised: recognised.collect(),
-        missing: missing.then_some(Question::Unit).into_iter().collect(),
+        missing,
         proposal: Layout {
             frequency: FrequencyUnit::Hertz,
             values: if curves.iter().any(|curve| curve.phase_known) {

@@ -105,10 +105,21 @@ impl FrequencyUnit {
         }
     }
 
-    /// The unit of a word, in whatever case.
+    /// The unit of a word as measuring programs write it, in whatever case, with or without brackets: `(kHz)`, `rad/sec`.
     pub fn from_word(word: &str) -> Option<Self> {
-        let mut all = Self::ALL.into_iter();
-        all.find(|unit| unit.word().eq_ignore_ascii_case(word.trim()))
+        let left_out = |letter: char| letter.is_whitespace() || "()[]^.".contains(letter);
+        let plain = word.replace(left_out, "").to_lowercase();
+        Some(match plain.as_str() {
+            "hz" | "hertz" | "cps" | "c/s" | "cycle/s" | "cycles/s" | "cycles/sec" => Self::Hertz,
+            "khz" | "kilohertz" => Self::Kilohertz,
+            "rad/s" | "rads/s" | "rad/sec" | "rads/sec" | "rad/second" | "radian/s"
+            | "radians/s" | "radian/sec" | "radians/sec" | "radian/second" | "radians/second"
+            | "rads-1" => Self::RadianPerSecond,
+            "rpm" | "r/min" | "rev/min" | "revs/min" | "1/min" | "min-1" | "cpm" | "cycles/min" => {
+                Self::RevolutionPerMinute
+            }
+            _ => return None,
+        })
     }
 
     /// One of it in Hz.
@@ -224,6 +235,41 @@ impl fmt::Display for Layout {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn frequency_words_of_other_programs_are_known() {
+        use FrequencyUnit::{Hertz, Kilohertz, RadianPerSecond, RevolutionPerMinute};
+        for (unit, words) in [
+            (
+                Hertz,
+                &["Hz", "HZ", "hertz", "(Hz)", "[Hz]", "cps", "cycles/sec"][..],
+            ),
+            (Kilohertz, &["kHz", "KHZ", "(kHz)", "[ kHz ]"]),
+            (
+                RadianPerSecond,
+                &[
+                    "rad/s",
+                    "rad/sec",
+                    "RAD/SEC",
+                    "Radians/Second",
+                    "rad s^-1",
+                    "rad.s-1",
+                ],
+            ),
+            (
+                RevolutionPerMinute,
+                &["rpm", "RPM", "(rpm)", "rev/min", "cpm", "1/min"],
+            ),
+        ] {
+            for word in words {
+                assert_eq!(FrequencyUnit::from_word(word), Some(unit), "{word}");
+            }
+        }
+        // Millihertz or megahertz, 1/s of what: no guess.
+        for word in ["", "mHz", "MHz", "GHz", "1/s", "rad", "order", "s", "deg/s"] {
+            assert_eq!(FrequencyUnit::from_word(word), None, "{word}");
+        }
+    }
 
     #[test]
     fn a_layout_is_one_line_that_reads_back() {

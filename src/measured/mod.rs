@@ -30,13 +30,16 @@ pub const MOST_BYTES: usize = 256 << 20;
 /// Most values that are read from a file, over all its curves.
 pub const MOST_VALUES: usize = 5_000_000;
 
+/// What stands in front of UTF-8 of some programs.
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+
 /// What is known of a file besides its contents.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Hint {
     /// The file's name, with or without folders and ending; curves without a name are named after it.
     pub name: String,
-    /// What a person says of a table. It holds over the words of the file. Of a universal file, only its unit is used,
-    /// where the file gives none.
+    /// What a person says of a table. It holds over the words of the file. Of a universal file, only its units are used,
+    /// where the file gives none or gives words that are not understood.
     pub layout: Option<Layout>,
 }
 
@@ -54,7 +57,10 @@ impl Format {
     ///
     /// A universal file starts with a line that is `-1` alone.
     pub fn of(bytes: &[u8], name: &str) -> Self {
-        let mut lines = bytes.trim_ascii_start().split(|&byte| byte == b'\n');
+        let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
+        let mut lines = bytes
+            .trim_ascii_start()
+            .split(|&byte| matches!(byte, b'\n' | b'\r'));
         let delimiter = lines.next().is_some_and(|line| line.trim_ascii() == b"-1");
         let ending = Path::new(name)
             .extension()

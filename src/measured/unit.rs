@@ -1,8 +1,12 @@
 //! Units of measured values: what a text such as `mm/s2/N` says of what moves, how, and per what load.
 
+mod product;
+mod symbols;
+
 use std::fmt;
 
 use num_complex::Complex64;
+use product::{is_twist, plain, product};
 
 use crate::model::Measure;
 use crate::solve::form::{Dimension, Form, Load, Moves};
@@ -20,7 +24,8 @@ pub enum Kind {
 ///
 /// Its text is a motion (`m`, `mm/s`, `g`, `rad/s2`), a motion over a load (`m/s2/N`, `g/lbf`, `rad/(N m)`), a load over
 /// a motion (`N/m`, `N s/m`, `kg`), or `kg m2` for an energy; a number may stand in front (`1e-6 m/N`). `g` is standard
-/// gravity, 9.80665 m/s2, and not a gram.
+/// gravity, 9.80665 m/s2, and not a gram. What measuring programs write for the same is understood too: `Gs/N`, `mm/sec`,
+/// `microns/LBF`, `rad/lbf-in`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ValueUnit {
     text: String,
@@ -36,38 +41,10 @@ pub(super) const ACCEPTED: &str = "accepted is a motion (m, mm, um, in, rad, deg
     load (m/s2/N, g/lbf, rad/(N m)), the inverse (N/m, N s/m, kg), or kg m2 for an energy; a number may stand in front \
     (1e-6 m/N)";
 
-/// Longest text of a unit, bytes.
-const LONGEST: usize = 60;
-
 /// Powers of metre, kilogram, second and radian.
 type Powers = [i32; 4];
 
 const FORCE: Powers = [1, 1, -2, 0];
-
-/// A symbol, one of it in SI, and its powers. Inch, foot and pound-force: NIST Special Publication 811 (2008).
-const SYMBOLS: &[(&str, f64, Powers)] = &[
-    ("m", 1.0, [1, 0, 0, 0]),
-    ("cm", 1e-2, [1, 0, 0, 0]),
-    ("mm", 1e-3, [1, 0, 0, 0]),
-    ("um", 1e-6, [1, 0, 0, 0]),
-    ("nm", 1e-9, [1, 0, 0, 0]),
-    ("in", 0.0254, [1, 0, 0, 0]),
-    ("ft", 0.3048, [1, 0, 0, 0]),
-    ("s", 1.0, [0, 0, 1, 0]),
-    ("g", 9.806_65, [1, 0, -2, 0]),
-    ("kg", 1.0, [0, 1, 0, 0]),
-    ("N", 1.0, FORCE),
-    ("mN", 1e-3, FORCE),
-    ("kN", 1e3, FORCE),
-    ("MN", 1e6, FORCE),
-    ("lbf", 4.448_221_615_260_5, FORCE),
-    ("Nm", 1.0, [2, 1, -2, 0]),
-    ("rad", 1.0, [0, 0, 0, 1]),
-    ("mrad", 1e-3, [0, 0, 0, 1]),
-    ("urad", 1e-6, [0, 0, 0, 1]),
-    ("deg", std::f64::consts::PI / 180.0, [0, 0, 0, 1]),
-    ("°", std::f64::consts::PI / 180.0, [0, 0, 0, 1]),
-];
 
 impl Kind {
     /// Its SI unit: `m/(N s2)`, `rad`, `kg m2`.
@@ -93,7 +70,7 @@ impl ValueUnit {
         if !(scale.is_normal() && scale > 0.0) {
             return Err(wrong());
         }
-        let (kind, inverse) = kind_of(symbols, powers).ok_or_else(wrong)?;
+        let (kind, inverse) = kind_of(&plain(symbols), powers).ok_or_else(wrong)?;
         Ok(Self {
             text: text.to_owned(),
             kind,
@@ -168,84 +145,8 @@ fn factor(text: &str) -> (f64, &str) {
     }
 }
 
-/// The value in SI and the powers of a product of symbols with `/` and brackets. A `/` holds for the next factor alone.
-fn product(text: &str) -> Option<(f64, Powers)> {
-    if text.is_empty() || text.len() > LONGEST {
-        return None;
-    }
-    let plain = plain(text);
-    let mut rest = plain.as_str();
-    let (mut scale, mut powers) = (1.0, [0; 4]);
-    let mut signs = vec![1];
-    let mut next = 1;
-    while let Some(letter) = rest.chars().next() {
-        let outer = *signs.last()?;
-        match letter {
-            ' ' => rest = &rest[1..],
-            '/' if next == 1 => (next, rest) = (-1, &rest[1..]),
-            '(' => {
-                signs.push(outer * next);
-                (next, rest) = (1, &rest[1..]);
-            }
-            ')' if signs.len() > 1 && next == 1 => {
-                signs.pop();
-                rest = &rest[1..];
-            }
-            _ => {
-                let (one, of, power, after) = symbol(rest)?;
-                let power = power * outer * next;
-                scale *= one.powi(power);
-                for (sum, part) in powers.iter_mut().zip(of) {
-                    *sum += part * power;
-                }
-                (next, rest) = (1, after);
-            }
-        }
-    }
-    (signs.len() == 1 && next == 1).then_some((scale, powers))
-}
-
-/// The text with plain letters for superscripts, dots and hats.
-fn plain(text: &str) -> String {
-    let mut plain = String::with_capacity(text.len());
-    for letter in text.chars() {
-        match letter {
-            '²' => plain.push('2'),
-            '³' => plain.push('3'),
-            '⁻' | '−' => plain.push('-'),
-            'µ' | 'μ' => plain.push('u'),
-            '·' | '⋅' | '*' | '\t' => plain.push(' '),
-            '^' => {}
-            other => plain.push(other),
-        }
-    }
-    plain
-}
-
-/// The symbol at the start of a text: one of it in SI, its powers, its exponent, and what follows.
-fn symbol(text: &str) -> Option<(f64, Powers, i32, &str)> {
-    // The number 1 has no powers: 1/kg.
-    if let Some(rest) = text.strip_prefix('1') {
-        return (!rest.starts_with(|next: char| next.is_alphanumeric() || next == '.'))
-            .then_some((1.0, [0; 4], 1, rest));
-    }
-    let letters = |letter: char| letter.is_alphabetic() || letter == '°';
-    let end = text.find(|letter| !letters(letter)).unwrap_or(text.len());
-    let (name, rest) = text.split_at(end);
-    let (_, one, powers) = SYMBOLS.iter().find(|(symbol, ..)| *symbol == name)?;
-    let (sign, digits) = match rest.strip_prefix('-') {
-        Some(rest) => (-1, rest),
-        None => (1, rest),
-    };
-    match digits.chars().next().and_then(|digit| digit.to_digit(10)) {
-        Some(exponent) => Some((*one, *powers, sign * exponent as i32, &digits[1..])),
-        None if sign == 1 => Some((*one, *powers, 1, rest)),
-        None => None,
-    }
-}
-
-/// What has these powers. Of some that share them, the first whose SI unit is the text; else a rate of twist where
-/// `rad/m` stands first, and a rotation where it does not.
+/// What has these powers. Of some that share them, the first whose SI unit is the text; else a rate of twist where an
+/// angle over a length stands first (`rad/m`), and a rotation where it does not.
 fn kind_of(text: &str, powers: Powers) -> Option<(Kind, bool)> {
     let found: Vec<(Dimension, Form)> = candidates()
         .filter(|(dimension, form)| powers_of(*dimension, *form) == powers)
@@ -253,14 +154,10 @@ fn kind_of(text: &str, powers: Powers) -> Option<(Kind, bool)> {
     let exact = found
         .iter()
         .find(|(dimension, form)| dimension.unit(*form) == text);
-    let twist = ["rad/m", "rad/(m"].iter().any(|start| {
-        text.strip_prefix(start)
-            .is_some_and(|rest| !rest.starts_with(char::is_alphabetic))
-    });
     let alike = |(dimension, form): &&(Dimension, Form)| {
         // A moment over a length is a force: nobody means that by it.
         let shrinks = dimension.moves == Moves::Length && dimension.per != Some(Load::Force);
-        (dimension.moves == Moves::TwistRate) == twist && !(form.is_inverse() && shrinks)
+        (dimension.moves == Moves::TwistRate) == is_twist(text) && !(form.is_inverse() && shrinks)
     };
     if exact.is_none() && powers == [2, 1, 0, 0] {
         return Some((Kind::Energy, false));
@@ -373,6 +270,7 @@ mod tests {
             ("rad/m/N", motion(TwistRate, Displacement, force), 1.0),
             ("1e-6 m/N", motion(Length, Displacement, force), 1e-6),
             ("kg m2", Kind::Energy, 1.0),
+            ("mrad/m/N", motion(TwistRate, Displacement, force), 1e-3),
         ] {
             let unit = ValueUnit::parse(text).unwrap();
             let one = unit.to_si(1.0.into());
@@ -382,6 +280,159 @@ mod tests {
                 "{text}: {one}"
             );
             assert_eq!(unit.to_string(), text);
+        }
+    }
+
+    /// Expected: NIST SP 811, appendix B.8: 1 lbf = 4.448222 N, 1 kgf = 9.80665 N, 1 dyn = 1e-5 N, 1 ozf = 0.2780139 N,
+    /// 1 poundal = 0.138255 N, 1 lbf in = 0.1129848 N m, 1 lbf ft = 1.355818 N m, 1 slug = 14.59390 kg, 1 mil = 2.54e-5 m,
+    /// 1 mi/h = 0.44704 m/s, 1 Gal = 0.01 m/s2.
+    #[test]
+    fn the_words_of_other_programs_are_known() {
+        use Measure::{Acceleration, Displacement, Velocity};
+        use Moves::{Angle, Length};
+        let (force, moment) = (Some(Load::Force), Some(Load::Moment));
+        for (texts, kind, value) in [
+            (
+                &["G", "Gs", "gs", "g's", "G’s", "gn", "[g]", "(G)"][..],
+                motion(Length, Acceleration, None),
+                9.80665,
+            ),
+            (&["mg"], motion(Length, Acceleration, None), 9.80665e-3),
+            (
+                &["Gal", "cm/sec/sec"],
+                motion(Length, Acceleration, None),
+                1e-2,
+            ),
+            (
+                &[
+                    "m/sec^2",
+                    "m/sec**2",
+                    "M/SEC^2",
+                    "m/s/s",
+                    "m.s-2",
+                    "m/(s.s)",
+                    "meter/second^2",
+                ],
+                motion(Length, Acceleration, None),
+                1.0,
+            ),
+            (
+                &["in/s-s", "in./sec.^2"],
+                motion(Length, Acceleration, None),
+                0.0254,
+            ),
+            (&["mm/sec", "MM/S"], motion(Length, Velocity, None), 1e-3),
+            (
+                &["ips", "IPS", "inch/sec"],
+                motion(Length, Velocity, None),
+                0.0254,
+            ),
+            (&["mph"], motion(Length, Velocity, None), 0.44704),
+            (&["km/h", "kph"], motion(Length, Velocity, None), 1.0 / 3.6),
+            (
+                &["micron", "microns", "Microns", "UM"],
+                motion(Length, Displacement, None),
+                1e-6,
+            ),
+            (
+                &["mil", "mils", "MILS"],
+                motion(Length, Displacement, None),
+                2.54e-5,
+            ),
+            (
+                &["IN", "inch", "inches"],
+                motion(Length, Displacement, None),
+                0.0254,
+            ),
+            (
+                &["ft", "FEET", "foot"],
+                motion(Length, Displacement, None),
+                0.3048,
+            ),
+            (
+                &["DEG", "degrees"],
+                motion(Angle, Displacement, None),
+                std::f64::consts::PI / 180.0,
+            ),
+            (
+                &["rpm", "rev/min"],
+                motion(Angle, Velocity, None),
+                std::f64::consts::PI / 30.0,
+            ),
+            (
+                &["Gs/N", "G/N"],
+                motion(Length, Acceleration, force),
+                9.80665,
+            ),
+            (
+                &["g/LBF", "G/lbf", "g/lb", "Gs/lbs"],
+                motion(Length, Acceleration, force),
+                9.80665 / 4.448_222,
+            ),
+            (&["g/kgf", "G/kp"], motion(Length, Acceleration, force), 1.0),
+            (&["m/dyn"], motion(Length, Displacement, force), 1e5),
+            (
+                &["m/ozf"],
+                motion(Length, Displacement, force),
+                1.0 / 0.278_013_9,
+            ),
+            (
+                &["m/pdl"],
+                motion(Length, Displacement, force),
+                1.0 / 0.138_255,
+            ),
+            (
+                &["rad/lbf-in", "rad/(lbf.in)", "RAD/IN-LBF"],
+                motion(Angle, Displacement, moment),
+                1.0 / 0.112_984_8,
+            ),
+            (
+                &["rad/ft-lbf"],
+                motion(Angle, Displacement, moment),
+                1.0 / 1.355_818,
+            ),
+            (
+                &["rad/N.m", "rad/N-m", "rad/N·m"],
+                motion(Angle, Displacement, moment),
+                1.0,
+            ),
+            (&["m/N-s", "m/N·s"], motion(Length, Velocity, force), 1.0),
+            (
+                &["1/slug", "ft/lbf/sec^2"],
+                motion(Length, Acceleration, force),
+                1.0 / 14.5939,
+            ),
+            (&["1/KG", "1/Kg"], motion(Length, Acceleration, force), 1.0),
+        ] {
+            for text in texts {
+                let unit = ValueUnit::parse(text).unwrap();
+                let one = unit.to_si(1.0.into()).re;
+                assert_eq!(unit.kind(), kind, "{text}");
+                assert!((one / value - 1.0).abs() < 3e-6, "{text}: {one}");
+            }
+        }
+    }
+
+    /// Where the case of a letter decides, other letters are no guess.
+    #[test]
+    fn prefixes_keep_their_case() {
+        let scale = |text: &str| ValueUnit::parse(text).map(|unit| unit.ratio().0);
+        for (text, value) in [
+            ("m/mN", 1e3),
+            ("m/MN", 1e-6),
+            ("m/GN", 1e-9),
+            ("rad/mNm", 1e3),
+            ("rad/MNm", 1e-6),
+            ("nm/N", 1e-9),
+            ("rad/Nm", 1.0),
+            ("mg/N", 9.80665e-3),
+        ] {
+            assert!((scale(text).unwrap() / value - 1.0).abs() < 1e-14, "{text}");
+        }
+        for text in [
+            "m/mn", "m/Mn", "Mm/N", "NM/N", "rad/NM", "m/kn", "MG", "MRAD", "MPa", "mPa",
+        ] {
+            assert!(ValueUnit::parse(text).is_err(), "{text}");
         }
     }
 
@@ -419,6 +470,7 @@ mod tests {
         for text in [
             "", "N m", "x", "m/", "/", "m//s", "(m", "m)", "m/s-", "s", "N", "0 m", "-1 m",
             "1e400 m", "nan m", "m44", "10/kg", "1.5/kg", "grams/N", "m/s2/N/N", "((((", "😀",
+            "g rms", "mm pk-pk", "-m", "m-", ".m", "m'", "/-m", "m/·N", "g0", "V/N", "EU",
         ] {
             let message = ValueUnit::parse(text).unwrap_err();
             assert!(message.contains("accepted is"), "{message}");

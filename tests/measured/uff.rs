@@ -422,7 +422,7 @@ fn what_is_wrong_with_a_universal_file_has_its_record() {
         is_refused(&text, &format!("data set 1, record {record}"), message);
     }
     let cut = whole.lines().take(6).collect::<Vec<_>>().join("\n");
-    is_refused(&cut, "data set 1, record 5", "ends before this record");
+    is_refused(&cut, "data set 1, record 5", "ends before record 5");
 }
 
 #[test]
@@ -509,8 +509,7 @@ fn what_is_written_is_read() {
                 values: &values,
             };
             let (text, written) = written(&[record.clone(), record]);
-            assert_eq!(written.frequency_error, 0.0);
-            assert_eq!(written.uneven, frequencies[1] == 2.0);
+            assert_eq!(written, measured::Written::default());
             let found = curves(&text, None);
             assert_eq!(found.len(), 2, "{text}");
             assert_eq!(found[0].kind, Some(kind), "{text}");
@@ -527,10 +526,11 @@ fn what_is_written_is_read() {
 
 #[test]
 fn what_the_format_loses_is_told() {
-    let frequencies = [1.234_567_89, 2.469_135_78, 400.123_456];
+    let frequencies = [1.234_567_89, 2.469_135_78, 3.5, 400.123_456];
     let values = [
         Complex64::ONE,
         Complex64::new(f64::NAN, 0.0),
+        Complex64::I,
         Complex64::new(-1e-300, 1e300),
     ];
     let record = Record {
@@ -548,14 +548,65 @@ fn what_the_format_loses_is_told() {
         (written.frequency_error - 4.56e-4).abs() < 1e-9,
         "{written:?}"
     );
+    assert_eq!((written.repeated, written.not_finite), (0, 1));
+    assert!(!text.contains("NaN"), "{text}");
     let curve = &curves(&text, None)[0];
-    assert_eq!(curve.frequencies, [1.23457, 400.123]);
+    assert_eq!(curve.frequencies, [1.23457, 3.5, 400.123]);
     assert_eq!(
         curve.values,
-        [Complex64::ONE, Complex64::new(-1e-300, 1e300)]
+        [Complex64::ONE, Complex64::I, Complex64::new(-1e-300, 1e300)]
     );
     assert_eq!(curve.name, "\"-1\"");
     assert!(text.contains("Gr??e?    -1"), "{text}");
+}
+
+/// Expected: E13.5 rounds to six digits. 3.186087 to 3.186094 are all 3.18609, and 3.18609 itself is the nearest.
+#[test]
+fn what_is_one_frequency_in_six_digits_is_written_once() {
+    let frequencies = [3.186_094, 3.186_087, 3.186_09, 5.0, 7.5, f64::INFINITY];
+    let values: Vec<Complex64> = (0..6).map(|index| f64::from(index).into()).collect();
+    let record = Record {
+        name: "H",
+        title: "",
+        kind: receptance(),
+        response: None,
+        reference: None,
+        frequencies: &frequencies,
+        values: &values,
+    };
+    let nothing = Record {
+        values: &[Complex64::new(f64::NAN, 1.0); 6],
+        ..record.clone()
+    };
+    let (text, written) = written(&[record, nothing]);
+    assert_eq!((written.repeated, written.not_finite), (2, 7));
+    assert_eq!(written.frequency_error, 0.0);
+    let found = curves(&text, None);
+    assert_eq!(found.len(), 1);
+    assert_eq!(found[0].frequencies, [3.186_09, 5.0, 7.5]);
+    assert_eq!(found[0].values, [2.0.into(), 3.0.into(), 4.0.into()]);
+    assert!(found[0].notes.is_empty(), "{:?}", found[0].notes);
+}
+
+/// Expected: 1999 steps of 399/1999 Hz = 0.19959980 Hz, which is 1.99600E-01 in the file, end at 400.0004 Hz.
+#[test]
+fn even_steps_lose_digits_too() {
+    let frequencies: Vec<f64> = (0..2000)
+        .map(|i| 1.0 + 399.0 / 1999.0 * f64::from(i))
+        .collect();
+    let record = Record {
+        name: "H",
+        title: "",
+        kind: receptance(),
+        response: None,
+        reference: None,
+        frequencies: &frequencies,
+        values: &[Complex64::ONE; 2000],
+    };
+    let (text, written) = written(&[record]);
+    assert!((written.frequency_error - 4e-4).abs() < 1e-9, "{written:?}");
+    let found = &curves(&text, None)[0].frequencies;
+    assert!((found[1999] - 400.0004).abs() < 1e-9 && found.len() == 2000);
 }
 
 /// Expected: golden, the layout of data set 58 (SDRC universal file format).

@@ -53,8 +53,8 @@ pub(super) fn write(
         written.set(write_uff(out, &records)?);
         Ok(())
     })?;
-    warn_of(&singular);
-    warn_of_digits(written.get());
+    warn_of(&singular, "left out");
+    warn_of_losses(written.get());
     Ok(())
 }
 
@@ -202,14 +202,32 @@ fn position(model: &Model, place: Place) -> f64 {
     }
 }
 
-fn warn_of_digits(written: Written) {
+/// Says what the file lacks. The values that are there are right all the same.
+fn warn_of_losses(written: Written) {
     if written.frequency_error > 0.0 {
-        let spacing = if written.uneven { "uneven" } else { "even" };
-        // The values are right all the same.
         say(&format!(
-            "warning: data set 58 has six digits for {spacing} frequencies: they are up to {:.1e} Hz off; CSV has them \
-             all",
+            "warning: data set 58 has six digits for a frequency, and where they are even for the first and the step: \
+             they are up to {:.1e} Hz off; CSV has them all",
             written.frequency_error
         ));
+    }
+    if written.repeated > 0 {
+        say(&format!(
+            "warning: {} left out: in six digits their frequencies are those of their neighbours; CSV has them all",
+            values(written.repeated)
+        ));
+    }
+    if written.not_finite > 0 {
+        say(&format!(
+            "warning: {} left out: they are not finite",
+            values(written.not_finite)
+        ));
+    }
+}
+
+fn values(count: usize) -> String {
+    match count {
+        1 => "1 value is".to_owned(),
+        count => format!("{count} values are"),
     }
 }

@@ -14,41 +14,114 @@ const fn widths(form: Form) -> &'static [usize] {
     }
 }
 
-/// The numbers of a function that is text, in the order of the file; what does not fit its field is a fault.
-pub(super) fn text(lines: &mut Lines, head: &Head) -> Result<Vec<f64>, Fault> {
+/// The numbers of a function, in the order of the file.
+#[derive(Debug)]
+pub(super) enum Numbers {
+    All(Vec<f64>),
+    /// The data set ends before the last of them.
+    CutOff(Fault),
+}
+
+/// The numbers of a function that is text; what does not fit its field is a fault.
+pub(super) fn text(lines: &mut Lines, head: &Head) -> Result<Numbers, Fault> {
     let wanted = head.points * head.form.numbers();
-    // A field is ten bytes at least; the head may promise more than there is.
-    let mut numbers = Vec::with_capacity(wanted.min(lines.rest().len() / 10));
+    // A number is two bytes at least; the head may promise more than there is.
+    let mut numbers = Vec::with_capacity(wanted.min(lines.rest().len() / 2));
+    let widths = widths(head.form);
+    // Numbers and length of the line before.
+    let mut usual = (0, 0);
     while numbers.len() < wanted {
         let Some(line) = lines.record() else {
-            let (found, numbers) = (numbers.len(), head.form.numbers());
-            let message = format!(
-                "ends after {} of {} values: all would be accepted, or their number in record 7",
-                found / numbers,
-                head.points
-            );
-            return Err(lines.fault(head.set, 12, 1, message));
+            break;
         };
         let line = line.trim_ascii_end();
-        let mut column = 0;
-        for width in widths(head.form) {
-            if column >= line.len() || numbers.len() == wanted {
-                break;
-            }
-            let field = &line[column..line.len().min(column + width)];
-            let Some(number) = number::parse(field, false) else {
-                let found = text_of(field);
-                let message = format!(
-                    "{:?} is no number: one would be accepted in {width} columns",
-                    found.trim()
-                );
+        let found = of_line(line, widths, wanted - numbers.len());
+        let count = found.as_ref().map_or(0, Vec::len);
+        let end = match usual {
+            (before, length) if before == count => length,
+            (before, length) if length == end_of(widths, before) => end_of(widths, count),
+            _ => 0,
+        };
+        usual = (count, line.len());
+        // Of the last number of a file that is cut off, the last digits may be missing.
+        let short = line.len() < end;
+        match found {
+            _ if lines.is_cut() && (short || found.is_err()) => break,
+            Ok(found) => numbers.extend(found),
+            Err((column, message)) => {
                 return Err(lines.fault(head.set, 12, column + 1, message));
-            };
-            numbers.push(number);
-            column += width;
+            }
         }
     }
+    let found = if numbers.len() == wanted {
+        Numbers::All(numbers)
+    } else {
+        Numbers::CutOff(too_few(lines, head, numbers.len() / head.form.numbers()))
+    };
     lines.end_set();
+    Ok(found)
+}
+
+fn too_few(lines: &Lines, head: &Head, values: usize) -> Fault {
+    let message = format!(
+        "ends after {values} of {} values: all would be accepted, or their number in record 7",
+        head.points
+    );
+    lines.fault(head.set, 12, 1, message)
+}
+
+/// The last column of so many fields.
+fn end_of(widths: &[usize], count: usize) -> usize {
+    widths.iter().take(count).sum()
+}
+
+/// Up to `most` numbers of a line, or the column from 0 of what is none and what would be accepted.
+///
+/// Where as many numbers stand as there are fields, they are those, in whatever columns: programs write abscissae in 20
+/// columns, too. Else they are in the columns of the standard, and where these part a number, between blanks.
+fn of_line(line: &[u8], widths: &[usize], most: usize) -> Result<Vec<f64>, (usize, String)> {
+    let words = line.split(u8::is_ascii_whitespace);
+    let words = words.filter(|word| !word.is_empty());
+    let by_words: Option<Vec<f64>> = words.map(|word| number::parse(word, false)).collect();
+    let by_words = by_words.filter(|found| found.len() <= most);
+    let fields = widths.len().min(most);
+    match by_words {
+        Some(found) if found.len() == fields || parts_a_number(line, widths) => Ok(found),
+        _ => by_columns(line, widths, most),
+    }
+}
+
+/// Whether the end of a field lies within a number: only a sign stands there without a blank in front.
+fn parts_a_number(line: &[u8], widths: &[usize]) -> bool {
+    let mut end = 0;
+    widths.iter().any(|width| {
+        end += width;
+        let [before, after] = [end - 1, end].map(|at| line.get(at).unwrap_or(&b' '));
+        let is_blank = before.is_ascii_whitespace() || after.is_ascii_whitespace();
+        !is_blank && !matches!(after, b'-' | b'+')
+    })
+}
+
+/// The numbers in the columns of the standard.
+fn by_columns(line: &[u8], widths: &[usize], most: usize) -> Result<Vec<f64>, (usize, String)> {
+    let mut numbers = Vec::with_capacity(widths.len());
+    let mut column = 0;
+    for width in widths.iter().take(most) {
+        if column >= line.len() {
+            break;
+        }
+        let field = &line[column..line.len().min(column + width)];
+        let Some(number) = number::parse(field, false) else {
+            let found = text_of(field);
+            let message = format!(
+                "{:?} is no number: one would be accepted in {width} columns",
+                found.trim()
+            );
+            return Err((column, message));
+        };
+        numbers.push(number);
+        column += width;
+    }
     Ok(numbers)
 }
 
@@ -63,12 +136,19 @@ struct Packing {
 }
 
 /// The numbers of a function that is binary. `start` is the line with the number of the data set.
-pub(super) fn binary(lines: &mut Lines, head: &Head, start: &[u8]) -> Result<Vec<f64>, Fault> {
+pub(super) fn binary(lines: &mut Lines, head: &Head, start: &[u8]) -> Result<Numbers, Fault> {
     let Packing {
         little,
         sizes,
         length,
-    } = packing(lines, head, start)?;
+    } = match packing(lines, head, start) {
+        Ok(packing) => packing,
+        Err(fault) if lines.rest().len() < head.form.least_bytes(head.points) => {
+            lines.pass(lines.rest().len());
+            return Ok(Numbers::CutOff(fault));
+        }
+        Err(fault) => return Err(fault),
+    };
     let mut data = &lines.rest()[..length];
     let mut numbers = Vec::with_capacity(head.points * head.form.numbers());
     for _ in 0..head.points {
@@ -81,15 +161,16 @@ pub(super) fn binary(lines: &mut Lines, head: &Head, start: &[u8]) -> Result<Vec
     }
     lines.pass(length);
     lines.end_set();
-    Ok(numbers)
+    Ok(Numbers::All(numbers))
 }
 
 /// Passes over the numbers of a function.
-pub(super) fn pass(lines: &mut Lines, head: &Head, binary: Option<&[u8]>) -> Result<(), Fault> {
-    if let Some(start) = binary {
-        lines.pass(packing(lines, head, start)?.length);
+pub(super) fn pass(lines: &mut Lines, head: &Head, start: Option<&[u8]>) -> Result<(), Fault> {
+    if let Some(start) = start {
+        binary(lines, head, start)?;
+    } else {
+        lines.end_set();
     }
-    lines.end_set();
     Ok(())
 }
 
@@ -130,9 +211,7 @@ fn packing(lines: &Lines, head: &Head, start: &[u8]) -> Result<Packing, Fault> {
     let ends = |length: usize| lines.rest().get(length..).is_some_and(ends_here);
     let Some(sizes) = sizes.into_iter().find(|sizes| ends(length(*sizes))) else {
         let bytes = sizes.map(|sizes| length(sizes).to_string()).join(" or ");
-        return fault(format!(
-            "no end of the data set behind {bytes} bytes of data"
-        ));
+        return fault(format!("does not end behind {bytes} bytes of data"));
     };
     Ok(Packing {
         little,

@@ -1,9 +1,8 @@
 //! Records 1 to 11 of data set 58.
 
-use std::ops::Range;
-
 use super::lines::Lines;
-use crate::measured::{Fault, number, text_of};
+use super::record::Record;
+use crate::measured::Fault;
 
 /// What stands above the data of a function.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,6 +25,7 @@ pub(super) struct Head {
     pub(super) abscissa: Axis,
     pub(super) ordinate: Axis,
     pub(super) denominator: Axis,
+    pub(super) notes: Vec<String>,
 }
 
 /// A node and a direction.
@@ -61,40 +61,55 @@ impl Form {
     pub(super) const fn numbers(self) -> usize {
         1 + self.complex as usize + !self.even as usize
     }
+
+    /// Bytes that this many values have at least in a binary data set.
+    pub(super) const fn least_bytes(self, points: usize) -> usize {
+        let abscissa = if self.even { 0 } else { 4 };
+        let part = if self.double { 8 } else { 4 };
+        points * (abscissa + part * (1 + self.complex as usize))
+    }
+}
+
+impl End {
+    const UNSAID: Self = Self {
+        node: 0,
+        direction: 0,
+    };
 }
 
 impl Head {
     /// Reads the eleven records.
     pub(super) fn read(lines: &mut Lines, set: usize) -> Result<Self, Fault> {
-        let mut record = Record {
-            set,
-            number: 0,
-            line: &[],
-        };
+        let mut record = Record::new(set);
         record.next(lines)?;
         let name = record.text(0..80);
         for _ in 2..=6 {
             record.next(lines)?;
         }
         let function = record.integer(lines, 0..5)?;
-        let response = record.end(lines, 41)?;
-        let reference = record.end(lines, 66)?;
+        let [response, reference] = record.ends(lines)?;
+        let mut notes = Vec::new();
+        if response.is_none() || reference.is_none() {
+            notes.push("points and directions are not in their columns: none are taken".to_owned());
+        }
         record.next(lines)?;
-        let form = record.form(lines)?;
-        let points = record.integer(lines, 10..20)?;
+        let [kind, count, spacing, first, step, _] = record.fields([10, 10, 10, 13, 13, 13]);
+        let form = record.form(lines, kind, spacing)?;
+        let points = record.integer(lines, count.clone())?;
         let points = usize::try_from(points).map_err(|_| {
             record.fault(
                 lines,
-                10,
+                count.start,
                 format!("{points} values: 0 or more would be accepted"),
             )
         })?;
-        let (first, step) = (record.real(lines, 30..43)?, record.real(lines, 43..56)?);
+        let column = step.start;
+        let (first, step) = (record.real(lines, first)?, record.real(lines, step)?);
         if form.even && points > 1 && !(first.is_finite() && step.is_finite() && step != 0.0) {
             let message = format!(
-                "even abscissae with a step of {step}: another number than 0 would be accepted"
+                "even abscissae from {first} with a step of {step}: finite numbers and another step than 0 would be accepted"
             );
-            return Err(record.fault(lines, 43, message));
+            return Err(record.fault(lines, column, message));
         }
         let abscissa = record.axis(lines)?;
         let ordinate = record.axis(lines)?;
@@ -104,8 +119,8 @@ impl Head {
             set,
             name,
             function,
-            response,
-            reference,
+            response: response.unwrap_or(End::UNSAID),
+            reference: reference.unwrap_or(End::UNSAID),
             form,
             points,
             first,
@@ -113,6 +128,7 @@ impl Head {
             abscissa,
             ordinate,
             denominator,
+            notes,
         })
     }
 
@@ -137,135 +153,5 @@ impl Head {
             (true, false) => place(self.response),
             _ => String::new(),
         }
-    }
-}
-
-/// A record and its number.
-struct Record<'a> {
-    set: usize,
-    number: usize,
-    line: &'a [u8],
-}
-
-impl<'a> Record<'a> {
-    fn next(&mut self, lines: &mut Lines<'a>) -> Result<(), Fault> {
-        self.number += 1;
-        match lines.record() {
-            Some(line) => {
-                self.line = line;
-                Ok(())
-            }
-            None => Err(self.fault(
-                lines,
-                0,
-                "the data set ends before this record; data set 58 has twelve",
-            )),
-        }
-    }
-
-    fn fault(&self, lines: &Lines, column: usize, message: impl Into<String>) -> Fault {
-        lines.fault(self.set, self.number, column + 1, message)
-    }
-
-    fn field(&self, columns: Range<usize>) -> &'a [u8] {
-        let end = columns.end.min(self.line.len());
-        self.line
-            .get(columns.start..end)
-            .unwrap_or_default()
-            .trim_ascii()
-    }
-
-    /// A text; `NONE` is empty.
-    fn text(&self, columns: Range<usize>) -> String {
-        let text = text_of(self.field(columns)).trim().to_owned();
-        if text.eq_ignore_ascii_case("none") {
-            String::new()
-        } else {
-            text
-        }
-    }
-
-    /// A whole number; blanks are 0.
-    fn integer(&self, lines: &Lines, columns: Range<usize>) -> Result<i64, Fault> {
-        let field = self.field(columns.clone());
-        let text = std::str::from_utf8(field).ok();
-        match text.map(|text| if text.is_empty() { Ok(0) } else { text.parse() }) {
-            Some(Ok(number)) => Ok(number),
-            _ => Err(self.not_a(lines, "whole number", &columns)),
-        }
-    }
-
-    /// A number; blanks are 0.
-    fn real(&self, lines: &Lines, columns: Range<usize>) -> Result<f64, Fault> {
-        match self.field(columns.clone()) {
-            [] => Ok(0.0),
-            field => {
-                number::parse(field, false).ok_or_else(|| self.not_a(lines, "number", &columns))
-            }
-        }
-    }
-
-    fn not_a(&self, lines: &Lines, what: &str, columns: &Range<usize>) -> Fault {
-        let found = text_of(self.field(columns.clone()));
-        let (from, to) = (columns.start + 1, columns.end);
-        let message =
-            format!("{found:?} is no {what}: one would be accepted in columns {from} to {to}");
-        self.fault(lines, columns.start, message)
-    }
-
-    /// Node and direction from a column on.
-    fn end(&self, lines: &Lines, column: usize) -> Result<End, Fault> {
-        let node = self.integer(lines, column..column + 10)?;
-        let direction = self.integer(lines, column + 10..column + 14)?;
-        if (-6..=6).contains(&direction) {
-            return Ok(End { node, direction });
-        }
-        Err(self.fault(
-            lines,
-            column + 10,
-            format!("{direction} is no direction: -6 to 6 would be accepted"),
-        ))
-    }
-
-    fn form(&self, lines: &Lines) -> Result<Form, Fault> {
-        let (complex, double) = match self.integer(lines, 0..10)? {
-            2 => (false, false),
-            4 => (false, true),
-            5 => (true, false),
-            6 => (true, true),
-            other => {
-                let accepted = "2 and 4 (real), 5 and 6 (complex) would be accepted";
-                return Err(self.fault(
-                    lines,
-                    0,
-                    format!("{other} is no ordinate data type: {accepted}"),
-                ));
-            }
-        };
-        let even = match self.integer(lines, 20..30)? {
-            0 => false,
-            1 => true,
-            other => {
-                let message = format!(
-                    "{other} is no abscissa spacing: 0 (uneven) or 1 (even) would be accepted"
-                );
-                return Err(self.fault(lines, 20, message));
-            }
-        };
-        Ok(Form {
-            complex,
-            double,
-            even,
-        })
-    }
-
-    /// The next record, which describes an axis.
-    fn axis(&mut self, lines: &mut Lines<'a>) -> Result<Axis, Fault> {
-        self.next(lines)?;
-        Ok(Axis {
-            kind: self.integer(lines, 0..10)?,
-            length: self.integer(lines, 10..15)?,
-            unit: self.text(47..67),
-        })
     }
 }

@@ -1,6 +1,6 @@
 //! The lines of a universal file and its data sets.
 
-use crate::measured::{Fault, fault_at};
+use crate::measured::{BYTE_ORDER_MARK, Fault, fault_at};
 
 /// The lines of a universal file, one after the other.
 #[derive(Debug)]
@@ -9,6 +9,10 @@ pub(super) struct Lines<'a> {
     at: usize,
     /// Number of the line that was read last, from 1.
     number: usize,
+    /// What ends a line: a carriage return where no line feed does.
+    end: u8,
+    /// The last column of a `-1` that is a delimiter: 6, or that of the first one.
+    widest: usize,
 }
 
 /// How a data set starts.
@@ -22,12 +26,32 @@ pub(super) enum Start {
 
 impl<'a> Lines<'a> {
     pub(super) fn new(bytes: &'a [u8]) -> Self {
-        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-        Self {
+        let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
+        let is_end = |byte: &u8| matches!(byte, b'\n' | b'\r');
+        let ends = bytes.iter().skip_while(|byte| !is_end(byte));
+        let mut ends = ends.take_while(|byte| is_end(byte)).peekable();
+        let old = ends.peek().is_some() && ends.all(|&byte| byte == b'\r');
+        let mut lines = Self {
             bytes,
             at: 0,
             number: 0,
+            end: if old { b'\r' } else { b'\n' },
+            widest: usize::MAX,
+        };
+        let first = std::iter::from_fn(|| lines.line()).find(|line| !line.trim_ascii().is_empty());
+        let first = first.filter(|line| is_delimiter(line, usize::MAX));
+        let widest = first.map_or(0, |line| line.trim_ascii_end().len());
+        Self {
+            at: 0,
+            number: 0,
+            widest: widest.max(6),
+            ..lines
         }
+    }
+
+    /// Whether the line that was read last is the file's last one and has no end: the file may be cut off in it.
+    pub(super) fn is_cut(&self) -> bool {
+        self.at > self.bytes.len()
     }
 
     /// Number of the line that was read last, from 1.
@@ -43,7 +67,7 @@ impl<'a> Lines<'a> {
     /// Passes over bytes that are no text.
     pub(super) fn pass(&mut self, count: usize) {
         let passed = &self.rest()[..count.min(self.rest().len())];
-        self.number += passed.split(|&byte| byte == b'\n').count() - 1;
+        self.number += passed.split(|&byte| byte == self.end).count() - 1;
         self.at += passed.len();
     }
 
@@ -55,19 +79,22 @@ impl<'a> Lines<'a> {
         }
         let end = rest
             .iter()
-            .position(|&byte| byte == b'\n')
+            .position(|&byte| byte == self.end)
             .unwrap_or(rest.len());
         self.at += end + 1;
         self.number += 1;
-        let line = &rest[..end];
-        Some(line.strip_suffix(b"\r").unwrap_or(line))
+        let mut line = &rest[..end];
+        while let Some(shorter) = line.strip_suffix(b"\r") {
+            line = shorter;
+        }
+        Some(line)
     }
 
     /// The next line of a data set; none at its end, and before the line that ends it.
     pub(super) fn record(&mut self) -> Option<&'a [u8]> {
         let (at, number) = (self.at, self.number);
         let line = self.line()?;
-        if is_delimiter(line) {
+        if is_delimiter(line, self.widest) {
             (self.at, self.number) = (at, number);
             return None;
         }
@@ -79,10 +106,10 @@ impl<'a> Lines<'a> {
         let mut inside = false;
         loop {
             let line = self.line()?;
-            if is_delimiter(line) {
+            if is_delimiter(line, self.widest) {
                 // A line that is too much is taken for a start.
                 inside = true;
-            } else if inside {
+            } else if inside && !line.trim_ascii().is_empty() {
                 return Some(start(line));
             }
         }
@@ -91,7 +118,7 @@ impl<'a> Lines<'a> {
     /// The end of a data set: the line that ends it and belongs to it.
     pub(super) fn end_set(&mut self) {
         while let Some(line) = self.line() {
-            if is_delimiter(line) {
+            if is_delimiter(line, self.widest) {
                 break;
             }
         }
@@ -114,9 +141,9 @@ impl<'a> Lines<'a> {
     }
 }
 
-/// Whether a line is `-1` in its first six columns.
-fn is_delimiter(line: &[u8]) -> bool {
-    line.trim_ascii() == b"-1" && line.trim_ascii_end().len() <= 6
+/// Whether a line is `-1` up to a column.
+fn is_delimiter(line: &[u8], widest: usize) -> bool {
+    line.trim_ascii() == b"-1" && line.trim_ascii_end().len() <= widest
 }
 
 /// Whether the end of a data set follows, if need be behind an end of line.

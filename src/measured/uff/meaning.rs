@@ -2,9 +2,9 @@
 
 use super::head::{Axis, End, Head};
 use super::lines::Lines;
-use crate::measured::layout::FrequencyUnit;
+use crate::measured::layout::{FrequencyUnit, Layout};
 use crate::measured::unit::{self, Kind, ValueUnit};
-use crate::measured::{Fault, number};
+use crate::measured::{Fault, Question, number};
 use crate::model::Measure;
 use crate::solve::form::{Dimension, Load, Moves};
 
@@ -74,47 +74,85 @@ impl Units {
 /// What the numbers of a function are.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Meaning {
-    /// One of the abscissa in Hz.
-    pub(super) hertz: f64,
-    /// None where it is not said.
+    /// Unit of the abscissa; none where its word is not known.
+    pub(super) frequency: Option<FrequencyUnit>,
+    /// None where it is not said, or its words are not known.
     pub(super) unit: Option<ValueUnit>,
+    /// The words that are not known.
+    pub(super) unknown: Vec<(Question, String)>,
     /// -1 where one end looks against its axis, and not both.
     pub(super) sign: f64,
     pub(super) notes: Vec<String>,
 }
 
 /// What one side of a ratio is, and one of it in SI.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 enum Side {
     Motion(Moves, Measure, f64),
     Load(Load, f64),
     /// A whole ratio or an energy, by its unit in words.
     Whole(Kind, f64, bool),
     Unsaid,
+    /// Its unit in words that are not known, or that are not of what its data type says.
+    Unknown(String),
 }
 
 impl Meaning {
     /// What a function is; in words why it is no frequency response.
     pub(super) fn of(head: &Head, units: &Units) -> Result<Self, String> {
         let mut notes = Vec::new();
-        let hertz = hertz(head, &mut notes)?;
+        let mut unknown = Vec::new();
+        let frequency = frequency(head, &mut notes)?;
+        if frequency.is_none() {
+            unknown.push((Question::Frequency, head.abscissa.unit.clone()));
+        }
         let above = side(&head.ordinate, head.response, units)?;
         let below = side(&head.denominator, head.reference, units)?;
         let directed = head.response.direction != 0 || head.ordinate.length != 0;
         if matches!(above, Side::Motion(..)) && !directed && head.ordinate.unit.is_empty() {
             notes.push("the direction is not said: a translation is taken".to_owned());
         }
+        let unit = match (above, below) {
+            (Side::Whole(kind, scale, inverse), _) => Some(ValueUnit::scaled(kind, scale, inverse)),
+            (Side::Unknown(words), _) | (_, Side::Unknown(words)) => {
+                unknown.push((Question::Unit, words));
+                None
+            }
+            (above, below) => ratio(&above, &below)?,
+        };
         Ok(Self {
-            hertz,
-            unit: ratio(above, below)?,
+            frequency,
+            unit,
+            unknown,
             sign: sign(head, &mut notes),
             notes,
         })
     }
+
+    /// Takes for what is not said, or not understood, what a person says of it.
+    pub(super) fn answer(&mut self, layout: Option<&Layout>) {
+        if let Some(layout) = layout {
+            self.frequency.get_or_insert(layout.frequency);
+            self.unit = self.unit.take().or_else(|| layout.unit.clone());
+        }
+        let (frequency, unit) = (self.frequency.is_none(), self.unit.is_none());
+        self.unknown.retain(|(question, _)| {
+            if *question == Question::Frequency {
+                frequency
+            } else {
+                unit
+            }
+        });
+        for (_, word) in &self.unknown {
+            self.notes.push(format!(
+                "{word:?} is no unit that is known: numbers stand as in the file"
+            ));
+        }
+    }
 }
 
 /// The unit of one side over the other; none where it is not said.
-fn ratio(above: Side, below: Side) -> Result<Option<ValueUnit>, String> {
+fn ratio(above: &Side, below: &Side) -> Result<Option<ValueUnit>, String> {
     let motion = |moves, measure, per| {
         Kind::Motion(Dimension {
             moves,
@@ -123,26 +161,25 @@ fn ratio(above: Side, below: Side) -> Result<Option<ValueUnit>, String> {
         })
     };
     Ok(match (above, below) {
-        (Side::Motion(moves, measure, one), Side::Load(load, load_one)) => {
+        (&Side::Motion(moves, measure, one), &Side::Load(load, load_one)) => {
             let kind = motion(moves, measure, Some(load));
             Some(ValueUnit::scaled(kind, one / load_one, false))
         }
-        (Side::Motion(moves, measure, one), Side::Unsaid) => {
+        (&Side::Motion(moves, measure, one), Side::Unsaid) => {
             Some(ValueUnit::scaled(motion(moves, measure, None), one, false))
         }
-        (Side::Load(load, load_one), Side::Motion(moves, measure, one)) => {
+        (&Side::Load(load, load_one), &Side::Motion(moves, measure, one)) => {
             let kind = motion(moves, measure, Some(load));
             Some(ValueUnit::scaled(kind, load_one / one, true))
         }
-        (Side::Whole(kind, scale, inverse), _) => Some(ValueUnit::scaled(kind, scale, inverse)),
-        (Side::Unsaid, _) => None,
         (Side::Motion(..), _) => return Err("of a motion over a motion".to_owned()),
         (Side::Load(..), _) => return Err("of a load over no motion".to_owned()),
+        (Side::Whole(..) | Side::Unsaid | Side::Unknown(_), _) => None,
     })
 }
 
-/// One of the abscissa in Hz, where the function is one of frequency.
-fn hertz(head: &Head, notes: &mut Vec<String>) -> Result<f64, String> {
+/// The unit of the abscissa, where the function is one of frequency; none where its word is not known.
+fn frequency(head: &Head, notes: &mut Vec<String>) -> Result<Option<FrequencyUnit>, String> {
     let response = matches!(head.function, 0 | 1 | 4 | 12);
     match head.abscissa.kind {
         18 if response => {}
@@ -159,12 +196,12 @@ fn hertz(head: &Head, notes: &mut Vec<String>) -> Result<f64, String> {
             ));
         }
     }
-    let word = head.abscissa.unit.replace(' ', "");
-    let unit = FrequencyUnit::from_word(&word).unwrap_or(FrequencyUnit::Hertz);
-    if unit != FrequencyUnit::Hertz {
+    let word = &head.abscissa.unit;
+    let unit = FrequencyUnit::from_word(if word.is_empty() { "hz" } else { word });
+    if let Some(unit) = unit.filter(|unit| *unit != FrequencyUnit::Hertz) {
         notes.push(format!("frequencies are in {}", unit.word()));
     }
-    Ok(unit.hertz())
+    Ok(unit)
 }
 
 /// What a function type is called.
@@ -185,52 +222,60 @@ fn function(code: i64) -> &'static str {
     NAMES.get(index).copied().unwrap_or("another function")
 }
 
-/// What an axis is of: by its specific data type, its direction and its unit in words, which comes first.
+/// What an axis is of: by its specific data type, its direction and its unit in words, which must be of that type.
 fn side(axis: &Axis, end: End, units: &Units) -> Result<Side, String> {
     let rotation = end.direction.abs() > 3;
     let words = ValueUnit::parse(&axis.unit).ok();
     let words = words.map(|unit| (unit.kind(), unit.ratio()));
     let load = unit::load(&axis.unit);
     let measure = match axis.kind {
+        0 | 1 | 9 | 13 => None,
         8 => Some(Measure::Displacement),
         11 => Some(Measure::Velocity),
         12 => Some(Measure::Acceleration),
-        _ => None,
+        other => return Err(format!("of data type {other}")),
     };
-    Ok(match (axis.kind, measure) {
-        (_, Some(measure)) => match words {
-            Some((Kind::Motion(said), (scale, inverse)))
-                if said.per.is_some() && said.measure == measure =>
-            {
-                Side::Whole(Kind::Motion(said), scale, inverse)
-            }
-            Some((Kind::Motion(said), (scale, _))) if said.measure == measure => {
-                Side::Motion(said.moves, measure, scale)
-            }
-            _ => {
-                let moves = if rotation {
-                    Moves::Angle
-                } else {
-                    Moves::Length
-                };
-                Side::Motion(moves, measure, units.of_motion(moves))
-            }
-        },
-        (9 | 13, _) => {
-            let by_direction = if rotation { Load::Moment } else { Load::Force };
-            let (load, one) = load.unwrap_or((by_direction, units.of_load(by_direction)));
-            Side::Load(load, one)
+    let of_type = |said: Measure| measure.is_none_or(|measure| measure == said);
+    let is_load = matches!(axis.kind, 9 | 13);
+    Ok(match (words, load, measure) {
+        (_, Some((load, one)), None) => Side::Load(load, one),
+        (Some((Kind::Motion(said), (scale, false))), _, _)
+            if said.per.is_none() && !is_load && of_type(said.measure) =>
+        {
+            Side::Motion(said.moves, said.measure, scale)
         }
-        (0 | 1, _) => match (words, load) {
-            (_, Some((load, one))) => Side::Load(load, one),
-            (Some((Kind::Motion(said), (scale, _))), _) if said.per.is_none() => {
-                Side::Motion(said.moves, said.measure, scale)
-            }
-            (Some((kind, (scale, inverse))), _) => Side::Whole(kind, scale, inverse),
-            _ => Side::Unsaid,
-        },
-        (other, _) => return Err(format!("of data type {other}")),
+        (Some((Kind::Motion(said), (scale, inverse))), _, _)
+            if said.per.is_some() && of_type(said.measure) =>
+        {
+            Side::Whole(Kind::Motion(said), scale, inverse)
+        }
+        (Some((Kind::Energy, (scale, inverse))), _, None) if !is_load => {
+            Side::Whole(Kind::Energy, scale, inverse)
+        }
+        _ if !axis.unit.contains(char::is_alphanumeric) && !axis.unit.contains(['°', '%']) => {
+            by_type(axis, measure, rotation, units)
+        }
+        _ => Side::Unknown(axis.unit.clone()),
     })
+}
+
+/// What an axis without a unit in words is of: by its specific data type and its direction.
+fn by_type(axis: &Axis, measure: Option<Measure>, rotation: bool, units: &Units) -> Side {
+    match measure {
+        Some(measure) => {
+            let moves = if rotation {
+                Moves::Angle
+            } else {
+                Moves::Length
+            };
+            Side::Motion(moves, measure, units.of_motion(moves))
+        }
+        None if matches!(axis.kind, 9 | 13) => {
+            let load = if rotation { Load::Moment } else { Load::Force };
+            Side::Load(load, units.of_load(load))
+        }
+        None => Side::Unsaid,
+    }
 }
 
 /// The sense of a ratio: that along both axes.

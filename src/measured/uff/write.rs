@@ -44,14 +44,18 @@ pub struct Node {
 pub struct Written {
     /// Largest difference between a frequency and what the file says of it, Hz.
     pub frequency_error: f64,
-    /// Whether some response has abscissae of its own, because they are not even.
-    pub uneven: bool,
+    /// Values left out because their frequency is that of a neighbour in six digits, over all responses.
+    pub repeated: usize,
+    /// Values left out because they or their frequency are not finite, over all responses.
+    pub not_finite: usize,
 }
 
 /// Writes data set 164 (SI) and a data set 58 for each response: complex double precision, an energy real.
 ///
-/// Values have 13 digits. Frequencies are even where they are to 1e-9 of their step, else uneven; either way the format
-/// gives them six digits, and what that loses is returned. No date is written. What is not finite is written as `NaN`.
+/// Values have 13 digits. Frequencies rise; they are even where they are to 1e-9 of their step, else uneven. Of both, the
+/// format gives six digits of a number: of each frequency, or of the first and the step. What that loses is returned. Of
+/// frequencies that are one number in six digits, the nearest to it is written. No date is written. What is not finite is
+/// left out, and so is a response without a finite value.
 ///
 /// # Errors
 /// Those of the writer.
@@ -67,15 +71,46 @@ pub fn write_uff(out: &mut dyn Write, records: &[Record]) -> io::Result<Written>
     writeln!(out, "{:>6}", -1)?;
     let mut written = Written::default();
     for record in records {
-        let grid = Grid::of(record.frequencies);
-        written.uneven |= !grid.even;
-        for (index, &frequency) in record.frequencies.iter().enumerate() {
-            let said = grid.said(index, frequency);
-            written.frequency_error = written.frequency_error.max((said - frequency).abs());
+        let mut points = finite(record);
+        written.not_finite += record.values.len() - points.len();
+        let grid = Grid::of(&points);
+        if !grid.even {
+            let before = points.len();
+            points = without_repeated(&points);
+            written.repeated += before - points.len();
         }
-        write_record(out, record, &grid)?;
+        for (index, (frequency, _)) in points.iter().enumerate() {
+            let error = (grid.said(index, *frequency) - frequency).abs();
+            written.frequency_error = written.frequency_error.max(error);
+        }
+        if !points.is_empty() {
+            write_record(out, record, &points, &grid)?;
+        }
     }
     Ok(written)
+}
+
+/// A frequency, Hz, and the value there.
+type Point = (f64, Complex64);
+
+/// The points of a record that are finite, in the order of their frequencies.
+fn finite(record: &Record) -> Vec<Point> {
+    let points = record.frequencies.iter().zip(record.values);
+    let points = points.map(|(frequency, value)| (*frequency, *value));
+    let mut points: Vec<Point> = points
+        .filter(|(frequency, value)| frequency.is_finite() && value.is_finite())
+        .collect();
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    points
+}
+
+/// One point, the nearest, of those whose frequencies are the same number in the file.
+fn without_repeated(points: &[Point]) -> Vec<Point> {
+    let same = points.chunk_by(|a, b| single(a.0) == single(b.0));
+    let error = |point: &&Point| (as_read(point.0) - point.0).abs();
+    same.filter_map(|points| points.iter().min_by(|a, b| error(a).total_cmp(&error(b))))
+        .copied()
+        .collect()
 }
 
 /// Frequencies as the file says them.
@@ -87,20 +122,20 @@ struct Grid {
 }
 
 impl Grid {
-    fn of(frequencies: &[f64]) -> Self {
+    fn of(points: &[Point]) -> Self {
         let uneven = Self {
             even: false,
             first: 0.0,
             step: 0.0,
         };
-        let [first, .., last] = frequencies else {
+        let [(first, _), .., (last, _)] = points else {
             return uneven;
         };
-        let step = (last - first) / (frequencies.len() - 1) as f64;
-        let on_grid = |(index, frequency): (usize, &f64)| {
+        let step = (last - first) / (points.len() - 1) as f64;
+        let on_grid = |(index, (frequency, _)): (usize, &Point)| {
             (frequency - (first + index as f64 * step)).abs() <= 1e-9 * step
         };
-        if step > 0.0 && frequencies.iter().enumerate().all(on_grid) {
+        if step > 0.0 && step.is_finite() && points.iter().enumerate().all(on_grid) {
             return Self {
                 even: true,
                 first: *first,
@@ -112,16 +147,20 @@ impl Grid {
 
     /// A frequency when it is read back, Hz.
     fn said(&self, index: usize, frequency: f64) -> f64 {
-        let read = |number| single(number).parse().unwrap_or(number);
         if self.even {
-            read(self.first) + index as f64 * read(self.step)
+            as_read(self.first) + index as f64 * as_read(self.step)
         } else {
-            read(frequency)
+            as_read(frequency)
         }
     }
 }
 
-fn write_record(out: &mut dyn Write, record: &Record, grid: &Grid) -> io::Result<()> {
+fn write_record(
+    out: &mut dyn Write,
+    record: &Record,
+    points: &[Point],
+    grid: &Grid,
+) -> io::Result<()> {
     writeln!(out, "{:>6}\n{:>6}{:74}", -1, 58, "")?;
     for text in [record.name, record.title, "NONE", "NONE", "NONE"] {
         writeln!(out, "{:<80}", plain(text, 80))?;
@@ -149,15 +188,15 @@ fn write_record(out: &mut dyn Write, record: &Record, grid: &Grid) -> io::Result
     }
     let kind = if is_energy { 4 } else { 6 };
     let (first, step, z) = (single(grid.first), single(grid.step), single(0.0));
-    let (points, even) = (record.frequencies.len(), i32::from(grid.even));
+    let (count, even) = (points.len(), i32::from(grid.even));
     writeln!(
         out,
-        "\n{kind:>10}{points:>10}{even:>10}{first:>13}{step:>13}{z:>13}"
+        "\n{kind:>10}{count:>10}{even:>10}{first:>13}{step:>13}{z:>13}"
     )?;
     write_axis(out, 18, [0, 0], "Frequency", "Hz")?;
     write_ordinate(out, record.kind)?;
     write_axis(out, 0, [0, 0], "NONE", "NONE")?;
-    write_data(out, record, grid.even)?;
+    write_data(out, points, is_energy, grid.even)?;
     writeln!(out, "{:>6}", -1)
 }
 
@@ -205,16 +244,20 @@ fn write_axis(
     )
 }
 
-fn write_data(out: &mut dyn Write, record: &Record, even: bool) -> io::Result<()> {
-    let is_energy = record.kind == Kind::Energy;
+fn write_data(
+    out: &mut dyn Write,
+    points: &[Point],
+    is_energy: bool,
+    even: bool,
+) -> io::Result<()> {
     // Values a line: 4E20.12, 2(E13.5,E20.12) or E13.5,2E20.12.
     let a_line = match (is_energy, even) {
         (true, true) => 4,
         (false, true) | (true, false) => 2,
         (false, false) => 1,
     };
-    let last = record.values.len();
-    for (index, (frequency, value)) in record.frequencies.iter().zip(record.values).enumerate() {
+    let last = points.len();
+    for (index, (frequency, value)) in points.iter().enumerate() {
         if !even {
             write!(out, "{:>13}", single(*frequency))?;
         }
@@ -234,11 +277,13 @@ fn single(number: f64) -> String {
     exponential(number, 5)
 }
 
-/// A number as Fortran and C write it, `-1.234568E+00`; two digits in the exponent, or three where they are needed.
+/// A number as it is read back from [`single`].
+fn as_read(number: f64) -> f64 {
+    single(number).parse().unwrap_or(number)
+}
+
+/// A finite number as Fortran and C write it, `-1.234568E+00`; two digits in the exponent, or three where they are needed.
 fn exponential(number: f64, decimals: usize) -> String {
-    if !number.is_finite() {
-        return "NaN".to_owned();
-    }
     let text = format!("{number:.decimals$E}");
     match text.split_once('E') {
         Some((mantissa, exponent)) => {

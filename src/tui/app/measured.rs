@@ -175,11 +175,13 @@ impl App {
         Vec::new()
     }
 
-    /// Whether a file lacks nothing but units, and its curves have the names of responses, as `beamtune frf` gives them:
+    /// Whether a table lacks nothing but units, and its curves have the names of responses, as `beamtune frf` gives them:
     /// then they are in the units of these.
     fn is_of_responses(&self, inspection: &Inspection) -> bool {
         let named = |name: &String| self.model().responses.iter().any(|one| one.name == *name);
-        inspection.missing == [measured::Question::Unit] && inspection.curves.iter().all(named)
+        inspection.format == measured::Format::Csv
+            && inspection.missing == [measured::Question::Unit]
+            && inspection.curves.iter().all(named)
     }
 
     /// A curve whose quantity the file does not say, and which has the name of a response: what that is, under the
@@ -187,7 +189,7 @@ impl App {
     fn named_alike(&self, mut curve: Curve) -> Curve {
         let mut responses = self.model().responses.iter();
         let alike = responses.find(|one| one.enabled && one.name == curve.name);
-        if let (None, Some(alike)) = (curve.kind, alike) {
+        if let (None, true, Some(alike)) = (curve.kind, curve.unknown.is_empty(), alike) {
             let reference = Reference::of(self.model());
             curve.kind = match Dimension::of(&alike.quantity, reference.as_ref()) {
                 Some(dimension) => {

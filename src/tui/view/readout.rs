@@ -19,7 +19,7 @@ pub(super) fn line(app: &App, columns: usize) -> String {
     };
     let energy = trace.dimension.is_none();
     let told = magnitude(app, value, energy);
-    let has_phase = !energy && value.shown.norm() > 0.0;
+    let has_phase = !energy && value.shown.is_finite() && value.shown.norm() > 0.0;
     let degrees = value.shown.arg().to_degrees().round() + 0.0;
     let phase = has_phase.then(|| format!("  {degrees:.0} deg"));
     let phase = phase.unwrap_or_default();
@@ -31,7 +31,7 @@ pub(super) fn line(app: &App, columns: usize) -> String {
         let other = app.value_at(0, trace, second)?;
         let decibels = scene::difference(energy, value.shown, other.shown);
         let frequency = app.display.frequency_text(cursor - second);
-        Some(format!("  delta {frequency}, {decibels:+.2} dB"))
+        Some(format!("  delta {frequency}{}", change(decibels)))
     });
     let delta = delta.unwrap_or_default();
     let whole = format!(" {of}{frequency}  {told}{phase}{delta} ");
@@ -53,6 +53,15 @@ pub(super) fn line(app: &App, columns: usize) -> String {
     fits.or(lines.last()).cloned().unwrap_or_default()
 }
 
+/// A difference of levels behind what else differs; nothing where one of them has none, as that of zero.
+fn change(decibels: f64) -> String {
+    if decibels.is_finite() {
+        format!(", {decibels:+.2} dB")
+    } else {
+        String::new()
+    }
+}
+
 /// A magnitude as the axis has it, with its unit; with a tilde where it is only near.
 fn magnitude(app: &App, value: Value, energy: bool) -> String {
     let scale = scene::scale(app);
@@ -68,6 +77,7 @@ fn magnitude(app: &App, value: Value, energy: bool) -> String {
     };
     match scale.level {
         _ if size == 0.0 => "zero".to_owned(),
+        _ if !size.is_finite() => "no finite value".to_owned(),
         Level::Decibel { .. }
             if matches!(
                 app.display.view,
@@ -77,5 +87,22 @@ fn magnitude(app: &App, value: Value, energy: bool) -> String {
             format!("{near}{:.1} {}", scale.level.value(size), scale.unit)
         }
         _ => format!("{near}{size:.3e} {unit}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Expected: 20 log10 of a ratio; of zero over zero there is none.
+    #[test]
+    fn a_difference_that_is_none_is_not_written() {
+        let of = |value: f64, against: f64| {
+            change(scene::difference(false, value.into(), against.into()))
+        };
+        assert_eq!(of(10.0, 1.0), ", +20.00 dB");
+        for (value, against) in [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (f64::NAN, 1.0)] {
+            assert_eq!(of(value, against), "");
+        }
     }
 }

@@ -125,6 +125,11 @@ fn choose<'a>(all: &'a [Curve], curve: Option<&str>, response: &str) -> Result<&
 fn in_form_of(model: &Model, curve: &Curve, response: usize) -> Result<Vec<Complex64>, String> {
     let quantity = model.responses.get(response).map(|one| &one.quantity);
     let Some(Kind::Motion(own)) = curve.kind else {
+        if let Some((_, word)) = curve.unknown.first() {
+            return Err(format!(
+                "is in {word:?}, which is no unit that is known; m/N, mm/s/N, g/N and their like would be accepted"
+            ));
+        }
         return match curve.kind {
             None => Ok(curve.values.clone()),
             Some(_) => Err("is an energy; must be a motion".to_owned()),

@@ -210,7 +210,7 @@ const SENT: &[&[u8]] = &[
 ];
 
 /// How many inputs come from a terminal.
-const INPUTS: usize = 10_000;
+const INPUTS: usize = 3_000;
 
 #[test]
 fn whatever_a_terminal_sends_the_next_key_is_heard() {

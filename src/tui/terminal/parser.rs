@@ -169,8 +169,8 @@ impl Parser {
             None => (KeyModifiers::NONE, &self.pending[..]),
         };
         let length = match letter[0] {
-            ..0xe0 => 2,
-            ..0xf0 => 3,
+            0xc2..=0xdf => 2,
+            0xe0..=0xef => 3,
             _ => 4,
         };
         if letter.len() == length {

@@ -69,8 +69,7 @@ fn aim(names: &[Vec<String>; 3], from: f64, to: f64) -> BoxedStrategy<Aim> {
         });
         let compare = prop::sample::select(Compare::ALL.to_vec());
         let files = "[a-z./ \"\\\\']{0,8}[.]csv";
-        // Boxed, since whole strategies on the stack of a test are more than it has.
-        let curves = prop::option::of("[ -~äß€]{0,5}x").boxed();
+        let curves = prop::option::of("[ -~äß€]{0,5}x");
         let matched = (name(), files, curves.clone(), curves, compare).prop_map(|found| {
             let (response, file, curve, columns, compare) = found;
             Aim::Match {

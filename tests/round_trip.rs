@@ -280,14 +280,14 @@ fn studies() -> impl Strategy<Value = Vec<Study>> {
     })
 }
 
-/// Any possible model.
+/// Any possible model. Its parts are boxed: whole, they are more than the stack of a test holds.
 fn model() -> impl Strategy<Value = Model> {
     let start = (
         text(),
         text(),
-        beam(),
-        support(),
-        support(),
+        beam().boxed(),
+        support().boxed(),
+        support().boxed(),
         positive(),
         2..=1_000_000_usize,
         any::<bool>(),
@@ -300,35 +300,40 @@ fn model() -> impl Strategy<Value = Model> {
             points,
             spacing,
         };
-        subsystems(beam.length).prop_flat_map(move |subsystems| {
-            let enabled = subsystems
-                .iter()
-                .filter(|one| one.enabled)
-                .map(|one| one.name.clone())
-                .collect::<Vec<_>>();
-            let (title, notes) = (title.clone(), notes.clone());
-            let parts = (
-                forces(beam.length, enabled.clone()),
-                responses(beam.length, enabled),
-                studies(),
-            );
-            parts.prop_flat_map(move |(forces, responses, studies)| {
-                let subsystems = subsystems.clone();
+        subsystems(beam.length)
+            .boxed()
+            .prop_flat_map(move |subsystems| {
+                let enabled = subsystems
+                    .iter()
+                    .filter(|one| one.enabled)
+                    .map(|one| one.name.clone())
+                    .collect::<Vec<_>>();
                 let (title, notes) = (title.clone(), notes.clone());
-                tuning::tune(&responses).prop_map(move |tune| Model {
-                    title: title.clone(),
-                    notes: notes.clone(),
-                    beam,
-                    supports: Supports { left, right },
-                    subsystems: subsystems.clone(),
-                    forces: forces.clone(),
-                    responses: responses.clone(),
-                    sweep,
-                    studies: studies.clone(),
-                    tune,
-                })
+                let parts = (
+                    forces(beam.length, enabled.clone()).boxed(),
+                    responses(beam.length, enabled).boxed(),
+                    studies().boxed(),
+                );
+                parts
+                    .prop_flat_map(move |(forces, responses, studies)| {
+                        let subsystems = subsystems.clone();
+                        let (title, notes) = (title.clone(), notes.clone());
+                        tuning::tune(&responses).prop_map(move |tune| Model {
+                            title: title.clone(),
+                            notes: notes.clone(),
+                            beam,
+                            supports: Supports { left, right },
+                            subsystems: subsystems.clone(),
+                            forces: forces.clone(),
+                            responses: responses.clone(),
+                            sweep,
+                            studies: studies.clone(),
+                            tune,
+                        })
+                    })
+                    .boxed()
             })
-        })
+            .boxed()
     })
 }
 

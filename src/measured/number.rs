@@ -42,7 +42,8 @@ pub(super) fn parse(text: &[u8], comma: bool) -> Option<f64> {
 /// A real number alone is none.
 pub(super) fn complex(text: &[u8], comma: bool) -> Option<Complex64> {
     let text = std::str::from_utf8(text.trim_ascii()).ok()?;
-    if text.len() > 2 * LONGEST {
+    // Most cells are none, and are seen at a glance.
+    if text.len() > 2 * LONGEST || !text.contains(['i', 'j', 'I', 'J', '(']) {
         return None;
     }
     let inside = text

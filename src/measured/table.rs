@@ -2,6 +2,7 @@
 
 mod columns;
 mod dialect;
+mod frequencies;
 mod groups;
 mod head;
 mod header;

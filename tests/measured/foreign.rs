@@ -479,6 +479,15 @@ fn an_answer_wins_over_the_header() {
             "column 2 (U mag) and column 3 (U phase [deg]) left out: mag deg, which is not what was asked for"
         ]
     );
+    // A magnitude alone is that of the header, and its phase is none.
+    let table = "f [Hz],Mag [m/N],Phase [deg]\n1,2,-90\n2,3,-170\n";
+    let found = curves(table, Some("hz; mag; mm/N"));
+    assert_eq!((found.len(), found[0].phase_known), (1, false));
+    assert_eq!(
+        found[0].notes,
+        ["column 3 left out: only magnitudes were asked for"]
+    );
+    near(found[0].values[0], 2e-3.into(), 1e-15);
     // Its unit is the unit, whatever the header says, also where that is none.
     let table = "f [Hz],H re [furlong],H im [furlong]\n1,2,3\n2,4,5\n";
     let seen = inspect(table.as_bytes(), &hint("run 7.csv", None)).unwrap();

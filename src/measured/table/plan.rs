@@ -2,11 +2,12 @@
 
 use super::columns::{Columns, Group};
 use super::dialect::Dialect;
+use super::frequencies::frequencies;
 use super::groups::{by_number, guess, in_turn, magnitude, one_unit, said};
 use super::head::{Head, Role};
 use super::sample::ColumnKind;
 use crate::measured::inspect::Question;
-use crate::measured::layout::{FrequencyUnit, Layout};
+use crate::measured::layout::{FrequencyUnit, Layout, Values};
 use crate::measured::{Fault, Hint, fault_at};
 
 /// Most columns of a table.
@@ -56,6 +57,18 @@ impl Table<'_> {
     pub(super) fn role(&self, index: usize) -> Role {
         self.heads.get(index).map_or(Role::Unsaid, |head| head.role)
     }
+
+    /// The columns of numbers besides the frequencies that may be values.
+    fn besides(&self, frequency: usize) -> Vec<usize> {
+        let dialect = self.dialect;
+        let is_free = |index: &usize| {
+            *index != frequency
+                && dialect.columns[*index] != ColumnKind::Text
+                && self.role(*index) != Role::Other
+        };
+        let first = usize::from(dialect.has_curves);
+        (first..dialect.width()).filter(is_free).collect()
+    }
 }
 
 impl Plan {
@@ -64,28 +77,15 @@ impl Plan {
     /// # Errors
     /// There are no columns of values, too many, or a number of them that does not fit the layout.
     pub(in crate::measured) fn new(dialect: &Dialect, hint: &Hint) -> Result<Self, Fault> {
-        if dialect.width() > MOST_COLUMNS {
-            let message = format!(
-                "has {} columns: up to {MOST_COLUMNS} would be accepted",
-                dialect.width()
-            );
-            return Err(fault_at("", 1, 1, message));
-        }
-        let heads: Vec<Head> = dialect.header.iter().map(|cell| Head::new(cell)).collect();
+        of_possible_width(dialect)?;
         let layout = hint.layout.as_ref();
         let mut table = Table {
             dialect,
-            heads,
+            heads: dialect.header.iter().map(|cell| Head::new(cell)).collect(),
             free: Vec::new(),
         };
         let (column, unit) = frequencies(&table, layout)?;
-        let first = usize::from(dialect.has_curves);
-        let is_free = |index: &usize| {
-            *index != column
-                && dialect.columns[*index] != ColumnKind::Text
-                && table.role(*index) != Role::Other
-        };
-        table.free = (first..dialect.width()).filter(is_free).collect();
+        table.free = table.besides(column);
         let told = layout.map(|layout| layout.frequency).or(unit);
         let mut plan = Self {
             frequency: (column, told.unwrap_or(FrequencyUnit::Hertz)),
@@ -123,7 +123,10 @@ impl Plan {
             self.groups = by_number(table, layout)?;
             return Ok(());
         }
-        let (said, rest) = said(table);
+        let (mut said, rest) = said(table);
+        if layout.is_some_and(|layout| matches!(layout.values, Values::Magnitude { .. })) {
+            self.leave_out_phases(&mut said);
+        }
         let fits = |group: &Group| {
             layout.is_none_or(|layout| layout.values.is_like(group.columns.values()))
         };
@@ -172,6 +175,25 @@ impl Plan {
                 self.notes.push(format!(
                     "{columns} left out: {}, which is not what was asked for",
                     group.columns.values()
+                ));
+            }
+        }
+    }
+
+    /// Makes magnitudes alone of magnitudes with phases: nobody asked for more.
+    fn leave_out_phases(&mut self, groups: &mut [Group]) {
+        for group in groups {
+            if let Columns::Polar {
+                size,
+                decibels,
+                phase,
+                ..
+            } = group.columns
+            {
+                group.columns = Columns::Magnitude { size, decibels };
+                self.notes.push(format!(
+                    "column {} left out: only magnitudes were asked for",
+                    phase + 1
                 ));
             }
         }
@@ -259,65 +281,13 @@ impl Plan {
     }
 }
 
-/// The column of frequencies, and their unit as far as the header says it.
-fn frequencies(
-    table: &Table,
-    layout: Option<&Layout>,
-) -> Result<(usize, Option<FrequencyUnit>), Fault> {
-    let dialect = table.dialect;
-    let unit = |index: usize| match table.role(index) {
-        Role::Frequency(unit) => unit,
-        _ => None,
-    };
-    if let Some(place) = layout.and_then(|layout| layout.places.frequency) {
-        let index = place - 1;
-        return match dialect.columns.get(index) {
-            Some(ColumnKind::Real) => Ok((index, unit(index))),
-            Some(_) => Err(wrong_column(
-                place,
-                "holds no real numbers: another one would be accepted",
-            )),
-            None => Err(too_few(place, dialect)),
-        };
-    }
-    let chosen: Vec<usize> = layout.map_or_else(Vec::new, |layout| {
-        layout
-            .places
-            .curves
-            .iter()
-            .flatten()
-            .map(|place| place - 1)
-            .collect()
-    });
-    let first = usize::from(dialect.has_curves);
-    let is_open =
-        |index: &usize| dialect.columns[*index] == ColumnKind::Real && !chosen.contains(index);
-    let open: Vec<usize> = (first..dialect.width()).filter(is_open).collect();
-    let named = |index: &&usize| matches!(table.role(**index), Role::Frequency(_));
-    let unsaid = |index: &&usize| table.role(**index) == Role::Unsaid;
-    let found = open.iter().find(named).or_else(|| open.iter().find(unsaid));
-    match found {
-        Some(&index) => Ok((index, unit(index))),
-        None => Err(fault_at(
-            "",
-            1,
-            1,
-            "has no column of frequencies: one headed such as \"Frequency [Hz]\" would be accepted, or its number, as hz 1",
-        )),
-    }
-}
-
-/// That a column chosen by number is none.
-pub(super) fn too_few(place: usize, dialect: &Dialect) -> Fault {
+fn of_possible_width(dialect: &Dialect) -> Result<(), Fault> {
     let width = dialect.width();
-    wrong_column(
-        place,
-        &format!("is not there: the table has {width} columns"),
-    )
-}
-
-pub(super) fn wrong_column(place: usize, why: &str) -> Fault {
-    fault_at("", 1, 1, format!("column {place} {why}"))
+    if width > MOST_COLUMNS {
+        let message = format!("has {width} columns: up to {MOST_COLUMNS} would be accepted");
+        return Err(fault_at("", 1, 1, message));
+    }
+    Ok(())
 }
 
 /// What is in the header and not understood.

@@ -601,7 +601,7 @@ fn even_steps_lose_digits_too() {
         response: None,
         reference: None,
         frequencies: &frequencies,
-        values: &[Complex64::ONE; 2000],
+        values: &vec![Complex64::ONE; 2000],
     };
     let (text, written) = written(&[record]);
     assert!((written.frequency_error - 4e-4).abs() < 1e-9, "{written:?}");

@@ -232,9 +232,9 @@ fn line_ends_blanks_tabs_and_exponents_of_other_programs_are_read() {
     let text = String::from_utf8(file("capital_g")).unwrap();
     let expected = curves(&text, None);
     is_true(&curves(file("cr"), None)[0], Measure::Acceleration);
-    let padded: String = text.lines().map(|line| format!("{line:<100}\n")).collect();
-    let numbers = text.lines().skip(13);
-    let numbers: String = numbers.map(|line| format!("{line}\n")).collect();
+    let lines = |lines: Vec<String>| lines.join("\n") + "\n";
+    let padded = lines(text.lines().map(|line| format!("{line:<100}")).collect());
+    let numbers = lines(text.lines().skip(13).map(str::to_owned).collect());
     let head = text.strip_suffix(numbers.as_str()).unwrap();
     let with_tabs: String = text
         .lines()

@@ -1,0 +1,33 @@
+//! Signals that the program was started to ignore, as by `nohup`: they stay ignored.
+
+use std::fs;
+
+/// Those of some signals that are to be heard.
+pub(crate) fn not_ignored(signals: impl IntoIterator<Item = i32>) -> Vec<i32> {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    // Where the system does not say, none is ignored.
+    let ignored = ignored(&status).unwrap_or(0);
+    let is_heard = |signal: &i32| ignored >> (signal - 1) & 1 == 0;
+    signals.into_iter().filter(is_heard).collect()
+}
+
+/// A bit for each signal that is ignored, the lowest for signal 1 (Linux, proc(5), /proc/PID/status).
+fn ignored(status: &str) -> Option<u64> {
+    let mask = status
+        .lines()
+        .find_map(|line| line.strip_prefix("SigIgn:"))?;
+    u64::from_str_radix(mask.trim(), 16).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `nohup cat /proc/self/status` says `SigIgn: 0000000000000001`; SIGHUP is signal 1, SIGPIPE 13.
+    #[test]
+    fn ignored_signals_are_bits_of_the_status() {
+        let status = "Name:\tcat\nSigBlk:\t0000000000000000\nSigIgn:\t0000000000001001\n";
+        assert_eq!(ignored(status), Some(1 << 12 | 1));
+        assert_eq!(ignored("Name:\tcat\n"), None);
+    }
+}

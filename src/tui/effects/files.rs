@@ -51,14 +51,23 @@ fn write(path: &Path, text: &str, guard: &Guard, what: Saving) -> Result<(), Rep
         let reason = "it is a folder; a file's name is wanted".to_owned();
         return Err(Reply::NotSaved(path, reason));
     }
-    match guard {
-        Guard::Absent if is_there(&path) => return Err(Reply::Exists(path, what)),
+    let question = match guard {
+        Guard::Absent if is_there(&path) => Some(Reply::Exists(path.clone(), what)),
         Guard::Holds(expected) if compare(&path, expected) == Outside::Changed => {
-            return Err(Reply::ChangedOutside(path));
+            Some(Reply::ChangedOutside(path.clone()))
         }
-        _ => {}
+        _ => None,
+    };
+    // Nothing is asked about a file that could not be replaced.
+    let saved = match &question {
+        Some(_) => model::may_save(&path),
+        None => model::save(&path, text),
+    };
+    match (saved, question) {
+        (Err(error), _) => Err(Reply::NotSaved(path, why(&error))),
+        (Ok(()), Some(question)) => Err(question),
+        (Ok(()), None) => Ok(()),
     }
-    model::save(&path, text).map_err(|error| Reply::NotSaved(path, why(&error)))
 }
 
 /// Opens a file of measured curves, whose columns are what `layout` says where it is said.
@@ -163,6 +172,25 @@ mod tests {
         assert_eq!(complete(&path("b")), path("beam "));
         assert_eq!(complete(&path("o")), path("other.toml"));
         assert_eq!(complete(&path("x")), path("x"));
+    }
+
+    #[test]
+    fn a_place_without_permission_is_refused_and_not_asked_about() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("model.toml");
+        fs::write(&file, "old").unwrap();
+        let save = |path: PathBuf| match save(path, "new".to_owned(), &Guard::Absent) {
+            Reply::NotSaved(_, reason) => reason,
+            other => panic!("{other:?}"),
+        };
+        // Also for the superuser, a file is no folder.
+        let beneath = save(file.join("other.toml"));
+        assert!(beneath.contains("directory"), "{beneath}");
+        let mut permissions = fs::metadata(&file).unwrap().permissions();
+        permissions.set_readonly(true);
+        fs::set_permissions(&file, permissions).unwrap();
+        assert_eq!(save(file.clone()), "the file is read-only");
+        assert_eq!(fs::read_to_string(&file).unwrap(), "old");
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! What a search is for: a figure of the first curve in the marked band, and what must hold meanwhile.
 
-use crate::model::{Aim, Combine, Compare, Limit, Model, Objective};
+use crate::model::{Aim, Combine, Compare, Limit, Model, Objective, entry};
 use crate::tui::app::{App, Question};
 
 /// What was typed.
@@ -182,7 +182,8 @@ fn read_limit(text: &str, response: &str, [from, to]: [f64; 2]) -> Result<Limit,
 
 fn number(text: &str) -> Result<f64, String> {
     let text = text.trim();
-    text.parse().map_err(|_| format!("{text} is no number"))
+    text.parse()
+        .map_err(|_| entry::decimal_comma(text).unwrap_or_else(|| format!("{text} is no number")))
 }
 
 #[cfg(test)]

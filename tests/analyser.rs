@@ -544,3 +544,149 @@ fn the_sweep_keeps_what_is_marked_on_its_axis() {
     assert_eq!(driver.app.curves.cursor, None);
     assert_eq!(driver.app.reading.second, None);
 }
+
+#[test]
+fn a_measured_motion_stands_with_the_motion_under_the_one_force() {
+    // Accelerations of the tip under the preset's 100 N, as an accelerometer alone has them.
+    let amplitude = 100.0;
+    let mut driver = with_measured("m/s2", |f, h| {
+        let omega = std::f64::consts::TAU * f;
+        -omega * omega * h * amplitude
+    });
+    assert!(driver.app.beside.fits.is_empty());
+    driver.keys("Q");
+    let screen = driver.screen(120, 40);
+    assert!(screen.contains("does not fit what shows"), "{screen}");
+    driver.keys("Esc I");
+    assert!(driver.app.display.motion && driver.app.display.form.is_none());
+    let fit = &driver.app.beside.fits[0].fit;
+    // Expected: it is the model's own motion.
+    assert_near(fit.frac, 1.0, 1e-12);
+    assert!(fit.mean_decibels.abs() < 1e-10, "{}", fit.mean_decibels);
+    driver.keys("Q");
+    let screen = driver.screen(120, 40);
+    assert!(screen.contains("FRAC 1.0000"), "{screen}");
+    // Closed form: the motion is a hundred times the receptance, 40 dB.
+    driver.keys("Esc @").typed("20").keys("Enter");
+    let read = |driver: &Driver| {
+        let (_, trace) = driver.app.curves.first_trace().unwrap();
+        driver.app.value_at(0, trace, 20.0).unwrap().shown.norm()
+    };
+    let motion = read(&driver);
+    assert_eq!(driver.app.shown_units(), ["m"]);
+    driver.keys("i");
+    assert_near(motion, 100.0 * read(&driver), 1e-12);
+    assert_eq!(driver.app.shown_units(), ["m/N"]);
+    // Where several forces act there is no ratio, and so no such form.
+    let mut several = Driver::preset("fig05a");
+    several.keys("I");
+    assert!(!several.app.display.motion);
+}
+
+#[test]
+fn of_a_file_with_many_curves_any_can_be_chosen() {
+    let columns: Vec<String> = (1..=40)
+        .map(|i| format!(",P{i} re [m/N],P{i} im [m/N]"))
+        .collect();
+    let row = |f: i32| format!("{f}{}\n", ",1e-6,0".repeat(40));
+    let text = format!("f [Hz]{}\n{}{}", columns.concat(), row(10), row(20));
+    let mut driver = Driver::preset("cantilever");
+    load(&mut driver, &text);
+    let screen = driver.screen(80, 24);
+    assert!(screen.contains("Which of 40 curves"), "{screen}");
+    assert!(screen.contains("40 P40"), "{screen}");
+    assert!(driver.app.beside.measured.is_empty());
+    let names = |driver: &Driver| -> Vec<String> {
+        let measured = driver.app.beside.measured.iter();
+        measured.map(|one| one.name.clone()).collect()
+    };
+    // What chooses nothing or too much keeps the box and says so.
+    for (wrong, word) in [("50", "50"), ("1-13", "room for 12"), ("P", "40 curves")] {
+        driver.typed(wrong).keys("Enter");
+        let screen = driver.screen(80, 24);
+        assert!(
+            screen.contains(word) && screen.contains("Which of"),
+            "{screen}"
+        );
+    }
+    driver.typed("13, P40").keys("Enter");
+    assert_eq!(names(&driver), ["P13", "P40"]);
+    assert!(driver.app.overlay.is_none());
+    // Again, for more: as many as there is room for are proposed.
+    load(&mut driver, &text);
+    driver.keys("Enter");
+    assert_eq!(names(&driver).len(), 12);
+    // Every one can be reached.
+    for number in 13..=40 {
+        let mut driver = Driver::preset("cantilever");
+        driver.without_answers();
+        load(&mut driver, &text);
+        driver.typed(&number.to_string()).keys("Enter");
+        assert_eq!(names(&driver), [format!("P{number}")]);
+    }
+}
+
+#[test]
+fn in_the_difference_view_the_difference_is_read() {
+    let mut driver = Driver::preset("cantilever");
+    let before = first_response(&driver, 31.5);
+    driver
+        .keys("f")
+        .select("subsystems.Damper.mass")
+        .keys("> @");
+    driver.typed("31.5").keys("Enter");
+    while driver.app.display.view != ChartView::Difference {
+        driver.keys("b");
+    }
+    // Closed form: 20 log10 of the ratio of what the solver gives for both models.
+    let expected = 20.0 * (first_response(&driver, 31.5).norm() / before.norm()).log10();
+    assert!(expected.abs() > 0.05, "{expected}");
+    let told = format!("31.5 Hz  {expected:+.2} dB");
+    let screen = driver.screen(80, 24);
+    assert!(screen.contains(&told), "no {told} in {screen}");
+    driver.keys("\"");
+    let screen = driver.screen(120, 40);
+    assert!(screen.contains("against before"), "{screen}");
+    assert!(screen.contains(&format!(" {expected:+.2}")), "{screen}");
+    // From another cursor the difference of differences is counted.
+    driver.keys("c @").typed("20").keys("Enter");
+    let here = driver
+        .app
+        .difference_at(0, driver.app.curves.first_trace().unwrap().1, 20.0);
+    let told = format!("{:+.2}", here.unwrap().decibels - expected);
+    let screen = driver.screen(120, 40);
+    assert!(screen.contains(&told), "no {told} in {screen}");
+}
+
+#[test]
+fn two_cursors_keep_the_frequency_and_the_value_on_a_small_screen() {
+    let mut driver = Driver::preset("cantilever");
+    driver
+        .keys("@")
+        .typed("20")
+        .keys("Enter c @")
+        .typed("25.25")
+        .keys("Enter");
+    let value = first_response(&driver, 25.25).norm() / driver.app.model().forces[0].amplitude;
+    let told = format!("25.25 Hz  {value:.3e} m/N");
+    for size in [(80, 24), (120, 40)] {
+        let screen = driver.screen(size.0, size.1);
+        assert!(screen.contains(&told), "no {told} in {screen}");
+        assert!(screen.lines().nth(1).unwrap().contains(" dB"), "{screen}");
+    }
+}
+
+#[test]
+fn names_of_sensitivities_are_whole_where_there_is_room() {
+    let mut driver = Driver::preset("fig08");
+    driver.select("subsystems.S1.mass").keys("r");
+    driver
+        .typed("a machine with quite a long name")
+        .keys("Enter @")
+        .typed("10")
+        .keys("Enter ~");
+    // The name in its column has blanks behind it; the title of the details has a rule.
+    let name = "a machine with quite a long name mass  ";
+    let screen = driver.screen(160, 40);
+    assert!(screen.contains(name), "no {name} in {screen}");
+}

@@ -1,6 +1,8 @@
 //! The designer on a screen in memory: what is drawn after some keys, symbols and styles.
 #![allow(clippy::expect_used)] // The driver's functions are no tests themselves.
 
+#[path = "screens/changed.rs"]
+mod changed;
 #[path = "fuzz/dice.rs"]
 #[allow(dead_code)]
 mod dice;

@@ -47,9 +47,9 @@ fn of<'a>(effects: &'a Effects, path: &str) -> &'a Sensitivity {
     &effects
         .rows
         .iter()
-        .find(|row| row.1.path == path)
+        .find(|row| row.effect.path == path)
         .unwrap()
-        .1
+        .effect
 }
 
 fn assert_near(actual: f64, expected: f64, tolerance: f64) {
@@ -84,7 +84,7 @@ fn bars_at_the_cursor_are_derivatives_of_the_level() {
     let sizes: Vec<f64> = effects
         .rows
         .iter()
-        .map(|row| row.1.level.unwrap().abs())
+        .map(|row| row.effect.level.unwrap().abs())
         .collect();
     assert!(sizes.is_sorted_by(|a, b| a >= b));
     let paths = Differentiator::new(&model).paths().to_vec();
@@ -181,7 +181,7 @@ fn the_tree_carries_bars_and_the_table_leads_to_the_parameter() {
         "{screen}"
     );
     driver.keys("Home");
-    let largest = effects(&driver).rows[0].0;
+    let largest = effects(&driver).rows[0].node.unwrap();
     assert_eq!(driver.app.selection.node(), largest);
     let name = tree::subject(driver.app.model(), largest);
     assert!(driver.screen(120, 40).contains(&name));
@@ -190,7 +190,7 @@ fn the_tree_carries_bars_and_the_table_leads_to_the_parameter() {
     driver.keys("+");
     assert_ne!(*driver.app.model(), before);
     let row = driver.app.tables.sensitivities.row;
-    assert_eq!(effects(&driver).rows[row].0, largest);
+    assert_eq!(effects(&driver).rows[row].node, Some(largest));
 }
 
 #[test]

@@ -113,6 +113,12 @@ impl ValueUnit {
         }
     }
 
+    /// How many of another unit of the same quantity it is; none for another quantity.
+    pub fn in_units_of(&self, other: &Self) -> Option<f64> {
+        let same = (self.kind, self.inverse) == (other.kind, other.inverse);
+        same.then_some(self.scale / other.scale)
+    }
+
     /// One of it in SI, and whether the load stands above the motion.
     pub(super) const fn ratio(&self) -> (f64, bool) {
         (self.scale, self.inverse)

@@ -65,6 +65,9 @@ fn choice(text: &str, choices: &[&'static str], range: &str) -> Result<&'static 
 /// Says why the text gives no finite number and what is accepted.
 pub fn number(text: &str, old: f64, unit: &Unit) -> Result<f64, String> {
     let text = text.trim().replace('−', "-");
+    if let Some(words) = decimal_comma(&text) {
+        return Err(words);
+    }
     let value = if let Some(rest) = text.strip_prefix(['*', '×', 'x']) {
         old * factor(rest, unit)?
     } else if let Some(rest) = text.strip_prefix(['/', '÷']) {
@@ -107,6 +110,27 @@ pub fn count(text: &str, old: usize) -> Result<usize, String> {
         ));
     }
     Ok(value as usize)
+}
+
+/// What to type in place of a number with a comma, if there is one in the text.
+pub fn decimal_comma(text: &str) -> Option<String> {
+    let (before, after) = text.split_once(',')?;
+    let number = |text: &str| text.starts_with(|c: char| c.is_ascii_digit());
+    if !number(after) {
+        return None;
+    }
+    if after.contains(',') {
+        let without = text.replace(',', "");
+        return Some(format!("a number has no comma: {without}"));
+    }
+    let zero = if before.ends_with(|c: char| c.is_ascii_digit()) {
+        ""
+    } else {
+        "0"
+    };
+    Some(format!(
+        "the decimal sign is a point: {before}{zero}.{after}"
+    ))
 }
 
 /// What may be typed for a number with this unit, for people.
@@ -184,9 +208,6 @@ fn wrong_unit(text: &str, unit: &Unit) -> String {
             accepted(unit)
         );
     }
-    if text.starts_with(',') {
-        return "the decimal sign is a point: 1.5".to_owned();
-    }
     format!(
         "\"{text}\" does not fit here: accepted is {}",
         accepted(unit)
@@ -260,6 +281,26 @@ fn scaled(number: &str, power: i32) -> Result<f64, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_decimal_comma_is_answered_by_the_number_that_was_meant() {
+        for (typed, meant) in [
+            ("3,5", "3.5"),
+            ("-0,02", "-0.02"),
+            ("3,5 MN/m", "3.5 MN/m"),
+            ("*1,1", "*1.1"),
+            ("+2,5%", "+2.5%"),
+            (",5", "0.5"),
+            ("1,5e3", "1.5e3"),
+        ] {
+            let words = number(typed, 2.0, &Unit::STIFFNESS).unwrap_err();
+            assert_eq!(words, format!("the decimal sign is a point: {meant}"));
+        }
+        let words = number("1,234,567", 2.0, &Unit::STIFFNESS).unwrap_err();
+        assert_eq!(words, "a number has no comma: 1234567");
+        assert_eq!(decimal_comma("left, right"), None);
+        assert_eq!(decimal_comma("3.5"), None);
+    }
     use proptest::prelude::*;
 
     #[test]

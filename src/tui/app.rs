@@ -7,6 +7,7 @@ mod ask;
 mod band;
 mod beside;
 mod chart;
+mod choose;
 mod commands;
 mod curves;
 mod detail;
@@ -22,6 +23,7 @@ mod look;
 mod measured;
 mod modal;
 mod mouse;
+mod moves;
 mod outside;
 mod overlay;
 mod palette;
@@ -49,7 +51,7 @@ pub use band::{Band, BandLevels, MemberLevels, ResponseLevel};
 pub use beside::{Beside, Reference};
 pub use curves::{Compared, Curves, Member, Picture, Shown, Trace};
 pub use detail::{Detail, DetailPicture};
-pub use display::Display;
+pub use display::{Display, MOTION};
 pub use document::{Base, Document};
 pub use effect::{Effect, Guard, Lost, Reply};
 pub use export::{Export, Saving};
@@ -59,11 +61,11 @@ pub use modal::{Completeness, Modal, ModeKind, ModeList, ModeRow, Shares};
 pub use outside::Outside;
 pub use overlay::{Asked, AskedKind, List, Next, Overlay, Prompt, Purpose, ReplaceReason};
 pub use palette::{Entry, Found, Palette};
-pub use reading::{Read, Reading, Value, nearest};
+pub use reading::{AgainstReference, Read, Reading, Value, nearest};
 pub use screen::{Levels, Plot, Rows, Screen};
 pub use search::Search;
 pub use selection::Selection;
-pub use sensitivity::{Effects, Sensed, Sensitivities};
+pub use sensitivity::{Effects, Sensed, Sensitivities, Weighed};
 pub use shape::Shape;
 pub use tables::{Anchor, Table, Tables};
 pub use tuning::{Progress, Run, Tolerances, Tuning};
@@ -77,6 +79,7 @@ use crate::tui::event::Event;
 use crate::tui::keys::{KeyMap, Scope};
 use crate::tui::theme::Theme;
 use crate::tui::user::memory::{Memory, RememberedOptions};
+use moves::Moves;
 use repeat::LastChange;
 
 /// What the last line says in place of the hints, until the next key.
@@ -261,31 +264,47 @@ impl App {
             // There is nobody to ask: what is not saved stays kept.
             Event::Quit(signal) => return vec![Effect::Quit(Some(signal.unsigned_abs() as u8))],
         };
+        effects.extend(self.settle());
+        effects
+    }
+
+    /// Brings all that depends on the model up to date; what is to be done then.
+    fn settle(&mut self) -> Vec<Effect> {
         self.refresh_fits();
         self.refresh_display();
         self.refresh_moving();
         // Another curve may be the first one now.
         self.tables.peaks.set_rows(self.peaks().len());
         // What is waited for comes first.
-        effects.extend(self.request());
+        let mut effects = self.request();
         effects.extend(self.keep());
         effects
     }
 
-    /// Lets the tree and the chart follow a model that has changed.
+    /// Lets all that holds rows of the tree, and the chart, follow a model that has changed.
     fn follow(&mut self, before: &Model) {
         let model = Arc::clone(self.document.model());
+        let moves = Moves::new(before, &model);
         if let Some(search) = &mut self.search {
-            search.refresh(&model);
+            search.follow(&moves, &model);
         }
-        self.follow_number(before);
+        if let Some(effects) = &mut self.sensitivities.effects {
+            effects.follow(&moves);
+        }
+        self.held = self.held.and_then(|node| moves.of(node));
+        self.expected = None;
+        self.follow_rows(&moves, before, &model);
     }
 
     /// The same where no more than a number has changed: the rows have the names they had.
     fn follow_number(&mut self, before: &Model) {
         let model = Arc::clone(self.document.model());
-        self.selection.follow(before, &model);
-        self.curves.follow(before, &model);
+        self.follow_rows(&Moves::new(before, &model), before, &model);
+    }
+
+    fn follow_rows(&mut self, moves: &Moves, before: &Model, model: &Model) {
+        self.selection.follow(moves, model);
+        self.curves.follow(before, model);
         self.keep_marks_in_sweep();
     }
 

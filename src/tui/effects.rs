@@ -64,12 +64,14 @@ impl Performer {
         }
     }
 
-    /// The unsaved changes that were found; those of this source first.
+    /// The unsaved changes that were found: those of this file; where no file is opened all, those of this source first.
     pub fn lost(&mut self, source: &Source) -> Vec<Lost> {
         let own = source.absolute();
         self.found
             .sort_by_key(|found| found.source.absolute() != own);
-        let lost = self.found.iter().map(|found| Lost {
+        let is_offered =
+            |found: &&Found| !matches!(source, Source::File(_)) || found.source.absolute() == own;
+        let lost = self.found.iter().filter(is_offered).map(|found| Lost {
             name: match &found.source {
                 Source::File(path) => path_text(path),
                 other => other.name(),

@@ -167,7 +167,7 @@ pub fn draw(frame: &mut Frame<'_>, app: &mut App) {
 }
 
 fn draw_panels(frame: &mut Frame<'_>, app: &mut App, theme: Theme) {
-    app.tables.readings.set_rows(readings::rows(app).len());
+    app.tables.readings.set_rows(readings::count(app));
     app.tables.band.set_rows(band::rows(app).len());
     app.tables.tuning.set_rows(tuning::rows(app).len());
     let list = app.tables.open.map(|table| match table {

@@ -176,3 +176,28 @@ fn what_is_discarded_on_purpose_is_not_kept() {
     assert_eq!(program.end(), 0);
     assert!(home.recovery().is_empty());
 }
+
+/// A file that is opened has its own changes offered, and none of another file.
+#[test]
+fn the_changes_of_another_file_are_not_offered() {
+    let home = Home::new();
+    home.preset("fig08", "beam.toml");
+    home.preset("fig06", "other.toml");
+    let program = edited(&home);
+    program.signal("TERM");
+    assert_eq!(program.end(), 143);
+    let mut program = Program::start(&home, &["other.toml"]);
+    program.wait_for("modes,");
+    assert!(
+        !program.text().contains("Unsaved changes"),
+        "{}",
+        program.text()
+    );
+    program.press("q");
+    assert_eq!(program.end(), 0);
+    assert_eq!(home.recovery().len(), 1);
+    let mut program = Program::start(&home, &["beam.toml"]);
+    program.wait_for("Unsaved changes");
+    program.signal("TERM");
+    program.end();
+}

@@ -1,5 +1,6 @@
 //! Presses keys, answers requests at once, and reads the screen.
 
+use std::collections::VecDeque;
 use std::fmt::Write as _;
 use std::sync::mpsc::channel;
 use std::time::Duration;
@@ -22,6 +23,10 @@ use ratatui::style::Style;
 pub struct Driver {
     pub app: App,
     answers: bool,
+    /// Requests that wait for [`Driver::answer_next`], where answers come late.
+    late: Option<VecDeque<Request>>,
+    /// What a file holds that is read again.
+    pub disk: Option<String>,
     /// The code or signal with which it ended.
     pub ended: bool,
 }
@@ -62,8 +67,41 @@ impl Driver {
         Self {
             app,
             answers: false,
+            late: None,
+            disk: None,
             ended: false,
         }
+    }
+
+    /// From now on an answer comes when it is asked for.
+    pub fn with_late_answers(mut self) -> Self {
+        self.late = Some(VecDeque::new());
+        self
+    }
+
+    /// Lets the answer to the oldest request come, if one waits.
+    pub fn answer_next(&mut self) {
+        if let Some(request) = self.late.as_mut().and_then(VecDeque::pop_front) {
+            self.answer(request);
+        }
+    }
+
+    fn answer(&mut self, request: Request) {
+        for answer in solved(request) {
+            let more = self.app.update(Event::Answer(answer));
+            self.perform(more);
+        }
+    }
+
+    /// As for the worker, a newer request for curves takes the place of older ones.
+    fn put_off(&mut self, request: Request) {
+        let Some(waiting) = &mut self.late else {
+            return;
+        };
+        if matches!(request, Request::Curves(_)) {
+            waiting.retain(|one| !matches!(one, Request::Curves(_)));
+        }
+        waiting.push_back(request);
     }
 
     pub fn without_answers(&mut self) -> &mut Self {
@@ -161,11 +199,19 @@ impl Driver {
     pub fn perform(&mut self, effects: Vec<Effect>) {
         for effect in effects {
             match effect {
-                Effect::Solve(request) if self.answers => {
-                    for answer in solved(request) {
-                        let more = self.app.update(Event::Answer(answer));
-                        self.perform(more);
-                    }
+                Effect::Solve(Request::Expect(_)) => {}
+                Effect::Solve(request) if self.late.is_some() => self.put_off(request),
+                Effect::Solve(request) if self.answers => self.answer(request),
+                Effect::Reload(path) => {
+                    let text = self.disk.clone().expect("what the file holds");
+                    let model = model::read(&text).expect("a possible model");
+                    let source = Source::File(path);
+                    let more = self.app.reply(Reply::Reloaded(Box::new(Opened {
+                        model,
+                        text,
+                        source,
+                    })));
+                    self.perform(more);
                 }
                 Effect::Save { path, .. } => {
                     let more = self

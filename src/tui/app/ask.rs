@@ -3,8 +3,9 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::{App, Effect, List, Overlay, Prompt, Purpose};
+use super::{App, Effect, List, Overlay, Prompt, Purpose, choose};
 use crate::escape::path_of_text;
+use crate::measured::{Curve, ValueUnit};
 use crate::model::path::{self, Value};
 use crate::model::{self, Family, Model, Operation, Study, Unit, entry};
 use crate::tui::keys::Command;
@@ -30,8 +31,8 @@ pub enum Question {
         /// The unit of its values.
         unit: Unit,
     },
-    /// The name of an entry beside the model.
-    Name(usize),
+    /// Another name for the entry beside the model with this name.
+    Name(String),
     /// The file of a model to compare with.
     ReferenceFile,
     /// The file of a measured curve.
@@ -45,6 +46,8 @@ pub enum Question {
         /// Its columns and first rows.
         preview: Vec<String>,
     },
+    /// Which curves of a file are shown that holds more than there is room for.
+    Curves(Arc<Vec<Curve>>),
     /// The file to which what is on the screen goes.
     Export,
     /// Between which bounds a search may move parameters.
@@ -77,7 +80,12 @@ impl Question {
                 "Cursor to",
                 format!("{}; or a number with Hz, rad/s or rpm", unit.symbol()),
             ),
-            Self::DecibelReference(unit) => ("0 dB is", format!("{unit}, above 0")),
+            Self::DecibelReference(unit) => (
+                "0 dB is",
+                format!(
+                    "a number above 0, in {unit}; or with a unit of its kind, as 1 um/N for m/N"
+                ),
+            ),
             Self::Factors { subject, unit, .. } => {
                 let symbol = if unit.symbol.is_empty() {
                     "a number"
@@ -118,6 +126,10 @@ impl Question {
                 format!("CSV or universal file (UFF 58); {complete} completes the path"),
             ),
             Self::Columns { seen, .. } => ("What the columns are", seen.clone()),
+            Self::Curves(curves) => {
+                let title = format!(" Which of {} curves ", curves.len());
+                return (title, choose::allowed(curves));
+            }
             Self::Export => (
                 "Write what is on the screen",
                 format!("path ending in .csv, .svg or .txt; {complete} completes it"),
@@ -172,7 +184,8 @@ impl App {
                     None => self.take_objective(response, *band, text),
                 }
             }
-            Question::Name(row) => self.name_beside(*row, text),
+            Question::Curves(curves) => self.take_chosen(curves, text),
+            Question::Name(old) => self.name_beside(old, text),
             _ if text.is_empty() && question.is_path() => Err("type a file's path".to_owned()),
             Question::ReferenceFile => return vec![Effect::OpenReference(path_of_text(text))],
             Question::MeasuredFile => {
@@ -186,8 +199,9 @@ impl App {
         match taken {
             Ok(()) => {
                 self.overlay = match question {
-                    Question::Name(row) => {
-                        Some(Overlay::Beside(List::new(self.beside_rows(), *row)))
+                    Question::Name(_) => {
+                        let row = self.beside.row_of(text).unwrap_or(0);
+                        Some(Overlay::Beside(List::new(self.beside_rows(), row)))
                     }
                     _ => None,
                 };
@@ -230,14 +244,10 @@ impl App {
     }
 
     fn take_decibel_reference(&mut self, unit: &str, text: &str) -> Result<(), String> {
-        let value = match plain(text, Unit::ONE) {
-            Ok(value) if value.is_normal() && value > 0.0 => value,
-            _ => return Err(format!("a number above 0 is wanted, in {unit}")),
-        };
+        let value = read_decibel_reference(text, unit)?;
         self.display
             .decibel_references
             .insert(unit.to_owned(), value);
-        self.turned.decibel_references = Some(self.display.decibel_references.clone());
         self.display.levels = None;
         self.curves.decibels = true;
         self.done(format!("0 dB is {value:e} {unit}"));
@@ -311,6 +321,21 @@ fn free_study_name(model: &Model, path: &str) -> String {
     names.find(|name| !taken(name)).unwrap_or_default()
 }
 
+/// A value of 0 dB in a unit: a number, or one with another unit of the same quantity.
+fn read_decibel_reference(text: &str, unit: &str) -> Result<f64, String> {
+    let refusal = || {
+        entry::decimal_comma(text).unwrap_or_else(|| {
+            format!("a number above 0 is wanted, in {unit} or a unit of its kind")
+        })
+    };
+    let value = plain(text, Unit::ONE).ok().or_else(|| {
+        let [typed, own] = [text, unit].map(ValueUnit::parse);
+        typed.ok()?.in_units_of(&own.ok()?)
+    });
+    let possible = |value: &f64| value.is_normal() && *value > 0.0;
+    value.filter(possible).ok_or_else(refusal)
+}
+
 /// Factors, or values after `=`, or summands after `+`.
 fn read_factors(text: &str, unit: Unit) -> Result<(Operation, Vec<f64>), String> {
     let text = text.trim();
@@ -374,7 +399,8 @@ fn read_frequency(text: &str, unit: FrequencyUnit) -> Result<f64, String> {
         .find_map(|unit| Some((text.strip_suffix(unit.symbol())?, unit)));
     let (number, unit) = own.unwrap_or((text, unit));
     let hertz = plain(number, Unit::ONE).map(|value| value / unit.per_hertz());
-    hertz
-        .or_else(|_| plain(text, Unit::HERTZ))
-        .map_err(|_| "a frequency is wanted, as 120, 120 Hz, 754 rad/s or 7200 rpm".to_owned())
+    hertz.or_else(|_| plain(text, Unit::HERTZ)).map_err(|_| {
+        let form = "a frequency is wanted, as 120, 120 Hz, 754 rad/s or 7200 rpm";
+        entry::decimal_comma(text).unwrap_or_else(|| form.to_owned())
+    })
 }

@@ -15,6 +15,7 @@ struct Key {
     references: Vec<u64>,
     span: [f64; 2],
     form: Option<Form>,
+    motion: bool,
 }
 
 /// The levels of one model in the band.
@@ -26,7 +27,7 @@ pub struct MemberLevels {
     pub levels: Vec<ResponseLevel>,
 }
 
-/// The level of a response in the band, divided by the force where there is just one.
+/// The level of a response in the band, divided by the force where that shows.
 #[derive(Debug, Clone)]
 pub struct ResponseLevel {
     /// The response's name.
@@ -96,6 +97,7 @@ impl App {
             references: self.beside.shown_ids(),
             span: self.band.span?,
             form: self.band_form(),
+            motion: self.display.motion,
         };
         if self
             .band
@@ -136,9 +138,10 @@ impl App {
             }
         };
         self.band.failure = None;
+        let motion = key.motion;
         let mut solved = solved.into_iter().map(|members| {
             let members = members.into_iter().map(|member| MemberLevels {
-                levels: response_levels(&member.model, &member.levels),
+                levels: response_levels(&member.model, &member.levels, motion),
                 label: member.label,
             });
             members.collect()
@@ -162,8 +165,9 @@ fn brought_to(model: &Model, form: Form) -> Model {
     model
 }
 
-fn response_levels(model: &Model, levels: &[Level]) -> Vec<ResponseLevel> {
-    let reference = Reference::of(model);
+/// The levels of the enabled responses, of the `motion` itself or divided by the force where there is just one.
+fn response_levels(model: &Model, levels: &[Level], motion: bool) -> Vec<ResponseLevel> {
+    let reference = Reference::of(model).filter(|_| !motion);
     let enabled = model.responses.iter().filter(|one| one.enabled);
     enabled
         .zip(levels)

@@ -103,6 +103,13 @@ impl Beside {
 }
 
 impl Beside {
+    /// The row of an entry of the list by its name, which no other one has.
+    pub(super) fn row_of(&self, name: &str) -> Option<usize> {
+        let references = self.references.iter().map(|one| &one.name);
+        let measured = self.measured.iter().map(|one| &one.name);
+        references.chain(measured).position(|known| known == name)
+    }
+
     /// The name of an entry of the list, and whether it shows.
     fn entry(&mut self, row: usize) -> Option<(&mut String, &mut bool)> {
         match row.checked_sub(self.references.len()) {
@@ -247,7 +254,7 @@ impl App {
             Command::Accept => self.turn_beside(row),
             Command::Rename => {
                 let name = self.beside_name(row).cloned().unwrap_or_default();
-                self.ask_question(Question::Name(row), name);
+                self.ask_question(Question::Name(name.clone()), name);
             }
             Command::Delete => self.drop_beside(row),
             _ => {}
@@ -274,7 +281,17 @@ impl App {
         }
         let rows = self.beside_rows();
         if let Some(Overlay::Beside(list)) = &mut self.overlay {
+            // The selection stays on its entry where another one was dropped.
+            list.row -= usize::from(row < list.row);
             list.set_rows(rows);
+        }
+    }
+
+    /// Drops the reference with a number, if there is one.
+    pub(super) fn drop_reference(&mut self, id: u64) {
+        let mut references = self.beside.references.iter();
+        if let Some(row) = references.position(|one| one.id == id) {
+            self.drop_beside(row);
         }
     }
 
@@ -282,14 +299,16 @@ impl App {
     ///
     /// # Errors
     /// Why the name is not taken, in a line.
-    pub(super) fn name_beside(&mut self, row: usize, name: &str) -> Result<(), String> {
+    pub(super) fn name_beside(&mut self, old: &str, name: &str) -> Result<(), String> {
         if name.is_empty() {
             return Err("type a name".to_owned());
         }
-        let own = self.beside_name(row).is_some_and(|own| own == name);
-        if !own && self.beside.free_name(name) != name {
+        if name != old && self.beside.free_name(name) != name {
             return Err(format!("{name} is another one's name"));
         }
+        let Some(row) = self.beside.row_of(old) else {
+            return Err(format!("{old} is no longer listed"));
+        };
         if let Some((known, _)) = self.beside.entry(row) {
             name.clone_into(known);
         }

@@ -145,9 +145,8 @@ impl App {
         };
         let shown = |i: usize| {
             let frequency = member.frequencies[i];
-            let dimension = trace.dimension.as_ref();
-            let value = self.display.value(dimension, trace.values[i], frequency);
-            if dimension.is_none() {
+            let value = self.display.value(trace, trace.values[i], frequency);
+            if trace.dimension.is_none() {
                 value.re
             } else {
                 value.norm()

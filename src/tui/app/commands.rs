@@ -68,7 +68,16 @@ impl App {
             Command::Quit => return self.leave(Next::Quit),
             Command::Cancel if count.is_some() => return Vec::new(),
             Command::Tune => self.limit_search(count),
-            _ => {}
+            _ => {
+                if let Some(count) = count.filter(|_| !command.counts()) {
+                    let name = self.keys.name_of(command);
+                    self.refuse(format!(
+                        "{name} takes no count: nothing is done {}",
+                        tree::counted(count as usize, "time", "times")
+                    ));
+                    return Vec::new();
+                }
+            }
         }
         match self.scope() {
             Scope::Table if self.table_commands(command, count.unwrap_or(1)) => Vec::new(),

@@ -18,6 +18,8 @@ pub struct Trace {
     pub response: String,
     /// What its values are; none for an energy, which is real and has ten decibels a decade.
     pub dimension: Option<Dimension>,
+    /// What the values were divided by; none where they are the motion under the forces, or an energy.
+    pub force: Option<Complex64>,
     /// One for each frequency, divided by the force where there is just one.
     pub values: Vec<Complex64>,
     /// Its peaks, by rising frequency, divided as the values; none before the curves are resolved.
@@ -47,6 +49,13 @@ pub struct Member {
     pub traces: Vec<Trace>,
     /// The damping ratios of its modes, which the peaks refer to.
     pub damping_ratios: Vec<f64>,
+}
+
+impl Member {
+    /// The curve of a response, by its name.
+    pub fn trace(&self, response: &str) -> Option<&Trace> {
+        self.traces.iter().find(|trace| trace.response == response)
+    }
 }
 
 /// Curves of one model.
@@ -130,8 +139,9 @@ fn trace(
     mut peaks: Vec<Peak>,
 ) -> Trace {
     let mut values = column.values.clone();
-    if let (Some(reference), Some(_)) = (reference, dimension) {
-        let amplitude = reference.amplitude;
+    let force = reference.filter(|_| dimension.is_some());
+    let force = force.map(|reference| reference.amplitude);
+    if let Some(amplitude) = force {
         for value in &mut values {
             *value /= amplitude;
         }
@@ -144,6 +154,7 @@ fn trace(
     Trace {
         response: column.name.clone(),
         dimension,
+        force,
         values,
         peaks,
     }
@@ -272,10 +283,7 @@ impl Curves {
     fn first_of<'a>(&self, picture: &'a Picture) -> Option<(&'a Member, &'a Trace)> {
         let member = picture.members.first()?;
         let mut names = self.visible.iter();
-        names.find_map(|name| {
-            let trace = member.traces.iter().find(|trace| trace.response == *name)?;
-            Some((member, trace))
-        })
+        names.find_map(|name| Some((member, member.trace(name)?)))
     }
 
     /// Whether the curves are resolved and the model's own.

@@ -10,6 +10,27 @@ use crate::solve::form::{Dimension, Form};
 use crate::tui::keys::Command;
 use crate::tui::scene::{self, ChartView, FrequencyUnit, Scale};
 
+/// What a response is called that is not divided by the force.
+pub const MOTION: &str = "motion under the force";
+
+/// What a key goes through.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Choice {
+    AsAsked,
+    Form(Form),
+    Motion,
+}
+
+impl Choice {
+    fn of(display: &Display) -> Self {
+        match (display.motion, display.form) {
+            (true, _) => Self::Motion,
+            (false, Some(form)) => Self::Form(form),
+            (false, None) => Self::AsAsked,
+        }
+    }
+}
+
 /// How values are shown.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Display {
@@ -17,6 +38,8 @@ pub struct Display {
     pub view: ChartView,
     /// The form of all responses; none: each as the model asks for it.
     pub form: Option<Form>,
+    /// The motion itself under the forces as they are, also where one force could divide it; `form` is none then.
+    pub motion: bool,
     /// The phase runs on instead of staying within half a turn.
     pub unwrapped: bool,
     /// The unit of frequencies.
@@ -37,15 +60,28 @@ impl Display {
             .unwrap_or(dimension.form_of_measure())
     }
 
-    /// A value at a frequency (Hz) as it is shown; an energy as it is.
-    pub fn value(
-        &self,
-        dimension: Option<&Dimension>,
-        value: Complex64,
-        frequency: f64,
-    ) -> Complex64 {
-        match dimension {
-            Some(dimension) => dimension.converted(value, frequency, self.form_of(dimension)),
+    /// What a response is as it is shown, but for its form; none for an energy.
+    pub fn dimension_of(&self, trace: &Trace) -> Option<Dimension> {
+        let dimension = trace.dimension?;
+        Some(Dimension {
+            per: dimension.per.filter(|_| !self.motion),
+            ..dimension
+        })
+    }
+
+    /// A value of a response, divided by the force or not as it is shown.
+    pub fn per_force(&self, trace: &Trace, value: Complex64) -> Complex64 {
+        match trace.force.filter(|_| self.motion) {
+            Some(force) => value * force,
+            None => value,
+        }
+    }
+
+    /// A value of a response at a frequency (Hz) as it is shown; an energy as it is.
+    pub fn value(&self, trace: &Trace, value: Complex64, frequency: f64) -> Complex64 {
+        let value = self.per_force(trace, value);
+        match self.dimension_of(trace) {
+            Some(dimension) => dimension.converted(value, frequency, self.form_of(&dimension)),
             None => value,
         }
     }
@@ -118,17 +154,28 @@ impl App {
             return self.refuse("no response of a motion shows: an energy has one form");
         }
         let has = |form: &Form| dimensions.iter().any(|dimension| dimension.has(*form));
-        let mut choices: Vec<Option<Form>> = vec![None];
-        choices.extend(Form::ALL.into_iter().filter(has).map(Some));
-        let place = choices.iter().position(|form| *form == self.display.form);
-        let step = if forward { 1 } else { choices.len() - 1 };
-        self.set_form(choices[(place.unwrap_or(0) + step) % choices.len()]);
         let ratio = dimensions.iter().any(|dimension| dimension.per.is_some());
-        self.done(match (self.display.form, ratio) {
-            (None, _) => "each response as the model asks for it".to_owned(),
-            (Some(form), true) => form.name().to_owned(),
+        let mut choices = vec![Choice::AsAsked];
+        choices.extend(Form::ALL.into_iter().filter(has).map(Choice::Form));
+        if ratio {
+            choices.push(Choice::Motion);
+        }
+        let now = Choice::of(&self.display);
+        let place = choices.iter().position(|choice| *choice == now);
+        let step = if forward { 1 } else { choices.len() - 1 };
+        let next = choices[(place.unwrap_or(0) + step) % choices.len()];
+        self.display.motion = next == Choice::Motion;
+        self.display.form = match next {
+            Choice::Form(form) => Some(form),
+            Choice::AsAsked | Choice::Motion => None,
+        };
+        self.display.levels = None;
+        self.done(match (next, ratio) {
+            (Choice::AsAsked, _) => "each response as the model asks for it".to_owned(),
+            (Choice::Motion, _) => format!("{MOTION} as it is"),
+            (Choice::Form(form), true) => form.name().to_owned(),
             // What the first three are without a force to divide by.
-            (Some(form), false) => {
+            (Choice::Form(form), false) => {
                 let motion = match form.measure() {
                     Measure::Displacement => "displacement",
                     Measure::Velocity => "velocity",
@@ -137,11 +184,6 @@ impl App {
                 format!("{motion}; several forces act, so that there is no ratio and no inverse")
             }
         });
-    }
-
-    fn set_form(&mut self, form: Option<Form>) {
-        self.display.form = form;
-        self.display.levels = None;
     }
 
     /// The responses that show, of the model or the first member of its study.
@@ -167,7 +209,8 @@ impl App {
     pub fn shown_units(&self) -> Vec<String> {
         let mut units: Vec<String> = Vec::new();
         for trace in self.shown_traces() {
-            let unit = self.display.unit_of(trace.dimension.as_ref());
+            let dimension = self.display.dimension_of(trace);
+            let unit = self.display.unit_of(dimension.as_ref());
             if !units.contains(&unit) {
                 units.push(unit);
             }

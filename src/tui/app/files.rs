@@ -80,6 +80,7 @@ impl App {
         self.end_run();
         self.forget_sample();
         self.display.levels = None;
+        self.display.decibel_references.clear();
         let open = self.tables.open;
         self.tables = Tables::default();
         self.tables.open = open;
@@ -87,6 +88,8 @@ impl App {
         self.witness.forget();
         self.overlay = None;
         self.search = None;
+        self.held = None;
+        self.expected = None;
         self.outside = Outside::default();
         self.recall_view();
     }
@@ -231,8 +234,7 @@ impl App {
                 Vec::new()
             }
         };
-        effects.extend(self.keep());
-        effects.extend(self.request());
+        effects.extend(self.settle());
         effects
     }
 

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use super::{App, ModeKind};
+use crate::model::Model;
 use crate::solve::operating::Operating;
 use crate::tui::keys::Command;
 use crate::worker::{OperatingAnswer, OperatingRequest, Request};
@@ -50,13 +51,22 @@ pub struct Looking {
     pub look: Option<Look>,
     /// When in its period.
     pub moment: Moment,
-    /// What the beam does at the cursor, as it was solved last.
-    pub operating: Option<Arc<Operating>>,
+    /// What the beam of a model does at the cursor, as it was solved last.
+    pub operating: Option<(Arc<Model>, Arc<Operating>)>,
     /// The generation of the model it was solved for.
     pub generation: u64,
     /// Why nothing is known, where the last question failed.
     pub failure: Option<String>,
-    asked: Option<(u64, u64, f64)>,
+    asked: Option<AskedOperating>,
+}
+
+/// The question asked last, with the model that it is about.
+#[derive(Debug)]
+struct AskedOperating {
+    serial: u64,
+    generation: u64,
+    frequency: f64,
+    model: Arc<Model>,
 }
 
 impl Looking {
@@ -213,7 +223,8 @@ impl App {
 
     /// What the beam does at the cursor, where that is known and belongs to it.
     pub fn operating(&self) -> Option<&Operating> {
-        self.looking.operating.as_deref()
+        let (_, operating) = self.looking.operating.as_ref()?;
+        Some(operating)
     }
 
     /// Whether what is known of the beam at the cursor belongs to an older model or another frequency.
@@ -226,31 +237,36 @@ impl App {
     pub(super) fn want_operating(&mut self) -> Option<Request> {
         self.looking.look.filter(|look| look.is_operating())?;
         let (generation, frequency) = (self.curves.generation, self.curves.cursor?);
-        if let Some((_, asked, at)) = self.looking.asked
-            && asked == generation
-            && at == frequency
+        if let Some(asked) = &self.looking.asked
+            && asked.generation == generation
+            && asked.frequency == frequency
         {
             return None;
         }
-        let serial = self.next_serial();
-        self.looking.asked = Some((serial, generation, frequency));
+        let (serial, model) = (self.next_serial(), Arc::clone(self.document.model()));
+        self.looking.asked = Some(AskedOperating {
+            serial,
+            generation,
+            frequency,
+            model: Arc::clone(&model),
+        });
         Some(Request::Operating(OperatingRequest {
             serial,
-            model: Arc::clone(self.document.model()),
+            model,
             frequency,
         }))
     }
 
     /// Takes what was asked last.
     pub(super) fn take_operating(&mut self, answer: OperatingAnswer) {
-        if let Some((serial, generation, _)) = self.looking.asked
-            && serial == answer.serial
+        if let Some(asked) = &self.looking.asked
+            && asked.serial == answer.serial
         {
             (self.looking.operating, self.looking.failure) = match answer.result {
-                Ok(operating) => (Some(operating), None),
+                Ok(operating) => (Some((Arc::clone(&asked.model), operating)), None),
                 Err(reason) => (None, Some(reason)),
             };
-            self.looking.generation = generation;
+            self.looking.generation = asked.generation;
         }
     }
 }

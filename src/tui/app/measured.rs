@@ -12,10 +12,11 @@ use crate::model::Fault;
 use crate::solve::form::{Dimension, Form, Reference};
 use crate::tui::keys::Command;
 use crate::tui::scene::ChartView;
+use crate::tui::tree;
 use crate::worker::{Request, SampleAnswer, SampleRequest, Sampling};
 
 /// More measured curves than these cannot be told apart.
-const MOST_CURVES: usize = 12;
+pub(super) const MOST_CURVES: usize = 12;
 
 /// The frequencies at which a model is held beside measured curves; of more, every second, third...
 const MOST_FREQUENCIES: usize = 20_000;
@@ -59,6 +60,7 @@ pub(super) struct FitKey {
     serial: Option<u64>,
     solved: Option<u64>,
     form: Option<Form>,
+    motion: bool,
     band: Option<[f64; 2]>,
     visible: Vec<String>,
 }
@@ -205,18 +207,22 @@ impl App {
         curve
     }
 
-    /// Takes the curves of a file.
-    fn take_measured(&mut self, curves: Vec<Curve>) {
+    /// Takes the curves of a file, or asks which where there are more than there is room for.
+    pub(super) fn take_measured(&mut self, curves: Vec<Curve>) {
         self.overlay = None;
-        let room = MOST_CURVES - self.beside.measured.len();
-        let (read, notes) = (curves.len(), notes(&curves));
+        let room = MOST_CURVES.saturating_sub(self.beside.measured.len());
         if room == 0 {
             let list = self.keys.key_of(Command::Beside);
             return self.refuse(format!(
                 "{MOST_CURVES} measured curves are the most: {list} lists them, to drop some"
             ));
         }
-        for curve in curves.into_iter().take(room) {
+        if curves.len() > room {
+            return self.ask_curves(curves);
+        }
+        let taken = curves.len();
+        let notes = notes(&curves);
+        for curve in curves {
             let curve = self.named_alike(curve);
             // Beside a response of the same name it has to have another one.
             let responses = &self.model().responses;
@@ -233,14 +239,10 @@ impl App {
                 shown: true,
             });
         }
-        let taken = read.min(room);
-        let what = if taken == 1 { "curve" } else { "curves" };
-        let left = if taken < read {
-            format!(", {} left out: {MOST_CURVES} are the most", read - taken)
-        } else {
-            notes
-        };
-        self.done(format!("{taken} measured {what}{left}"));
+        self.done(format!(
+            "{}{notes}",
+            tree::counted(taken, "measured curve", "measured curves")
+        ));
     }
 
     /// Asks what a file does not say of itself.
@@ -320,7 +322,10 @@ impl App {
 
     /// The measured curves that show beside a response that shows, with what that response is.
     pub fn measured_shown(&self) -> impl Iterator<Item = (&Measured, Option<Dimension>)> {
-        let shown: Vec<Option<Dimension>> = self.shown_traces().map(|one| one.dimension).collect();
+        let shown: Vec<Option<Dimension>> = self
+            .shown_traces()
+            .map(|one| self.display.dimension_of(one))
+            .collect();
         let measured = self.beside.measured.iter().filter(|one| one.shown);
         measured.filter_map(move |one| {
             let mut beside = shown.iter().filter(|response| one.fits(response.as_ref()));
@@ -341,6 +346,7 @@ impl App {
             serial: self.beside.measured_asked.as_ref().map(|one| one.serial),
             solved: self.beside.sample.as_ref().map(|one| one.generation),
             form: self.display.form,
+            motion: self.display.motion,
             band: self.band.span,
             visible: self.curves.visible.clone(),
         };
@@ -361,7 +367,8 @@ impl App {
         shown
             .flat_map(|one| {
                 let traces = sample.traces.iter().filter(|trace| {
-                    self.curves.shows(&trace.response) && one.fits(trace.dimension.as_ref())
+                    let dimension = self.display.dimension_of(trace);
+                    self.curves.shows(&trace.response) && one.fits(dimension.as_ref())
                 });
                 traces.filter_map(move |trace| {
                     Some(Fitted {
@@ -376,6 +383,7 @@ impl App {
 
     fn fit_of(&self, measured: &Measured, sample: &Sample, trace: &Trace) -> Option<Fit> {
         let curve = &measured.curve;
+        let dimension = self.display.dimension_of(trace);
         let stride = stride(curve.frequencies.len());
         let places = (0..curve.frequencies.len()).step_by(stride);
         let places: Vec<(usize, usize)> = places
@@ -389,7 +397,7 @@ impl App {
             frequencies: places.iter().map(|(i, _)| curve.frequencies[*i]).collect(),
             values: places
                 .iter()
-                .map(|(i, _)| measured.value(&self.display, trace.dimension.as_ref(), *i))
+                .map(|(i, _)| measured.value(&self.display, dimension.as_ref(), *i))
                 .collect(),
             ..curve.clone()
         };
@@ -397,7 +405,7 @@ impl App {
             .iter()
             .map(|(_, at)| {
                 let (value, f) = (trace.values[*at], sample.frequencies[*at]);
-                self.display.value(trace.dimension.as_ref(), value, f)
+                self.display.value(trace, value, f)
             })
             .collect();
         fit(&seen, &model, self.band.span)

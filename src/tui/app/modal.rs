@@ -5,8 +5,9 @@ use std::sync::Arc;
 pub use crate::solve::modes::{Completeness, ModeKind, Shares};
 
 use super::shape::Shape;
+use crate::model::Model;
 use crate::solve::modes::Modes;
-use crate::worker::{ModalModel, ShapeAnswer};
+use crate::worker::{ModalModel, ShapeAnswer, ShapeRequest};
 
 /// A mode as it is listed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,8 +45,22 @@ pub struct Modal {
     pub list: Option<ModeList>,
     /// The shape solved last.
     pub shape: Option<Shape>,
-    /// Generation and mode whose shape was asked for last.
-    asked: Option<(u64, usize)>,
+    /// What shape was asked for last.
+    asked: Option<AskedShape>,
+}
+
+/// The question for a shape, with the model that it is about.
+#[derive(Debug)]
+struct AskedShape {
+    generation: u64,
+    mode: usize,
+    model: Arc<Model>,
+}
+
+impl AskedShape {
+    fn is(&self, generation: u64, mode: usize) -> bool {
+        (self.generation, self.mode) == (generation, mode)
+    }
 }
 
 impl Modal {
@@ -80,19 +95,30 @@ impl Modal {
         });
     }
 
-    /// The mode whose shape is to be asked for, of the model with this generation: once each.
+    /// The request for the shape of a mode of the model with this generation: once each.
     pub(super) fn want_shape(
         &mut self,
         generation: u64,
+        model: &Arc<Model>,
         mode: usize,
-    ) -> Option<(Arc<Modes>, usize)> {
+    ) -> Option<ShapeRequest> {
         let list = self.list.as_ref()?;
-        let wanted = (generation, mode);
-        if list.generation != generation || mode >= list.rows.len() || self.asked == Some(wanted) {
+        let asked = self.asked.as_ref();
+        let known = asked.is_some_and(|asked| asked.is(generation, mode));
+        if list.generation != generation || mode >= list.rows.len() || known {
             return None;
         }
-        self.asked = Some(wanted);
-        Some((Arc::clone(&list.modes), mode))
+        self.asked = Some(AskedShape {
+            generation,
+            mode,
+            model: Arc::clone(model),
+        });
+        Some(ShapeRequest {
+            generation,
+            model: Arc::clone(model),
+            modes: Arc::clone(&list.modes),
+            index: mode,
+        })
     }
 
     /// The modes of the model with this generation, where they are solved.
@@ -102,15 +128,20 @@ impl Modal {
     }
 
     /// Takes a shape, unless another one was asked for since.
-    pub(super) fn take_shape(&mut self, answer: ShapeAnswer, places: &[f64]) -> Result<(), String> {
-        if self.asked != Some((answer.generation, answer.index)) {
+    ///
+    /// # Errors
+    /// Why there is no shape, in a line.
+    pub(super) fn take_shape(&mut self, answer: ShapeAnswer) -> Result<(), String> {
+        let asked = self.asked.as_ref();
+        let Some(asked) = asked.filter(|asked| asked.is(answer.generation, answer.index)) else {
             return Ok(());
-        }
+        };
+        let places: Vec<f64> = asked.model.attached().map(|one| one.position).collect();
         self.shape = Some(Shape::new(
             answer.generation,
             answer.index,
             answer.result?,
-            places,
+            &places,
         ));
         Ok(())
     }

@@ -90,6 +90,8 @@ pub struct Prompt {
     pub purpose: Purpose,
     /// What is typed so far.
     pub input: Input,
+    /// The text is the one that the box opened with: what is typed replaces it, other keys keep it for editing.
+    pub replaceable: bool,
     /// Why what was typed was refused.
     pub refusal: Option<String>,
 }
@@ -99,6 +101,7 @@ impl Prompt {
     pub fn new(purpose: Purpose, text: String) -> Self {
         Self {
             purpose,
+            replaceable: !text.is_empty(),
             input: Input::new(text),
             refusal: None,
         }

@@ -19,14 +19,15 @@ const MOST_TYPED: usize = 4_096;
 impl App {
     /// A key without a meaning of its own is typed, where something is typed.
     pub(super) fn type_key(&mut self, key: &KeyEvent) -> Vec<Effect> {
-        let mut full = false;
-        self.type_into(|input| {
-            full = Key::of(key).is_typed() && input.value().len() >= MOST_TYPED;
-            if !full {
+        let typed = Key::of(key).is_typed();
+        let taken = self.type_into(typed, |input| {
+            let room = !typed || input.value().len() < MOST_TYPED;
+            if room {
                 input.handle_event(&TerminalEvent::Key(*key));
             }
+            room
         });
-        if full {
+        if !taken {
             self.refuse_prompt(format!("more than {MOST_TYPED} bytes are not taken"));
         }
         Vec::new()
@@ -41,15 +42,15 @@ impl App {
             ));
             return Vec::new();
         }
-        let mut full = false;
-        self.type_into(|input| {
-            full = input.value().len() + text.len() > MOST_TYPED;
-            let letters = text.chars().filter(|c| !c.is_control() && !full);
-            for c in letters {
+        let letters = || text.chars().filter(|c| !c.is_control());
+        let taken = self.type_into(letters().next().is_some(), |input| {
+            let room = input.value().len() + text.len() <= MOST_TYPED;
+            for c in letters().filter(|_| room) {
                 input.handle(InputRequest::InsertChar(c));
             }
+            room
         });
-        if full {
+        if !taken {
             self.refuse_prompt(format!(
                 "what was pasted makes more than {MOST_TYPED} bytes: nothing is taken of it"
             ));
@@ -57,17 +58,29 @@ impl App {
         Vec::new()
     }
 
-    /// Changes the line that is typed.
-    fn type_into(&mut self, change: impl FnOnce(&mut Input)) {
+    /// Changes the line that is typed; whether `change` had room in it. What is `typed` takes the place of the text that a
+    /// box opened with.
+    fn type_into(&mut self, typed: bool, change: impl FnOnce(&mut Input) -> bool) -> bool {
+        let mut taken = true;
         match &mut self.overlay {
             Some(Overlay::Prompt(prompt)) => {
                 prompt.refusal = None;
-                change(&mut prompt.input);
+                let replaces = prompt.replaceable && typed;
+                let mut input = if replaces {
+                    Input::default()
+                } else {
+                    prompt.input.clone()
+                };
+                taken = change(&mut input);
+                if taken {
+                    (prompt.input, prompt.replaceable) = (input, false);
+                }
             }
-            Some(Overlay::Palette(palette)) => palette.type_into(change),
+            Some(Overlay::Palette(palette)) => palette.type_into(|input| taken = change(input)),
             Some(_) => {}
-            None => self.type_search(change),
+            None => self.type_search(|input| taken = change(input)),
         }
+        taken
     }
 
     pub(super) fn prompt_command(&mut self, command: Command) -> Vec<Effect> {
@@ -140,6 +153,7 @@ impl App {
     pub(super) fn complete(&mut self, text: String) {
         if let Some(Overlay::Prompt(prompt)) = &mut self.overlay {
             prompt.input = Input::new(text);
+            prompt.replaceable = false;
         }
     }
 

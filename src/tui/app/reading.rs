@@ -5,6 +5,7 @@ use num_complex::Complex64;
 use super::curves::Member;
 use super::{App, Compared, Trace};
 use crate::tui::keys::Command;
+use crate::tui::scene;
 use crate::worker::{Request, SampleAnswer, SampleRequest, Sampling};
 
 /// Harmonics of the cursor, the cursor itself included.
@@ -113,14 +114,32 @@ pub fn nearest(frequencies: &[f64], to: f64) -> Option<usize> {
 
 fn read<'a>(member: &'a Member, response: &str, frequency: f64) -> Option<Read<'a>> {
     let index = member.frequencies.iter().position(|f| *f == frequency)?;
-    let trace = member
-        .traces
-        .iter()
-        .find(|trace| trace.response == response)?;
     Some(Read {
-        trace,
+        trace: member.trace(response)?,
         index,
         frequency,
+    })
+}
+
+/// What was read at a frequency (Hz), else the value at the nearest one that was solved.
+fn solved(
+    read: Option<Read<'_>>,
+    member: &Member,
+    trace: &Trace,
+    frequency: f64,
+) -> Option<Solved> {
+    if let Some(read) = read {
+        return Some(Solved {
+            value: read.value(),
+            frequency,
+            exact: true,
+        });
+    }
+    let index = nearest(&member.frequencies, frequency)?;
+    Some(Solved {
+        value: trace.values[index],
+        frequency: member.frequencies[index],
+        exact: false,
     })
 }
 
@@ -133,23 +152,29 @@ pub struct Value {
     pub exact: bool,
 }
 
+/// A level against the first reference at a frequency.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AgainstReference {
+    /// dB, as the difference view draws it.
+    pub decibels: f64,
+    /// Whether both curves were solved there.
+    pub exact: bool,
+}
+
+/// A value as it was solved.
+#[derive(Debug, Clone, Copy)]
+struct Solved {
+    value: Complex64,
+    /// Hz: where it was asked for, or the nearest frequency that was solved.
+    frequency: f64,
+    exact: bool,
+}
+
 impl App {
     /// A response of a member of the model at a frequency (Hz): exactly, or as near as is solved.
     pub fn value_at(&self, number: usize, trace: &Trace, frequency: f64) -> Option<Value> {
-        let dimension = trace.dimension.as_ref();
-        let picture = self.curves.picture()?;
-        let generation = self.curves.generation;
-        let read = self
-            .reading
-            .model(generation, number, &trace.response, frequency);
-        if let Some(read) = read {
-            return Some(Value {
-                shown: self.display.value(dimension, read.value(), frequency),
-                exact: true,
-            });
-        }
-        let member = picture.members.get(number)?;
-        self.nearest(member, trace, frequency)
+        let solved = self.solved_at(number, trace, frequency)?;
+        Some(self.shown_value(trace, solved))
     }
 
     /// The same of a reference, by its number.
@@ -160,27 +185,52 @@ impl App {
         trace: &Trace,
         frequency: f64,
     ) -> Option<Value> {
-        let dimension = trace.dimension.as_ref();
-        let read = self
-            .reading
-            .reference(id, number, &trace.response, frequency);
-        match read {
-            Some(read) => Some(Value {
-                shown: self.display.value(dimension, read.value(), frequency),
-                exact: true,
-            }),
-            None => self.nearest(member, trace, frequency),
-        }
+        let response = &trace.response;
+        let read = self.reading.reference(id, number, response, frequency);
+        let solved = solved(read, member, trace, frequency)?;
+        Some(self.shown_value(trace, solved))
     }
 
-    fn nearest(&self, member: &Member, trace: &Trace, frequency: f64) -> Option<Value> {
-        let index = nearest(&member.frequencies, frequency)?;
-        let dimension = trace.dimension.as_ref();
-        let (value, at) = (trace.values[index], member.frequencies[index]);
-        Some(Value {
-            shown: self.display.value(dimension, value, at),
-            exact: false,
+    /// A response of a member of the model against that of the first reference, at a frequency (Hz).
+    pub fn difference_at(
+        &self,
+        number: usize,
+        trace: &Trace,
+        frequency: f64,
+    ) -> Option<AgainstReference> {
+        let own = self.solved_at(number, trace, frequency)?;
+        let reference = self.beside.first_shown()?;
+        let members = &reference.picture.as_ref()?.members;
+        // Of its own member, or the only one.
+        let number = if number < members.len() { number } else { 0 };
+        let member = members.get(number)?;
+        let against = member.trace(&trace.response)?;
+        let response = &trace.response;
+        let read = self
+            .reading
+            .reference(reference.id, number, response, frequency);
+        let other = solved(read, member, against, frequency)?;
+        let value = self.display.per_force(trace, own.value);
+        let against = self.display.per_force(against, other.value);
+        Some(AgainstReference {
+            decibels: scene::difference(trace.dimension.is_none(), value, against),
+            exact: own.exact && other.exact,
         })
+    }
+
+    fn solved_at(&self, number: usize, trace: &Trace, frequency: f64) -> Option<Solved> {
+        let picture = self.curves.picture()?;
+        let generation = self.curves.generation;
+        let response = &trace.response;
+        let read = self.reading.model(generation, number, response, frequency);
+        solved(read, picture.members.get(number)?, trace, frequency)
+    }
+
+    fn shown_value(&self, trace: &Trace, solved: Solved) -> Value {
+        Value {
+            shown: self.display.value(trace, solved.value, solved.frequency),
+            exact: solved.exact,
+        }
     }
 
     /// The harmonics of the cursor that lie in the sweep, Hz: 2, 3, .. times its frequency.

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use super::{App, Table};
+use super::{App, MOTION, Table};
 use crate::model::Model;
 use crate::solve::form::Form;
 use crate::tui::Source;
@@ -25,12 +25,6 @@ impl App {
         self.display.unit = units
             .find(|known| Some(known.symbol()) == unit)
             .unwrap_or_default();
-        let references = memory.options.decibel_references.clone();
-        let possible = |value: &f64| value.is_normal() && *value > 0.0;
-        self.display.decibel_references = references.unwrap_or_default();
-        self.display
-            .decibel_references
-            .retain(|_, value| possible(value));
         self.memory = memory;
         self.recall_view();
     }
@@ -80,9 +74,13 @@ impl App {
             window: self.curves.window,
             table: self.tables.open.map(|table| table.key().to_owned()),
             view: Some(self.display.view.name().to_owned()),
-            form: self.display.form.map(|form| form.name().to_owned()),
+            form: match self.display.form {
+                Some(form) => Some(form.name().to_owned()),
+                None => self.display.motion.then(|| MOTION.to_owned()),
+            },
             second_cursor: self.reading.second,
             band: self.band.span,
+            decibel_references: self.display.decibel_references.clone(),
         })
     }
 
@@ -116,6 +114,9 @@ impl App {
             |band: &[f64; 2]| band[0] < band[1] && band.iter().all(|end| sweep.contains(end));
         self.band.span = view.band.filter(inside);
         self.reading.second = view.second_cursor.filter(|cursor| sweep.contains(cursor));
+        let possible = |(_, value): &(String, f64)| value.is_normal() && *value > 0.0;
+        let references = view.decibel_references.into_iter();
+        self.display.decibel_references = references.filter(possible).collect();
         // There is no reference at the start that a difference could be counted from.
         let mut views = ChartView::ALL.into_iter();
         self.display.view = views
@@ -124,6 +125,7 @@ impl App {
             .unwrap_or_default();
         let mut forms = Form::ALL.into_iter();
         self.display.form = forms.find(|known| view.form.as_deref() == Some(known.name()));
+        self.display.motion = view.form.as_deref() == Some(MOTION);
         self.tables.open = Table::ALL
             .into_iter()
             .find(|table| view.table.as_deref() == Some(table.key()));

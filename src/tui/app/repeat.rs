@@ -25,14 +25,15 @@ impl App {
             Command::NextParameter => self.seek_parameter(true, times),
             Command::PreviousParameter => self.seek_parameter(false, times),
             _ if command.counts() => {
-                for _ in 0..times {
+                for done in 0..times {
                     let before = self.message.take();
                     effects.extend(self.main_command(command));
                     if self.is_refused() {
-                        self.add_to(before);
+                        self.add_to(before, done);
                         break;
                     }
                 }
+                self.add_times(command, times);
             }
             _ => effects = self.main_command(command),
         }
@@ -42,12 +43,20 @@ impl App {
         effects
     }
 
-    /// Says what was done before the last command, which was refused.
-    fn add_to(&mut self, before: Option<Message>) {
+    /// Says what was done, so many times, before the last command, which was refused.
+    fn add_to(&mut self, before: Option<Message>, times: u32) {
         if let (Some(Message::Done(done)), Some(Message::Refused(refusal))) =
             (before, &self.message)
         {
-            self.message = Some(Message::Refused(format!("{refusal} ({done})")));
+            let last = last_of(done.clone(), times);
+            self.message = Some(Message::Refused(format!("{refusal} ({last})")));
+        }
+    }
+
+    /// Says how many changes of the model the last one stands for.
+    fn add_times(&mut self, command: Command, times: u32) {
+        if let (true, Some(Message::Done(done))) = (command.repeats(), &self.message) {
+            self.message = Some(Message::Done(last_of(done.clone(), times)));
         }
     }
 
@@ -76,5 +85,14 @@ impl App {
     /// Whether the last command was refused.
     pub(super) fn is_refused(&self) -> bool {
         matches!(self.message, Some(Message::Refused(_)))
+    }
+}
+
+/// What was done last of so many times.
+fn last_of(done: String, times: u32) -> String {
+    if times > 1 {
+        format!("{done}, the last of {times}")
+    } else {
+        done
     }
 }

@@ -5,9 +5,7 @@ use std::sync::Arc;
 use super::{App, Effect, Look, Witness};
 use crate::model::path::{self, Value};
 use crate::tui::tree;
-use crate::worker::{
-    Answer, CurvesAnswer, ExpectRequest, Request, Sampling, ShapeRequest, Subject,
-};
+use crate::worker::{Answer, CurvesAnswer, ExpectRequest, Request, Sampling, Subject};
 
 impl App {
     /// Takes what the worker has found.
@@ -15,12 +13,7 @@ impl App {
         match answer {
             Answer::Curves(answer) => self.take_curves(answer),
             Answer::Shape(answer) => {
-                let subsystems = self.model().subsystems.iter();
-                let places: Vec<f64> = subsystems
-                    .filter(|one| one.enabled)
-                    .map(|one| one.position)
-                    .collect();
-                if let Err(reason) = self.modal.take_shape(answer, &places) {
+                if let Err(reason) = self.modal.take_shape(answer) {
                     self.refuse(format!("no shape: {reason}"));
                 }
             }
@@ -139,13 +132,9 @@ impl App {
         self.looking.look.filter(|look| *look == Look::Mode)?;
         let generation = self.curves.generation;
         let row = self.tables.modes.row;
-        let (modes, index) = self.modal.want_shape(generation, row)?;
-        Some(Request::Shape(ShapeRequest {
-            generation,
-            model: Arc::clone(self.document.model()),
-            modes,
-            index,
-        }))
+        let model = self.document.model();
+        let request = self.modal.want_shape(generation, model, row)?;
+        Some(Request::Shape(request))
     }
 
     /// The finite-element curves, if they show, once the exact ones are there.

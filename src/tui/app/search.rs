@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use tui_input::Input;
 
+use super::moves::Moves;
 use super::{App, Effect};
 use crate::model::Model;
 use crate::tui::fuzzy::Query;
@@ -24,8 +25,22 @@ pub struct Search {
 }
 
 impl Search {
-    /// Searches a model that has changed.
-    pub(super) fn refresh(&mut self, model: &Model) {
+    /// Follows a model that has changed.
+    pub(super) fn follow(&mut self, moves: &Moves, model: &Model) {
+        // What was removed leaves what held it.
+        let mut origin = Some(self.origin);
+        while let Some(node) = origin {
+            if let Some(moved) = moves.of(node) {
+                self.origin = moved;
+                break;
+            }
+            origin = tree::parent(node);
+        }
+        self.refresh(model);
+    }
+
+    /// Searches a model.
+    fn refresh(&mut self, model: &Model) {
         let query = Query::new(self.input.value());
         let rows = tree::all_rows(model).into_iter().map(|row| row.node);
         self.found = rows
@@ -105,7 +120,8 @@ impl App {
         } else {
             let end = self.keys.key_of(Command::Cancel);
             self.done(format!(
-                "`{sought}`: {count} rows; {next} goes to the next, {end} ends the search"
+                "`{sought}`: {}; {next} goes to the next, {end} ends the search",
+                tree::counted(count, "row", "rows")
             ));
         }
     }
@@ -130,7 +146,11 @@ impl App {
         let node = search.found[next];
         let sought = search.input.value().to_owned();
         self.selection.select(&model, node);
-        self.done(format!("`{sought}`: {} of {count} rows", next + 1));
+        self.done(format!(
+            "`{sought}`: {} of {}",
+            next + 1,
+            tree::counted(count, "row", "rows")
+        ));
     }
 
     /// The index of the row found that is next to the selected one, which is none of them.

@@ -2,6 +2,7 @@
 
 use std::collections::HashSet;
 
+use super::moves::Moves;
 use crate::model::{Model, Restraint};
 use crate::tui::tree::{self, Node, Row};
 
@@ -88,8 +89,7 @@ impl Selection {
     }
 
     /// Follows subsystems, forces, responses and studies to their new places when some were added or removed.
-    pub fn follow(&mut self, before: &Model, after: &Model) {
-        let moved = Moves::new(before, after);
+    pub(super) fn follow(&mut self, moved: &Moves, after: &Model) {
         self.open = self
             .open
             .iter()
@@ -220,83 +220,5 @@ impl Selection {
         let last = self.rows.len().saturating_sub(self.height);
         let lowest = (self.cursor + 1).saturating_sub(self.height);
         self.offset = self.offset.max(lowest).min(self.cursor).min(last);
-    }
-}
-
-/// How the lists of a model changed: from a common beginning on, all places moved by the difference in length.
-struct Moves {
-    subsystems: Move,
-    forces: Move,
-    responses: Move,
-    studies: Move,
-}
-
-struct Move {
-    from: usize,
-    by: isize,
-}
-
-impl Move {
-    fn new<T: PartialEq>(before: &[T], after: &[T]) -> Self {
-        let common = before.iter().zip(after).take_while(|(a, b)| a == b).count();
-        Self {
-            from: common,
-            by: after.len().cast_signed() - before.len().cast_signed(),
-        }
-    }
-
-    fn of(&self, place: usize) -> Option<usize> {
-        if place < self.from || self.by == 0 {
-            return Some(place);
-        }
-        // What was removed is gone; the row that takes its place is another one.
-        place
-            .checked_add_signed(self.by)
-            .filter(|new| *new >= self.from)
-    }
-}
-
-impl Moves {
-    fn new(before: &Model, after: &Model) -> Self {
-        Self {
-            subsystems: Move::new(&before.subsystems, &after.subsystems),
-            forces: Move::new(&before.forces, &after.forces),
-            responses: Move::new(&before.responses, &after.responses),
-            studies: Move::new(&before.studies, &after.studies),
-        }
-    }
-
-    fn of(&self, node: Node) -> Option<Node> {
-        Some(match node {
-            Node::Subsystem(i) => Node::Subsystem(self.subsystems.of(i)?),
-            Node::SubsystemNumber(i, row) => Node::SubsystemNumber(self.subsystems.of(i)?, row),
-            Node::Force(i) => Node::Force(self.forces.of(i)?),
-            Node::ForceAt(i) => Node::ForceAt(self.forces.of(i)?),
-            Node::ForceDirection(i) => Node::ForceDirection(self.forces.of(i)?),
-            Node::ForceNumber(i, row) => Node::ForceNumber(self.forces.of(i)?, row),
-            Node::Response(i) => Node::Response(self.responses.of(i)?),
-            Node::ResponseMeasure(i) => Node::ResponseMeasure(self.responses.of(i)?),
-            Node::ResponseAt(i) => Node::ResponseAt(self.responses.of(i)?),
-            Node::ResponseDirection(i) => Node::ResponseDirection(self.responses.of(i)?),
-            Node::Study(i) => Node::Study(self.studies.of(i)?),
-            Node::StudyLine(i, row) => Node::StudyLine(self.studies.of(i)?, row),
-            other => other,
-        })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn places_follow_an_insertion_and_a_removal() {
-        let inserted = Move::new(&["a", "b", "c"], &["a", "new", "b", "c"]);
-        assert_eq!(
-            [0, 1, 2].map(|i| inserted.of(i)),
-            [Some(0), Some(2), Some(3)]
-        );
-        let removed = Move::new(&["a", "b", "c"], &["a", "c"]);
-        assert_eq!([0, 1, 2].map(|i| removed.of(i)), [Some(0), None, Some(1)]);
     }
 }

@@ -1,12 +1,16 @@
 //! Which parameter matters: bars in the tree and a table, for what is read at the cursor, a peak, a mode or the band.
 
-use std::collections::HashMap;
+mod effects;
+
 use std::sync::Arc;
 
+pub use effects::{Effects, Weighed};
+
+use super::moves::Moves;
 use super::{Anchor, App, Shown, Table};
+use crate::model::Model;
 use crate::solve::sensitivity::{Figure, Sensitivity};
 use crate::tui::keys::Command;
-use crate::tui::tree::{self, Node};
 use crate::worker::{Request, SensitivityAnswer, SensitivityRequest};
 
 /// What the sensitivities are of.
@@ -32,43 +36,6 @@ struct Key {
     at: [f64; 2],
 }
 
-/// The sensitivities solved last.
-#[derive(Debug)]
-pub struct Effects {
-    /// The model's generation.
-    pub generation: u64,
-    /// What they are of.
-    pub sensed: Sensed,
-    /// The response they are of.
-    pub response: String,
-    /// Hz: where, or the ends of the band.
-    pub at: [f64; 2],
-    /// The largest effect first.
-    pub rows: Vec<(Node, Sensitivity)>,
-    /// Why some of them are empty, where some are.
-    pub lack: Option<String>,
-    /// Where a node is among the rows.
-    places: HashMap<Node, usize>,
-}
-
-impl Effects {
-    /// What the bars show: of a mode its frequency in Hz, else the level in dB; for e times the parameter.
-    pub fn effect(&self, one: &Sensitivity) -> Option<f64> {
-        match self.sensed {
-            Sensed::Mode => one.frequency,
-            Sensed::Cursor | Sensed::Peak | Sensed::Band => one.level,
-        }
-    }
-
-    /// The effect of a row of the tree, and its share of the largest.
-    pub fn of(&self, node: Node) -> Option<(f64, f64)> {
-        let (_, one) = self.rows.get(*self.places.get(&node)?)?;
-        let effect = self.effect(one)?;
-        let largest = self.effect(&self.rows.first()?.1)?.abs();
-        Some((effect, if largest > 0.0 { effect / largest } else { 0.0 }))
-    }
-}
-
 /// Which parameter matters.
 #[derive(Debug, Default)]
 pub struct Sensitivities {
@@ -78,7 +45,15 @@ pub struct Sensitivities {
     pub effects: Option<Effects>,
     /// Why there are none, where the last question failed.
     pub failure: Option<String>,
-    asked: Option<(u64, Key)>,
+    asked: Option<Asked>,
+}
+
+/// The question asked last, with the model that it is about.
+#[derive(Debug)]
+struct Asked {
+    serial: u64,
+    key: Key,
+    model: Arc<Model>,
 }
 
 impl Sensitivities {
@@ -200,7 +175,7 @@ impl App {
         }
         let key = self.sensitivity_key(sensed)?;
         let asked = self.sensitivities.asked.as_ref();
-        if asked.is_some_and(|(_, asked)| *asked == key) {
+        if asked.is_some_and(|asked| asked.key == key) {
             return None;
         }
         let model = Arc::clone(self.document.model());
@@ -231,7 +206,11 @@ impl App {
             },
         };
         let serial = self.next_serial();
-        self.sensitivities.asked = Some((serial, key));
+        self.sensitivities.asked = Some(Asked {
+            serial,
+            key,
+            model: Arc::clone(&model),
+        });
         Some(Request::Sensitivity(SensitivityRequest {
             serial,
             model,
@@ -242,7 +221,7 @@ impl App {
     /// Takes the sensitivities that were asked for last.
     pub(super) fn take_sensitivities(&mut self, answer: SensitivityAnswer) {
         let asked = self.sensitivities.asked.as_ref();
-        let Some((_, key)) = asked.filter(|(serial, _)| *serial == answer.serial) else {
+        let Some(asked) = asked.filter(|asked| asked.serial == answer.serial) else {
             return;
         };
         let found = match answer.result {
@@ -258,26 +237,9 @@ impl App {
             (self.sensitivities.effects, self.sensitivities.failure) = (None, answer.lack);
             return;
         }
-        let nodes = tree::nodes_by_path(self.document.model());
-        let mut effects = Effects {
-            generation: key.generation,
-            sensed: key.sensed,
-            response: key.response.clone(),
-            at: key.at,
-            lack: answer.lack,
-            rows: found
-                .into_iter()
-                .filter_map(|one| Some((*nodes.get(&one.path)?, one)))
-                .collect(),
-            places: HashMap::new(),
-        };
-        let size =
-            |effects: &Effects, one: &Sensitivity| effects.effect(one).map_or(-1.0, f64::abs);
-        let mut rows = std::mem::take(&mut effects.rows);
-        rows.sort_by(|(_, a), (_, b)| size(&effects, b).total_cmp(&size(&effects, a)));
-        let places = rows.iter().enumerate();
-        effects.places = places.map(|(place, (node, _))| (*node, place)).collect();
-        effects.rows = rows;
+        let mut effects = Effects::new(&asked.key, &asked.model, found);
+        effects.lack = answer.lack;
+        effects.follow(&Moves::new(&asked.model, self.document.model()));
         self.tables.sensitivities.set_rows(effects.rows.len());
         // The row stays with the parameter that is being turned.
         if let Some(place) = effects.places.get(&self.selection.node()) {
@@ -291,9 +253,15 @@ impl App {
     pub(super) fn follow_sensitivity(&mut self) {
         let row = self.tables.sensitivities.row;
         let effects = self.sensitivities.effects.as_ref();
-        if let Some((node, _)) = effects.and_then(|effects| effects.rows.get(row)) {
-            let (node, model) = (*node, Arc::clone(self.document.model()));
+        let Some(weighed) = effects.and_then(|effects| effects.rows.get(row)) else {
+            return;
+        };
+        if let Some(node) = weighed.node {
+            let model = Arc::clone(self.document.model());
             self.selection.select(&model, node);
+        } else {
+            let name = weighed.name.clone();
+            self.refuse(format!("the model no longer has {name}"));
         }
     }
 }

@@ -10,6 +10,7 @@ use crate::model::path::Value;
 use crate::model::{
     self, BeamMotion, Force, Measure, Model, Place, Quantity, Response, Target, path,
 };
+use crate::tui::keys::Command;
 use crate::tui::tree::{self, Node};
 
 impl App {
@@ -44,11 +45,29 @@ impl App {
                 after.responses.push(new);
                 (Node::Response(after.responses.len() - 1), name)
             }
-            _ => {
-                return self.refuse("select subsystems, forces or responses to add one; studies are added in the file");
-            }
+            other => return self.refuse_to_add(other),
         };
         self.restructure(name, after, node);
+    }
+
+    /// Says what is added here by other keys, or where this one adds something.
+    fn refuse_to_add(&mut self, group: Node) {
+        let [study, variable, objective] = [
+            Command::MakeStudy,
+            Command::TuneVariable,
+            Command::TuneObjective,
+        ]
+        .map(|command| self.keys.key_of(command));
+        self.refuse(match group {
+            Node::Studies => {
+                format!("{study} on a number of the model adds a study of it; others are added in the file")
+            }
+            Node::Tune => {
+                format!("{variable} on a number lets a search move it, {objective} adds what is sought")
+            }
+            _ => "subsystems, forces and responses can be added: select one of them, or their group"
+                .to_owned(),
+        });
     }
 
     /// Adds a copy of the selected subsystem, force or response after it.

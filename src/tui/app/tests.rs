@@ -1,6 +1,6 @@
 use std::path::PathBuf;
 
-use crossterm::event::{KeyCode, KeyEvent};
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::*;
 use crate::model::path;
@@ -532,4 +532,67 @@ fn a_small_model_is_not_prepared_for() {
     let mut app = app("fig05a");
     select(&mut app, STIFFNESS);
     assert_eq!(prepared(&press(&mut app, KeyCode::Char('d'))), 0);
+}
+
+/// What is typed into the open box, as a keyboard sends it.
+fn typed(app: &App) -> &str {
+    match &app.overlay {
+        Some(Overlay::Prompt(prompt)) => prompt.input.value(),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn what_is_typed_replaces_the_text_of_a_box_and_other_keys_keep_it() {
+    // A value, a name, factors, bounds, a place to save to and one to write to.
+    for open in ["\r", "r", "^t", "$", "S", "^e"] {
+        let opened = || {
+            let mut app = app("fig05a");
+            select(&mut app, STIFFNESS);
+            match open.as_bytes() {
+                [b'^', letter] => {
+                    let code = KeyCode::Char(char::from(*letter));
+                    app.update(Event::Key(KeyEvent::new(code, KeyModifiers::CONTROL)));
+                }
+                [b'\r'] => drop(press(&mut app, KeyCode::Enter)),
+                _ => drop(keys(&mut app, open)),
+            }
+            app
+        };
+        let before = typed(&opened()).to_owned();
+        assert!(!before.is_empty(), "{open:?}");
+        let mut replaced = opened();
+        keys(&mut replaced, "40 x");
+        assert_eq!(typed(&replaced), "40 x", "{open:?}");
+        let mut pasted = opened();
+        pasted.update(Event::Paste("7".to_owned()));
+        assert_eq!(typed(&pasted), "7", "{open:?}");
+        for (code, expected) in [
+            (KeyCode::End, format!("{before}!")),
+            (KeyCode::Right, format!("{before}!")),
+            (KeyCode::Home, format!("!{before}")),
+            (
+                KeyCode::Backspace,
+                format!("{}!", &before[..before.len() - 1]),
+            ),
+        ] {
+            let mut kept = opened();
+            press(&mut kept, code);
+            keys(&mut kept, "!");
+            assert_eq!(typed(&kept), expected, "{open:?} {code:?}");
+        }
+        let mut too_much = opened();
+        too_much.update(Event::Paste("7".repeat(10_000)));
+        assert_eq!(typed(&too_much), before, "{open:?}");
+    }
+}
+
+#[test]
+fn a_box_that_opens_is_typed_into_as_the_readme_says() {
+    let mut app = app("fig05a");
+    select(&mut app, STIFFNESS);
+    press(&mut app, KeyCode::Enter);
+    keys(&mut app, "40 MN/m");
+    press(&mut app, KeyCode::Enter);
+    assert_eq!(number(&app, STIFFNESS), 4e7);
 }

@@ -11,7 +11,7 @@ use std::time::Duration;
 pub use tolerance::Tolerances;
 pub use variable::Moving;
 
-use super::{App, Reference, Table};
+use super::{App, Table};
 use crate::model::{self, Model, path};
 use crate::tui::Source;
 use crate::tui::keys::Command;
@@ -253,7 +253,7 @@ impl App {
             TuneStage::Over(Err(reason)) => {
                 run.progress = Progress::Failed(reason.clone());
                 let reference = run.reference;
-                self.beside.references.retain(|one| one.id != reference);
+                self.drop_reference(reference);
                 return self.refuse(format!("not tuned: {reason}"));
             }
         };
@@ -313,9 +313,7 @@ impl App {
         if let Some(run) = self.tuning.run.take() {
             run.pause.set(false);
             self.tuning.ends = run.goes_on();
-            self.beside
-                .references
-                .retain(|one: &Reference| one.id != run.reference);
+            self.drop_reference(run.reference);
             if self.tables.open == Some(Table::Tuning) {
                 self.tables.open = None;
             }

@@ -53,22 +53,25 @@ fn write(path: &Path, text: &str, guard: &Guard, what: Saving) -> Result<(), Rep
         let reason = "it is a folder; a file's name is wanted".to_owned();
         return Err(Reply::NotSaved(path, reason));
     }
-    match guard {
-        Guard::Absent if is_there(&path) => return Err(Reply::Exists(path, what)),
+    let question = match guard {
+        Guard::Absent if is_there(&path) => Some(Reply::Exists(path.clone(), what)),
         Guard::Holds(expected) if compare(&path, expected) == Outside::Changed => {
-            return Err(Reply::ChangedOutside(path));
+            Some(Reply::ChangedOutside(path.clone()))
         }
         Guard::Losing => {
             return model::save(&path, text).map_err(|error| Reply::NotSaved(path, why(&error)));
         }
-        _ => {}
-    }
-    let saved = match model::may_save(&path) {
-        Ok(Some(lost)) => return Err(Reply::Loses(path, what, lost)),
-        Ok(None) => model::save(&path, text),
-        Err(error) => Err(error),
+        _ => None,
     };
-    saved.map_err(|error| Reply::NotSaved(path, why(&error)))
+    // Nothing is asked about a file that could not be replaced.
+    match (model::may_save(&path), question) {
+        (Err(error), _) => Err(Reply::NotSaved(path, why(&error))),
+        (Ok(_), Some(question)) => Err(question),
+        (Ok(Some(lost)), None) => Err(Reply::Loses(path, what, lost)),
+        (Ok(None), None) => {
+            model::save(&path, text).map_err(|error| Reply::NotSaved(path, why(&error)))
+        }
+    }
 }
 
 /// Opens a file of measured curves, whose columns are what `layout` says where it is said.
@@ -173,6 +176,25 @@ mod tests {
         let typed = complete(&format!("{}/m", path_text(folder.path())));
         assert_eq!(path_of_text(&typed), folder.path().join(name));
         assert_eq!(compare(&path_of_text(&typed), "text"), Outside::Same);
+    }
+
+    #[test]
+    fn a_place_without_permission_is_refused_and_not_asked_about() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("model.toml");
+        fs::write(&file, "old").unwrap();
+        let save = |path: PathBuf| match save(path, "new".to_owned(), &Guard::Absent) {
+            Reply::NotSaved(_, reason) => reason,
+            other => panic!("{other:?}"),
+        };
+        // Also for the superuser, a file is no folder.
+        let beneath = save(file.join("other.toml"));
+        assert!(beneath.contains("directory"), "{beneath}");
+        let mut permissions = fs::metadata(&file).unwrap().permissions();
+        permissions.set_readonly(true);
+        fs::set_permissions(&file, permissions).unwrap();
+        assert_eq!(save(file.clone()), "the file is read-only");
+        assert_eq!(fs::read_to_string(&file).unwrap(), "old");
     }
 
     #[test]

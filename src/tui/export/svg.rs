@@ -11,7 +11,7 @@ use crate::tui::scene::axes::{Loci, Ruled, frequency_axis, nearest};
 use crate::tui::scene::{ChartView, CurveKind, FrequencyUnit, Scene};
 use frame::{Field, Labels};
 use line::Run;
-use look::{Look, legend};
+use look::{Look, legend, looks};
 use page::Page;
 
 /// Sizes on the page, px.
@@ -51,9 +51,7 @@ pub fn svg(scene: &Scene, provenance: &Provenance) -> String {
     page.heading(title, 26.0);
     page.text([WIDTH / 2.0, 44.0], &provenance.model, "class=\"sub\"");
     let names = names(scene);
-    let looks: Vec<Look> = (0..scene.curves.len())
-        .map(|i| Look::new(scene, i))
-        .collect();
+    let looks = looks(scene);
     let top = legend(&mut page, &looks, &names, [LEFT, 62.0, WIDTH - RIGHT]) + ABOVE;
     let bottom = if scene.view == ChartView::Nyquist {
         draw_locus(&mut page, scene, &looks, top)

@@ -460,3 +460,54 @@ fn a_drawing_is_as_it_was() {
     // Golden.
     insta::assert_snapshot!(svg(&scene, &provenance()));
 }
+
+#[test]
+fn references_and_measured_curves_never_look_as_another_curve() {
+    let view = ChartView::Magnitude;
+    let marked = |number: usize, label: &str, kind| SceneCurve {
+        label: label.to_owned(),
+        colour: number,
+        marker: Some(number),
+        ..curve(view, kind, frequencies())
+    };
+    let mut scene = scene(view);
+    // As the screen numbers them: a study of four, two references with a member each and one more without a name.
+    scene.curves = vec![
+        marked(1, "before", CurveKind::Reference),
+        marked(2, "", CurveKind::Reference),
+        marked(2, "before 2", CurveKind::Reference),
+    ];
+    scene
+        .curves
+        .extend((0..4).map(|i| marked(i, &format!("x {i}"), CurveKind::Model)));
+    scene.curves.extend((0..4).map(|i| SceneCurve {
+        marker: None,
+        ..marked(1 + i, &format!("measured {i}"), CurveKind::Measured)
+    }));
+    let text = svg(&scene, &provenance());
+    // The legend is all that is drawn before the frame: a line with its colour, then its marker.
+    let mut signs: Vec<(&str, &str)> = Vec::new();
+    for (at, _) in text.match_indices("class=\"name\"") {
+        let before = &text[..at];
+        let path = &before[before.rfind("<path").unwrap()..];
+        let attribute = |name: &str| {
+            let from = path.find(name).unwrap() + name.len();
+            &path[from..from + path[from..].find('"').unwrap()]
+        };
+        let shape = attribute(" d=\"");
+        signs.push((attribute("stroke=\""), &shape[shape.find('m').unwrap()..]));
+    }
+    assert_eq!(signs.len(), 2 + 4 + 4);
+    let colours: Vec<_> = signs.iter().map(|(colour, _)| colour).collect();
+    for (index, sign) in signs.iter().enumerate() {
+        assert!(
+            !signs[..index].contains(sign),
+            "{sign:?} twice in {signs:?}"
+        );
+    }
+    // Eight colours: the references have none of the study's.
+    assert!(
+        colours[..2].iter().all(|one| !colours[2..6].contains(one)),
+        "{colours:?}"
+    );
+}

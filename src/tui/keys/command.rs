@@ -217,8 +217,17 @@ impl Command {
                 | Self::NextAlike
                 | Self::PreviousAlike
                 | Self::Nudge(_)
+                | Self::Cycle
+                | Self::Repeat
                 | Self::Undo
                 | Self::Redo
+                | Self::Add
+                | Self::Duplicate
+                | Self::Delete
+                | Self::Unfreeze
+                | Self::NextForm
+                | Self::PreviousForm
+                | Self::NextView
                 | Self::Study
                 | Self::ZoomIn
                 | Self::ZoomOut

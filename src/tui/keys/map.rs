@@ -159,6 +159,13 @@ impl KeyMap {
         }
     }
 
+    /// The name of a command as the palette has it: `next view`.
+    pub fn name_of(&self, wanted: Command) -> String {
+        let mut rows = self.rows();
+        let row = rows.find(|row| row.binding.command == wanted);
+        row.map_or_else(String::new, |row| row.binding.name.replace('-', " "))
+    }
+
     /// The hints of a scope on a kind of row, as (key, words): first what the row allows, then help and the rest.
     pub fn hints(&self, scope: Scope, row: RowKind) -> Vec<(String, &'static str)> {
         let mut shown = self.hints_of_row(scope, row);

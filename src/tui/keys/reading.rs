@@ -18,7 +18,7 @@ pub(super) const READING: &[Binding] = &[
         &[key('i')],
         Command::NextForm,
         Hint::Never,
-        "next form: as asked for, receptance, mobility, accelerance and their inverses",
+        "next form: as asked for, receptance, mobility, accelerance, their inverses, motion under the force as it is",
     ),
     bind(
         "previous-form",

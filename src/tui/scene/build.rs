@@ -6,7 +6,9 @@ use super::{
     ChartView, CurveKind, FrequencyAxis, Marked, Panel, Scene, SceneCurve, difference, part,
 };
 use crate::solve::form::Dimension;
-use crate::tui::app::{Anchor, App, Curves, DetailPicture, Look, Member, Picture, Table, Trace};
+use crate::tui::app::{
+    Anchor, App, Curves, DetailPicture, Look, MOTION, Member, Picture, Table, Trace,
+};
 use crate::tui::plot::{Level, LineStyle};
 
 /// What stands on the chart.
@@ -119,6 +121,9 @@ impl<'a> Builder<'a> {
         });
         let what = match form {
             Some(form) => format!("{what}, {}", form.name()),
+            None if app.shown_traces().any(|trace| trace.force.is_some()) && app.display.motion => {
+                format!("{what}, {MOTION}")
+            }
             None => what,
         };
         let what = match app.beside.first_shown() {
@@ -171,7 +176,11 @@ impl<'a> Builder<'a> {
 
     /// What a magnitude is called: a ratio only where there is one force to divide by.
     fn magnitude_name(&self) -> &'static str {
-        let mut dimensions = self.app.shown_traces().map(|trace| trace.dimension);
+        let display = &self.app.display;
+        let mut dimensions = self
+            .app
+            .shown_traces()
+            .map(|trace| display.dimension_of(trace));
         match dimensions.next() {
             Some(None) => "vibration energy",
             Some(Some(Dimension { per: None, .. })) => "amplitude, 0-peak",
@@ -191,7 +200,7 @@ impl<'a> Builder<'a> {
         for (index, (place, number, member, trace)) in shown.into_iter().enumerate() {
             let fine = self.detail.and_then(|detail| {
                 let member = detail.curves.members.get(number)?;
-                Some((member, find(member, &trace.response)?))
+                Some((member, member.trace(&trace.response)?))
             });
             let (from, values) = fine.unwrap_or((member, trace));
             let source = Source {
@@ -213,7 +222,7 @@ impl<'a> Builder<'a> {
                 let read = app
                     .reading
                     .model(generation, number, &trace.response, cursor)?;
-                Some(self.parts(trace.dimension.as_ref(), read.value(), cursor))
+                Some(self.parts(trace, read.value(), cursor))
             });
             curves.push(curve);
         }
@@ -224,7 +233,8 @@ impl<'a> Builder<'a> {
     fn against(&self, member: usize, response: &str) -> Option<&'a Trace> {
         let reference = self.app.beside.first_shown()?;
         let members = self.detail?.curves.reference(reference.id)?;
-        find(members.get(member).or(members.first())?, response)
+        let member = members.get(member).or(members.first())?;
+        member.trace(response)
     }
 
     /// What the value axis spans beside what is drawn: the curves as they will be once they are resolved, which is
@@ -277,11 +287,13 @@ impl<'a> Builder<'a> {
         let mut values = vec![Vec::with_capacity(places.len()); count];
         for i in places.clone() {
             let (value, frequency) = (source.trace.values[i], source.frequencies[i]);
-            let dimension = source.trace.dimension.as_ref();
+            let display = &self.app.display;
             let parts = match source.against {
-                _ if view != ChartView::Difference => self.parts(dimension, value, frequency),
+                _ if view != ChartView::Difference => self.parts(source.trace, value, frequency),
                 Some(against) => {
-                    vec![difference(dimension.is_none(), value, against.values[i])]
+                    let value = display.per_force(source.trace, value);
+                    let other = display.per_force(against, against.values[i]);
+                    vec![difference(source.trace.dimension.is_none(), value, other)]
                 }
                 None => vec![f64::NAN],
             };
@@ -304,14 +316,9 @@ impl<'a> Builder<'a> {
     }
 
     /// What each panel shows of a value.
-    fn parts(
-        &self,
-        dimension: Option<&Dimension>,
-        value: num_complex::Complex64,
-        frequency: f64,
-    ) -> Vec<f64> {
-        let shown = self.app.display.value(dimension, value, frequency);
-        part(self.view(), shown, dimension.is_none())
+    fn parts(&self, trace: &Trace, value: num_complex::Complex64, frequency: f64) -> Vec<f64> {
+        let shown = self.app.display.value(trace, value, frequency);
+        part(self.view(), shown, trace.dimension.is_none())
     }
 
     /// The phase without its jumps, where it is to run on.
@@ -340,11 +347,6 @@ fn poles(trace: &Trace) -> Vec<f64> {
     poles.map(|peak| peak.frequency).collect()
 }
 
-fn find<'a>(member: &'a Member, response: &str) -> Option<&'a Trace> {
-    let mut traces = member.traces.iter();
-    traces.find(|trace| trace.response == response)
-}
-
 /// The traces that show, with their place and their member's.
 fn traces<'a>(
     members: &'a [Member],
@@ -353,7 +355,11 @@ fn traces<'a>(
     let mut found = Vec::new();
     for (place, name) in curves.visible.iter().enumerate() {
         for (number, member) in members.iter().enumerate() {
-            found.extend(find(member, name).map(|trace| (place, number, member, trace)));
+            found.extend(
+                member
+                    .trace(name)
+                    .map(|trace| (place, number, member, trace)),
+            );
         }
     }
     found

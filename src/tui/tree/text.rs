@@ -136,7 +136,7 @@ pub fn value(model: &Model, node: Node) -> String {
         }),
         Node::Sweep => band(&model.sweep),
         Node::Studies => model.studies.len().to_string(),
-        Node::Study(i) => format!("{} curves", members(&model.studies[i])),
+        Node::Study(i) => counted(members(&model.studies[i]), "curve", "curves"),
         Node::StudyLine(i, line) => study_line(&model.studies[i], line).1,
         Node::Tune => model
             .tune
@@ -208,6 +208,11 @@ pub fn grouped(count: usize) -> String {
     text
 }
 
+/// So many of something, in the singular where it is one: `1 row`, `2,000 rows`.
+pub fn counted(count: usize, one: &str, more: &str) -> String {
+    format!("{} {}", grouped(count), if count == 1 { one } else { more })
+}
+
 fn restraint(model: &Model, end: End, motion: BeamMotion) -> String {
     match end.support(model)[motion] {
         Restraint::Elastic(elastic) => field::elastic_fields(motion)[0]
@@ -274,5 +279,11 @@ mod tests {
         assert_eq!(grouped(999), "999");
         assert_eq!(grouped(2_000), "2,000");
         assert_eq!(grouped(1_000_000), "1,000,000");
+    }
+
+    #[test]
+    fn one_is_singular() {
+        let rows = |count| counted(count, "row", "rows");
+        assert_eq!([0, 1, 2].map(rows), ["0 rows", "1 row", "2 rows"]);
     }
 }

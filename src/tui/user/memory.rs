@@ -46,8 +46,6 @@ pub struct RememberedOptions {
     pub mouse: Option<bool>,
     /// The unit of frequencies.
     pub frequency_unit: Option<String>,
-    /// The value of 0 dB, by unit.
-    pub decibel_references: Option<BTreeMap<String, f64>>,
     /// The word of the theme, as of `Theme::word`.
     pub theme: Option<String>,
     /// What a newer version wrote beside.
@@ -88,6 +86,9 @@ pub struct View {
     pub second_cursor: Option<f64>,
     /// The marked band, Hz.
     pub band: Option<[f64; 2]>,
+    /// The value of 0 dB of each quantity, by its unit.
+    #[serde(default)]
+    pub decibel_references: BTreeMap<String, f64>,
 }
 
 impl Memory {
@@ -134,11 +135,6 @@ impl Memory {
             self.options
                 .frequency_unit
                 .clone_from(&options.frequency_unit);
-        }
-        if options.decibel_references.is_some() {
-            self.options
-                .decibel_references
-                .clone_from(&options.decibel_references);
         }
         if options.theme.is_some() {
             self.options.theme.clone_from(&options.theme);
@@ -235,6 +231,7 @@ mod tests {
             view: Some("Nyquist".to_owned()),
             form: Some("mobility".to_owned()),
             second_cursor: Some(0.2),
+            decibel_references: BTreeMap::from([("m/N".to_owned(), 1e-6)]),
             band: Some([2.0, 3.0]),
         }
     }

@@ -9,6 +9,7 @@ use crate::measured::Fit;
 use crate::solve::band::Level;
 use crate::tui::app::{App, MemberLevels, ResponseLevel, Rows};
 use crate::tui::theme::Theme;
+use crate::tui::tree;
 
 /// The columns, in what there is room for. A reduction is positive where the level is lower than the reference's.
 const LAYOUTS: [&[Column]; 2] = [
@@ -70,7 +71,10 @@ pub(super) fn rows(app: &App) -> Vec<Row> {
 /// How well a response fits a measured curve.
 pub(super) fn fit_words(fit: &Fit) -> String {
     if fit.points < FEWEST {
-        return format!("{} points are too few to compare", fit.points);
+        return format!(
+            "{} too few to compare",
+            tree::counted(fit.points, "point is", "points are")
+        );
     }
     let of = if fit.of_magnitudes {
         " of magnitudes"

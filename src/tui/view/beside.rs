@@ -7,9 +7,10 @@ use ratatui::text::{Line, Span};
 use super::band::fit_words;
 use super::boxes::{middle, open_box};
 use super::text::{cut, width};
-use crate::tui::app::{App, List, Measured, Overlay, Reference, Rows};
+use crate::tui::app::{App, List, MOTION, Measured, Overlay, Reference, Rows};
 use crate::tui::keys::{RowKind, Scope};
 use crate::tui::theme::Theme;
+use crate::tui::tree;
 
 /// An entry: whether it shows, its name, and what it is.
 type Entry = (bool, String, String);
@@ -104,9 +105,15 @@ fn measurement(app: &App, one: &Measured) -> Entry {
         None if one.shown && !stands => {
             let unit = one.curve.kind.map(|kind| kind.unit()).unwrap_or_default();
             let units = app.shown_units().join(", ");
-            format!("measured in {unit}: does not fit what shows, in {units}")
+            let is_motion = one.dimension().is_some_and(|own| own.per.is_none());
+            let hint = if is_motion && !app.display.motion {
+                format!("; the form `{MOTION}` may fit")
+            } else {
+                String::new()
+            };
+            format!("measured in {unit}: does not fit what shows, in {units}{hint}")
         }
-        None => format!("measured, {points} points"),
+        None => format!("measured, {}", tree::counted(points, "point", "points")),
     };
     (one.shown, one.name.clone(), what)
 }

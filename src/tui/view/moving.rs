@@ -7,7 +7,7 @@ use ratatui::text::Line;
 use ratatui::widgets::Paragraph;
 
 use super::text::{cut, width};
-use crate::model::BeamMotion;
+use crate::model::{BeamMotion, Model};
 use crate::solve::operating::{MassState, Operating};
 use crate::tui::app::App;
 use crate::tui::plot::{Axis, Chart, Curve, Legend, Level, LineStyle, Scale};
@@ -22,6 +22,8 @@ const ABOUT: f64 = 0.9;
 /// What the beam does, at a moment of its period.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Seen<'a> {
+    /// The model whose beam it is.
+    pub(super) model: &'a Model,
     pub(super) operating: &'a Operating,
     /// The frequency in words.
     pub(super) at: &'a str,
@@ -56,18 +58,19 @@ pub(super) fn draw(
     name: &str,
     draw: impl Fn(&mut Frame<'_>, Seen<'_>, Rect),
 ) {
-    let reason = match (app.curves.cursor, app.operating()) {
+    let reason = match (app.curves.cursor, &app.looking.operating) {
         (None, _) => " no cursor is on the chart",
         (_, None) => app
             .looking
             .failure
             .as_deref()
             .unwrap_or(" solving what the beam does"),
-        (_, Some(operating)) if !is_finite(operating) => {
+        (_, Some((_, operating))) if !is_finite(operating) => {
             " no finite answer: a resonance without damping"
         }
-        (_, Some(operating)) => {
+        (_, Some((model, operating))) => {
             let seen = Seen {
+                model,
                 operating,
                 at: &app.display.frequency_text(operating.frequency),
                 angle: app.looking.moment.angle(),

@@ -99,8 +99,9 @@ fn cells(app: &App, row: usize, level: Level) -> Vec<String> {
 
 /// The complex height of a peak in the form that is shown; of an energy the energy.
 fn shown_height(app: &App, peak: &Peak) -> Complex64 {
-    let trace = app.curves.first_resolved().map(|(_, trace)| trace);
     let value = Complex64::from_polar(peak.height, peak.phase.unwrap_or(0.0).to_radians());
-    let dimension = trace.and_then(|trace| trace.dimension.as_ref());
-    app.display.value(dimension, value, peak.frequency)
+    match app.curves.first_resolved() {
+        Some((_, trace)) => app.display.value(trace, value, peak.frequency),
+        None => value,
+    }
 }

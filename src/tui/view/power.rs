@@ -7,7 +7,7 @@ use ratatui::text::{Line, Span};
 
 use super::moving::{self, Seen, Words};
 use super::text::{cut, significant, width};
-use crate::model::{Force, Model, Place, Target};
+use crate::model::{Force, Place, Target};
 use crate::tui::app::App;
 use crate::tui::plot::{Axis, Curve, Level, Scale};
 use crate::tui::theme::Theme;
@@ -36,13 +36,10 @@ struct Row {
 }
 
 pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
-    let power = |frame: &mut Frame<'_>, seen: Seen<'_>, area: Rect| {
-        power(frame, seen, app.model(), area);
-    };
     moving::draw(frame, app, (theme, area), "Power", power);
 }
 
-fn power(frame: &mut Frame<'_>, seen: Seen<'_>, model: &Model, area: Rect) {
+fn power(frame: &mut Frame<'_>, seen: Seen<'_>, area: Rect) {
     let found = &seen.operating.power;
     let words = Words {
         title: format!("Power at {}", seen.at),
@@ -60,10 +57,7 @@ fn power(frame: &mut Frame<'_>, seen: Seen<'_>, model: &Model, area: Rect) {
         table = left;
         flow(frame, seen, right);
     }
-    let rows = fitted(
-        rows(seen, model),
-        usize::from(table.height).saturating_sub(1),
-    );
+    let rows = fitted(rows(seen), usize::from(table.height).saturating_sub(1));
     let Some((heading, body)) = split(table) else {
         return;
     };
@@ -108,7 +102,7 @@ fn label_columns(table: Rect) -> usize {
 }
 
 /// What each force puts in, then what takes most out, and the material with its loss factor.
-fn rows(seen: Seen<'_>, model: &Model) -> Vec<Row> {
+fn rows(seen: Seen<'_>) -> Vec<Row> {
     let power = &seen.operating.power;
     let mut rows = Vec::new();
     if power.inputs.len() > MOST_FORCES {
@@ -119,7 +113,7 @@ fn rows(seen: Seen<'_>, model: &Model) -> Vec<Row> {
         });
     } else {
         rows.extend(power.inputs.iter().map(|input| Row {
-            label: label(input.force, model.forces.get(input.force)),
+            label: label(input.force, seen.model.forces.get(input.force)),
             power: input.power,
             loss: false,
         }));

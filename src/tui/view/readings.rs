@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 
 use super::table::{self, Column, Content};
 use crate::tui::app::{App, Rows, Trace, Value};
-use crate::tui::scene;
+use crate::tui::scene::{self, ChartView};
 use crate::tui::theme::Theme;
 
 /// The columns, in what there is room for.
@@ -37,6 +37,12 @@ const LAYOUTS: [&[Column]; 3] = [
     ],
 ];
 
+/// The columns of levels against a reference.
+const DIFFERENCES: [&[Column]; 2] = [
+    &[("curve", 30), ("dB", 12), ("delta dB", 12)],
+    &[("curve", 20), ("dB", 10), ("delta dB", 10)],
+];
+
 /// A curve at the cursors.
 pub(super) struct Row {
     /// Its name.
@@ -49,6 +55,51 @@ pub(super) struct Row {
     values: [Option<Value>; 2],
     /// Whether there is a phase.
     phase: bool,
+}
+
+/// How many rows the table has.
+pub(super) fn count(app: &App) -> usize {
+    if app.display.view == ChartView::Difference {
+        differences(app).len()
+    } else {
+        rows(app).len()
+    }
+}
+
+/// The cells of every curve in the difference view.
+fn differences(app: &App) -> Vec<Vec<String>> {
+    let (Some(cursor), Some(picture)) = (app.curves.cursor, app.curves.picture()) else {
+        return Vec::new();
+    };
+    let mut rows = Vec::new();
+    for name in &app.curves.visible {
+        for (number, member) in picture.members.iter().enumerate() {
+            let Some(trace) = member.trace(name) else {
+                continue;
+            };
+            let at = |f| app.difference_at(number, trace, f);
+            let here = at(cursor);
+            let there = app.reading.second.and_then(at);
+            let decibels = |value: f64, near: &str| {
+                if value.is_finite() {
+                    format!("{near}{value:+.2}")
+                } else {
+                    "-".to_owned()
+                }
+            };
+            let none = || "-".to_owned();
+            rows.push(vec![
+                scene::label(&app.curves, trace, member),
+                here.map_or_else(none, |here| {
+                    decibels(here.decibels, if here.exact { "" } else { "~" })
+                }),
+                here.zip(there).map_or_else(none, |(here, there)| {
+                    decibels(here.decibels - there.decibels, "")
+                }),
+            ]);
+        }
+    }
+    rows
 }
 
 /// A row for each curve that shows, and for the harmonics of the first.
@@ -64,7 +115,8 @@ pub(super) fn rows(app: &App) -> Vec<Row> {
 }
 
 fn row(app: &App, label: String, trace: &Trace, values: [Option<Value>; 2]) -> Row {
-    let unit = app.display.unit_of(trace.dimension.as_ref());
+    let dimension = app.display.dimension_of(trace);
+    let unit = app.display.unit_of(dimension.as_ref());
     Row {
         label,
         energy: trace.dimension.is_none(),
@@ -164,19 +216,26 @@ fn harmonics(app: &App) -> Vec<Row> {
 }
 
 pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rect) -> Rows {
-    let rows = rows(app);
+    let difference = app.display.view == ChartView::Difference;
     let (title, note) = words(app);
-    let columns = table::fitting(&LAYOUTS, area.width);
+    let columns = if difference {
+        table::fitting(&DIFFERENCES, area.width)
+    } else {
+        table::fitting(&LAYOUTS, area.width)
+    };
+    let cells: Vec<Vec<String>> = if difference {
+        differences(app)
+    } else {
+        let rows = rows(app);
+        rows.iter().map(|row| cells(row, columns)).collect()
+    };
     let content = Content {
         title,
         warns: false,
         frequency_unit: app.display.unit,
         note,
         columns,
-        row: &|index| {
-            rows.get(index)
-                .map_or(Vec::new(), |row| cells(row, columns))
-        },
+        row: &|index| cells.get(index).cloned().unwrap_or_default(),
         empty: if app.curves.cursor.is_none() {
             "no cursor is on the chart"
         } else {
@@ -194,15 +253,18 @@ fn words(app: &App) -> (String, String) {
     };
     let at = app.display.frequency_text(cursor);
     let between = app.measured_shown().next().is_some();
+    let reference = app.beside.first_shown();
+    let reference = reference.filter(|_| app.display.view == ChartView::Difference);
     let note = match (
         between,
         app.reading.harmonics && app.reading.second.is_none(),
     ) {
+        _ if reference.is_some() => "",
         (true, _) => "zero to peak; ~ between points",
         (false, true) => "zero to peak; delta from f",
         (false, false) => "zero to peak",
     };
-    let note = note.to_owned();
+    let note = reference.map_or_else(|| note.to_owned(), |one| format!("against {}", one.name));
     match app.reading.second {
         None => (format!("At {at}"), note),
         Some(second) => {

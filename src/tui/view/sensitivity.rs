@@ -7,7 +7,7 @@ use super::table::{self, Column, Content};
 use super::text::{cut, significant, width};
 use crate::tui::app::{App, Effects, Rows, Sensed};
 use crate::tui::theme::Theme;
-use crate::tui::tree::{self, Node};
+use crate::tui::tree::Node;
 
 /// Cells of a bar at either side of its axis.
 const HALF: usize = 3;
@@ -59,6 +59,9 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
         },
         area.width,
     );
+    let rows = effects.map_or(&[][..], |effects| &effects.rows);
+    let longest = rows.iter().map(|row| width(&row.name)).max().unwrap_or(0);
+    let columns = &*table::widened(columns, longest, area.width);
     let empty = match (&app.sensitivities.failure, sensed) {
         (Some(failure), _) => failure.as_str(),
         (None, None) => "what they are of is chosen by the key that opened this table",
@@ -112,16 +115,16 @@ fn cells(app: &App, theme: Theme, row: usize, columns: &[Column]) -> Vec<String>
     let Some(effects) = &app.sensitivities.effects else {
         return Vec::new();
     };
-    let Some((node, one)) = effects.rows.get(row) else {
+    let Some(row) = effects.rows.get(row) else {
         return Vec::new();
     };
+    let one = &row.effect;
     let room = columns.first().map_or(0, |column| column.1 - 1);
-    let name = cut(&tree::subject(app.model(), *node), room);
+    let name = cut(&row.name, room);
     let name = format!("{name}{}", " ".repeat(room - width(&name)));
-    let share = effects.of(*node).map_or(0.0, |(_, share)| share);
     let number = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), signed);
     let shift = one.frequency.map(|f| f * app.display.unit.per_hertz());
-    let bar = bar(share, theme);
+    let bar = bar(effects.share(row), theme);
     match effects.sensed {
         Sensed::Cursor | Sensed::Band => {
             let percent = one.level.map(|level| level * 1.01_f64.ln());

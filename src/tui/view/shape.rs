@@ -35,7 +35,8 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
     let at = |motions: &[Vec<Complex64>; 3]| motions.each_ref().map(|u| Shape::at(u, angle));
     let (beam, masses) = (at(&shape.beam), at(&shape.masses));
     // The beam at rest.
-    let (ends, rest) = ([0.0, app.model().beam.length], [0.0; 2]);
+    let length = shape.positions.last().copied().unwrap_or(1.0);
+    let (ends, rest) = ([0.0, length], [0.0; 2]);
     let mut curves = vec![Curve {
         line: LineStyle::Dotted,
         dim: true,

@@ -22,7 +22,7 @@ pub(super) fn of(model: &Model, node: Node, keys: &KeyMap) -> String {
         Node::Responses => counted(model.responses.iter().map(|one| one.enabled), keys),
         Node::Subsystem(i) => subsystem(&model.subsystems[i]),
         Node::Force(_) | Node::Response(_) => tree::value(model, node),
-        Node::Sweep => format!("{} frequencies", tree::grouped(model.sweep.points)),
+        Node::Sweep => tree::counted(model.sweep.points, "frequency", "frequencies"),
         Node::Studies | Node::Study(_) => {
             let (edit, study) = (keys.key_of(Command::Edit), keys.key_of(Command::Study));
             format!("{edit} shows a study's curves, {study} the next study's")

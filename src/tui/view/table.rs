@@ -30,7 +30,7 @@ pub(super) struct Content<'a> {
     /// At the right of the rule.
     pub(super) note: String,
     /// The columns.
-    pub(super) columns: &'static [Column],
+    pub(super) columns: &'a [Column],
     /// The cells of a row, right-aligned, as many as columns; or one sentence.
     pub(super) row: &'a dyn Fn(usize) -> Vec<String>,
     /// Where there are no rows.
@@ -50,6 +50,17 @@ pub(super) fn fitting(layouts: &[&'static [Column]], columns: u16) -> &'static [
         .or(layouts.last())
         .copied()
         .unwrap_or_default()
+}
+
+/// Columns whose first one, of names, has the room that is left of `room`, as far as its longest name needs it.
+pub(super) fn widened(columns: &[Column], longest: usize, room: u16) -> Vec<Column> {
+    let mut columns = columns.to_vec();
+    let taken: usize = columns.iter().map(|column| column.1).sum();
+    let left = usize::from(room).saturating_sub(taken);
+    if let Some((_, name)) = columns.first_mut() {
+        *name += left.min((longest + 1).saturating_sub(*name));
+    }
+    columns
 }
 
 /// Draws a table; tells the list how many rows there is room for, and where they are.

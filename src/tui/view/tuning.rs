@@ -22,12 +22,17 @@ const LAYOUTS: [&[Column]; 3] = [
     &[("", 16), ("before", 14), ("now", 14)],
 ];
 
+/// The heading of standard uncertainties.
+const UNCERTAINTY: &str = "uncertainty";
+
 /// What a row says.
 pub(super) struct Row {
     name: String,
     before: String,
     now: String,
     change: String,
+    /// The standard uncertainty of what a match has found.
+    uncertainty: Option<String>,
 }
 
 /// The figures that are sought, then the parameters that move.
@@ -53,6 +58,7 @@ fn figures(run: &Run) -> Vec<Row> {
             before: significant(status.start, 4),
             now: significant(status.best, 4),
             change: change(status.start, status.best),
+            uncertainty: None,
         }],
         (_, None) => Vec::new(),
     }
@@ -65,6 +71,7 @@ fn achieved(run: &Run, index: usize, before: &Achieved, after: &Achieved) -> Row
         before: figure(before),
         now: figure(after),
         change: change(before.figure, after.figure),
+        uncertainty: None,
     }
 }
 
@@ -97,7 +104,8 @@ fn variables(run: &Run) -> Vec<Row> {
             name: words(&variable.paths),
             before: unit.format(before),
             now,
-            change: uncertainty.unwrap_or(moved),
+            change: moved,
+            uncertainty,
         })
     });
     rows.collect()
@@ -120,8 +128,8 @@ fn first(model: &Model, pattern: &str) -> Option<(f64, Unit)> {
 
 pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rect) -> Rows {
     let mut list = app.tables.tuning;
-    let columns = table::fitting(&LAYOUTS, area.width);
     let rows = rows(app);
+    let columns = &*columns(&rows, area.width);
     let [go, accept, discard] = [Command::Tune, Command::TuneAccept, Command::TuneDiscard]
         .map(|command| app.keys.key_of(command));
     let run = app.tuning.run.as_ref();
@@ -147,16 +155,41 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
     rows
 }
 
+/// The columns for some rows in so many columns of the screen: where a match has uncertainties these are whole.
+fn columns(rows: &[Row], room: u16) -> Vec<Column> {
+    let longest = |text: &dyn Fn(&Row) -> usize| rows.iter().map(text).max().unwrap_or(0);
+    let uncertainty = longest(&|row| row.uncertainty.as_deref().map_or(0, width));
+    let known = if uncertainty == 0 {
+        table::fitting(&LAYOUTS, room).to_vec()
+    } else {
+        let last = (UNCERTAINTY, uncertainty.max(UNCERTAINTY.len()) + 1);
+        let layouts = [
+            vec![("", 24), ("before", 15), ("now", 15), ("change", 10), last],
+            vec![("", 18), ("before", 15), ("now", 15), last],
+            vec![("", 12), ("now", 15), last],
+            vec![("", 8), ("now", 13), last],
+        ];
+        let fits = |layout: &&Vec<Column>| {
+            layout.iter().map(|column| column.1).sum::<usize>() <= usize::from(room)
+        };
+        let found = layouts.iter().find(fits).or(layouts.last());
+        found.cloned().unwrap_or_default()
+    };
+    table::widened(&known, longest(&|row| width(&row.name)), room)
+}
+
 fn cells(row: &Row, columns: &[Column]) -> Vec<String> {
     let room = columns.first().map_or(0, |column| column.1 - 1);
     let name = cut(&row.name, room);
     let name = format!("{name}{}", " ".repeat(room - width(&name)));
-    vec![
-        name,
-        row.before.clone(),
-        row.now.clone(),
-        row.change.clone(),
-    ]
+    let cell = |heading: &str| match heading {
+        "before" => row.before.clone(),
+        "now" => row.now.clone(),
+        UNCERTAINTY => row.uncertainty.clone().unwrap_or_default(),
+        _ => row.change.clone(),
+    };
+    let others = columns.iter().skip(1).map(|(heading, _)| cell(heading));
+    std::iter::once(name).chain(others).collect()
 }
 
 /// How far the search is.
@@ -178,9 +211,9 @@ fn title(run: &Run) -> String {
         }
         Progress::Paused => so_far("paused"),
         Progress::Found(tuned) => format!(
-            "Tuned: {}, {} evaluations, {}",
+            "Tuned: {}, {}, {}",
             tuned.stop,
-            tree::grouped(tuned.evaluations),
+            tree::counted(tuned.evaluations, "evaluation", "evaluations"),
             seconds(run.elapsed)
         ),
         Progress::Failed(reason) => format!("Not tuned: {reason}"),
@@ -200,6 +233,39 @@ fn seconds(time: Duration) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_uncertainty_has_a_heading_of_its_own_and_is_whole() {
+        let row = |name: &str, uncertainty: Option<&str>| Row {
+            name: name.to_owned(),
+            before: "3.333 MN/m".to_owned(),
+            now: "12.5 MN/m".to_owned(),
+            change: "+275.0 %".to_owned(),
+            uncertainty: uncertainty.map(str::to_owned),
+        };
+        let rows = [
+            row("S1 y left stiffness", Some("+-0.01234 MN s/m")),
+            row("S1 mass", None),
+        ];
+        for room in [42, 43, 60, 82, 120] {
+            let columns = columns(&rows, room);
+            assert!(columns.iter().map(|column| column.1).sum::<usize>() <= usize::from(room));
+            let place = columns.iter().position(|column| column.0 == UNCERTAINTY);
+            let place = place.expect("a column of uncertainties");
+            assert!(columns[place].1 > "+-0.01234 MN s/m".len());
+            assert_eq!(cells(&rows[0], &columns)[place], "+-0.01234 MN s/m");
+            assert_eq!(cells(&rows[1], &columns)[place], "");
+            // The change stays under its own heading.
+            let change = columns.iter().position(|column| column.0 == "change");
+            assert!(change.is_none_or(|place| cells(&rows[0], &columns)[place] == "+275.0 %"));
+        }
+        assert!(cells(&rows[0], &columns(&rows, 120))[0].starts_with("S1 y left stiffness "));
+        assert!(
+            columns(&rows[1..], 82)
+                .iter()
+                .all(|column| column.0 != UNCERTAINTY)
+        );
+    }
 
     #[test]
     fn times_and_changes_are_short() {

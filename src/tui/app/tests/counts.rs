@@ -189,3 +189,121 @@ fn a_count_moves_in_a_table_and_among_parameters() {
     press(&mut app, KeyCode::Tab);
     assert_eq!(message(&app), "there is no further parameter");
 }
+
+#[test]
+fn a_count_deletes_and_duplicates_so_many_as_there_are() {
+    let mut app = app("fig05a");
+    select(&mut app, "subsystems.S1.mass");
+    keys(&mut app, "3D");
+    assert_eq!(app.model().subsystems.len(), 6);
+    assert!(
+        message(&app).ends_with(", the last of 3"),
+        "{}",
+        message(&app)
+    );
+    keys(&mut app, "3u");
+    assert_eq!(app.model().subsystems.len(), 3);
+    let before = app.document.text();
+    keys(&mut app, "11x");
+    assert!(app.model().subsystems.len() < 2, "{}", message(&app));
+    assert!(
+        message(&app).contains(", the last of "),
+        "{}",
+        message(&app)
+    );
+    keys(&mut app, "99u");
+    assert_eq!(app.document.text(), before);
+}
+
+#[test]
+fn what_takes_no_count_says_so_and_does_nothing() {
+    for row in KeyMap::default().of(Scope::Main) {
+        let command = row.binding.command;
+        let mut app = app("fig05a");
+        select(&mut app, STIFFNESS);
+        app.count = Some(3);
+        let state = (app.model().clone(), app.overlay.is_some(), app.tables.open);
+        let effects = app.command(command);
+        let excepted = [Command::Quit, Command::Cancel, Command::Tune].contains(&command);
+        if command.counts() || excepted {
+            continue;
+        }
+        let words = format!("{} takes no count", row.binding.name.replace('-', " "));
+        assert!(
+            message(&app).starts_with(&words),
+            "{command:?}: {}",
+            message(&app)
+        );
+        assert!(effects.is_empty(), "{command:?}");
+        let after = (app.model().clone(), app.overlay.is_some(), app.tables.open);
+        assert_eq!(after, state, "{command:?}");
+    }
+}
+
+#[test]
+fn one_row_is_found_and_two_rows_are() {
+    let mut app = app("fig05a");
+    keys(&mut app, "/title");
+    press(&mut app, KeyCode::Enter);
+    assert!(
+        message(&app).starts_with("`title`: 1 row; "),
+        "{}",
+        message(&app)
+    );
+    press(&mut app, KeyCode::Esc);
+    keys(&mut app, "/S1 mass");
+    press(&mut app, KeyCode::Enter);
+    keys(&mut app, "n");
+    assert!(message(&app).ends_with(" of 1 row"), "{}", message(&app));
+}
+
+#[test]
+fn what_adds_is_said_for_where_one_is() {
+    for (path, word) in [
+        (
+            "beam.length",
+            "subsystems, forces and responses can be added",
+        ),
+        (
+            "sweep.from",
+            "subsystems, forces and responses can be added",
+        ),
+    ] {
+        let mut app = app("fig08");
+        select(&mut app, path);
+        keys(&mut app, "a");
+        assert!(message(&app).starts_with(word), "{}", message(&app));
+    }
+    let mut app = app("fig08");
+    go(&mut app, Node::Study(0));
+    keys(&mut app, "a");
+    assert!(
+        message(&app).starts_with("Ctrl-t on a number"),
+        "{}",
+        message(&app)
+    );
+}
+
+#[test]
+fn the_value_of_0_db_takes_units_and_is_that_of_the_model() {
+    let preset = |app: &mut App, text: &str| {
+        keys(app, "%");
+        enter(app, text)
+    };
+    let mut app = app("cantilever");
+    let answer = answer(app.curves.generation, &app);
+    app.update(Event::Answer(answer));
+    preset(&mut app, "1 kg");
+    assert!(app.overlay.is_some(), "a mass is no receptance");
+    press(&mut app, KeyCode::Esc);
+    preset(&mut app, "1 um/N");
+    assert_eq!(app.display.decibel_reference("m/N"), 1e-6);
+    preset(&mut app, "2e-9");
+    assert_eq!(app.display.decibel_reference("m/N"), 2e-9);
+    // A mobility has its own.
+    assert_eq!(app.display.decibel_reference("m/(N s)"), 1.0);
+    keys(&mut app, "p");
+    press(&mut app, KeyCode::Home);
+    press(&mut app, KeyCode::Enter);
+    assert_eq!(app.display.decibel_reference("m/N"), 1.0);
+}

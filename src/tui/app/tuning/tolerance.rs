@@ -74,6 +74,10 @@ impl App {
         let Some((_, generation)) = asked else {
             return;
         };
+        // Responses and forces are those of the model as it is.
+        if generation != self.curves.generation {
+            return;
+        }
         let spread = match answer.result {
             Ok(spread) => spread,
             Err(reason) => return self.refuse(format!("no band of tolerances: {reason}")),
@@ -91,6 +95,7 @@ impl App {
                     Trace {
                         response: trace.response.clone(),
                         dimension: trace.dimension,
+                        force: trace.force,
                         values: of(index)
                             .iter()
                             .map(|one| Complex64::from(one / by))

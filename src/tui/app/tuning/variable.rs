@@ -285,7 +285,10 @@ fn read_bounds(text: &str, unit: Unit) -> Result<Bounds, String> {
     let (low, high) = bounds.split_once("..").ok_or(form)?;
     // A unit behind the upper bound is that of both.
     let high = high.trim();
-    let number = |text: &str| entry::number(text.trim(), f64::NAN, &unit).map_err(|_| form);
+    let number = |text: &str| {
+        entry::number(text.trim(), f64::NAN, &unit)
+            .map_err(|_| entry::decimal_comma(text).unwrap_or_else(|| form.to_owned()))
+    };
     let shared = high
         .split_once(' ')
         .map(|(_, symbol)| format!("{} {symbol}", low.trim()));

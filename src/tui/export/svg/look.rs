@@ -6,7 +6,7 @@ use super::frame::Field;
 use super::line::Run;
 use super::page::{Page, px};
 use crate::tui::plot::{LineStyle, clipped};
-use crate::tui::scene::{CurveKind, Scene};
+use crate::tui::scene::{CurveKind, Scene, SceneCurve};
 
 /// Colours with a contrast of 4 and more on white, those first that the common eye and those without one kind of cones
 /// tell apart best (after Okabe and Ito, Color Universal Design, 2008, darkened).
@@ -26,9 +26,8 @@ const SHAPES: [&str; 8] = [
     "m-4 0h8m-6 -3.5l4 7m0 -7l-4 7",
     "m-3.5 -3.5h7l-7 7h7z",
 ];
-/// What finite elements and measurements are marked with.
+/// What finite elements are marked with.
 const POINT: &str = "m-2.5 0a2.5 2.5 0 1 0 5 0a2.5 2.5 0 1 0 -5 0z";
-const DIAMOND: &str = "m0 -4l3 4l-3 4l-3 -4z";
 /// A letter of the terminal, px: markers are as many letters apart.
 const LETTER: f64 = 8.0;
 /// Markers along a line.
@@ -57,11 +56,87 @@ pub(super) struct Look {
     named: bool,
 }
 
+/// How the curves of a scene look. Those of the model have the colours and markers of the screen; every reference and
+/// every measured curve has a colour and a marker that no curve before it has together, and, as long as there are any,
+/// that none has.
+pub(super) fn looks(scene: &Scene) -> Vec<Look> {
+    let mut signs: Vec<Sign> = scene.curves.iter().map(Sign::of).collect();
+    let is_model = |index: &usize| scene.curves[*index].kind == CurveKind::Model;
+    let mut used: Vec<Sign> = (0..signs.len())
+        .filter(is_model)
+        .map(|index| signs[index])
+        .collect();
+    let mut last = None;
+    for (index, curve) in scene.curves.iter().enumerate() {
+        if !matches!(curve.kind, CurveKind::Reference | CurveKind::Measured) {
+            continue;
+        }
+        // The members of a reference without a name of their own look as the one that has it.
+        let sign = match last.filter(|_| curve.label.is_empty()) {
+            Some(sign) => sign,
+            None => Sign::free(&used, signs[index].shape.is_some()),
+        };
+        used.push(sign);
+        signs[index] = sign;
+        last = Some(sign);
+    }
+    let looks = signs.into_iter().enumerate();
+    looks
+        .map(|(index, sign)| Look::new(scene, index, sign))
+        .collect()
+}
+
+/// The colour and the marker of a curve, by their numbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Sign {
+    colour: usize,
+    shape: Option<usize>,
+}
+
+impl Sign {
+    /// As the screen has them; measured curves have markers.
+    fn of(curve: &SceneCurve) -> Self {
+        let measured = curve.kind == CurveKind::Measured;
+        let marker = curve.marker.or(measured.then_some(0));
+        Self {
+            colour: curve.colour % COLOURS.len(),
+            shape: marker.map(|number| number % SHAPES.len()),
+        }
+    }
+
+    /// The least used colour and, where it is wanted, the least used marker that no other curve has together.
+    fn free(used: &[Self], marked: bool) -> Self {
+        let colours = least_used(COLOURS.len(), |colour| {
+            used.iter().filter(|one| one.colour == colour).count()
+        });
+        let shapes = least_used(SHAPES.len(), |shape| {
+            used.iter().filter(|one| one.shape == Some(shape)).count()
+        });
+        let pairs = colours.iter().flat_map(|colour| {
+            shapes.iter().map(|shape| Self {
+                colour: *colour,
+                shape: marked.then_some(*shape),
+            })
+        });
+        let mut free = pairs.filter(|pair| !used.contains(pair));
+        free.next().unwrap_or(Self {
+            colour: colours[0],
+            shape: Some(shapes[0]),
+        })
+    }
+}
+
+/// Numbers below `count`, those used least first.
+fn least_used(count: usize, uses: impl Fn(usize) -> usize) -> Vec<usize> {
+    let mut numbers: Vec<usize> = (0..count).collect();
+    numbers.sort_by_key(|number| uses(*number));
+    numbers
+}
+
 impl Look {
-    /// The look of a curve of a scene, by its index.
-    pub(super) fn new(scene: &Scene, index: usize) -> Self {
+    fn new(scene: &Scene, index: usize, sign: Sign) -> Self {
         let curve = &scene.curves[index];
-        let shape = curve.marker.map(|number| SHAPES[number % SHAPES.len()]);
+        let shape = sign.shape.map(|number| SHAPES[number]);
         let model = DASHES[curve.marker.unwrap_or(0) % DASHES.len()];
         let dashes = match curve.line {
             LineStyle::Solid => Some(model),
@@ -74,7 +149,7 @@ impl Look {
             _ => None,
         };
         let look = Self {
-            colour: COLOURS[curve.colour % COLOURS.len()],
+            colour: COLOURS[sign.colour],
             width: 1.6,
             dashes,
             shape,
@@ -90,7 +165,6 @@ impl Look {
                 ..look
             },
             CurveKind::Measured => Self {
-                shape: Some(shape.unwrap_or(DIAMOND)),
                 dashes: (curve.frequencies.len() > SPARSE).then_some("6 2"),
                 apart: (curve.frequencies.len() <= SPARSE).then_some(0.0),
                 width: 1.2,

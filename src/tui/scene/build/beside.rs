@@ -1,6 +1,6 @@
 //! The curves beside the model: references, finite elements, measurements.
 
-use super::{Builder, Source, colour, find, poles, traces};
+use super::{Builder, Source, colour, poles, traces};
 use crate::solve::form::Dimension;
 use crate::tui::app::{Measured, Reference};
 use crate::tui::plot::LineStyle;
@@ -28,7 +28,7 @@ impl<'a> Builder<'a> {
         let name = state.visible.first().map_or("", String::as_str);
         let mut curves = Vec::new();
         for (index, member) in members.iter().enumerate() {
-            let Some(trace) = find(member, name) else {
+            let Some(trace) = member.trace(name) else {
                 continue;
             };
             let mut curve = self.curve(&Source {
@@ -69,6 +69,12 @@ impl<'a> Builder<'a> {
         curves
     }
 
+    /// How many curves of the model show: what stands on the chart with them is counted from there.
+    fn model_count(&self) -> usize {
+        let members = self.picture.map_or(&[][..], |picture| &picture.members);
+        traces(members, &self.app.curves).len()
+    }
+
     fn reference(&self, reference: &'a Reference, index: usize, of: usize) -> Vec<SceneCurve> {
         let state = &self.app.curves;
         let fine = self
@@ -87,14 +93,14 @@ impl<'a> Builder<'a> {
             curve.kind = CurveKind::Reference;
             // One reference has the colours of what it is a reference of.
             curve.colour = colour(state, place, number) + if of > 1 { index + 1 } else { 0 };
-            curve.marker = (of > 1).then_some(state.visible.len() + index);
+            curve.marker = (of > 1).then_some(self.model_count() + index);
             curve.line = LineStyle::Dotted;
             curve.dim = true;
             if curves.is_empty() {
                 curve.label.clone_from(&reference.name);
             }
             let own =
-                picture.and_then(|picture| find(picture.members.get(number)?, &trace.response));
+                picture.and_then(|picture| picture.members.get(number)?.trace(&trace.response));
             curve.poles = own.map(poles).unwrap_or_default();
             curves.push(curve);
         }
@@ -176,7 +182,7 @@ impl<'a> Builder<'a> {
         SceneCurve {
             label: one.name.clone(),
             kind: CurveKind::Measured,
-            colour: self.app.curves.visible.len() + index,
+            colour: self.model_count() + index,
             marker: None,
             line: LineStyle::Points { apart: 1 },
             dim: false,

@@ -76,6 +76,7 @@ fn half_a_period_later_all_is_on_the_other_side() {
     // Closed form: the real part changes its sign.
     let app = looking(preset("fig05a"), 35.0, Look::Deflection);
     let seen = |angle| Seen {
+        model: app.model(),
         operating: app.operating().unwrap(),
         at: "",
         angle,
@@ -110,7 +111,8 @@ fn what_is_not_there_is_said() {
     let mut resonant = looking(pinned(), 20.0, Look::Deflection);
     let mut found = resonant.operating().unwrap().clone();
     found.motion[0][3] = num_complex::Complex64::new(f64::NAN, 0.0);
-    resonant.looking.operating = Some(std::sync::Arc::new(found));
+    let model = std::sync::Arc::clone(resonant.model());
+    resonant.looking.operating = Some((model, std::sync::Arc::new(found)));
     let text = screen(&resonant, Theme::new(false), draw, [60, 9]).join("\n");
     assert!(
         text.contains("no finite answer: a resonance without damping"),

@@ -49,6 +49,7 @@ fn a_slow_force_has_the_moments_and_shears_of_a_still_one() {
 fn the_forces_at_the_moment_of_the_widest_deflection() {
     let app = looking(pinned(), 0.01, Look::Shear);
     let seen = Seen {
+        model: app.model(),
         operating: app.operating().unwrap(),
         at: "",
         angle: 0.0,

@@ -6,7 +6,6 @@ use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 
 use super::*;
-use crate::model::Model;
 use crate::presets;
 use crate::solve::operating::operating;
 use crate::tui::app::Look;
@@ -30,7 +29,7 @@ pub(in crate::tui::view) fn looking(model: Model, frequency: f64, look: Look) ->
     });
     app.curves.cursor = Some(frequency);
     app.looking.look = Some(look);
-    app.looking.operating = Some(Arc::new(found));
+    app.looking.operating = Some((Arc::clone(app.model()), Arc::new(found)));
     app.looking.generation = app.curves.generation;
     app
 }

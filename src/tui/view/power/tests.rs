@@ -1,4 +1,5 @@
 use super::*;
+use crate::model::Model;
 use crate::tui::app::Look;
 use crate::tui::view::moving::stage::{self, looking, preset, screen};
 
@@ -10,6 +11,7 @@ fn damped() -> Model {
 
 fn seen(app: &App) -> Seen<'_> {
     Seen {
+        model: app.model(),
         operating: app.operating().unwrap(),
         at: "",
         angle: 0.0,
@@ -21,7 +23,7 @@ fn seen(app: &App) -> Seen<'_> {
 #[test]
 fn what_takes_most_out_comes_first_and_all_of_it_is_all_that_comes_in() {
     let app = looking(damped(), 35.0, Look::Power);
-    let rows = rows(seen(&app), app.model());
+    let rows = rows(seen(&app));
     let labels: Vec<&str> = rows.iter().map(|row| row.label.as_str()).collect();
     assert_eq!(
         labels[..4],

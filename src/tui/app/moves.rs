@@ -1,0 +1,137 @@
+//! Where the rows of a model stand in a changed one.
+//!
+//! A [`Node`] has meaning with one model alone. What keeps nodes while the model changes takes them through here.
+
+use std::collections::HashMap;
+
+use crate::model::Model;
+use crate::tui::tree::Node;
+
+/// How the lists of a model changed.
+pub(super) struct Moves {
+    subsystems: Move,
+    forces: Move,
+    responses: Move,
+    studies: Move,
+}
+
+/// Where the places of a list are now.
+enum Move {
+    /// Where they were.
+    Stay,
+    /// From `from` on, moved by the difference in length.
+    Shift { from: usize, by: isize },
+    /// By the place before; none where it was removed.
+    Places(Vec<Option<usize>>),
+}
+
+impl Move {
+    /// Of a list without names: what the two lists begin with is the same.
+    fn of_unnamed<T: PartialEq>(before: &[T], after: &[T]) -> Self {
+        if before.len() == after.len() {
+            return Self::Stay;
+        }
+        let from = before.iter().zip(after).take_while(|(a, b)| a == b).count();
+        let by = after.len().cast_signed() - before.len().cast_signed();
+        Self::Shift { from, by }
+    }
+
+    /// Of a list whose names differ from each other.
+    fn of_named<T>(before: &[T], after: &[T], name: fn(&T) -> &str) -> Self {
+        if before.iter().map(name).eq(after.iter().map(name)) {
+            return Self::Stay;
+        }
+        let places = |list: &'_ [T]| -> HashMap<String, usize> {
+            let names = list.iter().enumerate();
+            names.map(|(i, one)| (name(one).to_owned(), i)).collect()
+        };
+        let (old, new) = (places(before), places(after));
+        let moved = before.iter().enumerate().map(|(place, one)| {
+            let renamed = || {
+                let there = after.get(place).map(name)?;
+                (before.len() == after.len() && !old.contains_key(there)).then_some(place)
+            };
+            new.get(name(one)).copied().or_else(renamed)
+        });
+        Self::Places(moved.collect())
+    }
+
+    fn of(&self, place: usize) -> Option<usize> {
+        match self {
+            Self::Stay => Some(place),
+            Self::Shift { from, .. } if place < *from => Some(place),
+            // What was removed is gone; the row that takes its place is another one.
+            Self::Shift { from, by } => place.checked_add_signed(*by).filter(|new| new >= from),
+            Self::Places(places) => places.get(place).copied().flatten(),
+        }
+    }
+}
+
+impl Moves {
+    pub(super) fn new(before: &Model, after: &Model) -> Self {
+        Self {
+            subsystems: Move::of_named(&before.subsystems, &after.subsystems, |one| &one.name),
+            forces: Move::of_unnamed(&before.forces, &after.forces),
+            responses: Move::of_named(&before.responses, &after.responses, |one| &one.name),
+            studies: Move::of_named(&before.studies, &after.studies, |one| &one.name),
+        }
+    }
+
+    /// Where a row stands in the model after; none where it was removed.
+    pub(super) fn of(&self, node: Node) -> Option<Node> {
+        Some(match node {
+            Node::Subsystem(i) => Node::Subsystem(self.subsystems.of(i)?),
+            Node::SubsystemNumber(i, row) => Node::SubsystemNumber(self.subsystems.of(i)?, row),
+            Node::Force(i) => Node::Force(self.forces.of(i)?),
+            Node::ForceAt(i) => Node::ForceAt(self.forces.of(i)?),
+            Node::ForceDirection(i) => Node::ForceDirection(self.forces.of(i)?),
+            Node::ForceNumber(i, row) => Node::ForceNumber(self.forces.of(i)?, row),
+            Node::Response(i) => Node::Response(self.responses.of(i)?),
+            Node::ResponseMeasure(i) => Node::ResponseMeasure(self.responses.of(i)?),
+            Node::ResponseAt(i) => Node::ResponseAt(self.responses.of(i)?),
+            Node::ResponseDirection(i) => Node::ResponseDirection(self.responses.of(i)?),
+            Node::Study(i) => Node::Study(self.studies.of(i)?),
+            Node::StudyLine(i, row) => Node::StudyLine(self.studies.of(i)?, row),
+            other => other,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn named(before: &[&str], after: &[&str]) -> Vec<Option<usize>> {
+        let moved = Move::of_named(before, after, |one| one);
+        (0..before.len()).map(|place| moved.of(place)).collect()
+    }
+
+    #[test]
+    fn places_follow_their_names() {
+        let before = ["a", "b", "c"];
+        assert_eq!(named(&before, &before), [Some(0), Some(1), Some(2)]);
+        assert_eq!(
+            named(&before, &["a", "new", "b", "c"]),
+            [Some(0), Some(2), Some(3)]
+        );
+        assert_eq!(named(&before, &["a", "c"]), [Some(0), None, Some(1)]);
+        assert_eq!(
+            named(&before, &["a", "x", "c"]),
+            [Some(0), Some(1), Some(2)]
+        );
+        // One removed and another one added is no new name.
+        assert_eq!(named(&["a", "c"], &["a", "b", "c"]), [Some(0), Some(2)]);
+        assert_eq!(named(&["a", "c"], &["c", "d"]), [None, Some(0)]);
+    }
+
+    #[test]
+    fn places_without_names_follow_an_insertion_and_a_removal() {
+        let inserted = Move::of_unnamed(&["a", "b", "c"], &["a", "new", "b", "c"]);
+        assert_eq!(
+            [0, 1, 2].map(|i| inserted.of(i)),
+            [Some(0), Some(2), Some(3)]
+        );
+        let removed = Move::of_unnamed(&["a", "b", "c"], &["a", "c"]);
+        assert_eq!([0, 1, 2].map(|i| removed.of(i)), [Some(0), None, Some(1)]);
+    }
+}

@@ -57,7 +57,7 @@ pub(super) fn not_ignored(signals: &[i32]) -> Vec<i32> {
     let ignored = status.ok().as_deref().and_then(ignored).unwrap_or(0);
     let heard = signals.iter().copied();
     heard
-        .filter(|signal| ignored >> (signal - 1) & 1 == 0)
+        .filter(|signal| (ignored >> (signal - 1)) & 1 == 0)
         .collect()
 }
 

@@ -94,7 +94,7 @@ fn main() {
         let mut state = state(count);
         println!("{count} subsystems, {} bytes", state.base.len());
         let one = hold(&mut state, |model| {
-            model.subsystems[count / 2].mass *= 1.001
+            model.subsystems[count / 2].mass *= 1.001;
         });
         let all = hold(&mut state, |model| {
             model

@@ -85,7 +85,7 @@ const EXIT_STATUS: Terms = &[
     ),
     (
         "128 + n",
-        "Signal n ended the designer. Unsaved changes are kept for recovery.",
+        "Signal n ended the designer, whose unsaved changes are kept for recovery, or tune, whose best so far is written.",
     ),
 ];
 

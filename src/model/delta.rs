@@ -158,11 +158,11 @@ mod tests {
                 model
                     .subsystems
                     .iter_mut()
-                    .for_each(|one| one.mass = 1e-300)
+                    .for_each(|one| one.mass = 1e-300);
             }),
             changed(&model, |model| drop(model.subsystems.remove(1))),
             changed(&model, |model| {
-                model.subsystems.insert(0, model.subsystems[3].clone())
+                model.subsystems.insert(0, model.subsystems[3].clone());
             }),
             changed(&model, |model| model.subsystems.swap(0, 3)),
             changed(&model, |model| model.subsystems.clear()),
@@ -171,13 +171,13 @@ mod tests {
             changed(&model, |model| model.studies.clear()),
             changed(&model, |model| model.tune = None),
             changed(&model, |model| {
-                model.tune.as_mut().unwrap().variables[0].min = 7.5
+                model.tune.as_mut().unwrap().variables[0].min = 7.5;
             }),
             changed(&model, |model| {
-                model.title = "\r\n\t\0 \"\\ é\u{2028}".to_owned()
+                model.title = "\r\n\t\0 \"\\ é\u{2028}".to_owned();
             }),
             changed(&model, |model| {
-                model.notes = "one\n# edit = {}\n'''".to_owned()
+                model.notes = "one\n# edit = {}\n'''".to_owned();
             }),
             changed(&model, |model| model.supports.left[BeamMotion::W] = held),
             changed(&model, |model| model.supports.right = Support::CLAMPED),

@@ -282,7 +282,7 @@ fn sync_folder(folder: &Path) {
     }
 }
 
-#[cfg(all(test, unix))]
+#[cfg(test)]
 mod tests {
     use super::*;
     use std::os::unix::fs::{MetadataExt as _, PermissionsExt as _, symlink};
@@ -367,7 +367,7 @@ mod tests {
         assert_eq!(names(folder.path()), ["model.toml", "other"]);
     }
 
-    /// `user.comment` is any attribute; the list (Linux, posix_acl_xattr.h) gives the user 12345 the right to read.
+    /// `user.comment` is any attribute; the list (Linux, `posix_acl_xattr.h`) gives the user 12345 the right to read.
     #[cfg(target_os = "linux")]
     #[test]
     fn extended_attributes_and_access_control_lists_stay() {

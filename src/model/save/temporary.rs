@@ -1,7 +1,7 @@
 //! Files that are written before they take the place of another one. However the program ends, none is left for long:
 //! a signal removes them, and what a killed program left goes when the next one writes to the folder.
 
-use std::fs::{self, DirEntry, File, Permissions, TryLockError};
+use std::fs::{self, DirEntry, File, TryLockError};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -61,8 +61,8 @@ impl Temporary {
         remove_left(folder);
         let mut builder = tempfile::Builder::new();
         builder.prefix(PREFIX).rand_bytes(RANDOM);
-        if !private && let Some(mode) = mode_of_new_files() {
-            builder.permissions(mode);
+        if !private {
+            open_to_others(&mut builder);
         }
         let own = |error: io::Error| io::Error::new(error.kind(), own_words(&error));
         for _ in 0..TRIES {
@@ -163,15 +163,13 @@ fn is_temporary(entry: &DirEntry) -> bool {
 
 /// Lets the umask decide the mode; temporary files are otherwise private.
 #[cfg(unix)]
-fn mode_of_new_files() -> Option<Permissions> {
+fn open_to_others(builder: &mut tempfile::Builder<'_, '_>) {
     use std::os::unix::fs::PermissionsExt as _;
-    Some(Permissions::from_mode(0o666))
+    builder.permissions(fs::Permissions::from_mode(0o666));
 }
 
 #[cfg(not(unix))]
-fn mode_of_new_files() -> Option<Permissions> {
-    None
-}
+fn open_to_others(_builder: &mut tempfile::Builder<'_, '_>) {}
 
 #[cfg(test)]
 mod tests {

@@ -35,10 +35,12 @@ impl Found {
     /// The faults of the text; or of the model with its edits, which can only be a file that was changed since.
     pub fn model(&self) -> Result<Model, Vec<Fault>> {
         let mut model = model::read(&self.text)?;
-        // What follows an edit that is torn belongs to another model.
-        self.edits
-            .iter()
-            .all(|edit| model::apply_delta(&mut model, edit));
+        for edit in &self.edits {
+            // What follows an edit that is torn belongs to another model.
+            if !model::apply_delta(&mut model, edit) {
+                break;
+            }
+        }
         match model::check(&model) {
             faults if faults.is_empty() => Ok(model),
             faults => Err(faults),

@@ -83,12 +83,10 @@ impl Slot {
     pub(super) fn append(&self, edit: &str, durable: bool) -> io::Result<()> {
         let mut file = model::open_with(&self.path, OpenOptions::new().append(true))?;
         let length = file.metadata()?.len();
-        let written = file
-            .write_all(edit.as_bytes())
-            .and_then(|()| match durable {
-                true => file.sync_data(),
-                false => Ok(()),
-            });
+        let mut written = file.write_all(edit.as_bytes());
+        if durable {
+            written = written.and_then(|()| file.sync_data());
+        }
         if written.is_err() {
             // What is torn is ignored where it cannot be cut off.
             let _ = file.set_len(length);

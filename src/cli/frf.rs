@@ -12,7 +12,7 @@ use clap::{Args, ValueEnum};
 
 use super::csv::{self, cell, number};
 use super::{Failure, Sets, say, source};
-use crate::model::{Family, Model, path};
+use crate::model::{Family, Model, counted, path};
 use crate::solve::modes::{Completeness, MOST_MODES, Modes, modes};
 use crate::solve::peaks::resolved;
 use crate::solve::{Column, ColumnKind, Frf, frequencies, sweep};
@@ -256,9 +256,9 @@ fn warn_of_doubt(modes: &Modes) {
     if modes.completeness == Completeness::Doubtful {
         // The rows that are there are right all the same.
         say(&format!(
-            "warning: a peak may be missing: {} modes were found up to {:?} Hz, and the argument principle counts \
+            "warning: a peak may be missing: {} found up to {:?} Hz, and the argument principle counts \
              another number",
-            modes.modes.len(),
+            counted(modes.modes.len(), "mode was", "modes were"),
             modes.to
         ));
     }
@@ -276,9 +276,9 @@ fn warn_of(singular: &[f64], there: &str) {
     if let Some(first) = singular.first() {
         // The rows say it too.
         say(&format!(
-            "warning: no finite response at {} frequencies, first at {first:?} Hz ({there}): the model is \
+            "warning: no finite response at {}, first at {first:?} Hz ({there}): the model is \
              undamped and at a resonance, or the numbers are beyond the range of the arithmetic",
-            singular.len()
+            counted(singular.len(), "frequency", "frequencies")
         ));
     }
 }

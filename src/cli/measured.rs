@@ -7,6 +7,7 @@ use clap::{Args, ValueHint};
 
 use super::csv::{self, cell, number};
 use super::{Failure, print};
+use crate::escape::{escape, path_text};
 use crate::measured::{self, Curve, Hint, Inspection, Kind, Layout, Opened, Question};
 use crate::model::Fault;
 
@@ -34,13 +35,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 fn read(arguments: &Arguments) -> Result<Vec<Curve>, Failure> {
-    let label = match arguments.file.to_str() {
+    let name = match arguments.file.to_str() {
         Some("-") => "standard input".to_owned(),
-        _ => arguments.file.display().to_string(),
+        _ => path_text(&arguments.file),
     };
+    let label = escape(&name).into_owned();
     let layout = arguments.columns.as_deref().map(Layout::parse).transpose();
     let hint = Hint {
-        name: label.clone(),
+        name,
         layout: layout.map_err(|reason| Failure::input(format!("--columns {reason}")))?,
     };
     let failed = |fault: Fault| Failure::faults(&label, &[fault]);

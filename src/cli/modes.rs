@@ -10,7 +10,7 @@ use num_complex::Complex64;
 
 use super::csv::{self, cell, number};
 use super::{Failure, Sets, say, source};
-use crate::model::Model;
+use crate::model::{Model, counted};
 use crate::solve::modes::{Completeness, MOST_MODES, Modes, modes, shape};
 
 /// Places along the beam where a shape is written.
@@ -54,18 +54,19 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 fn statement(found: &Modes) -> String {
     let (count, to) = (found.modes.len(), found.to);
     let undamped = found.undamped;
+    let modes = counted(count, "mode", "modes");
     match found.completeness {
         Completeness::Certain if count == undamped => {
-            format!("{count} of {count} modes below {to} Hz")
+            format!("{count} of {modes} below {to} Hz")
         }
         Completeness::Certain => {
-            format!("{count} of {count} modes below {to} Hz ({undamped} without damping)")
+            format!("{count} of {modes} below {to} Hz ({undamped} without damping)")
         }
         Completeness::TooMany => {
             format!("more than {MOST_MODES} modes below {to} Hz: none is listed")
         }
         Completeness::Doubtful => format!(
-            "warning: {count} modes found below {to} Hz, and the list may not be complete: the argument principle \
+            "warning: {modes} found below {to} Hz, and the list may not be complete: the argument principle \
              counts another number ({undamped} without damping)"
         ),
     }

@@ -5,6 +5,7 @@ use std::fmt;
 use super::layout::{FrequencyUnit, Places};
 use super::table::{Columns, Dialect, Plan, decoded};
 use super::{Curve, Fault, Format, Hint, Layout, Values, read, uff};
+use crate::model::counted;
 
 /// Rows of numbers in a preview.
 const PREVIEW_ROWS: usize = 3;
@@ -222,9 +223,9 @@ fn universal(bytes: &[u8], hint: &Hint) -> Result<Inspection, Fault> {
             ", without phase"
         };
         format!(
-            "{}: {} points, {unit}{phase}",
+            "{}: {}, {unit}{phase}",
             curve.name,
-            curve.frequencies.len()
+            counted(curve.frequencies.len(), "point", "points")
         )
     });
     let mut missing = Vec::new();

@@ -17,6 +17,7 @@ use num_complex::Complex64;
 use super::curve::{Curve, Points};
 use super::layout::FrequencyUnit;
 use super::{Fault, Hint, MOST_VALUES, Question, ValueUnit, fault_at, too_many};
+use crate::model::counted;
 use data::Numbers;
 use head::Head;
 use lines::{Lines, Start};
@@ -37,10 +38,7 @@ pub(super) fn read(bytes: &[u8], hint: &Hint) -> Result<Vec<Curve>, Fault> {
         let message = format!("{word:?} does not say {}", Question::Frequency);
         return Err(fault_at("", 1, 1, message));
     };
-    let curves_are = match others.len() {
-        1 => "1 curve".to_owned(),
-        count => format!("{count} curves"),
-    };
+    let curves_are = counted(others.len(), "curve", "curves");
     let note = format!("{curves_are} over frequencies in {word:?} left out: no unit that is known");
     first.notes.insert(0, note);
     Ok(curves)
@@ -162,7 +160,7 @@ impl Found {
         }
         let Some(first) = self.curves.first_mut() else {
             let found = if notes.is_empty() {
-                format!("{sets} data sets of other kinds")
+                counted(sets, "data set of another kind", "data sets of other kinds")
             } else {
                 notes.join(", ")
             };

@@ -33,5 +33,5 @@ pub(crate) use serial::basic_string;
 pub use serial::format_number;
 pub use tuning::*;
 pub use types::*;
-pub use unit::Unit;
+pub use unit::{Unit, counted, grouped};
 pub use write::write;

@@ -267,6 +267,24 @@ impl Decimal {
     }
 }
 
+/// A count with a comma at the thousands.
+pub fn grouped(count: usize) -> String {
+    let digits = count.to_string();
+    let mut text = String::with_capacity(digits.len() + digits.len() / 3);
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// So many of something, in the singular where it is one: `1 row`, `2,000 rows`.
+pub fn counted(count: usize, one: &str, more: &str) -> String {
+    format!("{} {}", grouped(count), if count == 1 { one } else { more })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -358,5 +376,19 @@ mod tests {
                 prop_assert!((shown / value - 1.0).abs() < 5.1e-5, "{} as {}", value, text);
             }
         }
+    }
+
+    #[test]
+    fn thousands_have_commas() {
+        assert_eq!(grouped(0), "0");
+        assert_eq!(grouped(999), "999");
+        assert_eq!(grouped(2_000), "2,000");
+        assert_eq!(grouped(1_000_000), "1,000,000");
+    }
+
+    #[test]
+    fn one_is_singular() {
+        let rows = |count| counted(count, "row", "rows");
+        assert_eq!([0, 1, 2].map(rows), ["0 rows", "1 row", "2 rows"]);
     }
 }

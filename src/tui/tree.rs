@@ -10,7 +10,7 @@ mod tuning;
 
 pub use node::{End, Node};
 pub use parameter::{differs, enabled_path, name_path, parameter_path};
-pub use text::{counted, grouped, label, of_parameter, subject, value, without_unit_of};
+pub use text::{label, of_parameter, subject, value, without_unit_of};
 pub use tuning::{limit_at, objective_at, variable_at};
 
 use std::collections::HashMap;

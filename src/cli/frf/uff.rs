@@ -8,7 +8,7 @@ use num_complex::Complex64;
 use super::{Curve, Member, Points, warn_of};
 use crate::cli::{Failure, csv, say};
 use crate::measured::{Kind, Node, Record, Written, write_uff};
-use crate::model::{BeamMotion, MassMotion, Model, Place, Quantity, Response, Target};
+use crate::model::{BeamMotion, MassMotion, Model, Place, Quantity, Response, Target, counted};
 use crate::solve::Frf;
 use crate::solve::form::{Dimension, Reference};
 
@@ -226,8 +226,5 @@ fn warn_of_losses(written: Written) {
 }
 
 fn values(count: usize) -> String {
-    match count {
-        1 => "1 value is".to_owned(),
-        count => format!("{count} values are"),
-    }
+    counted(count, "value is", "values are")
 }

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::io::{IsTerminal, Write as _};
 use std::time::{Duration, Instant};
 
-use crate::tui::tree::grouped;
+use crate::model::grouped;
 use crate::tune::Status;
 
 /// How often the line is drawn anew, at most.

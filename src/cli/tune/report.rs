@@ -2,8 +2,7 @@
 
 use crate::cli::padded;
 use crate::escape::escape;
-use crate::model::{Aim, Limit, Model, Unit, Variable};
-use crate::tui::tree::grouped;
+use crate::model::{Aim, Limit, Model, Unit, Variable, counted};
 use crate::tune::words::{band, bounds, first_parameter, level, range};
 use crate::tune::{Achieved, Kept, Moved, Place, Tuned, WorstCase};
 
@@ -102,10 +101,7 @@ pub(super) fn notes(model: &Model, tuned: &Tuned) -> String {
 
 /// How the search went.
 fn how(tuned: &Tuned) -> String {
-    let models = match tuned.evaluations {
-        1 => "1 model".to_owned(),
-        count => format!("{} models", grouped(count)),
-    };
+    let models = counted(tuned.evaluations, "model", "models");
     format!("{models}, seed {}, {}", tuned.seed, tuned.stop)
 }
 
@@ -207,8 +203,9 @@ fn worst_case(tuned: &Tuned, worst: &WorstCase) -> Row {
         before: text(worst.before),
         after: text(worst.after),
         more: format!(
-            "{} corners, {} points{limits}",
-            worst.corners, worst.samples
+            "{}, {}{limits}",
+            counted(worst.corners, "corner", "corners"),
+            counted(worst.samples, "point", "points")
         ),
     }
 }

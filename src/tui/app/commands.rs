@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crossterm::event::{KeyCode, KeyEvent};
 
 use super::{App, Effect, List, Next, Overlay};
+use crate::model::counted;
 use crate::tui::keys::{Command, Key, Scope};
 use crate::tui::tree;
 
@@ -73,7 +74,7 @@ impl App {
                     let name = self.keys.name_of(command);
                     self.refuse(format!(
                         "{name} takes no count: nothing is done {}",
-                        tree::counted(count as usize, "time", "times")
+                        counted(count as usize, "time", "times")
                     ));
                     return Vec::new();
                 }

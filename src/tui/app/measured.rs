@@ -8,11 +8,10 @@ use super::curves::traces;
 use super::{App, Display, Effect, Question, Trace};
 use crate::escape::shown_path;
 use crate::measured::{self, Curve, Fit, Inspection, Kind, ValueUnit, fit};
-use crate::model::Fault;
+use crate::model::{Fault, counted};
 use crate::solve::form::{Dimension, Form, Reference};
 use crate::tui::keys::Command;
 use crate::tui::scene::ChartView;
-use crate::tui::tree;
 use crate::worker::{Request, SampleAnswer, SampleRequest, Sampling};
 
 /// More measured curves than these cannot be told apart.
@@ -241,7 +240,7 @@ impl App {
         }
         self.done(format!(
             "{}{notes}",
-            tree::counted(taken, "measured curve", "measured curves")
+            counted(taken, "measured curve", "measured curves")
         ));
     }
 

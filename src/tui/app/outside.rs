@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use super::{App, Effect, Next};
+use crate::model::grouped;
 use crate::tui::keys::Command;
-use crate::tui::tree;
 use crate::tui::{Opened, Source};
 
 /// The longest text that is sent to a clipboard, bytes; terminals drop longer ones without a word.
@@ -40,8 +40,8 @@ impl App {
             let save = self.keys.key_of(Command::SaveAs);
             self.refuse(format!(
                 "the text has {} bytes, of which terminals take {} at most: {save} saves it to a file",
-                tree::grouped(size),
-                tree::grouped(MOST_COPIED)
+                grouped(size),
+                grouped(MOST_COPIED)
             ));
             return Vec::new();
         }

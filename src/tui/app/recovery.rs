@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use super::{App, Base, Document, Effect, List, Lost, Next, Overlay};
+use crate::model::counted;
 use crate::tui::Opened;
 use crate::tui::keys::Command;
-use crate::tui::tree;
 
 impl App {
     /// Keeps what is not saved, when that has changed.
@@ -71,7 +71,7 @@ impl App {
             words.push(format!("{undo} drops them"));
         }
         if others > 0 {
-            words.insert(0, tree::counted(others, "more is kept", "more are kept"));
+            words.insert(0, counted(others, "more is kept", "more are kept"));
         }
         if base == Base::Newer {
             words.insert(0, "the file was changed after them".to_owned());

@@ -6,7 +6,7 @@ use tui_input::Input;
 
 use super::moves::Moves;
 use super::{App, Effect};
-use crate::model::Model;
+use crate::model::{Model, counted};
 use crate::tui::fuzzy::Query;
 use crate::tui::keys::Command;
 use crate::tui::tree::{self, Node};
@@ -121,7 +121,7 @@ impl App {
             let end = self.keys.key_of(Command::Cancel);
             self.done(format!(
                 "`{sought}`: {}; {next} goes to the next, {end} ends the search",
-                tree::counted(count, "row", "rows")
+                counted(count, "row", "rows")
             ));
         }
     }
@@ -149,7 +149,7 @@ impl App {
         self.done(format!(
             "`{sought}`: {} of {}",
             next + 1,
-            tree::counted(count, "row", "rows")
+            counted(count, "row", "rows")
         ));
     }
 

@@ -41,8 +41,10 @@ pub struct Curve<'a> {
     pub x: &'a [f64],
     /// Values at the abscissae, magnitudes linear; a non-finite one is a gap, on a logarithmic axis also a zero.
     pub y: &'a [f64],
-    /// The name in the legend; without one the curve is not listed there.
+    /// The name in the legend; without one the curve has no entry of its own there.
     pub label: String,
+    /// Without a name, the marker stands in the entry of the curve before.
+    pub shares_entry: bool,
     /// Colour and modifiers of the line, its markers and its line in the legend.
     pub style: Style,
     /// A character one column wide, drawn on the curve at a few places and in the legend.
@@ -62,6 +64,7 @@ impl<'a> Curve<'a> {
             x,
             y,
             label: String::new(),
+            shares_entry: false,
             style: Style::default(),
             marker: None,
             line: LineStyle::default(),

@@ -5,12 +5,14 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 
 use super::chart::{Chart, Glyphs};
-use super::curve::LineStyle;
+use super::curve::{Curve, LineStyle};
 use super::frame::{put, width};
 use crate::escape::escape;
 
 /// Columns of a line sample and the space after it.
 const SAMPLE: u16 = 4;
+/// Columns of the marker of another curve in an entry and the space after it; as many characters.
+const SHARED: usize = 2;
 /// Columns between the entries of a one-line legend.
 const GAP: u16 = 2;
 /// Columns a label is at least shortened to; a legend without room for that is left out.
@@ -40,36 +42,49 @@ pub(super) enum Place {
     Line(Rect),
 }
 
-struct Entry<'c> {
+struct Entry {
     sample: String,
-    label: &'c str,
+    /// The markers of curves that share the entry, each with a space behind it, and the name.
+    label: String,
     style: Style,
+    /// The styles of those markers.
+    shared: Vec<Style>,
 }
 
-fn entries<'c>(chart: &'c Chart<'_>) -> Vec<Entry<'c>> {
-    let named = chart
-        .curves
-        .iter()
-        .enumerate()
-        .filter(|(_, curve)| !curve.label.is_empty());
-    named
-        .map(|(index, curve)| {
-            let body = match (chart.glyphs, curve.line) {
-                (_, LineStyle::Points { .. }) => ' ',
-                (Glyphs::Ascii, _) => chart.body(index),
-                (Glyphs::Dot, _) => chart.bullet(index),
-                (_, LineStyle::Solid) => '─',
-                (_, LineStyle::Dashed) => '╌',
-                (_, LineStyle::Dotted) => '┈',
-            };
-            let marker = chart.marker(index).unwrap_or(body);
-            Entry {
-                sample: [body, marker, body].iter().collect(),
-                label: &curve.label,
-                style: curve.ink(),
-            }
-        })
-        .collect()
+fn entries(chart: &Chart<'_>) -> Vec<Entry> {
+    let mut entries: Vec<Entry> = Vec::new();
+    for (index, curve) in chart.curves.iter().enumerate() {
+        if !curve.label.is_empty() {
+            entries.push(entry(chart, index, curve));
+        } else if let Some(entry) = entries.last_mut()
+            && curve.shares_entry
+            && let Some(marker) = chart.marker(index)
+        {
+            let at = SHARED * entry.shared.len();
+            let at = entry.label.char_indices().nth(at).map_or(0, |(at, _)| at);
+            entry.label.insert_str(at, &format!("{marker} "));
+            entry.shared.push(curve.ink());
+        }
+    }
+    entries
+}
+
+fn entry(chart: &Chart<'_>, index: usize, curve: &Curve<'_>) -> Entry {
+    let body = match (chart.glyphs, curve.line) {
+        (_, LineStyle::Points { .. }) => ' ',
+        (Glyphs::Ascii, _) => chart.body(index),
+        (Glyphs::Dot, _) => chart.bullet(index),
+        (_, LineStyle::Solid) => '─',
+        (_, LineStyle::Dashed) => '╌',
+        (_, LineStyle::Dotted) => '┈',
+    };
+    let marker = chart.marker(index).unwrap_or(body);
+    Entry {
+        sample: [body, marker, body].iter().collect(),
+        label: curve.label.clone(),
+        style: curve.ink(),
+        shared: Vec::new(),
+    }
 }
 
 /// Finds a place for the legend: inside `plot`, or in the top row of `around`, the plot with its axis.
@@ -80,7 +95,7 @@ pub(super) fn place(chart: &Chart<'_>, plot: Rect, around: Rect) -> Place {
     }
     let widest = entries
         .iter()
-        .map(|entry| width(entry.label))
+        .map(|entry| width(&entry.label))
         .max()
         .unwrap_or(0);
     // One blank column keeps the curves off the samples.
@@ -128,11 +143,11 @@ pub(super) fn draw(chart: &Chart<'_>, place: Place, buffer: &mut Buffer) {
     }
 }
 
-fn draw_line(chart: &Chart<'_>, entries: &[Entry<'_>], row: Rect, buffer: &mut Buffer) {
+fn draw_line(chart: &Chart<'_>, entries: &[Entry], row: Rect, buffer: &mut Buffer) {
     let share = longest_label(entries, row.width);
     let mut x = row.x;
     for entry in entries {
-        let columns = (SAMPLE + width(entry.label).min(share)).min(row.right().saturating_sub(x));
+        let columns = (SAMPLE + width(&entry.label).min(share)).min(row.right().saturating_sub(x));
         draw_entry(
             chart,
             entry,
@@ -148,11 +163,11 @@ fn draw_line(chart: &Chart<'_>, entries: &[Entry<'_>], row: Rect, buffer: &mut B
 }
 
 /// The longest label all entries can have and still fit into one line, in columns.
-fn longest_label(entries: &[Entry<'_>], columns: u16) -> u16 {
+fn longest_label(entries: &[Entry], columns: u16) -> u16 {
     let total = |longest: u16| -> u32 {
         let widths = entries
             .iter()
-            .map(|entry| SAMPLE + GAP + width(entry.label).min(longest));
+            .map(|entry| SAMPLE + GAP + width(&entry.label).min(longest));
         widths.map(u32::from).sum::<u32>()
     };
     let room = u32::from(columns + GAP);
@@ -162,7 +177,7 @@ fn longest_label(entries: &[Entry<'_>], columns: u16) -> u16 {
         .unwrap_or(0)
 }
 
-fn draw_entry(chart: &Chart<'_>, entry: &Entry<'_>, row: Rect, buffer: &mut Buffer) {
+fn draw_entry(chart: &Chart<'_>, entry: &Entry, row: Rect, buffer: &mut Buffer) {
     let sample = Rect {
         width: row.width.min(SAMPLE - 1),
         ..row
@@ -180,16 +195,19 @@ fn draw_entry(chart: &Chart<'_>, entry: &Entry<'_>, row: Rect, buffer: &mut Buff
         &entry.label_in(label.width, chart.glyphs),
         (chart.glyphs, chart.styles.legend),
     );
+    for (style, column) in entry.shared.iter().zip(label.columns().step_by(SHARED)) {
+        buffer.set_style(column, *style);
+    }
 }
 
-impl Entry<'_> {
+impl Entry {
     /// The label, shortened to so many columns.
     fn label_in(&self, columns: u16, glyphs: Glyphs) -> String {
-        if width(self.label) <= columns {
-            return self.label.to_owned();
+        if width(&self.label) <= columns {
+            return self.label.clone();
         }
         let mut short = String::new();
-        for letter in escape(self.label).chars() {
+        for letter in escape(&self.label).chars() {
             short.push(letter);
             if width(&short) >= columns {
                 short.pop();

@@ -6,7 +6,7 @@ use super::{End, Node, motion_keys, parameter_path, tuning};
 use crate::model::path::{self, Parameter, Value};
 use crate::model::{
     BeamMotion, Family, Model, Place, Quantity, Restraint, Study, Supports, Sweep, Target, Unit,
-    field,
+    counted, field, grouped,
 };
 use crate::tune::words;
 
@@ -195,24 +195,6 @@ pub fn without_unit_of<'a>(before: &'a str, after: &str) -> &'a str {
     }
 }
 
-/// A count with a comma at the thousands.
-pub fn grouped(count: usize) -> String {
-    let digits = count.to_string();
-    let mut text = String::with_capacity(digits.len() + digits.len() / 3);
-    for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
-}
-
-/// So many of something, in the singular where it is one: `1 row`, `2,000 rows`.
-pub fn counted(count: usize, one: &str, more: &str) -> String {
-    format!("{} {}", grouped(count), if count == 1 { one } else { more })
-}
-
 fn restraint(model: &Model, end: End, motion: BeamMotion) -> String {
     match end.support(model)[motion] {
         Restraint::Elastic(elastic) => field::elastic_fields(motion)[0]
@@ -266,24 +248,5 @@ fn study_line(study: &Study, line: usize) -> (String, String) {
             };
             (case.name.clone(), set)
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn thousands_have_commas() {
-        assert_eq!(grouped(0), "0");
-        assert_eq!(grouped(999), "999");
-        assert_eq!(grouped(2_000), "2,000");
-        assert_eq!(grouped(1_000_000), "1,000,000");
-    }
-
-    #[test]
-    fn one_is_singular() {
-        let rows = |count| counted(count, "row", "rows");
-        assert_eq!([0, 1, 2].map(rows), ["0 rows", "1 row", "2 rows"]);
     }
 }

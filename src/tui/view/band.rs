@@ -6,10 +6,10 @@ use ratatui::layout::Rect;
 use super::table::{self, Column, Content};
 use super::text::significant;
 use crate::measured::Fit;
+use crate::model::counted;
 use crate::solve::band::Level;
 use crate::tui::app::{App, MemberLevels, ResponseLevel, Rows};
 use crate::tui::theme::Theme;
-use crate::tui::tree;
 
 /// The columns, in what there is room for. A reduction is positive where the level is lower than the reference's.
 const LAYOUTS: [&[Column]; 2] = [
@@ -73,7 +73,7 @@ pub(super) fn fit_words(fit: &Fit) -> String {
     if fit.points < FEWEST {
         return format!(
             "{} too few to compare",
-            tree::counted(fit.points, "point is", "points are")
+            counted(fit.points, "point is", "points are")
         );
     }
     let of = if fit.of_magnitudes {

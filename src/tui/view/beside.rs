@@ -7,10 +7,10 @@ use ratatui::text::{Line, Span};
 use super::band::fit_words;
 use super::boxes::{middle, open_box};
 use super::text::{cut, width};
+use crate::model::counted;
 use crate::tui::app::{App, List, MOTION, Measured, Overlay, Reference, Rows};
 use crate::tui::keys::{RowKind, Scope};
 use crate::tui::theme::Theme;
-use crate::tui::tree;
 
 /// An entry: whether it shows, its name, and what it is.
 type Entry = (bool, String, String);
@@ -113,7 +113,7 @@ fn measurement(app: &App, one: &Measured) -> Entry {
             };
             format!("measured in {unit}: does not fit what shows, in {units}{hint}")
         }
-        None => format!("measured, {}", tree::counted(points, "point", "points")),
+        None => format!("measured, {}", counted(points, "point", "points")),
     };
     (one.shown, one.name.clone(), what)
 }

@@ -49,7 +49,7 @@ fn deflection(frame: &mut Frame<'_>, seen: Seen<'_>, area: Rect) {
         .filter(|motion| motion.masses_seen)
         .map(|motion| motion.points(seen.theme))
         .collect();
-    name_points(&mut points);
+    moving::name_masses(&mut points);
     curves.extend(points);
     // The scale shows in any case: above the axis where the rule has no room for it.
     let unit = if moving::has_room(&words, area.width) {
@@ -59,18 +59,6 @@ fn deflection(frame: &mut Frame<'_>, seen: Seen<'_>, area: Rect) {
     };
     let value = Axis::new(Scale::Linear, [-REACH, REACH], unit);
     moving::chart(frame, seen, curves, value, inside);
-}
-
-/// The first is named for all.
-fn name_points(points: &mut [Curve<'_>]) {
-    let letters: Vec<String> = points
-        .iter()
-        .skip(1)
-        .filter_map(|curve| curve.marker.map(String::from))
-        .collect();
-    if let Some(first) = points.first_mut() {
-        first.label = [&letters[..], &["masses".to_owned()]].concat().join(" ");
-    }
 }
 
 /// What is drawn as 1.

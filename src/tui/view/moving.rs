@@ -113,6 +113,16 @@ pub(super) fn panel(frame: &mut Frame<'_>, words: &Words, theme: Theme, area: Re
     inside
 }
 
+/// Names the motions of the masses in one entry of the legend, each marker in its colour.
+pub(super) fn name_masses(points: &mut [Curve<'_>]) {
+    if let Some((first, others)) = points.split_first_mut() {
+        "masses".clone_into(&mut first.label);
+        for other in others {
+            other.shares_entry = true;
+        }
+    }
+}
+
 /// Curves over the length of the beam, above its line at rest.
 pub(super) fn chart(
     frame: &mut Frame<'_>,

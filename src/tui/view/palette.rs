@@ -7,7 +7,7 @@ use ratatui::text::{Line, Span};
 use super::boxes::{middle, open_box};
 use super::prompt::draw_input;
 use super::text::{cut, width};
-use crate::model::Model;
+use crate::model::{Model, grouped};
 use crate::tui::app::{Entry, Found, Palette, Rows};
 use crate::tui::theme::Theme;
 use crate::tui::tree;
@@ -30,7 +30,7 @@ pub(super) fn draw(
         _ => format!(
             " Commands and parameters  {} of {} ",
             palette.list.row + 1,
-            tree::grouped(count)
+            grouped(count)
         ),
     };
     let place = middle(frame.area(), MOST_LINES + 1);

@@ -6,7 +6,7 @@ use ratatui::layout::{Constraint, Rect};
 use ratatui::text::Line;
 use ratatui::widgets::Paragraph;
 
-use super::text::significant;
+use super::{moving, text::significant};
 use crate::tui::app::{App, ModeKind, Shape};
 use crate::tui::plot::{Axis, Chart, Curve, Legend, Level, LineStyle, Scale};
 use crate::tui::theme::Theme;
@@ -75,7 +75,6 @@ fn lines<'a>(shape: &'a Shape, beam: &'a [Vec<f64>; 3], theme: Theme) -> Vec<Cur
 fn points<'a>(shape: &'a Shape, masses: &'a [Vec<f64>; 3], theme: Theme) -> Vec<Curve<'a>> {
     let seen = (0..3).filter(|motion| reaches(&shape.masses[*motion]));
     let mut curves: Vec<Curve<'_>> = seen
-        .clone()
         .map(|motion| Curve {
             marker: Some(MOTIONS[motion].1),
             line: LineStyle::Points { apart: 0 },
@@ -83,11 +82,7 @@ fn points<'a>(shape: &'a Shape, masses: &'a [Vec<f64>; 3], theme: Theme) -> Vec<
             ..Curve::new(&shape.places, &masses[motion])
         })
         .collect();
-    if let Some(first) = curves.first_mut() {
-        let others = seen.skip(1).map(|motion| MOTIONS[motion].1.to_string());
-        let words: Vec<String> = others.chain(["masses".to_owned()]).collect();
-        first.label = words.join(" ");
-    }
+    moving::name_masses(&mut curves);
     curves
 }
 

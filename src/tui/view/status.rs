@@ -6,6 +6,7 @@ use ratatui::text::{Line, Span};
 
 use super::prompt::draw_input;
 use super::text::{cut, significant, width};
+use crate::model::grouped;
 use crate::tui::app::{
     App, Message, Outside, Picture, Progress, Search, Shown, Stage, Witness, WitnessPicture,
 };
@@ -67,7 +68,7 @@ fn solver(app: &App) -> (Vec<String>, bool) {
             ([first, ..], _) => (
                 vec![format!(
                     "no finite answer at {} frequencies, first {}",
-                    tree::grouped(picture.singular.len()),
+                    grouped(picture.singular.len()),
                     app.display.frequency_text(*first)
                 )],
                 true,
@@ -90,7 +91,7 @@ fn solved(app: &App, picture: &Picture) -> Vec<String> {
     };
     let modes = match list.rows.len() {
         1 => "1 mode".to_owned(),
-        count => format!("{} modes", tree::grouped(count)),
+        count => format!("{} modes", grouped(count)),
     };
     let change = match list.change {
         None | Some(0) => return vec![format!("{modes}, {solved}"), solved],
@@ -136,7 +137,7 @@ fn difference(app: &App, witness: &WitnessPicture) -> Vec<String> {
 /// Points x responses, and x curves of a study.
 fn extent(picture: &Picture) -> String {
     let (points, responses, members) = picture.extent();
-    let points = tree::grouped(points);
+    let points = grouped(points);
     if members > 1 {
         format!("{points} x {responses} x {members}")
     } else {
@@ -148,7 +149,7 @@ fn elapsed(picture: &Picture) -> String {
     let ms = picture.elapsed.as_secs_f64() * 1e3;
     match ms {
         0.0..9.95 => format!("{ms:.1} ms"),
-        9.95..9999.5 => format!("{} ms", tree::grouped(ms.round() as usize)),
+        9.95..9999.5 => format!("{} ms", grouped(ms.round() as usize)),
         _ => format!("{:.0} s", ms / 1e3),
     }
 }
@@ -194,7 +195,7 @@ fn draw_search(frame: &mut Frame<'_>, app: &App, search: &Search, theme: Theme, 
         (_, place) => format!(
             "{} of {}",
             place.map_or_else(|| "-".to_owned(), |place| place.to_string()),
-            tree::grouped(search.found.len())
+            grouped(search.found.len())
         ),
     };
     let found = format!(" {found} ");

@@ -17,7 +17,7 @@ use ratatui::text::Line;
 
 use self::rows::Rows;
 use super::text::cut;
-use crate::model::{Elastic, Model, Place, Spring, Unit};
+use crate::model::{Elastic, Model, Place, Spring, Unit, grouped};
 use crate::tui::app::App;
 use crate::tui::plot::{Axis, CellRuler, Scale};
 use crate::tui::sketch::{Board, POINTER, POINTER_BACK, Signs, width};
@@ -243,7 +243,7 @@ fn note(model: &Model, focus: Focus) -> String {
             match model.subsystems.len() {
                 0 => length,
                 1 => format!("{length}, 1 subsystem"),
-                count => format!("{length}, {} subsystems", tree::grouped(count)),
+                count => format!("{length}, {} subsystems", grouped(count)),
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::model::{Beam, Material, Model, Section, Subsystem, Unit};
+use crate::model::{Beam, Material, Model, Section, Subsystem, Unit, counted};
 use crate::tui::keys::{Command, KeyMap};
 use crate::tui::tree::{self, Node};
 use crate::tune::words;
@@ -17,12 +17,12 @@ pub(super) fn of(model: &Model, node: Node, keys: &KeyMap) -> String {
             "what holds the two ends; {} on an end takes the next kind",
             keys.key_of(Command::Cycle)
         ),
-        Node::Subsystems => counted(model.subsystems.iter().map(|one| one.enabled), keys),
-        Node::Forces => counted(model.forces.iter().map(|one| one.enabled), keys),
-        Node::Responses => counted(model.responses.iter().map(|one| one.enabled), keys),
+        Node::Subsystems => enabled_of(model.subsystems.iter().map(|one| one.enabled), keys),
+        Node::Forces => enabled_of(model.forces.iter().map(|one| one.enabled), keys),
+        Node::Responses => enabled_of(model.responses.iter().map(|one| one.enabled), keys),
         Node::Subsystem(i) => subsystem(&model.subsystems[i]),
         Node::Force(_) | Node::Response(_) => tree::value(model, node),
-        Node::Sweep => tree::counted(model.sweep.points, "frequency", "frequencies"),
+        Node::Sweep => counted(model.sweep.points, "frequency", "frequencies"),
         Node::Studies | Node::Study(_) => {
             let (edit, study) = (keys.key_of(Command::Edit), keys.key_of(Command::Study));
             format!("{edit} shows a study's curves, {study} the next study's")
@@ -77,7 +77,7 @@ fn subsystem(one: &Subsystem) -> String {
     )
 }
 
-fn counted(enabled: impl ExactSizeIterator<Item = bool>, keys: &KeyMap) -> String {
+fn enabled_of(enabled: impl ExactSizeIterator<Item = bool>, keys: &KeyMap) -> String {
     let all = enabled.len();
     let enabled = enabled.filter(|enabled| *enabled).count();
     match all {

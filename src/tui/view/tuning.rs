@@ -8,7 +8,7 @@ use ratatui::layout::Rect;
 use super::table::{self, Column, Content};
 use super::text::{cut, significant, width};
 use crate::model::path;
-use crate::model::{Model, Unit};
+use crate::model::{Model, Unit, counted, grouped};
 use crate::tui::app::{App, Progress, Rows, Run};
 use crate::tui::keys::Command;
 use crate::tui::theme::Theme;
@@ -198,8 +198,8 @@ fn title(run: &Run) -> String {
         None => format!("Tuning: {word}"),
         Some(status) => format!(
             "Tuning: {} of {}, {word}",
-            tree::grouped(status.evaluations),
-            tree::grouped(status.budget),
+            grouped(status.evaluations),
+            grouped(status.budget),
         ),
     };
     match &run.progress {
@@ -213,7 +213,7 @@ fn title(run: &Run) -> String {
         Progress::Found(tuned) => format!(
             "Tuned: {}, {}, {}",
             tuned.stop,
-            tree::counted(tuned.evaluations, "evaluation", "evaluations"),
+            counted(tuned.evaluations, "evaluation", "evaluations"),
             seconds(run.elapsed)
         ),
         Progress::Failed(reason) => format!("Not tuned: {reason}"),

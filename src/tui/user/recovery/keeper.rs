@@ -166,7 +166,7 @@ fn work(inbox: &Receiver<Job>, mut files: Files, report: impl Fn(String)) -> Fil
             Some(Job::Adopt(_)) | None => Ok(()),
         };
         if let Err(error) = done {
-            let folder = files.folder.display();
+            let folder = crate::escape::shown_path(&files.folder);
             let sentence = format!("unsaved changes are not kept in {folder}: {}", why(&error));
             if !told.contains(&sentence) {
                 told.push(sentence.clone());

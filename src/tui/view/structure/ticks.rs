@@ -2,8 +2,8 @@
 
 use super::Picture;
 use super::masses::{Spot, is_selected, leader};
+use crate::model::grouped;
 use crate::tui::sketch::{Board, width};
-use crate::tui::tree;
 
 /// Ticks at their places, and beneath them their names or how many they are.
 pub(super) fn draw(picture: &Picture<'_>, board: &mut Board<'_>, group: &[Spot]) {
@@ -66,7 +66,7 @@ fn draw_bracket(picture: &Picture<'_>, board: &mut Board<'_>, group: &[Spot]) {
     };
     let (left, right) = (group[0].column, last.column);
     let count: usize = group.iter().map(|spot| spot.members.len()).sum();
-    let count = tree::grouped(count);
+    let count = grouped(count);
     let words = [format!(" {count} masses "), format!(" {count} "), count];
     let middle = left.midpoint(right);
     let style = picture.theme.dim();

@@ -1,6 +1,6 @@
 //! Text from outside (names, keys, paths, arguments, what files say) as a person or a terminal may read it.
 //!
-//! Characters that a terminal obeys or that nobody sees are written as Rust writes them in quotes: `\u{1b}`, `\n`. An
+//! Characters that a terminal obeys or that are invisible are written as Rust writes them in quotes: `\u{1b}`, `\n`. An
 //! escaped text has none of them, so escaping it again changes nothing: every output escapes what it is given, and
 //! whatever measures a text measures it escaped.
 //!

@@ -153,7 +153,7 @@ pub fn main() -> ExitCode {
 
 /// Says something on standard error, hidden characters escaped.
 fn say(what: &str) {
-    // Nobody is left to tell where standard error is closed.
+    // Where standard error is closed, the message is lost.
     let _ = writeln!(std::io::stderr(), "{}", escape_lines(what));
 }
 

@@ -21,7 +21,7 @@ pub(super) fn answer(error: &clap::Error) -> Result<ExitCode, Failure> {
     let escaped = std::env::args_os().map(|argument| shown_path(Path::new(&argument)));
     match Arguments::try_parse_from(escaped) {
         Err(shown) if shown.use_stderr() => {
-            // Nobody is left to tell where standard error is closed.
+            // Where standard error is closed, the message is lost.
             let _ = shown.print();
             Ok(ExitCode::from(2))
         }

@@ -1,8 +1,8 @@
 //! Measured curves from files: tables (CSV) and universal files (UFF, data set 58), and how well a model fits them.
 //!
 //! [`read()`] gives the curves of a file in SI. What a table does not say of itself, a [`Layout`] does; [`inspect()`] tells
-//! what is in a file and what has to be asked, and [`open()`] reads it where nothing has. [`write_uff()`] writes data set 58, [`fit()`] holds a model's values beside
-//! a curve. Nothing here computes a response.
+//! what is in a file and what has to be asked, and [`open()`] reads it where nothing has to be. [`write_uff()`] writes data
+//! set 58, [`fit()`] compares a model's values with a curve. Nothing here computes a response.
 
 mod curve;
 mod fit;

@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::escape::escape;
 
-/// So many faults are shown at most, and then how many more there are.
+/// The most faults that are shown; then follows how many more there are.
 pub(crate) const MOST_SHOWN: usize = 50;
 
 /// One thing that is wrong, and what would be accepted instead.

@@ -280,7 +280,7 @@ pub fn grouped(count: usize) -> String {
     text
 }
 
-/// So many of something, in the singular where it is one: `1 row`, `2,000 rows`.
+/// A count and its noun, in the singular where it is one: `1 row`, `2,000 rows`.
 pub fn counted(count: usize, one: &str, more: &str) -> String {
     format!("{} {}", grouped(count), if count == 1 { one } else { more })
 }

@@ -8,7 +8,7 @@ use num_complex::Complex64;
 
 use super::sweep::Frf;
 
-/// How far the nearer ones of the frequencies beside lie, relative: rounding is 1e-16 of this, the share of a resonance
+/// The relative distance of the nearer frequencies on both sides: rounding is 1e-16 of this, the share of a resonance
 /// farther away than a thousandth less than 1e-8 of the response.
 const STEP: f64 = 1e-6;
 

@@ -1,4 +1,4 @@
-//! Characters that a terminal obeys or that nobody sees, by the Unicode character database (16.0), apart from the
+//! Characters that a terminal obeys or that are invisible, by the Unicode character database (16.0), apart from the
 //! program's own table.
 
 /// Of each kind that is no control: bidirectional marks, zero-width characters, separators, fillers, tags.

@@ -436,7 +436,7 @@ fn what_stands_behind_the_numbers_is_left_out_with_a_note() {
     );
 }
 
-/// A phase of which nobody says whether it is in degrees or rad is asked for, but where its size tells.
+/// A phase without a unit is asked for, except where its size shows that it is in degrees.
 #[test]
 fn the_unit_of_phases_is_not_guessed() {
     let question = |text: &str| {

@@ -195,7 +195,7 @@ fn pipe(path: &Path) {
     assert!(made.unwrap().success());
 }
 
-/// The model's file is a pipe all of a sudden: reading it again and saving say so, and wait for nobody.
+/// The model's file becomes a pipe: reading it again and saving say so, and do not wait.
 #[test]
 fn a_file_that_became_a_pipe_is_not_waited_for() {
     let home = Home::new();

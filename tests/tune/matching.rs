@@ -200,7 +200,7 @@ fn an_answer_opens_a_table_that_does_not_say_what_it_is() {
         assert!(faults[0].path.contains("measured.csv"), "{faults:?}");
         assert!(faults[0].message.contains(part), "{answer:?}: {faults:?}");
     }
-    // A unit that nobody says is not taken for SI.
+    // A unit that is not stated is not taken for SI.
     std::fs::write(&file, "f [Hz],tip w re,tip w im\n20,1,2\n30,1,2\n").unwrap();
     let mut asked = tune.model.tune.clone().unwrap();
     if let Aim::Match { columns, .. } = &mut asked.objectives[0].aim {

@@ -122,7 +122,7 @@ impl Interruption {
         } = &self.target;
         let Some(file) = output else {
             say("stopped: the best so far is, as --set takes it");
-            // Without a reader there is nobody to tell.
+            // A reader that has closed the pipe needs no values.
             let _ = super::print(&values(&best.model));
             return;
         };

@@ -180,7 +180,7 @@ impl Plan {
         }
     }
 
-    /// Makes magnitudes alone of magnitudes with phases: nobody asked for more.
+    /// Keeps the magnitudes alone where only these are asked for.
     fn leave_out_phases(&mut self, groups: &mut [Group]) {
         for group in groups {
             if let Columns::Polar {

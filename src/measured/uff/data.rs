@@ -70,7 +70,7 @@ fn too_few(lines: &Lines, head: &Head, values: usize) -> Fault {
     lines.fault(head.set, 12, 1, message)
 }
 
-/// The last column of so many fields.
+/// The last column of this many fields.
 fn end_of(widths: &[usize], count: usize) -> usize {
     widths.iter().take(count).sum()
 }

@@ -16,7 +16,7 @@ const PREFIX: &str = ".beamtune-";
 /// Random letters and digits after it.
 const RANDOM: usize = 6;
 
-/// How often a file is made anew where another program takes it for one that was left.
+/// How often a file is created again where another program takes it for one that was left.
 const TRIES: usize = 8;
 
 /// Those of this program that are there now.

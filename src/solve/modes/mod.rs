@@ -60,7 +60,7 @@ pub fn undamped(model: &Model, to: f64, cancel: &AtomicBool) -> Option<Vec<f64>>
     Some(roots.into_iter().map(|omega| omega / TAU).collect())
 }
 
-/// At most so many modes are listed: no search for more begins.
+/// The most modes that are listed: no search for more begins.
 pub const MOST_MODES: usize = 10_000;
 
 /// Whether more than [`MOST_MODES`] modes lie below a frequency (Hz, > 0), known before any of them is looked for.

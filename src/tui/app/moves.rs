@@ -60,7 +60,7 @@ impl Move {
         match self {
             Self::Stay => Some(place),
             Self::Shift { from, .. } if place < *from => Some(place),
-            // What was removed is gone; the row that takes its place is another one.
+            // The row that takes the place of a removed one is another row.
             Self::Shift { from, by } => place.checked_add_signed(*by).filter(|new| new >= from),
             Self::Places(places) => places.get(place).copied().flatten(),
         }

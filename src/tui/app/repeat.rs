@@ -43,7 +43,7 @@ impl App {
         effects
     }
 
-    /// Says what was done, so many times, before the last command, which was refused.
+    /// Says how often the command ran before the last one, which was refused.
     fn add_to(&mut self, before: Option<Message>, times: u32) {
         if let (Some(Message::Done(done)), Some(Message::Refused(refusal))) =
             (before, &self.message)
@@ -88,7 +88,7 @@ impl App {
     }
 }
 
-/// What was done last of so many times.
+/// How often a repeated command ran.
 fn last_of(done: String, times: u32) -> String {
     if times > 1 {
         format!("{done}, the last of {times}")

@@ -141,7 +141,7 @@ impl Typed {
     }
 }
 
-/// A text in rows of so many columns, broken wherever one ends; one row at least.
+/// A text in rows of a width in columns, broken wherever a row ends; one row at least.
 fn rows(text: &str, columns: usize) -> Vec<String> {
     let mut rows = vec![String::new()];
     let mut taken = 0;

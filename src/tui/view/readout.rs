@@ -5,7 +5,7 @@ use crate::tui::plot::Level;
 use crate::tui::scene::{self, ChartView};
 use crate::tui::view::text::width;
 
-/// The line that fits into so many columns; empty without a cursor. The frequency and the value go last.
+/// The line that fits into a width in columns; empty without a cursor. The frequency and the value are left out last.
 pub(super) fn line(app: &App, columns: usize) -> String {
     let Some(cursor) = app.curves.cursor else {
         return String::new();

@@ -19,7 +19,7 @@ pub(super) fn width(text: &str) -> usize {
     Span::raw(escape(text)).width()
 }
 
-/// A text as it is shown: hidden characters escaped, in at most so many columns; what is cut off leaves an ellipsis.
+/// A text as it is shown: hidden characters escaped, in at most this many columns; what is cut off leaves an ellipsis.
 pub(super) fn cut(text: &str, columns: usize) -> String {
     let text = escape(text);
     if width(&text) <= columns {
@@ -41,7 +41,7 @@ pub(super) fn cut(text: &str, columns: usize) -> String {
     kept
 }
 
-/// A text in lines of at most so many columns, broken at spaces; hidden characters are escaped.
+/// A text in lines of at most this many columns, broken at spaces; hidden characters are escaped.
 pub(super) fn wrapped(text: &str, columns: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
     for word in escape_lines(text).split_whitespace() {

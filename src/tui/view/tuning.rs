@@ -155,7 +155,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
     rows
 }
 
-/// The columns for some rows in so many columns of the screen: where a match has uncertainties these are whole.
+/// The columns for some rows in a width of the screen: where a match has uncertainties these are whole.
 fn columns(rows: &[Row], room: u16) -> Vec<Column> {
     let longest = |text: &dyn Fn(&Row) -> usize| rows.iter().map(text).max().unwrap_or(0);
     let uncertainty = longest(&|row| row.uncertainty.as_deref().map_or(0, width));

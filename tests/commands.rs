@@ -324,7 +324,7 @@ fn what_is_not_finite_is_told_on_standard_error() {
     assert!(csv.lines().nth(2).unwrap().ends_with(",nan"), "{csv}");
     let warning = String::from_utf8(output.stderr).unwrap();
     assert!(
-        warning.contains("no finite response at 1 frequencies, first at 1e308 Hz"),
+        warning.contains("no finite response at 1 frequency, first at 1e308 Hz"),
         "{warning}"
     );
 }
@@ -743,7 +743,7 @@ fn a_universal_file_tells_several_forces_studies_and_lost_digits() {
     assert_eq!(curves[0].frequencies, [10.0]);
     assert!(curves[0].notes.is_empty(), "{:?}", curves[0].notes);
     assert!(
-        warning.contains("no finite response at 1 frequencies") && warning.contains("(left out)"),
+        warning.contains("no finite response at 1 frequency") && warning.contains("(left out)"),
         "{warning}"
     );
     let (code, message) = failure(&["frf", "fig06", "--format", "hdf5"]);

@@ -248,7 +248,10 @@ objective = { match = "curve.uff", compare = "complex", response = "tip w", from
     fs::write(folder.path().join("curve.uff"), text).unwrap();
     let (code, _, errors) = said(&run(&[&file]));
     assert_eq!(code, 2, "{errors}");
-    assert!(errors.contains("\"Q\", which is no unit"), "{errors}");
+    assert!(
+        errors.contains("\"Q\" is no unit that is known"),
+        "{errors}"
+    );
 }
 
 #[test]

@@ -163,7 +163,7 @@ mod tests {
                 "the least mean vibration energy of the beam, 20..120 Hz",
                 "the widest band of P5 w below 1e-7 m, in 20..120 Hz",
                 "an anti-resonance of P5 w at 85 Hz, in 20..120 Hz",
-                "real and imaginary part of P5 w as in measured.csv, curve tip, 20..120 Hz",
+                "real and imaginary part of P5 w as in measured.csv (columns hz; re im; m/N), curve tip, 20..120 Hz",
                 "the magnitude in decibels of P5 v as in measured.unv, 20..120 Hz",
             ]
         );

@@ -431,7 +431,7 @@ fn a_file_without_frequency_responses_says_what_it_has() {
     let data = format!("{row}{row}");
     let nan = "                 NaN".repeat(4);
     for (from, to, message) in [
-        ("    58\n", "    55\n", "1 data sets of other kinds"),
+        ("    58\n", "    55\n", "1 data set of another kind"),
         (
             "        18",
             "        17",
@@ -557,7 +557,7 @@ fn what_the_format_loses_is_told() {
         [Complex64::ONE, Complex64::I, Complex64::new(-1e-300, 1e300)]
     );
     assert_eq!(curve.name, "\"-1\"");
-    assert!(text.contains("Gr??e?    -1"), "{text}");
+    assert!(text.contains("Gr??e\\n    -1"), "{text}");
 }
 
 /// Expected: E13.5 rounds to six digits. 3.186087 to 3.186094 are all 3.18609, and 3.18609 itself is the nearest.

@@ -49,6 +49,7 @@ fn every_view_and_form_shows() {
             "dynamic stiffness",
             "impedance",
             "apparent mass",
+            "motion under the force",
         ] {
             program.press("i");
             program.wait_for(&format!("tip w, {form}"));

@@ -100,10 +100,22 @@ fn a_shape_moves_while_it_shall() {
 /// A beam around the whole earth has more modes below 400 Hz than anybody can wait for. The program can be left all the
 /// same, while it counts them.
 #[test]
-fn a_model_that_takes_for_ever_holds_up_nobody() {
+fn a_beam_with_too_many_modes_says_so_and_shows_its_curves() {
     let home = Home::new();
     home.preset("fig08", "beam.toml");
     let mut program = Program::start(&home, &["beam.toml", "--set", "beam.length=4e7"]);
+    program.wait_for("too many modes");
+    program.press("q");
+    program.wait_for("discard");
+    program.press("d");
+    assert_eq!(program.end(), 0);
+}
+
+#[test]
+fn a_model_that_takes_for_ever_holds_up_nobody() {
+    let home = Home::new();
+    home.preset("fig08", "beam.toml");
+    let mut program = Program::start(&home, &["beam.toml", "--set", "beam.length=1500"]);
     program.wait_for("modes in work");
     program.press("\t");
     program.wait_for("length of the beam");

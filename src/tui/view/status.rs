@@ -6,7 +6,8 @@ use ratatui::text::{Line, Span};
 
 use super::prompt::draw_input;
 use super::text::{cut, significant, width};
-use crate::model::grouped;
+use crate::model::{counted, grouped};
+use crate::solve::modes::Completeness;
 use crate::tui::app::{
     App, Message, Outside, Picture, Progress, Search, Shown, Stage, Witness, WitnessPicture,
 };
@@ -89,9 +90,9 @@ fn solved(app: &App, picture: &Picture) -> Vec<String> {
             .chain(["modes in work".to_owned()])
             .collect();
     };
-    let modes = match list.rows.len() {
-        1 => "1 mode".to_owned(),
-        count => format!("{} modes", grouped(count)),
+    let modes = match list.completeness {
+        Completeness::TooMany => "too many modes".to_owned(),
+        Completeness::Certain | Completeness::Doubtful => counted(list.rows.len(), "mode", "modes"),
     };
     let change = match list.change {
         None | Some(0) => return vec![format!("{modes}, {solved}"), solved],
@@ -160,7 +161,7 @@ pub(super) fn draw_hints(frame: &mut Frame<'_>, app: &App, theme: Theme, area: R
         return draw_search(frame, app, search, theme, area);
     }
     let line = match &app.message {
-        _ if app.count.is_some() => counted(app, theme, columns),
+        _ if app.count.is_some() => count_line(app, theme, columns),
         Some(Message::Done(text)) => Line::raw(cut(text, columns)),
         Some(Message::Refused(text)) => Line::styled(cut(text, columns), theme.refusal()),
         None => hints(app, theme, columns),
@@ -171,7 +172,7 @@ pub(super) fn draw_hints(frame: &mut Frame<'_>, app: &App, theme: Theme, area: R
 }
 
 /// The count that was typed, and what it is for.
-fn counted(app: &App, theme: Theme, columns: usize) -> Line<'static> {
+fn count_line(app: &App, theme: Theme, columns: usize) -> Line<'static> {
     let count = app.count.unwrap_or(1).to_string();
     let escape = app.keys.key_of(Command::Cancel);
     let words = format!(" times the next key; {escape} drops the count");

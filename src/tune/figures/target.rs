@@ -82,15 +82,14 @@ fn read(path: &Path, name: &str, columns: Option<&str>) -> Result<Vec<Curve>, Fa
 
 /// What a file leaves open, and how it is answered.
 fn asked(seen: &Inspection) -> String {
-    let rows = seen.preview().join("; ");
-    let rows = if rows.is_empty() {
-        String::new()
-    } else {
-        format!(" ({rows})")
-    };
+    let mut known = seen.preview();
+    if known.is_empty() {
+        known.clone_from(&seen.recognised);
+    }
     format!(
-        "{}{rows}; an answer would be accepted, as columns = \"{}\", with ? for the unit of the response",
+        "{} ({}); an answer would be accepted, as columns = \"{}\", with ? for the unit of the response",
         seen.question(),
+        known.join("; "),
         seen.proposal
     )
 }
@@ -125,11 +124,6 @@ fn choose<'a>(all: &'a [Curve], curve: Option<&str>, response: &str) -> Result<&
 fn in_form_of(model: &Model, curve: &Curve, response: usize) -> Result<Vec<Complex64>, String> {
     let quantity = model.responses.get(response).map(|one| &one.quantity);
     let Some(Kind::Motion(own)) = curve.kind else {
-        if let Some((_, word)) = curve.unknown.first() {
-            return Err(format!(
-                "is in {word:?}, which is no unit that is known; m/N, mm/s/N, g/N and their like would be accepted"
-            ));
-        }
         return match curve.kind {
             None => Ok(curve.values.clone()),
             Some(_) => Err("is an energy; must be a motion".to_owned()),

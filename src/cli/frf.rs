@@ -10,6 +10,7 @@ use std::sync::atomic::AtomicBool;
 use clap::{Args, ValueEnum};
 
 use super::csv::{self, cell, number};
+use super::modes::listed;
 use super::{Failure, Sets, source};
 use crate::model::{Family, Model, path};
 use crate::solve::modes::{Completeness, MOST_MODES, Modes, modes};
@@ -252,14 +253,12 @@ fn progress(done: usize, of: usize, member: usize, members: usize) {
 }
 
 fn warn_of_doubt(modes: &Modes) {
-    if modes.completeness == Completeness::Doubtful {
+    if let Completeness::Open(gaps) = &modes.completeness {
         // The rows that are there are right all the same.
         let _ = writeln!(
             std::io::stderr(),
-            "warning: a peak may be missing: {} modes were found up to {:?} Hz, and the argument principle counts \
-             another number",
-            modes.modes.len(),
-            modes.to
+            "warning: a peak may be missing: the modes are not certain {}",
+            listed(gaps)
         );
     }
 }

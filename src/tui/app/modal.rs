@@ -74,7 +74,7 @@ impl Modal {
             generation,
             to: modes.to,
             rows,
-            completeness: modes.completeness,
+            completeness: modes.completeness.clone(),
             change,
             modes,
         });

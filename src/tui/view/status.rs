@@ -90,9 +90,9 @@ fn solved(app: &App, picture: &Picture) -> Vec<String> {
             .chain(["modes in work".to_owned()])
             .collect();
     };
-    let modes = match list.completeness {
+    let modes = match &list.completeness {
         Completeness::TooMany => "too many modes".to_owned(),
-        Completeness::Certain | Completeness::Doubtful => counted(list.rows.len(), "mode", "modes"),
+        Completeness::Certain | Completeness::Open(_) => counted(list.rows.len(), "mode", "modes"),
     };
     let change = match list.change {
         None | Some(0) => return vec![format!("{modes}, {solved}"), solved],

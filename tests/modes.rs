@@ -442,7 +442,7 @@ proptest! {
 
 #[test]
 fn more_modes_than_anybody_could_list_are_not_sought() {
-    // A beam round the earth many times over: by its wave numbers it has far more than ten million modes.
+    // A beam round the earth many times over: by its wave numbers it has far more modes than a list may have.
     let mut model = preset("fig06");
     let never = AtomicBool::new(false);
     for length in [1e13, 1e25] {

@@ -11,6 +11,7 @@ use std::sync::atomic::AtomicBool;
 use clap::{Args, ValueEnum};
 
 use super::csv::{self, cell, number};
+use super::modes::listed;
 use super::{Failure, Sets, say, source};
 use crate::model::{Family, Model, counted, path};
 use crate::solve::modes::{Completeness, MOST_MODES, Modes, modes};
@@ -253,13 +254,11 @@ fn progress(done: usize, of: usize, member: usize, members: usize) {
 }
 
 fn warn_of_doubt(modes: &Modes) {
-    if modes.completeness == Completeness::Doubtful {
+    if let Completeness::Open(gaps) = &modes.completeness {
         // The rows that are there are right all the same.
         say(&format!(
-            "warning: a peak may be missing: {} found up to {:?} Hz, and the argument principle counts \
-             another number",
-            counted(modes.modes.len(), "mode was", "modes were"),
-            modes.to
+            "warning: a peak may be missing: the modes are not certain {}",
+            listed(gaps)
         ));
     }
 }

@@ -11,7 +11,7 @@ use num_complex::Complex64;
 use super::csv::{self, cell, number};
 use super::{Failure, Sets, say, source};
 use crate::model::{Model, counted};
-use crate::solve::modes::{Completeness, MOST_MODES, Modes, modes, shape};
+use crate::solve::modes::{Completeness, Gap, MOST_MODES, Modes, modes, shape};
 
 /// Places along the beam where a shape is written.
 const PLACES: usize = 101;
@@ -50,26 +50,30 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Whether the list is complete.
+/// What is certain of the list, and what is open.
 fn statement(found: &Modes) -> String {
     let (count, to) = (found.modes.len(), found.to);
-    let undamped = found.undamped;
     let modes = counted(count, "mode", "modes");
-    match found.completeness {
-        Completeness::Certain if count == undamped => {
-            format!("{count} of {modes} below {to} Hz")
-        }
-        Completeness::Certain => {
-            format!("{count} of {modes} below {to} Hz ({undamped} without damping)")
-        }
+    let undamped = match found.undamped {
+        undamped if undamped == count => String::new(),
+        undamped => format!(" ({undamped} without damping)"),
+    };
+    match &found.completeness {
+        Completeness::Certain => format!("{count} of {modes} below {to} Hz{undamped}"),
         Completeness::TooMany => {
             format!("more than {MOST_MODES} modes below {to} Hz: none is listed")
         }
-        Completeness::Doubtful => format!(
-            "warning: {modes} found below {to} Hz, and the list may not be complete: the argument principle \
-             counts another number ({undamped} without damping)"
+        Completeness::Open(gaps) => format!(
+            "warning: {modes} found below {to} Hz{undamped}, and the list may not be complete {}; all others are certain",
+            listed(gaps)
         ),
     }
+}
+
+/// The open ranges of a list of modes as a sentence.
+pub(super) fn listed(gaps: &[Gap]) -> String {
+    let gaps: Vec<String> = gaps.iter().map(Gap::to_string).collect();
+    gaps.join("; ")
 }
 
 fn write_modes(out: &mut dyn Write, found: &Modes) -> std::io::Result<()> {

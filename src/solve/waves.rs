@@ -6,7 +6,7 @@
 
 use num_complex::Complex64;
 
-use super::linear::{Matrix, ZERO, solve, zeros};
+use super::linear::{Matrix, ZERO, size, solve, zeros};
 use crate::model::Beam;
 
 /// Index of the wave that carries the warping of the section; with `Gamma_0` = 0 it decays over no length.
@@ -242,20 +242,9 @@ fn coupled_waves(beam: &BeamConstants, omega: Complex64) -> [CoupledWave; 4] {
     let wave = |root: Root, sign: f64, other: Complex64| {
         let bending = beam.bending_w * root.from_bending * (root.value + h_w);
         let torsion = root.from_torsion * other;
-        let (w, psi) = shape(
-            bending / a,
-            torsion / b,
-            beam.coupling / beam.mass,
-            beam.coupling / beam.polar,
-        );
-        let norm = (w.norm_sqr() + beam.radius * beam.radius * psi.norm_sqr()).sqrt();
-        CoupledWave {
-            h: sign * root.value,
-            w: w / norm,
-            psi: psi / norm,
-        }
+        coupled_wave(beam, [a, b], sign * root.value, [bending, torsion])
     };
-    [
+    let waves = [
         wave(evanescent[0], 1.0, evanescent[0].value + t),
         wave(evanescent[1], 1.0, evanescent[1].value + t),
         wave(
@@ -268,7 +257,94 @@ fn coupled_waves(beam: &BeamConstants, omega: Complex64) -> [CoupledWave; 4] {
             -1.0,
             beam.warping * travelling[1].value + tau,
         ),
-    ]
+    ];
+    if beam.without_warping() || are_right(beam, [a, b, d], &waves) {
+        waves
+    } else {
+        let starts = [tau / beam.warping, h_w, -t, -h_w];
+        separated(beam, [a, b, d], starts)
+    }
+}
+
+/// A wave with the residuals of its two equations of motion, bending and torsion, without coupling.
+fn coupled_wave(
+    beam: &BeamConstants,
+    [a, b]: [Complex64; 2],
+    h: Complex64,
+    [bending, torsion]: [Complex64; 2],
+) -> CoupledWave {
+    let (w, psi) = shape(
+        bending / a,
+        torsion / b,
+        beam.coupling / beam.mass,
+        beam.coupling / beam.polar,
+    );
+    let norm = (w.norm_sqr() + beam.radius * beam.radius * psi.norm_sqr()).sqrt();
+    CoupledWave {
+        h,
+        w: w / norm,
+        psi: psi / norm,
+    }
+}
+
+/// Whether four waves are four roots: at complex omega, where two roots of different pairs come close, both iterations
+/// may end on one of them, or on none.
+fn are_right(beam: &BeamConstants, [a, b, d]: [Complex64; 3], waves: &[CoupledWave; 4]) -> bool {
+    const ROUNDING: f64 = 1e-13;
+    const SAME: f64 = 1e-6;
+    let is_root = |h: Complex64| {
+        let (bending, warping, twist) = (
+            beam.bending_w * h * h,
+            beam.warping * h * h,
+            beam.torsion * h,
+        );
+        let residual = (bending - a) * (warping - twist - b) - d * d;
+        let terms = (size(bending) + size(a)) * (size(warping) + size(twist) + size(b));
+        size(residual) <= ROUNDING * terms
+    };
+    (0..4).all(|index| {
+        let h = waves[index].h;
+        let mut others = waves[..index].iter();
+        is_root(h) && others.all(|other| size(other.h - h) > SAME * size(h))
+    })
+}
+
+/// All four waves at once by the simultaneous iteration of Aberth (Math. Comp. 27 (1973) 339-344) on the product form.
+fn separated(
+    beam: &BeamConstants,
+    [a, b, d]: [Complex64; 3],
+    starts: [Complex64; 4],
+) -> [CoupledWave; 4] {
+    const MOST_STEPS: usize = 60;
+    let parts = |h: Complex64| {
+        let bending = beam.bending_w * h * h - a;
+        let torsion = (beam.warping * h - beam.torsion) * h - b;
+        [bending, torsion]
+    };
+    // Starts that coincide would move together.
+    let mut roots: [Complex64; 4] =
+        std::array::from_fn(|index| starts[index] * Complex64::new(1.0, 1e-3 * index as f64));
+    for _ in 0..MOST_STEPS {
+        let mut largest = 0.0_f64;
+        for index in 0..4 {
+            let h = roots[index];
+            let [bending, torsion] = parts(h);
+            let slope = 2.0 * beam.bending_w * h * torsion
+                + bending * (2.0 * beam.warping * h - beam.torsion);
+            let others = (0..4).filter(|&other| other != index);
+            let push: Complex64 = others.map(|other| (h - roots[other]).inv()).sum();
+            let value = bending * torsion - d * d;
+            let step = value / (slope - value * push);
+            if step.is_finite() {
+                roots[index] -= step;
+                largest = largest.max(step.norm() / h.norm());
+            }
+        }
+        if largest < 4.0 * f64::EPSILON {
+            break;
+        }
+    }
+    roots.map(|h| coupled_wave(beam, [a, b], h, parts(h)))
 }
 
 /// The shape (W, Psi) from bending W = d Psi or d W = torsion Psi, each row divided by its inertia term; the row

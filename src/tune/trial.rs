@@ -153,7 +153,7 @@ mod tests {
             assert_eq!(certified.completeness, Completeness::Certain);
             let trial = Trial::new(model, Some(to), &never).unwrap();
             let found = trial.modes().unwrap();
-            assert_eq!(found.completeness, Completeness::Doubtful);
+            assert_ne!(found.completeness, Completeness::Certain);
             let oscillating = |mode: &&Mode| mode.kind == ModeKind::Oscillating;
             let [found, certified] = [found, &certified].map(|list| {
                 let modes = list.modes.iter().filter(oscillating);

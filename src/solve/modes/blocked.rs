@@ -1,7 +1,7 @@
 //! The roots of each mass on its springs with the beam blocked.
 //!
-//! They are zeros of polynomials and known beforehand. Divided by them, the characteristic function turns slowly
-//! however many masses there are: each of its zeros lies beside one of theirs, or belongs to the beam.
+//! They are zeros of polynomials and known beforehand: each zero of the characteristic function lies beside one of theirs,
+//! or belongs to the beam.
 
 use nalgebra::DMatrix;
 use num_complex::Complex64;
@@ -22,17 +22,17 @@ impl Blocked {
             roots: model.attached().flat_map(of_mass).collect(),
         }
     }
+}
 
-    /// The product of `omega` - root over all roots.
-    pub(super) fn at(&self, omega: Complex64) -> Magnified {
-        // As many factors as stay within the range of a number.
-        const AT_ONCE: usize = 16;
-        let mut product = Magnified::ONE;
-        for roots in self.roots.chunks(AT_ONCE) {
-            product.times(roots.iter().map(|root| omega - root).product());
-        }
-        product
+/// The product of `omega` - root over all roots.
+pub(super) fn distances(roots: &[Complex64], omega: Complex64) -> Magnified {
+    // As many factors as stay within the range of a number.
+    const AT_ONCE: usize = 16;
+    let mut product = Magnified::ONE;
+    for roots in roots.chunks(AT_ONCE) {
+        product.times(roots.iter().map(|root| omega - root).product());
     }
+    product
 }
 
 /// m s^2 + c s + k for y and, with arms and products, for z and theta together; omega = -i s.

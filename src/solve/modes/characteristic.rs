@@ -40,6 +40,21 @@ impl Characteristic {
         }
     }
 
+    /// How fast F turns at most with ln omega at `omega`, rad/s: the sum of kappa L over its waves.
+    pub(super) fn turning(&self, omega: f64) -> f64 {
+        let waves = Waves::new(&self.plan.beam, omega.into());
+        let finite = waves.kappa.iter().filter(|kappa| kappa.re.is_finite());
+        1.0 + 0.5 * self.length * finite.map(|kappa| kappa.norm()).sum::<f64>()
+    }
+
+    /// An angular frequency, rad/s, at which the beam is short against its waves, so that F has lost digits but not all.
+    pub(super) fn slowest(&self) -> f64 {
+        const SHORT: f64 = 0.1;
+        let beam = &self.plan.beam;
+        let stiffness = beam.bending_w.re.max(beam.bending_v.re);
+        (SHORT / self.length).powi(2) * (stiffness / beam.mass).sqrt()
+    }
+
     /// F at the complex angular frequency `omega`, rad/s.
     pub(super) fn at(&self, omega: Complex64) -> Magnified {
         let plan = &self.plan;

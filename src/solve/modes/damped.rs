@@ -1,22 +1,26 @@
-//! Damped modes: the complex roots of the characteristic function, continued from the undamped ones.
+//! Damped modes: the complex roots of the characteristic function, from the undamped ones or those of a similar model.
 //!
 //! All roots move together by the simultaneous iteration of Aberth (Math. Comp. 27 (1973) 339-344): Newton steps in
-//! which every root pushes the others away, so that no two trackers end on one root. Where the argument principle then
-//! counts another number of roots than were found, the damping is brought in by steps, and the roots without
-//! oscillation are looked for on the imaginary axis, where the function is real.
+//! which every root pushes the others away. Each root is then proven: a simple one by the sign that the function changes
+//! through it, those that lie close together by their number within a circle and the eigenspace of that circle. The
+//! argument principle counts what is missing (see [`contour`](super::contour)); the roots of the blocked masses are
+//! tried for it, and then [`regions`](super::regions).
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::f64::consts::TAU;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::blocked::Blocked;
 use super::characteristic::Characteristic;
-use super::eigenspace::Probe;
+use super::contour::{Remainder, Unsettled};
+use super::eigenspace::{Circle, roots_inside};
+use super::neighbours::{neighbours, with_images};
+use super::regions::Regions;
 use super::tracker::{Tracker, inverse, newton};
-use super::types::{Completeness, Mode, ModeKind};
-use super::winding::{Region, count};
-use super::with_damping_times;
+use super::types::{Completeness, Gap, Mode, ModeKind};
+use super::{is_hysteretic, rigid, with_damping_times};
 use crate::model::Model;
 
 /// The search for the damped roots of a model.
@@ -24,8 +28,12 @@ pub(super) struct Search<'a> {
     model: &'a Model,
     characteristic: Characteristic,
     blocked: Blocked,
-    /// How many modes have the frequency 0 without damping.
-    rigid: usize,
+    /// How many roots lie at 0.
+    at_zero: usize,
+    /// Beyond all circles that are looked at, rad/s.
+    reach: f64,
+    /// How many more points the counts may look at.
+    budget: AtomicUsize,
     cancel: &'a AtomicBool,
 }
 
@@ -49,13 +57,24 @@ impl Found {
 }
 
 impl<'a> Search<'a> {
-    /// For a model with `rigid` modes at 0.
-    pub(super) fn new(model: &'a Model, rigid: usize, cancel: &'a AtomicBool) -> Self {
+    /// For a checked model and its roots with |omega| up to `to`, rad/s.
+    pub(super) fn new(model: &'a Model, to: f64, cancel: &'a AtomicBool) -> Self {
+        /// Stations that a count may cross: some seconds at most.
+        const BUDGET: usize = 1_000_000;
+        let stations = 10 + model.attached().count();
+        let zeros = 2 * super::count::Counter::new(model).rigid();
         Self {
             model,
             characteristic: Characteristic::new(model),
             blocked: Blocked::new(model),
-            rigid,
+            reach: FARTHEST * to,
+            at_zero: zeros
+                - if zeros > 0 {
+                    rigid::crept(model, STILL * to)
+                } else {
+                    0
+                },
+            budget: AtomicUsize::new(BUDGET / stations),
             cancel,
         }
     }
@@ -63,242 +82,348 @@ impl<'a> Search<'a> {
     /// The roots with |omega| up to `to`, rad/s, from the undamped ones (rad/s, above 0, rising; some beyond `to`, so
     /// that none is missed that damping slows). `None` where cancelled.
     pub(super) fn continue_undamped(&self, undamped: &[f64], to: f64) -> Option<Found> {
-        let direct = self.settle(&self.characteristic, &self.predicted(undamped), &[])?;
-        let found = self.certify(direct, to)?;
-        if found.completeness == Completeness::Certain {
-            return Some(found);
-        }
-        let starts: Vec<Complex64> = undamped.iter().map(|&omega| omega.into()).collect();
-        self.certify(self.by_steps(&starts)?, to)
+        self.completed(&self.predicted(undamped), to)
     }
 
-    /// The roots from the undamped ones, as [`Self::continue_undamped`] finds them, but not counted. `None` where
-    /// cancelled.
-    pub(super) fn uncertified(&self, undamped: &[f64]) -> Option<Found> {
-        let mut roots = self.settle(&self.characteristic, &self.predicted(undamped), &[])?;
-        if roots.iter().any(Option::is_none) {
-            let starts: Vec<Complex64> = undamped.iter().map(|&omega| omega.into()).collect();
-            roots = self.by_steps(&starts)?;
-        }
-        let arrived = roots.into_iter().flatten();
-        let modes = sorted(&self.parted(arrived.filter(|root| root.re >= 0.0).collect()));
+    /// The roots from the undamped ones, as [`Self::continue_undamped`] finds them, but not counted: the whole range up
+    /// to `to`, rad/s, is open. `None` where cancelled.
+    pub(super) fn uncertified(&self, undamped: &[f64], to: f64) -> Option<Found> {
+        let arrived = self.settled(&self.predicted(undamped), &[])?;
+        let modes = listed(&self.proven(Vec::new(), &arrived)?);
+        let uncounted = Gap {
+            from: 0.0,
+            to: to / TAU,
+            found: modes.len(),
+            counted: None,
+        };
         Some(Found {
             modes,
-            completeness: Completeness::Doubtful,
+            completeness: Completeness::Open(vec![uncounted]),
         })
     }
 
     /// The roots with |omega| up to `to`, rad/s, from those of a model that differs little. `None` where cancelled.
     pub(super) fn follow(&self, before: &[Mode], to: f64) -> Option<Found> {
         let starts: Vec<Complex64> = before.iter().map(|mode| mode.omega).collect();
-        self.certify(self.settle(&self.characteristic, &starts, &[])?, to)
+        self.completed(&starts, to)
     }
 
-    /// Where the roots go to first order in the damping: one Newton step at a small share of it, scaled up.
+    /// Where the roots go to first order in the damping: one Newton step at a small share of it, scaled up; of roots
+    /// that lie together the eigenspace at that share.
     fn predicted(&self, undamped: &[f64]) -> Vec<Complex64> {
         const SHARE: f64 = 1e-3;
         const FARTHEST: f64 = 0.5;
-        let weak = Characteristic::new(&with_damping_times(self.model, SHARE));
-        undamped
-            .par_iter()
-            .map(|&omega| {
-                let shift = -newton(&weak, omega.into()) / SHARE;
-                let size = shift.norm() / omega;
-                let limited = if size > FARTHEST {
-                    FARTHEST / size
-                } else {
-                    1.0
-                };
-                if size.is_finite() {
-                    omega + shift * limited
-                } else {
-                    Complex64::from(omega)
-                }
-            })
-            .collect()
+        let model = with_damping_times(self.model, SHARE);
+        let weak = Characteristic::new(&model);
+        let all: Vec<Complex64> = undamped.iter().map(|&omega| omega.into()).collect();
+        let groups: Vec<&[f64]> = undamped.chunk_by(|a, b| b - a < CLOSE * a).collect();
+        let shifts = |group: &&[f64]| -> Vec<Complex64> {
+            if let [omega] = group {
+                return vec![-newton(&weak, (*omega).into()) / SHARE];
+            }
+            let first = undamped
+                .iter()
+                .position(|omega| omega == &group[0])
+                .unwrap_or(0);
+            let gap = neighbours(&all, first, CLOSE).gap;
+            let starts: Vec<Complex64> = group.iter().map(|&omega| omega.into()).collect();
+            let found = roots_inside(&model, Circle::around(&starts, gap), group.len());
+            let shifted = found.unwrap_or_else(|| starts.clone());
+            shifted
+                .iter()
+                .zip(group.iter())
+                .map(|(root, omega)| (root - omega) / SHARE)
+                .collect()
+        };
+        let shifts: Vec<Complex64> = groups.par_iter().flat_map_iter(shifts).collect();
+        let moved = undamped.iter().zip(shifts).map(|(&omega, shift)| {
+            let limited = (FARTHEST * omega / shift.norm()).min(1.0);
+            if limited.is_finite() {
+                omega + shift * limited
+            } else {
+                Complex64::from(omega)
+            }
+        });
+        moved.collect()
     }
 
-    /// Scales the damping up in steps and follows the roots.
-    fn by_steps(&self, starts: &[Complex64]) -> Option<Vec<Option<Complex64>>> {
-        const STEPS: u32 = 12;
-        let mut roots = starts.to_vec();
-        for step in 1..STEPS {
-            let share = (f64::from(step) / f64::from(STEPS)).powi(2);
-            let weaker = Characteristic::new(&with_damping_times(self.model, share));
-            let settled = self.settle(&weaker, &roots, &[])?;
-            for (root, settled) in roots.iter_mut().zip(settled) {
-                *root = settled.unwrap_or(*root);
+    /// The roots that starts lead to, and those that the counts still miss.
+    fn completed(&self, starts: &[Complex64], to: f64) -> Option<Found> {
+        let arrived = self.settled(starts, &[])?;
+        let mut roots = self.proven(Vec::new(), &arrived)?;
+        let mut outer = boundary(&roots, to);
+        let mut counted = self.missing(&roots, outer)?;
+        if counted != Ok(0) {
+            let masses = self.blocked.roots.iter().copied();
+            let inside =
+                masses.filter(|root| root.re >= 0.0 && root.norm() < outer && root.im > 0.0);
+            let arrived = self.settled(&inside.collect::<Vec<_>>(), &roots)?;
+            roots = self.proven(roots, &arrived)?;
+            outer = boundary(&roots, to);
+            counted = self.missing(&roots, outer)?;
+        }
+        let mut completeness = Completeness::Certain;
+        if counted != Ok(0) {
+            let open;
+            (roots, open) = Regions::new(self, outer).completed(roots)?;
+            if !open.is_empty() {
+                completeness = Completeness::Open(open);
             }
         }
-        self.settle(&self.characteristic, &roots, &[])
+        Some(Found {
+            modes: listed(&roots),
+            completeness,
+        })
     }
 
-    /// Moves all starts to roots other than the known ones; those that do not arrive are `None`.
-    fn settle(
+    /// How many roots the list lacks in the disc up to `outer`, rad/s; `None` where cancelled.
+    pub(super) fn missing(
         &self,
-        characteristic: &Characteristic,
+        roots: &[Complex64],
+        outer: f64,
+    ) -> Option<Result<i64, Unsettled>> {
+        match self.remainder(roots).in_disc(outer, self.is_hysteretic()) {
+            Err(Unsettled::Cancelled) => None,
+            counted => Some(counted),
+        }
+    }
+
+    /// The characteristic function over the distances to the roots.
+    pub(super) fn remainder(&self, roots: &[Complex64]) -> Remainder<'_> {
+        let farthest = roots
+            .iter()
+            .map(|root| root.norm())
+            .fold(self.reach, f64::max);
+        let masses = self.blocked.roots.iter().copied();
+        Remainder {
+            characteristic: &self.characteristic,
+            known: with_images(roots, self.is_hysteretic()),
+            at_zero: self.at_zero,
+            masses: masses.filter(|root| root.norm() > farthest).collect(),
+            budget: &self.budget,
+            cancel: self.cancel,
+        }
+    }
+
+    /// Roots inside a circle that has `count` of them; approximate where others lie beside it, none where noise hides
+    /// them.
+    pub(super) fn inside(&self, circle: Circle, count: usize) -> Vec<Complex64> {
+        roots_inside(self.model, circle, count).unwrap_or_default()
+    }
+
+    /// Moves all starts to roots other than the known ones; those that do not arrive are left out, but for starts that lie
+    /// together: these move as one, to where their number may be proven. `None` where cancelled.
+    pub(super) fn settled(
+        &self,
         starts: &[Complex64],
         known: &[Complex64],
-    ) -> Option<Vec<Option<Complex64>>> {
-        const MOST_STEPS: usize = 100;
-        let mut trackers: Vec<Tracker> = starts.iter().map(|&z| Tracker::new(z)).collect();
-        // Roots that no tracker seeks: about where their masses would be on a blocked beam.
-        let sought = starts
-            .iter()
-            .chain(known)
-            .map(|z| z.norm())
-            .fold(0.0, f64::max);
-        let masses = self.blocked.roots.iter().copied();
-        let beyond: Vec<Complex64> = masses.filter(|root| root.norm() > sought).collect();
+    ) -> Option<Vec<Complex64>> {
+        const MOST_STEPS: usize = 40;
+        const TOGETHER: f64 = 1e-6;
+        let mut trackers: Vec<Tracker> = Vec::new();
+        for &start in starts {
+            let near =
+                |tracker: &&mut Tracker| (tracker.z - start).norm() < TOGETHER * start.norm();
+            match trackers.iter_mut().rev().find(near) {
+                Some(tracker) => tracker.count += 1,
+                None => trackers.push(Tracker::new(start, 1, self.is_hysteretic())),
+            }
+        }
+        let fixed: Vec<(Complex64, f64)> = known.iter().map(|&z| (z, 1.0)).collect();
         for _ in 0..MOST_STEPS {
             if self.cancel.load(Ordering::Relaxed) {
                 return None;
             }
-            let moving = trackers.iter().map(|tracker| tracker.z);
-            let now: Vec<Complex64> = moving.chain(known.iter().copied()).collect();
+            let moving = trackers
+                .iter()
+                .map(|tracker| (tracker.z, tracker.count as f64));
+            let all: Vec<(Complex64, f64)> = moving.chain(fixed.iter().copied()).collect();
             trackers
                 .par_iter_mut()
                 .enumerate()
+                .filter(|(_, tracker)| !tracker.arrived)
                 .for_each(|(index, tracker)| {
-                    if !tracker.arrived {
-                        let push = self.push(&now, index, &beyond);
-                        tracker.step(characteristic, push, !self.is_hysteretic());
-                    }
+                    tracker.step(&self.characteristic, self.push(&all, index));
                 });
             if trackers.iter().all(|tracker| tracker.arrived) {
                 break;
             }
         }
+        let arrived = trackers
+            .into_iter()
+            .filter(|tracker| tracker.arrived || tracker.count > 1);
         Some(
-            trackers
-                .into_iter()
-                .map(|tracker| tracker.arrived.then_some(tracker.z))
+            arrived
+                .flat_map(|tracker| vec![tracker.z; tracker.count])
                 .collect(),
         )
     }
 
-    /// Whether the model has a loss factor: no root is then the mirror image of another.
-    fn is_hysteretic(&self) -> bool {
-        self.model.beam.material.loss_factor != 0.0
-    }
-
-    /// The sum of 1 / (z - other) over all other known roots: trackers, their mirror images, those at 0, and far ones.
-    fn push(&self, all: &[Complex64], index: usize, beyond: &[Complex64]) -> Complex64 {
-        let z = all[index];
-        let others = all.iter().enumerate().filter(|&(other, _)| other != index);
-        let mut push: Complex64 = others.map(|(_, other)| inverse(z - other)).sum();
-        // A root on the imaginary axis is its own image; with a loss factor there are none.
-        let images = all
-            .iter()
-            .filter(|other| other.re != 0.0 && !self.is_hysteretic());
-        push += images
-            .map(|other| inverse(z + other.conj()))
-            .sum::<Complex64>();
-        push += beyond
-            .iter()
-            .map(|other| inverse(z - other))
-            .sum::<Complex64>();
-        push + 2.0 * self.rigid as f64 * inverse(z)
-    }
-
-    /// Keeps what arrived, and adds roots without oscillation where some are missing in the range.
-    fn certify(&self, roots: Vec<Option<Complex64>>, to: f64) -> Option<Found> {
-        let arrived = roots.into_iter().flatten();
-        let mut roots = self.parted(arrived.filter(|root| root.re >= 0.0).collect());
-        let slowest = roots.iter().map(|root| root.norm()).fold(to, f64::min);
-        let mut modes = sorted(&roots);
-        let region = Region {
-            inner: 1e-4 * slowest,
-            outer: boundary(&modes, to),
-            hysteretic: self.is_hysteretic(),
-        };
-        let counted = count(
-            &self.characteristic,
-            &self.blocked,
-            &region,
-            &modes,
-            self.cancel,
-        )?;
-        if counted != region.weigh(&modes) {
-            roots.retain(|&root| mode(root).kind == ModeKind::Oscillating);
-            // A tracker may run out of the region: try again from other places.
-            for start in [(0.5, 0.05), (0.2, 0.3), (0.8, 1.0)] {
-                let missing = counted - region.weigh(&sorted(&roots));
-                roots.extend(self.overdamped(missing, start, &roots, &region)?);
+    /// The sum of 1 / (z - other) over all other roots, each as often as it counts, mirror images, and those at 0.
+    fn push(&self, all: &[(Complex64, f64)], index: usize) -> Complex64 {
+        let (z, _) = all[index];
+        let mut push = self.at_zero as f64 * inverse(z);
+        for (other, &(root, count)) in all.iter().enumerate() {
+            if other != index {
+                push += count * inverse(z - root);
             }
-            modes = sorted(&self.parted(roots));
+            if root.re != 0.0 && !self.is_hysteretic() {
+                push += count * inverse(z + root.conj());
+            }
         }
-        let completeness = if counted == region.weigh(&modes) {
-            Completeness::Certain
+        push
+    }
+
+    fn is_hysteretic(&self) -> bool {
+        is_hysteretic(self.model)
+    }
+
+    /// The roots that are, as often as they are: proven ones, and new ones that may be none, or twice in the list.
+    /// `None` where cancelled.
+    pub(super) fn proven(
+        &self,
+        mut proven: Vec<Complex64>,
+        new: &[Complex64],
+    ) -> Option<Vec<Complex64>> {
+        let rest: Vec<Complex64> = proven.iter().copied().chain(new.iter().copied()).collect();
+        let all = with_images(&rest, self.is_hysteretic());
+        let alone = |index: usize| neighbours(&all, index, CLOSE).members.len() == 1;
+        let simple: Vec<Option<Complex64>> = (proven.len()..rest.len())
+            .into_par_iter()
+            .map(|index| {
+                if alone(index) {
+                    self.simple(all[index])
+                } else {
+                    None
+                }
+            })
+            .collect();
+        let mut doubtful = Vec::new();
+        for (&root, simple) in new.iter().zip(simple) {
+            match simple {
+                Some(root) => proven.push(root),
+                None => doubtful.push(root),
+            }
+        }
+        // One group after the other: each sees those before it.
+        while let Some(root) = doubtful.pop() {
+            let first = proven.len();
+            proven.push(root);
+            proven.append(&mut doubtful);
+            let all = with_images(&proven, self.is_hysteretic());
+            let group = neighbours(&all, first, CLOSE);
+            let members: Vec<Complex64> = group.members.iter().map(|&member| all[member]).collect();
+            let settled = self.group(&all, &members, group.gap)?;
+            doubtful = proven.split_off(first);
+            for &member in group.members.iter().rev() {
+                if member < first {
+                    proven.swap_remove(member);
+                } else if member - first < doubtful.len() {
+                    doubtful.swap_remove(member - first);
+                }
+            }
+            // Of mirror images one stands for both; with a loss factor there are none.
+            let own = |root: &Complex64| self.is_hysteretic() || root.re >= 0.0;
+            proven.extend(settled.into_iter().filter(own));
+        }
+        proven.sort_by(|a, b| a.norm().total_cmp(&b.norm()));
+        Some(proven)
+    }
+
+    /// A root to the last digit, if the function changes its sign through it as through a simple root.
+    fn simple(&self, z: Complex64) -> Option<Complex64> {
+        const ASIDE: f64 = 1e-7;
+        const CROOKED: f64 = 0.1;
+        let aside = ASIDE * z;
+        let scale = self.characteristic.at(z + aside);
+        let before = self.characteristic.at(z - aside).ratio(&scale);
+        let here = self.characteristic.at(z);
+        let here = if here.log == f64::NEG_INFINITY {
+            Complex64::ZERO
         } else {
-            Completeness::Doubtful
+            here.ratio(&scale)
         };
-        Some(Found {
-            modes,
-            completeness,
+        let slope = 0.5 * (1.0 - before);
+        let straight = (1.0 + before).norm() < CROOKED && here.norm() < CROOKED;
+        let step = aside * here / slope;
+        // Less than this is rounding of the function.
+        let root = if step.norm() > 1e-12 * z.norm() {
+            z - step
+        } else {
+            z
+        };
+        let on_axis = z.re == 0.0 && !self.is_hysteretic();
+        straight.then_some(if on_axis {
+            Complex64::new(0.0, root.im)
+        } else {
+            root
         })
     }
 
-    /// Roots without oscillation: on the imaginary axis the function is real, and trackers that start there stay. With
-    /// a loss factor such roots lie beside it.
-    fn overdamped(
-        &self,
-        missing: i64,
-        (offset, aside): (f64, f64),
-        known: &[Complex64],
-        region: &Region,
-    ) -> Option<Vec<Complex64>> {
-        let ratio = region.outer / region.inner;
-        let starts: Vec<Complex64> = (0..missing.max(0))
-            .map(|index| {
-                let share = (index as f64 + offset) / missing as f64;
-                let aside = if region.hysteretic { aside } else { 0.0 };
-                Complex64::new(aside, 1.0) * region.inner * ratio.powf(share)
-            })
-            .collect();
-        let arrived = self.settle(&self.characteristic, &starts, known)?;
-        let inside = |root: &Complex64| {
-            root.re >= 0.0 && (region.inner..region.outer).contains(&root.norm())
+    /// The roots of a group that seems to have some members, mirror images among them; `gap` is the distance to the
+    /// next root. `None` where cancelled.
+    fn group(&self, all: &[Complex64], members: &[Complex64], gap: f64) -> Option<Vec<Complex64>> {
+        const LEAST: f64 = 1e-3;
+        let mut circle = Circle::around(members, gap);
+        circle.radius = circle.radius.max((LEAST * gap * gap).sqrt());
+        circle.points = circle.points.max(12);
+        let remainder = Remainder {
+            known: all.to_vec(),
+            ..self.remainder(&[])
         };
-        Some(arrived.into_iter().flatten().filter(inside).collect())
-    }
-
-    /// Roots so close together that the function between them is rounding: told apart in the space of their motions.
-    fn parted(&self, mut roots: Vec<Complex64>) -> Vec<Complex64> {
-        const CLOSE: f64 = 1e-5;
-        const BESIDE: f64 = 1e-9;
-        roots.sort_by(|a, b| a.norm().total_cmp(&b.norm()));
-        let close = |a: &Complex64, b: &Complex64| (a - b).norm() < CLOSE * a.norm();
-        let groups: Vec<&[Complex64]> = roots.chunk_by(close).collect();
-        let refined = groups.into_par_iter().flat_map_iter(|group| {
-            if group.len() == 1 {
-                return group.to_vec();
-            }
-            let mean = group.iter().sum::<Complex64>() / group.len() as f64;
-            let near = mean * (1.0 + BESIDE);
-            let probe = Probe::new(self.model, near, Vec::new());
-            let space = probe.eigenspace(near, group.len());
-            let near_enough = |root: &Complex64| (root - mean).norm() < 10.0 * CLOSE * mean.norm();
-            if space.roots.iter().all(near_enough) {
-                space.roots
+        let missing = match remainder.in_circle(circle.centre, circle.radius) {
+            Err(Unsettled::Cancelled) => return None,
+            // What cannot be counted is no proven root: the whole count tells of it.
+            Err(Unsettled::Noise) => return Some(Vec::new()),
+            Ok(missing) => missing,
+        };
+        let count = usize::try_from(members.len() as i64 + missing).unwrap_or(0);
+        if count == 0 {
+            return Some(Vec::new());
+        }
+        let found = roots_inside(self.model, circle, count).unwrap_or_default();
+        let inside = |root: &Complex64| (root - circle.centre).norm() < circle.radius;
+        if !found.iter().all(inside) {
+            return Some(Vec::new());
+        }
+        let on_axis = |root: Complex64| {
+            if !self.is_hysteretic() && root.re.abs() < OVERDAMPED * root.im {
+                Complex64::new(0.0, root.im)
             } else {
-                group.to_vec()
+                root
             }
-        });
-        refined.collect()
+        };
+        Some(found.into_iter().map(on_axis).collect())
     }
 }
 
-/// The modes of roots, by rising |omega|.
-fn sorted(roots: &[Complex64]) -> Vec<Mode> {
-    let mut modes: Vec<Mode> = roots.iter().map(|&root| mode(root)).collect();
+/// A rate that is this small against the range is none.
+const STILL: f64 = 1e-14;
+
+/// Roots closer than this (relative) are proven together.
+const CLOSE: f64 = 1e-5;
+
+/// How far beyond the range the counts reach at most.
+const FARTHEST: f64 = 1.08;
+
+/// A root this close to the imaginary axis (relative) lies on it.
+const OVERDAMPED: f64 = 1e-7;
+
+/// Rounding of a root on the axis, relative.
+const ON_AXIS: f64 = 1e-10;
+
+/// The modes of the roots in the right half of the plane, by rising |omega|.
+fn listed(roots: &[Complex64]) -> Vec<Mode> {
+    let right = roots
+        .iter()
+        .filter(|root| root.re >= -ON_AXIS * root.norm());
+    let mut modes: Vec<Mode> = right.map(|&root| mode(root)).collect();
     modes.sort_by(|a, b| a.omega.norm().total_cmp(&b.omega.norm()));
     modes
 }
 
 /// The mode of a root.
 fn mode(omega: Complex64) -> Mode {
-    const OVERDAMPED: f64 = 1e-7;
     // A root that no damper reaches lies on the real axis but for rounding.
     const UNDAMPED: f64 = 1e-13;
     if omega.re < OVERDAMPED * omega.im {
@@ -318,11 +443,18 @@ fn mode(omega: Complex64) -> Mode {
     }
 }
 
-/// A radius near `to` that keeps away from the modes.
-fn boundary(modes: &[Mode], to: f64) -> f64 {
-    let inside = modes.iter().rev().find(|mode| mode.omega.norm() <= to);
-    let outside = modes.iter().find(|mode| mode.omega.norm() > to);
-    let below = inside.map_or(0.9 * to, |mode| mode.omega.norm().max(0.9 * to));
-    let above = outside.map_or(1.1 * to, |mode| mode.omega.norm().min(1.1 * to));
-    (below * above).sqrt()
+/// A radius just beyond `to` in the widest gap between roots.
+fn boundary(roots: &[Complex64], to: f64) -> f64 {
+    const NEAREST: f64 = 1.005;
+    let (low, high) = (NEAREST * to, FARTHEST * to);
+    let mut sizes: Vec<f64> = roots.iter().map(|root| root.norm()).collect();
+    sizes.retain(|size| (to..high).contains(size));
+    sizes.extend([low, high]);
+    sizes.sort_by(f64::total_cmp);
+    let gaps = sizes
+        .windows(2)
+        .filter(|pair| pair[0] >= low || pair[1] > low);
+    let gaps = gaps.map(|pair| (pair[0].max(low), pair[1]));
+    let widest = gaps.max_by(|a, b| (a.1 / a.0).total_cmp(&(b.1 / b.0)));
+    widest.map_or(low, |(from, to)| (from * to).sqrt())
 }

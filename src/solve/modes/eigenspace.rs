@@ -1,21 +1,61 @@
-//! The motion of one mode, or of some that lie close together, from forced responses beside their frequency.
+//! The modes inside a circle in the plane of omega: roots and motions, several at once, equal ones included.
 //!
-//! Beside a root the answer to any load is the mode, but for a share that is as small as the distance; the answers to
-//! as many loads as roots lie close together span their modes. In this span the roots and modes are those of a small
-//! eigenvalue problem: with answers U to loads F, `U^T K U = F^T U` and `U^T K' U` with
-//! `-K' = 2 omega M - i C` give `(F^T U) y = delta (2 omega U^T M U - i U^T C U) y` for the roots `omega + delta`
-//! (Rayleigh-Ritz; for the bi-orthogonality of damped modes see Foss, J. Appl. Mech. 25 (1958) 361-364).
+//! Between loads F and the answers to them, `H(omega) = F^T D(omega)^-1 F` has a pole at each root,
+//! `-x x^T / (2 omega_k (omega - omega_k))` with `x = F^T phi` and `phi^T (2 omega M - i C) phi = 2 omega`. The contour
+//! integrals of H and of `omega H` along the circle hold the poles inside and nothing else, so that as many independent
+//! loads as roots make a small pencil whose eigenvalues are the roots (Beyn, Linear Algebra Appl. 436 (2012) 3839-3863;
+//! Sakurai & Sugiura, J. Comput. Appl. Math. 159 (2003) 119-128). The integral of the answers gives the motions.
 
-use nalgebra::{DMatrix, DVector, Schur};
+use nalgebra::DMatrix;
 use num_complex::Complex64;
+use rayon::prelude::*;
 
-use super::motion::{Motion, combined, stretches};
+use super::motion::Motion;
+use super::pencil::{Pair, pairs};
 use super::quadrature::{Sample, samples};
 use crate::model::{
     BeamMotion, Force, MassMotion, Measure, Model, Place, Quantity, Response, Target,
 };
 use crate::solve::plan::Plan;
 use crate::solve::recursion::Workspace;
+
+/// A circle in the plane of omega, rad/s, and how many points of it are looked at.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Circle {
+    pub(super) centre: Complex64,
+    pub(super) radius: f64,
+    pub(super) points: usize,
+}
+
+impl Circle {
+    /// Around roots (rad/s), with `gap` from their mean to any other: the integrals are right to about 1e-13.
+    pub(super) fn around(roots: &[Complex64], gap: f64) -> Self {
+        const LEAST: f64 = 1e-5;
+        const DIGITS: f64 = 26.0;
+        let centre = roots.iter().sum::<Complex64>() / roots.len() as f64;
+        let size = roots
+            .iter()
+            .map(|root| (root - centre).norm())
+            .fold(0.0, f64::max);
+        // What lies inside and what lies outside have the same share in the error.
+        let radius = (size * gap).sqrt().max(LEAST * gap);
+        let share = (size / radius).max(radius / gap);
+        let points = (DIGITS / -share.ln()).ceil().clamp(2.0, 64.0);
+        Self {
+            centre,
+            radius,
+            points: points as usize,
+        }
+    }
+
+    /// Its points (angles without the real axis, on which a pole of the answers may lie), as seen from its centre over
+    /// its radius.
+    fn directions(self) -> impl Iterator<Item = Complex64> {
+        let points = self.points as f64;
+        let angle = move |index: usize| std::f64::consts::TAU * (index as f64 + 0.5) / points;
+        (0..self.points).map(move |index| Complex64::from_polar(1.0, angle(index)))
+    }
+}
 
 /// Modes that lie close together.
 #[derive(Debug, Clone)]
@@ -46,71 +86,42 @@ impl<'a> Probe<'a> {
         }
     }
 
-    /// The `count` modes nearest to `omega` (rad/s), which itself is no root.
-    pub(super) fn eigenspace(&self, omega: Complex64, count: usize) -> Eigenspace {
-        let loaded: Vec<(Motion, DVector<Complex64>)> = (0..count)
-            .map(|load| self.answer(omega, load, count))
-            .collect();
-        let answers: Vec<&Motion> = loaded.iter().map(|(motion, _)| motion).collect();
-        let form = |i: usize, j: usize| self.form(omega, answers[i], answers[j]);
-        let inertia = DMatrix::from_fn(count, count, form);
-        let work = DMatrix::from_fn(count, count, |i, j| loaded[j].1[i]);
-        let (values, vectors) = eigen(&inertia, &work);
-        let mut order: Vec<usize> = (0..count).collect();
-        let root = |index: usize| omega + values[index];
-        order.sort_by(|&a, &b| root(a).norm().total_cmp(&root(b).norm()));
-        let mut motions: Vec<Motion> = Vec::new();
-        for &index in &order {
-            let mut motion = combined(&answers, &vectors[index]);
-            // Modes at one frequency are any; make them orthogonal. Others are already.
-            for other in &motions {
-                let share = self.form(omega, other, &motion) / self.form(omega, other, other);
-                motion.add(other, -share);
+    /// The `count` modes inside a circle; none where they cannot be told apart from noise.
+    pub(super) fn eigenspace(&self, circle: Circle, count: usize) -> Option<Eigenspace> {
+        let moments = Moments::new(self.model, &self.responses(), circle, count);
+        let mut roots = Vec::new();
+        let mut motions = Vec::new();
+        for (root, Pair { vector, .. }) in moments.modes()? {
+            // The integral of the answers is -phi x^T / 2 omega_k, and the vector has x^T y = i sqrt(2 omega_k).
+            let factor = Complex64::I * (2.0 * root).sqrt();
+            let values = moments.answers.iter().zip(vector.iter());
+            let mut motion = vec![Complex64::ZERO; moments.answers[0].len()];
+            for (answer, share) in values {
+                for (sum, value) in motion.iter_mut().zip(answer) {
+                    *sum += factor * share * value;
+                }
             }
-            let norm = (self.form(omega, &motion, &motion) / (2.0 * omega)).sqrt();
-            motions.push(motion.times(norm.inv()));
+            roots.push(root);
+            motions.push(self.motion(&motion));
         }
-        Eigenspace {
-            roots: order.into_iter().map(root).collect(),
-            motions,
-        }
+        Some(Eigenspace { roots, motions })
     }
 
-    /// The answer to one of some loads that reach everything, and the work of every load on it.
-    fn answer(&self, omega: Complex64, load: usize, count: usize) -> (Motion, DVector<Complex64>) {
-        let forces = loads(self.model, load);
-        let mut responses = self.responses();
-        let motions = responses.len();
-        responses.extend(forces.iter().map(|force| response(force.target.clone())));
-        let plan = Plan::new(&Model {
-            forces: forces.clone(),
-            responses,
-            ..self.model.clone()
-        });
-        let mut values = vec![Complex64::ZERO; plan.outputs.len()];
-        Workspace::default().solve(&plan, omega, &mut values);
-        let moved = &values[motions..];
-        let work = DVector::from_fn(count, |other, _| {
-            let others = loads(self.model, other);
-            others
-                .iter()
-                .zip(moved)
-                .map(|(force, moved)| force.amplitude * moved)
-                .sum()
-        });
-        (self.motion(&values[..motions]), work)
+    /// Nothing moves.
+    pub(super) fn at_rest(&self) -> Motion {
+        self.motion(&vec![Complex64::ZERO; self.responses().len()])
+    }
+
+    /// The places along the beam in the order of [`Motion::beam`], m.
+    pub(super) fn places(&self) -> impl Iterator<Item = f64> {
+        let sampled = self.samples.iter().map(|sample| sample.position);
+        self.looked_at.iter().copied().chain(sampled)
     }
 
     /// What is read, in the order of [`Self::motion`].
     fn responses(&self) -> Vec<Response> {
         let mut targets = Vec::new();
-        let places = self
-            .looked_at
-            .iter()
-            .copied()
-            .chain(self.samples.iter().map(|s| s.position));
-        let mounts = self.model.attached().map(|subsystem| subsystem.position);
-        for x in places.chain(mounts) {
+        for x in self.places() {
             targets.extend(DISPLACEMENTS.map(|motion| Target::Beam(Place::Position(x), motion)));
         }
         for place in [Place::Left, Place::Right] {
@@ -131,7 +142,6 @@ impl<'a> Probe<'a> {
                 .collect()
         };
         let (beam, rest) = values.split_at(3 * (self.looked_at.len() + self.samples.len()));
-        let (mounts, rest) = rest.split_at(3 * self.model.attached().count());
         let (ends, masses) = rest.split_at(12);
         Motion {
             beam: triples(beam),
@@ -140,58 +150,101 @@ impl<'a> Probe<'a> {
                 std::array::from_fn(|row| ends[6 + row]),
             ],
             masses: triples(masses),
-            mounts: triples(mounts),
         }
-    }
-
-    /// `a^T (2 omega M - i C) b`.
-    fn form(&self, omega: Complex64, a: &Motion, b: &Motion) -> Complex64 {
-        let mut mass = self.mass_of_beam(a, b);
-        let mut damping = Complex64::ZERO;
-        for (index, subsystem) in self.model.attached().enumerate() {
-            let (p, q) = (&a.masses[index], &b.masses[index]);
-            mass += subsystem.mass * (p[0] * q[0] + p[1] * q[1]) + subsystem.inertia * p[2] * q[2];
-            let stretch = |motion: &Motion| {
-                stretches(subsystem, &motion.masses[index], &motion.mounts[index])
-            };
-            let dampers = [
-                subsystem.y_left,
-                subsystem.y_right,
-                subsystem.z_left,
-                subsystem.z_right,
-            ];
-            for (spring, (s, t)) in dampers.iter().zip(stretch(a).iter().zip(stretch(b))) {
-                damping += spring.damping * s * t;
-            }
-        }
-        let supports = [&self.model.supports.left, &self.model.supports.right];
-        for (support, (p, q)) in supports.iter().zip(a.ends.iter().zip(&b.ends)) {
-            for motion in BeamMotion::ALL {
-                let elastic = support[motion].elastic();
-                let product = p[motion as usize] * q[motion as usize];
-                mass += elastic.inertia * product;
-                damping += elastic.damping * product;
-            }
-        }
-        2.0 * omega * mass - Complex64::I * damping
-    }
-
-    /// `a^T M b` of the beam alone.
-    fn mass_of_beam(&self, a: &Motion, b: &Motion) -> Complex64 {
-        let (material, section) = (&self.model.beam.material, &self.model.beam.section);
-        let polar = section.polar_moment / section.area;
-        let first = self.looked_at.len();
-        let motions = a.beam[first..].iter().zip(&b.beam[first..]);
-        let shares = self.samples.iter().zip(motions).map(|(sample, (p, q))| {
-            let coupled = section.centroid_offset * (p[0] * q[1] + p[1] * q[0]);
-            let density = p[0] * q[0] + p[2] * q[2] + polar * p[1] * q[1] + coupled;
-            sample.weight * material.density * section.area * density
-        });
-        shares.sum()
     }
 }
 
-/// Loads at some places of the beam and on every mass, in no simple ratio to each other.
+/// The `count` roots inside a circle, rad/s, by rising |omega|; none where they cannot be told apart from noise.
+pub(super) fn roots_inside(model: &Model, circle: Circle, count: usize) -> Option<Vec<Complex64>> {
+    let modes = Moments::new(model, &[], circle, count).modes()?;
+    Some(modes.into_iter().map(|(root, _)| root).collect())
+}
+
+/// Contour integrals of the answers to some loads.
+struct Moments {
+    circle: Circle,
+    /// Of H and of H times the place on the circle, as its centre sees it.
+    forms: [DMatrix<Complex64>; 2],
+    /// Of the responses, by load.
+    answers: Vec<Vec<Complex64>>,
+}
+
+impl Moments {
+    fn new(model: &Model, responses: &[Response], circle: Circle, count: usize) -> Self {
+        let loads: Vec<Vec<Force>> = (0..count).map(|load| loads(model, load)).collect();
+        let integrals: Vec<[Vec<Complex64>; 2]> = loads
+            .par_iter()
+            .map(|forces| integrals(model, responses, forces, circle))
+            .collect();
+        let form = |power: usize| {
+            DMatrix::from_fn(count, count, |other, load| {
+                let moved = &integrals[load][power][responses.len()..];
+                let works = loads[other].iter().zip(moved);
+                works.map(|(force, moved)| force.amplitude * moved).sum()
+            })
+        };
+        Self {
+            circle,
+            forms: [form(0), form(1)],
+            answers: integrals
+                .iter()
+                .map(|by_power| by_power[0][..responses.len()].to_vec())
+                .collect(),
+        }
+    }
+
+    /// Each root with its vector, by rising |omega|.
+    fn modes(&self) -> Option<Vec<(Complex64, Pair)>> {
+        let [first, second] = &self.forms;
+        let finite = first.iter().chain(second).all(|value| value.is_finite());
+        let pairs = if finite {
+            pairs(first, second)?
+        } else {
+            return None;
+        };
+        let root = |value: Complex64| self.circle.centre + self.circle.radius * value;
+        let mut modes: Vec<_> = pairs
+            .into_iter()
+            .map(|pair| (root(pair.value), pair))
+            .collect();
+        modes.sort_by(|(a, _), (b, _)| a.norm().total_cmp(&b.norm()));
+        Some(modes)
+    }
+}
+
+/// Integrals along the circle, over 2 pi i, of the responses and of what the loads' places do, times 1 and times the
+/// place on the circle.
+fn integrals(
+    model: &Model,
+    responses: &[Response],
+    forces: &[Force],
+    circle: Circle,
+) -> [Vec<Complex64>; 2] {
+    let own = forces.iter().map(|force| response(force.target.clone()));
+    let plan = Plan::new(&Model {
+        forces: forces.to_vec(),
+        responses: responses.iter().cloned().chain(own).collect(),
+        ..model.clone()
+    });
+    let none = vec![Complex64::ZERO; plan.outputs.len()];
+    let mut sums = [none.clone(), none.clone()];
+    let (mut values, mut workspace) = (none, Workspace::default());
+    for direction in circle.directions() {
+        workspace.solve(
+            &plan,
+            circle.centre + circle.radius * direction,
+            &mut values,
+        );
+        let weight = circle.radius * direction / circle.points as f64;
+        for (index, value) in values.iter().enumerate() {
+            sums[0][index] += weight * value;
+            sums[1][index] += weight * direction * value;
+        }
+    }
+    sums
+}
+
+/// Loads at some places of the beam and on every mass; those of different numbers `load` are independent.
 pub(in crate::solve) fn loads(model: &Model, load: usize) -> Vec<Force> {
     const PLACES: [f64; 5] = [0.0, 0.217, 0.471, 0.738, 1.0];
     let section = &model.beam.section;
@@ -209,25 +262,44 @@ pub(in crate::solve) fn loads(model: &Model, load: usize) -> Vec<Force> {
     }
     for subsystem in model.attached() {
         let turn = (subsystem.inertia / subsystem.mass).sqrt();
+        let arm = if turn > 0.0 {
+            turn
+        } else {
+            // It may creep without inertia.
+            subsystem.arm_left.abs() + subsystem.arm_right.abs()
+        };
         for (motion, arm) in [
             (MassMotion::Y, 1.0),
             (MassMotion::Z, 1.0),
-            (MassMotion::Theta, turn),
+            (MassMotion::Theta, arm),
         ] {
             targets.push((Target::Mass(subsystem.name.clone(), motion), arm));
         }
     }
-    let uneven = |index: usize| (12.989_8 * (index + 1) as f64 + 78.233 * (load + 1) as f64).sin();
     targets
         .into_iter()
         .enumerate()
         .map(|(index, (target, arm))| Force {
             enabled: true,
             target,
-            amplitude: arm * uneven(index),
+            amplitude: arm * uneven(index, load),
             phase: 0.0,
         })
         .collect()
+}
+
+/// A number between -1 and 1 for each pair of numbers, without any pattern.
+///
+/// Sines or other smooth functions would not do: sin(a index + b load) has rank 2.
+/// Source of the mixing: Steele, Lea & Flood, OOPSLA 2014, 453-472 (`SplitMix64`).
+fn uneven(index: usize, load: usize) -> f64 {
+    let mut bits = (index as u64 + 1)
+        .wrapping_mul(0x9e37_79b9_7f4a_7c15)
+        .wrapping_add((load as u64 + 1).wrapping_mul(0xd1b5_4a32_d192_ed03));
+    bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    bits ^= bits >> 31;
+    (bits >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
 }
 
 const DISPLACEMENTS: [BeamMotion; 3] = [BeamMotion::W, BeamMotion::Psi, BeamMotion::V];
@@ -238,42 +310,4 @@ fn response(target: Target) -> Response {
         enabled: true,
         quantity: Quantity::Motion(target, Measure::Displacement),
     }
-}
-
-/// Values delta and vectors y of `work y = delta inertia y`.
-fn eigen(
-    inertia: &DMatrix<Complex64>,
-    work: &DMatrix<Complex64>,
-) -> (Vec<Complex64>, Vec<DVector<Complex64>>) {
-    let count = inertia.nrows();
-    let Some(matrix) = inertia.clone().lu().solve(work) else {
-        // Loads that reach nothing: no motion.
-        return (
-            vec![Complex64::ZERO; count],
-            vec![DVector::zeros(count); count],
-        );
-    };
-    let (q, t) = Schur::new(matrix).unpack();
-    let values: Vec<Complex64> = t.diagonal().iter().copied().collect();
-    let vectors = (0..count)
-        .map(|index| &q * triangular_vector(&t, index))
-        .collect();
-    (values, vectors)
-}
-
-/// The eigenvector of an upper triangle for its diagonal entry `index`.
-fn triangular_vector(t: &DMatrix<Complex64>, index: usize) -> DVector<Complex64> {
-    let mut x = DVector::zeros(t.nrows());
-    x[index] = Complex64::ONE;
-    let negligible = 1e-13 * t.norm();
-    for row in (0..index).rev() {
-        let sum: Complex64 = (row + 1..=index).map(|k| t[(row, k)] * x[k]).sum();
-        let gap = t[(row, row)] - t[(index, index)];
-        x[row] = if gap.norm() <= negligible {
-            Complex64::ZERO
-        } else {
-            -sum / gap
-        };
-    }
-    x
 }

@@ -1,22 +1,27 @@
-//! Natural frequencies, damped modes and mode shapes: none missed, and the list says so.
+//! Natural frequencies, damped modes and mode shapes: every list is proven to be complete, or says where it is not.
 //!
 //! Undamped: `count` says how many modes lie below a frequency (Wittrick & Williams 1971), from `span`, `series`,
 //! `station`, `rigid` and `inertia`; `undamped` halves intervals by it and polishes each root, by `bracket`, on the
 //! `characteristic` function, which comes from the reflections of the frequency responses and shares nothing with the
-//! count. Damped: `damped` moves all roots of that function together, each a `tracker`, and `winding` counts them by
-//! the argument principle, divided by those of the `blocked` masses. Shapes: `eigenspace` finds the `motion` of modes that lie close together from responses
-//! beside them, with the integrals of `quadrature`; `shape` is what people see.
+//! count. Damped: `damped` moves all roots of that function together, each a `tracker`, proves each of them, and counts
+//! by the argument principle along a `contour` what is missing; `regions` finds it. Close and equal modes, and all
+//! shapes: `eigenspace` integrates responses around them (`neighbours` says which), and `pencil` separates them into
+//! `motion`s. `shape` is what people see, with the integrals of `quadrature`.
 
 mod blocked;
 mod bound;
 mod bracket;
 mod characteristic;
+mod contour;
 mod count;
 mod damped;
 mod eigenspace;
 mod inertia;
 mod motion;
+mod neighbours;
+mod pencil;
 mod quadrature;
+mod regions;
 mod rigid;
 mod series;
 mod shape;
@@ -25,14 +30,13 @@ mod station;
 mod tracker;
 mod types;
 mod undamped;
-mod winding;
 
 use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
 
 pub(super) use eigenspace::loads;
 pub use shape::shape;
-pub use types::{Completeness, Mode, ModeKind, Modes, Shape, Shares};
+pub use types::{Completeness, Gap, Mode, ModeKind, Modes, Shape, Shares};
 
 use crate::model::{Model, Restraint};
 
@@ -101,10 +105,10 @@ fn solved(model: &Model, to: f64, certificate: Certificate, cancel: &AtomicBool)
     let counter = search.counter;
     let oscillating = &undamped[counter.rigid().min(undamped.len())..];
     let found = if is_damped(model) {
-        let search = damped::Search::new(model, counter.rigid(), cancel);
+        let search = damped::Search::new(model, TAU * to, cancel);
         match certificate {
             Certificate::Wanted => search.continue_undamped(oscillating, TAU * to)?,
-            Certificate::Unwanted => search.uncertified(oscillating)?,
+            Certificate::Unwanted => search.uncertified(oscillating, TAU * to)?,
         }
     } else {
         damped::Found::without_damping(oscillating)
@@ -126,7 +130,7 @@ pub fn follow(model: &Model, before: &Modes, cancel: &AtomicBool) -> Option<Mode
         .copied()
         .collect();
     if is_damped(model) && !moving.is_empty() {
-        let search = damped::Search::new(model, counter.rigid(), cancel);
+        let search = damped::Search::new(model, TAU * before.to, cancel);
         let found = search.follow(&moving, TAU * before.to)?;
         if found.completeness == Completeness::Certain {
             return Some(collected(&counter, before.to, &found));
@@ -150,8 +154,13 @@ fn collected(counter: &count::Counter, to: f64, found: &damped::Found) -> Modes 
             .chain(inside)
             .collect(),
         beyond,
-        completeness: found.completeness,
+        completeness: found.completeness.clone(),
     }
+}
+
+/// Whether the model has a loss factor: no root is then the mirror image of another.
+fn is_hysteretic(model: &Model) -> bool {
+    model.beam.material.loss_factor != 0.0
 }
 
 /// Whether anything in the model takes energy away.

@@ -1,14 +1,186 @@
 //! The modes at frequency 0: how the beam and the masses move without stretching a spring.
 
-use nalgebra::{SMatrix, SymmetricEigen};
+use nalgebra::{DMatrix, SMatrix, SVector, SymmetricEigen};
 
 use super::station::{End, Mass};
+use crate::model::{BeamMotion, Model, Spring, Subsystem};
+
+/// A motion at frequency 0.
+#[derive(Debug, Clone)]
+pub(super) struct RigidMotion {
+    /// (w, psi, v, w', v') at the left end.
+    beam: SVector<f64, 5>,
+    /// (y, z, theta) of each enabled subsystem.
+    pub(super) masses: Vec<[f64; 3]>,
+}
 
 /// The modes at frequency 0: motions of the rigid beam and the masses that stretch no spring.
 pub(super) fn count(left: &End, right: &End, masses: &[Mass], length: f64) -> usize {
-    // Of w, psi, v at the left end and the two slopes; a rigid beam has no rate of twist.
+    let loose: usize = masses.iter().map(|mass| mass.condensed_static().1).sum();
+    loose + still(&stiffness(left, right, masses, length)).len()
+}
+
+/// The modes at frequency 0 of a model, of modal mass 1 and orthogonal.
+pub(super) fn motions(model: &Model) -> Vec<RigidMotion> {
+    let warps = model.beam.section.warping_constant > 0.0;
+    let [left, right] = [&model.supports.left, &model.supports.right].map(|s| End::new(s, warps));
+    let masses: Vec<Mass> = model.attached().map(Mass::new).collect();
+    let of_beam = still(&stiffness(&left, &right, &masses, model.beam.length));
+    let mut motions: Vec<RigidMotion> = of_beam
+        .into_iter()
+        .map(|beam| RigidMotion {
+            masses: masses
+                .iter()
+                .map(|mass| mass.following(&moved(&beam, mass.position)))
+                .collect(),
+            beam,
+        })
+        .collect();
+    for (index, mass) in masses.iter().enumerate() {
+        for loose in mass.loose() {
+            let mut motion = RigidMotion {
+                beam: SVector::zeros(),
+                masses: vec![[0.0; 3]; masses.len()],
+            };
+            motion.masses[index] = loose;
+            motions.push(motion);
+        }
+    }
+    orthonormal(model, [&left, &right], motions)
+}
+
+/// How many of the roots at frequency 0 (two for each mode without damping) dampers move away, to rates above `least`,
+/// 1/s: what is slower is rounding.
+pub(super) fn crept(model: &Model, least: f64) -> usize {
+    const RESOLVED: f64 = 1e-10;
+    let motions = motions(model);
+    if motions.is_empty() {
+        return 0;
+    }
+    // Dampers in the place of springs.
+    let in_place = |spring: Spring| Spring {
+        stiffness: spring.damping,
+        damping: 0.0,
+    };
+    let dampers: Vec<Mass> = model
+        .attached()
+        .map(|subsystem| {
+            Mass::new(&Subsystem {
+                y_left: in_place(subsystem.y_left),
+                y_right: in_place(subsystem.y_right),
+                z_left: in_place(subsystem.z_left),
+                z_right: in_place(subsystem.z_right),
+                // Its stiffness may not be made up for want of inertia.
+                inertia: 1.0,
+                ..subsystem.clone()
+            })
+        })
+        .collect();
+    let ends = [
+        (&model.supports.left, 0.0),
+        (&model.supports.right, model.beam.length),
+    ];
+    // The damping of each pair, and the size of what is summed to it: a sum that cancels is none.
+    let term = |i: usize, j: usize| {
+        let (a, b) = (&motions[i], &motions[j]);
+        let of_masses = dampers.iter().enumerate().map(|(index, mass)| {
+            let (a, b) = (mass.stretched(a, index), mass.stretched(b, index));
+            let sum = a.dot(&(mass.stiffness * b));
+            [sum, a.abs().dot(&(mass.stiffness.abs() * b.abs()))]
+        });
+        let of_ends = ends.iter().flat_map(|&(support, x)| {
+            let rows = rigid_motions(x);
+            BeamMotion::ALL.map(|motion| {
+                let row = &rows[motion as usize];
+                let sum = support[motion].elastic().damping * row.dot(&a.beam) * row.dot(&b.beam);
+                [sum, sum.abs()]
+            })
+        });
+        let add = |[sum, size]: [f64; 2], [more, its]: [f64; 2]| [sum + more, size + its];
+        of_masses.chain(of_ends).fold([0.0; 2], add)
+    };
+    let count = motions.len();
+    let damping = DMatrix::from_fn(count, count, |i, j| term(i, j)[0]);
+    let largest = (0..count).map(|i| term(i, i)[1]).fold(0.0, f64::max);
+    let values = SymmetricEigen::new(damping).eigenvalues;
+    values
+        .iter()
+        .filter(|&&value| value > RESOLVED * largest && value > least)
+        .count()
+}
+
+impl RigidMotion {
+    /// (w, psi, v) at x.
+    pub(super) fn at(&self, x: f64) -> [f64; 3] {
+        let [w, psi, v, ..] = rigid_motions(x).map(|row| row.dot(&self.beam));
+        [w, psi, v]
+    }
+
+    /// The six motions of the beam at x.
+    pub(super) fn all_at(&self, x: f64) -> [f64; 6] {
+        rigid_motions(x).map(|row| row.dot(&self.beam))
+    }
+
+    fn add(&mut self, other: &Self, factor: f64) {
+        self.beam += factor * other.beam;
+        let own = self.masses.iter_mut().flatten();
+        for (own, other) in own.zip(other.masses.iter().flatten()) {
+            *own += factor * other;
+        }
+    }
+}
+
+/// Makes motions orthogonal in the mass, each of modal mass 1; twice, so that rounding leaves nothing.
+fn orthonormal(model: &Model, ends: [&End; 2], motions: Vec<RigidMotion>) -> Vec<RigidMotion> {
+    let mut done: Vec<RigidMotion> = Vec::new();
+    for mut motion in motions {
+        for _ in 0..2 {
+            for other in &done {
+                let share = mass(model, ends, other, &motion);
+                motion.add(other, -share);
+            }
+            let norm = mass(model, ends, &motion, &motion).sqrt();
+            let copy = motion.clone();
+            motion.add(&copy, norm.recip() - 1.0);
+        }
+        done.push(motion);
+    }
+    done
+}
+
+/// `a^T M b`, closed form along the beam.
+fn mass(model: &Model, ends: [&End; 2], a: &RigidMotion, b: &RigidMotion) -> f64 {
+    let (material, section) = (&model.beam.material, &model.beam.section);
+    let length = model.beam.length;
+    let density = |x: f64| {
+        let ([w, psi, v], [w_b, psi_b, v_b]) = (a.at(x), b.at(x));
+        let polar = section.polar_moment / section.area;
+        w * w_b + v * v_b + polar * psi * psi_b + section.centroid_offset * (w * psi_b + psi * w_b)
+    };
+    // Simpson's rule is exact for the product of two straight lines.
+    let mean = (density(0.0) + 4.0 * density(0.5 * length) + density(length)) / 6.0;
+    let mut sum = material.density * section.area * length * mean;
+    for (end, x) in ends.iter().zip([0.0, length]) {
+        for (row, elastic) in rigid_motions(x).iter().zip(&end.elastic) {
+            sum += elastic.inertia * row.dot(&a.beam) * row.dot(&b.beam);
+        }
+    }
+    for (subsystem, (p, q)) in model.attached().zip(a.masses.iter().zip(&b.masses)) {
+        sum += subsystem.mass * (p[0] * q[0] + p[1] * q[1]) + subsystem.inertia * p[2] * q[2];
+    }
+    sum
+}
+
+/// (w, psi, v) at x.
+fn moved(beam: &SVector<f64, 5>, x: f64) -> [f64; 3] {
+    let [w, psi, v, ..] = rigid_motions(x).map(|row| row.dot(beam));
+    [w, psi, v]
+}
+
+/// The stiffness over (w, psi, v, w', v') of a rigid beam at its left end, its masses following.
+fn stiffness(left: &End, right: &End, masses: &[Mass], length: f64) -> SMatrix<f64, 5, 5> {
+    // A rigid beam has no rate of twist.
     let mut rigid = SMatrix::<f64, 5, 5>::zeros();
-    let mut free = 0;
     let held = held_stiffness([left, right], masses);
     for (end, x) in [(left, 0.0), (right, length)] {
         for (row, motion) in rigid_motions(x).iter().enumerate() {
@@ -21,16 +193,15 @@ pub(super) fn count(left: &End, right: &End, masses: &[Mass], length: f64) -> us
         }
     }
     for mass in masses {
-        let (condensed, loose) = mass.condensed_static();
+        let (condensed, _) = mass.condensed_static();
         let motions = rigid_motions(mass.position);
         for row in 0..3 {
             for column in 0..3 {
                 rigid += condensed[(row, column)] * motions[row] * motions[column].transpose();
             }
         }
-        free += loose;
     }
-    free + 5 - rank(&rigid)
+    rigid
 }
 
 /// A stiffness as large as any of the model: what is fixed is certainly no mode at frequency 0.
@@ -55,26 +226,25 @@ fn rigid_motions(x: f64) -> [SMatrix<f64, 5, 1>; 6] {
     .map(SMatrix::<f64, 5, 1>::from)
 }
 
-/// The rank of a positive semidefinite matrix, each motion in its own unit.
-fn rank<const N: usize>(stiffness: &SMatrix<f64, N, N>) -> usize
-where
-    nalgebra::Const<N>: nalgebra::DimSub<nalgebra::U1>,
-    nalgebra::DefaultAllocator: nalgebra::allocator::Allocator<nalgebra::Const<N>>
-        + nalgebra::allocator::Allocator<nalgebra::DimDiff<nalgebra::Const<N>, nalgebra::U1>>,
-{
+/// The motions that a positive semidefinite stiffness does not resist, each motion in its own unit.
+fn still(stiffness: &SMatrix<f64, 5, 5>) -> Vec<SVector<f64, 5>> {
     const RESOLVED: f64 = 1e-11;
-    let scale = |index: usize| {
+    let scale = SVector::<f64, 5>::from_fn(|index, _| {
         let diagonal = stiffness[(index, index)];
         if diagonal > 0.0 {
             diagonal.sqrt().recip()
         } else {
-            0.0
+            1.0
         }
-    };
-    let scaled = SMatrix::<f64, N, N>::from_fn(|i, j| stiffness[(i, j)] * scale(i) * scale(j));
-    SymmetricEigen::new(scaled)
+    });
+    let scaled = SMatrix::<f64, 5, 5>::from_fn(|i, j| stiffness[(i, j)] * scale[i] * scale[j]);
+    let eigen = SymmetricEigen::new(scaled);
+    let pairs = eigen
         .eigenvalues
         .iter()
-        .filter(|&&x| x > RESOLVED)
-        .count()
+        .zip(eigen.eigenvectors.column_iter());
+    pairs
+        .filter(|(value, _)| **value <= RESOLVED)
+        .map(|(_, vector)| vector.component_mul(&scale))
+        .collect()
 }

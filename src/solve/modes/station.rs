@@ -1,9 +1,13 @@
 //! What stands at a station of the undamped beam: an end's support, a subsystem's mass on its springs.
 
-use nalgebra::{Matrix3, Matrix6, SymmetricEigen, Vector6};
+use nalgebra::{Matrix3, Matrix6, SymmetricEigen, Vector3, Vector6};
 
 use super::inertia::eliminate;
+use super::rigid::RigidMotion;
 use crate::model::{BeamMotion, Elastic, Restraint, Subsystem, Support};
+
+/// A share of the largest stiffness below which one is rounding.
+const RESOLVED: f64 = 1e-12;
 
 /// An end: which motions it holds, and the springs and inertias on the others.
 #[derive(Debug, Clone, Copy)]
@@ -118,31 +122,57 @@ impl Mass {
 
     /// The static stiffness over (w, psi, v) with the mass following, and how many of its motions meet no spring.
     pub(super) fn condensed_static(&self) -> (Matrix3<f64>, usize) {
-        const RESOLVED: f64 = 1e-12;
-        let own = self.stiffness.fixed_view::<3, 3>(0, 0).into_owned();
         let across = self.stiffness.fixed_view::<3, 3>(0, 3);
         let direct = self.stiffness.fixed_view::<3, 3>(3, 3);
-        let eigen = SymmetricEigen::new(own);
-        let least = RESOLVED * eigen.eigenvalues.amax();
+        let own = self.own_motions();
         let mut condensed = direct.into_owned();
-        let mut loose = 0;
-        for (value, vector) in eigen
-            .eigenvalues
-            .iter()
-            .zip(eigen.eigenvectors.column_iter())
-        {
-            if *value > least {
-                let pulled = across.transpose() * vector;
-                condensed -= pulled * pulled.transpose() / *value;
-            } else {
-                loose += 1;
-            }
+        for (value, vector) in own.iter().filter(|(value, _)| *value > 0.0) {
+            let pulled = across.transpose() * vector;
+            condensed -= pulled * pulled.transpose() / *value;
         }
         // A mass that can follow leaves nothing but rounding.
         let scale = direct.amax();
         (
             condensed.map(|x| if x.abs() < RESOLVED * scale { 0.0 } else { x }),
-            loose,
+            own.iter().filter(|(value, _)| *value == 0.0).count(),
         )
+    }
+
+    /// How the mass follows a static motion (w, psi, v) of the beam.
+    pub(super) fn following(&self, beam: &[f64; 3]) -> [f64; 3] {
+        let across = self.stiffness.fixed_view::<3, 3>(0, 3);
+        let pulled = across * Vector3::from(*beam);
+        let mut moved = Vector3::zeros();
+        for (value, vector) in self.own_motions() {
+            if value > 0.0 {
+                moved -= vector * (vector.dot(&pulled) / value);
+            }
+        }
+        moved.into()
+    }
+
+    /// The motions of the mass that meet no spring.
+    pub(super) fn loose(&self) -> Vec<[f64; 3]> {
+        let own = self.own_motions();
+        let loose = own.into_iter().filter(|(value, _)| *value == 0.0);
+        loose.map(|(_, vector)| vector.into()).collect()
+    }
+
+    /// (y, z, theta | w, psi, v) in a rigid motion; `index` is the mass's own.
+    pub(super) fn stretched(&self, motion: &RigidMotion, index: usize) -> Vector6<f64> {
+        let ([y, z, theta], [w, psi, v]) = (motion.masses[index], motion.at(self.position));
+        Vector6::new(y, z, theta, w, psi, v)
+    }
+
+    /// The principal motions of the mass on its springs with the beam held, and their stiffness: 0 where it is rounding.
+    fn own_motions(&self) -> [(f64, Vector3<f64>); 3] {
+        let own = self.stiffness.fixed_view::<3, 3>(0, 0).into_owned();
+        let eigen = SymmetricEigen::new(own);
+        let least = RESOLVED * eigen.eigenvalues.amax();
+        std::array::from_fn(|index| {
+            let value = eigen.eigenvalues[index];
+            let kept = if value > least { value } else { 0.0 };
+            (kept, eigen.eigenvectors.column(index).into_owned())
+        })
     }
 }

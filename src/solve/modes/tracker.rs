@@ -8,39 +8,41 @@ use super::characteristic::Characteristic;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Tracker {
     pub(super) z: Complex64,
+    /// How many roots move together as one, equal or nearly so.
+    pub(super) count: usize,
     /// Whether it stays on the imaginary axis, where the function is real.
     on_axis: bool,
+    /// Whether the other side of the imaginary axis is the mirror image.
+    mirrored: bool,
     last_step: f64,
     pub(super) arrived: bool,
 }
 
 impl Tracker {
-    pub(super) fn new(z: Complex64) -> Self {
+    /// For `count` roots near `z`.
+    pub(super) fn new(z: Complex64, count: usize, hysteretic: bool) -> Self {
         Self {
             z,
-            on_axis: z.re == 0.0,
+            count,
+            on_axis: z.re == 0.0 && !hysteretic,
+            mirrored: !hysteretic,
             last_step: f64::INFINITY,
             arrived: false,
         }
     }
 
-    /// One step of Aberth: 1 / (F'/F - push).
-    pub(super) fn step(
-        &mut self,
-        characteristic: &Characteristic,
-        push: Complex64,
-        mirrored: bool,
-    ) {
+    /// One step of Aberth: count / (F'/F - push).
+    pub(super) fn step(&mut self, characteristic: &Characteristic, push: Complex64) {
         const ROUNDING: f64 = 1e-14;
         // Two roots in one place are seen to the root of the rounding only.
         const STALLED: f64 = 1e-6;
         const LONGEST: f64 = 0.3;
         let size = self.z.norm();
-        let alone = newton(characteristic, self.z);
+        let alone = newton(characteristic, self.z) * self.count as f64;
         let step = if alone == Complex64::ZERO {
             alone
         } else {
-            inverse(alone.inv() - push)
+            inverse(alone.inv() - push / self.count as f64)
         };
         let relative = step.norm() / size;
         if !relative.is_finite() {
@@ -55,7 +57,7 @@ impl Tracker {
         }
         if self.on_axis {
             self.z.re = 0.0;
-        } else if mirrored {
+        } else if self.mirrored {
             self.z.re = self.z.re.abs();
         }
     }

@@ -27,6 +27,12 @@ pub struct Mode {
 }
 
 /// What kind of motion a mode is.
+///
+/// Without a loss factor the roots omega are mirrored at the imaginary axis, and those on it creep. A loss factor stands
+/// for a hysteretic stiffness `E (1 + i eta)` where Re omega > 0 and its conjugate where Re omega < 0: a mode is then a
+/// root with Re omega >= 0, and an overdamped one is on the axis itself (where the beam takes no part in it). What the
+/// loss factor moves to the right of the axis is listed with a damping ratio near 1; what it moves to the left is no
+/// root of that half-plane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ModeKind {
     /// Nothing pulls it back: 0 Hz.
@@ -38,12 +44,12 @@ pub enum ModeKind {
 }
 
 /// Whether a list of damped modes is known to hold every mode.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Completeness {
-    /// As many as the argument principle counts.
+    /// Every mode of the list is proven, and the argument principle counts no other.
     Certain,
-    /// Another number than the argument principle counts, or not counted.
-    Doubtful,
+    /// All but what lies in some ranges of frequency, by rising frequency.
+    Open(Vec<Gap>),
     /// No mode was looked for: there are more than [`MOST_MODES`](super::MOST_MODES).
     TooMany,
 }
@@ -59,6 +65,46 @@ impl Modes {
             completeness: Completeness::TooMany,
         }
     }
+}
+
+/// A range of frequencies in which a list is not settled.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gap {
+    /// Hz, |omega| / 2 pi.
+    pub from: f64,
+    /// Hz.
+    pub to: f64,
+    /// How many modes the list has in it.
+    pub found: usize,
+    /// How many there are by the argument principle; none where rounding hides it, or the work allowed is used up.
+    pub counted: Option<usize>,
+}
+
+impl std::fmt::Display for Gap {
+    /// "between 1590 and 1610 Hz: 3 counted, 2 found".
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self {
+            from,
+            to,
+            found,
+            counted,
+        } = self;
+        write!(f, "between {} and {} Hz: ", digits(*from), digits(*to))?;
+        match counted {
+            Some(counted) => write!(f, "{counted} counted, {found} found"),
+            None => write!(f, "not counted, {found} found"),
+        }
+    }
+}
+
+/// As many digits as a person needs to find the range.
+fn digits(hertz: f64) -> f64 {
+    const PLACES: i32 = 4;
+    if hertz == 0.0 || !hertz.is_finite() {
+        return hertz;
+    }
+    let unit = 10.0_f64.powi(PLACES - 1 - hertz.abs().log10().floor() as i32);
+    (hertz * unit).round() / unit
 }
 
 impl Mode {

@@ -3,10 +3,13 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use num_complex::Complex64;
+use rayon::prelude::*;
 
 use super::bracket::bracketed;
 use super::characteristic::Characteristic;
 use super::count::Counter;
+use super::eigenspace::{Circle, roots_inside};
+use super::neighbours::neighbours;
 use super::{MOST_MODES, without_damping};
 use crate::model::Model;
 
@@ -24,6 +27,8 @@ const CONFIRMED: [f64; 3] = [1e-10, 1e-9, 1e-8];
 /// The search for the undamped roots of a model.
 pub(super) struct Search<'a> {
     pub(super) counter: Counter,
+    /// Without damping.
+    model: Model,
     characteristic: Characteristic,
     cancel: &'a AtomicBool,
 }
@@ -38,9 +43,11 @@ struct Counted {
 impl<'a> Search<'a> {
     /// For a checked model; its dampers and loss factor are left out.
     pub(super) fn new(model: &Model, cancel: &'a AtomicBool) -> Self {
+        let model = without_damping(model);
         Self {
-            counter: Counter::new(model),
-            characteristic: Characteristic::new(&without_damping(model)),
+            counter: Counter::new(&model),
+            characteristic: Characteristic::new(&model),
+            model,
             cancel,
         }
     }
@@ -55,8 +62,42 @@ impl<'a> Search<'a> {
         }
         let low = self.floor(high, rigid);
         let mut roots = vec![0.0; low.below];
-        roots.extend(self.between(low, high)?);
+        let moving = self.between(low, high)?;
+        roots.extend(self.separated(&moving));
         Some(roots)
+    }
+
+    /// Roots too close together for the functions, to the last digits from the space of their motions.
+    fn separated(&self, roots: &[f64]) -> Vec<f64> {
+        let all: Vec<Complex64> = roots.iter().map(|&omega| omega.into()).collect();
+        let groups: Vec<&[f64]> = roots.chunk_by(|a, b| b - a < CLOSE * a).collect();
+        let separated = groups.into_par_iter().flat_map_iter(|group| {
+            if group.len() == 1 {
+                return group.to_vec();
+            }
+            let first = roots.partition_point(|root| *root < group[0]);
+            let close = neighbours(&all, first, CLOSE);
+            let members: Vec<Complex64> = close.members.iter().map(|&member| all[member]).collect();
+            let circle = Circle::around(&members, close.gap);
+            let Some(found) = roots_inside(&self.model, circle, members.len()) else {
+                return group.to_vec();
+            };
+            // The group may have been found with others beside it.
+            let offset = close
+                .members
+                .iter()
+                .position(|&member| member == first)
+                .unwrap_or(0);
+            let own = found.get(offset..offset + group.len()).unwrap_or_default();
+            let near =
+                |(found, counted): (&Complex64, &f64)| (found.re - counted).abs() < CLOSE * counted;
+            if own.len() == group.len() && own.iter().zip(group).all(near) {
+                own.iter().map(|root| root.re).collect()
+            } else {
+                group.to_vec()
+            }
+        });
+        separated.collect()
     }
 
     fn counted(&self, omega: f64) -> Counted {

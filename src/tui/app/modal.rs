@@ -89,7 +89,7 @@ impl Modal {
             generation,
             to: modes.to,
             rows,
-            completeness: modes.completeness,
+            completeness: modes.completeness.clone(),
             change,
             modes,
         });

@@ -77,10 +77,17 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
 fn title(app: &App, list: &ModeList) -> String {
     let found = list.rows.len();
     let to = app.display.frequency_text(list.to);
-    match list.completeness {
+    match &list.completeness {
         Completeness::Certain => format!("Modes: {found} of {found} below {to}"),
-        Completeness::Doubtful => format!("Modes: {found} below {to}, perhaps not all"),
         Completeness::TooMany => format!("Modes: more than {MOST_MODES} below {to}"),
+        Completeness::Open(gaps) => {
+            let ranges = gaps.iter().map(|gap| {
+                let [from, to] = [gap.from, gap.to].map(|hertz| app.display.frequency_text(hertz));
+                format!("{from} to {to}")
+            });
+            let ranges: Vec<String> = ranges.collect();
+            format!("Modes: {found} below {to}, open at {}", ranges.join(", "))
+        }
     }
 }
 

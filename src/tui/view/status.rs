@@ -90,10 +90,11 @@ fn solved(app: &App, picture: &Picture) -> Vec<String> {
             .chain(["modes in work".to_owned()])
             .collect();
     };
-    let modes = match list.completeness {
-        Completeness::TooMany => "too many modes".to_owned(),
-        Completeness::Certain | Completeness::Doubtful => counted(list.rows.len(), "mode", "modes"),
-    };
+    if list.completeness == Completeness::TooMany {
+        let modes = "too many modes".to_owned();
+        return vec![format!("{modes}, {solved}"), modes];
+    }
+    let modes = counted(list.rows.len(), "mode", "modes");
     let change = match list.change {
         None | Some(0) => return vec![format!("{modes}, {solved}"), solved],
         Some(1) => "one more".to_owned(),

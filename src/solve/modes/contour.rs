@@ -1,0 +1,240 @@
+//! How many roots of the characteristic function are missing from a list: the argument principle along a closed path.
+//!
+//! The function is divided by the distances to all roots of the list, so that the phase of what remains turns once for
+//! each root inside that the list lacks, and hardly at all where it lacks none: a complete list is certified by a few dozen
+//! points. A path is looked at more closely where the logarithm's slope between its points is not smooth; a root that
+//! is close to the path shows so, also a double one; where the function is rounding this does not end, and is reported.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+use num_complex::Complex64;
+use rayon::prelude::*;
+
+use super::blocked::distances;
+use super::characteristic::Characteristic;
+
+/// Why a path has no count.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Unsettled {
+    /// The request is cancelled.
+    Cancelled,
+    /// The function is rounding there, or the work allowed is used up.
+    Noise,
+}
+
+/// The characteristic function over the distances to what is known.
+pub(super) struct Remainder<'a> {
+    pub(super) characteristic: &'a Characteristic,
+    /// The roots of the list with their mirror images; rad/s.
+    pub(super) known: Vec<Complex64>,
+    /// How many roots lie at 0.
+    pub(super) at_zero: usize,
+    /// The roots of blocked masses beyond the list: beside each of them lies one of the function.
+    pub(super) masses: Vec<Complex64>,
+    /// How many more points may be looked at.
+    pub(super) budget: &'a AtomicUsize,
+    pub(super) cancel: &'a AtomicBool,
+}
+
+/// A place on the path as ln omega, and the logarithm of the function there (its phase up to whole turns).
+#[derive(Debug, Clone, Copy)]
+struct Look {
+    at: Complex64,
+    log: Complex64,
+}
+
+/// A part of the plane of ln omega with straight edges: ln |omega| and the angle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Sector {
+    pub(super) radii: [f64; 2],
+    pub(super) angles: [f64; 2],
+}
+
+impl Remainder<'_> {
+    /// Roots that the list lacks in the disc up to `radius` (rad/s), counted in the right half of the plane and on the
+    /// imaginary axis; negative where it has too many. Without a loss factor the left half is the mirror image.
+    pub(super) fn in_disc(&self, radius: f64, hysteretic: bool) -> Result<i64, Unsettled> {
+        /// How far the region reaches beyond the imaginary axis, rad: roots on the axis lie inside.
+        const BEYOND: f64 = 0.15;
+        /// Below the real axis, where no root is, rad.
+        const BELOW: f64 = 0.25;
+        if !hysteretic {
+            let right = Complex64::new(radius.ln(), -FRAC_PI_2);
+            // There is no root below the real axis, so that half of the circle is enough.
+            let turned = self.turned(&[right, right + Complex64::I * PI])?;
+            return whole(turned / PI);
+        }
+        let nearest = self.known.iter().map(|root| root.norm());
+        let inner = (0.2 * nearest.fold(radius, f64::min)).max(self.characteristic.slowest());
+        let inner = inner.min(0.5 * radius).ln();
+        let outer = radius.ln();
+        // Past 0 on its left, where no root lies below the axis either.
+        let path = [
+            Complex64::new(outer, -BELOW),
+            Complex64::new(outer, FRAC_PI_2 + BEYOND),
+            Complex64::new(inner, FRAC_PI_2 + BEYOND),
+            Complex64::new(inner, TAU - BELOW),
+            Complex64::new(outer, TAU - BELOW),
+        ];
+        whole(self.turned(&path)? / TAU)
+    }
+
+    /// Roots that the list lacks in a sector.
+    pub(super) fn in_sector(&self, sector: &Sector) -> Result<i64, Unsettled> {
+        let [[low, high], [from, to]] = [sector.radii, sector.angles];
+        let corners = [
+            (low, from),
+            (high, from),
+            (high, to),
+            (low, to),
+            (low, from),
+        ];
+        let path = corners.map(|(radius, angle)| Complex64::new(radius, angle));
+        whole(self.turned(&path)? / TAU)
+    }
+
+    /// Roots that the list lacks within `radius` of `centre`, rad/s; the circle is a polygon.
+    pub(super) fn in_circle(&self, centre: Complex64, radius: f64) -> Result<i64, Unsettled> {
+        const CORNERS: usize = 16;
+        let corner = |index: usize| {
+            let angle = TAU * index as f64 / CORNERS as f64;
+            (centre + Complex64::from_polar(radius, angle)).ln()
+        };
+        let path: Vec<Complex64> = (0..=CORNERS).map(corner).collect();
+        whole(self.turned(&path)? / TAU)
+    }
+
+    /// How far the phase turns along a path of straight lines in ln omega, rad.
+    fn turned(&self, corners: &[Complex64]) -> Result<f64, Unsettled> {
+        /// Between two looks, by the growth of the waves, rad: a full turn cannot hide.
+        const TURN: f64 = 1.2;
+        const LONGEST: f64 = 0.2;
+        const MOST_ROUNDS: usize = 24;
+        let mut path = vec![corners[0]];
+        for pair in corners.windows(2) {
+            let length = (pair[1] - pair[0]).norm();
+            let direction = (pair[1] - pair[0]) / length;
+            let mut gone = 0.0;
+            while gone < length {
+                let here = pair[0] + direction * gone;
+                let fastest = (here.re + LONGEST * direction.re.max(0.0)).exp();
+                gone += (TURN / self.characteristic.turning(fastest)).min(LONGEST);
+                path.push(if gone < length {
+                    pair[0] + direction * gone
+                } else {
+                    pair[1]
+                });
+            }
+        }
+        let most = 24 * path.len() + 400;
+        let mut looks = self.look(&path)?;
+        for _ in 0..MOST_ROUNDS {
+            let rough = rough(&looks);
+            let missing: Vec<Complex64> = (0..rough.len())
+                .filter(|&index| rough[index])
+                .map(|index| 0.5 * (looks[index].at + looks[index + 1].at))
+                .collect();
+            if missing.is_empty() {
+                return Ok(looks.windows(2).map(|pair| step(pair[0], pair[1]).im).sum());
+            }
+            if looks.len() + missing.len() > most {
+                return Err(Unsettled::Noise);
+            }
+            let mut new = self.look(&missing)?.into_iter();
+            let mut finer = vec![looks[0]];
+            for (index, &look) in looks.iter().enumerate().skip(1) {
+                if rough[index - 1] {
+                    finer.extend(new.next());
+                }
+                finer.push(look);
+            }
+            looks = finer;
+        }
+        Err(Unsettled::Noise)
+    }
+
+    fn look(&self, places: &[Complex64]) -> Result<Vec<Look>, Unsettled> {
+        let spent = |left: usize| left.checked_sub(places.len());
+        if self
+            .budget
+            .fetch_update(Ordering::Relaxed, Ordering::Relaxed, spent)
+            .is_err()
+        {
+            return Err(Unsettled::Noise);
+        }
+        let looks: Vec<Look> = places
+            .par_iter()
+            .map(|&at| Look {
+                at,
+                log: self.log(at),
+            })
+            .collect();
+        if self.cancel.load(Ordering::Relaxed) {
+            return Err(Unsettled::Cancelled);
+        }
+        if looks.iter().any(|look| !look.log.is_finite()) {
+            return Err(Unsettled::Noise);
+        }
+        Ok(looks)
+    }
+
+    /// The logarithm of the function at omega = e^at.
+    fn log(&self, at: Complex64) -> Complex64 {
+        let omega = at.exp();
+        if self.cancel.load(Ordering::Relaxed) {
+            return Complex64::ZERO;
+        }
+        let value = self
+            .characteristic
+            .at(omega)
+            .over(&distances(&self.known, omega))
+            .over(&distances(&self.masses, omega));
+        let at_zero = self.at_zero as f64 * at;
+        Complex64::new(value.log, value.direction.arg()) - at_zero
+    }
+}
+
+/// The whole number that a count of turns is; noise where it is none.
+fn whole(turns: f64) -> Result<i64, Unsettled> {
+    const RESOLVED: f64 = 0.05;
+    let count = turns.round();
+    if (turns - count).abs() < RESOLVED {
+        Ok(count as i64)
+    } else {
+        Err(Unsettled::Noise)
+    }
+}
+
+/// The change of the logarithm, its phase the smaller way round.
+fn step(from: Look, to: Look) -> Complex64 {
+    let change = to.log - from.log;
+    let turns = (change.im / TAU).round();
+    change - Complex64::new(0.0, turns * TAU)
+}
+
+/// Which intervals between looks are too long. The slope along the path is that of an analytic function: it is
+/// smooth round a corner too.
+fn rough(looks: &[Look]) -> Vec<bool> {
+    const TURN: f64 = 1.0;
+    const BEND: f64 = 0.4;
+    let steps: Vec<Complex64> = looks
+        .windows(2)
+        .map(|pair| step(pair[0], pair[1]))
+        .collect();
+    let lengths: Vec<Complex64> = looks
+        .windows(2)
+        .map(|pair| pair[1].at - pair[0].at)
+        .collect();
+    let mut rough: Vec<bool> = steps.iter().map(|step| step.im.abs() > TURN).collect();
+    for index in 1..steps.len() {
+        let bend = steps[index] / lengths[index] - steps[index - 1] / lengths[index - 1];
+        let (before, after) = (lengths[index - 1].norm(), lengths[index].norm());
+        if bend.norm() * before.min(after) > BEND {
+            // The longer one hides more.
+            rough[index] |= after >= 0.5 * before;
+            rough[index - 1] |= before >= 0.5 * after;
+        }
+    }
+    rough
+}

@@ -1,0 +1,175 @@
+//! Random models: 0 to 20 subsystems, half of the models with some that are alike.
+
+use beamtune::model::{
+    Beam, Elastic, Material, Model, Restraint, Section, Spacing, Spring, Subsystem, Support,
+    Supports, Sweep,
+};
+use beamtune::solve::modes::count;
+
+/// A linear congruential generator (Knuth's MMIX).
+struct Dice(u64);
+
+impl Dice {
+    fn next(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    fn between(&mut self, from: f64, to: f64) -> f64 {
+        from + (to - from) * self.next()
+    }
+
+    /// Evenly by its logarithm.
+    fn power(&mut self, from: f64, to: f64) -> f64 {
+        (self.between(from.ln(), to.ln())).exp()
+    }
+
+    fn pick<T: Copy>(&mut self, from: &[T]) -> T {
+        from[(self.next() * from.len() as f64) as usize]
+    }
+}
+
+/// A model and the frequency (Hz) up to which its modes are asked for.
+pub fn model(seed: u64) -> (Model, f64) {
+    let mut dice = Dice(seed.wrapping_mul(7_919).wrapping_add(13));
+    for _ in 0..8 {
+        dice.next();
+    }
+    let beam = beam(&mut dice);
+    let mut subsystems: Vec<Subsystem> = Vec::new();
+    let total = (dice.next() * 21.0) as usize;
+    if dice.next() < 0.5 {
+        let alike = (2 + (dice.next() * 11.0) as usize).min(total);
+        let first = subsystem(&mut dice, &beam);
+        for index in 0..alike {
+            let mut next = first.clone();
+            // Some at one place.
+            if index > 0 && dice.next() < 0.8 {
+                next.position = dice.next() * beam.length;
+            }
+            subsystems.push(next);
+        }
+    }
+    while subsystems.len() < total {
+        subsystems.push(subsystem(&mut dice, &beam));
+    }
+    for (index, subsystem) in subsystems.iter_mut().enumerate() {
+        subsystem.name = format!("S{index}");
+    }
+    let supports = Supports {
+        left: support(&mut dice),
+        right: support(&mut dice),
+    };
+    let sweep = Sweep {
+        from: 1.0,
+        to: 100.0,
+        points: 2,
+        spacing: Spacing::Linear,
+    };
+    let model = Model {
+        title: format!("random {seed}"),
+        notes: String::new(),
+        beam,
+        supports,
+        subsystems,
+        forces: Vec::new(),
+        responses: Vec::new(),
+        sweep,
+        studies: Vec::new(),
+        tune: None,
+    };
+    let wanted = 8 + (dice.next() * 22.0) as usize;
+    let to = frequency_of(&model, wanted) * dice.between(1.001, 1.1);
+    (model, to)
+}
+
+fn beam(dice: &mut Dice) -> Beam {
+    Beam {
+        length: dice.power(1.0, 6.0),
+        material: Material {
+            young_modulus: 2.1e11,
+            shear_modulus: 8e10,
+            density: 7850.0,
+            loss_factor: dice.pick(&[0.0, 0.001, 0.02, 0.3]),
+        },
+        section: Section {
+            area: 0.0116,
+            second_moment_y: dice.power(1e-5, 2e-4),
+            second_moment_z: dice.power(1e-5, 2e-4),
+            torsion_constant: dice.power(1e-7, 1e-5),
+            warping_constant: dice.power(1e-9, 3e-8),
+            polar_moment: 5.9992e-4,
+            centroid_offset: dice.pick(&[0.0, 0.0619, -0.12]),
+        },
+    }
+}
+
+fn subsystem(dice: &mut Dice, beam: &Beam) -> Subsystem {
+    let mass = dice.power(1.0, 200.0);
+    let own = dice.power(3.0, 300.0) * std::f64::consts::TAU;
+    let ratio = match dice.next() {
+        share if share < 0.2 => 0.0,
+        share if share < 0.7 => dice.power(0.002, 0.3),
+        _ => dice.power(0.3, 10.0),
+    };
+    let mut spring = || {
+        let stiffness = 0.5 * mass * own * own * dice.between(0.3, 1.5);
+        Spring {
+            stiffness,
+            damping: 2.0 * ratio * (0.5 * mass * stiffness).sqrt(),
+        }
+    };
+    let [y_left, y_right, z_left, z_right] = [spring(), spring(), spring(), spring()];
+    Subsystem {
+        name: String::new(),
+        enabled: true,
+        position: dice.pick(&[0.0, 1.0, 0.5, dice.0 as f64 / u64::MAX as f64]) * beam.length,
+        mass,
+        inertia: mass * dice.between(0.03, 0.3).powi(2),
+        y_left,
+        y_right,
+        z_left,
+        z_right,
+        arm_left: dice.between(0.03, 0.3),
+        arm_right: dice.between(0.03, 0.3),
+        mount_y: dice.pick(&[0.0, 0.1, 0.2]),
+        mount_z: dice.pick(&[0.0, -0.1, 0.15]),
+    }
+}
+
+fn support(dice: &mut Dice) -> Support {
+    match dice.next() {
+        share if share < 0.2 => Support::CLAMPED,
+        share if share < 0.4 => Support::PINNED,
+        share if share < 0.6 => Support::FREE,
+        _ => Support(std::array::from_fn(|_| match dice.next() {
+            share if share < 0.3 => Restraint::Free,
+            share if share < 0.5 => Restraint::Fixed,
+            _ => Restraint::Elastic(Elastic {
+                stiffness: dice.power(1e4, 1e8),
+                damping: dice.pick(&[0.0, 10.0, 300.0]),
+                inertia: dice.pick(&[0.0, 0.5]),
+            }),
+        })),
+    }
+}
+
+/// A frequency (Hz) with at least `wanted` modes below it and few more.
+fn frequency_of(model: &Model, wanted: usize) -> f64 {
+    let (mut low, mut high) = (0.5, 1.0);
+    while count(model, high) < wanted {
+        (low, high) = (high, 2.0 * high);
+    }
+    for _ in 0..12 {
+        let middle = 0.5 * (low + high);
+        if count(model, middle) < wanted {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    high
+}

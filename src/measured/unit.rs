@@ -292,12 +292,22 @@ mod tests {
     /// Expected: NIST SP 811, appendix B.8: 1 lbf = 4.448222 N, 1 kgf = 9.80665 N, 1 dyn = 1e-5 N, 1 ozf = 0.2780139 N,
     /// 1 poundal = 0.138255 N, 1 lbf in = 0.1129848 N m, 1 lbf ft = 1.355818 N m, 1 slug = 14.59390 kg, 1 mil = 2.54e-5 m,
     /// 1 mi/h = 0.44704 m/s, 1 Gal = 0.01 m/s2.
+    fn are_known(words: &[(&[&str], Kind, f64)]) {
+        for (texts, kind, value) in words {
+            for text in *texts {
+                let unit = ValueUnit::parse(text).unwrap();
+                let one = unit.to_si(1.0.into()).re;
+                assert_eq!(unit.kind(), *kind, "{text}");
+                assert!((one / value - 1.0).abs() < 3e-6, "{text}: {one}");
+            }
+        }
+    }
+
     #[test]
-    fn the_words_of_other_programs_are_known() {
+    fn the_words_of_other_programs_for_motions_are_known() {
         use Measure::{Acceleration, Displacement, Velocity};
         use Moves::{Angle, Length};
-        let (force, moment) = (Some(Load::Force), Some(Load::Moment));
-        for (texts, kind, value) in [
+        are_known(&[
             (
                 &["G", "Gs", "gs", "g's", "G’s", "gn", "[g]", "(G)"][..],
                 motion(Length, Acceleration, None),
@@ -365,8 +375,17 @@ mod tests {
                 motion(Angle, Velocity, None),
                 std::f64::consts::PI / 30.0,
             ),
+        ]);
+    }
+
+    #[test]
+    fn the_words_of_other_programs_for_motions_per_load_are_known() {
+        use Measure::{Acceleration, Displacement, Velocity};
+        use Moves::{Angle, Length};
+        let (force, moment) = (Some(Load::Force), Some(Load::Moment));
+        are_known(&[
             (
-                &["Gs/N", "G/N"],
+                &["Gs/N", "G/N"][..],
                 motion(Length, Acceleration, force),
                 9.80665,
             ),
@@ -409,14 +428,7 @@ mod tests {
                 1.0 / 14.5939,
             ),
             (&["1/KG", "1/Kg"], motion(Length, Acceleration, force), 1.0),
-        ] {
-            for text in texts {
-                let unit = ValueUnit::parse(text).unwrap();
-                let one = unit.to_si(1.0.into()).re;
-                assert_eq!(unit.kind(), kind, "{text}");
-                assert!((one / value - 1.0).abs() < 3e-6, "{text}: {one}");
-            }
-        }
+        ]);
     }
 
     /// Where the case of a letter decides, other letters are no guess.

@@ -94,7 +94,7 @@ fn an_unfinished_sequence_is_the_keys_that_it_is_made_of() {
         let mut line = Line::new();
         line.send(bytes);
         line.wait(79);
-        assert_eq!(line.parser.deadline().is_some(), true, "waits for more");
+        assert!(line.parser.deadline().is_some(), "waits for more");
         line.wait(1);
         assert_eq!(line.parser.deadline(), None, "{}", bytes.escape_ascii());
         line.heard();
@@ -181,7 +181,7 @@ fn a_paste_without_its_end_ends_by_itself() {
     for pause in [60, 100, 300] {
         let mut line = Line::new();
         line.send(b"\x1b[200~abc");
-        for _ in 0..800 / pause + 1 {
+        for _ in 0..=800 / pause {
             line.wait(pause);
             line.send(b"q");
         }

@@ -20,9 +20,9 @@ const REPEAT: Duration = Duration::from_millis(33);
 /// Edits of each.
 const EDITS: usize = 60;
 
-/// fig06 with this many subsystems.
+/// fig08 with this many subsystems.
 fn state(count: usize) -> Kept {
-    let mut model = model::read(presets::find("fig06").unwrap().text).unwrap();
+    let mut model = model::read(presets::find("fig08").unwrap().text).unwrap();
     let first = model.subsystems[0].clone();
     let step = model.beam.length / (count + 1) as f64;
     let numbered = (1..=count).map(|number| {

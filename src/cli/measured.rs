@@ -8,7 +8,7 @@ use clap::{Args, ValueHint};
 use super::csv::{self, cell, number};
 use super::{Failure, print};
 use crate::escape::{escape, path_text};
-use crate::measured::{self, Curve, Hint, Inspection, Kind, Layout, Opened, Question};
+use crate::measured::{self, Curve, Hint, Inspection, Kind, Layout, Opened};
 use crate::model::Fault;
 
 #[derive(Debug, Args)]
@@ -47,12 +47,8 @@ fn read(arguments: &Arguments) -> Result<Vec<Curve>, Failure> {
     };
     let failed = |fault: Fault| Failure::faults(&label, &[fault]);
     let bytes = load(&arguments.file).map_err(failed)?;
-    match measured::open(&bytes, &hint).map_err(failed)? {
+    match measured::open_in_si(&bytes, &hint).map_err(failed)? {
         Opened::Curves(curves) => Ok(curves),
-        // The numbers of a table of the program are in SI whatever they are.
-        Opened::Asks(seen) if seen.is_own && seen.missing == [Question::Unit] => {
-            measured::read(&bytes, &hint).map_err(failed)
-        }
         Opened::Asks(seen) => Err(Failure::Input(asked(&label, &seen))),
     }
 }

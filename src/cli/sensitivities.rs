@@ -9,7 +9,7 @@ use std::sync::atomic::AtomicBool;
 use clap::Args;
 
 use super::csv::{self, cell, number};
-use super::{Failure, Sets, source};
+use super::{Failure, Sets, say, source};
 use crate::model::{Model, path};
 use crate::solve::modes::{MOST_MODES, Modes, modes};
 use crate::solve::peaks::{Peak, peaks, resolved};
@@ -73,7 +73,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     })?;
     if let Some(reason) = lack(&model, &figure, &found) {
         // The cells that are there are right all the same.
-        let _ = writeln!(std::io::stderr(), "warning: {reason}");
+        say(&format!("warning: {reason}"));
     }
     Ok(())
 }

@@ -128,6 +128,19 @@ pub fn open(bytes: &[u8], hint: &Hint) -> Result<Opened, Fault> {
     read(bytes, hint).map(Opened::Curves)
 }
 
+/// As [`open()`], but a table of the program itself needs no answer for its units: its numbers are in SI.
+///
+/// # Errors
+/// As [`read()`].
+pub fn open_in_si(bytes: &[u8], hint: &Hint) -> Result<Opened, Fault> {
+    match open(bytes, hint)? {
+        Opened::Asks(seen) if seen.is_own && seen.missing == [Question::Unit] => {
+            read(bytes, hint).map(Opened::Curves)
+        }
+        opened => Ok(opened),
+    }
+}
+
 /// Looks at a file without reading all of a table; a layout in the hint answers what it can.
 ///
 /// # Errors

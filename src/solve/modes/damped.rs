@@ -57,12 +57,17 @@ impl Found {
 }
 
 impl<'a> Search<'a> {
-    /// For a checked model and its roots with |omega| up to `to`, rad/s.
-    pub(super) fn new(model: &'a Model, to: f64, cancel: &'a AtomicBool) -> Self {
+    /// For a checked model, the number of its rigid-body modes, and its roots with |omega| up to `to`, rad/s.
+    pub(super) fn new(
+        model: &'a Model,
+        rigid_modes: usize,
+        to: f64,
+        cancel: &'a AtomicBool,
+    ) -> Self {
         /// Stations that a count may cross: some seconds at most.
         const BUDGET: usize = 1_000_000;
         let stations = 10 + model.attached().count();
-        let zeros = 2 * super::count::Counter::new(model).rigid();
+        let zeros = 2 * rigid_modes;
         Self {
             model,
             characteristic: Characteristic::new(model),

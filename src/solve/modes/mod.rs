@@ -105,7 +105,7 @@ fn solved(model: &Model, to: f64, certificate: Certificate, cancel: &AtomicBool)
     let counter = search.counter;
     let oscillating = &undamped[counter.rigid().min(undamped.len())..];
     let found = if is_damped(model) {
-        let search = damped::Search::new(model, TAU * to, cancel);
+        let search = damped::Search::new(model, counter.rigid(), TAU * to, cancel);
         match certificate {
             Certificate::Wanted => search.continue_undamped(oscillating, TAU * to)?,
             Certificate::Unwanted => search.uncertified(oscillating, TAU * to)?,
@@ -130,7 +130,7 @@ pub fn follow(model: &Model, before: &Modes, cancel: &AtomicBool) -> Option<Mode
         .copied()
         .collect();
     if is_damped(model) && !moving.is_empty() {
-        let search = damped::Search::new(model, TAU * before.to, cancel);
+        let search = damped::Search::new(model, counter.rigid(), TAU * before.to, cancel);
         let found = search.follow(&moving, TAU * before.to)?;
         if found.completeness == Completeness::Certain {
             return Some(collected(&counter, before.to, &found));

@@ -6,7 +6,7 @@ use num_complex::Complex64;
 
 use super::Band;
 use super::matching::Matching;
-use crate::measured::{self, Curve, Hint, Inspection, Kind, Layout, Opened, Question};
+use crate::measured::{self, Curve, Hint, Inspection, Kind, Layout, Opened};
 use crate::model::{Aim, Compare, Fault, Model};
 use crate::solve::form::{Dimension, Reference};
 
@@ -70,12 +70,8 @@ fn read(path: &Path, name: &str, columns: Option<&str>) -> Result<Vec<Curve>, Fa
         layout: layout.map_err(|message| Fault::new("columns", message))?,
     };
     let bytes = measured::load(path)?;
-    match measured::open(&bytes, &hint)? {
+    match measured::open_in_si(&bytes, &hint)? {
         Opened::Curves(curves) => Ok(curves),
-        // A table of the program is of the responses that it names.
-        Opened::Asks(seen) if seen.is_own && seen.missing == [Question::Unit] => {
-            measured::read(&bytes, &hint)
-        }
         Opened::Asks(seen) => Err(Fault::new("", asked(&seen))),
     }
 }

@@ -3,7 +3,7 @@
 //! The text goes to a temporary file in the same folder, is forced to disk and renamed: who reads meets the old text
 //! or the new one. Owner, group, mode and extended attributes are given to the temporary file before. Where the user
 //! may not give them, or the file has other names (hard links), the file is written in place instead; until that is
-//! done, the new text is also in a file `NAME.beamtune-RANDOM` beside it, which stays where the program is killed
+//! done, the new text is also in a file `NAME.beamtune-RANDOM` in the same folder, which stays where the program is killed
 //! meanwhile. Where the file may not be written in place either, it is renamed over all the same, and [`may_save`]
 //! says before what is lost.
 
@@ -124,7 +124,7 @@ fn replace(
     Ok(())
 }
 
-/// Writes a file in place. The new text is beside it until all is on disk, under a name that is not removed.
+/// Writes a file in place. Until all is on disk, a second file holds the new text under a name that is not removed.
 fn overwrite(target: &Path, temporary: Temporary) -> io::Result<()> {
     // `.beamtune-RANDOM` behind the name of the file.
     let mut name = target.as_os_str().to_owned();

@@ -214,7 +214,7 @@ impl Plan {
         }
     }
 
-    /// Asks where complex numbers stand beside several columns that may all be the frequencies.
+    /// Asks which of several columns holds the frequencies of complex numbers.
     fn ask_of_order(&mut self, table: &Table, layout: Option<&Layout>) {
         let is_said = matches!(table.role(self.frequency.0), Role::Frequency(_));
         let is_used = |index: usize| {

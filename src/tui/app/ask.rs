@@ -31,7 +31,7 @@ pub enum Question {
         /// The unit of its values.
         unit: Unit,
     },
-    /// Another name for the entry beside the model with this name.
+    /// Another name for the compared entry with this name.
     Name(String),
     /// The file of a model to compare with.
     ReferenceFile,

@@ -21,11 +21,11 @@ const REST: u32 = 4;
 /// A disk that stalls is no reason to rest.
 const LONGEST_REST: Duration = Duration::from_millis(500);
 
-/// A text up to this length, bytes, is written anew at every edit, in a few milliseconds: the recovery file of such a model
+/// A text up to this length, bytes, is written again at every edit, in a few milliseconds: the recovery file of such a model
 /// is itself a model file.
 const SHORT: usize = 1 << 15;
 
-/// Edits may take this many bytes, or as many as the text below them where that is longer; then they are written anew
+/// Edits may take this many bytes, or as many as the text below them where that is longer; then they are rewritten
 /// as one.
 const MOST_EDITS: usize = 1 << 18;
 
@@ -223,7 +223,7 @@ impl Held {
         Ok(())
     }
 
-    /// Writes the file anew: the whole model, or the text that is the base of a large one and a state as the only edit.
+    /// Rewrites the file: the whole model, or the text that is the base of a large one and a state as the only edit.
     fn rewrite(&mut self, state: &Kept, durable: bool) -> io::Result<()> {
         self.edits = 0;
         let file = if state.base.len() > SHORT {
@@ -276,7 +276,7 @@ impl Files {
             && held.slot.is_there()
             && held.state.source == state.source
         {
-            // What cannot be added, as to a file that was removed, is written anew.
+            // Where an edit cannot be added, as to a file that was removed, the whole is written.
             if !held.takes(state) || held.add(state, durable).is_err() {
                 held.rewrite(state, durable)?;
             }

@@ -145,11 +145,7 @@ impl Attachment {
     }
 
     /// The matrix of the unknowns: each channel's force against its stretch, and the balance of theta.
-    pub(super) fn system(
-        &self,
-        omega: Complex64,
-        receptance: &Matrix<3, 3>,
-    ) -> Matrix<UNKNOWNS, UNKNOWNS> {
+    fn system(&self, omega: Complex64, receptance: &Matrix<3, 3>) -> Matrix<UNKNOWNS, UNKNOWNS> {
         let k = self.stiffness(omega);
         let flexibility = self.flexibility(omega, receptance);
         let mut a = zeros::<UNKNOWNS, UNKNOWNS>();

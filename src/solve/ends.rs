@@ -2,7 +2,7 @@
 
 use num_complex::Complex64;
 
-use super::linear::{Matrix, ZERO, size, solve, solve_with_margin, zeros};
+use super::linear::{ZERO, size, solve, solve_with_margin, zeros};
 use super::plan::{End, Plan};
 use super::reflection::{Amplitudes, Reflection, dot};
 use super::waves::Waves;
@@ -54,12 +54,8 @@ pub(super) fn stiffness(elastic: Elastic, omega: Complex64) -> Complex64 {
     elastic.stiffness + damper - omega * omega * elastic.inertia
 }
 
-/// The six equations of the left end: what stands before a, and what a is solved from (for each b, and the load).
-pub(super) fn left_system(
-    plan: &Plan,
-    waves: &Waves,
-    omega: Complex64,
-) -> (Matrix<6, 6>, Matrix<6, 7>) {
+/// a = R b + s at the left end.
+pub(super) fn left_end(plan: &Plan, waves: &Waves, omega: Complex64) -> Reflection {
     let mut of_a = zeros::<6, 6>();
     let mut right = zeros::<6, 7>();
     for (row, motion) in BeamMotion::ALL.into_iter().enumerate() {
@@ -70,12 +66,6 @@ pub(super) fn left_system(
         }
         right[row][6] = equation.load;
     }
-    (of_a, right)
-}
-
-/// a = R b + s at the left end.
-pub(super) fn left_end(plan: &Plan, waves: &Waves, omega: Complex64) -> Reflection {
-    let (of_a, right) = left_system(plan, waves, omega);
     let solved = solve(of_a, right);
     let mut reflection = Reflection {
         r: zeros(),
@@ -88,27 +78,17 @@ pub(super) fn left_end(plan: &Plan, waves: &Waves, omega: Complex64) -> Reflecti
     reflection
 }
 
-/// The six equations of the right end for b, with a = R b + s.
-pub(super) struct RightSystem {
-    /// What stands before b.
-    pub(super) of_b: Matrix<6, 6>,
-    /// The sizes of what was summed to each entry of it.
-    terms: [[f64; 6]; 6],
-    right: Matrix<6, 1>,
-}
-
-/// The equations of the right end.
-pub(super) fn right_system(
+/// b at the right end, from its six equations with a = R b + s; not finite at an undamped resonance.
+pub(super) fn right_end(
     plan: &Plan,
     waves: &Waves,
     omega: Complex64,
     at: &Reflection,
-) -> RightSystem {
-    let mut system = RightSystem {
-        of_b: zeros(),
-        terms: [[0.0; 6]; 6],
-        right: zeros(),
-    };
+) -> Amplitudes {
+    let mut of_b = zeros::<6, 6>();
+    // The sizes of what is summed to each entry.
+    let mut terms = [[0.0; 6]; 6];
+    let mut right = zeros::<6, 1>();
     for (row, motion) in BeamMotion::ALL.into_iter().enumerate() {
         let equation = end_row(waves, omega, &plan.right, motion, 1.0);
         for column in 0..6 {
@@ -119,23 +99,12 @@ pub(super) fn right_system(
                 sum += term;
                 sizes += size(term);
             }
-            system.of_b[row][column] = sum;
-            system.terms[row][column] = sizes;
+            of_b[row][column] = sum;
+            terms[row][column] = sizes;
         }
-        system.right[row][0] = equation.load - dot(&equation.of_a, &at.s);
+        right[row][0] = equation.load - dot(&equation.of_a, &at.s);
     }
-    system
-}
-
-/// b at the right end; not finite at an undamped resonance.
-pub(super) fn right_end(
-    plan: &Plan,
-    waves: &Waves,
-    omega: Complex64,
-    at: &Reflection,
-) -> Amplitudes {
-    let system = right_system(plan, waves, omega, at);
-    let (b, margin) = solve_with_margin(system.of_b, system.right, system.terms);
+    let (b, margin) = solve_with_margin(of_b, right, terms);
     if margin < RESONANT {
         return [Complex64::new(f64::INFINITY, 0.0); 6];
     }

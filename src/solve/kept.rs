@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use super::lanes::{Between, KeptSides, MOST_LANES, Prepared, Solver, Source};
 use super::plan::{Output, Plan};
-use super::sweep::{Frf, chunk_length, fill_limits, over_chunks, solved, sweep_prepared};
+use super::sweep::{Frf, angular, chunk_length, fill_limits, over_chunks, solved, sweep_prepared};
 use crate::model::Model;
 
 /// Fewer stations beside an edited place are solved as fast as looked up.
@@ -167,7 +167,7 @@ fn from_sides(
 ) -> Option<Frf> {
     let between = between(plan, part, &beside.plan);
     let solve = |solver: &mut Solver, first, frequencies: &[f64], out: &mut [&mut [Complex64]]| {
-        solver.solve_between(&between, (&beside.sides, first), frequencies, out);
+        solver.solve_between(&between, (&beside.sides, first), &angular(frequencies), out);
     };
     let chunk = if frequencies.len() <= ALONE {
         ALONE
@@ -318,7 +318,7 @@ fn keep(between: &Between, frequencies: &[f64], cancel: &AtomicBool) -> Option<V
     let chunk = chunk_length(&between.prepared.plan);
     let mut kept = vec![Vec::new(); frequencies.len().div_ceil(chunk)];
     let keep = |solver: &mut Solver, _, frequencies: &[f64], kept: &mut Vec<_>| {
-        *kept = solver.keep(between, frequencies);
+        *kept = solver.keep(between, &angular(frequencies));
     };
     over_chunks(frequencies, chunk, kept.par_iter_mut(), cancel, &keep)?;
     Some(kept.into_iter().flatten().collect())

@@ -89,34 +89,6 @@ impl Magnified {
     }
 }
 
-/// Multiplies `product` by the determinant of `a`; its logarithm is minus infinity where that is zero.
-pub(super) fn multiply_determinant<const N: usize>(product: &mut Magnified, mut a: Matrix<N, N>) {
-    let mut none: Matrix<N, 0> = [[]; N];
-    // Rows in different units must compare; what scales them is taken out again.
-    let mut terms = a.map(|row| row.map(size));
-    let before = terms;
-    equilibrate(&mut a, &mut none, &mut terms);
-    let mut determinant = Complex64::ONE;
-    for (before, after) in before.iter().zip(&terms) {
-        let column = (0..N).find(|&column| before[column] > 0.0).unwrap_or(0);
-        determinant *= before[column] / after[column];
-    }
-    for column in 0..N {
-        let pivot = pivot_row(&a, column);
-        if pivot != column {
-            a.swap(column, pivot);
-            determinant = -determinant;
-        }
-        if a[column][column] == ZERO {
-            determinant = ZERO;
-            break;
-        }
-        determinant *= a[column][column];
-        eliminate(&mut a, &mut none, column);
-    }
-    product.times(determinant);
-}
-
 /// Subtracts the pivot row of a column from the rows below it.
 fn eliminate<const N: usize, const R: usize>(
     a: &mut Matrix<N, N>,

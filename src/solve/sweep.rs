@@ -114,6 +114,12 @@ pub fn frequencies(sweep: &Sweep) -> Vec<f64> {
         .collect()
 }
 
+/// Angular frequencies, rad/s, of frequencies, Hz.
+pub(super) fn angular(frequencies: &[f64]) -> Vec<Complex64> {
+    let omega = |&frequency: &f64| Complex64::from(std::f64::consts::TAU * frequency);
+    frequencies.iter().map(omega).collect()
+}
+
 /// Solves a checked model at each frequency (Hz, > 0). `None` where `cancel` became true before the end.
 ///
 /// The work is shared among all cores in chunks; `cancel` is looked at between chunks.
@@ -131,7 +137,7 @@ pub(super) fn sweep_prepared(
 ) -> Option<Frf> {
     let chunk = chunk_length(&prepared.plan);
     let solve = |solver: &mut Solver, _, frequencies: &[f64], out: &mut [&mut [Complex64]]| {
-        solver.solve(prepared, frequencies, out);
+        solver.solve(prepared, &angular(frequencies), out);
     };
     let mut frf = solved(model, frequencies, chunk, cancel, &solve)?;
     fill_limits(model, prepared, &mut frf);
@@ -166,7 +172,7 @@ fn solved_alone(
 ) -> Frf {
     let mut columns = columns(model, frequencies.len());
     let mut out: Vec<_> = columns.iter_mut().map(|c| &mut c.values[..]).collect();
-    Solver::new(instructions).solve(prepared, frequencies, &mut out);
+    Solver::new(instructions).solve(prepared, &angular(frequencies), &mut out);
     Frf {
         frequencies: frequencies.to_vec(),
         columns,

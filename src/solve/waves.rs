@@ -81,10 +81,10 @@ pub(super) struct Waves {
 
 /// One of the four coupled waves: h = kappa^2 and its shape.
 #[derive(Debug, Clone, Copy)]
-struct CoupledWave {
-    h: Complex64,
-    w: Complex64,
-    psi: Complex64,
+pub(super) struct CoupledWave {
+    pub(super) h: Complex64,
+    pub(super) w: Complex64,
+    pub(super) psi: Complex64,
 }
 
 impl Waves {
@@ -224,7 +224,7 @@ fn torque_over_kappa(beam: &BeamConstants, omega: Complex64, wave: CoupledWave) 
 /// `E G0 h^2 - G J h - b = (E G0 h - tau)(h + t)` its roots come in two pairs near those of the uncoupled beam:
 /// `(h - h_w)(E G0 h - tau) = d^2 / (E Iy (h + h_w)(h + t))`, and with `h = -x`
 /// `(x - h_w)(x - t) = d^2 / (E Iy (x + h_w)(E G0 x + tau))`. Each right-hand side varies slowly: see [`pair`].
-fn coupled_waves(beam: &BeamConstants, omega: Complex64) -> [CoupledWave; 4] {
+pub(super) fn coupled_waves(beam: &BeamConstants, omega: Complex64) -> [CoupledWave; 4] {
     let square = omega * omega;
     let (a, b, d) = (
         square * beam.mass,
@@ -364,17 +364,17 @@ fn shape(
 
 /// A root of a pair, with its distances from the two uncoupled roots: these carry the shape without cancellation.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Root {
-    pub(super) value: Complex64,
+struct Root {
+    value: Complex64,
     /// value - `h_w`.
-    pub(super) from_bending: Complex64,
+    from_bending: Complex64,
     /// gamma value - tau.
-    pub(super) from_torsion: Complex64,
+    from_torsion: Complex64,
 }
 
 /// Solves `(h - h_w)(gamma h - tau) = g(h)` for its two roots by secant steps on h -> root of the quadratic with g held:
 /// the root that is torsion's without coupling first (infinite where gamma = 0), then the bending one.
-pub(super) fn pair(
+fn pair(
     h_w: Complex64,
     tau: Complex64,
     gamma: Complex64,

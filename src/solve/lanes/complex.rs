@@ -4,7 +4,7 @@ use std::ops::{Add, AddAssign, Mul, Neg, Sub};
 
 use num_complex::Complex64;
 
-use super::number::{Arithmetic, Real};
+use super::number::{Arithmetic, MOST_LANES, Real};
 
 /// A complex number at each frequency.
 #[derive(Debug, Clone, Copy)]
@@ -55,6 +55,19 @@ impl<A: Arithmetic> Complex<A> {
             re: Real::new(&re),
             im: Real::new(&im),
         };
+    }
+
+    /// The numbers at all frequencies.
+    #[inline(always)]
+    pub(super) fn new(values: &[Complex64; MOST_LANES]) -> Self {
+        let (mut re, mut im) = ([0.0; MOST_LANES], [0.0; MOST_LANES]);
+        for lane in 0..MOST_LANES {
+            (re[lane], im[lane]) = (values[lane].re, values[lane].im);
+        }
+        Self {
+            re: Real::new(&re),
+            im: Real::new(&im),
+        }
     }
 
     /// Writes the numbers at the first few frequencies.
@@ -123,6 +136,22 @@ impl<A: Arithmetic> Complex<A> {
             re: self.re.multiply_add(b.re, self.im * b.im),
             im: self.im.subtract_product(b.re, self.re * b.im),
         }
+    }
+
+    /// k + i self c: the stiffness of a spring with a damper at the frequency that this is.
+    #[inline(always)]
+    pub(super) fn damped_stiffness(self, stiffness: f64, damping: f64) -> Self {
+        let damping = Real::splat(damping);
+        Self {
+            re: self.im.subtract_product(damping, Real::splat(stiffness)),
+            im: self.re * damping,
+        }
+    }
+
+    /// This or its negative, whichever has Re >= 0.
+    #[inline(always)]
+    pub(super) fn in_right_half(self) -> Self {
+        Self::where_less(self.re, Real::ZERO, -self, self)
     }
 
     /// |z|^2.

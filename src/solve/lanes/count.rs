@@ -71,7 +71,7 @@ fn counted<const LANES: usize>(model: &Model, frequencies: &[f64]) -> Work {
         for lane in 0..LANES {
             omega[lane] = std::f64::consts::TAU * group[lane];
         }
-        waves.set(&prepared.constants, Real::new(&omega));
+        waves.set(&prepared.constants, Complex::from_real(Real::new(&omega)));
         room.solve(&prepared, &waves, &mut out);
     }
     Work {

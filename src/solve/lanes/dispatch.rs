@@ -3,13 +3,14 @@
 use num_complex::Complex64;
 
 use super::complex::Complex;
-use super::number::{Arithmetic, MOST_LANES, Real, part};
+use super::number::{Arithmetic, part};
 use super::portable::Portable;
 use super::recursion::{Prepared, Room};
 use super::sides::{Between, Sides};
 #[cfg(target_arch = "x86_64")]
 use super::vectors::{Avx2, Avx512};
 use super::waves::Waves;
+use crate::solve::linear::Magnified;
 
 /// Sets of instructions that the kernel is made for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -116,28 +117,38 @@ impl Solver {
         }
     }
 
-    /// Writes the responses of every output at some frequencies (Hz, > 0).
+    /// Writes the responses of every output at some angular frequencies, rad/s: positive, or complex.
     pub(in crate::solve) fn solve(
         &mut self,
         prepared: &Prepared,
-        frequencies: &[f64],
+        omegas: &[Complex64],
         out: &mut [&mut [Complex64]],
     ) {
-        for_each!(self, bench => bench.solve(prepared, frequencies, out));
+        for_each!(self, bench => bench.solve(prepared, omegas, out));
     }
 
-    /// The sides of a part of the beam at some frequencies (Hz, > 0), for each group of them that is solved at once.
+    /// Writes the characteristic function of a plan without loads at some angular frequencies, rad/s.
+    pub(in crate::solve) fn characteristic(
+        &mut self,
+        prepared: &Prepared,
+        omegas: &[Complex64],
+        out: &mut [Magnified],
+    ) {
+        for_each!(self, bench => bench.characteristic(prepared, omegas, out));
+    }
+
+    /// The sides of a part of the beam at some angular frequencies, rad/s, for each group of them that is solved at once.
     pub(in crate::solve) fn keep(
         &mut self,
         between: &Between,
-        frequencies: &[f64],
+        omegas: &[Complex64],
     ) -> Vec<KeptSides> {
         match self {
             #[cfg(target_arch = "x86_64")]
-            Self::Avx512(bench) => bench.keep(between, frequencies, KeptSides::Avx512),
+            Self::Avx512(bench) => bench.keep(between, omegas, KeptSides::Avx512),
             #[cfg(target_arch = "x86_64")]
-            Self::Avx2(bench) => bench.keep(between, frequencies, KeptSides::Avx2),
-            Self::Portable(bench) => bench.keep(between, frequencies, KeptSides::Portable),
+            Self::Avx2(bench) => bench.keep(between, omegas, KeptSides::Avx2),
+            Self::Portable(bench) => bench.keep(between, omegas, KeptSides::Portable),
         }
     }
 
@@ -146,10 +157,10 @@ impl Solver {
         &mut self,
         between: &Between,
         (kept, first): (&[KeptSides], usize),
-        frequencies: &[f64],
+        omegas: &[Complex64],
         out: &mut [&mut [Complex64]],
     ) {
-        for_each!(self, bench => bench.solve_between(between, (kept, first), frequencies, out));
+        for_each!(self, bench => bench.solve_between(between, (kept, first), omegas, out));
     }
 }
 
@@ -187,68 +198,87 @@ kind!(Avx2);
 kind!(Portable);
 
 impl<A: Kind> Bench<A> {
-    fn solve(&mut self, prepared: &Prepared, frequencies: &[f64], out: &mut [&mut [Complex64]]) {
-        A::outlined(Solve((self, prepared, frequencies, out)));
+    fn solve(&mut self, prepared: &Prepared, omegas: &[Complex64], out: &mut [&mut [Complex64]]) {
+        A::outlined(Solve((self, prepared, omegas, out)));
     }
 
     #[inline(always)]
     fn solve_inlined(
-        (this, prepared, frequencies, out): (&mut Self, &Prepared, &[f64], &mut [&mut [Complex64]]),
+        (this, prepared, omegas, out): (
+            &mut Self,
+            &Prepared,
+            &[Complex64],
+            &mut [&mut [Complex64]],
+        ),
     ) {
         this.out.resize(prepared.plan.outputs.len(), Complex::ZERO);
-        for (index, group) in frequencies.chunks(A::LANES).enumerate() {
-            this.waves.set(&prepared.constants, angular(group));
+        for (index, group) in omegas.chunks(A::LANES).enumerate() {
+            this.waves.set(&prepared.constants, filled_up(group));
             this.room.solve(prepared, &this.waves, &mut this.out);
             this.write(index, out);
+        }
+    }
+
+    fn characteristic(&mut self, prepared: &Prepared, omegas: &[Complex64], out: &mut [Magnified]) {
+        A::outlined(Characteristic((self, prepared, omegas, out)));
+    }
+
+    #[inline(always)]
+    fn characteristic_inlined(
+        (this, prepared, omegas, out): (&mut Self, &Prepared, &[Complex64], &mut [Magnified]),
+    ) {
+        for (group, out) in omegas.chunks(A::LANES).zip(out.chunks_mut(A::LANES)) {
+            this.waves.set(&prepared.constants, filled_up(group));
+            this.room.characteristic(prepared, &this.waves, out);
         }
     }
 
     fn keep(
         &mut self,
         between: &Between,
-        frequencies: &[f64],
+        omegas: &[Complex64],
         kind: fn(Box<Sides<A>>) -> KeptSides,
     ) -> Vec<KeptSides> {
-        let groups = frequencies.chunks(A::LANES);
+        let groups = omegas.chunks(A::LANES);
         let sides = |group| Box::new(A::outlined(Keep((&mut self.room, between, group))));
         groups.map(sides).map(kind).collect()
     }
 
     #[inline(always)]
-    fn keep_inlined((room, between, group): (&mut Room<A>, &Between, &[f64])) -> Sides<A> {
-        room.sides(between, angular(group))
+    fn keep_inlined((room, between, group): (&mut Room<A>, &Between, &[Complex64])) -> Sides<A> {
+        room.sides(between, filled_up(group))
     }
 
     fn solve_between(
         &mut self,
         between: &Between,
         (kept, first): (&[KeptSides], usize),
-        frequencies: &[f64],
+        omegas: &[Complex64],
         out: &mut [&mut [Complex64]],
     ) {
         let kept = &kept[first / A::LANES..];
-        A::outlined(SolveBetween((self, between, kept, frequencies, out)));
+        A::outlined(SolveBetween((self, between, kept, omegas, out)));
     }
 
     #[inline(always)]
     fn solve_between_inlined(
-        (this, between, kept, frequencies, out): (
+        (this, between, kept, omegas, out): (
             &mut Self,
             &Between,
             &[KeptSides],
-            &[f64],
+            &[Complex64],
             &mut [&mut [Complex64]],
         ),
     ) {
         let plan = &between.prepared.plan;
         this.out.resize(plan.outputs.len(), Complex::ZERO);
-        let groups = frequencies.chunks(A::LANES).zip(kept);
+        let groups = omegas.chunks(A::LANES).zip(kept);
         for (index, (group, kept)) in groups.enumerate() {
             // The processor does not change while the program runs.
             let Some(sides) = A::sides(kept) else {
-                return this.solve(&between.prepared, frequencies, out);
+                return this.solve(&between.prepared, omegas, out);
             };
-            let omega = angular(group);
+            let omega = filled_up(group);
             this.room
                 .solve_between(between, sides, omega, &mut this.out);
             this.write(index, out);
@@ -266,31 +296,33 @@ impl<A: Kind> Bench<A> {
     }
 }
 
-/// Angular frequencies, rad/s; the last few are filled up with the last.
+/// A group of angular frequencies, rad/s, filled up with the last of them.
 #[inline(always)]
-fn angular<A: Arithmetic>(frequencies: &[f64]) -> Real<A> {
-    let last = frequencies.len() - 1;
-    let mut omega = [0.0; MOST_LANES];
-    for lane in 0..A::LANES {
-        omega[lane] = std::f64::consts::TAU * frequencies[lane.min(last)];
-    }
-    Real::new(&omega)
+fn filled_up<A: Arithmetic>(omegas: &[Complex64]) -> Complex<A> {
+    let last = omegas.len() - 1;
+    Complex::new(&std::array::from_fn(|lane| omegas[lane.min(last)]))
 }
 
 part!(
     Solve ['a, 'b, A: Kind] ['a, 'b, A]
-    (&'a mut Bench<A>, &'a Prepared, &'a [f64], &'a mut [&'b mut [Complex64]]) -> (),
+    (&'a mut Bench<A>, &'a Prepared, &'a [Complex64], &'a mut [&'b mut [Complex64]]) -> (),
     Bench::solve_inlined
 );
 
 part!(
     Keep ['a, A: Kind] ['a, A]
-    (&'a mut Room<A>, &'a Between, &'a [f64]) -> Sides<A>,
+    (&'a mut Room<A>, &'a Between, &'a [Complex64]) -> Sides<A>,
     Bench::keep_inlined
 );
 
 part!(
     SolveBetween ['a, 'b, A: Kind] ['a, 'b, A]
-    (&'a mut Bench<A>, &'a Between, &'a [KeptSides], &'a [f64], &'a mut [&'b mut [Complex64]]) -> (),
+    (&'a mut Bench<A>, &'a Between, &'a [KeptSides], &'a [Complex64], &'a mut [&'b mut [Complex64]]) -> (),
     Bench::solve_between_inlined
+);
+
+part!(
+    Characteristic ['a, A: Kind] ['a, A]
+    (&'a mut Bench<A>, &'a Prepared, &'a [Complex64], &'a mut [Magnified]) -> (),
+    Bench::characteristic_inlined
 );

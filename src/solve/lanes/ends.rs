@@ -2,8 +2,9 @@
 
 use num_complex::Complex64;
 
+use super::characteristic::Product;
 use super::complex::{Complex, Matrix};
-use super::linear::{solve, solve_with_margin};
+use super::linear::{solve, solve_with_determinant, solve_with_margin};
 use super::number::{Arithmetic, Real, part};
 use super::reflection::{Amplitudes, Reflection, Side, entry, reach};
 use super::waves::Waves;
@@ -28,6 +29,8 @@ struct EndRow<A> {
     of_leaving: [Complex<A>; 4],
     of_arriving: [Complex<A>; 4],
     load: Complex<A>,
+    /// A power of two by which all of it is scaled.
+    scale: Real<A>,
 }
 
 impl<A: Arithmetic> EndRow<A> {
@@ -35,6 +38,7 @@ impl<A: Arithmetic> EndRow<A> {
         of_leaving: [Complex::ZERO; 4],
         of_arriving: [Complex::ZERO; 4],
         load: Complex::ZERO,
+        scale: Real::ONE,
     };
 
     /// Becomes K q - p = F at the left end. At the right end p has the other sign; there the waves that leave go left, so
@@ -74,13 +78,14 @@ impl<A: Arithmetic> EndRow<A> {
         }
         let is_turned = is_slope && side == Side::Right;
         this.load = Complex::splat(if is_turned { -load } else { load }).scaled(by);
+        this.scale = by;
     }
 }
 
 /// The dynamic stiffness that a motion of an end meets, 1 or 0 before the internal force, and the load.
 #[inline(always)]
 fn restraint<A: Arithmetic>(
-    omega: Real<A>,
+    omega: Complex<A>,
     end: &End,
     motion: BeamMotion,
 ) -> (Complex<A>, Real<A>, Complex64) {
@@ -90,38 +95,52 @@ fn restraint<A: Arithmetic>(
         Restraint::Fixed => (Complex::ONE, Real::ZERO, Complex64::ZERO),
         Restraint::Free => (Complex::ZERO, Real::ONE, load),
         Restraint::Elastic(elastic) => {
-            let inertia = omega * omega * Real::splat(elastic.inertia);
-            let stiffness = Complex {
-                re: Real::splat(elastic.stiffness) - inertia,
-                im: omega * Real::splat(elastic.damping),
-            };
-            (stiffness, Real::ONE, load)
+            let inertia = (omega * omega).scaled(Real::splat(elastic.inertia));
+            let spring = omega.damped_stiffness(elastic.stiffness, elastic.damping);
+            (spring - inertia, Real::ONE, load)
         }
     }
 }
 
 /// The reflection of an end, for who looks at it.
 pub(super) fn reflection<A: Arithmetic>(waves: &Waves<A>, end: &End, side: Side) -> Reflection<A> {
-    A::outlined(Reflect((waves, end, side)))
+    reflection_with(waves, end, side, None)
 }
 
-#[inline(always)]
-fn reflection_inlined<A: Arithmetic>((waves, end, side): (&Waves<A>, &End, Side)) -> Reflection<A> {
-    let mut out = Reflection::NONE;
-    reflect::<A, 4, 5>(waves, end, side, 0, &mut out);
-    reflect::<A, 2, 3>(waves, end, side, 4, &mut out);
-    out
-}
-
-/// The block of `N` waves from `first` on; `R` is `N` + 1.
-#[inline(always)]
-fn reflect<A: Arithmetic, const N: usize, const R: usize>(
+/// The same; multiplies a product by the determinant of the equations for the waves that leave.
+pub(super) fn reflection_with<A: Arithmetic>(
     waves: &Waves<A>,
     end: &End,
     side: Side,
+    determinant: Option<&mut Product<A>>,
+) -> Reflection<A> {
+    A::outlined(Reflect((waves, end, side, determinant)))
+}
+
+#[inline(always)]
+fn reflection_inlined<A: Arithmetic>(
+    (waves, end, side, mut determinant): (&Waves<A>, &End, Side, Option<&mut Product<A>>),
+) -> Reflection<A> {
+    let mut out = Reflection::NONE;
+    let coupled = reflect::<A, 4, 5>(waves, (end, side), 0, determinant.is_some(), &mut out);
+    let bending = reflect::<A, 2, 3>(waves, (end, side), 4, determinant.is_some(), &mut out);
+    if let Some(product) = &mut determinant {
+        product.times(coupled);
+        product.times(bending);
+    }
+    out
+}
+
+/// The block of `N` waves from `first` on, and its determinant where that is wanted; `R` is `N` + 1.
+#[inline(always)]
+fn reflect<A: Arithmetic, const N: usize, const R: usize>(
+    waves: &Waves<A>,
+    (end, side): (&End, Side),
     first: usize,
+    wants_determinant: bool,
     out: &mut Reflection<A>,
-) {
+) -> Complex<A> {
+    let mut unscaled = Real::ONE;
     let mut of_leaving = [[Complex::ZERO; N]; N];
     let mut right = [[Complex::ZERO; R]; N];
     let mut equation = EndRow::NONE;
@@ -133,8 +152,14 @@ fn reflect<A: Arithmetic, const N: usize, const R: usize>(
             right[row][column] = -(equation.of_arriving[column] * radiation);
         }
         right[row][N] = equation.load;
+        unscaled = unscaled / equation.scale;
     }
-    solve(&mut of_leaving, &mut right);
+    let determinant = if wants_determinant {
+        solve_with_determinant(&mut of_leaving, &mut right).scaled(unscaled)
+    } else {
+        solve(&mut of_leaving, &mut right);
+        Complex::ZERO
+    };
     for row in 0..N {
         for column in row..N {
             // Symmetric but for rounding, of which the mean has less.
@@ -143,6 +168,7 @@ fn reflect<A: Arithmetic, const N: usize, const R: usize>(
         }
         out.s[first + row] = right[row][N];
     }
+    determinant
 }
 
 /// b' at the right end, from what lies left of it; not finite at an undamped resonance.
@@ -158,41 +184,89 @@ pub(super) fn right_end<A: Arithmetic>(
 fn right_end_inlined<A: Arithmetic>(
     (waves, end, at): (&Waves<A>, &End, &Reflection<A>),
 ) -> Amplitudes<A> {
-    let mut of_b = [[Complex::ZERO; 6]; 6];
-    let mut right = [[Complex::ZERO; 1]; 6];
-    let mut terms = [Real::ZERO; 6];
-    let mut sizes = [Real::ZERO; super::reflection::ENTRIES];
-    for (size, r) in sizes.iter_mut().zip(&at.r) {
-        *size = r.size();
+    let mut system = RightSystem::NONE;
+    system.set(waves, end, at);
+    finite_where_resolved(&mut system.of_b, &mut system.right, &system.terms)
+}
+
+/// Multiplies a product by the determinant of the equations of the right end for b'.
+pub(super) fn right_determinant<A: Arithmetic>(
+    waves: &Waves<A>,
+    end: &End,
+    at: &Reflection<A>,
+    product: &mut Product<A>,
+) {
+    A::outlined(RightDeterminant((waves, end, at, product)));
+}
+
+#[inline(always)]
+fn right_determinant_inlined<A: Arithmetic>(
+    (waves, end, at, product): (&Waves<A>, &End, &Reflection<A>, &mut Product<A>),
+) {
+    let mut system = RightSystem::NONE;
+    system.set(waves, end, at);
+    product.times(solve_with_determinant(&mut system.of_b, &mut system.right));
+    let mut unscaled = Real::ONE;
+    for scale in system.scales {
+        unscaled = unscaled / scale;
     }
-    let mut equation = EndRow::NONE;
-    for row in 0..6 {
-        equation.set(waves, end, MOTIONS[row], Side::Right);
-        let (from, to) = if row < 4 { (0, 4) } else { (4, 6) };
-        right[row][0] = equation.load;
-        for wave in from..to {
-            let arriving = equation.of_arriving[wave - from];
-            right[row][0] = right[row][0].minus_product(arriving, at.s[wave]);
+    product.times(Complex::from_real(unscaled));
+}
+
+/// The six equations of the right end for b', with a = R N b' + s.
+#[derive(Debug, Clone)]
+struct RightSystem<A> {
+    of_b: Matrix<A, 6, 6>,
+    right: Matrix<A, 6, 1>,
+    /// The largest sizes that were summed to an entry of each column.
+    terms: [Real<A>; 6],
+    /// Powers of two by which the rows are scaled.
+    scales: [Real<A>; 6],
+}
+
+impl<A: Arithmetic> RightSystem<A> {
+    const NONE: Self = Self {
+        of_b: [[Complex::ZERO; 6]; 6],
+        right: [[Complex::ZERO; 1]; 6],
+        terms: [Real::ZERO; 6],
+        scales: [Real::ONE; 6],
+    };
+
+    #[inline(always)]
+    fn set(&mut self, waves: &Waves<A>, end: &End, at: &Reflection<A>) {
+        let mut sizes = [Real::ZERO; super::reflection::ENTRIES];
+        for (size, r) in sizes.iter_mut().zip(&at.r) {
+            *size = r.size();
         }
-        for column in 0..6 {
-            let mut sum = if column >= from && column < to {
-                equation.of_leaving[column - from] * waves.radiation[column]
-            } else {
-                Complex::ZERO
-            };
-            let mut size = sum.size();
+        let mut equation = EndRow::NONE;
+        for row in 0..6 {
+            equation.set(waves, end, MOTIONS[row], Side::Right);
+            let (from, to) = if row < 4 { (0, 4) } else { (4, 6) };
+            self.scales[row] = equation.scale;
+            self.right[row][0] = equation.load;
             for wave in from..to {
                 let arriving = equation.of_arriving[wave - from];
-                sum = sum.plus_product(arriving, at.r[entry(wave, column)]);
-                size = arriving
-                    .size()
-                    .multiply_add(sizes[entry(wave, column)], size);
+                self.right[row][0] = self.right[row][0].minus_product(arriving, at.s[wave]);
             }
-            of_b[row][column] = sum;
-            terms[column] = terms[column].max(size);
+            for column in 0..6 {
+                let mut sum = if column >= from && column < to {
+                    equation.of_leaving[column - from] * waves.radiation[column]
+                } else {
+                    Complex::ZERO
+                };
+                let mut size = sum.size();
+                for wave in from..to {
+                    let arriving = equation.of_arriving[wave - from];
+                    sum = sum.plus_product(arriving, at.r[entry(wave, column)]);
+                    size = arriving
+                        .size()
+                        .multiply_add(sizes[entry(wave, column)], size);
+                }
+                self.of_b[row][column] = sum;
+                self.terms[column] = self.terms[column].max(size);
+            }
         }
     }
-    finite_where_resolved(&mut of_b, &mut right, &terms)
 }
 
 /// b' where what lies left of a point and what lies right of it meet; not finite at an undamped resonance.
@@ -256,7 +330,7 @@ fn finite_where_resolved<A: Arithmetic>(
 
 part!(
     Reflect ['a, A: Arithmetic] ['a, A]
-    (&'a Waves<A>, &'a End, Side) -> Reflection<A>,
+    (&'a Waves<A>, &'a End, Side, Option<&'a mut Product<A>>) -> Reflection<A>,
     reflection_inlined
 );
 
@@ -276,4 +350,10 @@ part!(
     Join ['a, A: Arithmetic] ['a, A]
     (&'a Waves<A>, &'a Reflection<A>, &'a Reflection<A>) -> Amplitudes<A>,
     join_inlined
+);
+
+part!(
+    RightDeterminant ['a, A: Arithmetic] ['a, A]
+    (&'a Waves<A>, &'a End, &'a Reflection<A>, &'a mut Product<A>) -> (),
+    right_determinant_inlined
 );

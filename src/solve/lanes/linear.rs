@@ -23,6 +23,28 @@ fn solve_inlined<A: Arithmetic, const N: usize, const R: usize>(
     back_substitute(a, b);
 }
 
+/// [`solve`], and the determinant of `a`.
+pub(super) fn solve_with_determinant<A: Arithmetic, const N: usize, const R: usize>(
+    a: &mut Matrix<A, N, N>,
+    b: &mut Matrix<A, N, R>,
+) -> Complex<A> {
+    A::outlined(SolveWithDeterminant((a, b)))
+}
+
+#[inline(always)]
+fn solve_with_determinant_inlined<A: Arithmetic, const N: usize, const R: usize>(
+    (a, b): (&mut Matrix<A, N, N>, &mut Matrix<A, N, R>),
+) -> Complex<A> {
+    let mut determinant = Complex::ONE;
+    for column in 0..N {
+        let sign = bring_up_pivot(a, b, column);
+        determinant = determinant * a[column][column].scaled(sign);
+        eliminate(a, b, column);
+    }
+    back_substitute(a, b);
+    determinant
+}
+
 /// [`solve`], and how far `a` is from singular: the least share that a pivot is of `terms`, the largest sizes that were
 /// summed to an entry of each column.
 pub(super) fn solve_with_margin<A: Arithmetic, const N: usize, const R: usize>(
@@ -48,13 +70,15 @@ fn solve_with_margin_inlined<A: Arithmetic, const N: usize, const R: usize>(
     margin
 }
 
-/// Brings the row with the largest entry of a column up to the diagonal, at each frequency the one that is largest there.
+/// Brings the row with the largest entry of a column up to the diagonal, at each frequency the one that is largest there;
+/// the sign that this gives the determinant.
 #[inline(always)]
 fn bring_up_pivot<A: Arithmetic, const N: usize, const R: usize>(
     a: &mut Matrix<A, N, N>,
     b: &mut Matrix<A, N, R>,
     column: usize,
-) {
+) -> Real<A> {
+    let mut sign = Real::ONE;
     let mut largest = a[column][column].size();
     for row in column + 1..N {
         let size = a[row][column].size();
@@ -66,9 +90,11 @@ fn bring_up_pivot<A: Arithmetic, const N: usize, const R: usize>(
             for k in 0..R {
                 exchange(largest, size, b, (column, row), k);
             }
+            sign = largest.where_less(size, -sign, sign);
             largest = largest.max(size);
         }
     }
+    sign
 }
 
 /// Exchanges the entries of two rows in a column where `a` is less than `b`.
@@ -151,6 +177,12 @@ part!(
     Solve ['a, A: Arithmetic, const N: usize, const R: usize] ['a, A, N, R]
     (&'a mut Matrix<A, N, N>, &'a mut Matrix<A, N, R>) -> (),
     solve_inlined
+);
+
+part!(
+    SolveWithDeterminant ['a, A: Arithmetic, const N: usize, const R: usize] ['a, A, N, R]
+    (&'a mut Matrix<A, N, N>, &'a mut Matrix<A, N, R>) -> Complex<A>,
+    solve_with_determinant_inlined
 );
 
 part!(

@@ -10,9 +10,11 @@
 //! `sides` keeps what lies beside an edited place: `carry` takes waves over it, `combinations` and `quadratic` say what
 //! energy they leave there.
 //!
-//! What makes it less work than the plain one, apart from the vectors: frequencies are real; reflections are symmetric;
-//! nothing is solved for what a load radiates; a subsystem is solved for its three stretches instead of six waves; what
-//! nobody reads is not kept.
+//! `characteristic` is the function whose zeros are the natural frequencies.
+//!
+//! What makes it less work than the plain one, apart from the vectors: reflections are symmetric; nothing is solved for
+//! what a load radiates; a subsystem is solved for its three stretches instead of six waves; unread intermediate results
+//! are not stored.
 
 #![allow(
     clippy::inline_always,
@@ -20,6 +22,7 @@
 )]
 
 mod carry;
+mod characteristic;
 mod combinations;
 mod complex;
 mod count;

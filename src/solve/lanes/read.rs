@@ -99,18 +99,18 @@ impl<A: Arithmetic> State<A> {
         part: Part,
     ) -> Complex<A> {
         let [y, sum, difference] = self.forces;
-        let damper = |damping: f64| waves.omega * Real::splat(damping);
-        let inertia = waves.omega * waves.omega * Real::splat(attachment.mass);
+        let inertia = (waves.omega * waves.omega).scaled(Real::splat(attachment.mass));
         let by_inertia = |force: Complex<A>, load| {
             let force = match part {
                 Part::Whole => force + Complex::splat(load),
                 Part::FromWaves => force,
             };
-            force.scaled(-(Real::ONE / inertia))
+            -(force * inertia.inverse())
         };
-        let spring = |spring: &crate::model::Spring| Complex {
-            re: Real::splat(spring.stiffness),
-            im: damper(spring.damping),
+        let spring = |spring: &crate::model::Spring| {
+            waves
+                .omega
+                .damped_stiffness(spring.stiffness, spring.damping)
         };
         // What the waves say of a held motion is rounding.
         let [w_held, psi_held, v_held] = attachment.held;
@@ -129,7 +129,7 @@ impl<A: Arithmetic> State<A> {
                 let mount = Real::splat(attachment.mount_z);
                 let moved = unheld(w_held, BeamMotion::W).plus_scaled(mount, psi());
                 Complex::where_less(
-                    inertia * inertia,
+                    inertia.norm_sqr(),
                     k.norm_sqr(),
                     moved - y * k.inverse(),
                     by_inertia(y, attachment.load[0]),
@@ -148,7 +148,7 @@ impl<A: Arithmetic> State<A> {
                 let by_spring =
                     Complex::where_less(right.norm_sqr(), left.norm_sqr(), by_left, by_right);
                 Complex::where_less(
-                    inertia * inertia,
+                    inertia.norm_sqr(),
                     (left + right).norm_sqr(),
                     by_spring,
                     by_inertia(sum, attachment.load[1]),
@@ -161,17 +161,20 @@ impl<A: Arithmetic> State<A> {
 /// A displacement, its velocity or its acceleration.
 #[inline(always)]
 fn measured<A: Arithmetic>(
-    omega: Real<A>,
+    omega: Complex<A>,
     displacement: Complex<A>,
     measure: Measure,
 ) -> Complex<A> {
     match measure {
         Measure::Displacement => displacement,
-        Measure::Velocity => Complex {
-            re: -(displacement.im * omega),
-            im: displacement.re * omega,
-        },
-        Measure::Acceleration => displacement.scaled(-(omega * omega)),
+        Measure::Velocity => {
+            let turned = displacement * omega;
+            Complex {
+                re: -turned.im,
+                im: turned.re,
+            }
+        }
+        Measure::Acceleration => -(displacement * (omega * omega)),
     }
 }
 

@@ -9,7 +9,7 @@ use super::energy::{Form, Sum, weights};
 use super::number::{Arithmetic, Real, part};
 use super::read::{Part, State};
 use super::reflection::{Amplitudes, Jumps, Reflection, Side};
-use super::station::{Forces, Turn, sent, stretches};
+use super::station::{Forces, Turn, Unknowns, sent, stretches};
 use super::waves::{Constants, Waves};
 use crate::solve::plan::{Event, Output, Plan};
 
@@ -212,7 +212,12 @@ impl<A: Arithmetic> Room<A> {
             match &station.event {
                 Event::Attachment(attachment) => {
                     let turn = read.map(|read| &mut self.turns[read]);
-                    at.attach(waves, attachment, &mut self.forces[index], turn);
+                    let unknowns = Unknowns {
+                        forces: &mut self.forces[index],
+                        turn,
+                        determinant: None,
+                    };
+                    at.attach(waves, attachment, unknowns);
                 }
                 Event::Load(load) => at.load(waves, &Jumps::of_load(waves, load), Side::Left),
                 Event::Probe => {}

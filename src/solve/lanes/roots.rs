@@ -8,7 +8,6 @@
 
 use super::complex::Complex;
 use super::number::{Arithmetic, Real, part};
-use crate::solve::waves::pair;
 
 /// Two roots of the state equation.
 #[derive(Debug, Clone, Copy)]
@@ -48,13 +47,14 @@ struct Sought<A> {
 /// Of two pairs torsion's one, then bending's.
 type Four<T> = [[T; 2]; 2];
 
-/// Of the evanescent and the travelling pair the root that is torsion's without coupling, then bending's.
-pub(super) fn roots<A: Arithmetic>(pairs: &[Pair<A>; 2]) -> Four<Root<A>> {
+/// Of the evanescent and the travelling pair the root that is torsion's without coupling, then bending's; 1 where these
+/// are not four roots, else 0.
+pub(super) fn roots<A: Arithmetic>(pairs: &[Pair<A>; 2]) -> (Four<Root<A>>, Real<A>) {
     A::outlined(Roots((pairs,)))
 }
 
 #[inline(always)]
-fn roots_inlined<A: Arithmetic>((pairs,): (&[Pair<A>; 2],)) -> Four<Root<A>> {
+fn roots_inlined<A: Arithmetic>((pairs,): (&[Pair<A>; 2],)) -> (Four<Root<A>>, Real<A>) {
     const MOST_STEPS: usize = 60;
     let mut sought = [pairs[0].sought(), pairs[1].sought()];
     for _ in 0..MOST_STEPS {
@@ -68,12 +68,8 @@ fn roots_inlined<A: Arithmetic>((pairs,): (&[Pair<A>; 2],)) -> Four<Root<A>> {
             break;
         }
     }
-    let mut roots = [pairs[0].roots(&sought[0]), pairs[1].roots(&sought[1])];
-    let astray = astray(pairs, &sought);
-    if Real::ZERO.is_less_somewhere(astray) {
-        A::outlined(Recover((pairs, &mut roots, astray)));
-    }
-    roots
+    let roots = [pairs[0].roots(&sought[0]), pairs[1].roots(&sought[1])];
+    (roots, astray(pairs, &sought))
 }
 
 /// 1 where two of the four roots are the same one, or one is none: all shifts together are zero, as the coefficient of
@@ -89,27 +85,6 @@ fn astray<A: Arithmetic>(pairs: &[Pair<A>; 2], sought: &Four<Sought<A>>) -> Real
     let sizes = a.size() + b.size() + c.size() + d.size();
     let sum = ((a + b) - (c + d)).size();
     (sizes * Real::splat(MOST)).where_less(sum, Real::ONE, Real::ZERO)
-}
-
-/// Finds the roots by the plain solver where they went astray.
-#[inline(always)]
-fn recover<A: Arithmetic>((pairs, roots, astray): (&[Pair<A>; 2], &mut Four<Root<A>>, Real<A>)) {
-    let astray = astray.lanes();
-    for lane in (0..A::LANES).filter(|&lane| astray[lane] > 0.0) {
-        for (of, roots) in pairs.iter().zip(roots.iter_mut()) {
-            let [h_w, tau, gamma, coupling, slope, offset] =
-                [of.h_w, of.tau, of.gamma, of.coupling, of.slope, of.offset]
-                    .map(|value| value.lane(lane));
-            let found = pair(h_w, tau, gamma, |h| {
-                coupling / ((h + h_w) * (slope * h + offset))
-            });
-            for (root, found) in roots.iter_mut().zip(found) {
-                root.value.set_lane(lane, found.value);
-                root.from_bending.set_lane(lane, found.from_bending);
-                root.from_torsion.set_lane(lane, found.from_torsion);
-            }
-        }
-    }
 }
 
 impl<A: Arithmetic> Pair<A> {
@@ -211,12 +186,6 @@ fn present<A: Arithmetic>(distance: Complex<A>) -> Complex<A> {
 
 part!(
     Roots ['a, A: Arithmetic] ['a, A]
-    (&'a [Pair<A>; 2],) -> Four<Root<A>>,
+    (&'a [Pair<A>; 2],) -> (Four<Root<A>>, Real<A>),
     roots_inlined
-);
-
-part!(
-    Recover ['a, A: Arithmetic] ['a, A]
-    (&'a [Pair<A>; 2], &'a mut Four<Root<A>>, Real<A>) -> (),
-    recover
 );

@@ -13,10 +13,11 @@ use super::combinations::SideEnergy;
 use super::complex::Complex;
 use super::ends::{join, reflection, right_end};
 use super::energy::Sum;
-use super::number::{Arithmetic, Real};
+use super::number::Arithmetic;
 use super::read::Part;
 use super::recursion::{Prepared, Room, times};
 use super::reflection::{Amplitudes, Jumps, Reflection, Side};
+use super::station::Unknowns;
 use super::waves::Waves;
 use crate::solve::plan::{Event, Output};
 
@@ -114,7 +115,7 @@ impl<A> Beside<A> {
 impl<A: Arithmetic> Room<A> {
     /// What lies beside the stations of `part`, at the angular frequencies `omega`, rad/s.
     #[inline(always)]
-    pub(super) fn sides(&mut self, between: &Between, omega: Real<A>) -> Sides<A> {
+    pub(super) fn sides(&mut self, between: &Between, omega: Complex<A>) -> Sides<A> {
         let Between { prepared, part, .. } = between;
         let plan = &prepared.plan;
         let mut waves = Waves::NONE;
@@ -151,7 +152,12 @@ impl<A: Arithmetic> Room<A> {
             match &plan.stations[index].event {
                 Event::Attachment(attachment) => {
                     let turn = read.map(|read| &mut self.turns[read]);
-                    at.attach(waves, attachment, &mut self.forces[index], turn);
+                    let unknowns = Unknowns {
+                        forces: &mut self.forces[index],
+                        turn,
+                        determinant: None,
+                    };
+                    at.attach(waves, attachment, unknowns);
                 }
                 Event::Load(load) => at.load(waves, &Jumps::of_load(waves, load), Side::Right),
                 Event::Probe => {}
@@ -169,7 +175,7 @@ impl<A: Arithmetic> Room<A> {
         &mut self,
         between: &Between,
         sides: &Sides<A>,
-        omega: Real<A>,
+        omega: Complex<A>,
         out: &mut [Complex<A>],
     ) {
         let Between { prepared, part, .. } = between;

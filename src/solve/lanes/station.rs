@@ -4,8 +4,9 @@
 //! and theta. Here they are solved for the three stretches of the channels alone, and the shapes Q are those of the
 //! channels: what a channel's force sends is the transpose of what stretches it.
 
+use super::characteristic::Product;
 use super::complex::{Complex, Matrix};
-use super::linear::solve;
+use super::linear::{solve, solve_with_determinant};
 use super::number::{Arithmetic, Real, part};
 use super::reflection::{Amplitudes, Reflection, entry};
 use super::waves::Waves;
@@ -27,6 +28,15 @@ pub(super) struct Forces<A> {
 pub(super) struct Turn<A> {
     pub(super) from_waves: Amplitudes<A>,
     pub(super) forced: Complex<A>,
+}
+
+/// What is kept of the unknowns of a subsystem.
+#[derive(Debug)]
+pub(super) struct Unknowns<'a, A> {
+    pub(super) forces: &'a mut Forces<A>,
+    pub(super) turn: Option<&'a mut Turn<A>>,
+    /// What is multiplied by the determinant of their system, of a subsystem without loads.
+    pub(super) determinant: Option<&'a mut Product<A>>,
 }
 
 /// Stretches of the channels by each wave: w + `z_b` psi and `y_u` psi by the coupled ones; v by the other two is 1.
@@ -71,11 +81,11 @@ struct Springs<A> {
     sum: Complex<A>,
     difference: Complex<A>,
     /// 1 / (omega^2 m).
-    by_mass: Real<A>,
+    by_mass: Complex<A>,
     /// h and l.
     arms: [f64; 2],
     /// omega^2 J.
-    inertia: Real<A>,
+    inertia: Complex<A>,
     /// What makes theta a force, N/rad.
     to_force: Real<A>,
     /// Nothing turns the mass.
@@ -84,14 +94,10 @@ struct Springs<A> {
 
 impl<A: Arithmetic> Springs<A> {
     #[inline(always)]
-    fn new(omega: Real<A>, attachment: &Attachment) -> Self {
+    fn new(omega: Complex<A>, attachment: &Attachment) -> Self {
         let square = omega * omega;
         let (left, right) = (attachment.z_left, attachment.z_right);
-        let complex = |stiffness: f64, damping: f64| Complex {
-            re: Real::splat(stiffness),
-            im: omega * Real::splat(damping),
-        };
-        let sum = complex(
+        let sum = omega.damped_stiffness(
             left.stiffness + right.stiffness,
             left.damping + right.damping,
         );
@@ -102,15 +108,15 @@ impl<A: Arithmetic> Springs<A> {
         let longest = arms[0].abs().max(arms[1].abs());
         let torque = sum.size() * Real::splat(longest);
         Self {
-            y: complex(attachment.spring_y.stiffness, attachment.spring_y.damping),
+            y: omega.damped_stiffness(attachment.spring_y.stiffness, attachment.spring_y.damping),
             sum,
-            difference: complex(
+            difference: omega.damped_stiffness(
                 right.stiffness - left.stiffness,
                 right.damping - left.damping,
             ),
-            by_mass: Real::ONE / (square * Real::splat(attachment.mass)),
+            by_mass: square.scaled(Real::splat(attachment.mass)).inverse(),
             arms,
-            inertia: square * Real::splat(attachment.inertia),
+            inertia: square.scaled(Real::splat(attachment.inertia)),
             to_force: Real::ZERO.where_less(torque, torque, Real::ONE),
             is_idle: attachment.is_never_turned(),
         }
@@ -210,30 +216,29 @@ impl<A: Arithmetic> Contact<A> {
 }
 
 impl<A: Arithmetic> Reflection<A> {
-    /// Past a subsystem; its unknowns are written to `forces` and, where that is wanted, `turn`.
+    /// Past a subsystem.
     pub(super) fn attach(
         &mut self,
         waves: &Waves<A>,
         attachment: &Attachment,
-        forces: &mut Forces<A>,
-        turn: Option<&mut Turn<A>>,
+        unknowns: Unknowns<A>,
     ) {
-        A::outlined(Attach((self, waves, attachment, forces, turn)));
+        A::outlined(Attach((self, waves, attachment, unknowns)));
     }
 
     #[inline(always)]
     fn attach_inlined(
-        (this, waves, attachment, forces, turn): (
-            &mut Self,
-            &Waves<A>,
-            &Attachment,
-            &mut Forces<A>,
-            Option<&mut Turn<A>>,
-        ),
+        (this, waves, attachment, wanted): (&mut Self, &Waves<A>, &Attachment, Unknowns<A>),
     ) {
+        let Unknowns {
+            forces,
+            turn,
+            determinant,
+        } = wanted;
         let contact = Contact::new(waves, attachment, this);
         let springs = Springs::new(waves.omega, attachment);
-        let (by_stretch, by_load) = unknowns(&springs, attachment, &contact.receptance);
+        let (by_stretch, by_load) =
+            unknowns(&springs, attachment, &contact.receptance, determinant);
         for channel in 0..CHANNELS {
             let of = (&by_stretch[channel], by_load[channel]);
             (forces.from_waves[channel], forces.forced[channel]) = contact.unknown(of);
@@ -261,19 +266,26 @@ fn unknowns<A: Arithmetic>(
     springs: &Springs<A>,
     attachment: &Attachment,
     receptance: &Matrix<A, CHANNELS, CHANNELS>,
+    determinant: Option<&mut Product<A>>,
 ) -> (Matrix<A, UNKNOWNS, CHANNELS>, [Complex<A>; UNKNOWNS]) {
     let mut out = [[Complex::ZERO; CHANNELS]; UNKNOWNS];
     let mut forced = [Complex::ZERO; UNKNOWNS];
     if attachment.load == [ZERO; 3] {
         let (mut a, scale) = system(springs, receptance);
         let mut b = stretched::<A, CHANNELS>(springs, &scale);
-        solve(&mut a, &mut b);
+        match determinant {
+            Some(product) => {
+                let scaled = solve_with_determinant(&mut a, &mut b);
+                multiply_unscaled(product, scaled, springs, &scale);
+            }
+            None => solve(&mut a, &mut b),
+        }
         out = b;
     } else {
         const WITH_LOAD: usize = CHANNELS + 1;
         let (mut a, scale) = system(springs, receptance);
         let mut b = stretched::<A, WITH_LOAD>(springs, &scale);
-        let by_load = |load| Complex::splat(load).scaled(springs.by_mass);
+        let by_load = |load| Complex::splat(load) * springs.by_mass;
         let pulled = springs.times([
             by_load(attachment.load[0]),
             by_load(attachment.load[1]),
@@ -310,8 +322,8 @@ fn system<A: Arithmetic>(
     receptance: &Matrix<A, CHANNELS, CHANNELS>,
 ) -> (Matrix<A, UNKNOWNS, UNKNOWNS>, [Real<A>; UNKNOWNS]) {
     let mut flexibility = *receptance;
-    flexibility[0][0].re = flexibility[0][0].re + springs.by_mass;
-    flexibility[1][1].re = flexibility[1][1].re + springs.by_mass;
+    flexibility[0][0] += springs.by_mass;
+    flexibility[1][1] += springs.by_mass;
     let stiffest = [springs.y, springs.sum, springs.sum];
     let mut scale = [Real::ONE; UNKNOWNS];
     for channel in 0..CHANNELS {
@@ -346,12 +358,36 @@ fn system<A: Arithmetic>(
     a[1][CHANNELS] = pulled[0].scaled(scale[1] * to_angle);
     a[2][CHANNELS] = pulled[1].scaled(scale[2] * to_angle);
     let longest = springs.arms[0].abs().max(springs.arms[1].abs());
-    let inertia = springs.inertia * to_angle;
-    scale[CHANNELS] = inertia.max(Real::splat(longest)).inverse_power_of_two();
+    let inertia = springs.inertia.scaled(to_angle);
+    scale[CHANNELS] = inertia
+        .size()
+        .max(Real::splat(longest))
+        .inverse_power_of_two();
     a[CHANNELS][1] = Complex::from_real(arms[0] * scale[CHANNELS]);
     a[CHANNELS][2] = Complex::from_real(arms[1] * scale[CHANNELS]);
-    a[CHANNELS][CHANNELS] = Complex::from_real(inertia * scale[CHANNELS]);
+    a[CHANNELS][CHANNELS] = inertia.scaled(scale[CHANNELS]);
     (a, scale)
+}
+
+/// Multiplies a product by the determinant of [`system`] without its scales.
+#[inline(always)]
+fn multiply_unscaled<A: Arithmetic>(
+    product: &mut Product<A>,
+    determinant: Complex<A>,
+    springs: &Springs<A>,
+    scale: &[Real<A>; UNKNOWNS],
+) {
+    product.times(determinant);
+    let mut unscaled = Real::ONE;
+    for by in scale {
+        unscaled = unscaled * *by;
+    }
+    let to_force = if springs.is_idle {
+        Real::ONE
+    } else {
+        springs.to_force
+    };
+    product.times(Complex::from_real(to_force / unscaled));
 }
 
 /// The right-hand sides of unit stretches, in the first three columns.
@@ -429,6 +465,6 @@ pub(super) fn sent<A: Arithmetic>(
 
 part!(
     Attach ['a, A: Arithmetic] ['a, A]
-    (&'a mut Reflection<A>, &'a Waves<A>, &'a Attachment, &'a mut Forces<A>, Option<&'a mut Turn<A>>) -> (),
+    (&'a mut Reflection<A>, &'a Waves<A>, &'a Attachment, Unknowns<'a, A>) -> (),
     Reflection::attach_inlined
 );

@@ -5,6 +5,7 @@
 
 use num_complex::Complex64;
 
+use super::complex::Complex;
 use super::elementary::{exp, sin_cos};
 use super::number::{Arithmetic, MOST_LANES, Real};
 use super::portable::Portable;
@@ -18,9 +19,10 @@ use crate::model::{
     Support, Target, read,
 };
 use crate::presets;
-use crate::solve::frequencies;
+use crate::solve::linear::Magnified;
 use crate::solve::plan::Plan;
 use crate::solve::recursion::Workspace;
+use crate::solve::sweep::{angular, frequencies};
 use crate::solve::waves::BeamConstants;
 
 /// All responses at some frequencies, a row a frequency.
@@ -40,7 +42,11 @@ fn lanes(instructions: Instructions, plan: &Plan, frequencies: &[f64]) -> Vec<Co
     let (width, count) = (plan.outputs.len(), frequencies.len());
     let mut columns = vec![vec![Complex64::ZERO; count]; width];
     let mut out: Vec<&mut [Complex64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
-    Solver::new(instructions).solve(&Prepared::new(plan.clone()), frequencies, &mut out);
+    Solver::new(instructions).solve(
+        &Prepared::new(plan.clone()),
+        &angular(frequencies),
+        &mut out,
+    );
     (0..width * count)
         .map(|index| columns[index % width][index / width])
         .collect()
@@ -261,7 +267,10 @@ fn the_coupled_waves_are_all_four_roots_whatever_the_section() {
 /// Closed form: what the roots h of `(E Iy h^2 - a)(E G0 h^2 - G J h - b) = d^2` add up to, alone and in products.
 fn assert_all_roots(beam: &BeamConstants, omega: f64) {
     let mut waves = Waves::<Portable>::NONE;
-    waves.set(&Constants::new(beam), Real::splat(omega));
+    waves.set(
+        &Constants::new(beam),
+        Complex::from_real(Real::splat(omega)),
+    );
     let square = omega * omega;
     let [a, b, d] = [beam.mass, beam.polar, beam.coupling].map(|inertia| square * inertia);
     let leading = beam.bending_w * beam.warping;
@@ -320,6 +329,90 @@ fn elementary_functions_are_right_by<A: Arithmetic>() {
                 let x = x.min(700.0);
                 let expected = if x < -700.0 { 0.0 } else { x.exp() };
                 assert!((exp[lane] - expected).abs() <= 5e-16 * expected, "exp {x}");
+            }
+        }
+    }
+}
+
+/// F at some complex angular frequencies, rad/s.
+fn characteristic(
+    instructions: Instructions,
+    model: &Model,
+    omegas: &[Complex64],
+) -> Vec<Magnified> {
+    let prepared = Prepared::new(Plan::new(model));
+    let mut out = vec![Magnified::ONE; omegas.len()];
+    Solver::new(instructions).characteristic(&prepared, omegas, &mut out);
+    out
+}
+
+/// Complex angular frequencies, rad/s, on either side of the real and the imaginary axis.
+fn complex_frequencies() -> Vec<Complex64> {
+    let omega = |k: i32| {
+        Complex64::from_polar(
+            60.0 * 1.12_f64.powi(k),
+            -0.4 + 2.2 * (0.37 * f64::from(k)).fract(),
+        )
+    };
+    (0..43).map(omega).collect()
+}
+
+/// Expected: closed form of a pinned beam without coupling, `F = prod(sin(k L) sinh(k L) / omega)` over both bendings, and
+/// `sin(a L) sinh(b L) / omega` of twist with warping.
+#[test]
+fn the_characteristic_function_of_a_pinned_beam_is_its_closed_form() {
+    let mut model = read(presets::find("fig05a").unwrap().text).unwrap();
+    model.subsystems.clear();
+    model.forces.clear();
+    model.responses.clear();
+    (model.supports.left, model.supports.right) = (Support::PINNED, Support::PINNED);
+    model.beam.section.centroid_offset = 0.0;
+    for loss_factor in [0.0, 0.3] {
+        model.beam.material.loss_factor = loss_factor;
+        let beam = BeamConstants::new(&model.beam);
+        let length = model.beam.length;
+        let waves = |evanescent: Complex64, travelling: Complex64| {
+            (evanescent.sqrt() * length).sinh() * (travelling.sqrt() * length).sin()
+        };
+        let exact = |omega: Complex64| {
+            let bending = [beam.bending_w, beam.bending_v].map(|stiffness| {
+                let h = omega * (beam.mass / stiffness).sqrt();
+                waves(h, h) / omega
+            });
+            let inertia = 4.0 * beam.warping * beam.polar * omega * omega;
+            let root = (beam.torsion * beam.torsion + inertia).sqrt();
+            let twist =
+                [root + beam.torsion, root - beam.torsion].map(|h| h / (2.0 * beam.warping));
+            bending[0] * bending[1] * waves(twist[0], twist[1]) / omega
+        };
+        let omegas = complex_frequencies();
+        for instructions in Instructions::available() {
+            let found = characteristic(instructions, &model, &omegas);
+            for (omega, found_here) in omegas.iter().zip(&found) {
+                let expected = exact(*omega) / exact(omegas[0]);
+                let error = (found_here.ratio(&found[0]) / expected - 1.0).norm();
+                assert!(error < 1e-11, "{omega}: {error:e}");
+            }
+        }
+    }
+}
+
+/// Expected: the portable arithmetic, which shares the equations but no instructions.
+#[test]
+fn all_instructions_give_the_same_characteristic_function() {
+    let mut random = fastrand::Rng::with_seed(5);
+    let omegas = complex_frequencies();
+    for _ in 0..100 {
+        let mut model = random_model(&mut random);
+        model.forces.clear();
+        model.responses.clear();
+        let expected = characteristic(Instructions::Portable, &model, &omegas);
+        for instructions in Instructions::available() {
+            let found = characteristic(instructions, &model, &omegas);
+            for (found_here, expected_here) in found.iter().zip(&expected) {
+                let relative = found_here.over(&found[0]);
+                let error = (relative.ratio(&expected_here.over(&expected[0])) - 1.0).norm();
+                assert!(error < 1e-10, "{error:e}");
             }
         }
     }

@@ -1,7 +1,6 @@
 //! The six waves of the beam at several frequencies at once.
 //!
-//! The same waves as in [`crate::solve::waves`], where their equations are, with two differences. Frequencies are real.
-//! And what a point load radiates is not solved for but follows from reciprocity: a jump f of the internal forces sends
+//! The same waves as in [`crate::solve::waves`], where their equations are, with one difference: what a point load radiates is not solved for but follows from reciprocity: a jump f of the internal forces sends
 //! `X f` both ways and a jump m of the internal moments `Y m` to the right and `-Y m` to the left with
 //! `X = N Q^T`, `Y = N S^T`, where the diagonal N holds `1 / (2 kappa (2 E Iy h W^2 + (2 E G0 h - G J) Psi^2))` of the
 //! coupled waves and `1 / (4 E Iz h kappa)` of the others, h = kappa^2. It is the same for Q, S, P, M of any scale.
@@ -11,7 +10,7 @@ use num_complex::Complex64;
 use super::complex::{Complex, Matrix};
 use super::number::{Arithmetic, Real, part};
 use super::roots::{Pair, Root, roots};
-use crate::solve::waves::{BeamConstants, WARPING_WAVE};
+use crate::solve::waves::{BeamConstants, WARPING_WAVE, coupled_waves};
 
 /// What the waves of a beam need that does not depend on the frequency.
 #[derive(Debug, Clone)]
@@ -19,8 +18,6 @@ pub(super) struct Constants {
     beam: BeamConstants,
     /// sqrt(rho A / E Iy), sqrt(rho A / E Iz).
     bending: [Complex64; 2],
-    /// Square roots of the latter and of its negative.
-    bending_v: [Complex64; 2],
     /// 1 / (E `Gamma_0`); 0 where that is 0.
     inverse_warping: Complex64,
 }
@@ -32,7 +29,6 @@ impl Constants {
         Self {
             beam: beam.clone(),
             bending,
-            bending_v: [bending[1], -bending[1]].map(decaying_root),
             inverse_warping: if beam.without_warping() {
                 Complex64::ZERO
             } else {
@@ -42,17 +38,11 @@ impl Constants {
     }
 }
 
-/// The root with Re > 0, or Re = 0 and Im > 0.
-fn decaying_root(h: Complex64) -> Complex64 {
-    // A zero of either sign must not choose the branch.
-    Complex64::new(h.re, h.im + 0.0).sqrt()
-}
-
 /// The waves at several frequencies.
 #[derive(Debug, Clone)]
 pub(super) struct Waves<A> {
     /// Angular frequency, rad/s.
-    pub(super) omega: Real<A>,
+    pub(super) omega: Complex<A>,
     /// Wave numbers, 1/m; that of the warping wave has no meaning where `without_warping`.
     pub(super) kappa: [Complex<A>; 6],
     /// Q.
@@ -79,10 +69,64 @@ struct CoupledWave<A> {
     psi: Complex<A>,
 }
 
+impl<A: Arithmetic> CoupledWave<A> {
+    const NONE: Self = Self {
+        h: Complex::ZERO,
+        w: Complex::ZERO,
+        psi: Complex::ZERO,
+    };
+
+    /// Becomes the wave of a root of a pair; `square` is omega^2. The sign of a travelling wave's h is left out.
+    #[inline(always)]
+    fn set_shape(
+        (this, (constants, square), pair, root): (
+            &mut Self,
+            (&Constants, Complex<A>),
+            &Pair<A>,
+            &Root<A>,
+        ),
+    ) {
+        let beam = &constants.beam;
+        let other = pair.offset.plus_product(pair.slope, root.value);
+        let bending = Complex::splat(beam.bending_w) * root.from_bending * (root.value + pair.h_w);
+        let torsion = root.from_torsion * other;
+        let inverse = square.inverse();
+        let (w, psi) = shape(
+            bending * inverse.scaled(Real::splat(beam.mass.recip())),
+            torsion * inverse.scaled(Real::splat(beam.polar.recip())),
+            beam.coupling / beam.mass,
+            beam.coupling / beam.polar,
+        );
+        let radius = Real::splat(beam.radius * beam.radius);
+        let scale = Real::ONE / psi.norm_sqr().multiply_add(radius, w.norm_sqr()).sqrt();
+        *this = Self {
+            h: root.value,
+            w: w.scaled(scale),
+            psi: psi.scaled(scale),
+        };
+    }
+}
+
+/// Finds the coupled waves by the plain solver where the kernel missed them.
+#[inline(always)]
+fn recover<A: Arithmetic>(
+    (waves, constants, omega, missed): (&mut [CoupledWave<A>; 4], &Constants, Complex<A>, Real<A>),
+) {
+    let missed = missed.lanes();
+    for lane in (0..A::LANES).filter(|&lane| missed[lane] > 0.0) {
+        let found = coupled_waves(&constants.beam, omega.lane(lane));
+        for (wave, found) in waves.iter_mut().zip(found) {
+            wave.h.set_lane(lane, found.h);
+            wave.w.set_lane(lane, found.w);
+            wave.psi.set_lane(lane, found.psi);
+        }
+    }
+}
+
 impl<A: Arithmetic> Waves<A> {
     /// No waves yet; what a row cannot reach stays zero.
     pub(super) const NONE: Self = Self {
-        omega: Real::ZERO,
+        omega: Complex::ZERO,
         kappa: [Complex::ZERO; 6],
         displacement: [[Complex::ZERO; 6]; 3],
         slope: [[Complex::ZERO; 6]; 3],
@@ -94,12 +138,12 @@ impl<A: Arithmetic> Waves<A> {
     };
 
     /// Becomes the waves at angular frequencies, rad/s.
-    pub(super) fn set(&mut self, constants: &Constants, omega: Real<A>) {
+    pub(super) fn set(&mut self, constants: &Constants, omega: Complex<A>) {
         A::outlined(Set((self, constants, omega)));
     }
 
     #[inline(always)]
-    fn set_inlined((this, constants, omega): (&mut Self, &Constants, Real<A>)) {
+    fn set_inlined((this, constants, omega): (&mut Self, &Constants, Complex<A>)) {
         this.omega = omega;
         this.without_warping = constants.beam.without_warping();
         this.set_coupled(constants);
@@ -115,17 +159,17 @@ impl<A: Arithmetic> Waves<A> {
         let beam = &constants.beam;
         let square = self.omega * self.omega;
         let (b, d) = (
-            square * Real::splat(beam.polar),
-            square * Real::splat(beam.coupling),
+            square.scaled(Real::splat(beam.polar)),
+            square.scaled(Real::splat(beam.coupling)),
         );
-        let h_w = Complex::splat(constants.bending[0]).scaled(self.omega);
+        let h_w = (Complex::splat(constants.bending[0]) * self.omega).in_right_half();
         let warping = Complex::splat(beam.warping);
         let torsion = Complex::splat(beam.torsion);
         let half = Real::splat(0.5);
-        let discriminant = torsion * torsion + warping.scaled(b * Real::splat(4.0));
+        let discriminant = torsion * torsion + warping * b.scaled(Real::splat(4.0));
         let tau = (torsion + discriminant.sqrt()).scaled(half);
-        let t = tau.inverse().scaled(b);
-        let coupling = Complex::splat(beam.bending_w.inv()).scaled(d * d);
+        let t = tau.inverse() * b;
+        let coupling = Complex::splat(beam.bending_w.inv()) * (d * d);
         let evanescent = Pair {
             h_w,
             tau,
@@ -144,74 +188,47 @@ impl<A: Arithmetic> Waves<A> {
             ..evanescent
         };
         let pairs = [evanescent, travelling];
-        let roots = roots(&pairs);
-        for pair in 0..2 {
-            for which in 0..2 {
-                let wave = (2 * pair + which, &roots[pair][which]);
-                self.set_wave(constants, &pairs[pair], wave);
+        let (roots, missed) = roots(&pairs);
+        let mut waves = [CoupledWave::NONE; 4];
+        for (column, wave) in waves.iter_mut().enumerate() {
+            let pair = column / 2;
+            let root = &roots[pair][column % 2];
+            A::outlined(SetShape((wave, (constants, square), &pairs[pair], root)));
+            if pair == 1 {
+                wave.h = -wave.h;
             }
         }
-    }
-
-    /// Sets a coupled wave from its root.
-    fn set_wave(
-        &mut self,
-        constants: &Constants,
-        pair: &Pair<A>,
-        (column, root): (usize, &Root<A>),
-    ) {
-        A::outlined(SetWave((self, constants, column, pair, root)));
-    }
-
-    #[inline(always)]
-    fn set_wave_inlined(
-        (this, constants, column, pair, root): (&mut Self, &Constants, usize, &Pair<A>, &Root<A>),
-    ) {
-        let beam = &constants.beam;
-        let other = pair.offset.plus_product(pair.slope, root.value);
-        let bending = Complex::splat(beam.bending_w) * root.from_bending * (root.value + pair.h_w);
-        let torsion = root.from_torsion * other;
-        let square = Real::ONE / (this.omega * this.omega);
-        let (w, psi) = shape(
-            bending.scaled(square * Real::splat(beam.mass.recip())),
-            torsion.scaled(square * Real::splat(beam.polar.recip())),
-            beam.coupling / beam.mass,
-            beam.coupling / beam.polar,
-        );
-        let radius = Real::splat(beam.radius * beam.radius);
-        let scale = Real::ONE / psi.norm_sqr().multiply_add(radius, w.norm_sqr()).sqrt();
-        let travels = column >= 2;
-        let wave = CoupledWave {
-            h: if travels { -root.value } else { root.value },
-            w: w.scaled(scale),
-            psi: psi.scaled(scale),
-        };
-        this.set_rows(beam, column, wave);
+        if Real::ZERO.is_less_somewhere(missed) {
+            A::outlined(Recover((&mut waves, constants, self.omega, missed)));
+        }
+        for (column, wave) in waves.iter().enumerate() {
+            A::outlined(SetRows((self, beam, column, wave)));
+        }
     }
 
     /// Sets the columns of the matrices of a coupled wave.
     #[inline(always)]
-    fn set_rows(&mut self, beam: &BeamConstants, column: usize, wave: CoupledWave<A>) {
-        let CoupledWave { h, w, psi } = wave;
+    fn set_rows((this, beam, column, wave): (&mut Self, &BeamConstants, usize, &CoupledWave<A>)) {
+        let CoupledWave { h, w, psi } = *wave;
         let kappa = h.sqrt();
         let bending_moment = Complex::splat(beam.bending_w) * h * w;
         let warping = Complex::splat(beam.warping) * h;
         let bimoment = warping * psi;
-        let torque_over_kappa = self.torque_over_kappa(beam, wave, warping);
-        self.kappa[column] = kappa;
-        self.displacement[0][column] = w;
-        self.displacement[1][column] = psi;
-        self.slope[0][column] = kappa * w;
-        self.slope[1][column] = kappa * psi;
-        self.force[0][column] = kappa * bending_moment;
-        self.force[1][column] = kappa * torque_over_kappa;
-        self.moment[0][column] = bending_moment;
-        self.moment[1][column] = bimoment;
-        let norm = (self.force[0][column] * w)
-            .plus_product(self.force[1][column], psi)
-            .plus_product(bending_moment, self.slope[0][column])
-            .plus_product(bimoment, self.slope[1][column]);
-        self.set_weight(column, norm + norm);
+        let torque_over_kappa = this.torque_over_kappa(beam, *wave, warping);
+        this.kappa[column] = kappa;
+        this.displacement[0][column] = w;
+        this.displacement[1][column] = psi;
+        this.slope[0][column] = kappa * w;
+        this.slope[1][column] = kappa * psi;
+        this.force[0][column] = kappa * bending_moment;
+        this.force[1][column] = kappa * torque_over_kappa;
+        this.moment[0][column] = bending_moment;
+        this.moment[1][column] = bimoment;
+        let norm = (this.force[0][column] * w)
+            .plus_product(this.force[1][column], psi)
+            .plus_product(bending_moment, this.slope[0][column])
+            .plus_product(bimoment, this.slope[1][column]);
+        this.set_weight(column, norm + norm);
     }
 
     /// (E `Gamma_0` h - G J) Psi, by the equation of motion where the difference would cancel.
@@ -227,7 +244,7 @@ impl<A: Arithmetic> Waves<A> {
         let inertia = psi
             .scaled(Real::splat(beam.polar))
             .plus_scaled(Real::splat(beam.coupling), w);
-        let by_motion = inertia.scaled(self.omega * self.omega) * h.inverse();
+        let by_motion = inertia * (self.omega * self.omega) * h.inverse();
         Complex::where_less(
             Real::splat(0.25 * beam.torsion.norm_sqr()),
             difference.norm_sqr(),
@@ -254,10 +271,15 @@ impl<A: Arithmetic> Waves<A> {
 
     #[inline(always)]
     fn set_bending_v(&mut self, constants: &Constants) {
-        let root = self.omega.sqrt();
-        let h = Complex::splat(constants.beam.bending_v * constants.bending[1]).scaled(self.omega);
-        for (column, moment) in [(4, h), (5, -h)] {
-            let kappa = Complex::splat(constants.bending_v[column - 4]).scaled(root);
+        let h = (Complex::splat(constants.bending[1]) * self.omega).in_right_half();
+        let evanescent = h.sqrt();
+        // The root of -h, decaying or going right.
+        let travelling = Complex {
+            re: evanescent.im.abs(),
+            im: Real::ZERO.where_less(evanescent.im, -evanescent.re, evanescent.re),
+        };
+        let moment = Complex::splat(constants.beam.bending_v) * h;
+        for (column, kappa, moment) in [(4, evanescent, moment), (5, travelling, -moment)] {
             self.kappa[column] = kappa;
             self.displacement[2][column] = Complex::ONE;
             self.slope[2][column] = kappa;
@@ -293,12 +315,24 @@ fn shape<A: Arithmetic>(
 
 part!(
     Set ['a, A: Arithmetic] ['a, A]
-    (&'a mut Waves<A>, &'a Constants, Real<A>) -> (),
+    (&'a mut Waves<A>, &'a Constants, Complex<A>) -> (),
     Waves::set_inlined
 );
 
 part!(
-    SetWave ['a, A: Arithmetic] ['a, A]
-    (&'a mut Waves<A>, &'a Constants, usize, &'a Pair<A>, &'a Root<A>) -> (),
-    Waves::set_wave_inlined
+    SetShape ['a, A: Arithmetic] ['a, A]
+    (&'a mut CoupledWave<A>, (&'a Constants, Complex<A>), &'a Pair<A>, &'a Root<A>) -> (),
+    CoupledWave::set_shape
+);
+
+part!(
+    SetRows ['a, A: Arithmetic] ['a, A]
+    (&'a mut Waves<A>, &'a BeamConstants, usize, &'a CoupledWave<A>) -> (),
+    Waves::set_rows
+);
+
+part!(
+    Recover ['a, A: Arithmetic] ['a, A]
+    (&'a mut [CoupledWave<A>; 4], &'a Constants, Complex<A>, Real<A>) -> (),
+    recover
 );

@@ -3,9 +3,11 @@
 //! They are zeros of polynomials and known beforehand: each zero of the characteristic function lies beside one of theirs,
 //! or belongs to the beam.
 
-use nalgebra::DMatrix;
+use std::f64::consts::TAU;
+
 use num_complex::Complex64;
 
+use super::characteristic::inverse;
 use crate::model::{Model, Spring, Subsystem};
 use crate::solve::linear::Magnified;
 
@@ -76,41 +78,79 @@ fn of_mass(subsystem: &Subsystem) -> Vec<Complex64> {
     roots.map(|s| -Complex64::I * s).collect()
 }
 
-/// The roots of a polynomial, its coefficients by rising power.
+/// The roots of a polynomial, its coefficients by rising power, by the iteration of Aberth (Math. Comp. 27 (1973)
+/// 339-344); half the digits where two coincide.
 fn roots(coefficients: &[f64]) -> Vec<Complex64> {
+    const MOST_STEPS: usize = 100;
     let Some(last) = coefficients.iter().rposition(|&c| c != 0.0) else {
         return Vec::new();
     };
     let first = coefficients.iter().position(|&c| c != 0.0).unwrap_or(0);
-    let mut roots = vec![Complex64::ZERO; first];
+    let zeros = vec![Complex64::ZERO; first];
     let (inner, degree) = (&coefficients[first..=last], last - first);
     // The roots' geometric mean as the unit.
     let unit = (inner[0] / inner[degree])
         .abs()
         .powf(1.0 / degree.max(1) as f64);
-    let companion = DMatrix::from_fn(degree, degree, |row, column| {
-        if column + 1 == degree {
-            -inner[row] * unit.powi(row as i32) / (inner[degree] * unit.powi(degree as i32))
-        } else if row == column + 1 {
-            1.0
-        } else {
-            0.0
+    // No start is the mirror image of another: symmetric ones would stay so.
+    let start = |index: usize| Complex64::cis(0.4 + TAU * index as f64 / degree as f64);
+    let mut roots: Vec<Complex64> = (0..degree).map(start).collect();
+    for _ in 0..MOST_STEPS {
+        let mut largest = 0.0_f64;
+        for index in 0..degree {
+            let z = roots[index];
+            let (mut value, mut slope) = (Complex64::ZERO, Complex64::ZERO);
+            for (power, c) in inner.iter().enumerate().rev() {
+                slope = slope * z + value;
+                value = value * z + c * unit.powi(power as i32) / inner[0];
+            }
+            let others = (0..degree).filter(|&other| other != index);
+            let push: Complex64 = others.map(|other| inverse(z - roots[other])).sum();
+            let step = value * inverse(slope - value * push);
+            roots[index] -= step;
+            largest = largest.max(step.norm() / z.norm());
         }
-    });
-    if degree > 0 {
-        roots.extend(
-            companion
-                .complex_eigenvalues()
-                .iter()
-                .map(|&root| root * unit),
-        );
+        if largest < 2.0 * f64::EPSILON {
+            break;
+        }
     }
-    roots
+    zeros
+        .into_iter()
+        .chain(roots.into_iter().map(|root| root * unit))
+        .collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Expected: closed form, pairs on the imaginary axis as of a mass without damping, and all roots equal.
+    #[test]
+    fn symmetric_and_equal_roots_are_found() {
+        for (coefficients, known, tolerance) in [
+            (vec![4.0, 0.0, 1.0], vec![2.0, -2.0], 1e-14),
+            (
+                vec![36.0, 0.0, 13.0, 0.0, 1.0],
+                vec![2.0, -2.0, 3.0, -3.0],
+                1e-14,
+            ),
+            (
+                vec![16.0, 0.0, 8.0, 0.0, 1.0],
+                vec![2.0, -2.0, 2.0, -2.0],
+                1e-6,
+            ),
+        ] {
+            let mut found = roots(&coefficients);
+            assert_eq!(found.len(), known.len());
+            for im in known {
+                let root = Complex64::new(0.0, im);
+                let near = found
+                    .iter()
+                    .position(|other| (other - root).norm() < tolerance);
+                found.swap_remove(near.expect("a root of the known factors"));
+            }
+        }
+    }
 
     /// Expected: closed form, (s + 1)(s + 2)(s^2 + 2 s + 5) s^0 and a factor s.
     #[test]

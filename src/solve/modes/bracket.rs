@@ -1,43 +1,93 @@
-//! A root of a real function between two points.
+//! A root of a real function between two places, found a value at a time.
 
-/// The root of f between two points where its signs differ, to rounding; `None` where they do not differ.
+/// A root between two places at which the function has different signs.
 ///
 /// Chandrupatla, Adv. Eng. Softw. 28 (1997) 145-149: inverse quadratic steps where they are safe, halving elsewhere.
-pub(super) fn bracketed(low: f64, high: f64, f: impl Fn(f64) -> f64) -> Option<f64> {
-    const MOST_STEPS: usize = 100;
-    // The newest point a, the other side of the bracket b, the point before c.
-    let (mut a, mut b) = (high, low);
-    let (mut fa, mut fb) = (f(a), f(b));
-    let differ = |x: f64, y: f64| (x < 0.0) != (y < 0.0);
-    if !fa.is_finite() || !fb.is_finite() || !differ(fa, fb) {
-        return None;
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Bracket {
+    /// The newest place, with its value.
+    a: [f64; 2],
+    /// The other side of the root.
+    b: [f64; 2],
+    /// The place to look at next.
+    next: f64,
+    is_narrow: bool,
+}
+
+impl Bracket {
+    /// Between two places, each with its value.
+    pub(super) fn new(low: [f64; 2], high: [f64; 2]) -> Self {
+        Self {
+            a: high,
+            b: low,
+            next: 0.5 * (low[0] + high[0]),
+            is_narrow: false,
+        }
     }
-    let mut share = 0.5;
-    for _ in 0..MOST_STEPS {
-        let x = a + share * (b - a);
-        let fx = f(x);
-        let (c, fc);
-        if differ(fx, fa) {
-            (c, fc) = (b, fb);
-            (b, fb) = (a, fa);
+
+    /// The place whose value narrows it; none where it is narrowed to rounding.
+    pub(super) fn next(&self) -> Option<f64> {
+        (!self.is_narrow).then_some(self.next)
+    }
+
+    /// The best place so far.
+    pub(super) fn root(&self) -> f64 {
+        let [a, b] = [self.a, self.b];
+        if a[1].abs() < b[1].abs() { a[0] } else { b[0] }
+    }
+
+    /// Takes in the value of the place to look at.
+    pub(super) fn insert(&mut self, value: f64) {
+        let differ = |x: f64, y: f64| (x < 0.0) != (y < 0.0);
+        let c;
+        if differ(value, self.a[1]) {
+            (c, self.b) = (self.b, self.a);
         } else {
-            (c, fc) = (a, fa);
+            c = self.a;
         }
-        (a, fa) = (x, fx);
-        let best = if fa.abs() < fb.abs() { a } else { b };
-        let tolerance = 2.0 * f64::EPSILON * best.abs();
+        self.a = [self.next, value];
+        let ([a, fa], [b, fb], [c, fc]) = (self.a, self.b, c);
+        let tolerance = 2.0 * f64::EPSILON * self.root().abs();
         let least = tolerance / (b - a).abs();
-        if least > 0.5 || fa == 0.0 {
-            return Some(best);
-        }
+        self.is_narrow = least > 0.5 || fa == 0.0;
         let (xi, phi) = ((a - b) / (c - b), (fa - fb) / (fc - fb));
-        share = if phi * phi < xi && (1.0 - phi).powi(2) < 1.0 - xi {
+        let share = if phi * phi < xi && (1.0 - phi).powi(2) < 1.0 - xi {
             fa / (fb - fa) * (fc / (fb - fc))
                 + (c - a) / (b - a) * (fa / (fc - fa)) * (fb / (fc - fb))
         } else {
             0.5
         };
-        share = share.clamp(least, 1.0 - least);
+        if !self.is_narrow {
+            self.next = a + share.clamp(least, 1.0 - least) * (b - a);
+        }
     }
-    Some(if fa.abs() < fb.abs() { a } else { b })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Expected: closed form, x^3 = 2, and a root where the function is flat.
+    #[test]
+    fn roots_are_found_to_rounding() {
+        for (f, low, high, expected) in [
+            (
+                (|x: f64| x * x * x - 2.0) as fn(f64) -> f64,
+                0.5,
+                9.0,
+                2.0_f64.cbrt(),
+            ),
+            (|x: f64| (x - 1.0).powi(3), 0.2, 5.0, 1.0),
+        ] {
+            let mut bracket = Bracket::new([low, f(low)], [high, f(high)]);
+            let mut steps = 0;
+            while let Some(x) = bracket.next() {
+                bracket.insert(f(x));
+                steps += 1;
+            }
+            assert!(steps < 120, "{steps}");
+            assert!((bracket.root() - expected).abs() < 1e-5 * expected);
+            assert!(f(bracket.root()).abs() < 4e-15);
+        }
+    }
 }

@@ -7,21 +7,22 @@
 //!
 //! `F = det(left) det(right) prod(omega^4 m^2 det(station)) exp(L sum kappa) / (det[Q; M] det[S; P])`
 //!
-//! in which the choice of each wave's sign and scale cancels. No growing exponential occurs in a factor.
+//! in which the choice of each wave's sign and scale cancels. No growing exponential occurs in a factor. The kernel of
+//! the sweeps computes it at several frequencies at once (see [`lanes`](super::super::lanes)).
 
 use num_complex::Complex64;
+use rayon::prelude::*;
 
-use super::super::ends::{left_end, left_system, right_system};
-use super::super::linear::{Magnified, Matrix, multiply_determinant};
-use super::super::plan::{Event, Plan};
-use super::super::reflection::decay;
+use super::super::lanes::{MOST_LANES, Prepared, Solver};
+use super::super::linear::Magnified;
+use super::super::plan::Plan;
 use super::super::waves::Waves;
 use crate::model::Model;
 
 /// A model laid out to find its natural frequencies.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub(super) struct Characteristic {
-    plan: Plan,
+    prepared: Prepared,
     /// Length of the beam, m.
     length: f64,
 }
@@ -35,14 +36,14 @@ impl Characteristic {
             ..model.clone()
         };
         Self {
-            plan: Plan::new(&bare),
+            prepared: Prepared::new(Plan::new(&bare)),
             length: model.beam.length,
         }
     }
 
     /// How fast F turns at most with ln omega at `omega`, rad/s: the sum of kappa L over its waves.
     pub(super) fn turning(&self, omega: f64) -> f64 {
-        let waves = Waves::new(&self.plan.beam, omega.into());
+        let waves = Waves::new(&self.prepared.plan.beam, omega.into());
         let finite = waves.kappa.iter().filter(|kappa| kappa.re.is_finite());
         1.0 + 0.5 * self.length * finite.map(|kappa| kappa.norm()).sum::<f64>()
     }
@@ -50,51 +51,53 @@ impl Characteristic {
     /// An angular frequency, rad/s, at which the beam is short against its waves, so that F has lost digits but not all.
     pub(super) fn slowest(&self) -> f64 {
         const SHORT: f64 = 0.1;
-        let beam = &self.plan.beam;
+        let beam = &self.prepared.plan.beam;
         let stiffness = beam.bending_w.re.max(beam.bending_v.re);
         (SHORT / self.length).powi(2) * (stiffness / beam.mass).sqrt()
     }
 
-    /// F at the complex angular frequency `omega`, rad/s.
-    pub(super) fn at(&self, omega: Complex64) -> Magnified {
-        let plan = &self.plan;
-        let waves = Waves::new(&plan.beam, omega);
-        let decays: Vec<_> = plan.lengths.iter().map(|&l| decay(&waves, l)).collect();
-        let mut product = Magnified::ONE;
-        multiply_determinant(&mut product, left_system(plan, &waves, omega).0);
-        let mut at = left_end(plan, &waves, omega);
-        for (station, &span) in plan.stations.iter().zip(&plan.spans) {
-            at.propagate(&decays[span]);
-            if let Event::Attachment(attachment) = &station.event {
-                let contact = at.contact(&waves);
-                let system = attachment.system(omega, &contact.receptance);
-                multiply_determinant(&mut product, system);
-                product.times(omega.powu(4));
-                at.attach(&contact, omega, attachment);
-            }
-        }
-        at.propagate(&decays[plan.last_span()]);
-        let right = right_system(plan, &waves, omega, &at);
-        multiply_determinant(&mut product, right.of_b);
-        self.divide_by_waves(&mut product, &waves);
-        product
+    /// F at each of some complex angular frequencies, rad/s.
+    pub(super) fn at(&self, omegas: &[Complex64]) -> Vec<Magnified> {
+        /// Stations that are worth a thread of their own.
+        const WORTH: usize = 100;
+        let mut values = vec![Magnified::ONE; omegas.len()];
+        let stations = MOST_LANES * (2 + self.prepared.plan.stations.len());
+        omegas
+            .par_chunks(MOST_LANES)
+            .zip(values.par_chunks_mut(MOST_LANES))
+            .with_min_len(WORTH.div_ceil(stations))
+            .for_each_init(Solver::default, |solver, (omegas, out)| {
+                solver.characteristic(&self.prepared, omegas, out);
+            });
+        values
     }
 
-    /// Takes out the scale and the growth of the waves.
-    fn divide_by_waves(&self, product: &mut Magnified, waves: &Waves) {
-        let mut scale = Magnified::ONE;
-        multiply_determinant(&mut scale, stacked(&waves.displacement, &waves.moment));
-        multiply_determinant(&mut scale, stacked(&waves.slope, &waves.force));
-        product.log -= scale.log;
-        product.direction *= scale.direction.conj();
-        for kappa in waves.kappa.iter().filter(|kappa| kappa.re.is_finite()) {
-            let growth = kappa * self.length;
-            product.log += growth.re;
-            product.direction *= Complex64::from_polar(1.0, growth.im);
-        }
+    /// F / F' at each of some places, rad/s; the derivative by a difference over so little that its error only slows the
+    /// last steps.
+    pub(super) fn newton_steps(&self, places: &[Complex64]) -> Vec<Complex64> {
+        const DIFFERENCE: f64 = 1e-7;
+        // Along the radius: on the imaginary axis the function is real.
+        let moved = places.iter().map(|z| z + DIFFERENCE * z);
+        let both: Vec<Complex64> = places.iter().copied().chain(moved).collect();
+        let values = self.at(&both);
+        let (here, there) = values.split_at(places.len());
+        let step = |index: usize| {
+            if here[index].log == f64::NEG_INFINITY {
+                // On the root to the last digit.
+                return Complex64::ZERO;
+            }
+            let change = there[index].ratio(&here[index]) - 1.0;
+            DIFFERENCE * places[index] * inverse(change)
+        };
+        (0..places.len()).map(step).collect()
     }
 }
 
-fn stacked(above: &Matrix<3, 6>, below: &Matrix<3, 6>) -> Matrix<6, 6> {
-    std::array::from_fn(|row| if row < 3 { above[row] } else { below[row - 3] })
+/// 1/z, and 0 where z is 0: a root on top of another leaves by its own step.
+pub(super) fn inverse(z: Complex64) -> Complex64 {
+    if z.norm_sqr() == 0.0 {
+        Complex64::ZERO
+    } else {
+        z.inv()
+    }
 }

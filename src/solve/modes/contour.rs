@@ -13,6 +13,7 @@ use rayon::prelude::*;
 
 use super::blocked::distances;
 use super::characteristic::Characteristic;
+use crate::solve::linear::Magnified;
 
 /// Why a path has no count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -105,6 +106,37 @@ impl Remainder<'_> {
         whole(self.turned(&path)? / TAU)
     }
 
+    /// By how much the sums of the powers 1 to `count` of the list's roots within `radius` of `centre` (rad/s; powers of
+    /// the distance over the radius) fall short, where none is missing there: -p times the mean of `z^p ln f`.
+    pub(super) fn power_sums(
+        &self,
+        centre: Complex64,
+        radius: f64,
+        count: usize,
+    ) -> Result<Vec<Complex64>, Unsettled> {
+        const POINTS: usize = 64;
+        let directions: Vec<Complex64> = (0..POINTS)
+            .map(|index| Complex64::cis(TAU * (index as f64 + 0.5) / POINTS as f64))
+            .collect();
+        let places: Vec<Complex64> = directions
+            .iter()
+            .map(|direction| (centre + radius * direction).ln())
+            .collect();
+        let looks = self.look(&places)?;
+        let mut log = Complex64::ZERO;
+        let mut logs = vec![log];
+        for pair in looks.windows(2) {
+            log += step(pair[0], pair[1]);
+            logs.push(log);
+        }
+        let sum = |power: usize| {
+            let terms = directions.iter().zip(&logs);
+            let sum: Complex64 = terms.map(|(z, log)| z.powi(power as i32) * log).sum();
+            -(power as f64) * sum / POINTS as f64
+        };
+        Ok((1..=count).map(sum).collect())
+    }
+
     /// How far the phase turns along a path of straight lines in ln omega, rad.
     fn turned(&self, corners: &[Complex64]) -> Result<f64, Unsettled> {
         /// Between two looks, by the growth of the waves, rad: a full turn cannot hide.
@@ -155,6 +187,8 @@ impl Remainder<'_> {
     }
 
     fn look(&self, places: &[Complex64]) -> Result<Vec<Look>, Unsettled> {
+        /// Places between two looks at whether the request is cancelled.
+        const AT_ONCE: usize = 512;
         let spent = |left: usize| left.checked_sub(places.len());
         if self
             .budget
@@ -163,15 +197,12 @@ impl Remainder<'_> {
         {
             return Err(Unsettled::Noise);
         }
-        let looks: Vec<Look> = places
-            .par_iter()
-            .map(|&at| Look {
-                at,
-                log: self.log(at),
-            })
-            .collect();
-        if self.cancel.load(Ordering::Relaxed) {
-            return Err(Unsettled::Cancelled);
+        let mut looks = Vec::with_capacity(places.len());
+        for places in places.chunks(AT_ONCE) {
+            looks.extend(self.logs(places));
+            if self.cancel.load(Ordering::Relaxed) {
+                return Err(Unsettled::Cancelled);
+            }
         }
         if looks.iter().any(|look| !look.log.is_finite()) {
             return Err(Unsettled::Noise);
@@ -179,19 +210,22 @@ impl Remainder<'_> {
         Ok(looks)
     }
 
-    /// The logarithm of the function at omega = e^at.
-    fn log(&self, at: Complex64) -> Complex64 {
-        let omega = at.exp();
-        if self.cancel.load(Ordering::Relaxed) {
-            return Complex64::ZERO;
-        }
-        let value = self
-            .characteristic
-            .at(omega)
-            .over(&distances(&self.known, omega))
-            .over(&distances(&self.masses, omega));
-        let at_zero = self.at_zero as f64 * at;
-        Complex64::new(value.log, value.direction.arg()) - at_zero
+    /// The logarithm of the function at each omega = e^at.
+    fn logs(&self, places: &[Complex64]) -> Vec<Look> {
+        let omegas: Vec<Complex64> = places.iter().map(|at| at.exp()).collect();
+        let values = self.characteristic.at(&omegas);
+        let look = |((&at, &omega), value): ((&Complex64, &Complex64), &Magnified)| {
+            let value = value
+                .over(&distances(&self.known, omega))
+                .over(&distances(&self.masses, omega));
+            let at_zero = self.at_zero as f64 * at;
+            Look {
+                at,
+                log: Complex64::new(value.log, value.direction.arg()) - at_zero,
+            }
+        };
+        let places = places.par_iter().zip(&omegas).zip(&values);
+        places.with_min_len(64).map(look).collect()
     }
 }
 

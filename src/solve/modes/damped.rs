@@ -1,9 +1,7 @@
 //! Damped modes: the complex roots of the characteristic function, from the undamped ones or those of a similar model.
 //!
 //! All roots move together by the simultaneous iteration of Aberth (Math. Comp. 27 (1973) 339-344): Newton steps in
-//! which every root pushes the others away. Each root is then proven: a simple one by the sign that the function changes
-//! through it, those that lie close together by their number within a circle and the eigenspace of that circle. The
-//! argument principle counts what is missing (see [`contour`](super::contour)); the roots of the blocked masses are
+//! which every root pushes the others away. Each root is then proven (see [`proof`](super::proof)). The argument principle counts what is missing (see [`contour`](super::contour)); the roots of the blocked masses are
 //! tried for it, and then [`regions`](super::regions).
 
 use std::f64::consts::TAU;
@@ -13,12 +11,12 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::blocked::Blocked;
-use super::characteristic::Characteristic;
+use super::characteristic::{Characteristic, inverse};
 use super::contour::{Remainder, Unsettled};
 use super::eigenspace::{Circle, roots_inside};
 use super::neighbours::{neighbours, with_images};
 use super::regions::Regions;
-use super::tracker::{Tracker, inverse, newton};
+use super::tracker::Tracker;
 use super::types::{Completeness, Gap, Mode, ModeKind};
 use super::{is_hysteretic, rigid, with_damping_times};
 use crate::model::Model;
@@ -26,7 +24,7 @@ use crate::model::Model;
 /// The search for the damped roots of a model.
 pub(super) struct Search<'a> {
     model: &'a Model,
-    characteristic: Characteristic,
+    pub(super) characteristic: Characteristic,
     blocked: Blocked,
     /// How many roots lie at 0.
     at_zero: usize,
@@ -122,14 +120,12 @@ impl<'a> Search<'a> {
         let weak = Characteristic::new(&model);
         let all: Vec<Complex64> = undamped.iter().map(|&omega| omega.into()).collect();
         let groups: Vec<&[f64]> = undamped.chunk_by(|a, b| b - a < CLOSE * a).collect();
+        let steps = weak.newton_steps(&all);
         let shifts = |group: &&[f64]| -> Vec<Complex64> {
-            if let [omega] = group {
-                return vec![-newton(&weak, (*omega).into()) / SHARE];
+            let first = undamped.partition_point(|omega| *omega < group[0]);
+            if group.len() == 1 {
+                return vec![-steps[first] / SHARE];
             }
-            let first = undamped
-                .iter()
-                .position(|omega| omega == &group[0])
-                .unwrap_or(0);
             let gap = neighbours(&all, first, CLOSE).gap;
             let starts: Vec<Complex64> = group.iter().map(|&omega| omega.into()).collect();
             let found = roots_inside(&model, Circle::around(&starts, gap), group.len());
@@ -193,8 +189,13 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The characteristic function over the distances to the roots.
+    /// The characteristic function over the distances to the roots and their mirror images.
     pub(super) fn remainder(&self, roots: &[Complex64]) -> Remainder<'_> {
+        self.remainder_of(&with_images(roots, self.is_hysteretic()))
+    }
+
+    /// The characteristic function over the distances to some places.
+    pub(super) fn remainder_of(&self, roots: &[Complex64]) -> Remainder<'_> {
         let farthest = roots
             .iter()
             .map(|root| root.norm())
@@ -202,7 +203,7 @@ impl<'a> Search<'a> {
         let masses = self.blocked.roots.iter().copied();
         Remainder {
             characteristic: &self.characteristic,
-            known: with_images(roots, self.is_hysteretic()),
+            known: roots.to_vec(),
             at_zero: self.at_zero,
             masses: masses.filter(|root| root.norm() > farthest).collect(),
             budget: &self.budget,
@@ -243,13 +244,19 @@ impl<'a> Search<'a> {
                 .iter()
                 .map(|tracker| (tracker.z, tracker.count as f64));
             let all: Vec<(Complex64, f64)> = moving.chain(fixed.iter().copied()).collect();
-            trackers
-                .par_iter_mut()
-                .enumerate()
-                .filter(|(_, tracker)| !tracker.arrived)
-                .for_each(|(index, tracker)| {
-                    tracker.step(&self.characteristic, self.push(&all, index));
-                });
+            let moving: Vec<usize> = (0..trackers.len())
+                .filter(|&index| !trackers[index].arrived)
+                .collect();
+            let places: Vec<Complex64> = moving.iter().map(|&index| trackers[index].z).collect();
+            let steps = self.characteristic.newton_steps(&places);
+            let pushes: Vec<Complex64> = moving
+                .par_iter()
+                .with_min_len(64)
+                .map(|&index| self.push(&all, index))
+                .collect();
+            for ((index, step), push) in moving.into_iter().zip(steps).zip(pushes) {
+                trackers[index].step(step, push);
+            }
             if trackers.iter().all(|tracker| tracker.arrived) {
                 break;
             }
@@ -279,126 +286,8 @@ impl<'a> Search<'a> {
         push
     }
 
-    fn is_hysteretic(&self) -> bool {
+    pub(super) fn is_hysteretic(&self) -> bool {
         is_hysteretic(self.model)
-    }
-
-    /// The roots that are, as often as they are: proven ones, and new ones that may be none, or twice in the list.
-    /// `None` where cancelled.
-    pub(super) fn proven(
-        &self,
-        mut proven: Vec<Complex64>,
-        new: &[Complex64],
-    ) -> Option<Vec<Complex64>> {
-        let rest: Vec<Complex64> = proven.iter().copied().chain(new.iter().copied()).collect();
-        let all = with_images(&rest, self.is_hysteretic());
-        let alone = |index: usize| neighbours(&all, index, CLOSE).members.len() == 1;
-        let simple: Vec<Option<Complex64>> = (proven.len()..rest.len())
-            .into_par_iter()
-            .map(|index| {
-                if alone(index) {
-                    self.simple(all[index])
-                } else {
-                    None
-                }
-            })
-            .collect();
-        let mut doubtful = Vec::new();
-        for (&root, simple) in new.iter().zip(simple) {
-            match simple {
-                Some(root) => proven.push(root),
-                None => doubtful.push(root),
-            }
-        }
-        // One group after the other: each sees those before it.
-        while let Some(root) = doubtful.pop() {
-            let first = proven.len();
-            proven.push(root);
-            proven.append(&mut doubtful);
-            let all = with_images(&proven, self.is_hysteretic());
-            let group = neighbours(&all, first, CLOSE);
-            let members: Vec<Complex64> = group.members.iter().map(|&member| all[member]).collect();
-            let settled = self.group(&all, &members, group.gap)?;
-            doubtful = proven.split_off(first);
-            for &member in group.members.iter().rev() {
-                if member < first {
-                    proven.swap_remove(member);
-                } else if member - first < doubtful.len() {
-                    doubtful.swap_remove(member - first);
-                }
-            }
-            // Of mirror images one stands for both; with a loss factor there are none.
-            let own = |root: &Complex64| self.is_hysteretic() || root.re >= 0.0;
-            proven.extend(settled.into_iter().filter(own));
-        }
-        proven.sort_by(|a, b| a.norm().total_cmp(&b.norm()));
-        Some(proven)
-    }
-
-    /// A root to the last digit, if the function changes its sign through it as through a simple root.
-    fn simple(&self, z: Complex64) -> Option<Complex64> {
-        const ASIDE: f64 = 1e-7;
-        const CROOKED: f64 = 0.1;
-        let aside = ASIDE * z;
-        let scale = self.characteristic.at(z + aside);
-        let before = self.characteristic.at(z - aside).ratio(&scale);
-        let here = self.characteristic.at(z);
-        let here = if here.log == f64::NEG_INFINITY {
-            Complex64::ZERO
-        } else {
-            here.ratio(&scale)
-        };
-        let slope = 0.5 * (1.0 - before);
-        let straight = (1.0 + before).norm() < CROOKED && here.norm() < CROOKED;
-        let step = aside * here / slope;
-        // Less than this is rounding of the function.
-        let root = if step.norm() > 1e-12 * z.norm() {
-            z - step
-        } else {
-            z
-        };
-        let on_axis = z.re == 0.0 && !self.is_hysteretic();
-        straight.then_some(if on_axis {
-            Complex64::new(0.0, root.im)
-        } else {
-            root
-        })
-    }
-
-    /// The roots of a group that seems to have some members, mirror images among them; `gap` is the distance to the
-    /// next root. `None` where cancelled.
-    fn group(&self, all: &[Complex64], members: &[Complex64], gap: f64) -> Option<Vec<Complex64>> {
-        const LEAST: f64 = 1e-3;
-        let mut circle = Circle::around(members, gap);
-        circle.radius = circle.radius.max((LEAST * gap * gap).sqrt());
-        circle.points = circle.points.max(12);
-        let remainder = Remainder {
-            known: all.to_vec(),
-            ..self.remainder(&[])
-        };
-        let missing = match remainder.in_circle(circle.centre, circle.radius) {
-            Err(Unsettled::Cancelled) => return None,
-            // What cannot be counted is no proven root: the whole count tells of it.
-            Err(Unsettled::Noise) => return Some(Vec::new()),
-            Ok(missing) => missing,
-        };
-        let count = usize::try_from(members.len() as i64 + missing).unwrap_or(0);
-        if count == 0 {
-            return Some(Vec::new());
-        }
-        let found = roots_inside(self.model, circle, count).unwrap_or_default();
-        let inside = |root: &Complex64| (root - circle.centre).norm() < circle.radius;
-        if !found.iter().all(inside) {
-            return Some(Vec::new());
-        }
-        let on_axis = |root: Complex64| {
-            if !self.is_hysteretic() && root.re.abs() < OVERDAMPED * root.im {
-                Complex64::new(0.0, root.im)
-            } else {
-                root
-            }
-        };
-        Some(found.into_iter().map(on_axis).collect())
     }
 }
 
@@ -406,13 +295,13 @@ impl<'a> Search<'a> {
 const STILL: f64 = 1e-14;
 
 /// Roots closer than this (relative) are proven together.
-const CLOSE: f64 = 1e-5;
+pub(super) const CLOSE: f64 = 1e-5;
 
 /// How far beyond the range the counts reach at most.
 const FARTHEST: f64 = 1.08;
 
 /// A root this close to the imaginary axis (relative) lies on it.
-const OVERDAMPED: f64 = 1e-7;
+pub(super) const OVERDAMPED: f64 = 1e-7;
 
 /// Rounding of a root on the axis, relative.
 const ON_AXIS: f64 = 1e-10;

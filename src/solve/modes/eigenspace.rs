@@ -16,8 +16,8 @@ use super::quadrature::{Sample, samples};
 use crate::model::{
     BeamMotion, Force, MassMotion, Measure, Model, Place, Quantity, Response, Target,
 };
+use crate::solve::lanes::{Prepared, Solver};
 use crate::solve::plan::Plan;
-use crate::solve::recursion::Workspace;
 
 /// A circle in the plane of omega, rad/s, and how many points of it are looked at.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -174,7 +174,9 @@ impl Moments {
         let loads: Vec<Vec<Force>> = (0..count).map(|load| loads(model, load)).collect();
         let integrals: Vec<[Vec<Complex64>; 2]> = loads
             .par_iter()
-            .map(|forces| integrals(model, responses, forces, circle))
+            .map_init(Solver::default, |solver, forces| {
+                integrals(model, responses, forces, circle, solver)
+            })
             .collect();
         let form = |power: usize| {
             DMatrix::from_fn(count, count, |other, load| {
@@ -219,29 +221,31 @@ fn integrals(
     responses: &[Response],
     forces: &[Force],
     circle: Circle,
+    solver: &mut Solver,
 ) -> [Vec<Complex64>; 2] {
     let own = forces.iter().map(|force| response(force.target.clone()));
-    let plan = Plan::new(&Model {
+    let prepared = Prepared::new(Plan::new(&Model {
         forces: forces.to_vec(),
         responses: responses.iter().cloned().chain(own).collect(),
         ..model.clone()
-    });
-    let none = vec![Complex64::ZERO; plan.outputs.len()];
-    let mut sums = [none.clone(), none.clone()];
-    let (mut values, mut workspace) = (none, Workspace::default());
-    for direction in circle.directions() {
-        workspace.solve(
-            &plan,
-            circle.centre + circle.radius * direction,
-            &mut values,
-        );
-        let weight = circle.radius * direction / circle.points as f64;
-        for (index, value) in values.iter().enumerate() {
-            sums[0][index] += weight * value;
-            sums[1][index] += weight * direction * value;
-        }
-    }
-    sums
+    }));
+    let directions: Vec<Complex64> = circle.directions().collect();
+    let omegas: Vec<Complex64> = directions
+        .iter()
+        .map(|direction| circle.centre + circle.radius * direction)
+        .collect();
+    let mut values = vec![vec![Complex64::ZERO; omegas.len()]; prepared.plan.outputs.len()];
+    let mut columns: Vec<&mut [Complex64]> = values.iter_mut().map(Vec::as_mut_slice).collect();
+    solver.solve(&prepared, &omegas, &mut columns);
+    let integral = |power: i32| {
+        let sum = |values: &Vec<Complex64>| -> Complex64 {
+            let terms = directions.iter().zip(values);
+            terms.map(|(to, value)| to.powi(1 + power) * value).sum()
+        };
+        let weight = circle.radius / circle.points as f64;
+        values.iter().map(|values| weight * sum(values)).collect()
+    };
+    [integral(0), integral(1)]
 }
 
 /// Loads at some places of the beam and on every mass; those of different numbers `load` are independent.

@@ -3,8 +3,8 @@
 //! Undamped: `count` says how many modes lie below a frequency (Wittrick & Williams 1971), from `span`, `series`,
 //! `station`, `rigid` and `inertia`; `undamped` halves intervals by it and polishes each root, by `bracket`, on the
 //! `characteristic` function, which comes from the reflections of the frequency responses and shares nothing with the
-//! count. Damped: `damped` moves all roots of that function together, each a `tracker`, proves each of them, and counts
-//! by the argument principle along a `contour` what is missing; `regions` finds it. Close and equal modes, and all
+//! count. Damped: `damped` moves all roots of that function together, each a `tracker`, takes those for which `proof`
+//! holds, and counts by the argument principle along a `contour` what is missing; `regions` finds it. Close and equal modes, and all
 //! shapes: `eigenspace` integrates responses around them (`neighbours` says which), and `pencil` separates them into
 //! `motion`s. `shape` is what people see, with the integrals of `quadrature`.
 
@@ -20,6 +20,7 @@ mod inertia;
 mod motion;
 mod neighbours;
 mod pencil;
+mod proof;
 mod quadrature;
 mod regions;
 mod rigid;

@@ -20,7 +20,7 @@ fn assert_agree(model: &Model, frequencies: impl Iterator<Item = f64>) {
     for hertz in frequencies {
         let omega = std::f64::consts::TAU * hertz;
         let count = counter.below(omega);
-        let value = characteristic.at(Complex64::from(omega)).direction;
+        let value = characteristic.at(&[Complex64::from(omega)])[0].direction;
         assert!(value.im.abs() < 1e-3, "{hertz} Hz: {value} is not real");
         let parity = if count.is_multiple_of(2) { 1.0 } else { -1.0 };
         signs.push(parity * value.re.signum());

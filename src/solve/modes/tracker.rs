@@ -2,7 +2,7 @@
 
 use num_complex::Complex64;
 
-use super::characteristic::Characteristic;
+use super::characteristic::inverse;
 
 /// A root on its way.
 #[derive(Debug, Clone, Copy)]
@@ -31,14 +31,14 @@ impl Tracker {
         }
     }
 
-    /// One step of Aberth: count / (F'/F - push).
-    pub(super) fn step(&mut self, characteristic: &Characteristic, push: Complex64) {
+    /// One step of Aberth, count / (F'/F - push), with `newton` = F/F' where it is.
+    pub(super) fn step(&mut self, newton: Complex64, push: Complex64) {
         const ROUNDING: f64 = 1e-14;
         // Two roots in one place are seen to the root of the rounding only.
         const STALLED: f64 = 1e-6;
         const LONGEST: f64 = 0.3;
         let size = self.z.norm();
-        let alone = newton(characteristic, self.z) * self.count as f64;
+        let alone = newton * self.count as f64;
         let step = if alone == Complex64::ZERO {
             alone
         } else {
@@ -60,27 +60,5 @@ impl Tracker {
         } else if self.mirrored {
             self.z.re = self.z.re.abs();
         }
-    }
-}
-
-/// F / F' at z; the derivative by a difference over so little that its error only slows the last steps.
-pub(super) fn newton(characteristic: &Characteristic, z: Complex64) -> Complex64 {
-    const DIFFERENCE: f64 = 1e-7;
-    // Along the radius: on the imaginary axis the function is real.
-    let step = DIFFERENCE * z;
-    let here = characteristic.at(z);
-    if here.log == f64::NEG_INFINITY {
-        // On the root to the last digit.
-        return Complex64::ZERO;
-    }
-    step * inverse(characteristic.at(z + step).ratio(&here) - 1.0)
-}
-
-/// 1/z, and 0 where z is 0: a tracker on top of another leaves by its own step.
-pub(super) fn inverse(z: Complex64) -> Complex64 {
-    if z.norm_sqr() == 0.0 {
-        Complex64::ZERO
-    } else {
-        z.inv()
     }
 }

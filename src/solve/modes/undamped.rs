@@ -1,28 +1,31 @@
 //! The undamped natural frequencies: none missed by the count, each polished on the characteristic function.
+//!
+//! Between two frequencies there are as many roots as the count says. Where the characteristic function, at samples
+//! between them, changes its sign as often, each change holds one root and nothing else does. Where it does not, halves
+//! are counted, and the samples between which a root hides are made denser.
 
+use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use num_complex::Complex64;
 use rayon::prelude::*;
 
-use super::bracket::bracketed;
+use super::blocked::Blocked;
+use super::bracket::Bracket;
 use super::characteristic::Characteristic;
 use super::count::Counter;
 use super::eigenspace::{Circle, roots_inside};
 use super::neighbours::neighbours;
 use super::{MOST_MODES, without_damping};
 use crate::model::Model;
+use crate::solve::linear::Magnified;
 
 /// Relative width to which the count alone brings a root.
 const NARROW: f64 = 4e-14;
 
-/// Roots closer than this (relative) are told apart by the count alone: between them the characteristic function is
+/// Roots closer than this (relative) are told apart by their motions: between them the characteristic function is
 /// smaller than its rounding.
 const CLOSE: f64 = 1e-5;
-
-/// How near the count must agree with a polished root (relative); where waves of very different lengths meet it has
-/// fewer digits than the characteristic function.
-const CONFIRMED: [f64; 3] = [1e-10, 1e-9, 1e-8];
 
 /// The search for the undamped roots of a model.
 pub(super) struct Search<'a> {
@@ -38,6 +41,22 @@ pub(super) struct Search<'a> {
 struct Counted {
     omega: f64,
     below: usize,
+}
+
+/// A frequency with the characteristic function there.
+#[derive(Debug, Clone, Copy)]
+struct Sample {
+    omega: f64,
+    value: Magnified,
+}
+
+/// Where roots are.
+#[derive(Debug, Clone, Copy)]
+enum Piece {
+    /// One between two samples.
+    Single([Sample; 2]),
+    /// Some closer together than [`CLOSE`].
+    Group([Counted; 2]),
 }
 
 impl<'a> Search<'a> {
@@ -61,43 +80,11 @@ impl<'a> Search<'a> {
             return None;
         }
         let low = self.floor(high, rigid);
+        let samples = self.samples(&self.places(low, high));
+        let pieces = self.pieces([low, high], &samples)?;
         let mut roots = vec![0.0; low.below];
-        let moving = self.between(low, high)?;
-        roots.extend(self.separated(&moving));
+        roots.extend(self.told_apart([low, high], &pieces)?);
         Some(roots)
-    }
-
-    /// Roots too close together for the functions, to the last digits from the space of their motions.
-    fn separated(&self, roots: &[f64]) -> Vec<f64> {
-        let all: Vec<Complex64> = roots.iter().map(|&omega| omega.into()).collect();
-        let groups: Vec<&[f64]> = roots.chunk_by(|a, b| b - a < CLOSE * a).collect();
-        let separated = groups.into_par_iter().flat_map_iter(|group| {
-            if group.len() == 1 {
-                return group.to_vec();
-            }
-            let first = roots.partition_point(|root| *root < group[0]);
-            let close = neighbours(&all, first, CLOSE);
-            let members: Vec<Complex64> = close.members.iter().map(|&member| all[member]).collect();
-            let circle = Circle::around(&members, close.gap);
-            let Some(found) = roots_inside(&self.model, circle, members.len()) else {
-                return group.to_vec();
-            };
-            // The group may have been found with others beside it.
-            let offset = close
-                .members
-                .iter()
-                .position(|&member| member == first)
-                .unwrap_or(0);
-            let own = found.get(offset..offset + group.len()).unwrap_or_default();
-            let near =
-                |(found, counted): (&Complex64, &f64)| (found.re - counted).abs() < CLOSE * counted;
-            if own.len() == group.len() && own.iter().zip(group).all(near) {
-                own.iter().map(|root| root.re).collect()
-            } else {
-                group.to_vec()
-            }
-        });
-        separated.collect()
     }
 
     fn counted(&self, omega: f64) -> Counted {
@@ -117,8 +104,176 @@ impl<'a> Search<'a> {
         low
     }
 
-    /// The roots above `low` up to `high`.
-    fn between(&self, low: Counted, high: Counted) -> Option<Vec<f64>> {
+    /// Where to look first: some places for each root, evenly by the modes of bending and by their logarithm, and the
+    /// roots of the blocked masses, beside each of which there is one.
+    fn places(&self, low: Counted, high: Counted) -> Vec<f64> {
+        let count = 8 + 2 * high.below.saturating_sub(low.below);
+        let by = |share: f64, forth: fn(f64) -> f64, back: fn(f64) -> f64| {
+            back(forth(low.omega) + share * (forth(high.omega) - forth(low.omega)))
+        };
+        let mut places = vec![low.omega, high.omega];
+        for index in 1..count {
+            let share = index as f64 / count as f64;
+            places.push(by(share, f64::sqrt, |root| root * root));
+            places.push(by(share - 0.5 / count as f64, f64::ln, f64::exp));
+        }
+        let masses = Blocked::new(&self.model).roots;
+        places.extend(masses.iter().map(|root| root.re));
+        places.retain(|place| (low.omega..=high.omega).contains(place));
+        places.sort_by(f64::total_cmp);
+        places.dedup_by(|b, a| *b - *a < CLOSE * *a);
+        places
+    }
+
+    fn samples(&self, places: &[f64]) -> Vec<Sample> {
+        let omegas: Vec<Complex64> = places.iter().map(|&omega| omega.into()).collect();
+        let values = self.characteristic.at(&omegas);
+        let sample = |(&omega, value)| Sample { omega, value };
+        places.iter().zip(values).map(sample).collect()
+    }
+
+    /// Where the roots between two counted frequencies are, the first and the last of some samples. `None` where
+    /// cancelled.
+    fn pieces(&self, ends: [Counted; 2], samples: &[Sample]) -> Option<Vec<Piece>> {
+        /// More samples between two.
+        const DENSER: usize = 8;
+        if self.cancel.load(Ordering::Relaxed) {
+            return None;
+        }
+        let [low, high] = ends;
+        let roots = high.below.saturating_sub(low.below);
+        if roots == 0 {
+            return Some(Vec::new());
+        }
+        let changes = samples.windows(2).filter(|pair| pair[0].differs(&pair[1]));
+        if changes.clone().count() == roots {
+            let single = |pair: &[Sample]| Piece::Single([pair[0], pair[1]]);
+            return Some(changes.map(single).collect());
+        }
+        if samples.len() > 2 {
+            let middle = samples.len() / 2;
+            let counted = self.counted(samples[middle].omega);
+            let (left, right) = rayon::join(
+                || self.pieces([low, counted], &samples[..=middle]),
+                || self.pieces([counted, high], &samples[middle..]),
+            );
+            return Some([left?, right?].concat());
+        }
+        if high.omega / low.omega - 1.0 < CLOSE {
+            return Some(vec![Piece::Group(ends)]);
+        }
+        let ratio = (high.omega / low.omega).powf(1.0 / DENSER as f64);
+        let places = (1..DENSER).map(|index| low.omega * ratio.powi(index as i32));
+        let mut denser = samples.to_vec();
+        denser.splice(1..1, self.samples(&places.collect::<Vec<_>>()));
+        self.pieces(ends, &denser)
+    }
+
+    /// The roots between two counted frequencies to the last digits, rising, from where they are. `None` where cancelled.
+    fn told_apart(&self, ends: [Counted; 2], pieces: &[Piece]) -> Option<Vec<f64>> {
+        let places = self.polished(pieces);
+        let all: Vec<Complex64> = places.iter().map(|&omega| omega.into()).collect();
+        let groups: Vec<&[f64]> = places.chunk_by(|a, b| b - a < CLOSE * a).collect();
+        let apart = groups.into_par_iter().map(|group| {
+            if group.len() == 1 {
+                return Some(Ok(group.to_vec()));
+            }
+            let first = places.partition_point(|place| *place < group[0]);
+            let members = first..first + group.len();
+            let around = self.around(ends, &places, &members);
+            if around[1].below.saturating_sub(around[0].below) != group.len() {
+                // Samples this close together were rounding.
+                return Some(Err(()));
+            }
+            match self.by_motions(&all, &members) {
+                Some(roots) => Some(Ok(roots)),
+                None => self.by_count(around).map(Ok),
+            }
+        });
+        let apart: Option<Result<Vec<Vec<f64>>, ()>> = apart.collect();
+        match apart? {
+            Ok(roots) => Some(roots.concat()),
+            Err(()) => self.by_count(ends),
+        }
+    }
+
+    /// The places of the roots: single ones to the last digits, the others about.
+    fn polished(&self, pieces: &[Piece]) -> Vec<f64> {
+        const MOST_STEPS: usize = 100;
+        let single = |piece: &Piece| match piece {
+            Piece::Single([low, high]) => {
+                let value = |at: &Sample| [at.omega, at.relative_to(&low.value)];
+                Some((low.value, Bracket::new(value(low), value(high))))
+            }
+            Piece::Group(_) => None,
+        };
+        let mut brackets: Vec<(Magnified, Bracket)> = pieces.iter().filter_map(single).collect();
+        for _ in 0..MOST_STEPS {
+            let wide = brackets.iter().filter_map(|(_, bracket)| bracket.next());
+            let places: Vec<f64> = wide.collect();
+            if places.is_empty() {
+                break;
+            }
+            let mut samples = self.samples(&places).into_iter();
+            for (scale, bracket) in &mut brackets {
+                if bracket.next().is_some()
+                    && let Some(sample) = samples.next()
+                {
+                    bracket.insert(sample.relative_to(scale));
+                }
+            }
+        }
+        let mut singles = brackets.iter().map(|(_, bracket)| bracket.root());
+        let places = pieces.iter().flat_map(|piece| match piece {
+            Piece::Single(_) => singles.next().into_iter().collect(),
+            Piece::Group([low, high]) => {
+                vec![0.5 * (low.omega + high.omega); high.below.saturating_sub(low.below)]
+            }
+        });
+        places.collect()
+    }
+
+    /// Counts where a group of places ends: halfway to its neighbours.
+    fn around(&self, ends: [Counted; 2], places: &[f64], members: &Range<usize>) -> [Counted; 2] {
+        const BESIDE: f64 = 1e-3;
+        let (first, last) = (places[members.start], places[members.end - 1]);
+        let low = match members.start.checked_sub(1) {
+            Some(before) => 0.5 * (places[before] + first),
+            None => ends[0].omega,
+        };
+        let high = match places.get(members.end) {
+            Some(next) => 0.5 * (last + next),
+            None => ends[1].omega,
+        };
+        [
+            self.counted(low.max(first * (1.0 - BESIDE))),
+            self.counted(high.min(last * (1.0 + BESIDE))),
+        ]
+    }
+
+    /// The roots of a group from the space of their motions; none where that does not tell them apart.
+    fn by_motions(&self, all: &[Complex64], group: &Range<usize>) -> Option<Vec<f64>> {
+        let close = neighbours(all, group.start, CLOSE);
+        let members: Vec<Complex64> = close.members.iter().map(|&member| all[member]).collect();
+        let circle = Circle::around(&members, close.gap);
+        let found = roots_inside(&self.model, circle, members.len())?;
+        // The group may have been found with others next to it.
+        let offset = close
+            .members
+            .iter()
+            .position(|&member| member == group.start)?;
+        let own = found.get(offset..offset + group.len())?;
+        let near = |(found, about): (&Complex64, &Complex64)| {
+            (found.re - about.re).abs() < 2.0 * CLOSE * about.re
+        };
+        own.iter()
+            .zip(&all[group.clone()])
+            .all(near)
+            .then(|| own.iter().map(|root| root.re).collect())
+    }
+
+    /// The roots between two counted frequencies by the count alone. `None` where cancelled.
+    fn by_count(&self, [low, high]: [Counted; 2]) -> Option<Vec<f64>> {
         if self.cancel.load(Ordering::Relaxed) {
             return None;
         }
@@ -126,42 +281,29 @@ impl<'a> Search<'a> {
         if roots == 0 {
             return Some(Vec::new());
         }
-        let width = high.omega / low.omega - 1.0;
-        if width < NARROW {
+        if high.omega / low.omega - 1.0 < NARROW {
             return Some(vec![0.5 * (low.omega + high.omega); roots]);
         }
-        if roots == 1
-            && width > CLOSE
-            && let Some(root) = self.polished(low, high)
-        {
-            return Some(vec![root]);
-        }
         let middle = self.counted((low.omega * high.omega).sqrt());
-        let (left, right) =
-            rayon::join(|| self.between(low, middle), || self.between(middle, high));
-        let mut roots = left?;
-        roots.extend(right?);
-        Some(roots)
+        let (left, right) = rayon::join(
+            || self.by_count([low, middle]),
+            || self.by_count([middle, high]),
+        );
+        Some([left?, right?].concat())
+    }
+}
+
+impl Sample {
+    /// Whether the function has the other sign at another sample.
+    fn differs(&self, other: &Self) -> bool {
+        (self.value.direction.re < 0.0) != (other.value.direction.re < 0.0)
     }
 
-    /// The one root between two frequencies, where the count confirms it.
-    fn polished(&self, low: Counted, high: Counted) -> Option<f64> {
-        let start = self.characteristic.at(low.omega.into());
-        let value = |omega: f64| {
-            self.characteristic
-                .at(Complex64::from(omega))
-                .ratio(&start)
-                .re
-        };
-        let root = bracketed(low.omega, high.omega, value)?;
-        // Where a neighbour may be close beyond the bracket, a sign may have been rounding.
-        if root > low.omega * (1.0 + CLOSE) && root < high.omega * (1.0 - CLOSE) {
-            return Some(root);
+    /// The value as a multiple of the size of another; 0 where it vanishes.
+    fn relative_to(&self, scale: &Magnified) -> f64 {
+        if self.value.log == f64::NEG_INFINITY {
+            return 0.0;
         }
-        let beside = |share: f64| self.counter.below(root * (1.0 + share));
-        CONFIRMED
-            .iter()
-            .any(|&share| beside(-share) == low.below && beside(share) == high.below)
-            .then_some(root)
+        (self.value.log - scale.log).exp().min(f64::MAX) * self.value.direction.re.signum()
     }
 }

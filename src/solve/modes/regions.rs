@@ -61,11 +61,12 @@ impl<'a> Regions<'a> {
                 }
             }
         }
-        if self.search.missing(&roots, self.outer)? == Ok(0) {
-            // What a part lacked, or could not count, was found beside it.
-            open.clear();
-        } else if open.is_empty() {
-            open.push((0.0, self.outer, None));
+        match self.search.missing(&roots, self.outer)? {
+            // All of the list are roots, so that none is missing anywhere.
+            Ok(0) => open.clear(),
+            Ok(_) if open.is_empty() => open.push((0.0, self.outer, None)),
+            // The parts are counted, each for itself.
+            Ok(_) | Err(_) => {}
         }
         let gaps = gaps(open, &roots);
         Some((roots, gaps))

@@ -10,6 +10,11 @@ use beamtune::presets;
 use beamtune::solve::modes::{count, follow, modes, undamped};
 use criterion::{Criterion, criterion_group, criterion_main};
 
+#[path = "../tests/common/frequency_of.rs"]
+mod frequency_of;
+
+use frequency_of::frequency_of;
+
 static NEVER: AtomicBool = AtomicBool::new(false);
 
 fn thousand() -> Model {
@@ -22,23 +27,6 @@ fn fifty() -> Model {
     let every = model.subsystems.len() / 50;
     model.subsystems = model.subsystems.into_iter().step_by(every).collect();
     model
-}
-
-/// A frequency (Hz) with at least `wanted` modes below it and few more.
-fn frequency_of(model: &Model, wanted: usize) -> f64 {
-    let (mut low, mut high) = (0.01, 1.0);
-    while count(model, high) < wanted {
-        (low, high) = (high, 2.0 * high);
-    }
-    for _ in 0..20 {
-        let middle = 0.5 * (low + high);
-        if count(model, middle) < wanted {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    high
 }
 
 fn benches(criterion: &mut Criterion) {

@@ -4,12 +4,21 @@ use beamtune::model::{
     Beam, Elastic, Material, Model, Restraint, Section, Spacing, Spring, Subsystem, Support,
     Supports, Sweep,
 };
-use beamtune::solve::modes::count;
+
+use super::frequency_of::frequency_of;
 
 /// A linear congruential generator (Knuth's MMIX).
 struct Dice(u64);
 
 impl Dice {
+    /// Of a mixed seed (Steele, Lea & Flood, OOPSLA 2014): neighbours have nothing in common.
+    fn new(seed: u64) -> Self {
+        let mut z = seed.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        Self(z ^ (z >> 31))
+    }
+
     fn next(&mut self) -> f64 {
         self.0 = self
             .0
@@ -34,10 +43,7 @@ impl Dice {
 
 /// A model and the frequency (Hz) up to which its modes are asked for.
 pub fn model(seed: u64) -> (Model, f64) {
-    let mut dice = Dice(seed.wrapping_mul(7_919).wrapping_add(13));
-    for _ in 0..8 {
-        dice.next();
-    }
+    let mut dice = Dice::new(seed);
     let beam = beam(&mut dice);
     let mut subsystems: Vec<Subsystem> = Vec::new();
     let total = (dice.next() * 21.0) as usize;
@@ -155,21 +161,4 @@ fn support(dice: &mut Dice) -> Support {
             }),
         })),
     }
-}
-
-/// A frequency (Hz) with at least `wanted` modes below it and few more.
-fn frequency_of(model: &Model, wanted: usize) -> f64 {
-    let (mut low, mut high) = (0.5, 1.0);
-    while count(model, high) < wanted {
-        (low, high) = (high, 2.0 * high);
-    }
-    for _ in 0..12 {
-        let middle = 0.5 * (low + high);
-        if count(model, middle) < wanted {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    high
 }

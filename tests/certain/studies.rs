@@ -1,0 +1,79 @@
+//! Lists of modes of every preset and every member of every study, with a tenth to a hundred times their damping.
+
+use beamtune::model::{self, Family, Model, Restraint, path};
+use beamtune::presets;
+use rayon::prelude::*;
+
+use super::{certain_and_right, report};
+
+/// Factors of every damper and of the loss factor.
+const DAMPING: [f64; 4] = [0.1, 1.0, 10.0, 100.0];
+
+/// One of so many models is looked at by default, of each factor in turn; `MODES_STUDIES` sets another share: 1 is all,
+/// some minutes.
+const SAMPLE: usize = 17;
+
+/// Expected: the judge counts what is listed, group by group and as a whole.
+#[test]
+fn lists_of_presets_and_their_studies_are_right() {
+    let share = std::env::var("MODES_STUDIES").map_or(SAMPLE, |share| share.parse().unwrap());
+    let models: Vec<(String, Model)> = presets::ALL.iter().flat_map(members).collect();
+    assert!(models.len() > 300, "{}", models.len());
+    let verdicts = models
+        .into_par_iter()
+        .step_by(share)
+        .map(|(name, model)| (name, certain_and_right(&model, model.sweep.to)))
+        .collect();
+    let (wrong, open) = report(verdicts);
+    assert!(wrong.is_empty(), "{wrong:?}");
+    assert!(open.is_empty(), "{open:?}");
+}
+
+/// A preset and the members of its studies, each with all factors of damping.
+fn members(preset: &presets::Preset) -> Vec<(String, Model)> {
+    let model = model::read(preset.text).unwrap();
+    let mut members = vec![(preset.name.to_owned(), model.clone())];
+    for study in &model.studies {
+        let count = match &study.family {
+            Family::Vary { values, .. } => values.len(),
+            Family::Cases(cases) => cases.len(),
+        };
+        for index in 0..count {
+            let member = path::apply(&model, &study.family, index).unwrap();
+            members.push((format!("{}, {} {index}", preset.name, study.name), member));
+        }
+    }
+    let times = |(name, model): (String, Model)| {
+        DAMPING.map(|factor| {
+            (
+                format!("{name}, damping x {factor}"),
+                damped(&model, factor),
+            )
+        })
+    };
+    members.into_iter().flat_map(times).collect()
+}
+
+/// A model with all of its damping times a factor.
+fn damped(model: &Model, factor: f64) -> Model {
+    let mut model = model.clone();
+    model.beam.material.loss_factor *= factor;
+    for support in [&mut model.supports.left, &mut model.supports.right] {
+        for restraint in &mut support.0 {
+            if let Restraint::Elastic(elastic) = restraint {
+                elastic.damping *= factor;
+            }
+        }
+    }
+    for subsystem in &mut model.subsystems {
+        for spring in [
+            &mut subsystem.y_left,
+            &mut subsystem.y_right,
+            &mut subsystem.z_left,
+            &mut subsystem.z_right,
+        ] {
+            spring.damping *= factor;
+        }
+    }
+    model
+}

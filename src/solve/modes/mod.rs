@@ -5,8 +5,9 @@
 //! `characteristic` function, which comes from the reflections of the frequency responses and shares nothing with the
 //! count. Damped: `damped` moves all roots of that function together, each a `tracker`, proves each of them, and counts
 //! by the argument principle along a `contour` what is missing; `regions` finds it. Close and equal modes, and all
-//! shapes: `eigenspace` integrates responses around them (`neighbours` says which), and `pencil` separates them into
-//! `motion`s. `shape` is what people see, with the integrals of `quadrature`.
+//! shapes: `eigenspace` integrates responses around a `group` of them (`neighbours` says which), `pencil` separates them
+//! into `motion`s, and `orthogonal` makes these bi-orthogonal. `shape` is what people see, with the integrals of
+//! `quadrature`.
 
 mod blocked;
 mod bound;
@@ -16,9 +17,11 @@ mod contour;
 mod count;
 mod damped;
 mod eigenspace;
+mod group;
 mod inertia;
 mod motion;
 mod neighbours;
+mod orthogonal;
 mod pencil;
 mod quadrature;
 mod regions;
@@ -34,8 +37,9 @@ mod undamped;
 use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
 
-pub(super) use eigenspace::loads;
-pub use shape::shape;
+pub(super) use group::Group;
+pub(super) use pencil::eigenvalues;
+pub use shape::{shape, shapes, shares};
 pub use types::{Completeness, Gap, Mode, ModeKind, Modes, Shape, Shares};
 
 use crate::model::{Model, Restraint};

@@ -406,12 +406,8 @@ fn derivatives_of_equal_modes_are_those_of_their_splitting() {
             let slope =
                 -omega * omega * one.inertia / (2.0 * omega * one.inertia - Complex64::I * c);
             for name in &["S0", "S1"][..if count < 12 { 2 } else { 1 }] {
-                let slopes = by_logarithm(
-                    &model,
-                    &found,
-                    &equal,
-                    &format!("subsystems.{name}.inertia"),
-                );
+                let slopes =
+                    by_logarithm(&model, &found, equal, &format!("subsystems.{name}.inertia"));
                 // The frequency falls: the first of the list as the inertia rises.
                 for (place, found) in slopes.iter().enumerate() {
                     let want = if place == 0 { slope } else { Complex64::ZERO };

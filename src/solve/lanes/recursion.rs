@@ -34,7 +34,9 @@ impl Prepared {
                     is_read[*station] = true;
                 }
                 Output::MeanTwistRate { stations, .. } => {
-                    stations.iter().for_each(|station| is_read[*station] = true);
+                    for station in stations {
+                        is_read[*station] = true;
+                    }
                 }
                 Output::Held | Output::Energy => {}
             }

@@ -2,8 +2,9 @@
 
 use num_complex::Complex64;
 
-use super::eigenspace::{Circle, isolating_loads, loads};
+use super::eigenspace::{Circle, isolating_loads};
 use super::is_hysteretic;
+use super::loads::loads;
 use super::neighbours::{neighbours, with_images};
 use super::types::{Mode, ModeKind, Modes};
 use crate::model::{Force, Model};

@@ -19,6 +19,7 @@ mod damped;
 mod eigenspace;
 mod group;
 mod inertia;
+mod loads;
 mod motion;
 mod neighbours;
 mod orthogonal;

@@ -11,7 +11,7 @@ use num_complex::Complex64;
 use super::csv::{self, cell, number};
 use super::{Failure, Sets, say, source};
 use crate::model::{Model, counted};
-use crate::solve::modes::{Completeness, Gap, MOST_MODES, Modes, modes, shape};
+use crate::solve::modes::{Completeness, Gap, MOST_MODES, Modes, Shape, modes, shapes};
 
 /// Places along the beam where a shape is written.
 const PLACES: usize = 101;
@@ -43,7 +43,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     csv::write(arguments.output.as_deref(), |out| write_modes(out, &found))?;
     if let Some(file) = &arguments.shapes {
-        csv::write(Some(file), |out| write_shapes(out, &model, &found))?;
+        let shapes = shapes(&model, &found, PLACES, &AtomicBool::new(false)).unwrap_or_default();
+        csv::write(Some(file), |out| write_shapes(out, &model, &shapes))?;
     }
     // Beside the table, so that a table stays a table.
     say(&statement(&found));
@@ -86,10 +87,9 @@ fn write_modes(out: &mut dyn Write, found: &Modes) -> std::io::Result<()> {
 }
 
 /// A row for each motion of each place and of each mass.
-fn write_shapes(out: &mut dyn Write, model: &Model, found: &Modes) -> std::io::Result<()> {
+fn write_shapes(out: &mut dyn Write, model: &Model, shapes: &[Shape]) -> std::io::Result<()> {
     writeln!(out, "mode,at,position_m,direction,re,im")?;
-    for index in 0..found.modes.len() {
-        let shape = shape(model, found, index, PLACES);
+    for (index, shape) in shapes.iter().enumerate() {
         let mut row = |at: &str, x: f64, direction: &str, value: Complex64| {
             let (re, im) = (number(value.re), number(value.im));
             writeln!(

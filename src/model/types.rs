@@ -91,7 +91,8 @@ pub enum BeamMotion {
     V,
     /// Slope w', rad.
     WSlope,
-    /// Rate of twist psi', rad/m, which warps the section.
+    /// Rate of twist psi', rad/m, which warps the section. Where a torque makes it jump (only without warping stiffness)
+    /// it is the mean of both sides.
     PsiSlope,
     /// Slope v', rad.
     VSlope,

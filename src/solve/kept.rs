@@ -191,10 +191,10 @@ fn serves(known: &Plan, part: Part, plan: &Plan) -> bool {
     })
 }
 
-/// The stations that two plans have in common, from the left and from the right; none where the beam is another. No
-/// stations where the ends differ.
+/// The stations that two plans have in common, from the left and from the right; none where the beam is another, or
+/// where a response is read at two stations, between which a side could end. No stations where the ends differ.
 fn common(one: &Plan, other: &Plan) -> Option<Part> {
-    if one.beam != other.beam {
+    if one.beam != other.beam || one.has_means() || other.has_means() {
         return None;
     }
     let (most, reads) = (

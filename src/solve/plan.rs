@@ -69,6 +69,16 @@ pub(super) enum Output {
         motion: MassMotion,
         measure: Measure,
     },
+    /// The rate of twist where a torque may make it jump: without warping stiffness, at a load or a subsystem between the
+    /// ends.
+    ///
+    /// Its value is the mean of both sides, the limit of a warping constant that goes to 0: warping makes the same layer
+    /// on both sides of the torque. At an end it is what the beam does just inside the end.
+    MeanTwistRate {
+        /// Just before and just after everything at that place.
+        stations: [usize; 2],
+        measure: Measure,
+    },
     /// A motion that a support holds: nothing moves.
     Held,
     /// `E_V`.
@@ -81,7 +91,13 @@ impl Plan {
         self.spans[self.stations.len()]
     }
 
-    /// What is read at which station, by rising station.
+    /// Whether a response is read at two stations.
+    pub(super) fn has_means(&self) -> bool {
+        let mut outputs = self.outputs.iter();
+        outputs.any(|output| matches!(output, Output::MeanTwistRate { .. }))
+    }
+
+    /// What is read at which single station, by rising station.
     pub(super) fn reads(&self) -> Vec<(usize, Output)> {
         let at_station = |output: &Output| output.station().map(|station| (station, *output));
         let mut reads: Vec<_> = self.outputs.iter().filter_map(at_station).collect();
@@ -108,6 +124,7 @@ impl Plan {
     /// Lays out a checked model.
     pub(super) fn new(model: &Model) -> Self {
         let mut layout = Layout::new(model);
+        layout.place_first_probes();
         layout.place_subsystems();
         layout.place_loads();
         layout.place_probes();
@@ -128,6 +145,8 @@ struct Layout<'a> {
     left: End,
     right: End,
     stations: Vec<Station>,
+    /// The probes before everything else at their places: the first of the stations.
+    first_probes: usize,
     /// Station of each subsystem, by name.
     masses: std::collections::HashMap<&'a str, usize>,
     outputs: Vec<Output>,
@@ -152,9 +171,40 @@ impl<'a> Layout<'a> {
             left: end(model.supports.left),
             right: end(model.supports.right),
             stations: Vec::new(),
+            first_probes: 0,
             masses: std::collections::HashMap::new(),
             outputs: Vec::new(),
         }
+    }
+
+    /// Without warping stiffness a rate of twist is also read before what acts at its place, but for the left end.
+    fn place_first_probes(&mut self) {
+        if self.model.beam.section.warping_constant != 0.0 {
+            return;
+        }
+        for response in self.model.responses.iter().filter(|r| r.enabled) {
+            if let Quantity::Motion(Target::Beam(place, BeamMotion::PsiSlope), _) =
+                response.quantity
+            {
+                let position = self.x(place);
+                let is_new = self.stations.iter().all(|s| s.position != position);
+                if position != 0.0 && is_new && self.acts_at(position) {
+                    self.stations.push(Station {
+                        position,
+                        event: Event::Probe,
+                    });
+                }
+            }
+        }
+        self.first_probes = self.stations.len();
+    }
+
+    /// Whether a subsystem or a force is at a distance from the left end, m.
+    fn acts_at(&self, x: f64) -> bool {
+        let mut forces = self.model.forces.iter().filter(|force| force.enabled);
+        self.model.attached().any(|of| of.position == x)
+            || forces
+                .any(|force| matches!(force.target, Target::Beam(place, _) if self.x(place) == x))
     }
 
     fn place_subsystems(&mut self) {
@@ -235,22 +285,34 @@ impl<'a> Layout<'a> {
         if self.is_held(x, motion) {
             return Output::Held;
         }
-        let known = self
-            .stations
+        let probe_at = |s: &Station| s.position == x && matches!(s.event, Event::Probe);
+        let (firsts, rest) = self.stations.split_at(self.first_probes);
+        let first = firsts
             .iter()
-            .position(|s| s.position == x && matches!(s.event, Event::Probe));
-        let station = known.unwrap_or_else(|| {
+            .position(probe_at)
+            .filter(|_| motion == BeamMotion::PsiSlope);
+        let beam = |station| Output::Beam {
+            station,
+            motion,
+            measure,
+        };
+        if let Some(station) = first
+            && x == self.model.beam.length
+        {
+            return beam(station);
+        }
+        let known = rest.iter().position(probe_at);
+        let last = known.map_or(self.stations.len(), |index| self.first_probes + index);
+        if known.is_none() {
             self.stations.push(Station {
                 position: x,
                 event: Event::Probe,
             });
-            self.stations.len() - 1
-        });
-        Output::Beam {
-            station,
-            motion,
-            measure,
         }
+        first.map_or(beam(last), |first| Output::MeanTwistRate {
+            stations: [first, last],
+            measure,
+        })
     }
 
     fn x(&self, place: Place) -> f64 {
@@ -276,9 +338,15 @@ impl<'a> Layout<'a> {
         let outputs: Vec<Output> = self
             .outputs
             .iter()
-            .map(|output| match output.station() {
-                Some(station) => output.at_station(rank[station]),
-                None => *output,
+            .map(|output| match *output {
+                Output::MeanTwistRate { stations, measure } => Output::MeanTwistRate {
+                    stations: stations.map(|station| rank[station]),
+                    measure,
+                },
+                Output::Beam { station, .. } | Output::Mass { station, .. } => {
+                    output.at_station(rank[station])
+                }
+                Output::Held | Output::Energy => *output,
             })
             .collect();
         let mut stations = self.stations;
@@ -298,11 +366,11 @@ impl<'a> Layout<'a> {
 }
 
 impl Output {
-    /// The station where it is read.
+    /// The one station where it is read.
     pub(super) const fn station(self) -> Option<usize> {
         match self {
             Self::Beam { station, .. } | Self::Mass { station, .. } => Some(station),
-            Self::Held | Self::Energy => None,
+            Self::MeanTwistRate { .. } | Self::Held | Self::Energy => None,
         }
     }
 

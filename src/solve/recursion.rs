@@ -253,6 +253,13 @@ impl Workspace {
                 motion,
                 measure,
             } => derivative(omega, measure) * beam_motion(waves, motion, &self.states[station]),
+            Output::MeanTwistRate { stations, measure } => {
+                let rate = |station: usize| {
+                    beam_motion(waves, BeamMotion::PsiSlope, &self.states[station])
+                };
+                let [before, after] = stations.map(rate);
+                derivative(omega, measure) * (before + after) * 0.5
+            }
             Output::Mass {
                 station,
                 motion,

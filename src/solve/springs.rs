@@ -30,11 +30,7 @@ pub(super) fn stretches(
     moved: [[Complex64; 3]; 2],
     unknowns: &[Complex64; UNKNOWNS],
 ) -> [Complex64; 4] {
-    let [[y, z, theta], [w, psi, v]] = moved;
-    let across = [y, -w, -subsystem.mount_z * psi];
-    let along_z = |arm: f64, mount: f64| [z, arm * theta, -v, -mount * psi];
-    let left = along_z(-subsystem.arm_left, -subsystem.mount_y);
-    let right = along_z(subsystem.arm_right, subsystem.mount_y);
+    let (across, [left, right]) = terms(subsystem, moved);
     let [of_left, of_right, of_z_left, of_z_right] =
         springs(subsystem).map(|spring| stiffness(omega, spring));
     // The unknowns are what the beam does to the mass: the y springs, and the sum and difference of the z springs.
@@ -46,6 +42,31 @@ pub(super) fn stretches(
         better(&left, &[-0.5 * sum, 0.5 * difference], of_z_left),
         better(&right, &[-0.5 * sum, -0.5 * difference], of_z_right),
     ]
+}
+
+/// The stretches of the four springs, m, from what moves alone.
+pub(super) fn geometric_stretches(
+    subsystem: &Subsystem,
+    moved: [[Complex64; 3]; 2],
+) -> [Complex64; 4] {
+    let (across, [left, right]) = terms(subsystem, moved);
+    let y = across.iter().sum();
+    [y, y, left.iter().sum(), right.iter().sum()]
+}
+
+/// What adds up to the stretch of the y springs, and of the left and the right z spring, m.
+fn terms(
+    subsystem: &Subsystem,
+    [[y, z, theta], [w, psi, v]]: [[Complex64; 3]; 2],
+) -> ([Complex64; 3], [[Complex64; 4]; 2]) {
+    let along_z = |arm: f64, mount: f64| [z, arm * theta, -v, -mount * psi];
+    (
+        [y, -w, -subsystem.mount_z * psi],
+        [
+            along_z(-subsystem.arm_left, -subsystem.mount_y),
+            along_z(subsystem.arm_right, subsystem.mount_y),
+        ],
+    )
 }
 
 /// The sum of `lengths`, or that of `forces` over a stiffness: whichever sums smaller terms.

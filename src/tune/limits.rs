@@ -1,12 +1,11 @@
 //! What the tuned model must keep, as numbers that must not be above 0, with their derivatives.
 
 use num_complex::Complex64;
-use std::f64::consts::TAU;
 
 use super::search::Function;
 use super::trial::{Moved, Slopes, Trial};
 use crate::model::{Limit, Model};
-use crate::solve::modes::{Mode, ModeKind, count, undamped, without_damping};
+use crate::solve::modes::{count, modes, undamped, without_damping};
 
 /// A limit of a model whose responses are known by their places.
 #[derive(Debug, Clone)]
@@ -118,14 +117,11 @@ fn modes_in(trial: &Trial, moved: &[Moved], band: [f64; 2]) -> Option<Vec<Functi
     let [from, to] = band;
     let width = to - from;
     let model = without_damping(&trial.model);
-    let near = undamped(&model, to + width, trial.cancel)?;
+    let near = modes(&model, to + width, trial.cancel)?;
     let slopes = Slopes::new(&model, moved);
-    let function = |frequency: f64| {
-        let mode = Mode {
-            omega: Complex64::from(TAU * frequency),
-            kind: ModeKind::Oscillating,
-        };
-        let shift = slopes.differentiator().mode(&mode).frequency;
+    let function = |index: usize| {
+        let frequency = near.modes[index].frequency();
+        let shift = slopes.differentiator().mode(&near, index).frequency;
         let sign = if 2.0 * frequency < from + to {
             1.0
         } else {
@@ -136,10 +132,10 @@ fn modes_in(trial: &Trial, moved: &[Moved], band: [f64; 2]) -> Option<Vec<Functi
             gradient: slopes.by_coordinate(|index| sign * shift[index] / width),
         }
     };
-    let near = near
-        .into_iter()
-        .filter(|one| *one > (from - width).max(0.0));
-    Some(near.map(function).collect())
+    let lowest = (from - width).max(0.0);
+    let indices = 0..near.modes.len();
+    let inside = indices.filter(|&index| near.modes[index].frequency() > lowest);
+    Some(inside.map(function).collect())
 }
 
 /// The weights by which a cubic through f, 2 f, 3 f and 4 f is 0 Hz's value.

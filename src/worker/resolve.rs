@@ -14,11 +14,8 @@ use super::members::Labelled;
 use super::memory::Memory;
 use super::{Curves, CurvesAnswer, Member, ModalModel, Stage, Subject};
 use crate::model::Model;
-use crate::solve::modes::{Mode, Modes, Shares, follow, modes, shape};
+use crate::solve::modes::{Mode, Modes, follow, modes, shares};
 use crate::solve::peaks::{peaks, resolved};
-
-/// Points of a shape of which only the shares are wanted.
-const FEWEST_POINTS: usize = 2;
 
 /// Curves of the whole sweep, whose peaks may lie between its frequencies.
 #[derive(Debug)]
@@ -152,15 +149,4 @@ fn resolve_member(
         peaks,
         damping_ratios: modes.modes.iter().map(Mode::damping_ratio).collect(),
     })
-}
-
-/// Who moves in each mode; none where cancelled.
-fn shares(model: &Model, modes: &Modes, cancel: &AtomicBool) -> Option<Vec<Shares>> {
-    (0..modes.modes.len())
-        .into_par_iter()
-        .map(|index| {
-            (!cancel.load(Ordering::Relaxed))
-                .then(|| shape(model, modes, index, FEWEST_POINTS).shares)
-        })
-        .collect()
 }

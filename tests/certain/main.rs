@@ -13,6 +13,7 @@ mod double_double;
 mod elements;
 #[path = "../common/frequency_of.rs"]
 mod frequency_of;
+mod groups;
 mod judge;
 mod random;
 mod shapes;

@@ -11,6 +11,7 @@ use super::read::{Part, State};
 use super::reflection::{Amplitudes, Jumps, Reflection, Side};
 use super::station::{Forces, Turn, Unknowns, sent, stretches};
 use super::waves::{Constants, Waves};
+use crate::model::BeamMotion;
 use crate::solve::plan::{Event, Output, Plan};
 
 /// A plan, with what its waves need that does not depend on the frequency.
@@ -28,8 +29,16 @@ impl Prepared {
     pub(in crate::solve) fn new(plan: Plan) -> Self {
         let mut is_read = vec![false; plan.stations.len()];
         for output in &plan.outputs {
-            if let Output::Beam { station, .. } | Output::Mass { station, .. } = output {
-                is_read[*station] = true;
+            match output {
+                Output::Beam { station, .. } | Output::Mass { station, .. } => {
+                    is_read[*station] = true;
+                }
+                Output::MeanTwistRate { stations, .. } => {
+                    for station in stations {
+                        is_read[*station] = true;
+                    }
+                }
+                Output::Held | Output::Energy => {}
             }
         }
         let mut read = 0;
@@ -115,6 +124,17 @@ impl<A: Arithmetic> Room<A> {
         for (value, output) in out.iter_mut().zip(&plan.outputs) {
             *value = match output {
                 Output::Energy => Complex::from_real(energy),
+                Output::MeanTwistRate { stations, measure } => {
+                    let [before, after] = stations.map(|station| {
+                        let side = Output::Beam {
+                            station,
+                            motion: BeamMotion::PsiSlope,
+                            measure: *measure,
+                        };
+                        self.read(prepared, waves, side, Part::Whole)
+                    });
+                    (before + after).scaled(Real::splat(0.5))
+                }
                 output => self.read(prepared, waves, *output, Part::Whole),
             };
         }

@@ -52,14 +52,14 @@ pub(super) struct Sector {
     pub(super) angles: [f64; 2],
 }
 
+/// The angles of the sector in which roots are counted, rad: it reaches below the real axis, where no root is, and beyond
+/// the imaginary one, so that roots on the axes lie inside.
+pub(super) const BESIDE: [f64; 2] = [-0.1, FRAC_PI_2 + 0.12];
+
 impl Remainder<'_> {
     /// Roots that the list lacks in the disc up to `radius` (rad/s), counted in the right half of the plane and on the
     /// imaginary axis; negative where it has too many. Without a loss factor the left half is the mirror image.
     pub(super) fn in_disc(&self, radius: f64, hysteretic: bool) -> Result<i64, Unsettled> {
-        /// How far the region reaches beyond the imaginary axis, rad: roots on the axis lie inside.
-        const BEYOND: f64 = 0.15;
-        /// Below the real axis, where no root is, rad.
-        const BELOW: f64 = 0.25;
         if !hysteretic {
             let right = Complex64::new(radius.ln(), -FRAC_PI_2);
             // There is no root below the real axis, so that half of the circle is enough.
@@ -72,11 +72,11 @@ impl Remainder<'_> {
         let outer = radius.ln();
         // Past 0 on its left, where no root lies below the axis either.
         let path = [
-            Complex64::new(outer, -BELOW),
-            Complex64::new(outer, FRAC_PI_2 + BEYOND),
-            Complex64::new(inner, FRAC_PI_2 + BEYOND),
-            Complex64::new(inner, TAU - BELOW),
-            Complex64::new(outer, TAU - BELOW),
+            Complex64::new(outer, BESIDE[0]),
+            Complex64::new(outer, BESIDE[1]),
+            Complex64::new(inner, BESIDE[1]),
+            Complex64::new(inner, TAU + BESIDE[0]),
+            Complex64::new(outer, TAU + BESIDE[0]),
         ];
         whole(self.turned(&path)? / TAU)
     }

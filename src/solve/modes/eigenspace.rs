@@ -10,7 +10,10 @@ use nalgebra::DMatrix;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
+use super::is_damped;
+use super::loads::{combined, loads};
 use super::motion::Motion;
+use super::orthogonal::bi_orthogonalise;
 use super::pencil::{Pair, pairs};
 use super::quadrature::{Sample, samples};
 use crate::model::{
@@ -30,17 +33,24 @@ pub(super) struct Circle {
 impl Circle {
     /// Around roots (rad/s), with `gap` from their mean to any other: the integrals are right to about 1e-13.
     pub(super) fn around(roots: &[Complex64], gap: f64) -> Self {
-        const LEAST: f64 = 1e-5;
+        const LEAST: f64 = 1e-3;
         const DIGITS: f64 = 26.0;
+        // Roots beyond the end of a list are not known.
+        const SEEN: f64 = 0.1;
+        const ROOM: f64 = 5.0;
         let centre = roots.iter().sum::<Complex64>() / roots.len() as f64;
         let size = roots
             .iter()
             .map(|root| (root - centre).norm())
             .fold(0.0, f64::max);
+        let gap = gap.min((SEEN * centre.norm()).max(ROOM * size));
         // What lies inside and what lies outside have the same share in the error.
         let radius = (size * gap).sqrt().max(LEAST * gap);
         let share = (size / radius).max(radius / gap);
-        let points = (DIGITS / -share.ln()).ceil().clamp(2.0, 64.0);
+        // What lies outside comes into the integral with the place on the circle by a lower power, and there it is seen
+        // against the small differences of the roots.
+        let more = if roots.len() > 1 { 2.0 } else { 0.0 };
+        let points = (more + (DIGITS / -share.ln()).ceil()).clamp(2.0, 64.0);
         Self {
             centre,
             radius,
@@ -57,21 +67,12 @@ impl Circle {
     }
 }
 
-/// Modes that lie close together.
-#[derive(Debug, Clone)]
-pub(super) struct Eigenspace {
-    /// The roots, rad/s, by rising |omega|.
-    pub(super) roots: Vec<Complex64>,
-    /// The motion of each, normalised to `phi^T (2 omega M - i C) phi = 2 omega`.
-    pub(super) motions: Vec<Motion>,
-}
-
 /// A model with the places where its motion is read.
 #[derive(Debug, Clone)]
 pub(super) struct Probe<'a> {
     model: &'a Model,
     /// Places to look at, m.
-    looked_at: Vec<f64>,
+    pub(super) looked_at: Vec<f64>,
     /// Places and weights of the integrals along the beam.
     pub(super) samples: Vec<Sample>,
 }
@@ -86,12 +87,14 @@ impl<'a> Probe<'a> {
         }
     }
 
-    /// The `count` modes inside a circle; none where they cannot be told apart from noise.
-    pub(super) fn eigenspace(&self, circle: Circle, count: usize) -> Option<Eigenspace> {
-        let moments = Moments::new(self.model, &self.responses(), circle, count);
-        let mut roots = Vec::new();
+    /// The motions of the modes inside a circle that has these roots, rad/s, in their order and bi-orthogonal:
+    /// `phi_i^T ((omega_i + omega_j) M - i C) phi_j = 2 omega_i` for i = j and else 0. None where they cannot be told
+    /// apart from noise.
+    pub(super) fn motions(&self, circle: Circle, roots: &[Complex64]) -> Option<Vec<Motion>> {
+        let moments = Moments::new(self.model, &self.responses(), circle, roots.len());
+        let mut found = Vec::new();
         let mut motions = Vec::new();
-        for (root, Pair { vector, .. }) in moments.modes()? {
+        for (root, Pair { vector, .. }) in nearest(roots, moments.modes()?) {
             // The integral of the answers is -phi x^T / 2 omega_k, and the vector has x^T y = i sqrt(2 omega_k).
             let factor = Complex64::I * (2.0 * root).sqrt();
             let values = moments.answers.iter().zip(vector.iter());
@@ -101,10 +104,13 @@ impl<'a> Probe<'a> {
                     *sum += factor * share * value;
                 }
             }
-            roots.push(root);
+            found.push(root);
             motions.push(self.motion(&motion));
         }
-        Some(Eigenspace { roots, motions })
+        if !is_damped(self.model) {
+            motions.iter_mut().for_each(Motion::make_real);
+        }
+        bi_orthogonalise(self.model, &self.samples, &found, &mut motions).then_some(motions)
     }
 
     /// Nothing moves.
@@ -124,6 +130,10 @@ impl<'a> Probe<'a> {
         for x in self.places() {
             targets.extend(DISPLACEMENTS.map(|motion| Target::Beam(Place::Position(x), motion)));
         }
+        for subsystem in self.model.attached() {
+            let place = Place::Position(subsystem.position);
+            targets.extend(DISPLACEMENTS.map(|motion| Target::Beam(place, motion)));
+        }
         for place in [Place::Left, Place::Right] {
             targets.extend(BeamMotion::ALL.map(|motion| Target::Beam(place, motion)));
         }
@@ -142,9 +152,11 @@ impl<'a> Probe<'a> {
                 .collect()
         };
         let (beam, rest) = values.split_at(3 * (self.looked_at.len() + self.samples.len()));
+        let (stations, rest) = rest.split_at(3 * self.model.attached().count());
         let (ends, masses) = rest.split_at(12);
         Motion {
             beam: triples(beam),
+            stations: triples(stations),
             ends: [
                 std::array::from_fn(|row| ends[row]),
                 std::array::from_fn(|row| ends[6 + row]),
@@ -160,9 +172,44 @@ pub(super) fn roots_inside(model: &Model, circle: Circle, count: usize) -> Optio
     Some(modes.into_iter().map(|(root, _)| root).collect())
 }
 
+/// Loads that excite one each of the modes inside a circle that has these roots, rad/s, in their order; none where they
+/// cannot be told apart from noise.
+pub(super) fn isolating_loads(
+    model: &Model,
+    circle: Circle,
+    roots: &[Complex64],
+) -> Option<Vec<Vec<Force>>> {
+    let moments = Moments::new(model, &[], circle, roots.len());
+    let modes = nearest(roots, moments.modes()?);
+    let isolating = modes.into_iter().map(|(_, pair)| {
+        let size = pair
+            .vector
+            .iter()
+            .map(|share| share.norm())
+            .fold(0.0, f64::max);
+        combined(&moments.loads, &(pair.vector / Complex64::from(size)))
+    });
+    Some(isolating.collect())
+}
+
+/// To each of some roots the nearest of the modes that is left.
+fn nearest(roots: &[Complex64], mut modes: Vec<(Complex64, Pair)>) -> Vec<(Complex64, Pair)> {
+    let mut ordered = Vec::new();
+    for root in roots {
+        let distance = |index: &usize| (modes[*index].0 - root).norm();
+        let nearest = (0..modes.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        if let Some(nearest) = nearest {
+            ordered.push(modes.remove(nearest));
+        }
+    }
+    ordered
+}
+
 /// Contour integrals of the answers to some loads.
 struct Moments {
     circle: Circle,
+    /// All at the same places.
+    loads: Vec<Vec<Force>>,
     /// Of H and of H times the place on the circle, as its centre sees it.
     forms: [DMatrix<Complex64>; 2],
     /// Of the responses, by load.
@@ -170,19 +217,39 @@ struct Moments {
 }
 
 impl Moments {
+    /// Of as many loads as modes, which are independent in the modes: rounding is not magnified.
     fn new(model: &Model, responses: &[Response], circle: Circle, count: usize) -> Self {
-        let loads: Vec<Vec<Force>> = (0..count).map(|load| loads(model, load)).collect();
+        const FEW: usize = 4;
+        let loads = (0..count).map(|load| loads(model, load)).collect();
+        if count == 1 {
+            return Self::of(model, responses, circle, loads);
+        }
+        // A few points are enough to see how independent they are.
+        let few = Circle {
+            points: circle.points.min(FEW),
+            ..circle
+        };
+        let tried = Self::of(model, &[], few, loads);
+        let loads = tried.independent().unwrap_or(tried.loads);
+        Self::of(model, responses, circle, loads)
+    }
+
+    fn of(model: &Model, responses: &[Response], circle: Circle, loads: Vec<Vec<Force>>) -> Self {
         let integrals: Vec<[Vec<Complex64>; 2]> = loads
             .par_iter()
             .map_init(Solver::default, |solver, forces| {
                 integrals(model, responses, forces, circle, solver)
             })
             .collect();
+        // Imaginary parts are rounding, of which equal modes would be made.
+        let is_real = !is_damped(model);
+        let count = loads.len();
         let form = |power: usize| {
             DMatrix::from_fn(count, count, |other, load| {
                 let moved = &integrals[load][power][responses.len()..];
                 let works = loads[other].iter().zip(moved);
-                works.map(|(force, moved)| force.amplitude * moved).sum()
+                let work: Complex64 = works.map(|(force, moved)| force.amplitude * moved).sum();
+                if is_real { work.re.into() } else { work }
             })
         };
         Self {
@@ -192,15 +259,55 @@ impl Moments {
                 .iter()
                 .map(|by_power| by_power[0][..responses.len()].to_vec())
                 .collect(),
+            loads,
         }
+    }
+
+    /// Combinations of the loads that are independent in the modes; none where the loads are so already, or where the
+    /// modes cannot be told apart from noise.
+    fn independent(&self) -> Option<Vec<Vec<Force>>> {
+        const INDEPENDENT: f64 = 0.03;
+        const NOISE: f64 = 1e-11;
+        let form = &self.forms[0];
+        if !form.iter().all(|value| value.is_finite()) {
+            return None;
+        }
+        // Real combinations, so that what a model without damping does stays real.
+        let count = form.ncols();
+        let parts = DMatrix::from_fn(2 * count, count, |row, column| {
+            if row < count {
+                form[(row, column)].re
+            } else {
+                form[(row - count, column)].im
+            }
+        });
+        let svd = parts.try_svd(false, true, f64::EPSILON, 0)?;
+        let directions = svd.v_t?;
+        let (least, largest) = (svd.singular_values.min(), svd.singular_values.max());
+        if least > INDEPENDENT * largest || least <= NOISE * largest {
+            return None;
+        }
+        let directions = directions.row_iter().zip(&svd.singular_values);
+        let weights = directions.map(|(row, value)| {
+            let weight = (value / largest).sqrt().recip();
+            row.transpose().map(|share| Complex64::from(weight * share))
+        });
+        Some(
+            weights
+                .map(|shares| combined(&self.loads, &shares))
+                .collect(),
+        )
     }
 
     /// Each root with its vector, by rising |omega|.
     fn modes(&self) -> Option<Vec<(Complex64, Pair)>> {
+        // Of a root, relative.
+        const ROUNDING: f64 = 1e-13;
         let [first, second] = &self.forms;
         let finite = first.iter().chain(second).all(|value| value.is_finite());
         let pairs = if finite {
-            pairs(first, second)?
+            let noise = ROUNDING * self.circle.centre.norm() / self.circle.radius;
+            pairs(first, second, noise)?
         } else {
             return None;
         };
@@ -246,64 +353,6 @@ fn integrals(
         values.iter().map(|values| weight * sum(values)).collect()
     };
     [integral(0), integral(1)]
-}
-
-/// Loads at some places of the beam and on every mass; those of different numbers `load` are independent.
-pub(in crate::solve) fn loads(model: &Model, load: usize) -> Vec<Force> {
-    const PLACES: [f64; 5] = [0.0, 0.217, 0.471, 0.738, 1.0];
-    let section = &model.beam.section;
-    let radius = (section.polar_moment / section.area).sqrt();
-    let mut targets: Vec<(Target, f64)> = Vec::new();
-    for share in PLACES {
-        let place = Place::Position(share * model.beam.length);
-        for (motion, arm) in [
-            (BeamMotion::W, 1.0),
-            (BeamMotion::Psi, radius),
-            (BeamMotion::V, 1.0),
-        ] {
-            targets.push((Target::Beam(place, motion), arm));
-        }
-    }
-    for subsystem in model.attached() {
-        let turn = (subsystem.inertia / subsystem.mass).sqrt();
-        let arm = if turn > 0.0 {
-            turn
-        } else {
-            // It may creep without inertia.
-            subsystem.arm_left.abs() + subsystem.arm_right.abs()
-        };
-        for (motion, arm) in [
-            (MassMotion::Y, 1.0),
-            (MassMotion::Z, 1.0),
-            (MassMotion::Theta, arm),
-        ] {
-            targets.push((Target::Mass(subsystem.name.clone(), motion), arm));
-        }
-    }
-    targets
-        .into_iter()
-        .enumerate()
-        .map(|(index, (target, arm))| Force {
-            enabled: true,
-            target,
-            amplitude: arm * uneven(index, load),
-            phase: 0.0,
-        })
-        .collect()
-}
-
-/// A number between -1 and 1 for each pair of numbers, without any pattern.
-///
-/// Sines or other smooth functions would not do: sin(a index + b load) has rank 2.
-/// Source of the mixing: Steele, Lea & Flood, OOPSLA 2014, 453-472 (`SplitMix64`).
-fn uneven(index: usize, load: usize) -> f64 {
-    let mut bits = (index as u64 + 1)
-        .wrapping_mul(0x9e37_79b9_7f4a_7c15)
-        .wrapping_add((load as u64 + 1).wrapping_mul(0xd1b5_4a32_d192_ed03));
-    bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    bits ^= bits >> 31;
-    (bits >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
 }
 
 const DISPLACEMENTS: [BeamMotion; 3] = [BeamMotion::W, BeamMotion::Psi, BeamMotion::V];

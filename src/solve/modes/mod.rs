@@ -1,12 +1,13 @@
 //! Natural frequencies, damped modes and mode shapes: every list is proven to be complete, or says where it is not.
 //!
 //! Undamped: `count` says how many modes lie below a frequency (Wittrick & Williams 1971), from `span`, `series`,
-//! `station`, `rigid` and `inertia`; `undamped` halves intervals by it and polishes each root, by `bracket`, on the
+//! `station`, `rigid` and `inertia`; `undamped` compares it with the changes of sign, each narrowed by a `bracket`, of the
 //! `characteristic` function, which comes from the reflections of the frequency responses and shares nothing with the
 //! count. Damped: `damped` moves all roots of that function together, each a `tracker`, takes those for which `proof`
-//! holds, and counts by the argument principle along a `contour` what is missing; `regions` finds it. Close and equal modes, and all
-//! shapes: `eigenspace` integrates responses around them (`neighbours` says which), and `pencil` separates them into
-//! `motion`s. `shape` is what people see, with the integrals of `quadrature`.
+//! holds, and counts by the argument principle along a `contour` what is missing; `regions` finds it. Close and equal
+//! modes, and all shapes: `eigenspace` integrates responses around a `group` of them (`neighbours` says which), `pencil`
+//! separates them into `motion`s, and `orthogonal` makes these bi-orthogonal. `shape` is what people see, with the
+//! integrals of `quadrature`.
 
 mod blocked;
 mod bound;
@@ -16,9 +17,12 @@ mod contour;
 mod count;
 mod damped;
 mod eigenspace;
+mod group;
 mod inertia;
+mod loads;
 mod motion;
 mod neighbours;
+mod orthogonal;
 mod pencil;
 mod proof;
 mod quadrature;
@@ -35,8 +39,9 @@ mod undamped;
 use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
 
-pub(super) use eigenspace::loads;
-pub use shape::shape;
+pub(super) use group::Group;
+pub(super) use pencil::eigenvalues;
+pub use shape::{shape, shapes, shares};
 pub use types::{Completeness, Gap, Mode, ModeKind, Modes, Shape, Shares};
 
 use crate::model::{Model, Restraint};

@@ -7,8 +7,38 @@ use num_complex::Complex64;
 pub(super) struct Motion {
     /// (w, psi, v) at the places to look at, then at those of the quadrature.
     pub(super) beam: Vec<[Complex64; 3]>,
+    /// (w, psi, v) at the place of each enabled subsystem.
+    pub(super) stations: Vec<[Complex64; 3]>,
     /// The six motions of the left and of the right end.
     pub(super) ends: [[Complex64; 6]; 2],
     /// (y, z, theta) of each enabled subsystem.
     pub(super) masses: Vec<[Complex64; 3]>,
+}
+
+impl Motion {
+    /// The same times a factor.
+    pub(super) fn times(&self, factor: Complex64) -> Self {
+        let mut scaled = self.clone();
+        scaled.values_mut().for_each(|value| *value *= factor);
+        scaled
+    }
+
+    /// Adds a motion of the same places.
+    pub(super) fn add(&mut self, other: &Self) {
+        let mut other = other.clone();
+        for (own, other) in self.values_mut().zip(other.values_mut()) {
+            *own += *other;
+        }
+    }
+
+    /// Leaves out the imaginary parts, where they are rounding.
+    pub(super) fn make_real(&mut self) {
+        self.values_mut().for_each(|value| value.im = 0.0);
+    }
+
+    fn values_mut(&mut self) -> impl Iterator<Item = &mut Complex64> {
+        let places = self.beam.iter_mut().chain(&mut self.stations);
+        let triples = places.chain(&mut self.masses).flatten();
+        triples.chain(self.ends.iter_mut().flatten())
+    }
 }

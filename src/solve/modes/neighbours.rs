@@ -5,8 +5,10 @@ use num_complex::Complex64;
 /// Roots that are found together, and the distance of their mean to any other root, rad/s.
 #[derive(Debug, Clone)]
 pub(super) struct Neighbours {
-    /// Their places in the list of all.
+    /// Their places in the list of all, rising.
     pub(super) members: Vec<usize>,
+    /// Those of them that are close, which have the same neighbours.
+    pub(super) close: Vec<usize>,
     pub(super) gap: f64,
 }
 
@@ -19,13 +21,16 @@ pub(super) fn neighbours(all: &[Complex64], index: usize, close: f64) -> Neighbo
     let mut next = 0;
     while next < members.len() {
         let here = all[members[next]];
-        let near = |other: &usize| (all[*other] - here).norm() < close * here.norm();
+        let larger = |other: Complex64| here.norm().max(other.norm());
+        let near = |other: &usize| (all[*other] - here).norm() < close * larger(all[*other]);
         let new: Vec<usize> = (0..all.len())
             .filter(|other| near(other) && !members.contains(other))
             .collect();
         members.extend(new);
         next += 1;
     }
+    members.sort_unstable();
+    let close = members.clone();
     loop {
         let centre = members.iter().map(|&m| all[m]).sum::<Complex64>() / members.len() as f64;
         let size = members.iter().map(|&m| (all[m] - centre).norm());
@@ -40,7 +45,11 @@ pub(super) fn neighbours(all: &[Complex64], index: usize, close: f64) -> Neighbo
             Some(other) if size > APART * gap && members.len() < MOST => members.push(other),
             _ => {
                 members.sort_unstable();
-                return Neighbours { members, gap };
+                return Neighbours {
+                    members,
+                    close,
+                    gap,
+                };
             }
         }
     }

@@ -14,10 +14,34 @@ pub(super) struct Pair {
     pub(super) vector: DVector<Complex64>,
 }
 
-/// All pairs of a pencil whose eigenvalues are about 1 or smaller; none where `first` is singular.
-pub(super) fn pairs(first: &DMatrix<Complex64>, second: &DMatrix<Complex64>) -> Option<Vec<Pair>> {
+/// All pairs of a pencil whose eigenvalues are about 1 or smaller; none where `first` is singular. Eigenvalues that differ
+/// by less than `noise` are one, which any vectors of their space have: those of rounding may be far from orthogonal.
+pub(super) fn pairs(
+    first: &DMatrix<Complex64>,
+    second: &DMatrix<Complex64>,
+    noise: f64,
+) -> Option<Vec<Pair>> {
+    const LEAST: f64 = 1e-14;
     const DEEPEST: usize = 8;
-    separated(&symmetric(first), &symmetric(second), DEEPEST)
+    let noise = noise.max(LEAST);
+    separated(&symmetric(first), &symmetric(second), noise, DEEPEST)
+}
+
+/// The eigenvalues of `second y = t first y` for each of some matrices `second`, of any size; none where `first` is
+/// singular, and for a matrix that is not finite.
+pub(in crate::solve) fn eigenvalues(
+    first: &DMatrix<Complex64>,
+    seconds: &[DMatrix<Complex64>],
+) -> Option<Vec<Option<Vec<Complex64>>>> {
+    let basis = orthonormal(&symmetric(first))?;
+    let of = |second: &DMatrix<Complex64>| {
+        if !second.iter().all(|value| value.is_finite()) {
+            return None;
+        }
+        let (_, triangle) = schur(&symmetric(&(basis.transpose() * second * &basis)))?;
+        Some(triangle.diagonal().iter().copied().collect())
+    };
+    Some(seconds.iter().map(of).collect())
 }
 
 fn symmetric(a: &DMatrix<Complex64>) -> DMatrix<Complex64> {
@@ -28,9 +52,9 @@ fn symmetric(a: &DMatrix<Complex64>) -> DMatrix<Complex64> {
 fn separated(
     first: &DMatrix<Complex64>,
     second: &DMatrix<Complex64>,
+    noise: f64,
     depth: usize,
 ) -> Option<Vec<Pair>> {
-    const EQUAL: f64 = 1e-14;
     const CLOSE: f64 = 0.01;
     let count = first.nrows();
     let basis = orthonormal(first)?;
@@ -40,7 +64,7 @@ fn separated(
         matrix[(index, index)] -= mean;
     }
     let spread = matrix.norm();
-    if count == 1 || spread < EQUAL || depth == 0 {
+    if count == 1 || spread < noise || depth == 0 {
         return Some(columns(&basis, mean));
     }
     matrix /= Complex64::from(spread);
@@ -59,7 +83,7 @@ fn separated(
         let inner_first = symmetric(&(space.transpose() * &space));
         let inner = if apart {
             let inner_second = symmetric(&(space.transpose() * &matrix * &space));
-            separated(&inner_first, &inner_second, depth - 1)?
+            separated(&inner_first, &inner_second, noise / spread, depth - 1)?
         } else {
             let norm = orthonormal(&inner_first)?;
             columns(&norm, values[group[0]])
@@ -226,7 +250,7 @@ mod tests {
         let x = DMatrix::from_fn(7, 7, entry);
         let t = DMatrix::from_diagonal(&DVector::from_column_slice(&known));
         let (first, second) = (&x * x.transpose(), &x * t * x.transpose());
-        let found = pairs(&first, &second).unwrap();
+        let found = pairs(&first, &second, 0.0).unwrap();
         let mut values: Vec<Complex64> = found.iter().map(|pair| pair.value).collect();
         values.sort_by(|a, b| a.re.total_cmp(&b.re));
         let mut known = known.to_vec();

@@ -25,12 +25,11 @@ const RULE: [(f64, f64); 4] = [
 /// Places and weights that integrate the product of two modes near `omega` (rad/s).
 pub(super) fn samples(model: &Model, omega: Complex64) -> Vec<Sample> {
     let waves = Waves::new(&BeamConstants::new(&model.beam), omega);
-    let largest = waves
-        .kappa
-        .iter()
-        .map(|kappa| kappa.norm())
-        .filter(|kappa| kappa.is_finite());
-    let largest = largest.fold(0.0, f64::max);
+    let finite = || waves.kappa.iter().filter(|kappa| kappa.is_finite());
+    let shortest = Shortest {
+        wave: finite().map(|kappa| kappa.norm()).fold(0.0, f64::max),
+        travelling: finite().map(|kappa| kappa.im.abs()).fold(0.0, f64::max),
+    };
     let mut places: Vec<f64> = model
         .attached()
         .map(|subsystem| subsystem.position)
@@ -40,19 +39,30 @@ pub(super) fn samples(model: &Model, omega: Complex64) -> Vec<Sample> {
     places.dedup();
     places
         .windows(2)
-        .flat_map(|pair| span(pair[0], pair[1], largest))
+        .flat_map(|pair| span(pair[0], pair[1], shortest))
         .collect()
 }
 
-/// The samples of a span with waves up to a wave number, 1/m.
-fn span(from: f64, to: f64, largest: f64) -> Vec<Sample> {
+/// The largest wave numbers, 1/m.
+#[derive(Debug, Clone, Copy)]
+struct Shortest {
+    /// Of any wave.
+    wave: f64,
+    /// Of the waves that do not only decay.
+    travelling: f64,
+}
+
+/// The samples of a span.
+fn span(from: f64, to: f64, shortest: Shortest) -> Vec<Sample> {
     // In a panel this long against the shortest wave the rule is exact to rounding. The warping near an end may decay
     // faster than any panel; it then holds no energy.
     const PANEL: f64 = 1.5;
     const MOST_PANELS: f64 = 400.0;
-    let panels = ((to - from) * largest / PANEL)
-        .ceil()
-        .clamp(1.0, MOST_PANELS);
+    let panels = |wave_number: f64| ((to - from) * wave_number / PANEL).ceil();
+    let panels = panels(shortest.wave)
+        .min(MOST_PANELS)
+        .max(panels(shortest.travelling))
+        .max(1.0);
     let half = 0.5 * (to - from) / panels;
     let mut samples = Vec::new();
     for panel in 0..panels as usize {

@@ -3,11 +3,11 @@
 //! Division by the argument principle: Delves & Lyness, Math. Comp. 21 (1967) 543-560; Kravanja & Van Barel, Computing
 //! the Zeros of Analytic Functions (Springer, 2000). The roots of a part come from the contour integrals of responses.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
-use super::contour::{Sector, Unsettled};
+use super::contour::{BESIDE, Sector, Unsettled};
 use super::damped::Search;
 use super::eigenspace::Circle;
 use super::types::Gap;
@@ -40,8 +40,6 @@ impl<'a> Regions<'a> {
         &self,
         mut roots: Vec<Complex64>,
     ) -> Option<(Vec<Complex64>, Vec<Gap>)> {
-        /// Of the sector beyond the axes, rad.
-        const BESIDE: [f64; 2] = [-0.1, FRAC_PI_2 + 0.12];
         let inner = self.inner(&roots)?;
         let mut open = Vec::new();
         if let Err(inner) = inner {

@@ -1,18 +1,17 @@
 //! How a mode moves, for people to see.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use num_complex::Complex64;
+use rayon::prelude::*;
 
-use super::eigenspace::{Circle, Probe};
-use super::is_hysteretic;
+use super::eigenspace::Probe;
+use super::group::{Group, rigid_modes};
 use super::motion::Motion;
-use super::neighbours::{neighbours, with_images};
 use super::quadrature::Sample;
-use super::rigid;
-use super::types::{ModeKind, Modes, Shape, Shares};
+use super::rigid::{self, RigidMotion};
+use super::types::{Modes, Shape, Shares};
 use crate::model::{BeamMotion, Model};
-
-/// Modes closer than this (relative) are found together.
-const CLOSE: f64 = 1e-5;
 
 /// The motion of the mode `index` of `modes` at `points` (2 or more) equal steps along the beam.
 ///
@@ -21,42 +20,97 @@ const CLOSE: f64 = 1e-5;
 /// Modes that share one frequency are some orthogonal ones of their space, the same whichever of them is asked for.
 /// Where an open list holds a mode that the model does not have, nothing moves.
 pub fn shape(model: &Model, modes: &Modes, index: usize, points: usize) -> Shape {
-    let last = (points.max(2) - 1) as f64;
-    let positions: Vec<f64> = (0..points.max(2))
-        .map(|point| model.beam.length * point as f64 / last)
-        .collect();
-    let mode = &modes.modes[index];
-    let probe = Probe::new(model, mode.omega, positions.clone());
-    let motion = match mode.kind {
-        ModeKind::RigidBody => still(model, &probe, index),
-        ModeKind::Oscillating | ModeKind::Overdamped => moving(model, modes, index, &probe),
+    let rigid = rigid_modes(modes);
+    let mut shapes = if index < rigid {
+        still(model, rigid, points)
+    } else {
+        moving(model, &Group::of(model, modes, index), points)
     };
-    let column = |row: usize| {
-        motion.beam[..positions.len()]
-            .iter()
-            .map(|q| q[row])
-            .collect()
-    };
-    Shape {
-        w: column(0),
-        psi: column(1),
-        v: column(2),
-        shares: shares(&probe.samples, model, &motion, positions.len()),
-        masses: motion.masses,
-        positions,
-    }
+    let own = shapes.iter().position(|(of, _)| *of == index);
+    shapes.swap_remove(own.unwrap_or_default()).1
 }
 
-/// The rigid-body mode `index`: they are the first of the list.
-fn still(model: &Model, probe: &Probe, index: usize) -> Motion {
-    let Some(rigid) = rigid::motions(model).into_iter().nth(index) else {
-        return probe.at_rest();
+/// [`shape`] of every mode, in the order of `modes`; those that share a frequency are found together. `None` where
+/// `cancel` became true before the end.
+pub fn shapes(
+    model: &Model,
+    modes: &Modes,
+    points: usize,
+    cancel: &AtomicBool,
+) -> Option<Vec<Shape>> {
+    all(model, modes, points, cancel, &|shape| shape)
+}
+
+/// Who moves in each mode, in the order of `modes`. `None` where `cancel` became true before the end.
+pub fn shares(model: &Model, modes: &Modes, cancel: &AtomicBool) -> Option<Vec<Shares>> {
+    const FEWEST_POINTS: usize = 2;
+    all(model, modes, FEWEST_POINTS, cancel, &|shape| shape.shares)
+}
+
+/// What `of` makes of the shape of every mode, in the order of `modes`; none where cancelled.
+fn all<T: Send>(
+    model: &Model,
+    modes: &Modes,
+    points: usize,
+    cancel: &AtomicBool,
+    of: &(impl Fn(Shape) -> T + Sync),
+) -> Option<Vec<T>> {
+    let rigid = rigid_modes(modes);
+    let mut is_known = vec![false; modes.modes.len()];
+    let mut groups = Vec::new();
+    for index in rigid..modes.modes.len() {
+        if !is_known[index] {
+            let group = Group::of(model, modes, index);
+            group
+                .members
+                .iter()
+                .for_each(|(member, _)| is_known[*member] = true);
+            groups.push(group);
+        }
+    }
+    let kept = |shapes: Vec<(usize, Shape)>| -> Vec<(usize, T)> {
+        let shapes = shapes.into_iter();
+        shapes.map(|(index, shape)| (index, of(shape))).collect()
     };
+    let of_group = |group: &Group| {
+        (!cancel.load(Ordering::Relaxed)).then(|| kept(moving(model, group, points)))
+    };
+    let found: Option<Vec<_>> = groups.par_iter().map(of_group).collect();
+    let mut all = kept(still(model, rigid, points));
+    all.extend(found?.into_iter().flatten());
+    all.sort_by_key(|(index, _)| *index);
+    Some(all.into_iter().map(|(_, made)| made).collect())
+}
+
+/// `points` (2 or more) places in equal steps along the beam, m.
+fn places(model: &Model, points: usize) -> Vec<f64> {
+    let last = points.max(2) - 1;
+    (0..=last)
+        .map(|point| model.beam.length * point as f64 / last as f64)
+        .collect()
+}
+
+/// The rigid-body modes of a list that has `count` of them, with their indices.
+fn still(model: &Model, count: usize, points: usize) -> Vec<(usize, Shape)> {
+    if count == 0 {
+        return Vec::new();
+    }
+    let probe = Probe::new(model, Complex64::ZERO, places(model, points));
+    let mut motions = rigid::motions(model).into_iter();
+    let mut next = || match motions.next() {
+        Some(motion) => rigid_motion(model, &probe, &motion),
+        None => probe.at_rest(),
+    };
+    (0..count)
+        .map(|index| (index, shaped(model, &probe, next())))
+        .collect()
+}
+
+fn rigid_motion(model: &Model, probe: &Probe, rigid: &RigidMotion) -> Motion {
+    let at = |x: f64| rigid.at(x).map(Complex64::from);
     Motion {
-        beam: probe
-            .places()
-            .map(|x| rigid.at(x).map(Complex64::from))
-            .collect(),
+        beam: probe.places().map(at).collect(),
+        stations: model.attached().map(|of| at(of.position)).collect(),
         ends: [0.0, model.beam.length].map(|x| rigid.all_at(x).map(Complex64::from)),
         masses: rigid
             .masses
@@ -66,39 +120,40 @@ fn still(model: &Model, probe: &Probe, index: usize) -> Motion {
     }
 }
 
-/// A mode that is not at 0, with those beside it.
-fn moving(model: &Model, modes: &Modes, index: usize, probe: &Probe) -> Motion {
-    let rigid = modes
-        .modes
-        .iter()
-        .take_while(|mode| mode.kind == ModeKind::RigidBody)
-        .count();
-    let listed = modes.modes[rigid..].iter().chain(&modes.beyond);
-    let listed: Vec<Complex64> = listed.map(|mode| mode.omega).collect();
-    let all = with_images(&listed, is_hysteretic(model));
-    let close = neighbours(&all, index - rigid, CLOSE);
-    let roots: Vec<Complex64> = close.members.iter().map(|&member| all[member]).collect();
-    let circle = Circle::around(&roots, close.gap);
-    let Some(space) = probe.eigenspace(circle, roots.len()) else {
-        return probe.at_rest();
+/// The members of a group, with their indices in the list.
+fn moving(model: &Model, group: &Group, points: usize) -> Vec<(usize, Shape)> {
+    let mean = group.roots.iter().sum::<Complex64>() / group.roots.len() as f64;
+    let probe = Probe::new(model, mean, places(model, points));
+    let found = probe.motions(group.circle(), &group.roots);
+    let members = group.members.iter().map(|&(index, root)| {
+        let motion = match &found {
+            Some(motions) => motions[root].clone(),
+            None => probe.at_rest(),
+        };
+        (index, shaped(model, &probe, motion))
+    });
+    members.collect()
+}
+
+/// A motion as people see it.
+fn shaped(model: &Model, probe: &Probe, motion: Motion) -> Shape {
+    let positions = probe.looked_at.clone();
+    let column = |row: usize| {
+        let beam = motion.beam[..positions.len()].iter();
+        beam.map(|q| q[row]).collect()
     };
-    // Each of the list takes the nearest that is left.
-    let mut left: Vec<(Complex64, Motion)> = space.roots.into_iter().zip(space.motions).collect();
-    for member in close.members {
-        let distance = |(root, _): &(Complex64, Motion)| (root - all[member]).norm();
-        let nearest =
-            (0..left.len()).min_by(|&a, &b| distance(&left[a]).total_cmp(&distance(&left[b])));
-        let Some(nearest) = nearest else { break };
-        let (_, motion) = left.swap_remove(nearest);
-        if member == index - rigid {
-            return motion;
-        }
+    Shape {
+        w: column(0),
+        psi: column(1),
+        v: column(2),
+        shares: energy_shares(&probe.samples, model, &motion, positions.len()),
+        masses: motion.masses,
+        positions,
     }
-    probe.at_rest()
 }
 
 /// Shares of the kinetic energy.
-fn shares(samples: &[Sample], model: &Model, motion: &Motion, skip: usize) -> Shares {
+fn energy_shares(samples: &[Sample], model: &Model, motion: &Motion, skip: usize) -> Shares {
     let (material, section) = (&model.beam.material, &model.beam.section);
     let offset = section.centroid_offset;
     // Square of the radius of gyration about the centroid.

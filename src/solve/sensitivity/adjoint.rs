@@ -34,6 +34,8 @@ pub(super) struct Motion {
 pub(super) enum Reading {
     /// Of the beam, at a station.
     Beam(usize, BeamMotion),
+    /// The mean rate of twist at two stations: see [`Output::MeanTwistRate`].
+    MeanTwistRate([usize; 2]),
     /// Of the enabled subsystem of an index, along y, z or theta.
     Mass(usize, usize),
 }
@@ -79,6 +81,10 @@ impl Adjoint {
                     at.event = Event::Load(unit);
                 }
                 (Reading::Beam(station, motion), measure)
+            }
+            // No load gives its derivatives.
+            Output::MeanTwistRate { stations, measure } => {
+                (Reading::MeanTwistRate(stations), measure)
             }
             Output::Mass {
                 station,

@@ -106,7 +106,8 @@ fn slopes(
             frequency,
         } => peak_slopes(differentiator, *response, *frequency, decibels(*response)),
         Figure::Mode { modes, index } => {
-            let gradient = differentiator.mode(modes.modes.get(*index)?);
+            modes.modes.get(*index)?;
+            let gradient = differentiator.mode(modes, *index);
             Slopes {
                 level: None,
                 frequency: Some(gradient.frequency),

@@ -55,7 +55,7 @@ pub struct Gradient {
     /// A place at an end can only move inwards, and a beam only grow beyond a place at its right end: those derivatives
     /// are one-sided. A warping constant of 0 can only rise, and where a torque acts between the ends or the
     /// rate of twist is held it does so with an infinite slope: the value is not finite. The rate of twist of a beam without warping
-    /// stiffness has no adjoint load: its derivatives are NaN.
+    /// stiffness has no adjoint load: its derivatives are NaN, also that by the frequency.
     pub by_parameter: Vec<Complex64>,
 }
 
@@ -176,10 +176,16 @@ impl Differentiator {
             by_parameter.extend(force.by_parameter(setting.plan, &lambda, &reader));
         }
         let [times, growth] = factor(motion.measure, setting.omega);
+        let mut by_frequency = product.by_omega();
         let is_unknown = self.plan.beam.without_warping()
-            && matches!(motion.reading, Reading::Beam(_, BeamMotion::PsiSlope));
+            && matches!(
+                motion.reading,
+                Reading::Beam(_, BeamMotion::PsiSlope) | Reading::MeanTwistRate(_)
+            );
         if is_unknown {
-            by_parameter.fill(Complex64::new(f64::NAN, f64::NAN));
+            let unknown = Complex64::new(f64::NAN, f64::NAN);
+            by_parameter.fill(unknown);
+            by_frequency = unknown;
         }
         for value in &mut by_parameter {
             *value *= times;
@@ -187,19 +193,19 @@ impl Differentiator {
         let moved = self.read(forced, motion.reading);
         Gradient {
             value: times * moved,
-            by_frequency: TAU * (growth * moved + times * product.by_omega()),
+            by_frequency: TAU * (growth * moved + times * by_frequency),
             by_parameter,
         }
     }
 
     /// A motion under the forces of the model.
     fn read(&self, forced: &Forced<'_>, reading: Reading) -> Complex64 {
+        let reader = Reader::new(&self.plan, &forced.solution);
+        let rate = |station: usize| reader.end(station).motion[BeamMotion::PsiSlope as usize];
         match reading {
             Reading::Mass(index, motion) => forced.field.masses[index].motion[motion],
-            Reading::Beam(station, motion) => {
-                let reader = Reader::new(&self.plan, &forced.solution);
-                reader.end(station).motion[motion as usize]
-            }
+            Reading::Beam(station, motion) => reader.end(station).motion[motion as usize],
+            Reading::MeanTwistRate([before, after]) => 0.5 * (rate(before) + rate(after)),
         }
     }
 }

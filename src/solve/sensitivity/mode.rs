@@ -1,9 +1,12 @@
 //! How a mode's frequency and damping move with the parameters.
 //!
 //! `d omega/dp = -phi^T (dD/dp) phi / phi^T (dD/d omega) phi` with the mode's motion phi (Lancaster, Numer. Math. 6 (1964)
-//! 377-387). Beside its root the answer to any load is phi times 1 / distance and a rest that varies slowly: the
-//! difference of the answers on both sides of the root is phi to the square of the distance.
+//! 377-387). Of modes that share one root the derivatives are the eigenvalues of the pencil of these products between
+//! all of them (Friswell, J. Vib. Acoust. 118 (1996) 390-397). Near its root the answer to a load that excites no other
+//! mode of the group is phi times 1 / distance and a rest that varies slowly: the difference of the answers on both
+//! sides of the root, at two distances, is phi to the fourth power of the distance.
 
+use nalgebra::DMatrix;
 use num_complex::Complex64;
 
 use super::adjoint::without_loads;
@@ -11,16 +14,19 @@ use super::field::{Field, Setting};
 use super::overlap::Spans;
 use super::product::Product;
 use super::{Differentiator, mass_stations};
-use crate::model::Model;
+use crate::model::{Force, Model};
 use crate::solve::linear::ZERO;
-use crate::solve::modes::{Mode, ModeKind, loads};
+use crate::solve::modes::{Group, ModeKind, Modes, eigenvalues};
 use crate::solve::plan::Plan;
 use crate::solve::recursion::{Solution, Workspace};
 use crate::solve::reflection::decay;
 use crate::solve::waves::Waves;
 
-/// Distance from the root, relative.
-const BESIDE: f64 = 1e-9;
+/// Distance from the root, as a share of that to the next root, but for the modes of the group.
+const ASIDE: f64 = 1e-3;
+
+/// Roots nearer than this (relative) are one.
+const EQUAL: f64 = 1e-11;
 
 /// How a mode moves with each parameter, in the order of [`Differentiator::paths`].
 #[derive(Debug, Clone, PartialEq)]
@@ -32,76 +38,135 @@ pub struct ModeGradient {
 }
 
 impl Differentiator {
-    /// The derivatives of a mode of this model.
+    /// The derivatives of the mode `index` of this model's modes, which there must be.
     ///
-    /// Where several modes share one root they part as a parameter moves; what is given is the derivative of their mean.
+    /// Modes that share one root separate as a parameter moves. As its size rises (away from 0), the k-th of them in
+    /// the list stays the k-th by frequency: it has the k-th derivative of the frequency, by rising value. As it falls
+    /// they go the other way, and so have the same derivatives in the opposite order. Modes that only lie near each
+    /// other have their own derivatives.
+    ///
     /// A rigid-body mode stays at 0 Hz: all are 0, also for a spring of no stiffness, which would lift it with an
-    /// infinite slope. The damping ratio of an overdamped mode stays 1.
-    pub fn mode(&self, mode: &Mode) -> ModeGradient {
-        let omega = match mode.kind {
-            ModeKind::RigidBody => vec![ZERO; self.paths().len()],
-            ModeKind::Oscillating | ModeKind::Overdamped => self.root(mode.omega),
-        };
+    /// infinite slope. The damping ratio of an overdamped mode stays 1. What an open list has by mistake has no
+    /// derivatives that mean anything, or NaN.
+    pub fn mode(&self, modes: &Modes, index: usize) -> ModeGradient {
+        let mode = &modes.modes[index];
+        if mode.kind == ModeKind::RigidBody {
+            let none = vec![0.0; self.paths().len()];
+            return ModeGradient {
+                frequency: none.clone(),
+                damping_ratio: none,
+            };
+        }
         let size = mode.omega.norm();
-        let rate = |omega: &Complex64| match mode.kind {
-            ModeKind::RigidBody => 0.0,
-            ModeKind::Oscillating | ModeKind::Overdamped => (mode.omega.conj() * omega).re / size,
-        };
-        let damping = |omega: &Complex64| match mode.kind {
+        let rate = |shift: &Complex64| (mode.omega.conj() * shift).re / size;
+        let damping = |shift: &Complex64| match mode.kind {
+            ModeKind::Oscillating => (shift.im - mode.damping_ratio() * rate(shift)) / size,
             ModeKind::RigidBody | ModeKind::Overdamped => 0.0,
-            ModeKind::Oscillating => (omega.im - mode.damping_ratio() * rate(omega)) / size,
         };
+        let shifts = self.shifts(modes, index);
         ModeGradient {
-            frequency: omega
+            frequency: shifts
                 .iter()
-                .map(|w| rate(w) / std::f64::consts::TAU)
+                .map(|shift| rate(shift) / std::f64::consts::TAU)
                 .collect(),
-            damping_ratio: omega.iter().map(damping).collect(),
+            damping_ratio: shifts.iter().map(damping).collect(),
         }
     }
 
-    /// d omega/dp of a root, rad/s per SI unit: the mean over all modes that share it.
-    fn root(&self, omega: Complex64) -> Vec<Complex64> {
-        /// A share of an answer, squared, below which it is nothing new.
-        const DEPENDENT: f64 = 1e-4;
-        const MOST: usize = 12;
-        let mut space: Vec<(Solution, Complex64)> = Vec::new();
-        let mut sum = vec![ZERO; self.paths().len()];
-        while space.len() < MOST {
-            let loaded = Loaded::new(&self.model, space.len(), omega);
-            let mut motion = loaded.motion();
-            let all = loaded.form(&motion, &motion).1;
-            for (other, norm) in &space {
-                let share = loaded.form(other, &motion).1 / norm;
-                add(&mut motion, other, -share);
+    /// d omega/dp of a mode, rad/s per SI unit.
+    fn shifts(&self, modes: &Modes, index: usize) -> Vec<Complex64> {
+        let omega = modes.modes[index].omega;
+        let group = Group::of(&self.model, modes, index);
+        let Some(loads) = group.isolating_loads(&self.model) else {
+            return vec![UNKNOWN; self.paths().len()];
+        };
+        let is_equal = |root: usize| (group.roots[root] - omega).norm() < EQUAL * omega.norm();
+        let equal = || group.members.iter().filter(|(_, root)| is_equal(*root));
+        let place = equal().position(|(of, _)| *of == index);
+        let aside = ASIDE * group.gap.min(0.1 * omega.norm());
+        let motions: Vec<Loaded> = equal()
+            .map(|(_, root)| Loaded::new(&self.model, loads[*root].clone(), omega, aside))
+            .collect();
+        let forms: Vec<Vec<Form>> = (0..motions.len())
+            .map(|i| (0..=i).map(|j| motions[i].form(&motions[j])).collect())
+            .collect();
+        let matrix = |entry: &dyn Fn(&Form) -> Complex64| {
+            DMatrix::from_fn(motions.len(), motions.len(), |i, j| {
+                entry(&forms[i.max(j)][i.min(j)])
+            })
+        };
+        let by_parameter = |parameter: usize| {
+            // Forces come last: no mode depends on them.
+            matrix(&|form| form.by_parameter.get(parameter).map_or(ZERO, |by| -by))
+        };
+        let parameters = 0..self.paths().len();
+        let by_parameter: Vec<_> = parameters.map(by_parameter).collect();
+        let Some(all) = separated(&matrix(&|form| form.by_omega), &by_parameter) else {
+            return vec![UNKNOWN; self.paths().len()];
+        };
+        let shift = |(shifts, value): (Option<Vec<Complex64>>, &f64)| {
+            let mut shifts = sorted(shifts?, omega);
+            if *value < 0.0 {
+                shifts.reverse();
             }
-            let (product, norm) = loaded.form(&motion, &motion);
-            if !space.is_empty() && norm.norm() < DEPENDENT * all.norm() {
-                break;
-            }
-            for (sum, by) in sum.iter_mut().zip(&product) {
-                *sum -= by / norm;
-            }
-            space.push((motion, norm));
-        }
-        let count = space.len() as f64;
-        sum.iter().map(|sum| sum / count).collect()
+            shifts.get(place?).copied()
+        };
+        let all = all.into_iter().zip(self.values());
+        all.map(|of| shift(of).unwrap_or(UNKNOWN)).collect()
     }
 }
 
-/// A model under one of some loads that reach everything, beside a root.
+/// The eigenvalues of `second y = t first y` for each `second`; none where there are none.
+fn separated(
+    first: &DMatrix<Complex64>,
+    seconds: &[DMatrix<Complex64>],
+) -> Option<Vec<Option<Vec<Complex64>>>> {
+    if first.len() > 1 {
+        return eigenvalues(first, seconds);
+    }
+    // Also where it is infinite.
+    let alone = |second: &DMatrix<Complex64>| Some(vec![second[(0, 0)] / first[(0, 0)]]);
+    Some(seconds.iter().map(alone).collect())
+}
+
+/// Derivatives of roots at `omega` by how the frequency rises with them, then by how the decay does.
+fn sorted(mut shifts: Vec<Complex64>, omega: Complex64) -> Vec<Complex64> {
+    const ROUNDING: f64 = 1e-9;
+    let largest = shifts.iter().map(|shift| shift.norm()).fold(0.0, f64::max);
+    let steps = |rate: f64| (rate / (ROUNDING * largest)).round();
+    let rate = |shift: &Complex64| steps((omega.conj() * shift).re / omega.norm());
+    shifts.sort_by(|a, b| {
+        let by_frequency = rate(a).total_cmp(&rate(b));
+        by_frequency.then(a.im.total_cmp(&b.im))
+    });
+    shifts
+}
+
+/// Not a number: what no derivative is known of.
+const UNKNOWN: Complex64 = Complex64::new(f64::NAN, f64::NAN);
+
+/// Products of two motions.
+struct Form {
+    /// `-phi^T (dD/dp) chi` for every parameter.
+    by_parameter: Vec<Complex64>,
+    /// `-phi^T (dD/d omega) chi`.
+    by_omega: Complex64,
+}
+
+/// A mode's motion from a load that excites no other mode near it.
 struct Loaded {
     model: Model,
-    plan: Plan,
     bare: Plan,
     masses: Vec<usize>,
     omega: Complex64,
+    motion: Solution,
 }
 
 impl Loaded {
-    fn new(model: &Model, load: usize, omega: Complex64) -> Self {
+    /// Of a model at a root under some forces; `aside` is the distance of the nearer answers from it, rad/s.
+    fn new(model: &Model, forces: Vec<Force>, omega: Complex64, aside: f64) -> Self {
         let model = Model {
-            forces: loads(model, load),
+            forces,
             responses: Vec::new(),
             ..model.clone()
         };
@@ -109,33 +174,21 @@ impl Loaded {
         Self {
             masses: mass_stations(&model, &plan),
             bare: without_loads(&plan),
+            motion: motion(&plan, omega, aside / omega.norm()),
             model,
-            plan,
             omega,
         }
     }
 
-    /// The difference of the answers on both sides of the root, as a motion at the root.
-    fn motion(&self) -> Solution {
-        let answer = |side: f64| {
-            Workspace::default().solution(&self.plan, self.omega * (1.0 + side * BESIDE))
-        };
-        let mut motion = answer(1.0);
-        add(&mut motion, &answer(-1.0), -Complex64::ONE);
-        motion.waves = Waves::new(&self.plan.beam, self.omega);
-        let lengths = self.plan.lengths.iter();
-        motion.decays = lengths.map(|&l| decay(&motion.waves, l)).collect();
-        motion
-    }
-
-    /// `-phi^T (dD/dp) chi` for every parameter, and `-phi^T (dD/d omega) chi`.
-    fn form(&self, phi: &Solution, chi: &Solution) -> (Vec<Complex64>, Complex64) {
+    /// The products of this motion and another one at the same root.
+    fn form(&self, other: &Self) -> Form {
         let setting = Setting {
             model: &self.model,
             plan: &self.bare,
             masses: &self.masses,
             omega: self.omega,
         };
+        let [phi, chi] = [self, other].map(|one| &one.motion);
         let [lambda, u] = [phi, chi].map(|motion| Field::new(&setting, motion));
         let spans = Spans::new(&self.bare, phi);
         let product = Product {
@@ -145,8 +198,27 @@ impl Loaded {
             overlap: spans.overlap(&self.bare, &phi.waves, [&phi.spans, &chi.spans]),
         };
         let none = [ZERO; 6];
-        (product.by_parameter([&none, &none]), product.by_omega())
+        Form {
+            by_parameter: product.by_parameter([&none, &none]),
+            by_omega: product.by_omega(),
+        }
     }
+}
+
+/// The residue of the answers at a root as a motion there, times a number; `aside` is a relative distance.
+///
+/// The points lie on the ray through the root, along which no wave changes its direction. With `u = phi / distance + r0 +
+/// r1 distance + ...` the weights leave phi and what is of the fourth order.
+fn motion(plan: &Plan, omega: Complex64, aside: f64) -> Solution {
+    let answer = |side: f64| Workspace::default().solution(plan, omega * (1.0 + side * aside));
+    let mut motion = answer(1.0);
+    for (side, weight) in [(-1.0, -1.0), (2.0, -0.5), (-2.0, 0.5)] {
+        add(&mut motion, &answer(side), weight.into());
+    }
+    motion.waves = Waves::new(&plan.beam, omega);
+    let lengths = plan.lengths.iter();
+    motion.decays = lengths.map(|&l| decay(&motion.waves, l)).collect();
+    motion
 }
 
 /// Adds a solution of the same plan times a factor.

@@ -1,0 +1,86 @@
+//! Bi-orthogonality of the modes of a group, from their motions.
+//!
+//! The modes of a damped system have `phi_i^T ((omega_i + omega_j) M - i C) phi_j = 0` (Foss, J. Appl. Mech. 25 (1958)
+//! 361-364), without damping `phi_i^T M phi_j = 0`. Contour integrals give this up to rounding over the radius of their
+//! circle, which may be small; the integrals of M and C along the beam and over the masses give the rest.
+
+use nalgebra::DMatrix;
+use num_complex::Complex64;
+
+use super::motion::Motion;
+use super::quadrature::Sample;
+use crate::model::{BeamMotion, Model};
+use crate::solve::springs::{geometric_stretches, springs};
+
+/// Corrects motions that are nearly bi-orthogonal, with their roots, rad/s: the form above is then `2 omega_i` for i = j
+/// and else 0. False where they are far from that: then they are no modes.
+pub(super) fn bi_orthogonalise(
+    model: &Model,
+    samples: &[Sample],
+    roots: &[Complex64],
+    motions: &mut [Motion],
+) -> bool {
+    const NEARLY: f64 = 0.1;
+    const STEPS: usize = 5;
+    let count = motions.len();
+    let mut form = DMatrix::from_fn(count, count, |i, j| {
+        let [mass, damping] = products(model, samples, [&motions[i], &motions[j]]);
+        let both = (roots[i] + roots[j]) * mass - Complex64::I * damping;
+        both / (2.0 * roots[i].sqrt() * roots[j].sqrt())
+    });
+    let one = DMatrix::<Complex64>::identity(count, count);
+    let error = (&form - &one).norm();
+    if error.is_nan() || error > NEARLY {
+        return false;
+    }
+    // The inverse square root of the form, by the iteration of Newton and Schulz.
+    let mut weights = one.clone();
+    for _ in 0..STEPS {
+        let step = (&one * Complex64::from(3.0) - &form) * Complex64::from(0.5);
+        form = step.transpose() * form * &step;
+        weights *= step;
+    }
+    // The form is without dimension, each motion over the root of its omega.
+    let scaled: Vec<Motion> = motions.to_vec();
+    for (j, motion) in motions.iter_mut().enumerate() {
+        let weight = |i: usize| weights[(i, j)] * (roots[j].sqrt() / roots[i].sqrt());
+        *motion = scaled[0].times(weight(0));
+        for (i, other) in scaled.iter().enumerate().skip(1) {
+            motion.add(&other.times(weight(i)));
+        }
+    }
+    true
+}
+
+/// `a^T M b` and `a^T C b` (without the beam's loss factor, which is a stiffness).
+fn products(model: &Model, samples: &[Sample], [a, b]: [&Motion; 2]) -> [Complex64; 2] {
+    let (material, section) = (&model.beam.material, &model.beam.section);
+    let (mut mass, mut damping) = (Complex64::ZERO, Complex64::ZERO);
+    let looked_at = a.beam.len() - samples.len();
+    let places = a.beam[looked_at..].iter().zip(&b.beam[looked_at..]);
+    for (sample, ([w, psi, v], [w_b, psi_b, v_b])) in samples.iter().zip(places) {
+        let offset = section.centroid_offset;
+        let moved = w * w_b + v * v_b + offset * (w * psi_b + psi * w_b);
+        let density = section.area * moved + section.polar_moment * psi * psi_b;
+        mass += sample.weight * material.density * density;
+    }
+    let supports = [&model.supports.left, &model.supports.right];
+    for (end, support) in supports.into_iter().enumerate() {
+        for motion in BeamMotion::ALL {
+            let product = a.ends[end][motion as usize] * b.ends[end][motion as usize];
+            mass += support[motion].elastic().inertia * product;
+            damping += support[motion].elastic().damping * product;
+        }
+    }
+    for (index, subsystem) in model.attached().enumerate() {
+        let moved = |motion: &Motion| [motion.masses[index], motion.stations[index]];
+        let [[y, z, theta], _] = moved(a);
+        let [[y_b, z_b, theta_b], _] = moved(b);
+        mass += subsystem.mass * (y * y_b + z * z_b) + subsystem.inertia * theta * theta_b;
+        let [of_a, of_b] = [a, b].map(|one| geometric_stretches(subsystem, moved(one)));
+        for (spring, (one, other)) in springs(subsystem).iter().zip(of_a.iter().zip(of_b)) {
+            damping += spring.damping * one * other;
+        }
+    }
+    [mass, damping]
+}

@@ -278,6 +278,7 @@ fn random_models_have_the_modes_that_a_judge_counts() {
                 Completeness::Open(gaps) => Ok(gaps.len()),
                 Completeness::Certain => fault(&model, &found).map_or(Ok(0), Err),
                 Completeness::TooMany => Err("too many modes".to_owned()),
+                Completeness::Uncounted => Err("no count was made".to_owned()),
             };
             (seed, verdict)
         })

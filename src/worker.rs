@@ -2,9 +2,10 @@
 //!
 //! Curves are answered in stages: where the whole sweep would take longer than [`PROMPT`], a coarse one over every few
 //! frequencies and the last peaks comes first; then the whole sweep; then the modes, and the sweep with the points that
-//! they need. New curves cancel everything of older ones but the preparation for an edit, and wait for none of it: modes,
-//! shapes and the finite-element witness have threads of their own. A panic inside a solve becomes the answer's error;
-//! the thread lives on.
+//! they need; then the count of the modes, with what it found missing. New curves cancel everything of older ones but the
+//! preparation for an edit, and wait for none of it: modes, shapes and the finite-element witness have threads of their
+//! own. A held key thus cancels every count but the last. A panic inside a solve becomes the answer's error; the thread
+//! lives on.
 
 mod background;
 mod curves;
@@ -238,15 +239,17 @@ pub struct CurvesAnswer {
     pub elapsed: Duration,
 }
 
-/// How complete an answer is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// How complete an answer is, rising.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Stage {
     /// Few frequencies; the rest follows.
     Coarse,
     /// All frequencies of the sweep; peaks may lie between them.
     Full,
-    /// Those, and the ones that peaks and anti-resonances need, with the modes.
+    /// Those, and the ones that peaks and anti-resonances need, with the modes; some may not be counted yet.
     Resolved,
+    /// The same, with the count of all modes and what it found missing.
+    Counted,
 }
 
 /// The curves of a model or of a study's members.
@@ -349,10 +352,8 @@ impl Worker {
         let memory = Memory::default();
         let mut resolver = Resolver::new(memory.clone());
         let tell = notify.clone();
-        let resolving = Arc::new(Lane::start(move |unresolved, cancel| {
-            if let Some(answer) = resolver.answer(unresolved, cancel) {
-                tell(Answer::Curves(answer));
-            }
+        let resolving = Arc::new(Lane::start(move |unresolved, cancel: &_| {
+            resolver.answer(&unresolved, cancel, &|answer| tell(Answer::Curves(answer)));
         }));
         let tell = notify.clone();
         let next = Arc::clone(&resolving);

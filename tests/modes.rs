@@ -16,7 +16,8 @@ use beamtune::model::{
 };
 use beamtune::presets;
 use beamtune::solve::modes::{
-    Completeness, MOST_MODES, ModeKind, Modes, count, follow, modes, shape, undamped,
+    Completeness, MOST_MODES, Mode, ModeKind, Modes, certify, count, follow, modes, shape,
+    uncertified, undamped,
 };
 use common::{models, respond, unit_force};
 use num_complex::Complex64;
@@ -291,7 +292,7 @@ fn every_root_of_fifty_random_absorbers_is_where_the_count_steps() {
 
 /// Expected: the same list, from a search that starts afresh.
 #[test]
-fn modes_that_are_followed_are_those_found_afresh() {
+fn modes_that_are_followed_and_counted_are_those_found_afresh() {
     let mut model = preset("fig05a");
     let mut followed = damped(&model, 400.0);
     for step in 0..8 {
@@ -305,8 +306,12 @@ fn modes_that_are_followed_are_those_found_afresh() {
             inertia: 0.0,
         });
         followed = follow(&model, &followed, &NEVER).unwrap();
+        assert_eq!(followed.completeness, Completeness::Uncounted);
+        let counted = certify(&model, &followed, &NEVER).unwrap();
+        assert_eq!(counted.completeness, Completeness::Certain);
+        // The count of a complete list changes no digit.
+        assert!(counted.has_modes_of(&followed));
         let afresh = damped(&model, 400.0);
-        assert_eq!(followed.completeness, Completeness::Certain);
         assert_eq!(followed.undamped, afresh.undamped);
         assert_eq!(followed.modes.len(), afresh.modes.len());
         for (a, b) in followed.modes.iter().zip(&afresh.modes) {
@@ -316,6 +321,114 @@ fn modes_that_are_followed_are_those_found_afresh() {
             );
         }
     }
+}
+
+/// A list for which no count was made.
+fn uncounted(list: &Modes, modes: Vec<Mode>) -> Modes {
+    Modes {
+        modes,
+        completeness: Completeness::Uncounted,
+        ..list.clone()
+    }
+}
+
+/// Whether two lists have the same modes, but for rounding.
+fn assert_same(got: &Modes, want: &Modes) {
+    assert_eq!(got.modes.len(), want.modes.len());
+    for (a, b) in got.modes.iter().zip(&want.modes) {
+        assert!(
+            (a.omega - b.omega).norm() <= 1e-9 * b.omega.norm(),
+            "{a:?} {b:?}"
+        );
+    }
+}
+
+/// Expected: the whole list, whatever a made-up follower lost of it.
+#[test]
+fn the_count_finds_what_a_list_lacks_or_has_twice() {
+    let model = preset("fig05a");
+    let whole = damped(&model, 400.0);
+    let without = |index: usize| {
+        let mut modes = whole.modes.clone();
+        modes.remove(index);
+        modes
+    };
+    let mut doubled = whole.modes.clone();
+    doubled[10] = doubled[9];
+    for modes in [
+        without(2),
+        without(12),
+        without(whole.modes.len() - 1),
+        doubled,
+    ] {
+        let lacking = uncounted(&whole, modes);
+        let counted = certify(&model, &lacking, &NEVER).unwrap();
+        assert_eq!(counted.completeness, Completeness::Certain);
+        assert_same(&counted, &whole);
+    }
+    // What is counted already stays as it is, and a cancelled count is none.
+    assert_eq!(certify(&model, &whole, &NEVER).as_ref(), Some(&whole));
+    let cancelled = AtomicBool::new(true);
+    let lacking = uncounted(&whole, without(2));
+    assert_eq!(certify(&model, &lacking, &cancelled), None);
+}
+
+/// fig05a with a damper far beyond the critical damping of the mass it holds.
+fn overdamped() -> Model {
+    let mut model = preset("fig05a");
+    model.subsystems[1].y_left.damping = 1e6;
+    model.subsystems[1].y_right.damping = 1e6;
+    model
+}
+
+/// Expected: the list of a search with its count, which is the first to find overdamped modes.
+#[test]
+fn overdamped_modes_come_with_the_count() {
+    let model = overdamped();
+    let whole = damped(&model, 400.0);
+    let overdamped = |list: &Modes| {
+        let is_one = |mode: &&Mode| mode.kind == ModeKind::Overdamped;
+        list.modes.iter().filter(is_one).count()
+    };
+    assert!(overdamped(&whole) > 0);
+    let before = uncertified(&model, 400.0, &NEVER).unwrap();
+    assert_eq!(before.completeness, Completeness::Uncounted);
+    assert!(before.modes.len() < whole.modes.len());
+    assert_same(&certify(&model, &before, &NEVER).unwrap(), &whole);
+    // Once they are known they are followed.
+    let mut longer = model;
+    longer.beam.length *= 1.01;
+    let followed = follow(&longer, &whole, &NEVER).unwrap();
+    assert_eq!(overdamped(&followed), overdamped(&damped(&longer, 400.0)));
+}
+
+/// Expected: as many as a search that starts afresh finds, also where no list before had them: the beam grows until most
+/// of its modes have come into the range from far beyond it.
+#[test]
+fn modes_that_enter_the_range_are_not_missing_while_no_count_is_made() {
+    let mut model = preset("fig05a");
+    let mut followed = damped(&model, 200.0);
+    let first = followed.modes.len();
+    for _ in 0..10 {
+        model.beam.length *= 1.05;
+        followed = follow(&model, &followed, &NEVER).unwrap();
+        assert_eq!(followed.completeness, Completeness::Uncounted);
+        assert_same(&followed, &damped(&model, 200.0));
+    }
+    assert!(followed.modes.len() > first + 3, "{}", followed.modes.len());
+}
+
+/// Expected: as many as a search that starts afresh finds. Two starts on one root are one, and one root is lost.
+#[test]
+fn a_root_that_is_lost_on_the_way_starts_a_search_afresh() {
+    let mut model = preset("fig05a");
+    let whole = damped(&model, 400.0);
+    let mut modes = whole.modes.clone();
+    modes[10] = modes[9];
+    let doubled = uncounted(&whole, modes);
+    model.beam.length *= 1.001;
+    let followed = follow(&model, &doubled, &NEVER).unwrap();
+    assert_same(&followed, &damped(&model, 400.0));
 }
 
 /// Expected: the argument principle counts as many as were found, and Wittrick and Williams as many without damping.

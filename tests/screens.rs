@@ -12,9 +12,11 @@ mod driver;
 #[path = "screens/random.rs"]
 mod random;
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use beamtune::model::{Model, Restraint, Unit};
+use beamtune::solve::modes::{Completeness, Gap};
 use beamtune::tui::Source;
 use beamtune::tui::app::{Lost, Outside, Reply};
 use beamtune::worker::Stage;
@@ -340,6 +342,50 @@ fn modes() {
     };
     screen!("modes_80x24", chosen(), 80 x 24);
     screen!("modes_120x40", chosen(), 120 x 40);
+}
+
+/// The modes of a preset as a model leaves them whose list is not certain, or not yet.
+fn in_doubt(completeness: &Completeness) -> Driver {
+    let mut driver = Driver::preset("fig05a");
+    driver.keys("m Down Down Down").answered(|answer| {
+        answer.stage = match completeness {
+            Completeness::Uncounted => Stage::Resolved,
+            _ => Stage::Counted,
+        };
+        let curves = answer.result.as_mut().expect("curves");
+        let modal = curves.modes.as_mut().expect("modes");
+        Arc::make_mut(&mut modal.modes).completeness = completeness.clone();
+    });
+    driver
+}
+
+#[test]
+fn modes_that_are_not_counted_yet() {
+    let mut driver = in_doubt(&Completeness::Uncounted);
+    screen!("modes_uncounted_80x24", driver, 80 x 24);
+    screen!("modes_uncounted_120x40", driver, 120 x 40);
+}
+
+#[test]
+fn modes_with_open_ranges() {
+    let gap = |from, to, found, counted| Gap {
+        from,
+        to,
+        found,
+        counted,
+    };
+    let one = vec![gap(34.5, 35.0, 2, Some(3))];
+    let several = vec![
+        one[0],
+        gap(61.25, 70.5, 4, None),
+        gap(390.0, 400.0, 1, Some(2)),
+    ];
+    let mut driver = in_doubt(&Completeness::Open(one));
+    screen!("modes_open_80x24", driver, 80 x 24);
+    let mut driver = in_doubt(&Completeness::Open(several));
+    screen!("modes_open_at_several_80x24", driver, 80 x 24);
+    screen!("modes_open_at_several_120x40", driver, 120 x 40);
+    screen!("peaks_in_doubt_80x24", driver.keys("P"), 80 x 24);
 }
 
 #[test]

@@ -254,13 +254,15 @@ fn progress(done: usize, of: usize, member: usize, members: usize) {
 }
 
 fn warn_of_doubt(modes: &Modes) {
-    if let Completeness::Open(gaps) = &modes.completeness {
-        // The rows that are there are right all the same.
-        say(&format!(
-            "warning: a peak may be missing: the modes are not certain {}",
-            listed(gaps)
-        ));
-    }
+    let doubt = match &modes.completeness {
+        Completeness::Certain | Completeness::TooMany => return,
+        Completeness::Open(gaps) => format!("not certain {}", listed(gaps)),
+        Completeness::Uncounted => "not counted".to_owned(),
+    };
+    // The rows that are there are right all the same.
+    say(&format!(
+        "warning: a peak may be missing: the modes are {doubt}"
+    ));
 }
 
 fn warn_of_too_many(to: f64) {

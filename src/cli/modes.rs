@@ -68,6 +68,11 @@ fn statement(found: &Modes) -> String {
             "warning: {modes} found below {to} Hz{undamped}, and the list may not be complete {}; all others are certain",
             listed(gaps)
         ),
+        Completeness::Uncounted => {
+            format!(
+                "warning: {modes} found below {to} Hz{undamped}, not counted: some may be missing"
+            )
+        }
     }
 }
 

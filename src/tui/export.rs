@@ -8,7 +8,7 @@ pub use svg::svg;
 
 use sha2::{Digest, Sha256};
 
-use super::app::App;
+use super::app::{App, ModeList};
 use super::scene::{CurveKind, Scene};
 
 /// Where curves come from.
@@ -43,6 +43,10 @@ pub fn provenance(app: &App) -> Provenance {
     }
     if !app.curves.is_resolved() {
         notes.push("peaks may lie between the frequencies: the curves are not resolved".to_owned());
+    }
+    let list = app.modal.list.as_ref();
+    if let Some(doubt) = list.and_then(ModeList::doubt) {
+        notes.push(format!("a peak may be missing: {doubt}"));
     }
     Provenance {
         program: concat!("beamtune ", env!("CARGO_PKG_VERSION")).to_owned(),

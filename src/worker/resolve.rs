@@ -14,7 +14,7 @@ use super::members::Labelled;
 use super::memory::Memory;
 use super::{Curves, CurvesAnswer, Member, ModalModel, Stage, Subject};
 use crate::model::Model;
-use crate::solve::modes::{Mode, Modes, follow, modes, shares};
+use crate::solve::modes::{Completeness, Mode, Modes, certify, follow, shares, uncertified};
 use crate::solve::peaks::{peaks, resolved};
 
 /// Curves of the whole sweep, whose peaks may lie between its frequencies.
@@ -50,51 +50,116 @@ impl Resolver {
         }
     }
 
-    /// The curves with the points that the modes need, their peaks, and the modes; none where cancelled.
+    /// Tells the curves with the points that their modes need, their peaks and the modes; then the same with modes that are
+    /// counted, where they were not yet. Nothing once cancelled.
     pub(super) fn answer(
         &mut self,
-        unresolved: Unresolved,
+        unresolved: &Unresolved,
         cancel: &AtomicBool,
-    ) -> Option<CurvesAnswer> {
-        let (generation, start) = (unresolved.subject.generation, unresolved.start);
+        tell: &dyn Fn(CurvesAnswer),
+    ) {
+        let Some(result) = self.in_pool(|resolver| resolver.resolve(unresolved, cancel)) else {
+            return;
+        };
+        let elapsed = unresolved.start.elapsed();
+        let answer = |stage, result| CurvesAnswer {
+            generation: unresolved.subject.generation,
+            stage,
+            result,
+            elapsed,
+        };
+        if self.is_counted(unresolved) {
+            return tell(answer(Stage::Counted, result));
+        }
+        tell(answer(Stage::Resolved, result.clone()));
+        let Ok(resolved) = result else { return };
+        if let Some(result) = self.in_pool(|resolver| resolver.count(unresolved, resolved, cancel))
+        {
+            tell(answer(Stage::Counted, result));
+        }
+    }
+
+    /// Does some work where it does not disturb that of the curves; none where it was cancelled.
+    fn in_pool(
+        &mut self,
+        work: impl FnOnce(&mut Self) -> Option<Curves> + Send,
+    ) -> Option<Result<Curves, String>> {
         let pool = self.pool.take();
-        let resolve = || self.resolve(unresolved, cancel);
-        let result = guarded(|| {
+        let found = guarded(|| {
+            let work = || work(self);
             Ok(match &pool {
-                Some(pool) => pool.install(resolve),
-                None => resolve(),
+                Some(pool) => pool.install(work),
+                None => work(),
             })
         });
         self.pool = pool;
-        let result = result?;
-        Some(CurvesAnswer {
-            generation,
-            stage: Stage::Resolved,
-            result,
-            elapsed: start.elapsed(),
-        })
+        found
     }
 
-    fn resolve(&mut self, unresolved: Unresolved, cancel: &AtomicBool) -> Option<Curves> {
+    fn resolve(&mut self, unresolved: &Unresolved, cancel: &AtomicBool) -> Option<Curves> {
         let own_model = &unresolved.subject.model;
         let own = self.modes(0, own_model, cancel)?;
-        let curves = unresolved.curves.members.into_iter();
         let mut members = Vec::new();
-        for (place, (member, (_, model))) in (1..).zip(curves.zip(&unresolved.members)) {
+        for (index, (_, model)) in unresolved.members.iter().enumerate() {
             let modes = if model == own_model {
                 Arc::clone(&own)
             } else {
-                self.modes(place, model, cancel)?
+                self.modes(index + 1, model, cancel)?
             };
-            let resolved = resolve_member(model, &modes, member, cancel)?;
-            self.memory.learn(place - 1, model, &resolved.frf);
-            members.push(resolved);
+            members.push(self.member(unresolved, index, &modes, cancel)?);
         }
         let shares = shares(own_model, &own, cancel)?;
         Some(Curves {
             members,
             modes: Some(ModalModel { modes: own, shares }),
         })
+    }
+
+    /// Resolved curves with modes that are counted: where these are others, what goes by them is solved again. None where
+    /// cancelled.
+    fn count(
+        &mut self,
+        unresolved: &Unresolved,
+        mut resolved: Curves,
+        cancel: &AtomicBool,
+    ) -> Option<Curves> {
+        let own_model = &unresolved.subject.model;
+        let own = self.counted(0, cancel)?;
+        for (index, (_, model)) in unresolved.members.iter().enumerate() {
+            let counted = if model == own_model {
+                own.clone()
+            } else {
+                self.counted(index + 1, cancel)?
+            };
+            if counted.changed {
+                resolved.members[index] = self.member(unresolved, index, &counted.modes, cancel)?;
+            }
+        }
+        let known = resolved.modes.filter(|_| !own.changed);
+        let shares = match known {
+            Some(known) => known.shares,
+            None => shares(own_model, &own.modes, cancel)?,
+        };
+        resolved.modes = Some(ModalModel {
+            modes: own.modes,
+            shares,
+        });
+        Some(resolved)
+    }
+
+    /// Resolves the curves of a member, and remembers where its peaks are. None where cancelled.
+    fn member(
+        &self,
+        unresolved: &Unresolved,
+        index: usize,
+        modes: &Modes,
+        cancel: &AtomicBool,
+    ) -> Option<Member> {
+        let (_, model) = &unresolved.members[index];
+        let member = unresolved.curves.members[index].clone();
+        let resolved = resolve_member(model, modes, member, cancel)?;
+        self.memory.learn(index, model, &resolved.frf);
+        Some(resolved)
     }
 
     /// The modes of a model, followed from those that had its place before if they can be its own, moved.
@@ -112,7 +177,7 @@ impl Resolver {
         }
         let found = match before {
             Some((known, before)) if is_alike(known, model) => follow(model, before, cancel),
-            _ => modes(model, model.sweep.to, cancel),
+            _ => uncertified(model, model.sweep.to, cancel),
         };
         let found = match found {
             Some(found) => Arc::new(found),
@@ -123,6 +188,36 @@ impl Resolver {
         self.known.insert(place, entry);
         Some(found)
     }
+
+    /// The modes that have a place, counted. None where cancelled.
+    fn counted(&mut self, place: usize, cancel: &AtomicBool) -> Option<Counted> {
+        let (model, before) = self.known.get(&place)?;
+        let modes = Arc::new(certify(model, before, cancel)?);
+        let changed = !modes.has_modes_of(before);
+        let entry = (Arc::clone(model), Arc::clone(&modes));
+        self.known.insert(place, entry);
+        Some(Counted { modes, changed })
+    }
+
+    /// Whether no list of modes of what was resolved waits for its count.
+    fn is_counted(&self, unresolved: &Unresolved) -> bool {
+        let models = unresolved.members.iter().map(|(_, model)| model);
+        let all = std::iter::once(&unresolved.subject.model).chain(models);
+        let waits = |(place, model): (usize, &Arc<Model>)| {
+            self.known.get(&place).is_some_and(|(known, modes)| {
+                known == model && modes.completeness == Completeness::Uncounted
+            })
+        };
+        !all.enumerate().any(waits)
+    }
+}
+
+/// Modes with their count.
+#[derive(Debug, Clone)]
+struct Counted {
+    modes: Arc<Modes>,
+    /// Whether they are others than before it.
+    changed: bool,
 }
 
 /// Whether the modes of two models up to the end of their sweeps are as many, but for a few.

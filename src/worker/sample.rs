@@ -6,7 +6,7 @@ use std::sync::mpsc::channel;
 use super::lane::{guarded, unless_cancelled};
 use super::members::members;
 use super::memory::Memory;
-use super::resolve::Resolver;
+use super::resolve::{Resolver, Unresolved};
 use super::{Curves, Member, ReferenceAnswer, SampleAnswer, SampleRequest, Stage, Subject, curves};
 use crate::solve::sweep;
 
@@ -62,11 +62,19 @@ pub(super) fn reference(subject: Subject, cancel: &AtomicBool) -> Option<Referen
     };
     let result: Result<Curves, String> =
         match curves::answer(subject, &Memory::default(), cancel, &notify) {
-            Some(unresolved) => match Resolver::default().answer(unresolved, cancel) {
-                Some(answer) => answer.result,
+            Some(unresolved) => match counted(&unresolved, cancel) {
+                Some(result) => result,
                 None => unless_cancelled(cancel).transpose()?,
             },
             None => Err(failures.try_recv().ok()?),
         };
     Some(ReferenceAnswer { serial, result })
+}
+
+/// The resolved curves by modes that are counted. None where cancelled.
+fn counted(unresolved: &Unresolved, cancel: &AtomicBool) -> Option<Result<Curves, String>> {
+    let (sender, answers) = channel();
+    Resolver::default().answer(unresolved, cancel, &|answer| drop(sender.send(answer)));
+    let last = answers.try_iter().last()?;
+    (last.stage == Stage::Counted || last.result.is_err()).then_some(last.result)
 }

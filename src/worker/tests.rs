@@ -72,6 +72,105 @@ fn resolved_curves_hold_every_frequency_of_the_sweep_and_more() {
 }
 
 #[test]
+fn modes_come_before_their_count() {
+    let (worker, receiver) = worker();
+    let model = model("fig08");
+    worker.request(Request::Curves(subject(1, &model, None)));
+    let [resolved, counted] =
+        [Stage::Resolved, Stage::Counted].map(|stage| curves(&receiver, 1, stage));
+    let [before, after] = [&resolved, &counted].map(|curves| &curves.modes.as_ref().unwrap().modes);
+    assert_eq!(before.completeness, Completeness::Uncounted);
+    assert_eq!(after.completeness, Completeness::Certain);
+    // None was missing: nothing else changes.
+    assert!(after.has_modes_of(before));
+    assert_eq!(counted.members, resolved.members);
+}
+
+/// fig05a with a damper far beyond the critical damping of the mass it holds: only the count finds the overdamped modes.
+fn overdamped() -> Arc<Model> {
+    let mut model = Model::clone(&model("fig05a"));
+    model.subsystems[1].y_left.damping = 1e6;
+    model.subsystems[1].y_right.damping = 1e6;
+    Arc::new(model)
+}
+
+#[test]
+fn what_the_count_finds_is_in_the_modes_and_the_curves() {
+    let (worker, receiver) = worker();
+    let model = overdamped();
+    worker.request(Request::Curves(subject(1, &model, None)));
+    let [resolved, counted] =
+        [Stage::Resolved, Stage::Counted].map(|stage| curves(&receiver, 1, stage));
+    let number = |curves: &Curves| curves.modes.as_ref().unwrap().modes.modes.len();
+    assert!(number(&counted) > number(&resolved));
+    let modal = counted.modes.as_ref().unwrap();
+    assert_eq!(modal.modes.completeness, Completeness::Certain);
+    assert_eq!(modal.shares.len(), number(&counted));
+    assert_eq!(counted.members[0].damping_ratios.len(), number(&counted));
+    // The next edit follows all of them.
+    let mut longer = Model::clone(&model);
+    longer.beam.length *= 1.001;
+    worker.request(Request::Curves(subject(2, &Arc::new(longer), None)));
+    let followed = curves(&receiver, 2, Stage::Resolved);
+    assert_eq!(number(&followed), number(&counted));
+}
+
+/// What is left to resolve of a model whose curves are solved.
+fn unresolved(generation: u64, model: &Arc<Model>) -> Unresolved {
+    let never = AtomicBool::new(false);
+    let subject = subject(generation, model, None);
+    curves::answer(subject, &Memory::default(), &never, &|_| ()).unwrap()
+}
+
+#[test]
+fn the_next_edit_cancels_the_count_and_the_last_one_makes_it() {
+    let model = model("fig08");
+    let mut longer = Model::clone(&model);
+    longer.beam.length *= 1.001;
+    let longer = Arc::new(longer);
+    let mut resolver = Resolver::default();
+    // An edit comes as soon as the modes are told.
+    for (generation, model) in [(1, &model), (2, &longer), (3, &model)] {
+        let cancel = AtomicBool::new(false);
+        let told = std::sync::Mutex::new(Vec::new());
+        resolver.answer(&unresolved(generation, model), &cancel, &|answer| {
+            told.lock().unwrap().push(answer.stage);
+            cancel.store(true, std::sync::atomic::Ordering::Relaxed);
+        });
+        assert_eq!(*told.lock().unwrap(), [Stage::Resolved]);
+    }
+    // The keys rest: the same model again, as where a study is chosen.
+    let (sender, receiver) = channel();
+    let never = AtomicBool::new(false);
+    resolver.answer(&unresolved(4, &model), &never, &|answer| {
+        drop(sender.send(answer));
+    });
+    let told: Vec<CurvesAnswer> = receiver.try_iter().collect();
+    let stages: Vec<Stage> = told.iter().map(|answer| answer.stage).collect();
+    assert_eq!(stages, [Stage::Resolved, Stage::Counted]);
+    let counted = told[1].result.as_ref().unwrap().modes.as_ref().unwrap();
+    assert_eq!(counted.modes.completeness, Completeness::Certain);
+    // Once it is made, nothing is left to count.
+    resolver.answer(&unresolved(5, &model), &never, &|answer| {
+        drop(sender.send(answer));
+    });
+    let told: Vec<Stage> = receiver.try_iter().map(|answer| answer.stage).collect();
+    assert_eq!(told, [Stage::Counted]);
+}
+
+#[test]
+fn a_model_to_compare_with_has_its_modes_counted() {
+    let (worker, receiver) = worker();
+    worker.request(Request::Reference(subject(1, &overdamped(), None)));
+    let found = receiver.iter().find_map(|answer| match answer {
+        Answer::Reference(answer) => Some(answer.result.unwrap()),
+        _ => None,
+    });
+    let modes = found.unwrap().modes.unwrap().modes;
+    assert_eq!(modes.completeness, Completeness::Certain);
+}
+
+#[test]
 fn followed_modes_are_those_found_anew() {
     let before = model("fig08");
     let mut changed = Model::clone(&before);
@@ -82,7 +181,7 @@ fn followed_modes_are_those_found_anew() {
         let mut modes = None;
         for (generation, model) in (1..).zip(models) {
             worker.request(Request::Curves(subject(generation, model, None)));
-            modes = curves(&receiver, generation, Stage::Resolved).modes;
+            modes = curves(&receiver, generation, Stage::Counted).modes;
         }
         modes.unwrap().modes
     };
@@ -100,9 +199,9 @@ fn a_study_gives_one_labelled_member_for_each_value_and_the_modes_of_the_model_i
     let (worker, receiver) = worker();
     let model = model("fig08");
     worker.request(Request::Curves(subject(6, &model, None)));
-    let alone = curves(&receiver, 6, Stage::Resolved);
+    let alone = curves(&receiver, 6, Stage::Counted);
     worker.request(Request::Curves(subject(7, &model, Some(0))));
-    let study = curves(&receiver, 7, Stage::Resolved);
+    let study = curves(&receiver, 7, Stage::Counted);
     assert_eq!(study.members.len(), 4);
     assert!(study.members.iter().all(|member| member.label.is_some()));
     assert_ne!(study.members[0].frf, study.members[3].frf);
@@ -156,7 +255,7 @@ fn dropping_the_worker_ends_its_threads() {
     worker.request(Request::Witness(subject(1, &model, None)));
     drop(worker);
     // The threads held the only senders: the channel ends once they have.
-    assert!(receiver.iter().count() <= 4);
+    assert!(receiver.iter().count() <= 5);
 }
 
 #[test]
@@ -259,7 +358,7 @@ fn a_beam_with_too_many_modes_gets_its_curves_and_no_search() {
     long.beam.length = 1e7;
     let long = Arc::new(long);
     worker.request(Request::Curves(subject(1, &long, None)));
-    let resolved = curves(&receiver, 1, Stage::Resolved);
+    let resolved = curves(&receiver, 1, Stage::Counted);
     let modes = resolved.modes.unwrap().modes;
     assert_eq!(modes.completeness, Completeness::TooMany);
     assert!(modes.modes.is_empty());

@@ -67,7 +67,7 @@ impl<'a> Judge<'a> {
         let open = match &found.completeness {
             Completeness::Certain => Vec::new(),
             Completeness::Open(gaps) => gaps.iter().map(range).collect(),
-            Completeness::TooMany => vec![[0.0, f64::INFINITY]],
+            Completeness::Uncounted | Completeness::TooMany => vec![[0.0, f64::INFINITY]],
         };
         Self {
             determinant: Determinant::new(model),

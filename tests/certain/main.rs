@@ -232,6 +232,7 @@ fn certain_and_right(model: &Model, to: f64) -> Result<usize, String> {
         None => match found.completeness {
             Completeness::Certain => Ok(0),
             Completeness::Open(gaps) => Ok(gaps.len()),
+            Completeness::Uncounted => Err("no count was made".to_owned()),
             Completeness::TooMany => Err("too many modes".to_owned()),
         },
     }
@@ -262,8 +263,6 @@ fn report<T: Ord + Clone + Debug>(
 /// `MODES_CASES` sets another number of models: 2,000 take some minutes.
 #[test]
 fn random_models_have_the_modes_that_a_judge_counts() {
-    /// Models of which a root is listed inexactly, or is none.
-    const WRONG: [u64; 5] = [21, 68, 71, 131, 134];
     let cases: u64 = std::env::var("MODES_CASES").map_or(200, |cases| cases.parse().unwrap());
     let verdicts = (0..cases)
         .into_par_iter()
@@ -272,8 +271,7 @@ fn random_models_have_the_modes_that_a_judge_counts() {
             (seed, certain_and_right(&model, to))
         })
         .collect();
-    let (mut wrong, open) = report(verdicts);
-    wrong.retain(|seed, _| !WRONG.contains(seed));
+    let (wrong, open) = report(verdicts);
     assert!(wrong.is_empty(), "{wrong:#?}");
-    assert!(open.len() as u64 * 40 <= cases, "{open:?}");
+    assert!(open.len() as u64 * 200 <= cases, "{open:?}");
 }

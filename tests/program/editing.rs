@@ -78,7 +78,7 @@ fn a_shape_moves_while_it_shall() {
     let home = Home::new();
     let mut program = Program::start(&home, &["fig06"]);
     program.press("m");
-    program.wait_for("Modes: ");
+    program.wait_for("Modes: 16 of 16");
     program.press("jM");
     // The axis is drawn last.
     program.wait("a shape", |screen| {

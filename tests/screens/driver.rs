@@ -264,7 +264,7 @@ fn solved(request: Request) -> Vec<Answer> {
         let last = match &mut answer {
             Answer::Curves(curves) => {
                 curves.elapsed = Duration::from_millis(4);
-                curves.stage == Stage::Resolved || curves.result.is_err()
+                curves.stage == Stage::Counted || curves.result.is_err()
             }
             Answer::Tune(tune) => {
                 tune.elapsed = Duration::from_secs(2);

@@ -1,10 +1,10 @@
 //! Damped modes: the complex roots of the characteristic function, from the undamped ones or those of a similar model.
 //!
 //! All roots move together by the simultaneous iteration of Aberth (Math. Comp. 27 (1973) 339-344): Newton steps in
-//! which every root pushes the others away. Each root is then proven (see [`proof`](super::proof)). The argument principle counts what is missing (see [`contour`](super::contour)); the roots of the blocked masses are
-//! tried for it, and then [`regions`](super::regions).
+//! which every root pushes the others away. Each root is then proven (see [`proof`](super::proof)). The argument principle
+//! counts what is missing (see [`contour`](super::contour)); the roots of the blocked masses are tried for it, and then
+//! [`regions`](super::regions).
 
-use std::f64::consts::TAU;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use num_complex::Complex64;
@@ -17,7 +17,7 @@ use super::eigenspace::{Circle, roots_inside};
 use super::neighbours::{neighbours, with_images};
 use super::regions::Regions;
 use super::tracker::Tracker;
-use super::types::{Completeness, Gap, Mode, ModeKind};
+use super::types::{Completeness, Mode, ModeKind};
 use super::{is_hysteretic, rigid, with_damping_times};
 use crate::model::Model;
 
@@ -88,27 +88,32 @@ impl<'a> Search<'a> {
         self.completed(&self.predicted(undamped), to)
     }
 
-    /// The roots from the undamped ones, as [`Self::continue_undamped`] finds them, but not counted: the whole range up
-    /// to `to`, rad/s, is open. `None` where cancelled.
-    pub(super) fn uncertified(&self, undamped: &[f64], to: f64) -> Option<Found> {
-        let arrived = self.settled(&self.predicted(undamped), &[])?;
-        let modes = listed(&self.proven(Vec::new(), &arrived)?);
-        let uncounted = Gap {
-            from: 0.0,
-            to: to / TAU,
-            found: modes.len(),
-            counted: None,
-        };
-        Some(Found {
-            modes,
-            completeness: Completeness::Open(vec![uncounted]),
-        })
+    /// The roots from the undamped ones, as [`Self::continue_undamped`] finds them, and from `overdamped`, rad/s; not
+    /// counted. `None` where cancelled.
+    pub(super) fn uncertified(&self, undamped: &[f64], overdamped: &[Mode]) -> Option<Found> {
+        let mut starts = self.predicted(undamped);
+        starts.extend(overdamped.iter().map(|mode| mode.omega));
+        self.uncounted(&starts)
     }
 
-    /// The roots with |omega| up to `to`, rad/s, from those of a model that differs little. `None` where cancelled.
-    pub(super) fn follow(&self, before: &[Mode], to: f64) -> Option<Found> {
-        let starts: Vec<Complex64> = before.iter().map(|mode| mode.omega).collect();
-        self.completed(&starts, to)
+    /// The roots that those of a model that differs little lead to, not counted. `None` where cancelled.
+    pub(super) fn follow(&self, before: &[Mode]) -> Option<Found> {
+        self.uncounted(&omegas(before))
+    }
+
+    /// The roots with |omega| up to `to`, rad/s, from those that are known: each of them is proven again, and they are
+    /// counted. `None` where cancelled.
+    pub(super) fn certify(&self, known: &[Mode], to: f64) -> Option<Found> {
+        self.completed(&omegas(known), to)
+    }
+
+    /// The roots that starts lead to.
+    fn uncounted(&self, starts: &[Complex64]) -> Option<Found> {
+        let arrived = self.settled(starts, &[])?;
+        Some(Found {
+            modes: listed(&self.proven(Vec::new(), &arrived)?),
+            completeness: Completeness::Uncounted,
+        })
     }
 
     /// Where the roots go to first order in the damping: one Newton step at a small share of it, scaled up; of roots
@@ -305,6 +310,10 @@ pub(super) const OVERDAMPED: f64 = 1e-7;
 
 /// Rounding of a root on the axis, relative.
 const ON_AXIS: f64 = 1e-10;
+
+fn omegas(modes: &[Mode]) -> Vec<Complex64> {
+    modes.iter().map(|mode| mode.omega).collect()
+}
 
 /// The modes of the roots in the right half of the plane, by rising |omega|.
 fn listed(roots: &[Complex64]) -> Vec<Mode> {

@@ -87,20 +87,30 @@ pub fn modes(model: &Model, to: f64, cancel: &AtomicBool) -> Option<Modes> {
     solved(model, to, Certificate::Wanted, cancel)
 }
 
-/// The same without the argument principle, for one of many models of a search: the oscillating modes that the undamped
-/// ones become. What may be missing is never oscillating, and the list does not claim to be complete.
+/// The same without the argument principle, for one of many models of a search, or where the count comes later (see
+/// [`certify`]): the oscillating modes that the undamped ones become. What may be missing is never oscillating, and the
+/// list is [`Completeness::Uncounted`] where there is damping.
 pub fn uncertified(model: &Model, to: f64, cancel: &AtomicBool) -> Option<Modes> {
-    solved(model, to, Certificate::Unwanted, cancel)
+    let overdamped = &[];
+    solved(model, to, Certificate::Unwanted { overdamped }, cancel)
 }
 
 /// Whether a list of damped modes is to be proved complete.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Certificate {
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Certificate<'a> {
     Wanted,
-    Unwanted,
+    /// Without a count; these are tried too, as the undamped modes lead to none of them.
+    Unwanted {
+        overdamped: &'a [Mode],
+    },
 }
 
-fn solved(model: &Model, to: f64, certificate: Certificate, cancel: &AtomicBool) -> Option<Modes> {
+fn solved(
+    model: &Model,
+    to: f64,
+    certificate: Certificate<'_>,
+    cancel: &AtomicBool,
+) -> Option<Modes> {
     // Damping slows a mode: some from beyond the range may come into it.
     const BEYOND: f64 = 1.1;
     if bound::is_beyond(model, TAU * to * BEYOND) {
@@ -114,7 +124,7 @@ fn solved(model: &Model, to: f64, certificate: Certificate, cancel: &AtomicBool)
         let search = damped::Search::new(model, counter.rigid(), TAU * to, cancel);
         match certificate {
             Certificate::Wanted => search.continue_undamped(oscillating, TAU * to)?,
-            Certificate::Unwanted => search.uncertified(oscillating, TAU * to)?,
+            Certificate::Unwanted { overdamped } => search.uncertified(oscillating, overdamped)?,
         }
     } else {
         damped::Found::without_damping(oscillating)
@@ -122,27 +132,94 @@ fn solved(model: &Model, to: f64, certificate: Certificate, cancel: &AtomicBool)
     Some(collected(&counter, to, &found))
 }
 
-/// The same as [`modes`] up to `before.to`, faster where the model differs little from that of `before`.
+/// The same as [`uncertified`] up to `before.to`, faster where the model differs little from that of `before`, whose modes
+/// are followed one by one. Where one of them is lost on the way, or one enters the range that is not among them, the
+/// search starts from the undamped modes. [`certify`] notices what is missing all the same.
 pub fn follow(model: &Model, before: &Modes, cancel: &AtomicBool) -> Option<Modes> {
     if are_too_many(model, before.to) {
         return None;
     }
-    let counter = count::Counter::new(model);
-    let moving: Vec<Mode> = before
-        .modes
-        .iter()
-        .chain(&before.beyond)
-        .filter(|mode| mode.kind != ModeKind::RigidBody)
-        .copied()
-        .collect();
+    let moving = moving(before);
     if is_damped(model) && !moving.is_empty() {
+        let counter = count::Counter::new(model);
         let search = damped::Search::new(model, counter.rigid(), TAU * before.to, cancel);
-        let found = search.follow(&moving, TAU * before.to)?;
-        if found.completeness == Completeness::Certain {
-            return Some(collected(&counter, before.to, &found));
+        let followed = collected(&counter, before.to, &search.follow(&moving)?);
+        if balance(&followed) == balance(before) {
+            return Some(followed);
         }
     }
-    modes(model, before.to, cancel)
+    let mut overdamped = moving;
+    overdamped.retain(|mode| mode.kind == ModeKind::Overdamped);
+    let overdamped = &overdamped;
+    solved(
+        model,
+        before.to,
+        Certificate::Unwanted { overdamped },
+        cancel,
+    )
+}
+
+/// What a list of modes keeps while its model is changed little: how many roots it has in the whole plane (an oscillating
+/// mode may become two overdamped ones), and how many more oscillating modes lie in the range than undamped ones.
+fn balance(list: &Modes) -> (usize, i64) {
+    let is_overdamped = |mode: &&Mode| mode.kind == ModeKind::Overdamped;
+    let all = list.modes.iter().chain(&list.beyond);
+    let roots = all.map(|mode| match mode.kind {
+        ModeKind::RigidBody | ModeKind::Oscillating => 2,
+        ModeKind::Overdamped => 1,
+    });
+    let overdamped = list.modes.iter().filter(is_overdamped).count();
+    let oscillating = list.modes.len() - overdamped;
+    (roots.sum(), oscillating as i64 - list.undamped as i64)
+}
+
+/// A list of [`uncertified`] or [`follow`] for this model, with the count of its modes: what was missing is added, and each
+/// mode is proven again. Where none was missing the modes are the same to the last digit. Another list stays as it is.
+/// `None` where `cancel` became true before the end.
+pub fn certify(model: &Model, found: &Modes, cancel: &AtomicBool) -> Option<Modes> {
+    match found.completeness {
+        Completeness::Uncounted => {}
+        Completeness::Certain | Completeness::Open(_) | Completeness::TooMany => {
+            return Some(found.clone());
+        }
+    }
+    let counter = count::Counter::new(model);
+    let search = damped::Search::new(model, counter.rigid(), TAU * found.to, cancel);
+    let counted = search.certify(&moving(found), TAU * found.to)?;
+    let counted = match counted.completeness {
+        Completeness::Certain => collected(&counter, found.to, &counted),
+        // From the undamped modes it may come out certain.
+        Completeness::Open(_) | Completeness::Uncounted | Completeness::TooMany => {
+            modes(model, found.to, cancel)?
+        }
+    };
+    if !agree(found, &counted) {
+        return Some(counted);
+    }
+    Some(Modes {
+        completeness: counted.completeness,
+        ..found.clone()
+    })
+}
+
+/// Whether two lists have the same modes, but for rounding.
+fn agree(one: &Modes, other: &Modes) -> bool {
+    /// Of the frequency: no two modes of a list are taken for one, as their number is the same.
+    const ROUNDING: f64 = 1e-9;
+    let near = |(a, b): (&Mode, &Mode)| {
+        a.kind == b.kind && (a.omega - b.omega).norm() <= ROUNDING * a.omega.norm()
+    };
+    let same =
+        |one: &[Mode], other: &[Mode]| one.len() == other.len() && one.iter().zip(other).all(near);
+    same(&one.modes, &other.modes) && same(&one.beyond, &other.beyond)
+}
+
+/// The modes of a list that are not at 0, those beyond the range among them.
+fn moving(list: &Modes) -> Vec<Mode> {
+    let all = list.modes.iter().chain(&list.beyond);
+    all.filter(|mode| mode.kind != ModeKind::RigidBody)
+        .copied()
+        .collect()
 }
 
 /// The rigid-body modes and those found, parted at `to`, Hz.

@@ -50,6 +50,8 @@ pub enum Completeness {
     Certain,
     /// All but what lies in some ranges of frequency, by rising frequency.
     Open(Vec<Gap>),
+    /// Every mode of the list is proven, but they are not counted yet: some may be missing anywhere.
+    Uncounted,
     /// No mode was looked for: there are more than [`MOST_MODES`](super::MOST_MODES).
     TooMany,
 }
@@ -64,6 +66,11 @@ impl Modes {
             beyond: Vec::new(),
             completeness: Completeness::TooMany,
         }
+    }
+
+    /// Whether two lists have the same modes to the last digit, whatever is known of their completeness.
+    pub fn has_modes_of(&self, other: &Self) -> bool {
+        self.modes == other.modes && self.beyond == other.beyond
     }
 }
 

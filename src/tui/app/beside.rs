@@ -211,10 +211,10 @@ impl App {
             return None;
         }
         let mut references = self.beside.references.iter();
-        // What was frozen before it was resolved is resolved too.
+        // What was frozen before its modes were counted gets that too.
         let lacks = |one: &&Reference| {
             let picture = one.picture.as_ref();
-            let lacks = picture.is_none_or(|picture| picture.stage != Stage::Resolved);
+            let lacks = picture.is_none_or(|picture| picture.stage < Stage::Counted);
             (lacks || one.outdated) && one.failure.is_none()
         };
         let one = references.find(lacks)?;

@@ -76,7 +76,7 @@ pub struct Picture {
 impl Picture {
     /// The resolved curves of a model to compare with.
     pub(super) fn of_reference(curves: worker::Curves) -> Self {
-        Self::new(0, Stage::Resolved, Duration::ZERO, curves)
+        Self::new(0, Stage::Counted, Duration::ZERO, curves)
     }
 
     fn new(generation: u64, stage: Stage, elapsed: Duration, curves: worker::Curves) -> Self {
@@ -289,13 +289,13 @@ impl Curves {
     /// Whether the curves are resolved and the model's own.
     pub fn is_resolved(&self) -> bool {
         matches!(&self.shown, Shown::Picture(picture)
-            if picture.generation == self.generation && picture.stage == Stage::Resolved)
+            if picture.generation == self.generation && picture.stage >= Stage::Resolved)
     }
 
     /// Whether curves with all their peaks show, the model's own or older ones.
     pub fn shows_peaks(&self) -> bool {
         self.picture()
-            .is_some_and(|picture| picture.stage == Stage::Resolved)
+            .is_some_and(|picture| picture.stage >= Stage::Resolved)
     }
 
     /// Takes an answer, unless a newer one stands there already; whether its curves stand there now.
@@ -314,7 +314,7 @@ impl Curves {
                     answer.elapsed,
                     curves,
                 ));
-                if answer.stage == Stage::Resolved {
+                if answer.stage >= Stage::Resolved {
                     self.resolved = Some(Arc::clone(&picture));
                 }
                 self.shown = Shown::Picture(picture);

@@ -28,6 +28,8 @@ const WORTH_WAITING: Duration = Duration::from_millis(100);
 struct Key {
     generation: u64,
     stage: Stage,
+    /// At how many frequencies the curves are solved.
+    solved: usize,
     window: [f64; 2],
     log: bool,
     references: Vec<u64>,
@@ -94,7 +96,7 @@ impl App {
         }
         let picture = Arc::clone(self.curves.picture()?);
         let slow = picture.elapsed > WORTH_WAITING;
-        if self.curves.is_stale() || (picture.stage != Stage::Resolved && !slow) {
+        if self.curves.is_stale() || (picture.stage < Stage::Resolved && !slow) {
             return None;
         }
         let references = self.beside.shown_ids();
@@ -108,7 +110,13 @@ impl App {
             .map_or(USUAL_COLUMNS, |plot| plot.frequencies.len());
         let key = Key {
             generation: picture.generation,
-            stage: picture.stage,
+            // The count of the modes as such changes nothing.
+            stage: picture.stage.min(Stage::Resolved),
+            solved: picture
+                .members
+                .iter()
+                .map(|member| member.frequencies.len())
+                .sum(),
             window: self.shown_frequencies(),
             log: self.curves.log_frequency,
             references,

@@ -6,7 +6,7 @@ pub use crate::solve::modes::{Completeness, ModeKind, Shares};
 
 use super::shape::Shape;
 use crate::model::Model;
-use crate::solve::modes::Modes;
+use crate::solve::modes::{MOST_MODES, Modes};
 use crate::worker::{ModalModel, ShapeAnswer, ShapeRequest};
 
 /// A mode as it is listed.
@@ -55,6 +55,7 @@ struct AskedShape {
     generation: u64,
     mode: usize,
     model: Arc<Model>,
+    modes: Arc<Modes>,
 }
 
 impl AskedShape {
@@ -63,8 +64,33 @@ impl AskedShape {
     }
 }
 
+impl ModeList {
+    /// Why a peak may be missing, in words; none where the modes are certain.
+    pub fn doubt(&self) -> Option<String> {
+        match &self.completeness {
+            Completeness::Certain => None,
+            Completeness::Uncounted => Some("the modes are not counted yet".to_owned()),
+            Completeness::Open(gaps) => {
+                let gaps: Vec<String> = gaps.iter().map(ToString::to_string).collect();
+                Some(format!("the modes are not certain {}", gaps.join("; ")))
+            }
+            Completeness::TooMany => Some(format!("there are more than {MOST_MODES} modes")),
+        }
+    }
+
+    /// Whether a mode lies in a range that is open.
+    pub fn is_open_at(&self, row: &ModeRow) -> bool {
+        match &self.completeness {
+            Completeness::Open(gaps) => gaps
+                .iter()
+                .any(|gap| (gap.from..=gap.to).contains(&row.frequency)),
+            Completeness::Certain | Completeness::Uncounted | Completeness::TooMany => false,
+        }
+    }
+}
+
 impl Modal {
-    /// Takes the modes of a newer state of the model.
+    /// Takes the modes of a newer state of the model, or the same ones with their count.
     pub(super) fn take(&mut self, generation: u64, found: ModalModel) {
         let ModalModel { modes, shares } = found;
         let rows: Vec<ModeRow> = modes
@@ -79,10 +105,15 @@ impl Modal {
             })
             .collect();
         let before = self.list.as_ref().filter(|list| list.to == modes.to);
+        let more = |before: &ModeList| rows.len().cast_signed() - before.rows.len().cast_signed();
         let change = match before {
             // A study of the same model says nothing new.
             Some(before) if Arc::ptr_eq(&before.modes, &modes) => before.change,
-            Some(before) => Some(rows.len().cast_signed() - before.rows.len().cast_signed()),
+            // The count adds to what changed since the model before.
+            Some(before) if before.generation == generation => {
+                before.change.map(|change| change + more(before))
+            }
+            Some(before) => Some(more(before)),
             None => None,
         };
         self.list = Some(ModeList {
@@ -95,7 +126,8 @@ impl Modal {
         });
     }
 
-    /// The request for the shape of a mode of the model with this generation: once each.
+    /// The request for the shape of a mode of the model with this generation: once each, and again where the count found
+    /// other modes.
     pub(super) fn want_shape(
         &mut self,
         generation: u64,
@@ -104,7 +136,9 @@ impl Modal {
     ) -> Option<ShapeRequest> {
         let list = self.list.as_ref()?;
         let asked = self.asked.as_ref();
-        let known = asked.is_some_and(|asked| asked.is(generation, mode));
+        let known = asked.is_some_and(|asked| {
+            asked.is(generation, mode) && asked.modes.has_modes_of(&list.modes)
+        });
         if list.generation != generation || mode >= list.rows.len() || known {
             return None;
         }
@@ -112,6 +146,7 @@ impl Modal {
             generation,
             mode,
             model: Arc::clone(model),
+            modes: Arc::clone(&list.modes),
         });
         Some(ShapeRequest {
             generation,
@@ -121,10 +156,16 @@ impl Modal {
         })
     }
 
-    /// The modes of the model with this generation, where they are solved.
-    pub(super) fn modes_of(&self, generation: u64) -> Option<Arc<Modes>> {
+    /// The generation of the model whose modes are listed.
+    pub(super) fn generation(&self) -> Option<u64> {
+        self.list.as_ref().map(|list| list.generation)
+    }
+
+    /// The modes of the model with this generation, once they are solved and counted.
+    pub(super) fn counted_modes(&self, generation: u64) -> Option<Arc<Modes>> {
         let list = self.list.as_ref()?;
-        (list.generation == generation).then(|| Arc::clone(&list.modes))
+        let is_counted = list.completeness != Completeness::Uncounted;
+        (list.generation == generation && is_counted).then(|| Arc::clone(&list.modes))
     }
 
     /// Takes a shape, unless another one was asked for since.

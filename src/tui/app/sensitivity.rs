@@ -184,7 +184,8 @@ impl App {
             .map(|one| &one.name)
             .position(|name| *name == key.response)
             .unwrap_or_default();
-        let modes = self.modal.modes_of(key.generation);
+        // A mode that the count finds may be a neighbour of the selected one, or lie in the band.
+        let modes = self.modal.counted_modes(key.generation);
         let frequency = key.at[0];
         let figure = match sensed {
             Sensed::Cursor => Figure::Level {

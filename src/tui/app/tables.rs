@@ -1,5 +1,10 @@
 //! The tables of modes and peaks: which one is open, which row is selected; and the cursor that goes with it.
 
+mod selected;
+
+pub(super) use selected::Selected;
+use selected::{Chosen, Place, follow};
+
 use super::{App, List};
 use crate::solve::peaks::Peak;
 use crate::tui::keys::Command;
@@ -247,42 +252,32 @@ impl App {
 
     /// Lets the selected rows and the cursor follow new modes and peaks: each stays with what is nearest.
     pub(super) fn follow_solution(&mut self, before: &Selected) {
-        let modes = self.modal.list.as_ref();
-        let modes: Vec<f64> = modes.map_or(Vec::new(), |list| {
-            list.rows.iter().map(|row| row.frequency).collect()
-        });
-        let peaks: Vec<f64> = self.peaks().iter().map(|peak| peak.frequency).collect();
-        follow(&mut self.tables.modes, &modes, before.mode);
-        follow(&mut self.tables.peaks, &peaks, before.peak);
+        let is_same_model = before.generation == self.modal.generation();
+        let (modes, peaks) = (self.mode_places(), self.peak_places());
+        follow(&mut self.tables.modes, &modes, before.mode, is_same_model);
+        follow(&mut self.tables.peaks, &peaks, before.peak, is_same_model);
         self.follow_anchor();
     }
 
     /// What is selected in the tables.
     pub(super) fn selected(&self) -> Selected {
-        let list = self.modal.list.as_ref();
-        let mode = list.and_then(|list| list.rows.get(self.tables.modes.row));
-        let peak = self.peaks().get(self.tables.peaks.row);
+        let at = |places: &[Place], list: List| Chosen::new(places, list.row);
         Selected {
-            mode: mode.map(|row| row.frequency),
-            peak: peak.map(|peak| peak.frequency),
+            generation: self.modal.generation(),
+            mode: at(&self.mode_places(), self.tables.modes),
+            peak: at(&self.peak_places(), self.tables.peaks),
         }
     }
-}
 
-/// The frequencies (Hz) of the selected mode and the selected peak.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Selected {
-    mode: Option<f64>,
-    peak: Option<f64>,
-}
+    fn mode_places(&self) -> Vec<Place> {
+        let rows = self.modal.list.as_ref().map_or(&[][..], |list| &list.rows);
+        rows.iter()
+            .map(|row| [row.frequency, row.frequency * row.damping_ratio])
+            .collect()
+    }
 
-/// As many rows as frequencies. The selected one stays if there are as many as before; otherwise it is the nearest.
-fn follow(list: &mut List, frequencies: &[f64], before: Option<f64>) {
-    let as_many = list.rows == frequencies.len();
-    list.set_rows(frequencies.len());
-    if let (false, Some(before)) = (as_many, before) {
-        let distance = |i: &usize| (frequencies[*i] - before).abs();
-        let nearest = (0..frequencies.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
-        list.row = nearest.unwrap_or(0);
+    fn peak_places(&self) -> Vec<Place> {
+        let peaks = self.peaks().iter();
+        peaks.map(|peak| [peak.frequency, 0.0]).collect()
     }
 }

@@ -4,8 +4,9 @@ use ratatui::Frame;
 use ratatui::layout::Rect;
 
 use super::table::{self, Column, Content, FREQUENCY};
-use super::text::significant;
-use crate::solve::modes::MOST_MODES;
+use super::text::{significant, width};
+use crate::model::counted;
+use crate::solve::modes::{Gap, MOST_MODES};
 use crate::tui::app::{App, Completeness, ModeKind, ModeList, ModeRow, Rows};
 use crate::tui::theme::Theme;
 
@@ -31,7 +32,7 @@ const LAYOUTS: [&[Column]; 3] = [
         ("subsystems %", 13),
     ],
     &[
-        ("no", 4),
+        ("no", 5),
         (FREQUENCY, 9),
         ("damping%", 9),
         ("y%", 4),
@@ -53,15 +54,29 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
         Some(list) => format!("no mode below {}", app.display.frequency_text(list.to)),
     };
     let content = Content {
-        title: list.map_or("Modes".to_owned(), |list| title(app, list)),
-        warns: list.is_some_and(|list| list.completeness != Completeness::Certain),
+        title: list.map_or("Modes".to_owned(), |list| title(app, list, area.width)),
+        warns: list.is_some_and(|list| match list.completeness {
+            // The count comes in a moment.
+            Completeness::Certain | Completeness::Uncounted => false,
+            Completeness::Open(_) | Completeness::TooMany => true,
+        }),
         frequency_unit: app.display.unit,
-        note: "shares of kinetic energy".to_owned(),
+        note: match list.map(|list| &list.completeness) {
+            Some(Completeness::Open(_)) => "? in an open range".to_owned(),
+            _ => "shares of kinetic energy".to_owned(),
+        },
         columns,
         row: &|row| {
             rows.get(row).map_or(Vec::new(), |mode| {
                 let frequency = app.display.frequency_digits(mode.frequency);
-                cells(row, mode, frequency, columns == LAYOUTS[LAYOUTS.len() - 1])
+                let is_open = list.is_some_and(|list| list.is_open_at(mode));
+                let number = format!("{}{}", if is_open { "?" } else { "" }, row + 1);
+                cells(
+                    number,
+                    mode,
+                    frequency,
+                    columns == LAYOUTS[LAYOUTS.len() - 1],
+                )
             })
         },
         empty: &empty,
@@ -73,25 +88,45 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
     rows
 }
 
-/// How many there are, and whether these are all.
-fn title(app: &App, list: &ModeList) -> String {
+/// How many there are, and whether these are all; open ranges as far as there is room for.
+fn title(app: &App, list: &ModeList, columns: u16) -> String {
     let found = list.rows.len();
     let to = app.display.frequency_text(list.to);
     match &list.completeness {
         Completeness::Certain => format!("Modes: {found} of {found} below {to}"),
+        Completeness::Uncounted => format!("Modes: {found} below {to}, not counted yet"),
         Completeness::TooMany => format!("Modes: more than {MOST_MODES} below {to}"),
         Completeness::Open(gaps) => {
-            let ranges = gaps.iter().map(|gap| {
-                let [from, to] = [gap.from, gap.to].map(|hertz| app.display.frequency_text(hertz));
-                format!("{from} to {to}")
-            });
-            let ranges: Vec<String> = ranges.collect();
-            format!("Modes: {found} below {to}, open at {}", ranges.join(", "))
+            let ranges: Vec<String> = gaps.iter().map(|gap| range(app, gap)).collect();
+            let all = ranges.join(", ");
+            let first = ranges.first().map_or("", String::as_str);
+            let more = ranges.len().saturating_sub(1);
+            let texts = [
+                format!("Modes: {found} below {to}, open at {all}"),
+                format!("Modes: {found}, open at {all}"),
+                format!("Modes: {found}, open at {first}, {more} more"),
+                format!(
+                    "Modes: {found}, {} open",
+                    counted(ranges.len(), "range", "ranges")
+                ),
+            ];
+            let room = table::title_room(columns);
+            let fitting = texts.iter().find(|text| width(text) <= room);
+            fitting.unwrap_or(&texts[3]).clone()
         }
     }
 }
 
-fn cells(row: usize, mode: &ModeRow, frequency: String, narrow: bool) -> Vec<String> {
+/// A range of frequencies with its unit once, if both ends have the same.
+fn range(app: &App, gap: &Gap) -> String {
+    let [from, to] = [gap.from, gap.to].map(|hertz| app.display.frequency_text(hertz));
+    match (from.split_once(' '), to.split_once(' ')) {
+        (Some((number, unit)), Some((_, same))) if unit == same => format!("{number} to {to}"),
+        _ => format!("{from} to {to}"),
+    }
+}
+
+fn cells(number: String, mode: &ModeRow, frequency: String, narrow: bool) -> Vec<String> {
     let damping = match mode.kind {
         ModeKind::RigidBody => "rigid".to_owned(),
         ModeKind::Oscillating => significant(100.0 * mode.damping_ratio, 4),
@@ -103,7 +138,7 @@ fn cells(row: usize, mode: &ModeRow, frequency: String, narrow: bool) -> Vec<Str
     // A rounding error below 0 is 0.
     let share = |share: f64| format!("{:.decimals$}", 100.0 * share.max(0.0));
     vec![
-        format!("{}", row + 1),
+        number,
         frequency,
         damping,
         share(shares.bending_y),

@@ -7,7 +7,7 @@ use ratatui::layout::Rect;
 use super::table::{self, Column, Content, FREQUENCY};
 use super::text::significant;
 use crate::solve::peaks::Peak;
-use crate::tui::app::{App, Rows};
+use crate::tui::app::{App, ModeList, Rows};
 use crate::tui::plot::Level;
 use crate::tui::scene;
 use crate::tui::theme::Theme;
@@ -48,11 +48,16 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
     };
     let peaks = app.peaks();
     let overlap = peaks.iter().any(|peak| peak.overlaps);
+    let doubt = app.modal.list.as_ref().and_then(ModeList::doubt);
+    let notes = [
+        overlap.then_some("~ modes overlap"),
+        doubt.map(|_| "some may be missing"),
+    ];
     let content = Content {
         title,
         warns: false,
         frequency_unit: app.display.unit,
-        note: if overlap { "~ modes overlap" } else { "" }.to_owned(),
+        note: notes.into_iter().flatten().collect::<Vec<_>>().join(", "),
         columns: table::fitting(&LAYOUTS, area.width),
         row: &|row| cells(app, row, scale.level),
         empty: match resolved {

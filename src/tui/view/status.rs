@@ -82,7 +82,7 @@ fn solver(app: &App) -> (Vec<String>, bool) {
 fn solved(app: &App, picture: &Picture) -> Vec<String> {
     let solved = format!("solved {} in {}", extent(picture), elapsed(picture));
     let list = app.modal.list.as_ref();
-    let Some(list) = list.filter(|_| picture.stage == Stage::Resolved) else {
+    let Some(list) = list.filter(|_| picture.stage >= Stage::Resolved) else {
         let short = format!("{} in {}", extent(picture), elapsed(picture));
         return [solved, short]
             .into_iter()
@@ -90,13 +90,26 @@ fn solved(app: &App, picture: &Picture) -> Vec<String> {
             .chain(["modes in work".to_owned()])
             .collect();
     };
-    if list.completeness == Completeness::TooMany {
-        let modes = "too many modes".to_owned();
-        return vec![format!("{modes}, {solved}"), modes];
-    }
     let modes = counted(list.rows.len(), "mode", "modes");
+    let modes = match &list.completeness {
+        Completeness::Certain => modes,
+        Completeness::Uncounted => format!("{modes} not counted yet"),
+        Completeness::Open(gaps) => {
+            let open = counted(gaps.len(), "range", "ranges");
+            format!("{modes}, {open} open")
+        }
+        Completeness::TooMany => {
+            let modes = "too many modes".to_owned();
+            return vec![format!("{modes}, {solved}"), modes];
+        }
+    };
+    // Where there is room for one thing only, doubt comes before what it took.
+    let short = match &list.completeness {
+        Completeness::Certain => solved.clone(),
+        _ => modes.clone(),
+    };
     let change = match list.change {
-        None | Some(0) => return vec![format!("{modes}, {solved}"), solved],
+        None | Some(0) => return vec![format!("{modes}, {solved}"), short],
         Some(1) => "one more".to_owned(),
         Some(-1) => "one fewer".to_owned(),
         Some(change @ 2..) => format!("{change} more"),

@@ -63,6 +63,11 @@ pub(super) fn widened(columns: &[Column], longest: usize, room: u16) -> Vec<Colu
     columns
 }
 
+/// How many cells a title may take in a table with so many columns.
+pub(super) fn title_room(columns: u16) -> usize {
+    usize::from(columns).saturating_sub(4)
+}
+
 /// Draws a table; tells the list how many rows there is room for, and where they are.
 pub(super) fn draw(
     frame: &mut Frame<'_>,
@@ -72,7 +77,7 @@ pub(super) fn draw(
     area: Rect,
 ) -> Rows {
     let columns = usize::from(area.width);
-    let title = cut(&content.title, columns.saturating_sub(4));
+    let title = cut(&content.title, title_room(area.width));
     let mut rule = super::rule(&title, theme);
     if content.warns {
         rule.spans[1].style = theme.refusal();

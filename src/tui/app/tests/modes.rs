@@ -3,7 +3,7 @@
 use num_complex::Complex64;
 
 use super::*;
-use crate::solve::modes::{Completeness, Mode, ModeKind, Modes, Shape, Shares};
+use crate::solve::modes::{Completeness, Gap, Mode, ModeKind, Modes, Shape, Shares};
 use crate::solve::peaks::Peak;
 use crate::solve::{Column, ColumnKind, Frf};
 use crate::worker::{
@@ -28,7 +28,11 @@ impl Bench {
     }
 
     fn resolve(&mut self, frequencies: &[f64]) {
-        let answer = Answer::Curves(resolved(&self.app, frequencies));
+        self.answer_modes(frequencies, Completeness::Certain);
+    }
+
+    fn answer_modes(&mut self, frequencies: &[f64], completeness: Completeness) {
+        let answer = Answer::Curves(resolved(&self.app, frequencies, completeness));
         self.effects = self.app.update(Event::Answer(answer));
     }
 
@@ -78,13 +82,13 @@ fn mode(frequency: f64) -> Mode {
     }
 }
 
-fn resolved(app: &App, frequencies: &[f64]) -> CurvesAnswer {
+fn resolved(app: &App, frequencies: &[f64], completeness: Completeness) -> CurvesAnswer {
     let modes = Modes {
         to: app.model().sweep.to,
         undamped: frequencies.len(),
         modes: frequencies.iter().map(|f| mode(*f)).collect(),
         beyond: Vec::new(),
-        completeness: Completeness::Certain,
+        completeness,
     };
     let peak = |(mode, frequency): (usize, &f64)| Peak {
         frequency: *frequency,
@@ -106,7 +110,10 @@ fn resolved(app: &App, frequencies: &[f64]) -> CurvesAnswer {
     let peaks = frequencies.iter().enumerate().filter(in_sweep).map(peak);
     CurvesAnswer {
         generation: app.curves.generation,
-        stage: Stage::Resolved,
+        stage: match modes.completeness {
+            Completeness::Uncounted => Stage::Resolved,
+            _ => Stage::Counted,
+        },
         result: Ok(worker::Curves {
             members: vec![worker::Member {
                 label: None,
@@ -216,6 +223,134 @@ fn the_cursor_stays_with_its_mode_while_a_parameter_is_turned() {
     let before = cursor(&bench);
     bench.keys("+").resolve(&[5.0, 18.0, 47.0, 113.0]);
     assert_eq!(cursor(&bench), before);
+}
+
+#[test]
+fn the_selection_stays_on_its_mode_when_the_count_arrives() {
+    let uncounted = |frequencies: &[f64], keys: &str| {
+        let mut bench = Bench::new(&[]);
+        bench.answer_modes(frequencies, Completeness::Uncounted);
+        bench.keys(keys);
+        bench
+    };
+    let selected = |bench: &Bench| (bench.app.tables.modes.row, cursor(bench));
+    // None was missing.
+    let mut bench = uncounted(&[20.0, 50.0, 120.0], "))");
+    bench.resolve(&[20.0, 50.0, 120.0]);
+    assert_eq!(selected(&bench), (1, Some(50.0)));
+    // One more below it.
+    let mut bench = uncounted(&[20.0, 50.0, 120.0], "))");
+    bench.resolve(&[5.0, 20.0, 50.0, 120.0]);
+    assert_eq!(selected(&bench), (2, Some(50.0)));
+    // One more below it, and one that was none above it: as many as before.
+    let mut bench = uncounted(&[20.0, 50.0, 120.0], "))");
+    bench.resolve(&[5.0, 20.0, 50.0]);
+    assert_eq!(selected(&bench), (2, Some(50.0)));
+    // The second of two at one place.
+    let mut bench = uncounted(&[20.0, 50.0, 50.0, 120.0], ")))");
+    bench.resolve(&[5.0, 20.0, 50.0, 50.0, 120.0]);
+    assert_eq!(selected(&bench), (3, Some(50.0)));
+}
+
+#[test]
+fn what_the_count_finds_is_no_change_of_the_model() {
+    let change = |bench: &Bench| bench.app.modal.list.as_ref().unwrap().change;
+    let mut bench = Bench::new(&[20.0, 50.0, 120.0]);
+    select(&mut bench.app, "beam.length");
+    // One is lost on the way, and found by the count.
+    bench
+        .keys("+")
+        .answer_modes(&[20.0, 120.0], Completeness::Uncounted);
+    assert_eq!(change(&bench), Some(-1));
+    bench.resolve(&[20.0, 50.0, 120.0]);
+    assert_eq!(change(&bench), Some(0));
+    // One is won, before and after the count.
+    bench
+        .keys("+")
+        .answer_modes(&[20.0, 50.0, 120.0, 390.0], Completeness::Uncounted);
+    assert_eq!(change(&bench), Some(1));
+    bench.resolve(&[20.0, 50.0, 120.0, 390.0]);
+    assert_eq!(change(&bench), Some(1));
+}
+
+#[test]
+fn a_shape_is_solved_again_only_where_the_count_found_other_modes() {
+    let mut bench = Bench::new(&[20.0, 50.0]);
+    bench.keys("M");
+    select(&mut bench.app, "beam.length");
+    bench
+        .keys("+")
+        .answer_modes(&[20.0, 50.0], Completeness::Uncounted);
+    assert_eq!(bench.shape_asked_for().unwrap().index, 0);
+    bench.resolve(&[20.0, 50.0]);
+    assert!(bench.shape_asked_for().is_none());
+    bench
+        .keys("+")
+        .answer_modes(&[20.0, 50.0], Completeness::Uncounted);
+    assert_eq!(bench.shape_asked_for().unwrap().index, 0);
+    // Another mode is its neighbour.
+    bench.resolve(&[20.0, 20.1, 50.0]);
+    let asked = bench.shape_asked_for().unwrap();
+    assert_eq!((asked.index, asked.modes.modes.len()), (0, 3));
+}
+
+#[test]
+fn sensitivities_of_a_mode_and_of_a_band_wait_for_the_count() {
+    for (sensed, keys) in [(Sensed::Mode, "))~~~"), (Sensed::Band, ")c)_~~~~")] {
+        let asked = |bench: &Bench| {
+            let wanted = |effect: &Effect| matches!(effect, Effect::Solve(Request::Sensitivity(_)));
+            bench.effects.iter().any(wanted)
+        };
+        let mut bench = Bench::new(&[20.0, 50.0]);
+        bench.keys(keys);
+        assert_eq!(bench.app.sensitivities.sensed, Some(sensed));
+        assert!(asked(&bench));
+        select(&mut bench.app, "beam.length");
+        bench
+            .keys("+")
+            .answer_modes(&[20.0, 50.0], Completeness::Uncounted);
+        assert!(!asked(&bench));
+        bench.resolve(&[20.0, 50.0]);
+        assert!(asked(&bench));
+    }
+}
+
+#[test]
+fn what_is_exported_says_that_a_peak_may_be_missing() {
+    let notes = |bench: &Bench| crate::tui::export::provenance(&bench.app).notes.join("\n");
+    let mut bench = Bench::new(&[20.0, 50.0]);
+    assert!(!notes(&bench).contains("a peak may be missing"));
+    let uncounted = "a peak may be missing: the modes are not counted yet";
+    let gap = Gap {
+        from: 40.0,
+        to: 60.0,
+        found: 1,
+        counted: Some(2),
+    };
+    let open =
+        "a peak may be missing: the modes are not certain between 40 and 60 Hz: 2 counted, 1 found";
+    for (completeness, wanted) in [
+        (Completeness::Uncounted, uncounted),
+        (Completeness::Open(vec![gap]), open),
+    ] {
+        bench.answer_modes(&[20.0, 50.0], completeness);
+        assert!(notes(&bench).contains(wanted), "{}", notes(&bench));
+    }
+}
+
+#[test]
+fn curves_that_are_frozen_before_the_count_are_solved_with_it() {
+    let asked = |bench: &Bench| {
+        let wanted = |effect: &Effect| matches!(effect, Effect::Solve(Request::Reference(_)));
+        bench.effects.iter().any(wanted)
+    };
+    let mut bench = Bench::new(&[20.0, 50.0]);
+    assert!(!asked(bench.keys("f")));
+    select(&mut bench.app, "beam.length");
+    bench
+        .keys("+")
+        .answer_modes(&[20.0, 50.0], Completeness::Uncounted);
+    assert!(asked(bench.keys("f")));
 }
 
 #[test]

@@ -55,6 +55,8 @@ struct Sample {
 enum Piece {
     /// One between two samples.
     Single([Sample; 2]),
+    /// One by the count, where the function shows none.
+    Counted(f64),
     /// Some closer together than [`CLOSE`].
     Group([Counted; 2]),
 }
@@ -160,7 +162,15 @@ impl<'a> Search<'a> {
             return Some([left?, right?].concat());
         }
         if high.omega / low.omega - 1.0 < CLOSE {
-            return Some(vec![Piece::Group(ends)]);
+            if roots > 1 {
+                return Some(vec![Piece::Group(ends)]);
+            }
+            return Some(
+                self.by_count(ends)?
+                    .into_iter()
+                    .map(Piece::Counted)
+                    .collect(),
+            );
         }
         let ratio = (high.omega / low.omega).powf(1.0 / DENSER as f64);
         let places = (1..DENSER).map(|index| low.omega * ratio.powi(index as i32));
@@ -205,7 +215,7 @@ impl<'a> Search<'a> {
                 let value = |at: &Sample| [at.omega, at.relative_to(&low.value)];
                 Some((low.value, Bracket::new(value(low), value(high))))
             }
-            Piece::Group(_) => None,
+            Piece::Counted(_) | Piece::Group(_) => None,
         };
         let mut brackets: Vec<(Magnified, Bracket)> = pieces.iter().filter_map(single).collect();
         for _ in 0..MOST_STEPS {
@@ -224,10 +234,17 @@ impl<'a> Search<'a> {
             }
         }
         let mut singles = brackets.iter().map(|(_, bracket)| bracket.root());
-        let places = pieces.iter().flat_map(|piece| match piece {
-            Piece::Single(_) => singles.next().into_iter().collect(),
-            Piece::Group([low, high]) => {
-                vec![0.5 * (low.omega + high.omega); high.below.saturating_sub(low.below)]
+        let places = pieces.iter().flat_map(|piece| -> Vec<f64> {
+            match piece {
+                Piece::Single(_) => singles.next().into_iter().collect(),
+                Piece::Counted(omega) => vec![*omega],
+                Piece::Group([low, high]) => {
+                    // As far apart as they may be.
+                    let count = high.below.saturating_sub(low.below);
+                    let share = |index: usize| index as f64 / (count - 1) as f64;
+                    let place = |index| low.omega + share(index) * (high.omega - low.omega);
+                    (0..count).map(place).collect()
+                }
             }
         });
         places.collect()
@@ -253,16 +270,20 @@ impl<'a> Search<'a> {
 
     /// The roots of a group from the space of their motions; none where that does not tell them apart.
     fn by_motions(&self, all: &[Complex64], group: &Range<usize>) -> Option<Vec<f64>> {
-        let close = neighbours(all, group.start, CLOSE);
-        let members: Vec<Complex64> = close.members.iter().map(|&member| all[member]).collect();
-        let circle = Circle::around(&members, close.gap);
-        let found = roots_inside(&self.model, circle, members.len())?;
-        // The group may have been found with others next to it.
+        let mut close = neighbours(all, group.start, CLOSE);
+        // The group may be found with others next to it.
         let offset = close
             .members
             .iter()
             .position(|&member| member == group.start)?;
-        let own = found.get(offset..offset + group.len())?;
+        let mut roots: Vec<Complex64> = close.members.iter().map(|&member| all[member]).collect();
+        // Within a circle as wide as their places are uncertain, and within one as wide as they are.
+        for _ in 0..2 {
+            let before = roots.iter().sum::<Complex64>() / roots.len() as f64;
+            roots = roots_inside(&self.model, Circle::around(&roots, close.gap), roots.len())?;
+            close.gap -= (roots.iter().sum::<Complex64>() / roots.len() as f64 - before).norm();
+        }
+        let own = roots.get(offset..offset + group.len())?;
         let near = |(found, about): (&Complex64, &Complex64)| {
             (found.re - about.re).abs() < 2.0 * CLOSE * about.re
         };

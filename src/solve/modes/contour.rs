@@ -20,8 +20,10 @@ use crate::solve::linear::Magnified;
 pub(super) enum Unsettled {
     /// The request is cancelled.
     Cancelled,
-    /// The function is rounding there, or the work allowed is used up.
+    /// The function is rounding there.
     Noise,
+    /// The work allowed is used up.
+    Spent,
 }
 
 /// The characteristic function over the distances to what is known.
@@ -195,7 +197,7 @@ impl Remainder<'_> {
             .fetch_update(Ordering::Relaxed, Ordering::Relaxed, spent)
             .is_err()
         {
-            return Err(Unsettled::Noise);
+            return Err(Unsettled::Spent);
         }
         let mut looks = Vec::with_capacity(places.len());
         for places in places.chunks(AT_ONCE) {

@@ -63,7 +63,7 @@ impl<'a> Search<'a> {
         cancel: &'a AtomicBool,
     ) -> Self {
         /// Stations that a count may cross: some seconds at most.
-        const BUDGET: usize = 4_000_000;
+        const BUDGET: usize = 40_000_000;
         let stations = 10 + model.attached().count();
         let zeros = 2 * rigid_modes;
         Self {

@@ -144,7 +144,7 @@ impl Search<'_> {
         let missing = match self.remainder_of(all).in_circle(inner.centre, outer) {
             Err(Unsettled::Cancelled) => return None,
             // What cannot be counted is no proven root: the whole count tells of it.
-            Err(Unsettled::Noise) => return Some(NONE),
+            Err(Unsettled::Noise | Unsettled::Spent) => return Some(NONE),
             Ok(missing) => missing,
         };
         let count = usize::try_from(members.len() as i64 + missing).unwrap_or(0);
@@ -165,7 +165,7 @@ impl Search<'_> {
             .power_sums(inner.centre, outer, count);
         Some(match sums {
             Err(Unsettled::Cancelled) => return None,
-            Err(Unsettled::Noise) => Group::Nearer(found),
+            Err(Unsettled::Noise | Unsettled::Spent) => Group::Nearer(found),
             Ok(sums) if sums.iter().all(|sum| sum.norm() < EXACT) => Group::Proven(found),
             Ok(_) => Group::Nearer(found),
         })

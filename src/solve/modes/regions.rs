@@ -93,6 +93,7 @@ impl<'a> Regions<'a> {
         const SMALLEST: f64 = 2e-3;
         let counted = match self.search.remainder(roots).in_sector(sector) {
             Err(Unsettled::Cancelled) => return None,
+            Err(Unsettled::Spent) => return Some(Outcome::Open(None)),
             Err(Unsettled::Noise) => None,
             Ok(0) => return Some(Outcome::Settled),
             Ok(missing) => Some(missing),
@@ -134,7 +135,7 @@ impl<'a> Regions<'a> {
             .count() as i64;
         let count = match remainder.in_circle(centre, circle.radius) {
             Err(Unsettled::Cancelled) => return None,
-            Err(Unsettled::Noise) => inside + missing,
+            Err(Unsettled::Noise | Unsettled::Spent) => inside + missing,
             Ok(missing) => inside + missing,
         };
         let most = if sector.radii[1] - sector.radii[0] < CLOSE {

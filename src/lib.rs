@@ -36,7 +36,7 @@
 //!
 //! let preset = presets::find("fig06").expect("an embedded preset");
 //! let mut beam = model::read(preset.text).expect("presets are possible models");
-//! model::path::set(&mut beam, "supports.left.w.stiffness", model::path::Value::Number(8e7)).expect("a stiffer end");
+//! model::edit::set(&mut beam, "supports.left.w.stiffness", model::edit::Value::Number(8e7)).expect("a stiffer end");
 //! let frf = solve::sweep(&beam, &[50.0, 100.0], &AtomicBool::new(false)).expect("nothing cancels it");
 //! assert_eq!(frf.columns[0].values.len(), 2);
 //! ```

@@ -3,8 +3,9 @@
 use std::collections::HashSet;
 
 use super::fault::Fault;
+use super::id::ParameterId;
 use super::path;
-use super::types::{Model, Spacing};
+use super::types::{Model, Spacing, words};
 
 /// What an optimiser may move, and what for.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,11 +43,11 @@ impl Variable {
     ///
     /// # Errors
     /// A path matches nothing, or something that has no number now: a fixed motion has no spring.
-    pub fn parameters(&self, model: &Model) -> Result<Vec<(String, f64)>, Fault> {
+    pub fn parameters(&self, model: &Model) -> Result<Vec<(ParameterId, f64)>, Fault> {
         let (mut all, mut seen) = (Vec::new(), HashSet::new());
         for pattern in &self.paths {
             let found = path::numbers(model, pattern)?.into_iter();
-            all.extend(found.filter(|(path, _)| seen.insert(path.clone())));
+            all.extend(found.filter(|(id, _)| seen.insert(*id)));
         }
         Ok(all)
     }
@@ -56,7 +57,7 @@ impl Variable {
     ///
     /// # Errors
     /// As those of [`parameters`](Self::parameters), or ratios are held to a first parameter that is 0.
-    pub fn applied(&self, model: &Model, value: f64) -> Result<Vec<(String, f64)>, Fault> {
+    pub fn applied(&self, model: &Model, value: f64) -> Result<Vec<(ParameterId, f64)>, Fault> {
         let mut all = self.parameters(model)?;
         let Some((first, others)) = all.split_first_mut() else {
             return Ok(all);
@@ -64,7 +65,7 @@ impl Variable {
         if self.hold == Hold::Ratio && first.1 == 0.0 && !others.is_empty() {
             let message =
                 "is 0; must be another number, so that others can keep their ratios to it";
-            return Err(Fault::new(first.0.clone(), message));
+            return Err(Fault::new(path::text(model, first.0), message));
         }
         for (_, other) in others {
             *other = match self.hold {
@@ -78,69 +79,41 @@ impl Variable {
 
     /// How it is searched: by [`scale`](Self::scale), else logarithmic for a stiffness or damping with a lower bound
     /// above 0, linear otherwise.
-    pub fn spacing(&self) -> Spacing {
-        let last = |path: &String| {
-            path.rsplit('.')
-                .next()
-                .unwrap_or_default()
-                .trim()
-                .to_owned()
+    pub fn spacing(&self, model: &Model) -> Spacing {
+        let first = || {
+            path::find(model, self.paths.first()?)
+                .ok()?
+                .first()
+                .copied()
         };
-        let positive =
-            self.paths.first().map(last).is_some_and(|last| {
-                matches!(last.as_str(), "stiffness" | "damping") && self.min > 0.0
-            });
-        self.scale.unwrap_or(if positive {
-            Spacing::Log
-        } else {
-            Spacing::Linear
+        self.scale.unwrap_or_else(|| match first() {
+            Some(first) if first.key().is_spring && self.min > 0.0 => Spacing::Log,
+            _ => Spacing::Linear,
         })
     }
 }
 
-/// How several parameters of one variable move together.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Hold {
-    /// All are equal.
-    #[default]
-    Equal,
-    /// Each keeps the ratio to the first that it has in the model.
-    Ratio,
-}
-
-impl Hold {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::Equal, Self::Ratio];
-
-    /// The word of the model file.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Equal => "equal",
-            Self::Ratio => "ratio",
-        }
+words! {
+    /// How several parameters of one variable move together.
+    #[derive(Default)]
+    pub enum Hold {
+        /// All are equal.
+        #[default]
+        Equal = "equal",
+        /// Each keeps the ratio to the first that it has in the model.
+        Ratio = "ratio",
     }
 }
 
-/// How several objectives are one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Combine {
-    /// Their sum, each times its weight.
-    #[default]
-    Sum,
-    /// The largest, each times its weight.
-    Worst,
-}
-
-impl Combine {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::Sum, Self::Worst];
-
-    /// The word of the model file.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Sum => "sum",
-            Self::Worst => "worst",
-        }
+words! {
+    /// How several objectives are one.
+    #[derive(Default)]
+    pub enum Combine {
+        /// Their sum, each times its weight.
+        #[default]
+        Sum = "sum",
+        /// The largest, each times its weight.
+        Worst = "worst",
     }
 }
 
@@ -202,26 +175,15 @@ pub enum Aim {
     },
 }
 
-/// What of a measured curve is compared.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Compare {
-    /// 20 log10 of the magnitude.
-    #[default]
-    LogMagnitude,
-    /// Real and imaginary part.
-    Complex,
-}
-
-impl Compare {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::LogMagnitude, Self::Complex];
-
-    /// The word of the model file.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::LogMagnitude => "log_magnitude",
-            Self::Complex => "complex",
-        }
+words! {
+    /// What of a measured curve is compared.
+    #[derive(Default)]
+    pub enum Compare {
+        /// 20 log10 of the magnitude.
+        #[default]
+        LogMagnitude = "log_magnitude",
+        /// Real and imaginary part.
+        Complex = "complex",
     }
 }
 
@@ -306,6 +268,10 @@ mod tests {
             "subsystems.S1.inertia",
         ];
         let parameters = variable(&twice, Hold::Equal).parameters(&model).unwrap();
+        let parameters: Vec<_> = parameters
+            .into_iter()
+            .map(|(id, value)| (path::text(&model, id), value))
+            .collect();
         let expected = [
             ("subsystems.S2.mass", 50.0),
             ("subsystems.S1.mass", 100.0),
@@ -344,6 +310,7 @@ mod tests {
 
     #[test]
     fn stiffness_and_damping_above_zero_are_searched_by_their_logarithm() {
+        let model = sample::model(&["S1"]);
         let spacing = |path, min, scale| {
             let paths = [path];
             Variable {
@@ -351,7 +318,7 @@ mod tests {
                 scale,
                 ..variable(&paths, Hold::Equal)
             }
-            .spacing()
+            .spacing(&model)
         };
         assert_eq!(
             spacing("subsystems.*.y_left.stiffness", 1.0, None),

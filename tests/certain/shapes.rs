@@ -140,9 +140,9 @@ fn equal_modes_share_their_derivative() {
     for subsystem in &model.subsystems {
         let path = format!("subsystems.{}.inertia", subsystem.name);
         let index = differentiator
-            .paths()
+            .ids()
             .iter()
-            .position(|other| *other == path)
+            .position(|id| beamtune::model::path::text(&model, *id) == path)
             .unwrap();
         let by_log = gradient.frequency[index] * subsystem.inertia;
         assert!(

@@ -39,7 +39,7 @@ impl Differentiator {
     /// infinite slope. The damping ratio of an overdamped mode stays 1.
     pub fn mode(&self, mode: &Mode) -> ModeGradient {
         let omega = match mode.kind {
-            ModeKind::RigidBody => vec![ZERO; self.paths().len()],
+            ModeKind::RigidBody => vec![ZERO; self.ids().len()],
             ModeKind::Oscillating | ModeKind::Overdamped => self.root(mode.omega),
         };
         let size = mode.omega.norm();
@@ -66,7 +66,7 @@ impl Differentiator {
         const DEPENDENT: f64 = 1e-4;
         const MOST: usize = 12;
         let mut space: Vec<(Solution, Complex64)> = Vec::new();
-        let mut sum = vec![ZERO; self.paths().len()];
+        let mut sum = vec![ZERO; self.ids().len()];
         while space.len() < MOST {
             let loaded = Loaded::new(&self.model, space.len(), omega);
             let mut motion = loaded.motion();

@@ -12,7 +12,8 @@ pub use tolerance::Tolerances;
 pub use variable::Moving;
 
 use super::{App, Table};
-use crate::model::{self, Model, path};
+use crate::model::edit::{self, Value};
+use crate::model::{Group, Model, path};
 use crate::tui::Source;
 use crate::tui::keys::Command;
 use crate::tui::tree::{self, Node};
@@ -288,7 +289,10 @@ impl App {
             Ok(changed) => changed,
             Err(reason) => return self.refuse(format!("not taken: {reason}")),
         };
-        let words = format!("tune {}", tree::value(&run.from, Node::TuneObjective(0)));
+        let words = format!(
+            "tune {}",
+            tree::value(&run.from, Node::Group(Group::Objective(0)))
+        );
         let before = Arc::clone(self.model());
         self.end_run();
         self.document.replace(words, changed);
@@ -330,13 +334,10 @@ fn taken_over(model: &Model, from: &Model, best: &Model) -> Result<Model, String
     let variables = from.tune.iter().flat_map(|tune| &tune.variables);
     for pattern in variables.flat_map(|variable| &variable.paths) {
         let found = path::numbers(best, pattern).map_err(|fault| fault.message)?;
-        for (path, value) in found {
-            path::set_unchecked(&mut changed, &path, path::Value::Number(value))
-                .map_err(|fault| format!("{} {}", fault.path, fault.message))?;
+        for (id, value) in found {
+            edit::put(&mut changed, id, Value::Number(value))
+                .map_err(|message| format!("{} {message}", path::text(best, id)))?;
         }
     }
-    match model::check(&changed).first() {
-        Some(fault) => Err(format!("{} {}", fault.path, fault.message)),
-        None => Ok(changed),
-    }
+    edit::checked(changed).map_err(|faults| format!("{} {}", faults[0].path, faults[0].message))
 }

@@ -23,8 +23,9 @@
 //! - `model` and `solve` know no terminal, no thread of their own and no clock; `solve` reads a checked model and
 //!   nothing else.
 //! - Numbers inside are SI. Prefixes exist only where a person reads or types.
-//! - Every number of a model is one row of one table (key, symbol, unit, meaning, range); reading, writing, paths and
-//!   the designer's tree go by it.
+//! - Every key of a model is one row of [`model::schema`] (key, symbol, unit, meaning, kind, range); reading, writing,
+//!   checking, paths and the designer's tree go by it. A [`model::ParameterId`] stands for a parameter; text paths are
+//!   for files, the command line and prompts.
 //! - The user-interface thread never solves. What is drawn carries the generation of its model; older curves are dim.
 //! - No value that is not finite is drawn or written silently.
 //!

@@ -1,6 +1,6 @@
 //! What a person needs to know of a parameter.
 
-use super::edit::{self, Value, directions, load_unit, places, target_of};
+use super::edit::{Value, directions, get, load_unit, places, target_of};
 use super::entry;
 use super::id::{Group, ParameterId};
 use super::schema::{FEWEST_POINTS, ForceKey, Kind, MOST_POINTS, SectionKey, SubsystemKey};
@@ -32,7 +32,7 @@ impl Parameter {
     /// # Errors
     /// It has no value now: a fixed motion has no spring, an energy no place.
     pub fn of(model: &Model, id: ParameterId) -> Result<Self, String> {
-        let value = edit::get(model, id)?;
+        let value = get(model, id)?;
         let key = id.key();
         let choices = choices(model, id, &value);
         Ok(Self {
@@ -80,27 +80,27 @@ fn choices(model: &Model, id: ParameterId, value: &Value) -> Vec<&'static str> {
             Support::WORDS.into_iter().chain(mixed).collect()
         }
         Kind::Measure => [Measure::WORDS, &[Quantity::ENERGY]].concat(),
-        Kind::Direction => target_of(model, id.table).map_or_else(Vec::new, directions),
+        Kind::Direction => target_of(model, id.group).map_or_else(Vec::new, directions),
         _ => Vec::new(),
     }
 }
 
 /// The unit of a number: a load's goes with its direction.
 fn unit(model: &Model, id: ParameterId) -> Unit {
-    match target_of(model, id.table) {
+    match target_of(model, id.group) {
         Some(target) if is_amplitude(id) => load_unit(target),
         _ => id.key().unit,
     }
 }
 
 fn is_amplitude(id: ParameterId) -> bool {
-    matches!(id.table, Group::Force(_)) && id.row == ForceKey::Amplitude as usize
+    matches!(id.group, Group::Force(_)) && id.row == ForceKey::Amplitude as usize
 }
 
 /// What a parameter without choices may be in this model.
 fn range(model: &Model, id: ParameterId) -> String {
     let key = id.key();
-    match (key.kind, id.table) {
+    match (key.kind, id.group) {
         (Kind::Count, _) => format!("{FEWEST_POINTS} to {MOST_POINTS}"),
         (Kind::Line, _) => "one line of text".to_owned(),
         (Kind::Text, _) => "any text".to_owned(),

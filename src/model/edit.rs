@@ -4,6 +4,7 @@ mod family;
 mod rename;
 mod target;
 mod value;
+mod variable;
 
 pub use family::{apply, apply_unchecked, family_keys, family_labels};
 pub(super) use target::{directions, load_unit, places};

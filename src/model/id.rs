@@ -1,4 +1,4 @@
-//! Which tables and parameters a model has: small values that stand for them, without text.
+//! Which groups and parameters a model has: small values that stand for them, without text.
 
 use super::schema::{self, Key, Kind};
 use super::types::{BeamMotion, Model, Quantity, Restraint, Support};
@@ -41,7 +41,7 @@ impl End {
     }
 }
 
-/// A table or list of a model. Elements of lists count from 0.
+/// A group of a model: a table or a list of tables. Elements of lists count from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Group {
     /// All of it, with the keys above all tables.
@@ -108,7 +108,7 @@ impl Group {
         }
     }
 
-    /// The table that holds it.
+    /// The group that holds it.
     pub const fn parent(self) -> Option<Self> {
         Some(match self {
             Self::Model => return None,
@@ -127,8 +127,8 @@ impl Group {
         })
     }
 
-    /// The tables that it holds, in the order of the file.
-    pub fn tables(self, model: &Model) -> Vec<Self> {
+    /// The groups that it holds, in the order of the file.
+    pub fn groups(self, model: &Model) -> Vec<Self> {
         let each = |count: usize, of: fn(usize) -> Self| (0..count).map(of).collect();
         match self {
             Self::Model => {
@@ -200,7 +200,7 @@ impl Group {
 
     /// The parameter of a row.
     pub const fn parameter(self, row: usize) -> ParameterId {
-        ParameterId { table: self, row }
+        ParameterId { group: self, row }
     }
 
     /// Its parameters, whether or not they have a value now.
@@ -233,13 +233,13 @@ impl Group {
     }
 }
 
-/// A parameter of a model: a key of one of its tables.
+/// A parameter of a model: a key of one of its groups.
 ///
 /// It has meaning with one model; where elements were added, removed or renamed, [`Moves`](super::Moves) leads to it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct ParameterId {
-    /// The table.
-    pub table: Group,
+    /// The group.
+    pub group: Group,
     /// The number of its key in [`Group::keys`].
     pub row: usize,
 }
@@ -255,22 +255,22 @@ impl ParameterId {
 
     /// The motion of an end whose restraint it is.
     pub fn motion(self) -> Option<BeamMotion> {
-        let is_restraint = matches!(self.table, Group::Support(_)) && self.row > 0;
+        let is_restraint = matches!(self.group, Group::Support(_)) && self.row > 0;
         is_restraint.then(|| BeamMotion::ALL[self.row - 1])
     }
 
     /// Its description.
     pub const fn key(self) -> &'static Key {
-        &self.table.keys()[self.row]
+        &self.group.keys()[self.row]
     }
 
     /// Every parameter that has a value, in the order of the file.
     pub fn all(model: &Model) -> Vec<Self> {
         let mut all: Vec<Self> = Group::Model.parameters().collect();
-        for table in Group::Model.tables(model) {
-            let owners = match table {
-                Group::Beam | Group::Sweep => vec![table],
-                list => list.tables(model),
+        for group in Group::Model.groups(model) {
+            let owners = match group {
+                Group::Beam | Group::Sweep => vec![group],
+                list => list.groups(model),
             };
             all.extend(owners.into_iter().flat_map(Group::owned));
         }
@@ -280,7 +280,7 @@ impl ParameterId {
 
     /// Whether it has a value: a fixed motion has no spring, an energy no place.
     pub fn exists(self, model: &Model) -> bool {
-        match (self.table, self.key().kind) {
+        match (self.group, self.key().kind) {
             (Group::Motion(end, motion), _) => end.support(model)[motion] != Restraint::Fixed,
             (Group::Response(index), Kind::Place | Kind::Direction) => {
                 model.responses[index].quantity != Quantity::Energy
@@ -292,6 +292,39 @@ impl ParameterId {
     /// The same parameter at another end or in another element of its list.
     #[must_use]
     pub fn at(self, place: usize) -> Self {
-        self.table.at(place).parameter(self.row)
+        self.group.at(place).parameter(self.row)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::path::sample;
+    use std::collections::HashSet;
+
+    #[test]
+    fn every_parameter_is_there_once_and_in_a_group_of_the_model() {
+        let model = sample::model(&["S1", "S2"]);
+        let mut groups = vec![Group::Model];
+        let mut next = 0;
+        while let Some(group) = groups.get(next) {
+            let below = group.groups(&model);
+            assert!(below.iter().all(|one| one.parent() == Some(*group)));
+            groups.extend(below);
+            next += 1;
+        }
+        let held = groups.into_iter().flat_map(Group::parameters);
+        let held: HashSet<ParameterId> = held.filter(|id| id.exists(&model)).collect();
+        let all = ParameterId::all(&model);
+        assert_eq!(all.len(), held.len());
+        assert_eq!(all.into_iter().collect::<HashSet<_>>(), held);
+    }
+
+    #[test]
+    fn a_parameter_has_the_same_place_in_its_list() {
+        let model = sample::model(&["S1", "S2"]);
+        for id in ParameterId::all(&model) {
+            assert_eq!(id.group.place().map_or(id, |place| id.at(place)), id);
+        }
     }
 }

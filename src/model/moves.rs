@@ -1,4 +1,4 @@
-//! Where the tables and parameters of a model are in a changed one.
+//! Where the groups and parameters of a model are in a changed one.
 //!
 //! A [`Group`] has meaning with one model alone. What keeps one while the model changes takes it through here.
 
@@ -80,21 +80,21 @@ impl Moves {
         }
     }
 
-    /// Where a table is in the model after; none where it was removed.
-    pub fn of(&self, table: Group) -> Option<Group> {
-        let list = match table {
+    /// Where a group is in the model after; none where it was removed.
+    pub fn of(&self, group: Group) -> Option<Group> {
+        let list = match group {
             Group::Subsystem(_) => &self.subsystems,
             Group::Force(_) => &self.forces,
             Group::Response(_) => &self.responses,
             Group::Study(_) => &self.studies,
             other => return Some(other),
         };
-        Some(table.at(list.of(table.place()?)?))
+        Some(group.at(list.of(group.place()?)?))
     }
 }
 
 impl Group {
-    /// The table of another model, such as that of a file, which has the same name; a force has the same number.
+    /// The group of another model, such as that of a file, which has the same name; a force has the same number.
     pub fn counterpart(self, model: &Model, other: &Model) -> Option<Self> {
         let place = match self {
             Self::Subsystem(i) => named(&model.subsystems[i].name, i, &other.subsystems, |one| {
@@ -122,7 +122,7 @@ fn named<T>(own: &str, place: usize, list: &[T], name: fn(&T) -> &String) -> Opt
 impl ParameterId {
     /// The same parameter of another model, by [`Group::counterpart`].
     pub fn counterpart(self, model: &Model, other: &Model) -> Option<Self> {
-        Some(self.table.counterpart(model, other)?.parameter(self.row))
+        Some(self.group.counterpart(model, other)?.parameter(self.row))
     }
 }
 

@@ -17,7 +17,7 @@ pub(super) use find::Finder;
 pub use text::{text, texts};
 
 use super::describe::Parameter;
-use super::edit;
+use super::edit::number as value_of;
 use super::fault::Fault;
 use super::id::ParameterId;
 use super::types::Model;
@@ -66,7 +66,7 @@ pub fn described(model: &Model, id: ParameterId) -> Result<Parameter, Fault> {
 /// # Errors
 /// As [`parameter`], or the parameter is no number.
 pub fn number(model: &Model, path: &str) -> Result<f64, Fault> {
-    edit::number(model, one(model, path)?).map_err(|message| Fault::new(path, message))
+    value_of(model, one(model, path)?).map_err(|message| Fault::new(path, message))
 }
 
 /// The numbers that a pattern stands for, each with its parameter.
@@ -74,7 +74,7 @@ pub fn number(model: &Model, path: &str) -> Result<f64, Fault> {
 /// # Errors
 /// The pattern matches nothing, or something that is no number.
 pub fn numbers(model: &Model, pattern: &str) -> Result<Vec<(ParameterId, f64)>, Fault> {
-    let number = |id| match edit::number(model, id) {
+    let number = |id| match value_of(model, id) {
         Ok(number) => Ok((id, number)),
         // A path is made where it is reported alone.
         Err(message) => Err(Fault::new(text(model, id), message)),

@@ -30,8 +30,8 @@ pub struct Row {
 /// The rows that are shown, in order.
 pub fn rows(model: &Model, open: impl Fn(Node) -> bool) -> Vec<Row> {
     let mut rows = Vec::new();
-    let tables = Group::Model.tables(model).into_iter().map(Node::Group);
-    for node in [Node::TITLE].into_iter().chain(tables) {
+    let groups = Group::Model.groups(model).into_iter().map(Node::Group);
+    for node in [Node::TITLE].into_iter().chain(groups) {
         push(model, &open, node, 0, &mut rows);
     }
     rows
@@ -58,11 +58,11 @@ fn push(model: &Model, open: &dyn Fn(Node) -> bool, node: Node, depth: u16, rows
 }
 
 fn holds_rows(model: &Model, node: Node) -> bool {
-    let Node::Group(table) = node else {
+    let Node::Group(group) = node else {
         return false;
     };
-    match table {
-        Group::Subsystems | Group::Forces | Group::Responses => !table.tables(model).is_empty(),
+    match group {
+        Group::Subsystems | Group::Forces | Group::Responses => !group.groups(model).is_empty(),
         Group::Motion(end, motion) => end.support(model)[motion] != Restraint::Fixed,
         Group::Variable(_) | Group::Objective(_) | Group::Limit(_) => false,
         _ => true,
@@ -71,7 +71,7 @@ fn holds_rows(model: &Model, node: Node) -> bool {
 
 /// The rows that a node holds, in order: the keys that have no place elsewhere, then the tables.
 pub fn children(model: &Model, node: Node) -> Vec<Node> {
-    let Node::Group(table) = node else {
+    let Node::Group(group) = node else {
         return Vec::new();
     };
     let elsewhere = |kind| {
@@ -80,11 +80,11 @@ pub fn children(model: &Model, node: Node) -> Vec<Node> {
             Kind::Name | Kind::Flag | Kind::Support | Kind::Restraint
         )
     };
-    let keys = table.parameters();
+    let keys = group.parameters();
     let keys = keys.filter(|id| !elsewhere(id.key().kind) && id.exists(model));
     let mut children: Vec<Node> = keys.map(Node::Parameter).collect();
-    children.extend(table.tables(model).into_iter().map(Node::Group));
-    if let Group::Study(i) = table {
+    children.extend(group.groups(model).into_iter().map(Node::Group));
+    if let Group::Study(i) = group {
         let lines = 0..text::study_lines(&model.studies[i]);
         children.extend(lines.map(|line| Node::StudyLine(i, line)));
     }
@@ -93,16 +93,16 @@ pub fn children(model: &Model, node: Node) -> Vec<Node> {
 
 /// The row with the same meaning in the neighbouring subsystem, force, response, study or support.
 pub fn alike(model: &Model, node: Node, forward: bool) -> Option<Node> {
-    let table = node.table();
-    let list = table.owner().parent().filter(|list| *list != Group::Tune)?;
+    let group = node.group();
+    let list = group.owner().parent().filter(|list| *list != Group::Tune)?;
     if matches!(node, Node::StudyLine(..)) {
         return None;
     }
-    let place = table.place()?;
+    let place = group.place()?;
     let next = if forward {
         place + 1
     } else {
         place.checked_sub(1)?
     };
-    (next < list.tables(model).len()).then(|| node.of_table(table.at(next)))
+    (next < list.groups(model).len()).then(|| node.of_group(group.at(next)))
 }

@@ -85,7 +85,7 @@ fn added_mass(model: &Model) -> f64 {
 }
 
 fn added_mass_function(trial: &Trial, moved: &[Moved], at_most: f64) -> Function {
-    let is_added = |id: ParameterId| match id.table {
+    let is_added = |id: ParameterId| match id.group {
         Group::Subsystem(i) => {
             id.row == SubsystemKey::Mass as usize && trial.model.subsystems[i].enabled
         }

@@ -86,7 +86,7 @@ impl Rules<'_> {
         moved: &mut HashMap<ParameterId, usize>,
     ) -> Option<String> {
         let path = || path::text(&self.plans.bare, id);
-        if id.table == Group::Sweep {
+        if id.group == Group::Sweep {
             return Some(format!(
                 "{}: no response depends on it; must be a number of the beam, a support, a subsystem or a force",
                 path()

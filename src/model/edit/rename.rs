@@ -6,8 +6,8 @@ use crate::model::tuning::Limit;
 use crate::model::types::{Family, Model, Quantity, Target};
 
 /// Renames an element of a list, wherever the model refers to it.
-pub(super) fn element(model: &mut Model, table: Group, new: &str) {
-    match table {
+pub(super) fn element(model: &mut Model, group: Group, new: &str) {
+    match group {
         Group::Subsystem(index) => subsystem(model, index, new),
         Group::Response(index) => response(model, index, new),
         Group::Study(index) => new.clone_into(&mut model.studies[index].name),

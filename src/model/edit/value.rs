@@ -108,7 +108,7 @@ impl<T> Rows<T> {
 /// Says why it has none: a fixed motion has no spring, an energy no place.
 pub fn get(model: &Model, id: ParameterId) -> Result<Value, String> {
     let row = id.row;
-    let plain = match id.table {
+    let plain = match id.group {
         Group::Model => schema::MODEL.get(row, model),
         Group::Beam => schema::BEAM.get(row, &model.beam),
         Group::Material => schema::MATERIAL.get(row, &model.beam.material),
@@ -139,8 +139,8 @@ pub fn number(model: &Model, id: ParameterId) -> Result<f64, String> {
 
 /// The value of a parameter with rules of its own.
 fn own(model: &Model, id: ParameterId) -> Result<Value, String> {
-    let target = || target_of(model, id.table).ok_or_else(energy);
-    Ok(match (id.table, id.key().kind) {
+    let target = || target_of(model, id.group).ok_or_else(energy);
+    Ok(match (id.group, id.key().kind) {
         (Group::Support(end), _) => {
             let support = end.support(model);
             Value::Choice(
@@ -160,8 +160,8 @@ fn own(model: &Model, id: ParameterId) -> Result<Value, String> {
 }
 
 /// Where a force acts or a response is taken; none of an energy.
-pub(in crate::model) fn target_of(model: &Model, table: Group) -> Option<&Target> {
-    match table {
+pub(in crate::model) fn target_of(model: &Model, group: Group) -> Option<&Target> {
+    match group {
         Group::Force(index) => Some(&model.forces[index].target),
         Group::Response(index) => match &model.responses[index].quantity {
             Quantity::Motion(target, _) => Some(target),
@@ -188,17 +188,17 @@ fn energy() -> String {
 /// The value is of another type or no choice of the parameter; the model is then unchanged.
 pub fn put(model: &mut Model, id: ParameterId, value: Value) -> Result<(), String> {
     let row = id.row;
-    match (id.table, id.key().kind) {
-        (table, Kind::Name) => rename::element(model, table, &value.text()?),
-        (table, Kind::Place) => {
-            let old = target_of(model, table).ok_or_else(energy)?;
+    match (id.group, id.key().kind) {
+        (group, Kind::Name) => rename::element(model, group, &value.text()?),
+        (group, Kind::Place) => {
+            let old = target_of(model, group).ok_or_else(energy)?;
             let new = target::moved(model, old, &value.text()?)?;
-            put_target(model, table, new);
+            put_target(model, group, new);
         }
-        (table, Kind::Direction) => {
-            let old = target_of(model, table).ok_or_else(energy)?;
+        (group, Kind::Direction) => {
+            let old = target_of(model, group).ok_or_else(energy)?;
             let new = target::turned(old, value.word()?)?;
-            put_target(model, table, new);
+            put_target(model, group, new);
         }
         (Group::Response(index), Kind::Measure) => {
             let quantity = &mut model.responses[index].quantity;
@@ -226,8 +226,8 @@ pub fn put(model: &mut Model, id: ParameterId, value: Value) -> Result<(), Strin
     Ok(())
 }
 
-fn put_target(model: &mut Model, table: Group, new: Target) {
-    match table {
+fn put_target(model: &mut Model, group: Group, new: Target) {
+    match group {
         Group::Force(index) => model.forces[index].target = new,
         Group::Response(index) => {
             if let Quantity::Motion(target, _) = &mut model.responses[index].quantity {

@@ -8,7 +8,7 @@ use crate::model::types::Model;
 
 /// The path of a parameter.
 pub fn text(model: &Model, id: ParameterId) -> String {
-    join(&owner(model, id.table.owner()), id)
+    join(&owner(model, id.group.owner()), id)
 }
 
 /// The paths of parameters; each name of a list is looked at once.
@@ -19,12 +19,12 @@ pub fn texts(model: &Model, ids: &[ParameterId]) -> Vec<String> {
             lists[list].get_or_init(|| names(model, of, |names| element_keys(names)));
         format!("{}.{}", list_key(of), keys[place])
     };
-    let path = |id: &ParameterId| match id.table {
+    let path = |id: &ParameterId| match id.group {
         // A single name needs no table of all.
         _ if ids.len() == 1 => text(model, *id),
-        Group::Subsystem(i) => join(&key(0, id.table, i), *id),
-        Group::Response(i) => join(&key(1, id.table, i), *id),
-        Group::Study(i) => join(&key(2, id.table, i), *id),
+        Group::Subsystem(i) => join(&key(0, id.group, i), *id),
+        Group::Response(i) => join(&key(1, id.group, i), *id),
+        Group::Study(i) => join(&key(2, id.group, i), *id),
         _ => text(model, *id),
     };
     ids.iter().map(path).collect()
@@ -32,7 +32,7 @@ pub fn texts(model: &Model, ids: &[ParameterId]) -> Vec<String> {
 
 /// The keys of a parameter below its owner.
 pub(super) fn parts(id: ParameterId) -> impl Iterator<Item = &'static str> {
-    let inner = match id.table {
+    let inner = match id.group {
         Group::Material => Some("material"),
         Group::Section => Some("section"),
         Group::Motion(_, motion) => Some(motion.key()),
@@ -83,5 +83,19 @@ fn names<R>(model: &Model, list: Group, of: impl FnOnce(&mut dyn Iterator<Item =
         Group::Subsystem(_) => of(&mut model.subsystems.iter().map(|one| &*one.name)),
         Group::Response(_) => of(&mut model.responses.iter().map(|one| &*one.name)),
         _ => of(&mut model.studies.iter().map(|one| &*one.name)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::path::sample;
+
+    #[test]
+    fn one_path_and_many_paths_agree() {
+        let model = sample::model(&["S1", "S1", "", "a.b", "7"]);
+        let all = ParameterId::all(&model);
+        let each: Vec<String> = all.iter().map(|id| text(&model, *id)).collect();
+        assert_eq!(texts(&model, &all), each);
     }
 }

@@ -4,7 +4,7 @@ use super::super::schema::{FORCE, Kind, RESPONSE};
 use super::super::types::{
     BeamMotion, Force, MassMotion, Measure, Place, Quantity, Response, Target,
 };
-use super::parts::{named, names as element_names};
+use super::list::{named, names as element_names};
 use super::reader::Reader;
 use super::table::Table;
 use super::value::number;

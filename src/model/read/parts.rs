@@ -1,18 +1,18 @@
 //! The parts of a model file: beam, supports, subsystems, sweep.
 
 use super::super::id::End;
-use super::super::names::element_keys;
 use super::super::schema::{self, Access, FEWEST_POINTS, MATERIAL, Rows, SECTION, SUBSYSTEM};
 use super::super::types::{
     Beam, BeamMotion, Elastic, Model, Restraint, Spacing, Subsystem, Support, Supports, Sweep,
 };
+use super::list::{named, names};
 use super::loads;
 use super::plans;
 use super::reader::{Reader, quoted};
-use super::table::{Table, no_own};
+use super::rows::no_own;
+use super::table::Table;
 use super::tuning;
 use super::value::{Node, wrong_type};
-use std::collections::HashMap;
 use toml::de::DeValue;
 
 /// The only format there is.
@@ -141,46 +141,6 @@ fn restraint(path: &str, node: Node<'_>, motion: BeamMotion, reader: &mut Reader
         table.finish(reader);
     }
     Restraint::Elastic(elastic)
-}
-
-/// The names in a list of tables; empty where there is none.
-pub(super) fn names<'a>(list: &[Node<'a>]) -> Vec<&'a str> {
-    list.iter()
-        .map(|node| {
-            node.get_ref()
-                .get("name")
-                .and_then(|name| name.get_ref().as_str())
-                .unwrap_or("")
-        })
-        .collect()
-}
-
-/// The elements of a list of named tables, opened; none where an element is no table.
-pub(super) fn named<'a>(
-    list: &[Node<'a>],
-    path: &str,
-    reader: &mut Reader,
-) -> Vec<Option<Table<'a>>> {
-    let keys = element_keys(names(list).into_iter());
-    let mut first = HashMap::new();
-    for (node, key) in list.iter().zip(&keys) {
-        if let Some(name) = node.get_ref().get("name")
-            && let Some(word) = name
-                .get_ref()
-                .as_str()
-                .filter(|word| !word.trim().is_empty())
-        {
-            let here = name.span().start;
-            let there = *first.entry(word).or_insert(here);
-            if here != there {
-                reader.used_twice(here, &format!("{path}.{key}.name"), word, there);
-            }
-        }
-    }
-    list.iter()
-        .zip(keys)
-        .map(|(node, key)| Table::open(format!("{path}.{key}"), node, reader))
-        .collect()
 }
 
 fn subsystems<'a>(root: &mut Table<'a>, reader: &mut Reader) -> (Vec<Subsystem>, Vec<&'a str>) {

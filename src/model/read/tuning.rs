@@ -4,9 +4,10 @@ use super::super::names;
 use super::super::schema::{AIMS, Choice, Kind, LIMITS, OBJECTIVE, VARIABLE};
 use super::super::tuning::{Aim, Combine, Hold, Limit, Objective, Tune, Variable};
 use super::super::types::Spacing;
-use super::plans::elements;
+use super::list::elements;
 use super::reader::{Reader, one_of};
-use super::table::{Table, no_own};
+use super::rows::no_own;
+use super::table::Table;
 use super::value::{Node, text};
 
 /// The tuning, if the file has one.

@@ -173,7 +173,7 @@ fn by_logarithms(
 
 /// Amplitude or phase: the numbers of a force.
 const fn is_size_of_force(id: ParameterId) -> bool {
-    matches!(id.table, Group::Force(_))
+    matches!(id.group, Group::Force(_))
 }
 
 /// An enabled response by its index among them.

@@ -16,7 +16,7 @@ impl Parameters {
     pub(super) fn of(model: &Model) -> Self {
         let ids = ParameterId::all(model).into_iter();
         let numbers = ids
-            .filter(|id| id.key().kind == Kind::Number && acts(model, id.table))
+            .filter(|id| id.key().kind == Kind::Number && acts(model, id.group))
             .filter_map(|id| Some((id, edit::number(model, id).ok()?)));
         let (ids, values) = numbers.unzip();
         Self { ids, values }
@@ -24,8 +24,8 @@ impl Parameters {
 }
 
 /// Whether responses depend on the numbers of a table.
-fn acts(model: &Model, table: Group) -> bool {
-    match table {
+fn acts(model: &Model, group: Group) -> bool {
+    match group {
         Group::Beam | Group::Material | Group::Section | Group::Motion(..) => true,
         Group::Subsystem(index) => model.subsystems[index].enabled,
         Group::Force(index) => model.forces[index].enabled,

@@ -18,7 +18,7 @@ impl App {
     /// Adds one of what the selected row belongs to.
     pub(super) fn add(&mut self) {
         let mut after = Model::clone(self.model());
-        let (table, name) = match group(self.selection.node()) {
+        let (group, name) = match group(self.selection.node()) {
             Some(Group::Subsystems) => {
                 let new = new_subsystem(&after);
                 let name = format!("add subsystem {}", new.name);
@@ -48,7 +48,7 @@ impl App {
             }
             other => return self.refuse_to_add(other),
         };
-        self.restructure(name, after, table);
+        self.restructure(name, after, group);
     }
 
     /// Says what is added here by other keys, or where this one adds something.
@@ -74,7 +74,7 @@ impl App {
     /// Adds a copy of the selected subsystem, force or response after it.
     pub(super) fn duplicate(&mut self) {
         let mut after = Model::clone(self.model());
-        let (table, name) = match self.selection.node().item() {
+        let (group, name) = match self.selection.node().item() {
             Some(Group::Subsystem(i)) => {
                 let mut copy = after.subsystems[i].clone();
                 copy.name = free_name(&copy.name, &subsystem_names(&after));
@@ -95,12 +95,12 @@ impl App {
             }
             _ => return self.refuse("select a subsystem, force or response to duplicate it"),
         };
-        self.restructure(name, after, table);
+        self.restructure(name, after, group);
     }
 
     /// Deletes the selected subsystem, force, response or study, unless something needs it.
     pub(super) fn delete(&mut self) {
-        match self.selection.node().table() {
+        match self.selection.node().group() {
             Group::Variable(index) => return self.drop_variable(index),
             Group::Objective(index) => return self.drop_objective(index),
             Group::Limit(index) => return self.drop_limit(index),
@@ -118,7 +118,7 @@ impl App {
         if let Some(user) = user_of(self.model(), item) {
             return self.refuse(format!("{subject} is needed by {user}"));
         }
-        let rest = list.tables(&after);
+        let rest = list.groups(&after);
         let next = rest.get(i).or(rest.last()).copied().unwrap_or(list);
         self.restructure(format!("delete {subject}"), after, next);
     }
@@ -132,14 +132,14 @@ impl App {
             return self.refuse("select a subsystem, force or response to enable or disable it");
         };
         let on = edit::get(&model, id) == Ok(Value::Flag(true));
-        let subject = tree::subject(&model, Node::Group(id.table));
+        let subject = tree::subject(&model, Node::Group(id.group));
         if let Err(faults) = self.set(&subject, id, Value::Flag(!on), false) {
             self.refuse(self.in_words(&faults, id, &subject));
         }
     }
 
     /// Takes a model with another structure, if it is possible, and selects a row of it.
-    fn restructure(&mut self, name: String, after: Model, table: Group) {
+    fn restructure(&mut self, name: String, after: Model, group: Group) {
         let after = match edit::checked(after) {
             Ok(after) => after,
             Err(faults) => {
@@ -151,14 +151,14 @@ impl App {
         self.document.replace(name.clone(), after);
         self.follow(&before);
         let model = Arc::clone(self.document.model());
-        self.selection.select(&model, Node::Group(table));
+        self.selection.select(&model, Node::Group(group));
         self.done(name);
     }
 }
 
 /// The table or list of the first level to which a row belongs; none of the title.
 fn group(node: Node) -> Option<Group> {
-    let holders = std::iter::successors(Some(node.table()), |table| table.parent());
+    let holders = std::iter::successors(Some(node.group()), |group| group.parent());
     holders.into_iter().filter(|of| *of != Group::Model).last()
 }
 

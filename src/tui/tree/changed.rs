@@ -7,14 +7,14 @@ use crate::model::{Group, Model, ParameterId};
 /// Whether a row's part of the model differs from `saved`.
 pub fn differs(model: &Model, saved: &Model, node: Node) -> bool {
     match node {
-        Node::Group(table) => table_differs(model, saved, table),
+        Node::Group(group) => group_differs(model, saved, group),
         Node::Parameter(id) => parameter_differs(model, saved, id),
         Node::StudyLine(..) => false,
     }
 }
 
-fn table_differs(model: &Model, saved: &Model, table: Group) -> bool {
-    match table {
+fn group_differs(model: &Model, saved: &Model, group: Group) -> bool {
+    match group {
         Group::Model => model != saved,
         Group::Beam => model.beam != saved.beam,
         Group::Material => model.beam.material != saved.beam.material,
@@ -23,7 +23,7 @@ fn table_differs(model: &Model, saved: &Model, table: Group) -> bool {
         Group::Support(end) => end.support(model) != end.support(saved),
         Group::Motion(end, motion) => end.support(model)[motion] != end.support(saved)[motion],
         Group::Subsystems => model.subsystems != saved.subsystems,
-        Group::Subsystem(i) => table
+        Group::Subsystem(i) => group
             .counterpart(model, saved)
             .and_then(Group::place)
             .is_none_or(|place| saved.subsystems[place] != model.subsystems[i]),

@@ -20,18 +20,18 @@ impl Node {
 
     /// The row of a parameter.
     pub fn of(id: ParameterId) -> Self {
-        match (id.table, id.motion()) {
+        match (id.group, id.motion()) {
             (Group::Support(end), Some(motion)) => Self::Group(Group::Motion(end, motion)),
-            (Group::Support(_), None) => Self::Group(id.table),
+            (Group::Support(_), None) => Self::Group(id.group),
             _ => Self::Parameter(id),
         }
     }
 
     /// The table that it is or belongs to.
-    pub const fn table(self) -> Group {
+    pub const fn group(self) -> Group {
         match self {
-            Self::Group(table) => table,
-            Self::Parameter(id) => id.table,
+            Self::Group(group) => group,
+            Self::Parameter(id) => id.group,
             Self::StudyLine(study, _) => Group::Study(study),
         }
     }
@@ -39,8 +39,8 @@ impl Node {
     /// The row that holds it.
     pub fn parent(self) -> Option<Self> {
         let holder = match self {
-            Self::Group(table) => table.parent()?,
-            Self::Parameter(_) | Self::StudyLine(..) => self.table(),
+            Self::Group(group) => group.parent()?,
+            Self::Parameter(_) | Self::StudyLine(..) => self.group(),
         };
         (holder != Group::Model).then_some(Self::Group(holder))
     }
@@ -50,7 +50,7 @@ impl Node {
         match self {
             Self::Parameter(id) => Some(id),
             Self::Group(Group::Motion(end, motion)) => Some(ParameterId::restraint(end, motion)),
-            Self::Group(table) => table.parameter_of(Kind::Support),
+            Self::Group(group) => group.parameter_of(Kind::Support),
             Self::StudyLine(..) => None,
         }
     }
@@ -58,16 +58,16 @@ impl Node {
     /// The name of a subsystem, response or study, or the title.
     pub fn name(self) -> Option<ParameterId> {
         match self {
-            Self::Group(table) => table.parameter_of(Kind::Name),
+            Self::Group(group) => group.parameter_of(Kind::Name),
             other => (other == Self::TITLE).then_some(ParameterId::TITLE),
         }
     }
 
     /// The subsystem, force, response or study that it belongs to.
     pub fn item(self) -> Option<Group> {
-        Some(self.table()).filter(|table| {
+        Some(self.group()).filter(|group| {
             matches!(
-                table,
+                group,
                 Group::Subsystem(_) | Group::Force(_) | Group::Response(_) | Group::Study(_)
             )
         })
@@ -75,16 +75,16 @@ impl Node {
 
     /// Where the row is in a changed model; none where it was removed.
     pub fn moved(self, moves: &Moves) -> Option<Self> {
-        Some(self.of_table(moves.of(self.table())?))
+        Some(self.of_group(moves.of(self.group())?))
     }
 
     /// The same row of another table of the same kind.
     #[must_use]
-    pub const fn of_table(self, table: Group) -> Self {
-        match (self, table) {
-            (Self::Parameter(id), _) => Self::Parameter(table.parameter(id.row)),
+    pub const fn of_group(self, group: Group) -> Self {
+        match (self, group) {
+            (Self::Parameter(id), _) => Self::Parameter(group.parameter(id.row)),
             (Self::StudyLine(_, line), Group::Study(study)) => Self::StudyLine(study, line),
-            _ => Self::Group(table),
+            _ => Self::Group(group),
         }
     }
 }

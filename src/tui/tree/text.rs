@@ -15,14 +15,14 @@ use crate::tune::words;
 pub fn label(model: &Model, node: Node) -> Cow<'_, str> {
     match node {
         Node::TITLE => "Title".into(),
-        Node::Group(table) => table_label(model, table),
+        Node::Group(group) => group_label(model, group),
         Node::Parameter(id) => spaced(id.key().key),
         Node::StudyLine(i, line) => study_line(&model.studies[i], line).0.into(),
     }
 }
 
-fn table_label(model: &Model, table: Group) -> Cow<'_, str> {
-    match table {
+fn group_label(model: &Model, group: Group) -> Cow<'_, str> {
+    match group {
         Group::Model => "Model".into(),
         Group::Beam => "Beam".into(),
         Group::Material => "Material".into(),
@@ -66,19 +66,19 @@ pub fn subject(model: &Model, node: Node) -> String {
     match node {
         Node::Parameter(id) => {
             let own = id.key().key.replace('.', " ");
-            match id.table {
+            match id.group {
                 Group::Model => own,
                 Group::Motion(end, motion) => format!("{} {} {own}", end.key(), motion.key()),
                 Group::Beam | Group::Material | Group::Section | Group::Sweep => {
-                    format!("{} {own}", table_label(model, id.table).to_lowercase())
+                    format!("{} {own}", group_label(model, id.group).to_lowercase())
                 }
-                table => format!("{} {own}", table_label(model, table)),
+                group => format!("{} {own}", group_label(model, group)),
             }
         }
         Node::Group(Group::Support(end)) => format!("{} support", end.key()),
         Node::Group(Group::Motion(end, motion)) => format!("{} {}", end.key(), motion.key()),
-        Node::Group(table @ (Group::Variable(_) | Group::Objective(_) | Group::Limit(_))) => {
-            format!("tune {}", table_label(model, table))
+        Node::Group(group @ (Group::Variable(_) | Group::Objective(_) | Group::Limit(_))) => {
+            format!("tune {}", group_label(model, group))
         }
         _ => label(model, node).into_owned(),
     }
@@ -87,7 +87,7 @@ pub fn subject(model: &Model, node: Node) -> String {
 /// The value at the right of a row.
 pub fn value(model: &Model, node: Node) -> String {
     match node {
-        Node::Group(table) => table_value(model, table),
+        Node::Group(group) => group_value(model, group),
         Node::Parameter(id) => Parameter::of(model, id).map_or_else(
             |_| String::new(),
             |parameter| of_parameter(&parameter, &parameter.value),
@@ -96,8 +96,8 @@ pub fn value(model: &Model, node: Node) -> String {
     }
 }
 
-fn table_value(model: &Model, table: Group) -> String {
-    match table {
+fn group_value(model: &Model, group: Group) -> String {
+    match group {
         Group::Model => String::new(),
         Group::Beam => Unit::METRE.format(model.beam.length),
         Group::Material => format!(

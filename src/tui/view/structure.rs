@@ -39,8 +39,8 @@ enum Focus {
 }
 
 impl Focus {
-    fn of(table: Group) -> Self {
-        match table {
+    fn of(group: Group) -> Self {
+        match group {
             Group::Beam => Self::Beam,
             Group::Support(end) => Self::Support(end),
             Group::Subsystem(i) => Self::Subsystem(i),
@@ -72,7 +72,7 @@ impl<'a> Picture<'a> {
         let first = i32::from(margin);
         Self {
             model,
-            focus: Focus::of(node.table()),
+            focus: Focus::of(node.group()),
             theme,
             signs: Signs::of(theme),
             rows: Rows::of(i32::from(rows)),
@@ -128,7 +128,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
     let node = app.selection.node();
     let title = super::rule("Structure", theme);
     let room = usize::from(area.width).saturating_sub(title.width() + 3);
-    let note = cut(&note(model, Focus::of(node.table())), room);
+    let note = cut(&note(model, Focus::of(node.group())), room);
     let note = Line::styled(format!(" {note} "), theme.dim());
     let block = super::panel(title, note, area.width).border_style(theme.dim());
     let inside = block.inner(area);

@@ -9,12 +9,12 @@ use crate::tune::words;
 
 /// What the details say of a row that is no parameter, a line for each thing.
 pub(super) fn of(model: &Model, node: Node, keys: &KeyMap) -> String {
-    let table = match node {
-        Node::Group(table) => table,
+    let group = match node {
+        Node::Group(group) => group,
         Node::StudyLine(..) => return tree::label(model, node).into_owned(),
         Node::Parameter(_) => return String::new(),
     };
-    match table {
+    match group {
         Group::Beam => beam(&model.beam),
         Group::Material => material(&model.beam.material),
         Group::Section => section(&model.beam.section),

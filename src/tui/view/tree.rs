@@ -108,9 +108,7 @@ fn row_style(app: &App, theme: Theme, row: Row) -> Style {
         Some(Group::Study(i)) => app.curves.study != Some(i),
         _ => matches!(
             row.node,
-            Node::Group(Group::Variable(_))
-                | Node::Group(Group::Objective(_))
-                | Node::Group(Group::Limit(_))
+            Node::Group(Group::Variable(_) | Group::Objective(_) | Group::Limit(_))
         ),
     };
     if off {

@@ -218,7 +218,7 @@ impl App {
 /// Bounds that are usual for a parameter with this value: a tenth and ten times of it, a place along the whole beam.
 fn usual_bounds(model: &Model, id: ParameterId, value: f64) -> Option<[f64; 2]> {
     let is_position = id.row == SubsystemKey::Position as usize;
-    if is_position && matches!(id.table, Group::Subsystem(_)) {
+    if is_position && matches!(id.group, Group::Subsystem(_)) {
         return Some([0.0, model.beam.length]);
     }
     let mut bounds = [0.1 * value, 10.0 * value];

@@ -101,10 +101,15 @@ impl Group {
             Self::Response(_) => schema::RESPONSE.keys,
             Self::Sweep => schema::SWEEP.keys,
             Self::Study(_) => schema::STUDY.keys,
-            Self::Supports | Self::Subsystems | Self::Forces | Self::Responses | Self::Studies => {
-                &[]
-            }
-            Self::Tune | Self::Variable(_) | Self::Objective(_) | Self::Limit(_) => &[],
+            Self::Supports
+            | Self::Subsystems
+            | Self::Forces
+            | Self::Responses
+            | Self::Studies
+            | Self::Tune
+            | Self::Variable(_)
+            | Self::Objective(_)
+            | Self::Limit(_) => &[],
         }
     }
 
@@ -120,10 +125,14 @@ impl Group {
             Self::Response(_) => Self::Responses,
             Self::Study(_) => Self::Studies,
             Self::Variable(_) | Self::Objective(_) | Self::Limit(_) => Self::Tune,
-            Self::Beam | Self::Supports | Self::Subsystems | Self::Forces | Self::Responses => {
-                Self::Model
-            }
-            Self::Sweep | Self::Studies | Self::Tune => Self::Model,
+            Self::Beam
+            | Self::Supports
+            | Self::Subsystems
+            | Self::Forces
+            | Self::Responses
+            | Self::Sweep
+            | Self::Studies
+            | Self::Tune => Self::Model,
         })
     }
 
@@ -163,6 +172,7 @@ impl Group {
     }
 
     /// The beam, end or element of a list that it belongs to: what the first parts of a path name.
+    #[must_use]
     pub const fn owner(self) -> Self {
         match self {
             Self::Material | Self::Section => Self::Beam,
@@ -175,8 +185,13 @@ impl Group {
     pub const fn place(self) -> Option<usize> {
         match self {
             Self::Support(end) | Self::Motion(end, _) => Some(end as usize),
-            Self::Subsystem(i) | Self::Force(i) | Self::Response(i) | Self::Study(i) => Some(i),
-            Self::Variable(i) | Self::Objective(i) | Self::Limit(i) => Some(i),
+            Self::Subsystem(i)
+            | Self::Force(i)
+            | Self::Response(i)
+            | Self::Study(i)
+            | Self::Variable(i)
+            | Self::Objective(i)
+            | Self::Limit(i) => Some(i),
             _ => None,
         }
     }

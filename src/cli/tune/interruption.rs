@@ -151,9 +151,10 @@ fn values(model: &Model) -> String {
     let parameters = variables.filter_map(|variable| variable.parameters(model).ok());
     let (ids, values): (Vec<_>, Vec<_>) = parameters.flatten().unzip();
     let lines = path::texts(model, &ids).into_iter().zip(values);
-    lines
+    let lines: Vec<String> = lines
         .map(|(path, value)| format!("{path}={}\n", model::format_number(value)))
-        .collect()
+        .collect();
+    lines.concat()
 }
 
 fn end(signal: i32) -> ! {

@@ -184,25 +184,19 @@ fn element<'n>(
 
 /// The ids that the rest of a path stands for.
 fn below(mut ids: Vec<ParameterId>, path: &[Part]) -> Result<Vec<ParameterId>, Miss> {
-    for (at, part) in path.iter().enumerate() {
-        let meant = |id: &ParameterId| parts(*id).nth(at).is_some_and(|key| part.means(key));
-        if !ids.iter().any(meant) {
-            return Err(Miss {
-                at,
-                known: next_words(&ids, at),
-            });
+    for at in 0..=path.len() {
+        // Behind the last part nothing follows.
+        let meant = |id: &&ParameterId| match (path.get(at), parts(**id).nth(at)) {
+            (Some(part), Some(key)) => part.means(key),
+            (part, key) => part.is_none() && key.is_none(),
+        };
+        let kept: Vec<ParameterId> = ids.iter().filter(meant).copied().collect();
+        if kept.is_empty() {
+            let known = next_words(&ids, at);
+            return Err(Miss { at, known });
         }
-        ids.retain(meant);
+        ids = kept;
     }
-    let at = path.len();
-    let ends = |id: &ParameterId| parts(*id).nth(at).is_none();
-    if !ids.iter().any(ends) {
-        return Err(Miss {
-            at,
-            known: next_words(&ids, at),
-        });
-    }
-    ids.retain(ends);
     Ok(ids)
 }
 

@@ -335,9 +335,35 @@ fn taken_over(model: &Model, from: &Model, best: &Model) -> Result<Model, String
     for pattern in variables.flat_map(|variable| &variable.paths) {
         let found = path::numbers(best, pattern).map_err(|fault| fault.message)?;
         for (id, value) in found {
-            edit::put(&mut changed, id, Value::Number(value))
-                .map_err(|message| format!("{} {message}", path::text(best, id)))?;
+            // Names lead from one model to another, which may have changed since the search began.
+            edit::set_unchecked(&mut changed, &path::text(best, id), Value::Number(value))
+                .map_err(|fault| format!("{} {}", fault.path, fault.message))?;
         }
     }
     edit::checked(changed).map_err(|faults| format!("{} {}", faults[0].path, faults[0].message))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Expected: names lead from the model that was searched to one that was edited meanwhile.
+    #[test]
+    fn what_was_found_goes_to_the_subsystem_with_its_name() {
+        let preset = crate::presets::find("fig05a").unwrap().text;
+        let tune = r#"
+            [tune]
+            variables = [{ path = "subsystems.S2.mass", min = 1.0, max = 1e3 }]
+            objective = { minimise = "energy", from = 1.0, to = 100.0 }
+        "#;
+        let from = crate::model::read(&format!("{preset}{tune}")).unwrap();
+        let mut best = from.clone();
+        best.subsystems[1].mass = 77.0;
+        let mut edited = from.clone();
+        edited.subsystems.swap(0, 1);
+        let taken = taken_over(&edited, &from, &best).unwrap();
+        assert_eq!(taken.subsystems[0].name, "S2");
+        assert_eq!(taken.subsystems[0].mass, 77.0);
+        assert_eq!(taken.subsystems[1].mass, from.subsystems[0].mass);
+    }
 }

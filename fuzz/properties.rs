@@ -1,6 +1,6 @@
 //! What holds for every text. Shared by the fuzz targets and `tests/fuzz.rs`; a panic is a failure.
 
-use beamtune::model::path::Value;
+use beamtune::model::edit::{self, Value};
 use beamtune::model::{self, Fault, Model, Unit, entry, path};
 use std::sync::OnceLock;
 
@@ -134,14 +134,14 @@ fn typed_for_parameters(text: &str, sample: &Model) {
             Ok(parameter) => parameter,
             Err(fault) => panic!("{fault}"),
         };
-        let Ok(value) = entry::value(text, &parameter) else {
+        let Ok(value) = parameter.read(text) else {
             continue;
         };
         if let Value::Number(number) = value {
             assert!(number.is_finite(), "{text:?} gives {number}");
         }
         let mut changed = sample.clone();
-        match path::set(&mut changed, at, value) {
+        match edit::set(&mut changed, at, value) {
             Ok(()) => assert!(model::check(&changed).is_empty(), "{at} = {text:?}"),
             Err(faults) => {
                 assert!(!faults.is_empty(), "{at} = {text:?} refused without a word");

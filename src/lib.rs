@@ -23,8 +23,9 @@
 //! - `model` and `solve` know no terminal, no thread of their own and no clock; `solve` reads a checked model and
 //!   nothing else.
 //! - Numbers inside are SI. Prefixes exist only where a person reads or types.
-//! - Every number of a model is one row of one table (key, symbol, unit, meaning, range); reading, writing, paths and
-//!   the designer's tree go by it.
+//! - Every key of a model is one row of [`model::schema`] (key, symbol, unit, meaning, kind, range); reading, writing,
+//!   checking, paths and the designer's tree go by it. A [`model::ParameterId`] stands for a parameter; text paths are
+//!   for files, the command line and prompts.
 //! - The user-interface thread never solves. What is drawn carries the generation of its model; older curves are dim.
 //! - No value that is not finite is drawn or written silently.
 //!
@@ -36,7 +37,7 @@
 //!
 //! let preset = presets::find("fig06").expect("an embedded preset");
 //! let mut beam = model::read(preset.text).expect("presets are possible models");
-//! model::path::set(&mut beam, "supports.left.w.stiffness", model::path::Value::Number(8e7)).expect("a stiffer end");
+//! model::edit::set(&mut beam, "supports.left.w.stiffness", model::edit::Value::Number(8e7)).expect("a stiffer end");
 //! let frf = solve::sweep(&beam, &[50.0, 100.0], &AtomicBool::new(false)).expect("nothing cancels it");
 //! assert_eq!(frf.columns[0].values.len(), 2);
 //! ```

@@ -148,7 +148,7 @@ fn a_nudge_is_written_in_under_a_third_of_a_repaint() {
     let model = counter.driver.app.model().clone();
     let mut shares = Vec::new();
     for row in tree::all_rows(&model) {
-        if tree::parameter_path(&model, row.node).is_none() {
+        if row.node.parameter().is_none() {
             continue;
         }
         counter.driver.app.selection.select(&model, row.node);

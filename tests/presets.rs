@@ -8,7 +8,7 @@
 use std::collections::BTreeSet;
 use std::sync::atomic::AtomicBool;
 
-use beamtune::model::path::{self, Value};
+use beamtune::model::edit::{self, Value};
 use beamtune::model::{self, Family, Model};
 use beamtune::{presets, solve};
 
@@ -30,12 +30,12 @@ fn members(name: &str) -> Vec<Model> {
         Family::Cases(cases) => cases.len(),
     };
     (0..count)
-        .map(|index| path::apply(&model, family, index).unwrap())
+        .map(|index| edit::apply(&model, family, index).unwrap())
         .collect()
 }
 
 fn set(model: &mut Model, pattern: &str, value: f64) {
-    path::set(model, pattern, Value::Number(value)).unwrap();
+    edit::set(model, pattern, Value::Number(value)).unwrap();
 }
 
 /// A response's magnitude over frequency; the value itself of an energy.

@@ -654,7 +654,7 @@ fn subsystems_change_places() {
 #[test]
 fn a_renamed_subsystem_keeps_its_place() {
     insta::assert_snapshot!(edit(|model| {
-        path::set(model, "subsystems.S1.name", path::Value::Text("motor".to_owned())).unwrap();
+        edit::set(model, "subsystems.S1.name", edit::Value::Text("motor".to_owned())).unwrap();
     }), @r#"
  [[subsystems]]
 -name = "S1"

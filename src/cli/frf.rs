@@ -13,7 +13,7 @@ use clap::{Args, ValueEnum};
 use super::csv::{self, cell, number};
 use super::modes::listed;
 use super::{Failure, Sets, say, source};
-use crate::model::{Family, Model, counted, path};
+use crate::model::{Family, Model, counted, edit};
 use crate::solve::modes::{Completeness, MOST_MODES, Modes, modes};
 use crate::solve::peaks::resolved;
 use crate::solve::{Column, ColumnKind, Frf, frequencies, sweep};
@@ -91,8 +91,8 @@ fn members(model: &Model, study: Option<&str>) -> Result<Vec<Member>, Failure> {
         return Ok(vec![(None, model.clone())]);
     };
     let family = family(model, name)?;
-    let keys = path::family_keys(family).into_iter().enumerate();
-    keys.map(|(index, key)| match path::apply(model, family, index) {
+    let keys = edit::family_keys(family).into_iter().enumerate();
+    keys.map(|(index, key)| match edit::apply(model, family, index) {
         Ok(member) => Ok((Some(key), member)),
         Err(faults) => Err(Failure::faults(&format!("study {name}, {key}"), &faults)),
     })

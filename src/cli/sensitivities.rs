@@ -10,7 +10,7 @@ use clap::Args;
 
 use super::csv::{self, cell, number};
 use super::{Failure, Sets, say, source};
-use crate::model::{Model, path};
+use crate::model::{Model, edit, path};
 use crate::solve::modes::{MOST_MODES, Modes, modes};
 use crate::solve::peaks::{Peak, peaks, resolved};
 use crate::solve::sensitivity::{Figure, Sensitivity, effects, lack};
@@ -177,12 +177,13 @@ fn sorted(mut found: Vec<Sensitivity>, figure: &Figure) -> Vec<Sensitivity> {
 fn write(out: &mut dyn Write, model: &Model, found: &[Sensitivity]) -> std::io::Result<()> {
     writeln!(out, "parameter,value,level_db,frequency_hz,damping_ratio")?;
     let or_none = |value: Option<f64>| value.map_or_else(String::new, number);
-    for one in found {
-        let value = path::number(model, &one.path).unwrap_or(f64::NAN);
+    let ids: Vec<_> = found.iter().map(|one| one.id).collect();
+    for (one, path) in found.iter().zip(path::texts(model, &ids)) {
+        let value = edit::number(model, one.id).unwrap_or(f64::NAN);
         writeln!(
             out,
             "{},{},{},{},{}",
-            cell(&one.path),
+            cell(&path),
             number(value),
             or_none(one.level),
             or_none(one.frequency),

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::Failure;
 use crate::escape::shown_path;
-use crate::model::{self, Model, entry, path};
+use crate::model::{self, Fault, Model, edit, path};
 use crate::presets::{self, Preset};
 use crate::tui::{Opened, Source};
 
@@ -89,11 +89,12 @@ fn change(model: &mut Model, set: &str) -> Result<(), Failure> {
         ))
     })?;
     let fail = |message: String| Failure::input(format!("--set {set}: {message}"));
-    for concrete in path::expand(model, pattern.trim()).map_err(|fault| fail(fault.to_string()))? {
-        let parameter =
-            path::parameter(model, &concrete).map_err(|fault| fail(fault.to_string()))?;
-        let value = entry::value(text.trim(), &parameter).map_err(&fail)?;
-        path::set_unchecked(model, &concrete, value).map_err(|fault| fail(fault.to_string()))?;
+    let fault = |fault: Fault| fail(fault.to_string());
+    for id in path::find(model, pattern.trim()).map_err(fault)? {
+        let parameter = path::described(model, id).map_err(fault)?;
+        let value = parameter.read(text.trim()).map_err(&fail)?;
+        edit::put(model, id, value)
+            .map_err(|message| fault(Fault::new(path::text(model, id), message)))?;
     }
     Ok(())
 }

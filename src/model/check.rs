@@ -5,22 +5,17 @@ mod target;
 mod tuning;
 
 use super::fault::Fault;
-use super::field::{BEAM, Field, MATERIAL, Range, SECTION, SUBSYSTEM, SWEEP, elastic_fields};
-use super::names;
+use super::id::End;
+use super::names::{LONGEST_NAME, element_keys, is_too_long};
+use super::schema::{
+    BEAM, FEWEST_POINTS, MATERIAL, MOST_POINTS, Range, Rows, SECTION, SUBSYSTEM, SWEEP, elastic,
+};
 use super::serial::format_number;
 use super::types::{Beam, BeamMotion, Model, Restraint, Subsystem, Support, Sweep};
 use std::cell::LazyCell;
 use std::collections::HashMap;
 use std::fmt;
 use std::ops::RangeInclusive;
-
-/// The fewest frequencies of a sweep.
-pub(super) const FEWEST_POINTS: usize = 2;
-/// The most frequencies of a sweep.
-pub(super) const MOST_POINTS: usize = 1_000_000;
-
-/// The longest name, characters.
-const LONGEST_NAME: usize = 200;
 
 /// Sizes, in SI units, of what must be above 0: powers and products of a few of them neither overflow nor underflow.
 const SIZES: RangeInclusive<f64> = 1e-60..=1e60;
@@ -38,8 +33,13 @@ pub fn check(model: &Model) -> Vec<Fault> {
 /// The rules of the structure itself, without those of the studies and the tuning.
 fn state(model: &Model, faults: &mut Vec<Fault>) {
     beam(&model.beam, faults);
-    support("supports.left", &model.supports.left, faults);
-    support("supports.right", &model.supports.right, faults);
+    for end in End::ALL {
+        support(
+            &format!("supports.{}", end.key()),
+            end.support(model),
+            faults,
+        );
+    }
     subsystems(model, faults);
     target::forces(model, faults);
     target::responses(model, faults);
@@ -47,35 +47,27 @@ fn state(model: &Model, faults: &mut Vec<Fault>) {
 }
 
 /// Every number of a table against its range.
-fn numbers<T>(path: &str, of: &T, table: &[Field<T>], faults: &mut Vec<Fault>) {
-    for field in table {
-        let value = (field.get)(of);
-        if !value.is_finite() {
-            faults.push(Fault::new(
-                format!("{path}.{}", field.key),
-                not_finite(value),
-            ));
-        } else if !field.range.holds(value) {
-            faults.push(Fault::new(
-                format!("{path}.{}", field.key),
-                format!(
-                    "is {}; must be {}",
-                    format_number(value),
-                    field.range.words()
-                ),
-            ));
-        } else if field.range == Range::Positive && !SIZES.contains(&value) {
-            faults.push(Fault::new(
-                format!("{path}.{}", field.key),
-                format!(
-                    "is {}; must be {:e} to {:e}: beyond, products of such numbers have no digits",
-                    format_number(value),
-                    SIZES.start(),
-                    SIZES.end()
-                ),
-            ));
+fn numbers<T>(path: &str, of: &T, rows: &Rows<T>, faults: &mut Vec<Fault>) {
+    for (key, value) in rows.numbers(of) {
+        if let Some(message) = out_of_range(value, key.range) {
+            faults.push(Fault::new(format!("{path}.{}", key.key), message));
         }
     }
+}
+
+/// Why a number is outside its range.
+fn out_of_range(value: f64, range: Range) -> Option<String> {
+    let wanted = if !value.is_finite() {
+        return Some(not_finite(value));
+    } else if !range.holds(value) {
+        range.words().to_owned()
+    } else if range == Range::Positive && !SIZES.contains(&value) {
+        let (least, most) = (SIZES.start(), SIZES.end());
+        format!("{least:e} to {most:e}: beyond, products of such numbers have no digits")
+    } else {
+        return None;
+    };
+    Some(format!("is {}; must be {wanted}", format_number(value)))
 }
 
 /// What is said of NaN and the infinities.
@@ -84,9 +76,9 @@ pub(super) fn not_finite(value: f64) -> String {
 }
 
 fn beam(beam: &Beam, faults: &mut Vec<Fault>) {
-    numbers("beam", beam, BEAM, faults);
-    numbers("beam.material", &beam.material, MATERIAL, faults);
-    numbers("beam.section", &beam.section, SECTION, faults);
+    numbers("beam", beam, &BEAM, faults);
+    numbers("beam.material", &beam.material, &MATERIAL, faults);
+    numbers("beam.section", &beam.section, &SECTION, faults);
     let section = &beam.section;
     let least = section.area * section.centroid_offset * section.centroid_offset;
     if section.polar_moment > 0.0 && section.polar_moment <= least {
@@ -108,38 +100,11 @@ fn beam(beam: &Beam, faults: &mut Vec<Fault>) {
 
 fn support(path: &str, support: &Support, faults: &mut Vec<Fault>) {
     for motion in BeamMotion::ALL {
-        if let Restraint::Elastic(elastic) = &support[motion] {
-            numbers(
-                &format!("{path}.{}", motion.key()),
-                elastic,
-                elastic_fields(motion),
-                faults,
-            );
+        if let Restraint::Elastic(restraint) = &support[motion] {
+            let path = format!("{path}.{}", motion.key());
+            numbers(&path, restraint, elastic(motion), faults);
         }
     }
-}
-
-/// The key of each named element in a path: its name, or its number from 1 where the name is empty, taken or
-/// not fit for a line.
-pub(super) fn element_keys<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
-    let mut seen = HashMap::new();
-    names
-        .enumerate()
-        .map(|(index, name)| {
-            let first = *seen.entry(name).or_insert(index) == index;
-            let fits = !name.trim().is_empty() && !name.contains(char::is_control);
-            if first && fits && !is_too_long(name) {
-                names::segment(name)
-            } else {
-                (index + 1).to_string()
-            }
-        })
-        .collect()
-}
-
-/// Whether a name has more characters than one may have.
-fn is_too_long(name: &str) -> bool {
-    name.chars().nth(LONGEST_NAME).is_some()
 }
 
 /// Names that are empty, hold control characters, are too long or are used twice.
@@ -198,7 +163,7 @@ fn subsystem(path: &str, one: &Subsystem, model: &Model, faults: &mut Vec<Fault>
             format!("{:?} is an end of the beam; must be another name", one.name),
         ));
     }
-    numbers(path, one, SUBSYSTEM, faults);
+    numbers(path, one, &SUBSYSTEM, faults);
     let path = format_args!("{path}.position");
     beyond_the_end(path, one.position, model, faults);
 }
@@ -219,7 +184,7 @@ fn beyond_the_end(path: fmt::Arguments<'_>, position: f64, model: &Model, faults
 }
 
 fn sweep(sweep: &Sweep, faults: &mut Vec<Fault>) {
-    numbers("sweep", sweep, SWEEP, faults);
+    numbers("sweep", sweep, &SWEEP, faults);
     band("sweep", sweep.from, sweep.to, faults);
     if !(FEWEST_POINTS..=MOST_POINTS).contains(&sweep.points) {
         faults.push(Fault::new(

@@ -1,7 +1,6 @@
 //! What a person types for a parameter: a value with or without unit, a change of the old value, or a word.
 
 use super::names::nearest;
-use super::path::{Parameter, Value};
 use super::unit::Unit;
 
 /// Multipliers that may stand behind a number in place of a unit.
@@ -16,24 +15,7 @@ const PREFIXES: &[(&str, i32)] = &[
     ("n", -9),
 ];
 
-/// The new value of a parameter: a number as by [`number`], a count as by [`count`], `true` or `false` (or on, off,
-/// yes, no), one of the choices, or text as it stands.
-///
-/// # Errors
-/// Says why the text is no value of this parameter and what is accepted.
-pub fn value(text: &str, parameter: &Parameter) -> Result<Value, String> {
-    match &parameter.value {
-        Value::Number(old) => number(text, *old, &parameter.unit).map(Value::Number),
-        Value::Count(old) => count(text, *old).map(Value::Count),
-        Value::Flag(_) => flag(text).map(Value::Flag),
-        Value::Choice(_) => {
-            choice(text.trim(), &parameter.choices, &parameter.range).map(Value::Choice)
-        }
-        Value::Text(_) => Ok(Value::Text(text.to_owned())),
-    }
-}
-
-fn flag(text: &str) -> Result<bool, String> {
+pub(super) fn flag(text: &str) -> Result<bool, String> {
     match text.trim().to_ascii_lowercase().as_str() {
         "true" | "on" | "yes" => Ok(true),
         "false" | "off" | "no" => Ok(false),
@@ -44,7 +26,11 @@ fn flag(text: &str) -> Result<bool, String> {
     }
 }
 
-fn choice(text: &str, choices: &[&'static str], range: &str) -> Result<&'static str, String> {
+pub(super) fn choice(
+    text: &str,
+    choices: &[&'static str],
+    range: &str,
+) -> Result<&'static str, String> {
     choices
         .iter()
         .copied()
@@ -471,50 +457,6 @@ mod tests {
             !number("abc", 1.0, &Unit::ONE)
                 .unwrap_err()
                 .contains("with ,")
-        );
-    }
-
-    #[test]
-    fn words_are_read_for_what_the_parameter_is() {
-        let of = |value, choices: &[&'static str]| Parameter {
-            path: String::new(),
-            symbol: "",
-            unit: Unit::METRE,
-            meaning: "",
-            range: "free or fixed".to_owned(),
-            choices: choices.to_vec(),
-            value,
-        };
-        let choices = ["free", "fixed"];
-        assert_eq!(
-            value("*2", &of(Value::Number(0.3), &[])),
-            Ok(Value::Number(0.6))
-        );
-        assert_eq!(
-            value("2k", &of(Value::Count(3), &[])),
-            Ok(Value::Count(2000))
-        );
-        assert_eq!(
-            value(" Off ", &of(Value::Flag(true), &[])),
-            Ok(Value::Flag(false))
-        );
-        assert_eq!(
-            value("yes", &of(Value::Flag(true), &[])),
-            Ok(Value::Flag(true))
-        );
-        assert!(value("1", &of(Value::Flag(true), &[])).is_err());
-        assert_eq!(
-            value("Fixed", &of(Value::Choice("free"), &choices)),
-            Ok(Value::Choice("fixed"))
-        );
-        let wrong = value("fixd", &of(Value::Choice("free"), &choices)).unwrap_err();
-        assert!(
-            wrong.contains("did you mean fixed?") && wrong.contains("free or fixed"),
-            "{wrong}"
-        );
-        assert_eq!(
-            value("a b", &of(Value::Text(String::new()), &[])),
-            Ok(Value::Text("a b".to_owned()))
         );
     }
 

@@ -2,18 +2,23 @@
 //!
 //! Everything is in SI units. Nothing here computes a response or knows a terminal. [`read()`] turns a TOML text into
 //! a [`Model`] or into all of its faults at once; [`write()`] merges a model back into that text; [`check()`] says
-//! whether a model is physically possible; [`path`] reads and sets any parameter by name.
+//! whether a model is physically possible; [`schema`] says which keys there are, a [`ParameterId`] stands for one of
+//! them, [`path`] finds it by name and [`edit`] changes it.
 
 mod check;
 mod delta;
+mod describe;
+pub mod edit;
 pub mod entry;
 mod fault;
-pub(crate) mod field;
+mod id;
+mod moves;
 pub(crate) mod names;
 mod open;
 pub mod path;
 pub(crate) mod read;
 mod save;
+pub mod schema;
 mod serial;
 mod tuning;
 mod types;
@@ -22,9 +27,11 @@ mod write;
 
 pub use check::check;
 pub use delta::{apply_delta, delta};
+pub use describe::Parameter;
 pub use fault::Fault;
 pub(crate) use fault::MOST_SHOWN;
-pub use field::{Field, Range};
+pub use id::{End, Group, ParameterId};
+pub use moves::Moves;
 pub use open::{open, open_with};
 pub use read::read;
 pub(crate) use save::own_words;

@@ -1,5 +1,10 @@
 //! Names: how one is written in a path, and the nearest known one to a slip.
 
+use std::collections::HashMap;
+
+/// The longest name, characters.
+pub(super) const LONGEST_NAME: usize = 200;
+
 /// A name as one part of a parameter path: in double quotes where it would otherwise be read as something else.
 ///
 /// Those are names with a dot, star, quote or backslash, with a space at an end, of digits alone (which would be a
@@ -11,6 +16,38 @@ pub(crate) fn segment(name: &str) -> String {
     } else {
         name.to_owned()
     }
+}
+
+/// The key of each named element in a path: its name, or its number from 1 where the name is empty, taken or
+/// not fit for a line.
+pub(super) fn element_keys<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
+    let mut seen = HashMap::new();
+    names
+        .enumerate()
+        .map(|(index, name)| key(name, index, *seen.entry(name).or_insert(index) == index))
+        .collect()
+}
+
+/// The key of one element.
+pub(super) fn element_key<'a>(names: impl Iterator<Item = &'a str>, index: usize) -> String {
+    let names: Vec<&str> = names.take(index + 1).collect();
+    let name = names.last().copied().unwrap_or_default();
+    let is_first = names.iter().position(|other| *other == name) == Some(index);
+    key(name, index, is_first)
+}
+
+fn key(name: &str, index: usize, is_first: bool) -> String {
+    let fits = !name.trim().is_empty() && !name.contains(char::is_control);
+    if is_first && fits && !is_too_long(name) {
+        segment(name)
+    } else {
+        (index + 1).to_string()
+    }
+}
+
+/// Whether a name has more characters than one may have.
+pub(super) fn is_too_long(name: &str) -> bool {
+    name.chars().nth(LONGEST_NAME).is_some()
 }
 
 /// The known word nearest to `word`, if one is near enough to be meant.

@@ -1,10 +1,12 @@
 //! From the text of a model file to a model, or to all that is wrong with it.
 
+mod list;
 mod loads;
 mod parts;
 mod place;
 mod plans;
 pub(crate) mod reader;
+mod rows;
 pub(crate) mod table;
 mod tuning;
 pub(crate) mod value;

@@ -5,8 +5,30 @@
 
 use super::tuning::Tune;
 
+/// A choice whose values have words in the model file; the first is the default of a file.
+macro_rules! words {
+    ($(#[$doc:meta])* pub enum $name:ident { $($(#[$of:meta])* $value:ident = $word:literal,)* }) => {
+        $(#[$doc])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        pub enum $name { $($(#[$of])* $value,)* }
+
+        impl $name {
+            /// The words of the model file.
+            pub const WORDS: &'static [&'static str] = &[$($word),*];
+            /// All of them, in the order of the words.
+            pub const ALL: [Self; Self::WORDS.len()] = [$(Self::$value),*];
+
+            /// The word of the model file.
+            pub const fn key(self) -> &'static str {
+                Self::WORDS[self as usize]
+            }
+        }
+    };
+}
+pub(super) use words;
+
 /// A beam with its supports, subsystems, loads and what is asked of it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Model {
     /// One line for people.
     pub title: String,
@@ -80,75 +102,41 @@ pub struct Section {
     pub centroid_offset: f64,
 }
 
-/// The six motions of a point of the beam's shear-centre line, and what acts along them.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum BeamMotion {
-    /// Displacement w along y, m.
-    W,
-    /// Twist psi about x, rad.
-    Psi,
-    /// Displacement v along z, m.
-    V,
-    /// Slope w', rad.
-    WSlope,
-    /// Rate of twist psi', rad/m, which warps the section. Where a torque makes it jump (only without warping stiffness)
-    /// it is the mean of both sides.
-    PsiSlope,
-    /// Slope v', rad.
-    VSlope,
+words! {
+    /// The six motions of a point of the beam's shear-centre line, and what acts along them.
+    pub enum BeamMotion {
+        /// Displacement w along y, m.
+        W = "w",
+        /// Twist psi about x, rad.
+        Psi = "psi",
+        /// Displacement v along z, m.
+        V = "v",
+        /// Slope w', rad.
+        WSlope = "w_slope",
+        /// Rate of twist psi', rad/m, which warps the section. Where a torque makes it jump (only without warping
+        /// stiffness) it is the mean of both sides.
+        PsiSlope = "psi_slope",
+        /// Slope v', rad.
+        VSlope = "v_slope",
+    }
 }
 
 impl BeamMotion {
-    /// All six, displacements first: the order of the solver's vectors.
-    pub const ALL: [Self; 6] = [
-        Self::W,
-        Self::Psi,
-        Self::V,
-        Self::WSlope,
-        Self::PsiSlope,
-        Self::VSlope,
-    ];
-
-    /// The word of the model file.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::W => "w",
-            Self::Psi => "psi",
-            Self::V => "v",
-            Self::WSlope => "w_slope",
-            Self::PsiSlope => "psi_slope",
-            Self::VSlope => "v_slope",
-        }
-    }
-
     /// True for the two translations, whose inertia is a mass.
     pub const fn is_translation(self) -> bool {
         matches!(self, Self::W | Self::V)
     }
 }
 
-/// The three motions of a subsystem's mass.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum MassMotion {
-    /// Along y, m.
-    Y,
-    /// Along z, m.
-    Z,
-    /// Rotation about x, rad.
-    Theta,
-}
-
-impl MassMotion {
-    /// All three, in the solver's order.
-    pub const ALL: [Self; 3] = [Self::Y, Self::Z, Self::Theta];
-
-    /// The word of the model file.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Y => "y",
-            Self::Z => "z",
-            Self::Theta => "theta",
-        }
+words! {
+    /// The three motions of a subsystem's mass.
+    pub enum MassMotion {
+        /// Along y, m.
+        Y = "y",
+        /// Along z, m.
+        Z = "z",
+        /// Rotation about x, rad.
+        Theta = "theta",
     }
 }
 
@@ -180,14 +168,26 @@ impl Support {
     /// All six fixed.
     pub const CLAMPED: Self = Self([Restraint::Fixed; 6]);
 
+    /// The supports that have a word for all six.
+    pub const KINDS: [Self; 3] = [Self::FREE, Self::PINNED, Self::CLAMPED];
+    /// Their words.
+    pub const WORDS: [&'static str; 3] = ["free", "pinned", "clamped"];
+
+    /// The word for all six, if it has one.
+    pub fn word(&self) -> Option<&'static str> {
+        let known = Self::KINDS.iter().position(|kind| kind == self)?;
+        Some(Self::WORDS[known])
+    }
+
     /// The word for all six: `free`, `pinned`, `clamped`, or `elastic` for any other support.
     pub fn kind(&self) -> &'static str {
-        match *self {
-            Self::FREE => "free",
-            Self::PINNED => "pinned",
-            Self::CLAMPED => "clamped",
-            _ => "elastic",
-        }
+        self.word().unwrap_or("elastic")
+    }
+
+    /// The support with a word for all six.
+    pub fn of_word(word: &str) -> Option<Self> {
+        let known = Self::WORDS.iter().position(|known| *known == word)?;
+        Some(Self::KINDS[known])
     }
 }
 
@@ -256,7 +256,7 @@ pub struct Spring {
 }
 
 /// A mass with three degrees of freedom (y, z, theta) on four springs with dampers.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Subsystem {
     /// Unique; not "left" or "right".
     pub name: String,
@@ -356,34 +356,27 @@ pub enum Quantity {
     Energy,
 }
 
-/// Which time derivative of a motion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
-pub enum Measure {
-    /// Receptance.
-    #[default]
-    Displacement,
-    /// Mobility.
-    Velocity,
-    /// Accelerance.
-    Acceleration,
+impl Quantity {
+    /// The word for an energy among the measures.
+    pub const ENERGY: &'static str = "energy";
 }
 
-impl Measure {
-    /// All three.
-    pub const ALL: [Self; 3] = [Self::Displacement, Self::Velocity, Self::Acceleration];
-
-    /// The word of the model file.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Displacement => "displacement",
-            Self::Velocity => "velocity",
-            Self::Acceleration => "acceleration",
-        }
+words! {
+    /// Which time derivative of a motion.
+    #[derive(Default)]
+    pub enum Measure {
+        /// Receptance.
+        #[default]
+        Displacement = "displacement",
+        /// Mobility.
+        Velocity = "velocity",
+        /// Accelerance.
+        Acceleration = "acceleration",
     }
 }
 
 /// The frequencies of the curves.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Sweep {
     /// First frequency, Hz.
     pub from: f64,
@@ -395,26 +388,15 @@ pub struct Sweep {
     pub spacing: Spacing,
 }
 
-/// How frequencies are spread.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Spacing {
-    /// Equal steps.
-    #[default]
-    Linear,
-    /// Equal ratios.
-    Log,
-}
-
-impl Spacing {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::Linear, Self::Log];
-
-    /// The word of the model file.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Linear => "linear",
-            Self::Log => "log",
-        }
+words! {
+    /// How frequencies are spread.
+    #[derive(Default)]
+    pub enum Spacing {
+        /// Equal steps.
+        #[default]
+        Linear = "linear",
+        /// Equal ratios.
+        Log = "log",
     }
 }
 
@@ -443,30 +425,19 @@ pub enum Family {
     Cases(Vec<Case>),
 }
 
-/// How a study's value changes a parameter.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Operation {
-    /// Times the value.
-    Multiply,
-    /// The value itself.
-    Set,
-    /// Plus the value.
-    Add,
+words! {
+    /// How a study's value changes a parameter.
+    pub enum Operation {
+        /// Times the value.
+        Multiply = "multiply",
+        /// The value itself.
+        Set = "set",
+        /// Plus the value.
+        Add = "add",
+    }
 }
 
 impl Operation {
-    /// All three.
-    pub const ALL: [Self; 3] = [Self::Multiply, Self::Set, Self::Add];
-
-    /// The word of the model file.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Multiply => "multiply",
-            Self::Set => "set",
-            Self::Add => "add",
-        }
-    }
-
     /// The parameter's new value.
     pub fn apply(self, old: f64, value: f64) -> f64 {
         match self {

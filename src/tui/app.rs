@@ -23,7 +23,6 @@ mod look;
 mod measured;
 mod modal;
 mod mouse;
-mod moves;
 mod outside;
 mod overlay;
 mod palette;
@@ -73,13 +72,12 @@ pub use witness::{Witness, WitnessCurves, WitnessPicture};
 
 pub use crate::worker::Stage;
 
-use crate::model::Model;
+use crate::model::{Model, Moves};
 use crate::tui::Opened;
 use crate::tui::event::Event;
 use crate::tui::keys::{KeyMap, Scope};
 use crate::tui::theme::Theme;
 use crate::tui::user::memory::{Memory, RememberedOptions};
-use moves::Moves;
 use repeat::LastChange;
 
 /// What the last line says in place of the hints, until the next key.
@@ -159,7 +157,7 @@ pub struct App {
     /// What was sent to be solved last.
     requested: Option<(Arc<Model>, Option<usize>)>,
     /// The parameter whose nudges are prepared for, and its value then.
-    expected: Option<(String, f64)>,
+    expected: Option<(crate::model::ParameterId, f64)>,
     /// The generation whose finite-element curves were asked for last.
     witnessed: Option<u64>,
     /// The serial number given last.
@@ -291,7 +289,7 @@ impl App {
         if let Some(effects) = &mut self.sensitivities.effects {
             effects.follow(&moves);
         }
-        self.held = self.held.and_then(|node| moves.of(node));
+        self.held = self.held.and_then(|node| node.moved(&moves));
         self.expected = None;
         self.follow_rows(&moves, before, &model);
     }

@@ -1,6 +1,7 @@
 //! The variables of `[tune]` as coordinates from 0 to 1, and back.
 
-use crate::model::{Fault, Hold, Model, Spacing, Variable, path};
+use crate::model::edit::{self, Value};
+use crate::model::{Fault, Hold, Model, ParameterId, Spacing, Variable};
 
 /// One variable: a coordinate of the unit box, and what it sets.
 #[derive(Debug, Clone)]
@@ -8,7 +9,7 @@ pub(super) struct Coordinate {
     pub(super) variable: Variable,
     spacing: Spacing,
     /// The parameters it moves with the values they have in the model, the first first.
-    pub(super) parameters: Vec<(String, f64)>,
+    pub(super) parameters: Vec<(ParameterId, f64)>,
 }
 
 impl Coordinate {
@@ -20,7 +21,7 @@ impl Coordinate {
         // Refuses a ratio to 0.
         variable.applied(model, variable.min)?;
         Ok(Self {
-            spacing: variable.spacing(),
+            spacing: variable.spacing(model),
             parameters: variable.parameters(model)?,
             variable: variable.clone(),
         })
@@ -66,37 +67,37 @@ impl Coordinate {
     }
 
     /// What each parameter is when the first one has a value.
-    pub(super) fn values(&self, first: f64) -> impl Iterator<Item = (&str, f64)> {
+    pub(super) fn values(&self, first: f64) -> impl Iterator<Item = (ParameterId, f64)> {
         let start = self.start();
         let of = move |value: f64| match self.variable.hold {
             Hold::Equal => first,
             Hold::Ratio => value * (first / start),
         };
         let all = self.parameters.iter().enumerate();
-        all.map(move |(index, (path, value))| {
+        all.map(move |(index, (id, value))| {
             let value = if index == 0 { first } else { of(*value) };
-            (path.as_str(), value)
+            (*id, value)
         })
     }
 
     /// How each parameter moves with the first one.
-    pub(super) fn rates(&self) -> impl Iterator<Item = (&str, f64)> {
+    pub(super) fn rates(&self) -> impl Iterator<Item = (ParameterId, f64)> {
         let start = self.start();
         let all = self.parameters.iter().enumerate();
-        all.map(move |(index, (path, value))| {
+        all.map(move |(index, (id, value))| {
             let rate = match self.variable.hold {
                 Hold::Ratio if index > 0 => value / start,
                 _ => 1.0,
             };
-            (path.as_str(), rate)
+            (*id, rate)
         })
     }
 
     /// Sets its parameters in a model that has them.
     pub(super) fn set(&self, model: &mut Model, first: f64) {
-        for (path, value) in self.values(first) {
-            let set = path::set_unchecked(model, path, path::Value::Number(value));
-            debug_assert!(set.is_ok(), "{path} was a number before");
+        for (id, value) in self.values(first) {
+            let set = edit::put(model, id, Value::Number(value));
+            debug_assert!(set.is_ok(), "{id:?} was a number before");
         }
     }
 }

@@ -4,7 +4,8 @@ use num_complex::Complex64;
 
 use super::search::Function;
 use super::trial::{Moved, Slopes, Trial};
-use crate::model::{Limit, Model};
+use crate::model::schema::SubsystemKey;
+use crate::model::{Group, Limit, Model, ParameterId};
 use crate::solve::modes::{count, modes, undamped, without_damping};
 
 /// A limit of a model whose responses are known by their places.
@@ -83,9 +84,14 @@ fn added_mass(model: &Model) -> f64 {
 }
 
 fn added_mass_function(trial: &Trial, moved: &[Moved], at_most: f64) -> Function {
-    let enabled = super::problem::masses(&trial.model);
-    let of = |paths: &Moved| -> f64 {
-        let masses = paths.iter().filter(|(path, _)| enabled.contains(*path));
+    let is_added = |id: ParameterId| match id.group {
+        Group::Subsystem(i) => {
+            id.row == SubsystemKey::Mass as usize && trial.model.subsystems[i].enabled
+        }
+        _ => false,
+    };
+    let of = |moved: &Moved| -> f64 {
+        let masses = moved.iter().filter(|(id, _)| is_added(*id));
         masses.map(|(_, rate)| rate / at_most).sum()
     };
     Function {

@@ -1,6 +1,5 @@
 //! What `[tune]` asks for of a model: variables as coordinates, objectives as figures, limits as bounds.
 
-use std::collections::HashSet;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
@@ -8,7 +7,9 @@ use super::coordinates::Coordinate;
 use super::figures::{self, Figure};
 use super::limits::Bound;
 use super::trial::{Moved, Trial};
-use crate::model::{Aim, Combine, Fault, Limit, Model, Objective, Quantity, Response, Tune, path};
+use crate::model::{
+    Aim, Combine, Fault, Limit, Model, Objective, Quantity, Response, Tune, edit, path,
+};
 use crate::solve::modes::{MOST_MODES, are_too_many, count};
 
 /// What is sought: a model and its `[tune]`, ready to be searched.
@@ -159,21 +160,21 @@ impl Problem {
     pub fn point_of(&self, model: &Model) -> Vec<f64> {
         let value = |one: &Coordinate| {
             let first = one.parameters.first();
-            let number = first.and_then(|(path, _)| path::number(model, path).ok());
+            let number = first.and_then(|(id, _)| edit::number(model, *id).ok());
             number.map_or(0.0, |number| one.coordinate(number))
         };
         self.coordinates.iter().map(value).collect()
     }
 
     /// Paths of the variables whose value in the given model lies beyond their bounds: the search starts at the bound.
-    pub fn outside(&self) -> Vec<&str> {
+    pub fn outside(&self) -> Vec<String> {
         let beyond = self
             .coordinates
             .iter()
             .filter(|one| one.start() < one.variable.min || one.start() > one.variable.max);
         beyond
             .filter_map(|one| one.parameters.first())
-            .map(|(path, _)| path.as_str())
+            .map(|(id, _)| path::text(&self.bare, *id))
             .collect()
     }
 
@@ -221,13 +222,11 @@ impl Problem {
     }
 
     /// What each coordinate moves at a point, and how fast.
-    pub(super) fn moved(&self, x: &[f64], deviation: &[f64]) -> Vec<Moved<'_>> {
+    pub(super) fn moved(&self, x: &[f64], deviation: &[f64]) -> Vec<Moved> {
         let all = self.coordinates.iter().zip(x).enumerate();
         all.map(|(index, (one, x))| {
             let slope = one.slope(*x) * self.factor(index, deviation);
-            one.rates()
-                .map(|(path, rate)| (path, rate * slope))
-                .collect()
+            one.rates().map(|(id, rate)| (id, rate * slope)).collect()
         })
         .collect()
     }
@@ -243,15 +242,6 @@ impl Problem {
             one.set(model, one.value(*x) * self.factor(index, deviation));
         }
     }
-}
-
-/// The paths of the masses of the enabled subsystems.
-pub(super) fn masses(model: &Model) -> HashSet<String> {
-    let all = path::expand(model, "subsystems.*.mass").unwrap_or_default();
-    let both = model.subsystems.iter().zip(all);
-    both.filter(|(subsystem, _)| subsystem.enabled)
-        .map(|(_, path)| path)
-        .collect()
 }
 
 fn within(place: &str, fault: &Fault) -> Fault {

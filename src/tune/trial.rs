@@ -6,7 +6,7 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::search::Function;
-use crate::model::{Model, Quantity};
+use crate::model::{Model, ParameterId, Quantity};
 use crate::solve::modes::{Modes, uncertified};
 use crate::solve::sensitivity::{Differentiator, Gradient};
 use crate::solve::sweep;
@@ -58,8 +58,8 @@ impl<'a> Trial<'a> {
     }
 }
 
-/// The paths that a coordinate moves, and how fast.
-pub(super) type Moved<'a> = Vec<(&'a str, f64)>;
+/// The parameters that a coordinate moves, and how fast.
+pub(super) type Moved = Vec<(ParameterId, f64)>;
 
 /// How the answers of a model on trial change with the coordinates.
 pub(super) struct Slopes {
@@ -69,20 +69,20 @@ pub(super) struct Slopes {
 }
 
 impl Slopes {
-    /// Of a model; `moved` are for each coordinate the paths that it moves, and how fast.
+    /// Of a model; `moved` are for each coordinate the parameters that it moves, and how fast.
     pub(super) fn new(model: &Model, moved: &[Moved]) -> Self {
         let differentiator = Differentiator::new(model);
-        let known: std::collections::HashMap<&str, usize> = differentiator
-            .paths()
+        let known: std::collections::HashMap<ParameterId, usize> = differentiator
+            .ids()
             .iter()
             .enumerate()
-            .map(|(index, path)| (path.as_str(), index))
+            .map(|(index, id)| (*id, index))
             .collect();
         // What is not there changes nothing: a subsystem that is disabled.
-        let place = |(path, rate): &(&str, f64)| Some((*known.get(path)?, *rate));
+        let place = |(id, rate): &(ParameterId, f64)| Some((*known.get(id)?, *rate));
         let rates = moved
             .iter()
-            .map(|paths| paths.iter().filter_map(place).collect())
+            .map(|moved| moved.iter().filter_map(place).collect())
             .collect();
         Self {
             differentiator,

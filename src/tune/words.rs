@@ -1,7 +1,9 @@
 //! What a tuning asks for in words, with units.
 
-use crate::model::path::{self, Parameter};
-use crate::model::{Aim, Compare, Hold, Limit, Model, Objective, Spacing, Unit, Variable};
+use crate::model::edit::Value;
+use crate::model::{
+    Aim, Compare, Hold, Limit, Model, Objective, Parameter, Spacing, Unit, Variable,
+};
 use crate::solve::form::Dimension;
 
 /// Two numbers with one unit, that in which the larger is shown: `0.1..100 MN/m`.
@@ -36,7 +38,7 @@ pub fn level(model: &Model, response: &str, value: f64) -> String {
 /// The parameter whose bounds a variable has; none where it has no value now.
 pub fn first_parameter(model: &Model, variable: &Variable) -> Option<Parameter> {
     let (first, _) = variable.parameters(model).ok()?.into_iter().next()?;
-    path::parameter(model, &first).ok()
+    Parameter::of(model, first).ok()
 }
 
 /// The bounds of a variable: `0.1..100 MN/m`.
@@ -55,7 +57,7 @@ pub fn variable(model: &Model, variable: &Variable) -> String {
     };
     let mut lines = vec![format!("{}{together}", variable.paths.join(", "))];
     if let Some(first) = first_parameter(model, variable)
-        && let path::Value::Number(now) = first.value
+        && let Value::Number(now) = first.value
     {
         let count = match parameters.len() {
             1 => String::new(),
@@ -63,7 +65,7 @@ pub fn variable(model: &Model, variable: &Variable) -> String {
         };
         lines.push(format!("now {}{count}", first.unit.format(now)));
     }
-    let scale = match variable.spacing() {
+    let scale = match variable.spacing(model) {
         Spacing::Linear => "",
         Spacing::Log => ", by its logarithm",
     };

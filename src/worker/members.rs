@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::Subject;
-use crate::model::{Model, path};
+use crate::model::{Model, edit};
 
 /// A model to solve, and what tells it from the others of its study.
 pub(super) type Labelled = (Option<String>, Arc<Model>);
@@ -19,11 +19,11 @@ pub(super) fn members(
         return Ok(Some(vec![(None, Arc::clone(&subject.model))]));
     };
     let mut members = Vec::new();
-    for (index, label) in path::family_labels(&study.family).into_iter().enumerate() {
+    for (index, label) in edit::family_labels(&study.family).into_iter().enumerate() {
         if cancel.load(Ordering::Relaxed) {
             return Ok(None);
         }
-        let model = path::apply(&subject.model, &study.family, index).map_err(|faults| {
+        let model = edit::apply(&subject.model, &study.family, index).map_err(|faults| {
             let first = faults.first().map(ToString::to_string).unwrap_or_default();
             format!("{}, {label}: {first}", study.name)
         })?;

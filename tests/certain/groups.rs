@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 use beamtune::model::{
     BeamMotion, Force, MassMotion, Measure, Model, Place, Quantity, Response, Spring, Subsystem,
-    Support, Target,
+    Support, Target, edit, path,
 };
 use beamtune::solve::modes::{ModeKind, Modes, Shape, modes, shapes};
 use beamtune::solve::sensitivity::Differentiator;
@@ -365,11 +365,9 @@ fn equal_and_nearly_equal_modes_of_families_of_models() {
 /// d omega/d ln p of the modes `indices`, rad/s.
 fn by_logarithm(model: &Model, found: &Modes, indices: &[usize], path: &str) -> Vec<Complex64> {
     let differentiator = Differentiator::new(model);
-    let parameter = differentiator
-        .paths()
-        .iter()
-        .position(|of| of == path)
-        .unwrap();
+    let id = path::one(model, path).unwrap();
+    let ids = differentiator.ids();
+    let parameter = ids.iter().position(|of| *of == id).unwrap();
     let value = differentiator.values()[parameter];
     let slope = |&index: &usize| {
         let gradient = differentiator.mode(found, index);
@@ -492,11 +490,11 @@ fn derivatives_of_equal_modes_follow_the_list() {
         assert_eq!(equal.len(), 6);
         for field in ["mass", "y_left.stiffness", "z_right.stiffness", "arm_left"] {
             let path = format!("subsystems.S1.{field}");
-            let value = beamtune::model::path::number(&model, &path).unwrap();
+            let value = path::number(&model, &path).unwrap();
             let lists = [1.0, 2.0, 3.0].map(|steps: f64| {
                 let mut changed = model.clone();
-                let value = beamtune::model::path::Value::Number(value * (steps * STEP).exp());
-                beamtune::model::path::set_unchecked(&mut changed, &path, value).unwrap();
+                let value = edit::Value::Number(value * (steps * STEP).exp());
+                edit::set_unchecked(&mut changed, &path, value).unwrap();
                 modes(&changed, 100.0, &NEVER).unwrap()
             });
             let slopes = by_logarithm(&model, &found, &equal, &path);

@@ -1,6 +1,6 @@
 //! Lists of modes of every preset and every member of every study, with a tenth to a hundred times their damping.
 
-use beamtune::model::{self, Family, Model, Restraint, path};
+use beamtune::model::{self, Family, Model, Restraint, edit};
 use beamtune::presets;
 use rayon::prelude::*;
 
@@ -39,7 +39,7 @@ fn members(preset: &presets::Preset) -> Vec<(String, Model)> {
             Family::Cases(cases) => cases.len(),
         };
         for index in 0..count {
-            let member = path::apply(&model, &study.family, index).unwrap();
+            let member = edit::apply(&model, &study.family, index).unwrap();
             members.push((format!("{}, {} {index}", preset.name, study.name), member));
         }
     }

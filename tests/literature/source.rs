@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use beamtune::model::path::{self, Value};
+use beamtune::model::edit::{self, Value};
 use beamtune::model::{self, Model};
 use serde::Deserialize;
 
@@ -111,7 +111,7 @@ impl Source {
                 toml::Value::String(word) => Value::Text(word.clone()),
                 other => panic!("{}: {path} cannot be {other}", case.name),
             };
-            path::set_unchecked(&mut model, path, value)
+            edit::set_unchecked(&mut model, path, value)
                 .unwrap_or_else(|fault| panic!("{}: {fault}", case.name));
         }
         let faults = model::check(&model);

@@ -266,9 +266,9 @@ fn everything_is_read_as_it_stands() {
 #[test]
 fn a_new_name_goes_to_objectives_limits_and_variables() {
     let mut model = read(WHOLE).unwrap();
-    let text = |word: &str| path::Value::Text(word.to_owned());
-    path::set(&mut model, "responses.P5 w.name", text("tip")).unwrap();
-    path::set(&mut model, "subsystems.S1.name", text("a.b")).unwrap();
+    let text = |word: &str| edit::Value::Text(word.to_owned());
+    edit::set(&mut model, "responses.P5 w.name", text("tip")).unwrap();
+    edit::set(&mut model, "subsystems.S1.name", text("a.b")).unwrap();
     let tune = model.tune.clone().unwrap();
     let named: Vec<_> = tune
         .objectives

@@ -149,10 +149,10 @@ impl Driver {
     /// Selects the row of a parameter.
     pub fn select(&mut self, path: &str) -> &mut Self {
         let model = self.app.model().clone();
-        let path = path::expand(&model, path).expect("a path").remove(0);
+        let id = path::find(&model, path).expect("a path")[0];
         let row = tree::all_rows(&model)
             .into_iter()
-            .find(|row| tree::parameter_path(&model, row.node).as_deref() == Some(&path))
+            .find(|row| row.node.parameter() == Some(id))
             .expect("a row");
         self.app.selection.select(&model, row.node);
         self

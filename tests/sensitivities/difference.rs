@@ -1,6 +1,7 @@
 //! Derivatives by differences of high order, of anything that a model gives.
 
-use beamtune::model::path::{self, Value};
+use beamtune::model::edit::{self, Value};
+use beamtune::model::path;
 use beamtune::model::{Model, Place, Quantity, Target};
 use beamtune::solve::sensitivity::Differentiator;
 use num_complex::Complex64;
@@ -58,7 +59,7 @@ pub type Exact = (Complex64, Vec<Complex64>);
 /// The model with one number changed, checked or not.
 pub fn with(model: &Model, path: &str, value: f64) -> Model {
     let mut changed = model.clone();
-    path::set_unchecked(&mut changed, path, Value::Number(value)).unwrap();
+    edit::set_unchecked(&mut changed, path, Value::Number(value)).unwrap();
     changed
 }
 
@@ -125,7 +126,8 @@ pub fn worst(
 ) -> (f64, String) {
     let differentiator = Differentiator::new(model);
     let mut worst = (0.0, String::new());
-    let parameters = differentiator.paths().iter().zip(differentiator.values());
+    let paths = path::texts(model, differentiator.ids());
+    let parameters = paths.iter().zip(differentiator.values());
     for (index, (path, &parameter)) in parameters.enumerate() {
         let finite = exact.iter().all(|(_, by)| by[index].is_finite());
         if !finite || !trial.only.iter().any(|end| path.ends_with(end)) {

@@ -116,7 +116,8 @@ fn deviation(model: &Model, law: &Law, loads: fn(&Target) -> f64, frequency: f64
     let mut worst = 0.0_f64;
     for (gradient, response) in differentiator.at(frequency.into()).iter().zip(quantities) {
         let mut terms = vec![law.frequency * frequency * gradient.by_frequency];
-        let parameters = differentiator.paths().iter().zip(differentiator.values());
+        let paths = beamtune::model::path::texts(model, differentiator.ids());
+        let parameters = paths.iter().zip(differentiator.values());
         for ((path, value), by) in parameters.zip(&gradient.by_parameter) {
             let power = match path.strip_prefix("forces.") {
                 Some(rest) if key(path) == "amplitude" => {

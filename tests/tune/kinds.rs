@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
-use beamtune::model::{Combine, Model, path};
+use beamtune::model::{Combine, Model, edit};
 use beamtune::solve::band::{Level, levels};
 use beamtune::solve::modes::modes;
 use beamtune::solve::sweep;
@@ -18,7 +18,7 @@ const BUDGET: Option<usize> = Some(400);
 fn set(model: &mut Model, end: &str, value: f64) {
     for side in ["y_left", "y_right"] {
         let path = format!("subsystems.S1.{side}.{end}");
-        path::set_unchecked(model, &path, path::Value::Number(value)).unwrap();
+        edit::set_unchecked(model, &path, edit::Value::Number(value)).unwrap();
     }
 }
 

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use beamtune::model::{
-    self, Aim, Combine, Compare, Fault, Hold, Model, Objective, Tune, Variable, path,
+    self, Aim, Combine, Compare, Fault, Hold, Model, Objective, Tune, Variable, edit, path,
 };
 use beamtune::presets;
 use beamtune::solve::sweep;
@@ -35,7 +35,7 @@ fn measure(folder: &Path, share: f64, compare: Compare, seed: u64) {
     let mut model = cantilever();
     for (path, factor) in PATHS.into_iter().zip(FACTORS) {
         let value = path::number(&model, path).unwrap() * factor;
-        path::set_unchecked(&mut model, path, path::Value::Number(value)).unwrap();
+        edit::set_unchecked(&mut model, path, edit::Value::Number(value)).unwrap();
     }
     let frequencies: Vec<f64> = (0..141).map(|i| BAND[0] + 0.5 * f64::from(i)).collect();
     let frf = sweep(&model, &frequencies, &AtomicBool::new(false)).unwrap();

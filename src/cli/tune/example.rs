@@ -1,6 +1,7 @@
 //! A `[tune]` for a model that has none.
 
-use crate::model::{self, Aim, Combine, Hold, Model, Objective, Tune, Variable, path};
+use crate::model::schema::MaterialKey;
+use crate::model::{self, Aim, Combine, Group, Hold, Model, Objective, Tune, Variable, path};
 
 /// What is said of a model without `[tune]`, with one that would do.
 pub(super) fn wanted(label: &str, model: &Model) -> String {
@@ -28,11 +29,11 @@ fn tune(model: &Model) -> Tune {
         let all = path::numbers(model, &format!("subsystems.*.{key}")).unwrap_or_default();
         all.into_iter().find(|(_, value)| *value > 0.0)
     };
-    let (path, now) = of_first("y_left.stiffness")
+    let (id, now) = of_first("y_left.stiffness")
         .or_else(|| of_first("mass"))
         .unwrap_or_else(|| {
-            let modulus = "beam.material.young_modulus";
-            (modulus.to_owned(), model.beam.material.young_modulus)
+            let modulus = Group::Material.parameter(MaterialKey::YoungModulus as usize);
+            (modulus, model.beam.material.young_modulus)
         });
     let response = model.responses.iter().find(|response| response.enabled);
     let aim = response.map_or(Aim::Energy, |response| Aim::Peak {
@@ -40,7 +41,7 @@ fn tune(model: &Model) -> Tune {
     });
     Tune {
         variables: vec![Variable {
-            paths: vec![path],
+            paths: vec![path::text(model, id)],
             hold: Hold::Equal,
             min: now / 10.0,
             max: now * 10.0,

@@ -14,7 +14,7 @@ use signal_hook::iterator::Signals;
 use super::{Failure, notes_added, save, say, warn};
 use crate::cli::signals;
 use crate::escape::shown_path;
-use crate::model::{self, Model};
+use crate::model::{self, Model, path};
 use crate::signals::not_ignored;
 use crate::tui::Opened;
 use crate::tune::Status;
@@ -149,8 +149,12 @@ impl Interruption {
 fn values(model: &Model) -> String {
     let variables = model.tune.iter().flat_map(|tune| &tune.variables);
     let parameters = variables.filter_map(|variable| variable.parameters(model).ok());
-    let line = |(path, value): (String, f64)| format!("{path}={}\n", model::format_number(value));
-    parameters.flatten().map(line).collect()
+    let (ids, values): (Vec<_>, Vec<_>) = parameters.flatten().unzip();
+    let lines = path::texts(model, &ids).into_iter().zip(values);
+    let lines: Vec<String> = lines
+        .map(|(path, value)| format!("{path}={}\n", model::format_number(value)))
+        .collect();
+    lines.concat()
 }
 
 fn end(signal: i32) -> ! {

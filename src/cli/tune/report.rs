@@ -2,7 +2,7 @@
 
 use crate::cli::padded;
 use crate::escape::escape;
-use crate::model::{Aim, Limit, Model, Unit, Variable, counted};
+use crate::model::{Aim, Limit, Model, Unit, Variable, counted, path};
 use crate::tune::words::{band, bounds, first_parameter, level, range};
 use crate::tune::{Achieved, Kept, Moved, Place, Tuned, WorstCase};
 
@@ -222,7 +222,10 @@ fn variable(model: &Model, variable: &Variable, moved: &Moved) -> Row {
     let first = first_parameter(model, variable);
     let unit = first.as_ref().map_or(Unit::ONE, |first| first.unit);
     let count = variable.parameters(model).map_or(1, |all| all.len());
-    let what = first.map_or_else(|| moved.paths.join(", "), |first| first.path);
+    let what = first.map_or_else(
+        || moved.paths.join(", "),
+        |first| path::text(model, first.id),
+    );
     let what = match count {
         0 | 1 => what,
         count => format!("{what} and {} more", count - 1),

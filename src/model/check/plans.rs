@@ -1,10 +1,10 @@
 //! The rules of the studies: their paths, values and members.
 
 use super::super::fault::Fault;
-use super::super::names;
+use super::super::names::{self, element_keys};
 use super::super::path;
 use super::super::types::{Case, Family, Model, Supports};
-use super::{element_keys, element_names, not_finite, state, tuning};
+use super::{element_names, not_finite, state, tuning};
 use std::collections::HashSet;
 
 /// The most curves of a study.
@@ -13,7 +13,7 @@ const MOST_CURVES: usize = 10_000;
 /// Adds the faults of studies and tuning to those of the structure.
 ///
 /// Whether every curve of a study is possible is not asked: a study that is not shown must not stand in the way of an
-/// edit. [`path::apply`] says so where the curve is wanted.
+/// edit. [`edit::apply`](super::super::edit::apply) says so where the curve is wanted.
 pub(super) fn check(model: &Model, faults: &mut Vec<Fault>) {
     if model.studies.is_empty() && model.tune.is_none() {
         return;
@@ -104,7 +104,7 @@ impl Plans {
 
     /// A pattern must stand for numbers.
     fn pattern(&self, at: &str, pattern: &str, faults: &mut Vec<Fault>) {
-        if let Err(fault) = path::must_be_numbers(&self.bare, pattern) {
+        if let Err(fault) = path::numbers(&self.bare, pattern) {
             faults.push(Fault::new(at, format!("{}: {}", fault.path, fault.message)));
         }
     }

@@ -1,11 +1,11 @@
 //! The rules of forces and responses: where they are and along what.
 
 use super::super::fault::Fault;
-use super::super::field::FORCE;
-use super::super::names;
+use super::super::names::{self, element_keys};
+use super::super::schema::FORCE;
 use super::super::serial::format_number;
 use super::super::types::{BeamMotion, MassMotion, Model, Place, Quantity, Subsystem, Target};
-use super::{beyond_the_end, element_keys, element_names, not_finite, numbers};
+use super::{beyond_the_end, element_names, not_finite, numbers};
 
 /// So many faults get a hint at the nearest name; looking for it takes a while where there are many names.
 const MOST_HINTS: usize = 50;
@@ -26,7 +26,7 @@ pub(super) fn forces(model: &Model, faults: &mut Vec<Fault>) {
                  direction",
             ));
         }
-        numbers(&path, force, FORCE, faults);
+        numbers(&path, force, &FORCE, faults);
     }
 }
 

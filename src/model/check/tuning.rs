@@ -1,11 +1,14 @@
 //! The rules of the tuning: what moves, what is sought and what must be kept.
 
+use super::super::edit::{Value, put};
 use super::super::fault::Fault;
+use super::super::id::{Group, ParameterId};
 use super::super::names;
 use super::super::path;
+use super::super::schema::{AIMS, Access, Choice, Kind, LIMITS, OBJECTIVE, Rows};
 use super::super::serial::format_number;
 use super::super::tuning::{Aim, Hold, Limit, Objective, Tune, Variable};
-use super::super::types::{Case, Family, Measure, Model, Quantity, Spacing};
+use super::super::types::{Measure, Model, Quantity, Spacing};
 use super::plans::{Plans, not_empty};
 use super::{band, not_finite, state};
 use std::collections::HashMap;
@@ -51,7 +54,7 @@ impl Rules<'_> {
         at: &str,
         index: usize,
         variable: &Variable,
-        moved: &mut HashMap<String, usize>,
+        moved: &mut HashMap<ParameterId, usize>,
         faults: &mut Vec<Fault>,
     ) {
         not_empty(&format!("{at}.paths"), variable.paths.len(), "path", faults);
@@ -62,15 +65,40 @@ impl Rules<'_> {
             };
             match path::numbers(&self.plans.bare, pattern) {
                 Ok(found) => {
-                    let paths = found.into_iter().map(|(path, _)| path);
-                    faults
-                        .extend(unfit(index, paths, moved).map(|message| Fault::new(at, message)));
+                    let message = found
+                        .into_iter()
+                        .find_map(|(id, _)| self.unfit(index, id, moved));
+                    faults.extend(message.map(|message| Fault::new(at, message)));
                 }
                 Err(fault) => {
                     let message = format!("{}: {}", fault.path, fault.message);
                     faults.push(Fault::new(at, message));
                 }
             }
+        }
+    }
+
+    /// Why a variable may not move a parameter.
+    fn unfit(
+        &self,
+        index: usize,
+        id: ParameterId,
+        moved: &mut HashMap<ParameterId, usize>,
+    ) -> Option<String> {
+        let path = || path::text(&self.plans.bare, id);
+        if id.group == Group::Sweep {
+            return Some(format!(
+                "{}: no response depends on it; must be a number of the beam, a support, a subsystem or a force",
+                path()
+            ));
+        }
+        match *moved.entry(id).or_insert(index) {
+            other if other != index => Some(format!(
+                "{}: is moved by variable {} already; must be moved by one only",
+                path(),
+                other + 1
+            )),
+            _ => None,
         }
     }
 
@@ -96,13 +124,11 @@ impl Rules<'_> {
                     Err(_) => return,
                 },
             };
-            let case = Case {
-                name: String::new(),
-                set,
-            };
-            let Ok(extreme) = path::apply_unchecked(bare, &Family::Cases(vec![case]), 0) else {
+            let mut extreme = bare.clone();
+            let mut set = set.into_iter();
+            if set.any(|(id, value)| put(&mut extreme, id, Value::Number(value)).is_err()) {
                 continue;
-            };
+            }
             let mut found = Vec::new();
             state(&extreme, &mut found);
             let new = |fault: &Fault| !self.plans.known.contains(&fault.path);
@@ -132,32 +158,6 @@ fn impossible(tolerance: f64, fault: &Fault) -> String {
         "makes the model impossible{beyond}: {}: {}",
         fault.path, fault.message
     )
-}
-
-/// Why a variable may not move one of some parameters.
-fn unfit(
-    index: usize,
-    paths: impl Iterator<Item = String>,
-    moved: &mut HashMap<String, usize>,
-) -> Option<String> {
-    for path in paths {
-        if path.starts_with("sweep.") {
-            return Some(format!(
-                "{path}: no response depends on it; must be a number of the beam, a support, a subsystem or a force"
-            ));
-        }
-        match moved.get(&path) {
-            Some(other) if *other != index => {
-                let other = other + 1;
-                return Some(format!(
-                    "{path}: is moved by variable {other} already; must be moved by one only"
-                ));
-            }
-            Some(_) => {}
-            None => drop(moved.insert(path, index)),
-        }
-    }
-    None
 }
 
 /// The numbers of a variable by themselves.
@@ -202,63 +202,56 @@ fn objective(at: &str, model: &Model, objective: &Objective, faults: &mut Vec<Fa
         response(at, model, name, wanted, faults);
     }
     let (from, to) = (objective.from, objective.to);
-    positive(at, "from", from, faults);
-    positive(at, "to", to, faults);
+    ranges(at, objective, &OBJECTIVE, faults);
     band(at, from, to, faults);
-    positive(at, "weight", objective.weight, faults);
-    match aim {
-        Aim::Width { below, .. } => positive(at, "below", *below, faults),
-        Aim::AntiResonance { at: place, .. } => {
-            positive(at, "at", *place, faults);
-            if *place > 0.0 && (*place < from || *place > to) {
-                let (place, from, to) = (
-                    format_number(*place),
-                    format_number(from),
-                    format_number(to),
-                );
-                let message = format!("is {place}; must be in the band, {from} to {to} Hz");
-                faults.push(Fault::new(format!("{at}.at"), message));
-            }
-        }
-        Aim::Match {
-            file,
-            curve,
-            columns,
-            ..
-        } => {
-            not_blank(&format!("{at}.match"), file, "a file", faults);
-            if let Some(curve) = curve {
-                not_blank(&format!("{at}.curve"), curve, "a curve", faults);
-            }
-            if let Some(columns) = columns {
-                let expected = "the columns, as \"hz; re im; m/N\"";
-                not_blank(&format!("{at}.columns"), columns, expected, faults);
-            }
-        }
-        Aim::Energy | Aim::Peak { .. } | Aim::MeanSquare { .. } => {}
+    chosen(at, aim, AIMS, faults);
+    if let Aim::AntiResonance { at: place, .. } = aim
+        && *place > 0.0
+        && (*place < from || *place > to)
+    {
+        let [place, from, to] = [*place, from, to].map(format_number);
+        let message = format!("is {place}; must be in the band, {from} to {to} Hz");
+        faults.push(Fault::new(format!("{at}.at"), message));
     }
 }
 
 fn limit(at: &str, model: &Model, limit: &Limit, faults: &mut Vec<Fault>) {
-    match limit {
-        Limit::AddedMass { at_most } => positive(at, "at_most", *at_most, faults),
-        Limit::NoMode { from, to } => {
-            if *from < 0.0 {
-                let message = format!("is {}; must be >= 0", format_number(*from));
-                faults.push(Fault::new(format!("{at}.from"), message));
-            } else if !from.is_finite() {
-                faults.push(Fault::new(format!("{at}.from"), not_finite(*from)));
-            }
-            positive(at, "to", *to, faults);
-            band(at, *from, *to, faults);
+    if let Limit::StaticDeflection { response: name, .. } = limit {
+        response(at, model, name, Wanted::Displacement, faults);
+    }
+    chosen(at, limit, LIMITS, faults);
+    if let Limit::NoMode { from, to } = limit {
+        band(at, *from, *to, faults);
+    }
+}
+
+/// The numbers and texts of what a table is.
+fn chosen<T>(at: &str, of: &T, choices: &[Choice<T>], faults: &mut Vec<Fault>) {
+    let Some(choice) = Choice::of(choices, of) else {
+        return;
+    };
+    ranges(at, of, &choice.rows, faults);
+    for (key, access) in choice.rows.iter() {
+        if let Access::Optional(get, _) = access
+            && key.kind != Kind::Response
+            && let Some(text) = get(of)
+        {
+            not_blank(&format!("{at}.{}", key.key), text, key.meaning, faults);
         }
-        Limit::StaticDeflection {
-            response: name,
-            at_most,
-        } => {
-            response(at, model, name, Wanted::Displacement, faults);
-            positive(at, "at_most", *at_most, faults);
-        }
+    }
+}
+
+/// Every number against its range, however large it is.
+fn ranges<T>(at: &str, of: &T, rows: &Rows<T>, faults: &mut Vec<Fault>) {
+    for (key, value) in rows.numbers(of) {
+        let message = if !value.is_finite() {
+            not_finite(value)
+        } else if !key.range.holds(value) {
+            format!("is {}; must be {}", format_number(value), key.range.words())
+        } else {
+            continue;
+        };
+        faults.push(Fault::new(format!("{at}.{}", key.key), message));
     }
 }
 
@@ -305,18 +298,6 @@ fn response(at: &str, model: &Model, name: &str, wanted: Wanted, faults: &mut Ve
         },
     };
     faults.push(Fault::new(format!("{at}.response"), message));
-}
-
-/// A number above 0.
-fn positive(at: &str, key: &str, value: f64, faults: &mut Vec<Fault>) {
-    let message = if !value.is_finite() {
-        not_finite(value)
-    } else if value <= 0.0 {
-        format!("is {}; must be > 0", format_number(value))
-    } else {
-        return;
-    };
-    faults.push(Fault::new(format!("{at}.{key}"), message));
 }
 
 /// A text that names something.

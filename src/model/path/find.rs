@@ -3,10 +3,11 @@
 use std::cell::{Cell, OnceCell};
 use std::collections::HashMap;
 
-use super::address::{Address, End, Leaf, Owner, leaves, owner_paths, owners};
 use super::miss::{self, Miss};
 use super::pattern::{Part, split};
+use super::text::parts;
 use crate::model::Fault;
+use crate::model::id::{End, Group, ParameterId};
 use crate::model::types::Model;
 
 /// The words a path may begin with.
@@ -23,111 +24,68 @@ const ROOTS: [&str; 9] = [
 ];
 
 /// Finds parameters of a model. One finder for many paths keeps the names in a hash table.
-pub(super) struct Finder<'a> {
+pub(in crate::model) struct Finder<'a> {
     model: &'a Model,
-    /// Whether a name has been sought before: a single look-up is not worth a table.
-    sought: Cell<bool>,
+    /// Whether a name was looked up before: a single look-up is not worth a table.
+    used: Cell<bool>,
     subsystems: OnceCell<HashMap<&'a str, usize>>,
 }
 
-/// The parameters of a path: every leaf of every owner.
-pub(super) struct Found {
-    pub(super) owners: Vec<Owner>,
-    pub(super) leaves: Vec<Leaf>,
-    /// A star stands for a motion or a response; those without the parameter are passed over.
-    lenient: bool,
-}
-
-impl Found {
-    /// All of it, owner by owner, each with its path.
-    pub(super) fn with_paths(&self, model: &Model) -> Vec<(Address, String)> {
-        let mut all = Vec::with_capacity(self.owners.len() * self.leaves.len());
-        for (owner, path) in self.owners.iter().zip(owner_paths(model, &self.owners)) {
-            let addresses = self.leaves.iter().map(|leaf| Address {
-                owner: *owner,
-                leaf: *leaf,
-            });
-            all.extend(
-                addresses
-                    .filter(|of| self.holds(model, of))
-                    .map(|of| (of, of.below(&path))),
-            );
-        }
-        all
-    }
-
-    /// All of it, owner by owner.
-    pub(super) fn addresses(&self, model: &Model) -> Vec<Address> {
-        let each = |owner: &Owner| {
-            let owner = *owner;
-            self.leaves
-                .iter()
-                .map(move |leaf| Address { owner, leaf: *leaf })
-        };
-        self.owners
-            .iter()
-            .flat_map(each)
-            .filter(|of| self.holds(model, of))
-            .collect()
-    }
-
-    fn holds(&self, model: &Model, address: &Address) -> bool {
-        !self.lenient || address.exists(model)
-    }
-}
-
 impl<'a> Finder<'a> {
-    pub(super) fn new(model: &'a Model) -> Self {
+    pub(in crate::model) fn new(model: &'a Model) -> Self {
         Self {
             model,
-            sought: Cell::new(false),
+            used: Cell::new(false),
             subsystems: OnceCell::new(),
         }
     }
 
-    /// The parameters that a path or pattern stands for, at least one.
+    /// The parameters that a path or pattern stands for, at least one, owner by owner.
     ///
     /// # Errors
     /// The path matches nothing; the fault has the nearest path that does, or what could stand there.
-    pub(super) fn find(&self, path: &str) -> Result<Found, Fault> {
+    pub(in crate::model) fn find(&self, path: &str) -> Result<Vec<ParameterId>, Fault> {
         let parts = split(path).map_err(|message| Fault::new(path, message))?;
         self.resolve(&parts)
             .map_err(|miss| Fault::new(path, miss::explain(self, parts, miss)))
     }
 
     /// The parameters of a path's parts.
-    pub(super) fn resolve(&self, parts: &[Part]) -> Result<Found, Miss> {
-        let (owners, depth) = self.owners(parts)?;
+    pub(super) fn resolve(&self, path: &[Part]) -> Result<Vec<ParameterId>, Miss> {
+        let (owners, depth) = self.owners(path)?;
         // Every list has an element here, and the keys do not depend on which.
-        let all = owners.first().map_or_else(Vec::new, |owner| leaves(*owner));
-        let leaves = below(all, &parts[depth..]).map_err(|miss| Miss {
+        let all = owners.first().map_or_else(Vec::new, |owner| owner.owned());
+        let ids = below(all, &path[depth..]).map_err(|miss| Miss {
             at: depth + miss.at,
             ..miss
         })?;
-        let star = |at: usize| parts.get(at) == Some(&Part::Any);
+        let star = |at: usize| path.get(at) == Some(&Part::Any);
+        // Where a star stands for a motion or a response, those without the parameter are passed over.
         let lenient = match owners.first() {
-            Some(Owner::Support(_)) => star(2),
-            Some(Owner::Response(_)) => star(1),
+            Some(Group::Support(_)) => star(2),
+            Some(Group::Response(_)) => star(1),
             _ => false,
         };
-        Ok(Found {
-            owners,
-            leaves,
-            lenient,
-        })
+        let each = |owner: &Group| {
+            let place = owner.place();
+            ids.iter()
+                .map(move |id| place.map_or(*id, |place| id.at(place)))
+        };
+        let all = owners.iter().flat_map(each);
+        Ok(all.filter(|id| !lenient || id.exists(self.model)).collect())
     }
 
     /// The owners a path begins with, and how many parts name them.
-    fn owners(&self, parts: &[Part]) -> Result<(Vec<Owner>, usize), Miss> {
+    fn owners(&self, parts: &[Part]) -> Result<(Vec<Group>, usize), Miss> {
         let model = self.model;
         match parts[0].word() {
-            "title" | "notes" => Ok((vec![Owner::Model], 0)),
-            "beam" => Ok((vec![Owner::Beam], 1)),
-            "sweep" => Ok((vec![Owner::Sweep], 1)),
+            "title" | "notes" => Ok((vec![Group::Model], 0)),
+            "beam" => Ok((vec![Group::Beam], 1)),
+            "sweep" => Ok((vec![Group::Sweep], 1)),
             "supports" => support(parts.get(1)),
             "subsystems" => element(
                 parts,
-                Owner::Subsystem,
+                Group::Subsystem,
                 model.subsystems.iter().map(|of| &*of.name),
                 |name| self.subsystem(name),
             ),
@@ -135,22 +93,18 @@ impl<'a> Finder<'a> {
                 let numbers: Vec<String> = (1..=model.forces.len())
                     .map(|number| number.to_string())
                     .collect();
-                element(
-                    parts,
-                    Owner::Force,
-                    numbers.iter().map(|number| &**number),
-                    |_| None,
-                )
+                let numbers = numbers.iter().map(|number| &**number);
+                element(parts, Group::Force, numbers, |_| None)
             }
             "responses" => {
                 let names = model.responses.iter().map(|of| &*of.name);
-                element(parts, Owner::Response, names.clone(), |name| {
+                element(parts, Group::Response, names.clone(), |name| {
                     names.clone().position(|of| of == name)
                 })
             }
             "studies" => {
                 let names = model.studies.iter().map(|of| &*of.name);
-                element(parts, Owner::Study, names.clone(), |name| {
+                element(parts, Group::Study, names.clone(), |name| {
                     names.clone().position(|of| of == name)
                 })
             }
@@ -164,7 +118,7 @@ impl<'a> Finder<'a> {
     /// The subsystem of a name; from the second name on by a hash table.
     fn subsystem(&self, name: &str) -> Option<usize> {
         let list = &self.model.subsystems;
-        if !self.sought.replace(true) {
+        if !self.used.replace(true) {
             return list.iter().position(|subsystem| subsystem.name == name);
         }
         let table = self.subsystems.get_or_init(|| {
@@ -180,17 +134,14 @@ impl<'a> Finder<'a> {
 }
 
 /// The ends that the second part of a path stands for.
-fn support(part: Option<&Part>) -> Result<(Vec<Owner>, usize), Miss> {
-    let ends = [("left", End::Left), ("right", End::Right)];
-    let meant = |part: &Part| {
-        let ends = ends.iter().filter(|(key, _)| part.means(key));
-        ends.map(|(_, end)| Owner::Support(*end)).collect()
-    };
-    let found: Vec<Owner> = part.map_or_else(Vec::new, meant);
+fn support(part: Option<&Part>) -> Result<(Vec<Group>, usize), Miss> {
+    let ends = End::ALL.into_iter();
+    let meant = |end: &End| part.is_some_and(|part| part.means(end.key()));
+    let found: Vec<Group> = ends.filter(meant).map(Group::Support).collect();
     if found.is_empty() {
         return Err(Miss {
             at: 1,
-            known: ends.map(|(key, _)| key.to_owned()).to_vec(),
+            known: End::ALL.map(|end| end.key().to_owned()).to_vec(),
         });
     }
     Ok((found, 2))
@@ -199,12 +150,12 @@ fn support(part: Option<&Part>) -> Result<(Vec<Owner>, usize), Miss> {
 /// The elements of a list that the second part of a path stands for.
 fn element<'n>(
     parts: &[Part],
-    owner: fn(usize) -> Owner,
+    owner: fn(usize) -> Group,
     names: impl Iterator<Item = &'n str> + Clone,
     named: impl Fn(&str) -> Option<usize>,
-) -> Result<(Vec<Owner>, usize), Miss> {
+) -> Result<(Vec<Group>, usize), Miss> {
     let length = || names.clone().count();
-    let found: Vec<Owner> = match parts.get(1) {
+    let found: Vec<Group> = match parts.get(1) {
         Some(Part::Any) => (0..length()).map(owner).collect(),
         Some(Part::Quoted(name)) => named(name).map(owner).into_iter().collect(),
         // Digits alone are a number; a name of digits is written in quotes.
@@ -231,56 +182,33 @@ fn element<'n>(
     Ok((found, 2))
 }
 
-/// The leaves that the rest of a path stands for.
-fn below(mut leaves: Vec<Leaf>, parts: &[Part]) -> Result<Vec<Leaf>, Miss> {
-    for (at, part) in parts.iter().enumerate() {
-        let meant = |leaf: &Leaf| leaf.parts().nth(at).is_some_and(|key| part.means(key));
-        if !leaves.iter().any(meant) {
-            return Err(Miss {
-                at,
-                known: next_words(&leaves, at),
-            });
+/// The ids that the rest of a path stands for.
+fn below(mut ids: Vec<ParameterId>, path: &[Part]) -> Result<Vec<ParameterId>, Miss> {
+    for at in 0..=path.len() {
+        // Behind the last part nothing follows.
+        let meant = |id: &&ParameterId| match (path.get(at), parts(**id).nth(at)) {
+            (Some(part), Some(key)) => part.means(key),
+            (part, key) => part.is_none() && key.is_none(),
+        };
+        let kept: Vec<ParameterId> = ids.iter().filter(meant).copied().collect();
+        if kept.is_empty() {
+            let known = next_words(&ids, at);
+            return Err(Miss { at, known });
         }
-        leaves.retain(meant);
+        ids = kept;
     }
-    let at = parts.len();
-    let ends = |leaf: &Leaf| leaf.parts().nth(at).is_none();
-    if !leaves.iter().any(ends) {
-        return Err(Miss {
-            at,
-            known: next_words(&leaves, at),
-        });
-    }
-    leaves.retain(ends);
-    Ok(leaves)
+    Ok(ids)
 }
 
-/// The different keys of leaves at a depth; equal ones are neighbours.
-fn next_words(leaves: &[Leaf], depth: usize) -> Vec<String> {
-    let mut words: Vec<String> = leaves
+/// The different keys of ids at a depth; equal ones are neighbours.
+fn next_words(ids: &[ParameterId], depth: usize) -> Vec<String> {
+    let mut words: Vec<String> = ids
         .iter()
-        .filter_map(|leaf| leaf.parts().nth(depth))
+        .filter_map(|id| parts(*id).nth(depth))
         .map(str::to_owned)
         .collect();
     words.dedup();
     words
-}
-
-/// Every parameter of a model with its path, in the order of the file.
-pub(super) fn all(model: &Model) -> Vec<(Address, String)> {
-    let mut all = Vec::new();
-    for owners in owners(model) {
-        let leaves = owners.first().map_or_else(Vec::new, |owner| leaves(*owner));
-        all.extend(
-            Found {
-                owners,
-                leaves,
-                lenient: true,
-            }
-            .with_paths(model),
-        );
-    }
-    all
 }
 
 #[cfg(test)]

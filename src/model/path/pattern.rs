@@ -4,7 +4,7 @@ use crate::model::names;
 
 /// One part of a path, between two dots.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum Part {
+pub(in crate::model) enum Part {
     /// `*`: whatever is there.
     Any,
     /// A key, a name or a number.
@@ -15,7 +15,7 @@ pub(super) enum Part {
 
 impl Part {
     /// The word without quotes; a star for any.
-    pub(super) fn word(&self) -> &str {
+    pub(in crate::model) fn word(&self) -> &str {
         match self {
             Self::Any => "*",
             Self::Word(word) | Self::Quoted(word) => word,
@@ -23,7 +23,7 @@ impl Part {
     }
 
     /// Whether a key is meant.
-    pub(super) fn means(&self, key: &str) -> bool {
+    pub(in crate::model) fn means(&self, key: &str) -> bool {
         *self == Self::Any || self.word() == key
     }
 }
@@ -32,7 +32,7 @@ impl Part {
 ///
 /// # Errors
 /// Says what is wrong with the text.
-pub(super) fn split(path: &str) -> Result<Vec<Part>, String> {
+pub(in crate::model) fn split(path: &str) -> Result<Vec<Part>, String> {
     let mut parts = Vec::new();
     let mut rest = path;
     loop {
@@ -80,7 +80,7 @@ fn quoted(text: &str, quote: char) -> Result<(Part, &str), String> {
 }
 
 /// The text of parts, each quoted where it must be.
-pub(super) fn join(parts: &[Part]) -> String {
+pub(in crate::model) fn join(parts: &[Part]) -> String {
     let texts = parts.iter().map(|part| match part {
         Part::Any => "*".to_owned(),
         Part::Word(word) => word.clone(),

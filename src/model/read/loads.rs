@@ -1,10 +1,10 @@
 //! Forces and responses of a model file.
 
-use super::super::field::FORCE;
+use super::super::schema::{FORCE, Kind, RESPONSE};
 use super::super::types::{
     BeamMotion, Force, MassMotion, Measure, Place, Quantity, Response, Target,
 };
-use super::parts::{named, names as element_names};
+use super::list::{named, names as element_names};
 use super::reader::Reader;
 use super::table::Table;
 use super::value::number;
@@ -26,9 +26,12 @@ pub(super) fn forces(root: &mut Table<'_>, names: &[&str], reader: &mut Reader) 
             phase: 0.0,
         };
         if let Some(mut table) = Table::open(format!("forces.{}", index + 1), node, reader) {
-            force.enabled = table.enabled(reader);
-            force.target = target(&mut table, names, reader);
-            table.numbers(&mut force, FORCE, reader);
+            table.rows(&mut force, &FORCE, reader, |table, force, kind, reader| {
+                // The place says which directions there are.
+                if kind == Kind::Place {
+                    force.target = target(table, names, reader);
+                }
+            });
             table.finish(reader);
         }
         forces.push(force);
@@ -53,9 +56,17 @@ pub(super) fn responses(
             quantity: Quantity::Energy,
         };
         if let Some(mut table) = table {
-            response.name = table.text("name", None, reader).unwrap_or_default();
-            response.enabled = table.enabled(reader);
-            response.quantity = quantity(&mut table, names, reader);
+            table.rows(
+                &mut response,
+                &RESPONSE,
+                reader,
+                |table, response, kind, reader| {
+                    // The measure says whether there is a place.
+                    if kind == Kind::Measure {
+                        response.quantity = quantity(table, names, reader);
+                    }
+                },
+            );
             table.finish(reader);
         }
         responses.push(response);
@@ -64,8 +75,7 @@ pub(super) fn responses(
 }
 
 fn quantity(table: &mut Table<'_>, names: &[&str], reader: &mut Reader) -> Quantity {
-    let words = Measure::ALL.map(Measure::key);
-    let words = [words[0], words[1], words[2], "energy"];
+    let words = [Measure::WORDS, &[Quantity::ENERGY]].concat();
     match table.word("measure", &words, Some(0), reader) {
         Some(index) if index < Measure::ALL.len() => {
             Quantity::Motion(target(table, names, reader), Measure::ALL[index])
@@ -94,26 +104,24 @@ fn quantity(table: &mut Table<'_>, names: &[&str], reader: &mut Reader) -> Quant
 /// Where and along what; a subsystem that does not exist is left to the checks.
 fn target(table: &mut Table<'_>, names: &[&str], reader: &mut Reader) -> Target {
     let place = place(table, reader);
-    let beam = BeamMotion::ALL.map(BeamMotion::key);
-    let mass = MassMotion::ALL.map(MassMotion::key);
+    let (beam, mass) = (BeamMotion::WORDS, MassMotion::WORDS);
     match place {
         Some(Ok(place)) => {
-            let motion = table.word("direction", &beam, None, reader);
+            let motion = table.word("direction", beam, None, reader);
             Target::Beam(
                 place,
                 motion.map_or(BeamMotion::W, |index| BeamMotion::ALL[index]),
             )
         }
         Some(Err(name)) if names.contains(&name.as_str()) => {
-            let motion = table.word("direction", &mass, None, reader);
+            let motion = table.word("direction", mass, None, reader);
             Target::Mass(
                 name,
                 motion.map_or(MassMotion::Y, |index| MassMotion::ALL[index]),
             )
         }
         unknown => {
-            let all: Vec<_> = beam.into_iter().chain(mass).collect();
-            table.word("direction", &all, None, reader);
+            table.word("direction", &[beam, mass].concat(), None, reader);
             match unknown {
                 Some(Err(name)) => Target::Mass(name, MassMotion::Y),
                 _ => Target::Beam(Place::Left, BeamMotion::W),

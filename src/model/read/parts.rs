@@ -1,19 +1,18 @@
 //! The parts of a model file: beam, supports, subsystems, sweep.
 
-use super::super::check::{FEWEST_POINTS, MOST_POINTS, element_keys};
-use super::super::field::elastic_fields;
-use super::super::field::{BEAM, Field, MATERIAL, SECTION, SUBSYSTEM, SWEEP};
+use super::super::id::End;
+use super::super::schema::{self, Access, FEWEST_POINTS, MATERIAL, Rows, SECTION, SUBSYSTEM};
 use super::super::types::{
-    Beam, BeamMotion, Elastic, Model, Restraint, Spacing, Spring, Subsystem, Support, Supports,
-    Sweep,
+    Beam, BeamMotion, Elastic, Model, Restraint, Spacing, Subsystem, Support, Supports, Sweep,
 };
+use super::list::{named, names};
 use super::loads;
 use super::plans;
 use super::reader::{Reader, quoted};
+use super::rows::no_own;
 use super::table::Table;
 use super::tuning;
-use super::value::{Node, whole, wrong_type};
-use std::collections::HashMap;
+use super::value::{Node, wrong_type};
 use toml::de::DeValue;
 
 /// The only format there is.
@@ -23,54 +22,49 @@ const FORMAT: &str = "beamtune/1";
 /// that are not in it.
 pub(super) fn model(mut root: Table<'_>, others: &[&str], reader: &mut Reader) -> Model {
     root.word("format", &[FORMAT], None, reader);
-    let title = root.text("title", None, reader).unwrap_or_default();
-    let notes = root.text("notes", Some(""), reader).unwrap_or_default();
-    let beam = beam(&mut root, reader);
-    let supports = supports(&mut root, reader);
+    let mut model = Model::default();
+    root.rows(&mut model, &schema::MODEL, reader, no_own);
+    model.beam = beam(&mut root, reader);
+    model.supports = supports(&mut root, reader);
     let (subsystems, names) = subsystems(&mut root, reader);
+    model.subsystems = subsystems;
     let names: Vec<&str> = names.into_iter().chain(others.iter().copied()).collect();
-    let forces = loads::forces(&mut root, &names, reader);
-    let responses = loads::responses(&mut root, &names, reader);
-    let sweep = sweep(&mut root, reader);
-    let studies = plans::studies(&mut root, reader);
-    let tune = tuning::tune(&mut root, reader);
+    model.forces = loads::forces(&mut root, &names, reader);
+    model.responses = loads::responses(&mut root, &names, reader);
+    model.sweep = sweep(&mut root, reader);
+    model.studies = plans::studies(&mut root, reader);
+    model.tune = tuning::tune(&mut root, reader);
     root.finish(reader);
-    Model {
-        title,
-        notes,
-        beam,
-        supports,
-        subsystems,
-        forces,
-        responses,
-        sweep,
-        studies,
-        tune,
-    }
+    model
 }
 
 /// NaN for every number, where their table cannot be read.
-fn blank<T>(of: &mut T, fields: &[Field<T>]) {
-    for field in fields {
-        (field.set)(of, f64::NAN);
+fn blank<T: Default>(rows: &Rows<T>) -> T {
+    let mut blank = T::default();
+    for access in rows.access {
+        if let Access::Number(_, set) = access {
+            set(&mut blank, f64::NAN);
+        }
     }
+    blank
 }
 
 fn beam(root: &mut Table<'_>, reader: &mut Reader) -> Beam {
-    let mut beam = Beam::default();
-    blank(&mut beam, BEAM);
-    blank(&mut beam.material, MATERIAL);
-    blank(&mut beam.section, SECTION);
+    let mut beam = Beam {
+        material: blank(&MATERIAL),
+        section: blank(&SECTION),
+        ..blank(&schema::BEAM)
+    };
     let Some(mut table) = root.need_table("beam", reader) else {
         return beam;
     };
-    table.numbers(&mut beam, BEAM, reader);
+    table.rows(&mut beam, &schema::BEAM, reader, no_own);
     if let Some(mut material) = table.need_table("material", reader) {
-        material.numbers(&mut beam.material, MATERIAL, reader);
+        material.rows(&mut beam.material, &MATERIAL, reader, no_own);
         material.finish(reader);
     }
     if let Some(mut section) = table.need_table("section", reader) {
-        section.numbers(&mut beam.section, SECTION, reader);
+        section.rows(&mut beam.section, &SECTION, reader, no_own);
         section.finish(reader);
     }
     table.finish(reader);
@@ -80,8 +74,8 @@ fn beam(root: &mut Table<'_>, reader: &mut Reader) -> Beam {
 fn supports(root: &mut Table<'_>, reader: &mut Reader) -> Supports {
     let mut supports = Supports::default();
     if let Some(mut table) = root.table("supports", reader) {
-        supports.left = support(table.table("left", reader), reader);
-        supports.right = support(table.table("right", reader), reader);
+        supports.left = support(table.table(End::Left.key(), reader), reader);
+        supports.right = support(table.table(End::Right.key(), reader), reader);
         table.finish(reader);
     }
     supports
@@ -93,14 +87,11 @@ fn support(table: Option<Table<'_>>, reader: &mut Reader) -> Support {
         return support;
     };
     let kind = table.has("kind");
-    if let Some(index) = table.word("kind", &["free", "pinned", "clamped"], Some(0), reader) {
-        support = [Support::FREE, Support::PINNED, Support::CLAMPED][index];
+    if let Some(index) = table.word("kind", &Support::WORDS, Some(0), reader) {
+        support = Support::KINDS[index];
     }
-    let beside: Vec<_> = BeamMotion::ALL
-        .map(BeamMotion::key)
-        .into_iter()
-        .filter(|key| table.has(key))
-        .collect();
+    let motions = BeamMotion::WORDS.iter().copied();
+    let beside: Vec<_> = motions.filter(|key| table.has(key)).collect();
     for motion in BeamMotion::ALL {
         if let Some((path, node)) = table.take(motion.key(), reader) {
             let restraint = restraint(&path, node, motion, reader);
@@ -146,50 +137,10 @@ fn restraint(path: &str, node: Node<'_>, motion: BeamMotion, reader: &mut Reader
     }
     let mut elastic = Elastic::default();
     if let Some(mut table) = Table::open(path.to_owned(), node, reader) {
-        table.numbers(&mut elastic, elastic_fields(motion), reader);
+        table.rows(&mut elastic, schema::elastic(motion), reader, no_own);
         table.finish(reader);
     }
     Restraint::Elastic(elastic)
-}
-
-/// The names in a list of tables; empty where there is none.
-pub(super) fn names<'a>(list: &[Node<'a>]) -> Vec<&'a str> {
-    list.iter()
-        .map(|node| {
-            node.get_ref()
-                .get("name")
-                .and_then(|name| name.get_ref().as_str())
-                .unwrap_or("")
-        })
-        .collect()
-}
-
-/// The elements of a list of named tables, opened; none where an element is no table.
-pub(super) fn named<'a>(
-    list: &[Node<'a>],
-    path: &str,
-    reader: &mut Reader,
-) -> Vec<Option<Table<'a>>> {
-    let keys = element_keys(names(list).into_iter());
-    let mut first = HashMap::new();
-    for (node, key) in list.iter().zip(&keys) {
-        if let Some(name) = node.get_ref().get("name")
-            && let Some(word) = name
-                .get_ref()
-                .as_str()
-                .filter(|word| !word.trim().is_empty())
-        {
-            let here = name.span().start;
-            let there = *first.entry(word).or_insert(here);
-            if here != there {
-                reader.used_twice(here, &format!("{path}.{key}.name"), word, there);
-            }
-        }
-    }
-    list.iter()
-        .zip(keys)
-        .map(|(node, key)| Table::open(format!("{path}.{key}"), node, reader))
-        .collect()
 }
 
 fn subsystems<'a>(root: &mut Table<'a>, reader: &mut Reader) -> (Vec<Subsystem>, Vec<&'a str>) {
@@ -204,34 +155,16 @@ fn subsystems<'a>(root: &mut Table<'a>, reader: &mut Reader) -> (Vec<Subsystem>,
 }
 
 fn subsystem(table: Option<Table<'_>>, reader: &mut Reader) -> Subsystem {
-    let mut subsystem = Subsystem {
-        name: String::new(),
-        enabled: true,
-        position: f64::NAN,
-        mass: f64::NAN,
-        inertia: f64::NAN,
-        y_left: Spring::default(),
-        y_right: Spring::default(),
-        z_left: Spring::default(),
-        z_right: Spring::default(),
-        arm_left: f64::NAN,
-        arm_right: f64::NAN,
-        mount_y: f64::NAN,
-        mount_z: f64::NAN,
-    };
+    let mut subsystem = blank(&SUBSYSTEM);
     if let Some(mut table) = table {
-        subsystem.name = table.text("name", None, reader).unwrap_or_default();
-        subsystem.enabled = table.enabled(reader);
+        table.rows(&mut subsystem, &SUBSYSTEM, reader, no_own);
         // Whether these matter is known when the springs are.
-        let absent: Vec<&Field<Subsystem>> = SUBSYSTEM
-            .iter()
-            .filter(|field| Subsystem::OF_SPRINGS.contains(&field.key) && !table.has(field.key))
-            .collect();
-        let keys: Vec<&str> = absent.iter().map(|field| field.key).collect();
-        table.numbers_or(&mut subsystem, SUBSYSTEM, &keys, reader);
-        for field in absent {
-            if subsystem.needs(field.key) {
-                table.miss_number(field.key, field.range);
+        for key in SUBSYSTEM.keys {
+            if Subsystem::OF_SPRINGS.contains(&key.key)
+                && !table.has(key.key)
+                && subsystem.needs(key.key)
+            {
+                table.miss_number(key.key, key.range);
             }
         }
         table.finish(reader);
@@ -246,29 +179,9 @@ fn sweep(root: &mut Table<'_>, reader: &mut Reader) -> Sweep {
         points: FEWEST_POINTS,
         spacing: Spacing::default(),
     };
-    let Some(mut table) = root.need_table("sweep", reader) else {
-        return sweep;
-    };
-    table.numbers(&mut sweep, SWEEP, reader);
-    let expected = format!("a whole number, {FEWEST_POINTS} to {MOST_POINTS}");
-    if let Some((path, node)) = table.need("points", &expected, reader) {
-        match (
-            whole(node).map(usize::try_from),
-            node.get_ref().as_integer(),
-        ) {
-            (Some(Ok(points)), _) => sweep.points = points,
-            (_, Some(integer)) => reader.fault(
-                node.span().start,
-                &path,
-                format!("is {integer}; must be {expected}"),
-            ),
-            _ => reader.fault(node.span().start, &path, wrong_type(node, &expected)),
-        }
+    if let Some(mut table) = root.need_table("sweep", reader) {
+        table.rows(&mut sweep, &schema::SWEEP, reader, no_own);
+        table.finish(reader);
     }
-    let spacings = Spacing::ALL;
-    if let Some(index) = table.word("spacing", &spacings.map(Spacing::key), Some(0), reader) {
-        sweep.spacing = spacings[index];
-    }
-    table.finish(reader);
     sweep
 }

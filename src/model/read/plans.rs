@@ -2,10 +2,10 @@
 
 use super::super::names;
 use super::super::types::{Case, Family, Operation, Study};
-use super::parts::named;
+use super::list::{elements, named};
 use super::reader::Reader;
 use super::table::Table;
-use super::value::{Node, number, text, wrong_type};
+use super::value::{number, text, wrong_type};
 use toml::de::DeValue;
 
 /// The list of studies.
@@ -98,26 +98,6 @@ fn vary(table: &mut Table<'_>, operations: &[Operation], reader: &mut Reader) ->
         operation,
         values,
     }
-}
-
-/// The elements of an array with their paths.
-pub(super) fn elements<'a>(
-    key: &'static str,
-    of: &str,
-    table: &mut Table<'a>,
-    reader: &mut Reader,
-) -> Vec<(String, Node<'a>)> {
-    let list = table.list(key, of, reader);
-    let at = table.at(key);
-    let numbered = list
-        .into_iter()
-        .enumerate()
-        .map(|(index, node)| (format!("{at}.{}", index + 1), node));
-    let elements: Vec<_> = numbered.collect();
-    for (path, node) in &elements {
-        reader.place(path, node.span().start);
-    }
-    elements
 }
 
 fn cases(table: &mut Table<'_>, reader: &mut Reader) -> Family {

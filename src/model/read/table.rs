@@ -1,7 +1,7 @@
 //! A table of the text while its keys are taken one by one.
 
-use super::super::field::{Field, Range};
 use super::super::names;
+use super::super::schema::Range;
 use super::reader::{Reader, one_of};
 use super::value::{Node, number, text, wrong_type};
 use toml::de::{DeTable, DeValue};
@@ -154,49 +154,6 @@ impl<'a> Table<'a> {
         })
     }
 
-    /// All numbers that a table of fields names, those of inner tables included.
-    pub(super) fn numbers<T>(&mut self, of: &mut T, fields: &[Field<T>], reader: &mut Reader) {
-        self.numbers_or(of, fields, &[], reader);
-    }
-
-    /// The same; those with the keys `zero` are 0 where they are left out.
-    pub(super) fn numbers_or<T>(
-        &mut self,
-        of: &mut T,
-        fields: &[Field<T>],
-        zero: &[&str],
-        reader: &mut Reader,
-    ) {
-        let mut inner_done = Vec::new();
-        for field in fields {
-            let Some((head, _)) = field.key.split_once('.') else {
-                let is_zero = zero.contains(&field.key);
-                let default = field.default.or(is_zero.then_some(0.0));
-                (field.set)(of, self.number(field.key, field.range, default, reader));
-                continue;
-            };
-            if inner_done.contains(&head) {
-                continue;
-            }
-            inner_done.push(head);
-            let mut inner = self.table(head, reader);
-            for field in fields {
-                if let Some((at, key)) = field.key.split_once('.')
-                    && at == head
-                {
-                    let left_out = field.default.unwrap_or(f64::NAN);
-                    let value = inner.as_mut().map_or(left_out, |inner| {
-                        inner.number(key, field.range, field.default, reader)
-                    });
-                    (field.set)(of, value);
-                }
-            }
-            if let Some(inner) = inner {
-                inner.finish(reader);
-            }
-        }
-    }
-
     /// A text; its default, or none where it is missing or no text.
     pub(super) fn text(
         &mut self,
@@ -213,11 +170,6 @@ impl<'a> Table<'a> {
         };
         let (path, node) = taken?;
         text(&path, node, reader)
-    }
-
-    /// A switch, on where it is left out.
-    pub(super) fn enabled(&mut self, reader: &mut Reader) -> bool {
-        self.flag("enabled", reader).unwrap_or(true)
     }
 
     /// A switch; none where it is left out or neither on nor off.

@@ -1,11 +1,12 @@
 //! The tuning of a model file.
 
-use super::super::field::Range;
 use super::super::names;
-use super::super::tuning::{Aim, Combine, Compare, Hold, Limit, Objective, Tune, Variable};
+use super::super::schema::{AIMS, Choice, Kind, LIMITS, OBJECTIVE, VARIABLE};
+use super::super::tuning::{Aim, Combine, Hold, Limit, Objective, Tune, Variable};
 use super::super::types::Spacing;
-use super::plans::elements;
+use super::list::elements;
 use super::reader::{Reader, one_of};
+use super::rows::no_own;
 use super::table::Table;
 use super::value::{Node, text};
 
@@ -20,8 +21,7 @@ pub(super) fn tune(root: &mut Table<'_>, reader: &mut Reader) -> Option<Tune> {
         }
     }
     let objectives = objectives(&mut table, reader);
-    let words = Combine::ALL.map(Combine::key);
-    let combine = table.word("combine", &words, Some(0), reader);
+    let combine = table.word("combine", Combine::WORDS, Some(0), reader);
     let limits = elements("limits", "tables", &mut table, reader)
         .into_iter()
         .map(|(path, node)| limit(&path, node, reader))
@@ -47,19 +47,22 @@ fn variable(path: String, node: Node<'_>, reader: &mut Reader) -> Variable {
     let Some(mut table) = Table::open(path, node, reader) else {
         return variable;
     };
-    variable.paths = paths(&mut table, reader);
-    let holds = Hold::ALL.map(Hold::key);
-    if let Some(index) = table.word("hold", &holds, Some(0), reader) {
-        variable.hold = Hold::ALL[index];
-    }
-    variable.min = table.number("min", Range::Any, None, reader);
-    variable.max = table.number("max", Range::Any, None, reader);
-    table.accept("scale");
-    if table.has("scale") {
-        let scale = table.word("scale", &Spacing::ALL.map(Spacing::key), None, reader);
-        variable.scale = scale.map(|index| Spacing::ALL[index]);
-    }
-    variable.tolerance = table.number("tolerance", Range::NonNegative, Some(0.0), reader);
+    table.rows(
+        &mut variable,
+        &VARIABLE,
+        reader,
+        |table, of, kind, reader| {
+            if kind == Kind::Paths {
+                of.paths = paths(table, reader);
+                return;
+            }
+            table.accept("scale");
+            if table.has("scale") {
+                let scale = table.word("scale", Spacing::WORDS, None, reader);
+                of.scale = scale.map(|index| Spacing::ALL[index]);
+            }
+        },
+    );
     table.finish(reader);
     variable
 }
@@ -119,16 +122,6 @@ fn objectives(table: &mut Table<'_>, reader: &mut Reader) -> Vec<Objective> {
         .collect()
 }
 
-/// What may be asked for: key, word, and the keys that go with it; `match` has a file for its word.
-const AIMS: [(&str, &str, &[&str]); 6] = [
-    ("minimise", "peak", &["response"]),
-    ("minimise", "mean_square", &["response"]),
-    ("minimise", "energy", &[]),
-    ("maximise", "width", &["response", "below"]),
-    ("place", "anti_resonance", &["response", "at"]),
-    ("match", "", &["response", "curve", "columns", "compare"]),
-];
-
 /// The keys of which one says what is asked for.
 const AIM_KEYS: [&str; 4] = ["minimise", "maximise", "place", "match"];
 
@@ -145,38 +138,30 @@ fn objective(path: String, node: Node<'_>, reader: &mut Reader) -> Objective {
     let Some(mut table) = Table::open(path, node, reader) else {
         return objective;
     };
-    let found = aim_index(&mut table, reader);
-    objective.aim = if let Some(index) = found {
-        let (key, word, own) = AIMS[index];
-        let aim = if word.is_empty() {
-            key.to_owned()
-        } else {
-            format!("{key} = {word:?}")
+    if let Some(choice) = aim(&mut table, reader) {
+        let what = match choice.word {
+            "" => choice.key.to_owned(),
+            word => format!("{} = {word:?}", choice.key),
         };
-        foreign(&mut table, &OF_AIMS, own, &aim, reader);
-        aim_of(index, &mut table, reader)
+        objective.aim = chosen(&mut table, &OF_AIMS, choice, &what, reader);
     } else {
         for key in AIM_KEYS.into_iter().chain(OF_AIMS) {
             table.accept(key);
         }
-        // Whatever is sought, it is of this response.
+        // Whatever is asked for, it is of this response.
         if table.has("response") {
-            Aim::Peak {
+            objective.aim = Aim::Peak {
                 response: table.text("response", None, reader).unwrap_or_default(),
-            }
-        } else {
-            Aim::Energy
+            };
         }
-    };
-    objective.from = table.number("from", Range::Positive, None, reader);
-    objective.to = table.number("to", Range::Positive, None, reader);
-    objective.weight = table.number("weight", Range::Positive, Some(1.0), reader);
+    }
+    table.rows(&mut objective, &OBJECTIVE, reader, no_own);
     table.finish(reader);
     objective
 }
 
 /// Which of the aims is asked for; none where that cannot be read.
-fn aim_index(table: &mut Table<'_>, reader: &mut Reader) -> Option<usize> {
+fn aim(table: &mut Table<'_>, reader: &mut Reader) -> Option<&'static Choice<Aim>> {
     let given: Vec<_> = AIM_KEYS.into_iter().filter(|key| table.has(key)).collect();
     let [key] = given[..] else {
         if let [first, others @ ..] = &given[..] {
@@ -199,66 +184,25 @@ fn aim_index(table: &mut Table<'_>, reader: &mut Reader) -> Option<usize> {
         }
         return None;
     };
-    let of_key = || (0..AIMS.len()).filter(|index| AIMS[*index].0 == key);
+    let mut of_key = AIMS.iter().filter(|aim| aim.key == key);
     if key == "match" {
         table.accept(key);
-        return of_key().next();
+        return of_key.next();
     }
-    let words: Vec<_> = of_key().map(|index| AIMS[index].1).collect();
-    let word = table.word(key, &words, None, reader)?;
-    of_key().nth(word)
+    let words: Vec<_> = of_key.clone().map(|aim| aim.word).collect();
+    of_key.nth(table.word(key, &words, None, reader)?)
 }
 
-/// The aim with its own keys.
-fn aim_of(index: usize, table: &mut Table<'_>, reader: &mut Reader) -> Aim {
-    let (_, _, own) = AIMS[index];
-    if !own.contains(&"response") {
-        return Aim::Energy;
-    }
-    let response = table.text("response", None, reader).unwrap_or_default();
-    match AIMS[index].1 {
-        "peak" => Aim::Peak { response },
-        "mean_square" => Aim::MeanSquare { response },
-        "width" => Aim::Width {
-            response,
-            below: table.number("below", Range::Positive, None, reader),
-        },
-        "anti_resonance" => Aim::AntiResonance {
-            response,
-            at: table.number("at", Range::Positive, None, reader),
-        },
-        _ => matched(response, table, reader),
-    }
-}
-
-fn matched(response: String, table: &mut Table<'_>, reader: &mut Reader) -> Aim {
-    let file = table.text("match", None, reader).unwrap_or_default();
-    let mut optional = |key| {
-        table.accept(key);
-        let is_there = table.has(key);
-        is_there.then(|| table.text(key, None, reader)).flatten()
-    };
-    let (curve, columns) = (optional("curve"), optional("columns"));
-    let words = Compare::ALL.map(Compare::key);
-    let compare = table.word("compare", &words, Some(0), reader);
-    Aim::Match {
-        response,
-        file,
-        curve,
-        columns,
-        compare: compare.map_or_else(Compare::default, |index| Compare::ALL[index]),
-    }
-}
-
-/// Says which keys belong to something else than what the table is.
-fn foreign<'a>(
+/// What a word says that a table is; `all` are the keys that go with some of its words, and `what` is the word in a
+/// message.
+fn chosen<'a, T>(
     table: &mut Table<'a>,
     all: &[&'a str],
-    own: &[&str],
+    choice: &'static Choice<T>,
     what: &str,
     reader: &mut Reader,
-) {
-    for key in all.iter().filter(|key| !own.contains(key)) {
+) -> T {
+    for key in all.iter().filter(|key| !choice.has(key)) {
         if table.has(key)
             && let Some((path, node)) = table.take(key, reader)
         {
@@ -266,14 +210,10 @@ fn foreign<'a>(
             reader.fault(node.span().start, &path, message);
         }
     }
+    let mut chosen = (choice.blank)();
+    table.rows(&mut chosen, &choice.rows, reader, no_own);
+    chosen
 }
-
-/// What may be limited, and the keys that go with it.
-const LIMITS: [(&str, &[&str]); 3] = [
-    ("added_mass", &["at_most"]),
-    ("no_mode", &["from", "to"]),
-    ("static_deflection", &["response", "at_most"]),
-];
 
 /// The keys that belong to some limits.
 const OF_LIMITS: [&str; 4] = ["response", "from", "to", "at_most"];
@@ -283,7 +223,7 @@ fn limit(path: &str, node: Node<'_>, reader: &mut Reader) -> Limit {
     let Some(mut table) = Table::open(path.to_owned(), node, reader) else {
         return unread;
     };
-    let words = LIMITS.map(|(word, _)| word);
+    let words: Vec<_> = LIMITS.iter().map(|limit| limit.word).collect();
     let Some(index) = table.word("limit", &words, None, reader) else {
         for key in OF_LIMITS {
             table.accept(key);
@@ -292,21 +232,9 @@ fn limit(path: &str, node: Node<'_>, reader: &mut Reader) -> Limit {
         reader.silence(path);
         return unread;
     };
-    let (word, own) = LIMITS[index];
-    foreign(&mut table, &OF_LIMITS, own, &one_of(&[word]), reader);
-    let limit = match word {
-        "added_mass" => Limit::AddedMass {
-            at_most: table.number("at_most", Range::Positive, None, reader),
-        },
-        "no_mode" => Limit::NoMode {
-            from: table.number("from", Range::NonNegative, None, reader),
-            to: table.number("to", Range::Positive, None, reader),
-        },
-        _ => Limit::StaticDeflection {
-            response: table.text("response", None, reader).unwrap_or_default(),
-            at_most: table.number("at_most", Range::Positive, None, reader),
-        },
-    };
+    let choice = &LIMITS[index];
+    let what = one_of(&[choice.word]);
+    let limit = chosen(&mut table, &OF_LIMITS, choice, &what, reader);
     table.finish(reader);
     limit
 }

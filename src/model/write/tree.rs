@@ -1,10 +1,12 @@
 //! The full form of a model as a tree of keys and values.
 
-use super::super::field::elastic_fields;
-use super::super::field::{BEAM, FORCE, Field, MATERIAL, SECTION, SUBSYSTEM, SWEEP};
+use super::super::id::End;
+use super::super::schema::{
+    self, Access, FORCE, Key, Kind, MATERIAL, RESPONSE, Rows, SECTION, SUBSYSTEM, SWEEP,
+};
 use super::super::types::{
-    BeamMotion, Case, Family, Force, Measure, Model, Place, Quantity, Response, Restraint, Spacing,
-    Study, Subsystem, Support, Supports, Target,
+    BeamMotion, Case, Family, Force, Measure, Model, Place, Quantity, Response, Restraint, Study,
+    Subsystem, Support, Supports, Target,
 };
 use super::node::{Entry, Node, Presence};
 use super::tuning;
@@ -14,7 +16,7 @@ use toml_edit::{Item, Table, TableLike};
 use Presence::{Always, InNewTables, OnlyIfThere};
 
 /// Defaults that a new table shows all the same.
-const SHOWN_DEFAULTS: [&str; 3] = ["stiffness", "damping", "amplitude"];
+const SHOWN_DEFAULTS: [&str; 4] = ["stiffness", "damping", "amplitude", "spacing"];
 
 pub(super) fn entry(key: impl Into<Cow<'static, str>>, node: Node) -> Entry {
     Entry {
@@ -37,20 +39,11 @@ pub(super) fn optional(key: &'static str, node: Node, at_default: bool) -> Entry
     }
 }
 
-fn enabled(enabled: bool) -> Entry {
-    optional("enabled", Node::Flag(enabled), enabled)
-}
-
 /// The tree of a model; it takes from the original in which of its forms a support and the tuning are given.
 pub(super) fn model(model: &Model, original: &Table) -> Vec<Entry> {
-    let mut root = vec![
-        text("format", "beamtune/1"),
-        text("title", &model.title),
-        optional(
-            "notes",
-            Node::Text(model.notes.clone()),
-            model.notes.is_empty(),
-        ),
+    let mut root = vec![text("format", "beamtune/1")];
+    root.extend(rows(model, &schema::MODEL));
+    root.extend([
         entry("beam", Node::Table(beam(model))),
         supports(&model.supports, original),
         tables(
@@ -59,9 +52,9 @@ pub(super) fn model(model: &Model, original: &Table) -> Vec<Entry> {
         ),
         tables("forces", model.forces.iter().map(force).collect()),
         tables("responses", model.responses.iter().map(response).collect()),
-        entry("sweep", Node::Table(sweep(model))),
+        entry("sweep", Node::Table(rows(&model.sweep, &SWEEP))),
         tables("studies", model.studies.iter().map(study).collect()),
-    ];
+    ]);
     if let Some(tune) = &model.tune {
         let original = original.get("tune").and_then(Item::as_table_like);
         root.push(entry("tune", Node::Table(tuning::tune(tune, original))));
@@ -78,101 +71,105 @@ fn tables(key: &'static str, list: Vec<Vec<Entry>>) -> Entry {
     }
 }
 
-/// All numbers of a table of fields; those with a dotted key are gathered in inline tables.
-fn numbers<T>(of: &T, fields: &[Field<T>]) -> Vec<Entry> {
-    let mut entries: Vec<Entry> = Vec::new();
-    for field in fields {
-        let value = (field.get)(of);
-        let at_default = field
-            .default
-            .is_some_and(|default| default.to_bits() == value.to_bits());
-        let (head, key) = field
-            .key
-            .split_once('.')
-            .map_or((None, field.key), |(head, key)| (Some(head), key));
-        let presence = match at_default {
-            false => Always,
-            true if SHOWN_DEFAULTS.contains(&key) => InNewTables,
-            true => OnlyIfThere,
-        };
-        let number = Entry {
-            key: key.into(),
-            node: Node::Number(value),
-            presence,
-        };
-        let Some(head) = head else {
-            entries.push(number);
-            continue;
-        };
-        match entries.last_mut() {
-            Some(Entry {
-                key,
-                node: Node::Inline(inner),
-                presence,
-            }) if *key == head => {
-                inner.push(number);
-                if !at_default {
-                    *presence = Always;
-                }
+/// The keys of a table of the schema without rules of their own; those with a dot are gathered in inline tables.
+pub(super) fn rows<T>(of: &T, rows: &Rows<T>) -> Vec<Entry> {
+    let mut entries = Vec::new();
+    for (key, access) in rows.iter() {
+        let (node, at_default) = match access {
+            Access::Number(get, _) => {
+                let value = get(of);
+                let default = key.default.map(f64::to_bits);
+                (Node::Number(value), default == Some(value.to_bits()))
             }
-            _ => entries.push(optional(head, Node::Inline(vec![number]), at_default)),
-        }
+            Access::Count(get, _) => (Node::Count(get(of)), false),
+            Access::Flag(get, _) => (Node::Flag(get(of)), get(of)),
+            Access::Word(get, _) => (Node::Text(key.words[get(of)].to_owned()), get(of) == 0),
+            Access::Text(get, _) => {
+                let at_default = key.kind == Kind::Text && get(of).is_empty();
+                (Node::Text(get(of).clone()), at_default)
+            }
+            Access::Optional(get, _) => {
+                entries.extend(get(of).map(|words| text(key.key, words)));
+                continue;
+            }
+            // Written where its rules are.
+            Access::Own => continue,
+        };
+        push(&mut entries, key, node, at_default);
     }
     entries
 }
 
+/// Adds an entry, below its inner table where the key has a dot.
+fn push(entries: &mut Vec<Entry>, key: &Key, node: Node, at_default: bool) {
+    let (head, key) = match key.key.split_once('.') {
+        Some((head, key)) => (Some(head), key),
+        None => (None, key.key),
+    };
+    let shown = SHOWN_DEFAULTS.contains(&key);
+    let mut new = optional(key, node, at_default);
+    if at_default && shown {
+        new.presence = InNewTables;
+    }
+    let Some(head) = head else {
+        return entries.push(new);
+    };
+    match entries.last_mut() {
+        Some(Entry {
+            key,
+            node: Node::Inline(inner),
+            presence,
+        }) if *key == head => {
+            inner.push(new);
+            if !at_default {
+                *presence = Always;
+            }
+        }
+        _ => entries.push(optional(head, Node::Inline(vec![new]), at_default)),
+    }
+}
+
 fn beam(model: &Model) -> Vec<Entry> {
-    let mut beam = numbers(&model.beam, BEAM);
-    beam.push(entry(
+    let beam = &model.beam;
+    let mut entries = rows(beam, &schema::BEAM);
+    entries.push(entry(
         "material",
-        Node::Table(numbers(&model.beam.material, MATERIAL)),
+        Node::Table(rows(&beam.material, &MATERIAL)),
     ));
-    beam.push(entry(
-        "section",
-        Node::Table(numbers(&model.beam.section, SECTION)),
-    ));
-    beam
+    entries.push(entry("section", Node::Table(rows(&beam.section, &SECTION))));
+    entries
 }
 
 fn supports(supports: &Supports, original: &Table) -> Entry {
     let original = original.get("supports").and_then(Item::as_table_like);
-    let end = |key: &'static str, support: &Support| {
+    let end = |end: End, support: &Support| {
         let original = original
-            .and_then(|table| table.get(key))
+            .and_then(|table| table.get(end.key()))
             .and_then(Item::as_table_like);
-        let presence = if *support == Support::FREE {
-            InNewTables
-        } else {
-            Always
-        };
-        Entry {
-            key: key.into(),
-            node: Node::Table(self::support(support, original)),
-            presence,
-        }
+        let node = Node::Table(self::support(support, original));
+        in_new_tables(end.key(), node, *support == Support::FREE)
     };
-    let ends = vec![end("left", &supports.left), end("right", &supports.right)];
-    let presence = if *supports == Supports::default() {
-        InNewTables
-    } else {
-        Always
-    };
+    let ends = vec![
+        end(End::Left, &supports.left),
+        end(End::Right, &supports.right),
+    ];
+    let is_free = *supports == Supports::default();
+    in_new_tables("supports", Node::Table(ends), is_free)
+}
+
+/// An entry that a new table shows at its default too.
+fn in_new_tables(key: &'static str, node: Node, at_default: bool) -> Entry {
     Entry {
-        key: "supports".into(),
-        node: Node::Table(ends),
-        presence,
+        key: key.into(),
+        node,
+        presence: if at_default { InNewTables } else { Always },
     }
 }
 
 /// One end, by its kind if it is one and the file does not speak of the six motions.
 fn support(support: &Support, original: Option<&dyn TableLike>) -> Vec<Entry> {
-    let kinds = [
-        ("free", Support::FREE),
-        ("pinned", Support::PINNED),
-        ("clamped", Support::CLAMPED),
-    ];
     let by_kind = original.is_none_or(|table| table.contains_key("kind"));
-    if let Some((kind, _)) = kinds.iter().find(|(_, kind)| by_kind && kind == support) {
+    if let Some(kind) = support.word().filter(|_| by_kind) {
         return vec![text("kind", kind)];
     }
     let order = [
@@ -188,19 +185,19 @@ fn support(support: &Support, original: Option<&dyn TableLike>) -> Vec<Entry> {
         Restraint::Fixed => text(motion.key(), "fixed"),
         Restraint::Elastic(elastic) => entry(
             motion.key(),
-            Node::Inline(numbers(elastic, elastic_fields(motion))),
+            Node::Inline(rows(elastic, schema::elastic(motion))),
         ),
     };
     order.map(restraint).into()
 }
 
 fn subsystem(subsystem: &Subsystem) -> Vec<Entry> {
-    let mut entries = vec![text("name", &subsystem.name), enabled(subsystem.enabled)];
-    entries.extend(numbers(subsystem, SUBSYSTEM));
+    let mut entries = rows(subsystem, &SUBSYSTEM);
     for entry in &mut entries {
-        let is_zero = matches!(entry.node, Node::Number(value) if value.to_bits() == 0);
-        if is_zero && !subsystem.needs(&entry.key) {
-            entry.presence = InNewTables;
+        // A 0 that something depends on is written out.
+        if Subsystem::OF_SPRINGS.contains(&&*entry.key) && entry.presence != Always {
+            let needed = subsystem.needs(&entry.key);
+            entry.presence = if needed { Always } else { InNewTables };
         }
     }
     entries
@@ -222,45 +219,28 @@ fn target(target: &Target) -> [Entry; 2] {
 }
 
 fn force(force: &Force) -> Vec<Entry> {
-    let mut entries = vec![enabled(force.enabled)];
-    entries.extend(target(&force.target));
-    entries.extend(numbers(force, FORCE));
+    let [at, direction] = target(&force.target);
+    let mut entries = rows(force, &FORCE);
+    // Behind the switch.
+    entries.splice(1..1, [at, direction]);
     entries
 }
 
 fn response(response: &Response) -> Vec<Entry> {
-    let mut entries = vec![text("name", &response.name), enabled(response.enabled)];
+    let mut entries = rows(response, &RESPONSE);
     match &response.quantity {
         Quantity::Motion(at, measure) => {
             entries.extend(target(at));
             let word = Node::Text(measure.key().to_owned());
             entries.push(optional("measure", word, *measure == Measure::default()));
         }
-        Quantity::Energy => entries.push(text("measure", "energy")),
+        Quantity::Energy => entries.push(text("measure", Quantity::ENERGY)),
     }
     entries
 }
 
-fn sweep(model: &Model) -> Vec<Entry> {
-    let sweep = &model.sweep;
-    let mut entries = numbers(sweep, SWEEP);
-    entries.push(entry("points", Node::Count(sweep.points)));
-    let spacing = Node::Text(sweep.spacing.key().to_owned());
-    let presence = if sweep.spacing == Spacing::default() {
-        InNewTables
-    } else {
-        Always
-    };
-    entries.push(Entry {
-        key: "spacing".into(),
-        node: spacing,
-        presence,
-    });
-    entries
-}
-
 fn study(study: &Study) -> Vec<Entry> {
-    let mut entries = vec![text("name", &study.name)];
+    let mut entries = rows(study, &schema::STUDY);
     match &study.family {
         Family::Vary {
             paths,

@@ -1,8 +1,9 @@
 //! The tuning as a tree of keys and values.
 
-use super::super::tuning::{Aim, Combine, Compare, Hold, Limit, Objective, Tune, Variable};
+use super::super::schema::{AIMS, Choice, LIMITS, OBJECTIVE, VARIABLE};
+use super::super::tuning::{Combine, Limit, Objective, Tune, Variable};
 use super::node::{Entry, Node};
-use super::tree::{entry, optional, text};
+use super::tree::{entry, optional, rows, text};
 use std::collections::HashSet;
 use toml_edit::{Item, TableLike, Value};
 
@@ -49,12 +50,6 @@ fn paths_in_lists(original: Option<&dyn TableLike>) -> HashSet<String> {
     }
 }
 
-/// A number that is left out at its default.
-fn number(key: &'static str, value: f64, default: f64) -> Entry {
-    let at_default = value.to_bits() == default.to_bits();
-    optional(key, Node::Number(value), at_default)
-}
-
 fn variable(variable: &Variable, listed: &HashSet<String>) -> Node {
     let mut entries = vec![match &variable.paths[..] {
         [path] if !listed.contains(path) => text("path", path),
@@ -63,73 +58,33 @@ fn variable(variable: &Variable, listed: &HashSet<String>) -> Node {
             entry("paths", Node::List(paths.collect()))
         }
     }];
-    let hold = Node::Text(variable.hold.key().to_owned());
-    entries.push(optional("hold", hold, variable.hold == Hold::default()));
-    entries.push(entry("min", Node::Number(variable.min)));
-    entries.push(entry("max", Node::Number(variable.max)));
-    entries.extend(variable.scale.map(|scale| text("scale", scale.key())));
-    entries.push(number("tolerance", variable.tolerance, 0.0));
+    entries.extend(rows(variable, &VARIABLE));
+    // Before the tolerance.
+    let scale = variable.scale.map(|scale| text("scale", scale.key()));
+    entries.splice(4..4, scale);
     Node::Inline(entries)
 }
 
 fn objective(objective: &Objective) -> Node {
-    let mut entries = match &objective.aim {
-        Aim::Peak { .. } => vec![text("minimise", "peak")],
-        Aim::MeanSquare { .. } => vec![text("minimise", "mean_square")],
-        Aim::Energy => vec![text("minimise", "energy")],
-        Aim::Width { below, .. } => vec![
-            text("maximise", "width"),
-            entry("below", Node::Number(*below)),
-        ],
-        Aim::AntiResonance { at, .. } => vec![
-            text("place", "anti_resonance"),
-            entry("at", Node::Number(*at)),
-        ],
-        Aim::Match {
-            file,
-            curve,
-            columns,
-            compare,
-            ..
-        } => matched(file, curve.as_deref(), columns.as_deref(), *compare),
-    };
-    entries.extend(objective.aim.response().map(|name| text("response", name)));
-    entries.extend(band(objective.from, objective.to));
-    entries.push(number("weight", objective.weight, 1.0));
+    let mut entries = chosen(AIMS, &objective.aim);
+    // The response stands behind what the aim is.
+    let word = usize::from(entries.first().is_some_and(|first| first.key != "response"));
+    if let Some(own) = entries.get_mut(word..) {
+        own.rotate_left(usize::from(!own.is_empty()));
+    }
+    entries.extend(rows(objective, &OBJECTIVE));
     Node::Inline(entries)
 }
 
-fn matched(file: &str, curve: Option<&str>, columns: Option<&str>, compare: Compare) -> Vec<Entry> {
-    let mut entries = vec![text("match", file)];
-    entries.extend(curve.map(|curve| text("curve", curve)));
-    entries.extend(columns.map(|columns| text("columns", columns)));
-    let word = Node::Text(compare.key().to_owned());
-    entries.push(optional("compare", word, compare == Compare::default()));
-    entries
-}
-
-fn band(from: f64, to: f64) -> [Entry; 2] {
-    [
-        entry("from", Node::Number(from)),
-        entry("to", Node::Number(to)),
-    ]
-}
-
 fn limit(limit: &Limit) -> Node {
-    Node::Inline(match limit {
-        Limit::AddedMass { at_most } => vec![
-            text("limit", "added_mass"),
-            entry("at_most", Node::Number(*at_most)),
-        ],
-        Limit::NoMode { from, to } => {
-            let mut entries = vec![text("limit", "no_mode")];
-            entries.extend(band(*from, *to));
-            entries
-        }
-        Limit::StaticDeflection { response, at_most } => vec![
-            text("limit", "static_deflection"),
-            text("response", response),
-            entry("at_most", Node::Number(*at_most)),
-        ],
-    })
+    Node::Inline(chosen(LIMITS, limit))
+}
+
+/// The word that says what a table is, if it has one, and the keys that go with it.
+fn chosen<T>(choices: &[Choice<T>], of: &T) -> Vec<Entry> {
+    let Some(choice) = Choice::of(choices, of) else {
+        return Vec::new();
+    };
+    let word = (!choice.word.is_empty()).then(|| text(choice.key, choice.word));
+    word.into_iter().chain(rows(of, &choice.rows)).collect()
 }

@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 use num_complex::Complex64;
 
 use super::Differentiator;
-use crate::model::{Model, Quantity, Response};
+use crate::model::{Group, Model, ParameterId, Quantity, Response};
 use crate::solve::form::Reference;
 use crate::solve::modes::Modes;
 
@@ -49,8 +49,8 @@ pub enum Figure {
 /// How a figure moves with the logarithm of a parameter's size: a hundredth of it for 1 % more.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sensitivity {
-    /// The parameter's path.
-    pub path: String,
+    /// The parameter.
+    pub id: ParameterId,
     /// d(level)/d(ln p), dB; none where there is no level, or none that is finite.
     pub level: Option<f64>,
     /// d(frequency)/d(ln p), Hz; of a peak or a mode.
@@ -155,16 +155,16 @@ fn by_logarithms(
 ) -> Vec<Sensitivity> {
     // A response is shown divided by its force where there is just one: what that force is does not matter then.
     let one_force = Reference::of(model).is_some();
-    let paths = differentiator.paths().iter().zip(differentiator.values());
+    let numbers = differentiator.ids().iter().zip(differentiator.values());
     let scaled = |slopes: &Option<Vec<f64>>, index: usize, value: f64| {
         let slope = slopes.as_ref()?.get(index)? * value;
         slope.is_finite().then_some(slope)
     };
-    paths
+    numbers
         .enumerate()
-        .filter(|(_, (path, value))| **value != 0.0 && !(one_force && is_size_of_force(path)))
-        .map(|(index, (path, value))| Sensitivity {
-            path: path.clone(),
+        .filter(|(_, (id, value))| **value != 0.0 && !(one_force && is_size_of_force(**id)))
+        .map(|(index, (id, value))| Sensitivity {
+            id: *id,
             level: scaled(&slopes.level, index, *value),
             frequency: scaled(&slopes.frequency, index, *value),
             damping_ratio: scaled(&slopes.damping_ratio, index, *value),
@@ -172,9 +172,9 @@ fn by_logarithms(
         .collect()
 }
 
-fn is_size_of_force(path: &str) -> bool {
-    let field = path.rsplit('.').next();
-    path.starts_with("forces.") && matches!(field, Some("amplitude" | "phase"))
+/// Amplitude or phase: the numbers of a force.
+const fn is_size_of_force(id: ParameterId) -> bool {
+    matches!(id.group, Group::Force(_))
 }
 
 /// An enabled response by its index among them.

@@ -3,6 +3,7 @@
 use num_complex::Complex64;
 
 use super::field::{Field, Reader};
+use crate::model::schema::ForceKey;
 use crate::model::{BeamMotion, Model, Place, Target};
 use crate::solve::linear::ZERO;
 use crate::solve::plan::Plan;
@@ -66,7 +67,7 @@ impl Force {
         plan: &Plan,
         lambda: &Field,
         reader: &Reader<'_>,
-    ) -> [Complex64; 2] {
+    ) -> impl Iterator<Item = Complex64> {
         let moved = match self.site {
             Site::End { end, motion, .. } => lambda.ends[end][motion as usize],
             Site::Beam { x, motion } => {
@@ -78,7 +79,12 @@ impl Force {
         };
         let unit = Complex64::from_polar(1.0, self.phase.to_radians());
         let a_degree = Complex64::I * 1.0_f64.to_radians();
-        [moved * unit, moved * unit * self.amplitude * a_degree]
+        let by = move |key| match key {
+            ForceKey::Enabled | ForceKey::At | ForceKey::Direction => None,
+            ForceKey::Amplitude => Some(moved * unit),
+            ForceKey::Phase => Some(moved * unit * self.amplitude * a_degree),
+        };
+        ForceKey::ALL.into_iter().filter_map(by)
     }
 }
 

@@ -97,7 +97,7 @@ mod tests {
     #[test]
     fn some_empty_cells_are_counted() {
         let row = |level| Sensitivity {
-            path: String::new(),
+            id: crate::model::ParameterId::TITLE,
             level,
             frequency: None,
             damping_ratio: None,

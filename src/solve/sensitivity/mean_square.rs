@@ -37,7 +37,7 @@ impl Differentiator {
         if rule.is_empty() {
             return Some(MeanSquareGradient {
                 value: f64::INFINITY,
-                by_parameter: vec![f64::NAN; self.paths().len()],
+                by_parameter: vec![f64::NAN; self.ids().len()],
             });
         }
         let at = |&[frequency, weight]: &[f64; 2]| {
@@ -49,7 +49,7 @@ impl Differentiator {
         };
         let shares: Option<Vec<Vec<f64>>> = rule.par_iter().map(at).collect();
         // Added in order, so that the sum does not depend on the number of threads.
-        let mut sum = vec![0.0; self.paths().len() + 1];
+        let mut sum = vec![0.0; self.ids().len() + 1];
         for share in shares? {
             sum.iter_mut()
                 .zip(share)

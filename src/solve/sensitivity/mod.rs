@@ -28,7 +28,7 @@ use num_complex::Complex64;
 use super::linear::ZERO;
 use super::plan::{Event, Plan};
 use super::recursion::{Solution, Workspace};
-use crate::model::{BeamMotion, Model};
+use crate::model::{BeamMotion, Model, ParameterId};
 pub use effect::{Figure, Sensitivity, effects};
 
 use adjoint::{Adjoint, Motion, Reading, factor};
@@ -49,7 +49,7 @@ pub struct Gradient {
     pub value: Complex64,
     /// Its derivative by the frequency, per Hz.
     pub by_frequency: Complex64,
-    /// Its derivative by each parameter, per SI unit (of a phase per degree), in the order of [`Differentiator::paths`].
+    /// Its derivative by each parameter, per SI unit (of a phase per degree), in the order of [`Differentiator::ids`].
     /// Of an energy real.
     ///
     /// A place at an end can only move inwards, and a beam only grow beyond a place at its right end: those derivatives
@@ -96,13 +96,13 @@ impl Differentiator {
         }
     }
 
-    /// The paths of the numbers that responses depend on, in the order of [`path::all`](crate::model::path::all): of the
-    /// beam, of supports that are not fixed, and of the subsystems and forces that are enabled.
-    pub fn paths(&self) -> &[String] {
-        &self.parameters.paths
+    /// The numbers that responses depend on, in the order of [`ParameterId::all`]: of the beam, of supports that are not
+    /// fixed, and of the subsystems and forces that are enabled.
+    pub fn ids(&self) -> &[ParameterId] {
+        &self.parameters.ids
     }
 
-    /// The numbers themselves, SI (phases in degrees), in the order of [`Self::paths`].
+    /// The numbers themselves, SI (phases in degrees), in the order of [`Self::ids`].
     pub fn values(&self) -> &[f64] {
         &self.parameters.values
     }
@@ -152,7 +152,7 @@ impl Differentiator {
         Gradient {
             value: ZERO,
             by_frequency: ZERO,
-            by_parameter: vec![ZERO; self.paths().len()],
+            by_parameter: vec![ZERO; self.ids().len()],
         }
     }
 

@@ -51,7 +51,7 @@ impl Differentiator {
     pub fn mode(&self, modes: &Modes, index: usize) -> ModeGradient {
         let mode = &modes.modes[index];
         if mode.kind == ModeKind::RigidBody {
-            let none = vec![0.0; self.paths().len()];
+            let none = vec![0.0; self.ids().len()];
             return ModeGradient {
                 frequency: none.clone(),
                 damping_ratio: none,
@@ -78,7 +78,7 @@ impl Differentiator {
         let omega = modes.modes[index].omega;
         let group = Group::of(&self.model, modes, index);
         let Some(loads) = group.isolating_loads(&self.model) else {
-            return vec![UNKNOWN; self.paths().len()];
+            return vec![UNKNOWN; self.ids().len()];
         };
         let is_equal = |root: usize| (group.roots[root] - omega).norm() < EQUAL * omega.norm();
         let equal = || group.members.iter().filter(|(_, root)| is_equal(*root));
@@ -99,10 +99,10 @@ impl Differentiator {
             // Forces come last: no mode depends on them.
             matrix(&|form| form.by_parameter.get(parameter).map_or(ZERO, |by| -by))
         };
-        let parameters = 0..self.paths().len();
+        let parameters = 0..self.ids().len();
         let by_parameter: Vec<_> = parameters.map(by_parameter).collect();
         let Some(all) = separated(&matrix(&|form| form.by_omega), &by_parameter) else {
-            return vec![UNKNOWN; self.paths().len()];
+            return vec![UNKNOWN; self.ids().len()];
         };
         let shift = |(shifts, value): (Option<Vec<Complex64>>, &f64)| {
             let mut shifts = sorted(shifts?, omega);

@@ -1,12 +1,12 @@
 //! The numbers of a model that responses depend on, in the order of the model file.
 
-use crate::model::field::{BEAM, FORCE, Field, MATERIAL, SECTION, SUBSYSTEM, elastic_fields};
-use crate::model::{BeamMotion, Model, Restraint, path};
+use crate::model::schema::Kind;
+use crate::model::{Group, Model, ParameterId, edit};
 
-/// Numbers with their paths.
+/// Numbers with the parameters that they are of.
 #[derive(Debug, Default)]
 pub(super) struct Parameters {
-    pub(super) paths: Vec<String>,
+    pub(super) ids: Vec<ParameterId>,
     /// SI.
     pub(super) values: Vec<f64>,
 }
@@ -14,39 +14,21 @@ pub(super) struct Parameters {
 impl Parameters {
     /// Those of the beam, of supports that are not fixed, and of the subsystems and forces that are enabled.
     pub(super) fn of(model: &Model) -> Self {
-        let mut all = Self::default();
-        all.add("beam", BEAM, &model.beam);
-        all.add("beam.material", MATERIAL, &model.beam.material);
-        all.add("beam.section", SECTION, &model.beam.section);
-        let supports = &model.supports;
-        for (end, support) in [("left", &supports.left), ("right", &supports.right)] {
-            for motion in BeamMotion::ALL {
-                if support[motion] != Restraint::Fixed {
-                    let owner = format!("supports.{end}.{}", motion.key());
-                    all.add(&owner, elastic_fields(motion), &support[motion].elastic());
-                }
-            }
-        }
-        // No subsystem, no match; nothing else can fail.
-        let keys = path::expand(model, "subsystems.*.name").unwrap_or_default();
-        for (subsystem, key) in model.subsystems.iter().zip(&keys) {
-            if subsystem.enabled {
-                let owner = key.strip_suffix(".name").unwrap_or(key);
-                all.add(owner, SUBSYSTEM, subsystem);
-            }
-        }
-        for (index, force) in model.forces.iter().enumerate() {
-            if force.enabled {
-                all.add(&format!("forces.{}", index + 1), FORCE, force);
-            }
-        }
-        all
+        let ids = ParameterId::all(model).into_iter();
+        let numbers = ids
+            .filter(|id| id.key().kind == Kind::Number && acts(model, id.group))
+            .filter_map(|id| Some((id, edit::number(model, id).ok()?)));
+        let (ids, values) = numbers.unzip();
+        Self { ids, values }
     }
+}
 
-    fn add<T>(&mut self, owner: &str, fields: &[Field<T>], of: &T) {
-        for field in fields {
-            self.paths.push(format!("{owner}.{}", field.key));
-            self.values.push((field.get)(of));
-        }
+/// Whether responses depend on the numbers of a table.
+fn acts(model: &Model, group: Group) -> bool {
+    match group {
+        Group::Beam | Group::Material | Group::Section | Group::Motion(..) => true,
+        Group::Subsystem(index) => model.subsystems[index].enabled,
+        Group::Force(index) => model.forces[index].enabled,
+        _ => false,
     }
 }

@@ -73,7 +73,7 @@ impl Differentiator {
             .map(|&f| self.power(response, &self.response_at(response, f.into())))
             .collect();
         let curvature = value(&derivative(&derivative(series)), t);
-        let frequency_by = (0..self.paths().len()).map(|parameter| {
+        let frequency_by = (0..self.ids().len()).map(|parameter| {
             let mixed = coefficients(&std::array::from_fn(|point| powers[point][parameter]));
             -value(&derivative(&mixed), t) / curvature * interval.half
         });

@@ -16,6 +16,7 @@ use num_complex::Complex64;
 
 use super::field::{Field, MassField, Setting};
 use super::overlap::Overlap;
+use crate::model::schema::{BeamKey, ElasticKey, MaterialKey, SectionKey, SubsystemKey};
 use crate::model::{BeamMotion, Restraint, Subsystem, Support};
 use crate::solve::linear::ZERO;
 use crate::solve::local::Local;
@@ -32,7 +33,9 @@ impl Product<'_> {
     /// `-lambda^T (dD/dp) u` for the parameters of the beam, the supports and the subsystems, in their order; `held`
     /// are the loads (of lambda and of u) that stay where they are when the right end moves away from them.
     pub(super) fn by_parameter(&self, held: [&[Complex64; 6]; 2]) -> Vec<Complex64> {
-        let mut all = vec![self.by_length(held)];
+        let mut all = BeamKey::ALL
+            .map(|BeamKey::Length| self.by_length(held))
+            .to_vec();
         all.extend(self.by_material());
         all.extend(self.by_section());
         let supports = &self.setting.model.supports;
@@ -114,8 +117,7 @@ impl Product<'_> {
         edge
     }
 
-    /// E, G, density, loss factor.
-    fn by_material(&self) -> [Complex64; 4] {
+    fn by_material(&self) -> [Complex64; MaterialKey::ALL.len()] {
         let material = &self.setting.model.beam.material;
         let section = &self.setting.model.beam.section;
         let o = &self.overlap;
@@ -126,31 +128,30 @@ impl Product<'_> {
         let loss = Complex64::new(1.0, material.loss_factor);
         let stored = material.young_modulus * bending + material.shear_modulus * twist;
         let square = self.setting.omega * self.setting.omega;
-        [
-            -loss * bending,
-            -loss * twist,
-            square * self.mass_of_beam() / material.density,
-            -Complex64::I * stored,
-        ]
+        MaterialKey::ALL.map(|key| match key {
+            MaterialKey::YoungModulus => -loss * bending,
+            MaterialKey::ShearModulus => -loss * twist,
+            MaterialKey::Density => square * self.mass_of_beam() / material.density,
+            MaterialKey::LossFactor => -Complex64::I * stored,
+        })
     }
 
-    /// A, `I_y`, `I_z`, J, `Gamma_0`, `I_0`, `z_c`.
-    fn by_section(&self) -> [Complex64; 7] {
+    fn by_section(&self) -> [Complex64; SectionKey::ALL.len()] {
         let material = &self.setting.model.beam.material;
         let section = &self.setting.model.beam.section;
         let o = &self.overlap;
         let loss = Complex64::new(1.0, material.loss_factor);
         let (young, shear) = (loss * material.young_modulus, loss * material.shear_modulus);
         let inertia = self.setting.omega * self.setting.omega * material.density;
-        [
-            inertia * (o.translation + section.centroid_offset * o.coupling),
-            -young * o.bending_w,
-            -young * o.bending_v,
-            -shear * o.torsion,
-            self.by_warping(young),
-            inertia * o.rotation,
-            inertia * section.area * o.coupling,
-        ]
+        SectionKey::ALL.map(|key| match key {
+            SectionKey::Area => inertia * (o.translation + section.centroid_offset * o.coupling),
+            SectionKey::SecondMomentY => -young * o.bending_w,
+            SectionKey::SecondMomentZ => -young * o.bending_v,
+            SectionKey::TorsionConstant => -shear * o.torsion,
+            SectionKey::WarpingConstant => self.by_warping(young),
+            SectionKey::PolarMoment => inertia * o.rotation,
+            SectionKey::CentroidOffset => inertia * section.area * o.coupling,
+        })
     }
 
     /// Of `Gamma_0`; where that is 0, of one that rises from it.
@@ -198,22 +199,22 @@ impl Product<'_> {
     }
 
     /// Minus the product times what k, c and m are multiplied by in `k + i omega c - omega^2 m`.
-    fn dynamic(&self, product: Complex64) -> [Complex64; 3] {
+    fn dynamic(&self, product: Complex64) -> [Complex64; ElasticKey::ALL.len()] {
         let omega = self.setting.omega;
-        [
-            -product,
-            -Complex64::I * omega * product,
-            omega * omega * product,
-        ]
+        ElasticKey::ALL.map(|key| match key {
+            ElasticKey::Stiffness => -product,
+            ElasticKey::Damping => -Complex64::I * omega * product,
+            ElasticKey::Inertia => omega * omega * product,
+        })
     }
 
-    /// In the order of the table: position, mass, inertia, four springs with their dampers, arms, mounts.
+    /// In the order of the rows that are numbers.
     fn by_subsystem(
         &self,
         subsystem: &Subsystem,
         lambda: &MassField,
         u: &MassField,
-    ) -> [Complex64; 15] {
+    ) -> impl Iterator<Item = Complex64> {
         let square = self.setting.omega * self.setting.omega;
         let [y, z, theta] = products(&lambda.motion, &u.motion);
         let stretches = products(&lambda.stretches, &u.stretches);
@@ -224,23 +225,31 @@ impl Product<'_> {
         };
         let theta_of = |field: &MassField| field.motion[2];
         let twist_of = |field: &MassField| field.twist;
-        [
-            lambda.along(subsystem, u) + u.along(subsystem, lambda),
-            square * (y + z),
-            square * theta,
-            springs[0][0],
-            springs[0][1],
-            springs[1][0],
-            springs[1][1],
-            springs[2][0],
-            springs[2][1],
-            springs[3][0],
-            springs[3][1],
-            pulled(|field| field.forces[2], theta_of),
-            -pulled(|field| field.forces[3], theta_of),
-            pulled(|field| field.forces[3] - field.forces[2], twist_of),
-            pulled(|field| field.forces[0] + field.forces[1], twist_of),
-        ]
+        let [y_left, y_right, z_left, z_right] = springs;
+        let along = lambda.along(subsystem, u) + u.along(subsystem, lambda);
+        let by = move |key| match key {
+            SubsystemKey::Name | SubsystemKey::Enabled => None,
+            SubsystemKey::Position => Some(along),
+            SubsystemKey::Mass => Some(square * (y + z)),
+            SubsystemKey::Inertia => Some(square * theta),
+            SubsystemKey::YLeftStiffness => Some(y_left[0]),
+            SubsystemKey::YLeftDamping => Some(y_left[1]),
+            SubsystemKey::YRightStiffness => Some(y_right[0]),
+            SubsystemKey::YRightDamping => Some(y_right[1]),
+            SubsystemKey::ZLeftStiffness => Some(z_left[0]),
+            SubsystemKey::ZLeftDamping => Some(z_left[1]),
+            SubsystemKey::ZRightStiffness => Some(z_right[0]),
+            SubsystemKey::ZRightDamping => Some(z_right[1]),
+            SubsystemKey::ArmLeft => Some(pulled(|field| field.forces[2], theta_of)),
+            SubsystemKey::ArmRight => Some(-pulled(|field| field.forces[3], theta_of)),
+            SubsystemKey::MountY => {
+                Some(pulled(|field| field.forces[3] - field.forces[2], twist_of))
+            }
+            SubsystemKey::MountZ => {
+                Some(pulled(|field| field.forces[0] + field.forces[1], twist_of))
+            }
+        };
+        SubsystemKey::ALL.into_iter().filter_map(by)
     }
 }
 

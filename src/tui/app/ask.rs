@@ -6,8 +6,8 @@ use std::sync::Arc;
 use super::{App, Effect, List, Overlay, Prompt, Purpose, choose};
 use crate::escape::path_of_text;
 use crate::measured::{Curve, ValueUnit};
-use crate::model::path::{self, Value};
-use crate::model::{self, Family, Model, Operation, Study, Unit, entry};
+use crate::model::edit::{self, Value};
+use crate::model::{Family, Model, Operation, Parameter, ParameterId, Study, Unit, entry, path};
 use crate::tui::keys::Command;
 use crate::tui::scene::{ChartView, FrequencyUnit};
 use crate::tui::tree;
@@ -26,8 +26,8 @@ pub enum Question {
     Factors {
         /// The parameter in words.
         subject: String,
-        /// Its path.
-        path: String,
+        /// Which one it is.
+        id: ParameterId,
         /// The unit of its values.
         unit: Unit,
     },
@@ -174,7 +174,7 @@ impl App {
         let taken = match question {
             Question::Frequency(unit) => self.go_to_frequency(text, *unit),
             Question::DecibelReference(unit) => self.take_decibel_reference(unit, text),
-            Question::Factors { path, unit, .. } => self.take_factors(path, *unit, text),
+            Question::Factors { id, unit, .. } => self.take_factors(*id, *unit, text),
             Question::Bounds {
                 paths, unit, index, ..
             } => self.take_bounds(paths, *unit, *index, text),
@@ -256,13 +256,14 @@ impl App {
 
     fn ask_factors(&mut self) {
         let node = self.selection.node();
-        let parameter = tree::parameter_path(self.model(), node)
-            .and_then(|path| path::parameter(self.model(), &path).ok());
+        let parameter = node
+            .parameter()
+            .and_then(|id| Parameter::of(self.model(), id).ok());
         match parameter {
             Some(parameter) if matches!(parameter.value, Value::Number(_)) => {
                 let question = Question::Factors {
                     subject: tree::subject(self.model(), node),
-                    path: parameter.path,
+                    id: parameter.id,
                     unit: parameter.unit,
                 };
                 self.ask_question(question, "0.5 1 2".to_owned());
@@ -272,29 +273,28 @@ impl App {
     }
 
     /// Makes a study of what was typed, shows it, and leaves it in the model.
-    fn take_factors(&mut self, path: &str, unit: Unit, text: &str) -> Result<(), String> {
+    fn take_factors(&mut self, id: ParameterId, unit: Unit, text: &str) -> Result<(), String> {
         let (operation, values) = read_factors(text, unit)?;
-        let now = path::parameter(self.model(), path).map(|parameter| parameter.value);
+        let now = edit::get(self.model(), id);
         if operation == Operation::Multiply && matches!(now, Ok(Value::Number(0.0))) {
             return Err("factors leave a 0 as it is: = and values, as = 50 150".to_owned());
         }
         let mut changed = Model::clone(self.model());
+        let path = path::text(&changed, id);
         let study = Study {
-            name: free_study_name(&changed, path),
+            name: free_study_name(&changed, &path),
             family: Family::Vary {
-                paths: vec![path.to_owned()],
+                paths: vec![path],
                 operation,
                 values,
             },
         };
         changed.studies.push(study);
         let last = changed.studies.len() - 1;
-        if let Some(fault) = model::check(&changed).first() {
-            return Err(fault.message.clone());
-        }
+        let changed = edit::checked(changed).map_err(|faults| faults[0].message.clone())?;
         let family = &changed.studies[last].family;
-        for (index, label) in path::family_labels(family).into_iter().enumerate() {
-            if let Err(faults) = path::apply(&changed, family, index) {
+        for (index, label) in edit::family_labels(family).into_iter().enumerate() {
+            if let Err(faults) = edit::apply(&changed, family, index) {
                 let why = faults.first().map(|fault| fault.message.clone());
                 return Err(format!("{label}: {}", why.unwrap_or_default()));
             }

@@ -3,9 +3,8 @@
 use std::sync::Arc;
 
 use super::{Anchor, App};
-use crate::model::Model;
+use crate::model::{Group, Model};
 use crate::tui::keys::Command;
-use crate::tui::tree::{self, Node};
 
 /// Steps of the cursor from one end of the axis to the other, where nothing has been drawn yet.
 const USUAL_COLUMNS: f64 = 100.0;
@@ -56,7 +55,7 @@ impl App {
 
     /// The response of the selected row, if it can be drawn.
     fn response(&mut self) -> Option<String> {
-        let Some(Node::Response(i)) = tree::item(self.selection.node()) else {
+        let Some(Group::Response(i)) = self.selection.node().item() else {
             self.refuse("select a response to show or hide its curve");
             return None;
         };

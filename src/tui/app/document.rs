@@ -4,8 +4,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::history::{Change, History, Step};
-use crate::model::path::{self, Parameter, Value};
-use crate::model::{self, Fault, Model};
+use crate::model::edit::{self, Value};
+use crate::model::{self, Fault, Model, Parameter, ParameterId, path};
 use crate::tui::tree;
 use crate::tui::user::recovery::Kept;
 use crate::tui::{Opened, Source};
@@ -38,8 +38,8 @@ pub enum Base {
 pub struct Edit<'a> {
     /// The parameter in words, for the step's name.
     pub subject: &'a str,
-    /// Its path.
-    pub path: &'a str,
+    /// Which one it is.
+    pub id: ParameterId,
     /// Its new value.
     pub value: Value,
     /// Whether this is a nudge, which is added to one before it.
@@ -129,28 +129,28 @@ impl Document {
     ///
     /// # Errors
     /// The faults of the model as it would be; the model is then as it was.
-    pub fn set(&mut self, edit: &Edit<'_>) -> Result<Option<String>, Vec<Fault>> {
-        let parameter = path::parameter(&self.model, edit.path).map_err(|fault| vec![fault])?;
-        if parameter.value == edit.value {
+    pub fn set(&mut self, new: &Edit<'_>) -> Result<Option<String>, Vec<Fault>> {
+        let parameter = path::described(&self.model, new.id).map_err(|fault| vec![fault])?;
+        if parameter.value == new.value {
             return Ok(None);
         }
-        let after = path::changed(&self.model, edit.path, edit.value.clone())?;
+        let after = edit::changed(&self.model, new.id, new.value.clone())?;
         if after == *self.model {
             return Ok(None);
         }
         let after = Arc::new(after);
-        let extended = if edit.nudge {
-            self.extend_nudge(edit, &parameter)
+        let extended = if new.nudge {
+            self.extend_nudge(new, &parameter)
         } else {
             None
         };
         let name = extended.unwrap_or_else(|| {
-            let name = step_name(edit.subject, &parameter, &parameter.value, &edit.value);
-            let change = self.change(edit, parameter.value, &after);
+            let name = step_name(new.subject, &parameter, &parameter.value, &new.value);
+            let change = self.change(new, parameter.value, &after);
             self.history.push(Step {
                 name: name.clone(),
                 change,
-                nudge: edit.nudge,
+                nudge: new.nudge,
             });
             name
         });
@@ -219,13 +219,13 @@ impl Document {
     }
 
     /// Adds a nudge to the one before it, if there is one of the same parameter; the name of both together.
-    fn extend_nudge(&mut self, edit: &Edit<'_>, parameter: &Parameter) -> Option<String> {
-        let step = self.history.open_nudge(edit.path)?;
+    fn extend_nudge(&mut self, new: &Edit<'_>, parameter: &Parameter) -> Option<String> {
+        let step = self.history.open_nudge(new.id)?;
         let Change::Value { before, after, .. } = &mut step.change else {
             return None;
         };
-        after.clone_from(&edit.value);
-        let name = step_name(edit.subject, parameter, before, &edit.value);
+        after.clone_from(&new.value);
+        let name = step_name(new.subject, parameter, before, &new.value);
         step.name.clone_from(&name);
         if before == after {
             self.history.drop_last();
@@ -234,14 +234,14 @@ impl Document {
     }
 
     /// The smallest change that goes both ways: one value where putting the old one back gives the old model.
-    fn change(&self, edit: &Edit<'_>, before: Value, after: &Arc<Model>) -> Change {
+    fn change(&self, new: &Edit<'_>, before: Value, after: &Arc<Model>) -> Change {
         let mut back = Model::clone(after);
-        let put_back = path::set_unchecked(&mut back, edit.path, before.clone());
+        let put_back = edit::put(&mut back, new.id, before.clone());
         if put_back.is_ok() && back == *self.model {
             return Change::Value {
-                path: edit.path.to_owned(),
+                id: new.id,
                 before,
-                after: edit.value.clone(),
+                after: new.value.clone(),
             };
         }
         Change::Whole {

@@ -4,9 +4,10 @@ use std::sync::Arc;
 
 use super::document::Edit;
 use super::{App, Asked, AskedKind, Overlay, Prompt, Purpose};
+use crate::model::edit::{self, Value};
 use crate::model::names::segment;
-use crate::model::path::{self, Parameter, Value};
-use crate::model::{Fault, Model, entry};
+use crate::model::schema::Kind;
+use crate::model::{Fault, Group, Model, Parameter, ParameterId, entry, path};
 use crate::tui::keys::Command;
 use crate::tui::tree::{self, Node};
 
@@ -18,11 +19,11 @@ impl App {
     pub(super) fn edit(&mut self) {
         let model = Arc::clone(self.document.model());
         let node = self.selection.node();
-        if let Node::Study(i) = node {
+        if let Node::Group(Group::Study(i)) = node {
             let study = (self.curves.study != Some(i)).then_some(i);
             return self.show_study(study, &model);
         }
-        if let Node::TuneVariable(index) = node {
+        if let Node::Group(Group::Variable(index)) = node {
             return self.ask_bounds_of(index);
         }
         match parameter(&model, node) {
@@ -39,7 +40,7 @@ impl App {
         let node = self.selection.node();
         match parameter(&model, node) {
             Some(Ok(parameter)) if !parameter.choices.is_empty() => self.cycle(node, &parameter),
-            Some(Ok(parameter)) if matches!(node, Node::ForceAt(_) | Node::ResponseAt(_)) => {
+            Some(Ok(parameter)) if parameter.id.key().kind == Kind::Place => {
                 let places = places(&model);
                 self.cycle_through(node, &parameter, &places);
             }
@@ -89,7 +90,7 @@ impl App {
         Asked {
             node,
             subject: tree::subject(self.model(), node),
-            path: parameter.path,
+            id: parameter.id,
             range: parameter.range,
             kind,
         }
@@ -100,8 +101,8 @@ impl App {
     /// # Errors
     /// Why it is refused, in a line.
     pub(super) fn give(&mut self, asked: &Asked, value: Value) -> Result<(), String> {
-        self.set(&asked.subject, &asked.path, value, false)
-            .map_err(|faults| faults_in_words(&faults, &asked.path, &asked.subject))
+        self.set(&asked.subject, asked.id, value, false)
+            .map_err(|faults| self.in_words(&faults, asked.id, &asked.subject))
     }
 
     fn cycle(&mut self, node: Node, parameter: &Parameter) {
@@ -124,13 +125,13 @@ impl App {
             if value == parameter.value {
                 continue;
             }
-            match self.set(&subject, &parameter.path, value, false) {
+            match self.set(&subject, parameter.id, value, false) {
                 Ok(()) => return,
                 Err(faults) => refusal = refusal.or(Some(faults)),
             }
         }
         match refusal {
-            Some(faults) => self.refuse(faults_in_words(&faults, &parameter.path, &subject)),
+            Some(faults) => self.refuse(self.in_words(&faults, parameter.id, &subject)),
             None => self.refuse(format!("{subject} has no other choice")),
         }
     }
@@ -169,8 +170,8 @@ impl App {
                 return self.refuse(format!("{subject} is not a number: {enter} changes it"));
             }
         };
-        if let Err(faults) = self.set(&subject, &parameter.path, value, true) {
-            self.refuse(faults_in_words(&faults, &parameter.path, &subject));
+        if let Err(faults) = self.set(&subject, parameter.id, value, true) {
+            self.refuse(self.in_words(&faults, parameter.id, &subject));
         }
     }
 
@@ -178,26 +179,37 @@ impl App {
     pub(super) fn revert(&mut self) {
         let model = Arc::clone(self.document.model());
         let node = self.selection.node();
-        let Some(path) = tree::parameter_path(&model, node) else {
+        let Some(id) = node.parameter() else {
             return self.refuse("select a single value to put the file's back");
         };
-        let Ok(saved) = path::parameter(self.document.saved(), &path) else {
+        let Some(saved) = self.saved_value(id) else {
             return self.refuse("the file has no value for this");
         };
         let subject = tree::subject(&model, node);
         if !tree::differs(&model, self.document.saved(), node) {
             return self.refuse(format!("{subject} is as in the file"));
         }
-        if let Err(faults) = self.set(&subject, &path, saved.value, false) {
-            self.refuse(faults_in_words(&faults, &path, &subject));
+        if let Err(faults) = self.set(&subject, id, saved, false) {
+            self.refuse(self.in_words(&faults, id, &subject));
         }
+    }
+
+    /// The value of a parameter as it was opened or saved last.
+    pub fn saved_value(&self, id: ParameterId) -> Option<Value> {
+        let saved = self.document.saved();
+        edit::get(saved, id.counterpart(self.model(), saved)?).ok()
+    }
+
+    /// Why a parameter was refused a value, in a line.
+    pub(super) fn in_words(&self, faults: &[Fault], id: ParameterId, subject: &str) -> String {
+        faults_in_words(faults, &path::text(self.model(), id), subject)
     }
 
     /// Gives a parameter a value and says so; the tree and the chart follow.
     pub(super) fn set(
         &mut self,
         subject: &str,
-        path: &str,
+        id: ParameterId,
         value: Value,
         nudge: bool,
     ) -> Result<(), Vec<Fault>> {
@@ -205,7 +217,7 @@ impl App {
         let is_number = matches!(value, Value::Number(_) | Value::Count(_));
         let step = self.document.set(&Edit {
             subject,
-            path,
+            id,
             value,
             nudge,
         })?;
@@ -223,7 +235,7 @@ impl App {
 }
 
 fn parameter(model: &Model, node: Node) -> Option<Result<Parameter, Fault>> {
-    tree::parameter_path(model, node).map(|path| path::parameter(model, &path))
+    Some(path::described(model, node.parameter()?))
 }
 
 /// Where a force or response may be, without positions: the ends and the attached masses.

@@ -2,16 +2,16 @@
 
 use std::sync::Arc;
 
-use crate::model::Model;
-use crate::model::path::{self, Value};
+use crate::model::edit::{self, Value};
+use crate::model::{Model, ParameterId};
 
 /// What a step changed.
 #[derive(Debug, Clone)]
 pub enum Change {
     /// One value: small, and enough to go both ways.
     Value {
-        /// The parameter's path.
-        path: String,
+        /// The parameter.
+        id: ParameterId,
         /// Its value before the step.
         before: Value,
         /// Its value after the step.
@@ -27,24 +27,20 @@ pub enum Change {
 }
 
 impl Change {
-    fn path(&self) -> Option<&str> {
+    fn id(&self) -> Option<ParameterId> {
         match self {
-            Self::Value { path, .. } => Some(path),
+            Self::Value { id, .. } => Some(*id),
             Self::Whole { .. } => None,
         }
     }
 
     fn apply(&self, model: &mut Arc<Model>, forward: bool) {
         match self {
-            Self::Value {
-                path,
-                before,
-                after,
-            } => {
+            Self::Value { id, before, after } => {
                 let value = if forward { after } else { before };
                 // Such a step was kept because its values go in and out of this very model.
-                let result = path::set_unchecked(Arc::make_mut(model), path, value.clone());
-                debug_assert!(result.is_ok(), "{path}: {result:?}");
+                let result = edit::put(Arc::make_mut(model), *id, value.clone());
+                debug_assert!(result.is_ok(), "{id:?}: {result:?}");
             }
             Self::Whole { before, after } => {
                 *model = Arc::clone(if forward { after } else { before });
@@ -82,13 +78,13 @@ impl History {
     }
 
     /// The last step, if it is a nudge of this parameter to which another can be added.
-    pub fn open_nudge(&mut self, path: &str) -> Option<&mut Step> {
+    pub fn open_nudge(&mut self, id: ParameterId) -> Option<&mut Step> {
         if self.sealed || !self.undone.is_empty() {
             return None;
         }
         self.done
             .last_mut()
-            .filter(|step| step.nudge && step.change.path() == Some(path))
+            .filter(|step| step.nudge && step.change.id() == Some(id))
     }
 
     /// Drops the last step: nudges that added up to nothing.

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use tui_input::Input;
 
 use super::{Lost, Palette, Question, Saving};
-use crate::model::{Fault, Unit};
+use crate::model::{Fault, ParameterId, Unit};
 use crate::presets;
 use crate::tui::keys::{Command, Scope};
 use crate::tui::tree::Node;
@@ -128,8 +128,8 @@ pub struct Asked {
     pub node: Node,
     /// The parameter in words.
     pub subject: String,
-    /// Its path.
-    pub path: String,
+    /// Which one it is.
+    pub id: ParameterId,
     /// What it may be.
     pub range: String,
     /// How it is read.

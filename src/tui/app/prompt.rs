@@ -8,7 +8,8 @@ use super::edit::read;
 use super::repeat::LastChange;
 use super::{App, Asked, AskedKind, Base, Effect, Guard, Next, Overlay, Prompt, Purpose};
 use crate::escape::path_of_text;
-use crate::model::path::{self, Value};
+use crate::model::edit::Value;
+use crate::model::{Group, Parameter};
 use crate::presets;
 use crate::tui::keys::{Command, Key};
 use crate::tui::tree::{self, Node};
@@ -159,19 +160,21 @@ impl App {
 
     /// Asks for another name of the selected row.
     pub(super) fn ask_name(&mut self) {
-        let node = tree::item(self.selection.node()).unwrap_or(self.selection.node());
-        let named = tree::name_path(self.model(), node)
-            .and_then(|path| path::parameter(self.model(), &path).ok());
+        let selected = self.selection.node();
+        let node = selected.item().map_or(selected, Node::Group);
+        let named = node
+            .name()
+            .and_then(|id| Parameter::of(self.model(), id).ok());
         let Some(parameter) = named else {
             return self.refuse(match node {
-                Node::Force(_) => "forces have numbers, not names",
+                Node::Group(Group::Force(_)) => "forces have numbers, not names",
                 _ => "select a subsystem, response or study to rename it",
             });
         };
         let asked = Asked {
             node,
             subject: format!("{} name", tree::subject(self.model(), node)),
-            path: parameter.path,
+            id: parameter.id,
             range: parameter.range,
             kind: AskedKind::Text,
         };

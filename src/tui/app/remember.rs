@@ -154,7 +154,9 @@ fn key(source: &Source) -> Option<String> {
 
 /// A row's label and those of the groups that hold it, from the outermost on.
 fn trail(model: &Model, node: Node) -> Vec<String> {
-    let mut trail = tree::parent(node).map_or_else(Vec::new, |parent| trail(model, parent));
+    let mut trail = node
+        .parent()
+        .map_or_else(Vec::new, |parent| trail(model, parent));
     trail.push(tree::label(model, node).into_owned());
     trail
 }

@@ -3,8 +3,7 @@
 use std::sync::Arc;
 
 use super::{App, Effect, Look, Witness};
-use crate::model::path::{self, Value};
-use crate::tui::tree;
+use crate::model::edit::{self, Value};
 use crate::worker::{Answer, CurvesAnswer, ExpectRequest, Request, Sampling, Subject};
 
 impl App {
@@ -105,21 +104,19 @@ impl App {
         if model.subsystems.len() < MANY || self.curves.is_stale() {
             return None;
         }
-        let path = tree::parameter_path(&model, self.selection.node())?;
-        let Value::Number(value) = path::parameter(&model, &path).ok()?.value else {
-            return None;
-        };
-        if let Some((known, at)) = &self.expected
-            && *known == path
+        let id = self.selection.node().parameter()?;
+        let value = edit::number(&model, id).ok()?;
+        if let Some((known, at)) = self.expected
+            && known == id
             && (value - at).abs() <= NEAR * at.abs()
         {
             return None;
         }
-        self.expected = Some((path.clone(), value));
+        self.expected = Some((id, value));
         // Where the model allows no such value, it is not turned so far either.
         let turned = |by: f64| {
             let value = Value::Number(value * (1.0 + by));
-            path::changed(&model, &path, value).map_or_else(|_| Arc::clone(&model), Arc::new)
+            edit::changed(&model, id, value).map_or_else(|_| Arc::clone(&model), Arc::new)
         };
         Some(Request::Expect(ExpectRequest {
             model: turned(-FAR),

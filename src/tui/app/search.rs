@@ -4,9 +4,8 @@ use std::sync::Arc;
 
 use tui_input::Input;
 
-use super::moves::Moves;
 use super::{App, Effect};
-use crate::model::{Model, counted};
+use crate::model::{Model, Moves, counted};
 use crate::tui::fuzzy::Query;
 use crate::tui::keys::Command;
 use crate::tui::tree::{self, Node};
@@ -30,11 +29,11 @@ impl Search {
         // What was removed leaves what held it.
         let mut origin = Some(self.origin);
         while let Some(node) = origin {
-            if let Some(moved) = moves.of(node) {
+            if let Some(moved) = node.moved(moves) {
                 self.origin = moved;
                 break;
             }
-            origin = tree::parent(node);
+            origin = node.parent();
         }
         self.refresh(model);
     }

@@ -2,8 +2,7 @@
 
 use std::collections::HashSet;
 
-use super::moves::Moves;
-use crate::model::{Model, Restraint};
+use crate::model::{Group, Model, Moves, Restraint};
 use crate::tui::tree::{self, Node, Row};
 
 /// The tree's state. Its rows are those of the model it was updated with last.
@@ -19,9 +18,16 @@ pub struct Selection {
 impl Selection {
     /// A tree with its first level and the first subsystem open.
     pub fn new(model: &Model) -> Self {
-        let mut open = HashSet::from([Node::Beam, Node::Subsystems, Node::Responses]);
+        let mut open = HashSet::from([
+            Node::Group(Group::Beam),
+            Node::Group(Group::Subsystems),
+            Node::Group(Group::Responses),
+        ]);
         if model.subsystems.len() <= 1 {
-            open.extend([Node::Supports, Node::Subsystem(0)]);
+            open.extend([
+                Node::Group(Group::Supports),
+                Node::Group(Group::Subsystem(0)),
+            ]);
         }
         let mut selection = Self {
             open,
@@ -38,7 +44,7 @@ impl Selection {
     pub fn node(&self) -> Node {
         self.rows
             .get(self.cursor)
-            .map_or(Node::Title, |row| row.node)
+            .map_or(Node::TITLE, |row| row.node)
     }
 
     /// All rows, and how many of them lie above the screen.
@@ -82,7 +88,7 @@ impl Selection {
                 self.cursor = found;
                 break;
             }
-            sought = tree::parent(node);
+            sought = node.parent();
         }
         self.cursor = self.cursor.min(self.rows.len().saturating_sub(1));
         self.scroll();
@@ -93,10 +99,10 @@ impl Selection {
         self.open = self
             .open
             .iter()
-            .filter_map(|node| moved.of(*node))
+            .filter_map(|node| node.moved(moved))
             .collect();
         for row in &mut self.rows {
-            if let Some(node) = moved.of(row.node) {
+            if let Some(node) = row.node.moved(moved) {
                 row.node = node;
             }
         }
@@ -146,7 +152,9 @@ impl Selection {
             .filter(|row| row.open.is_some())
             .map(|row| row.node);
         let holds_zeros = |node: &Node| match node {
-            Node::Motion(end, motion) => end.support(model)[*motion] == Restraint::Free,
+            Node::Group(Group::Motion(end, motion)) => {
+                end.support(model)[*motion] == Restraint::Free
+            }
             _ => false,
         };
         self.open = groups.filter(|node| !holds_zeros(node)).collect();
@@ -163,7 +171,7 @@ impl Selection {
     pub fn collapse(&mut self, model: &Model) {
         if self.rows.get(self.cursor).and_then(|row| row.open) == Some(true) {
             self.toggle(model);
-        } else if let Some(parent) = tree::parent(self.node()) {
+        } else if let Some(parent) = self.node().parent() {
             self.select(model, parent);
         }
     }
@@ -179,10 +187,10 @@ impl Selection {
 
     /// Selects a node, opening what holds it.
     pub fn select(&mut self, model: &Model, node: Node) {
-        let mut holder = tree::parent(node);
+        let mut holder = node.parent();
         while let Some(parent) = holder {
             self.open.insert(parent);
-            holder = tree::parent(parent);
+            holder = parent.parent();
         }
         self.rows = tree::rows(model, |node| self.open.contains(&node));
         if let Some(found) = self.rows.iter().position(|row| row.node == node) {
@@ -198,8 +206,7 @@ impl Selection {
         let Some(at) = all.iter().position(|row| row.node == here) else {
             return;
         };
-        let parameter =
-            |row: &&Row| row.open.is_none() && tree::parameter_path(model, row.node).is_some();
+        let parameter = |row: &&Row| row.open.is_none() && row.node.parameter().is_some();
         let found = if forward {
             all[at + 1..].iter().filter(parameter).take(times).last()
         } else {

@@ -6,9 +6,8 @@ use std::sync::Arc;
 
 pub use effects::{Effects, Weighed};
 
-use super::moves::Moves;
 use super::{Anchor, App, Shown, Table};
-use crate::model::Model;
+use crate::model::{Model, Moves};
 use crate::solve::sensitivity::{Figure, Sensitivity};
 use crate::tui::keys::Command;
 use crate::worker::{Request, SensitivityAnswer, SensitivityRequest};

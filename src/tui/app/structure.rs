@@ -5,10 +5,11 @@ use std::sync::Arc;
 use super::App;
 use super::edit::faults_in_words;
 use super::fresh::{free_name, new_subsystem, response_names, subsystem_names};
+use crate::model::edit::{self, Value};
 use crate::model::names::segment;
-use crate::model::path::Value;
+use crate::model::schema::Kind;
 use crate::model::{
-    self, BeamMotion, Force, Measure, Model, Place, Quantity, Response, Target, path,
+    self, BeamMotion, Force, Group, Measure, Model, Place, Quantity, Response, Target,
 };
 use crate::tui::keys::Command;
 use crate::tui::tree::{self, Node};
@@ -17,14 +18,14 @@ impl App {
     /// Adds one of what the selected row belongs to.
     pub(super) fn add(&mut self) {
         let mut after = Model::clone(self.model());
-        let (node, name) = match group(self.selection.node()) {
-            Node::Subsystems => {
+        let (group, name) = match group(self.selection.node()) {
+            Some(Group::Subsystems) => {
                 let new = new_subsystem(&after);
                 let name = format!("add subsystem {}", new.name);
                 after.subsystems.push(new);
-                (Node::Subsystem(after.subsystems.len() - 1), name)
+                (Group::Subsystem(after.subsystems.len() - 1), name)
             }
-            Node::Forces => {
+            Some(Group::Forces) => {
                 after.forces.push(Force {
                     enabled: true,
                     target: Target::Beam(Place::Left, BeamMotion::W),
@@ -32,9 +33,9 @@ impl App {
                     phase: 0.0,
                 });
                 let count = after.forces.len();
-                (Node::Force(count - 1), format!("add force {count}"))
+                (Group::Force(count - 1), format!("add force {count}"))
             }
-            Node::Responses => {
+            Some(Group::Responses) => {
                 let target = Target::Beam(Place::Right, BeamMotion::W);
                 let new = Response {
                     name: free_name("right w", &response_names(&after)),
@@ -43,15 +44,15 @@ impl App {
                 };
                 let name = format!("add response {}", new.name);
                 after.responses.push(new);
-                (Node::Response(after.responses.len() - 1), name)
+                (Group::Response(after.responses.len() - 1), name)
             }
             other => return self.refuse_to_add(other),
         };
-        self.restructure(name, after, node);
+        self.restructure(name, after, group);
     }
 
     /// Says what is added here by other keys, or where this one adds something.
-    fn refuse_to_add(&mut self, group: Node) {
+    fn refuse_to_add(&mut self, group: Option<Group>) {
         let [study, variable, objective] = [
             Command::MakeStudy,
             Command::TuneVariable,
@@ -59,10 +60,10 @@ impl App {
         ]
         .map(|command| self.keys.key_of(command));
         self.refuse(match group {
-            Node::Studies => {
+            Some(Group::Studies) => {
                 format!("{study} on a number of the model adds a study of it; others are added in the file")
             }
-            Node::Tune => {
+            Some(Group::Tune) => {
                 format!("{variable} on a number lets a search move it, {objective} adds what is sought")
             }
             _ => "subsystems, forces and responses can be added: select one of them, or their group"
@@ -73,66 +74,51 @@ impl App {
     /// Adds a copy of the selected subsystem, force or response after it.
     pub(super) fn duplicate(&mut self) {
         let mut after = Model::clone(self.model());
-        let (node, name) = match tree::item(self.selection.node()) {
-            Some(Node::Subsystem(i)) => {
+        let (group, name) = match self.selection.node().item() {
+            Some(Group::Subsystem(i)) => {
                 let mut copy = after.subsystems[i].clone();
                 copy.name = free_name(&copy.name, &subsystem_names(&after));
                 let name = format!("duplicate {} as {}", after.subsystems[i].name, copy.name);
                 after.subsystems.insert(i + 1, copy);
-                (Node::Subsystem(i + 1), name)
+                (Group::Subsystem(i + 1), name)
             }
-            Some(Node::Force(i)) => {
+            Some(Group::Force(i)) => {
                 after.forces.insert(i + 1, after.forces[i].clone());
-                (Node::Force(i + 1), format!("duplicate force {}", i + 1))
+                (Group::Force(i + 1), format!("duplicate force {}", i + 1))
             }
-            Some(Node::Response(i)) => {
+            Some(Group::Response(i)) => {
                 let mut copy = after.responses[i].clone();
                 copy.name = free_name(&copy.name, &response_names(&after));
                 let name = format!("duplicate {} as {}", after.responses[i].name, copy.name);
                 after.responses.insert(i + 1, copy);
-                (Node::Response(i + 1), name)
+                (Group::Response(i + 1), name)
             }
             _ => return self.refuse("select a subsystem, force or response to duplicate it"),
         };
-        self.restructure(name, after, node);
+        self.restructure(name, after, group);
     }
 
     /// Deletes the selected subsystem, force, response or study, unless something needs it.
     pub(super) fn delete(&mut self) {
-        match self.selection.node() {
-            Node::TuneVariable(index) => return self.drop_variable(index),
-            Node::TuneObjective(index) => return self.drop_objective(index),
-            Node::TuneLimit(index) => return self.drop_limit(index),
+        match self.selection.node().group() {
+            Group::Variable(index) => return self.drop_variable(index),
+            Group::Objective(index) => return self.drop_objective(index),
+            Group::Limit(index) => return self.drop_limit(index),
             _ => {}
         }
         let mut after = Model::clone(self.model());
-        let Some(node) = tree::item(self.selection.node()) else {
+        let Some(item) = self.selection.node().item() else {
             return self.refuse("select a subsystem, force, response or study to delete it");
         };
-        let (list, i) = match node {
-            Node::Subsystem(i) => {
-                after.subsystems.remove(i);
-                (Node::Subsystems, i)
-            }
-            Node::Force(i) => {
-                after.forces.remove(i);
-                (Node::Forces, i)
-            }
-            Node::Response(i) => {
-                after.responses.remove(i);
-                (Node::Responses, i)
-            }
-            Node::Study(i) => {
-                after.studies.remove(i);
-                (Node::Studies, i)
-            }
-            _ => return,
+        let (Some(i), Some(list)) = (item.place(), item.parent()) else {
+            return;
         };
-        let subject = tree::subject(self.model(), node);
-        if let Some(user) = user_of(self.model(), node) {
+        edit::remove(&mut after, item);
+        let subject = tree::subject(self.model(), Node::Group(item));
+        if let Some(user) = user_of(self.model(), item) {
             return self.refuse(format!("{subject} is needed by {user}"));
         }
-        let rest = tree::children(&after, list);
+        let rest = list.groups(&after);
         let next = rest.get(i).or(rest.last()).copied().unwrap_or(list);
         self.restructure(format!("delete {subject}"), after, next);
     }
@@ -140,50 +126,46 @@ impl App {
     /// Enables or disables the selected subsystem, force or response.
     pub(super) fn switch(&mut self) {
         let model = Arc::clone(self.document.model());
-        let item = tree::item(self.selection.node());
-        let path = item.and_then(|node| Some((node, tree::enabled_path(&model, node)?)));
-        let Some((node, path)) = path else {
+        let item = self.selection.node().item();
+        let switch = item.and_then(|item| item.parameter_of(Kind::Flag));
+        let Some(id) = switch else {
             return self.refuse("select a subsystem, force or response to enable or disable it");
         };
-        let on = path::parameter(&model, &path)
-            .is_ok_and(|parameter| parameter.value == Value::Flag(true));
-        let subject = tree::subject(&model, node);
-        if let Err(faults) = self.set(&subject, &path, Value::Flag(!on), false) {
-            self.refuse(faults_in_words(&faults, &path, &subject));
+        let on = edit::get(&model, id) == Ok(Value::Flag(true));
+        let subject = tree::subject(&model, Node::Group(id.group));
+        if let Err(faults) = self.set(&subject, id, Value::Flag(!on), false) {
+            self.refuse(self.in_words(&faults, id, &subject));
         }
     }
 
     /// Takes a model with another structure, if it is possible, and selects a row of it.
-    fn restructure(&mut self, name: String, after: Model, node: Node) {
-        let faults = model::check(&after);
-        if !faults.is_empty() {
-            return self.refuse(format!(
-                "cannot {name}: {}",
-                faults_in_words(&faults, "", "")
-            ));
-        }
+    fn restructure(&mut self, name: String, after: Model, group: Group) {
+        let after = match edit::checked(after) {
+            Ok(after) => after,
+            Err(faults) => {
+                let words = faults_in_words(&faults, "", "");
+                return self.refuse(format!("cannot {name}: {words}"));
+            }
+        };
         let before = Arc::clone(self.document.model());
         self.document.replace(name.clone(), after);
         self.follow(&before);
         let model = Arc::clone(self.document.model());
-        self.selection.select(&model, node);
+        self.selection.select(&model, Node::Group(group));
         self.done(name);
     }
 }
 
-/// The list to which a row belongs.
-fn group(node: Node) -> Node {
-    let mut node = node;
-    while let Some(parent) = tree::parent(node) {
-        node = parent;
-    }
-    node
+/// The table or list of the first level to which a row belongs; none of the title.
+fn group(node: Node) -> Option<Group> {
+    let holders = std::iter::successors(Some(node.group()), |group| group.parent());
+    holders.into_iter().filter(|of| *of != Group::Model).last()
 }
 
 /// Who needs a subsystem or response, in words.
-fn user_of(model: &Model, node: Node) -> Option<String> {
-    match node {
-        Node::Subsystem(i) => {
+fn user_of(model: &Model, item: Group) -> Option<String> {
+    match item {
+        Group::Subsystem(i) => {
             let name = &model.subsystems[i].name;
             let on = |target: &Target| matches!(target, Target::Mass(mass, _) if mass == name);
             let force = model.forces.iter().position(|force| on(&force.target));
@@ -204,8 +186,8 @@ fn user_of(model: &Model, node: Node) -> Option<String> {
                     )
                 })
         }
-        Node::Force(i) => path_user(model, &ways_to(None, i, model.forces.len()), "forces"),
-        Node::Response(i) => {
+        Group::Force(i) => path_user(model, &ways_to(None, i, model.forces.len()), "forces"),
+        Group::Response(i) => {
             let name = &model.responses[i].name;
             let tuned = model.tune.as_ref().is_some_and(|tune| {
                 tune.objectives

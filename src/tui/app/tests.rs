@@ -3,7 +3,7 @@ use std::path::PathBuf;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::*;
-use crate::model::path;
+use crate::model::{Group, path};
 use crate::presets;
 use crate::tui::Source;
 use crate::tui::tree::{self, Node};
@@ -30,10 +30,11 @@ fn app(preset: &str) -> App {
 
 fn select(app: &mut App, path: &str) {
     let model = Arc::clone(app.model());
+    let id = path::one(&model, path).unwrap();
     let rows = tree::all_rows(&model);
     let row = rows
         .iter()
-        .find(|row| tree::parameter_path(&model, row.node).as_deref() == Some(path))
+        .find(|row| row.node.parameter() == Some(id))
         .unwrap();
     app.selection.select(&model, row.node);
 }
@@ -174,7 +175,7 @@ fn choices_cycle_past_what_is_not_possible() {
 #[test]
 fn what_is_referred_to_is_not_deleted() {
     let mut app = app("fig05c");
-    go(&mut app, Node::Subsystem(1));
+    go(&mut app, Node::Group(Group::Subsystem(1)));
     keys(&mut app, "x");
     assert_eq!(said(&app), "S2 is needed by force 1, which acts on it");
     keys(&mut app, "e");
@@ -185,11 +186,11 @@ fn what_is_referred_to_is_not_deleted() {
 #[test]
 fn subsystems_are_added_copied_renamed_switched_and_deleted() {
     let mut app = app("fig05a");
-    go(&mut app, Node::Subsystem(0));
+    go(&mut app, Node::Group(Group::Subsystem(0)));
     keys(&mut app, "a");
     assert_eq!(
         (said(&app), app.selection.node()),
-        ("add subsystem S4", Node::Subsystem(3))
+        ("add subsystem S4", Node::Group(Group::Subsystem(3)))
     );
     keys(&mut app, "D");
     assert_eq!(app.model().subsystems[4].name, "S5");
@@ -199,37 +200,36 @@ fn subsystems_are_added_copied_renamed_switched_and_deleted() {
     keys(&mut app, "e");
     assert!(!app.model().subsystems[4].enabled);
     keys(&mut app, "x");
-    assert_eq!(app.selection.node(), Node::Subsystem(3));
+    assert_eq!(app.selection.node(), Node::Group(Group::Subsystem(3)));
     keys(&mut app, "uuuuu");
     assert!(!app.document.is_changed());
     assert_eq!(app.document.text(), app.document.saved_text());
 }
 
+/// The row of a subsystem's place.
+fn position(subsystem: usize) -> Node {
+    let row = crate::model::schema::SubsystemKey::Position as usize;
+    Node::Parameter(Group::Subsystem(subsystem).parameter(row))
+}
+
 #[test]
 fn open_rows_follow_their_subsystem() {
     let mut app = app("fig05a");
-    go(&mut app, Node::SubsystemNumber(2, 0));
-    go(&mut app, Node::Subsystem(0));
+    go(&mut app, position(2));
+    go(&mut app, Node::Group(Group::Subsystem(0)));
     keys(&mut app, "x");
     let (rows, _) = app.selection.rows();
-    assert!(
-        rows.iter()
-            .any(|row| row.node == Node::SubsystemNumber(1, 0))
-    );
-    assert!(
-        !rows
-            .iter()
-            .any(|row| row.node == Node::SubsystemNumber(0, 0))
-    );
-    assert_eq!(app.selection.node(), Node::Subsystem(0));
+    assert!(rows.iter().any(|row| row.node == position(1)));
+    assert!(!rows.iter().any(|row| row.node == position(0)));
+    assert_eq!(app.selection.node(), Node::Group(Group::Subsystem(0)));
 }
 
 #[test]
 fn forces_and_responses_are_added_valid() {
     let mut app = app("fig06");
-    go(&mut app, Node::Forces);
+    go(&mut app, Node::Group(Group::Forces));
     keys(&mut app, "aD");
-    go(&mut app, Node::Responses);
+    go(&mut app, Node::Group(Group::Responses));
     keys(&mut app, "aaD");
     assert!(crate::model::check(app.model()).is_empty());
     let names: Vec<_> = app
@@ -250,7 +250,7 @@ fn tab_visits_every_parameter_and_comes_back() {
     let all = tree::all_rows(app.model());
     let parameters = all
         .iter()
-        .filter(|row| row.open.is_none() && tree::parameter_path(app.model(), row.node).is_some())
+        .filter(|row| row.open.is_none() && row.node.parameter().is_some())
         .count();
     keys(&mut app, "g");
     for _ in 1..parameters {
@@ -261,7 +261,7 @@ fn tab_visits_every_parameter_and_comes_back() {
     for _ in 1..parameters {
         press(&mut app, KeyCode::BackTab);
     }
-    assert_eq!(app.selection.node(), Node::Title);
+    assert_eq!(app.selection.node(), Node::TITLE);
 }
 
 #[test]
@@ -270,8 +270,8 @@ fn n_goes_to_the_same_parameter_of_the_next_subsystem() {
     select(&mut app, STIFFNESS);
     keys(&mut app, "nn");
     assert_eq!(
-        tree::parameter_path(app.model(), app.selection.node()).unwrap(),
-        "subsystems.S3.z_left.stiffness"
+        app.selection.node().parameter(),
+        path::one(app.model(), "subsystems.S3.z_left.stiffness").ok()
     );
     keys(&mut app, "n");
     assert!(matches!(app.message, Some(Message::Refused(_))));
@@ -449,14 +449,14 @@ fn answer(generation: u64, app: &App) -> Answer {
 fn responses_show_and_hide() {
     let mut app = app("fig05a");
     assert_eq!(app.curves.visible, ["P1 w"]);
-    go(&mut app, Node::Response(3));
+    go(&mut app, Node::Group(Group::Response(3)));
     keys(&mut app, "v");
     assert_eq!(app.curves.visible, ["P1 w", "P2 w"]);
     keys(&mut app, "V");
     assert_eq!(app.curves.visible, ["P2 w"]);
     keys(&mut app, "v");
     assert!(app.curves.visible.is_empty());
-    go(&mut app, Node::Beam);
+    go(&mut app, Node::Group(Group::Beam));
     keys(&mut app, "v");
     assert!(matches!(app.message, Some(Message::Refused(_))));
 }
@@ -464,7 +464,7 @@ fn responses_show_and_hide() {
 #[test]
 fn a_renamed_response_still_shows() {
     let mut app = app("fig05a");
-    go(&mut app, Node::Response(0));
+    go(&mut app, Node::Group(Group::Response(0)));
     keys(&mut app, "r");
     enter(&mut app, "left w");
     assert_eq!(app.curves.visible, ["left w"]);

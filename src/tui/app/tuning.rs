@@ -12,7 +12,8 @@ pub use tolerance::Tolerances;
 pub use variable::Moving;
 
 use super::{App, Table};
-use crate::model::{self, Model, path};
+use crate::model::edit::{self, Value};
+use crate::model::{Group, Model, path};
 use crate::tui::Source;
 use crate::tui::keys::Command;
 use crate::tui::tree::{self, Node};
@@ -288,7 +289,10 @@ impl App {
             Ok(changed) => changed,
             Err(reason) => return self.refuse(format!("not taken: {reason}")),
         };
-        let words = format!("tune {}", tree::value(&run.from, Node::TuneObjective(0)));
+        let words = format!(
+            "tune {}",
+            tree::value(&run.from, Node::Group(Group::Objective(0)))
+        );
         let before = Arc::clone(self.model());
         self.end_run();
         self.document.replace(words, changed);
@@ -330,13 +334,36 @@ fn taken_over(model: &Model, from: &Model, best: &Model) -> Result<Model, String
     let variables = from.tune.iter().flat_map(|tune| &tune.variables);
     for pattern in variables.flat_map(|variable| &variable.paths) {
         let found = path::numbers(best, pattern).map_err(|fault| fault.message)?;
-        for (path, value) in found {
-            path::set_unchecked(&mut changed, &path, path::Value::Number(value))
+        for (id, value) in found {
+            // Names lead from one model to another, which may have changed since the search began.
+            edit::set_unchecked(&mut changed, &path::text(best, id), Value::Number(value))
                 .map_err(|fault| format!("{} {}", fault.path, fault.message))?;
         }
     }
-    match model::check(&changed).first() {
-        Some(fault) => Err(format!("{} {}", fault.path, fault.message)),
-        None => Ok(changed),
+    edit::checked(changed).map_err(|faults| format!("{} {}", faults[0].path, faults[0].message))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Expected: names lead from the model that was searched to one that was edited meanwhile.
+    #[test]
+    fn what_was_found_goes_to_the_subsystem_with_its_name() {
+        let preset = crate::presets::find("fig05a").unwrap().text;
+        let tune = r#"
+            [tune]
+            variables = [{ path = "subsystems.S2.mass", min = 1.0, max = 1e3 }]
+            objective = { minimise = "energy", from = 1.0, to = 100.0 }
+        "#;
+        let from = crate::model::read(&format!("{preset}{tune}")).unwrap();
+        let mut best = from.clone();
+        best.subsystems[1].mass = 77.0;
+        let mut edited = from.clone();
+        edited.subsystems.swap(0, 1);
+        let taken = taken_over(&edited, &from, &best).unwrap();
+        assert_eq!(taken.subsystems[0].name, "S2");
+        assert_eq!(taken.subsystems[0].mass, 77.0);
+        assert_eq!(taken.subsystems[1].mass, from.subsystems[0].mass);
     }
 }

@@ -2,69 +2,53 @@
 
 use std::borrow::Cow;
 
-use super::{End, Node, motion_keys, parameter_path, tuning};
-use crate::model::path::{self, Parameter, Value};
+use super::{Node, tuning};
+use crate::model::edit::Value;
+use crate::model::schema::{self, ElasticKey};
 use crate::model::{
-    BeamMotion, Family, Model, Place, Quantity, Restraint, Study, Supports, Sweep, Target, Unit,
-    counted, field, grouped,
+    BeamMotion, Family, Group, Model, Parameter, Place, Quantity, Restraint, Study, Supports,
+    Sweep, Target, Unit, counted, grouped,
 };
 use crate::tune::words;
 
 /// What a row is called, at its place in the tree.
 pub fn label(model: &Model, node: Node) -> Cow<'_, str> {
     match node {
-        Node::Title => "Title".into(),
-        Node::Beam => "Beam".into(),
-        Node::Material => "Material".into(),
-        Node::Section => "Section".into(),
-        Node::Supports => "Supports".into(),
-        Node::Subsystems => "Subsystems".into(),
-        Node::Forces => "Forces".into(),
-        Node::Responses => "Responses".into(),
-        Node::Sweep => "Sweep".into(),
-        Node::Studies => "Studies".into(),
-        Node::Tune => "Tune".into(),
-        Node::Support(end) => end.key().into(),
-        Node::Motion(_, motion) => spaced(motion.key()),
-        Node::Subsystem(i) => model.subsystems[i].name.as_str().into(),
-        Node::Force(i) => format!("force {}", i + 1).into(),
-        Node::Response(i) => model.responses[i].name.as_str().into(),
-        Node::Study(i) => model.studies[i].name.as_str().into(),
+        Node::TITLE => "Title".into(),
+        Node::Group(group) => group_label(model, group),
+        Node::Parameter(id) => spaced(id.key().key),
         Node::StudyLine(i, line) => study_line(&model.studies[i], line).0.into(),
-        Node::TuneVariable(i) => tuning::variable_at(model, i)
-            .map_or_else(String::new, tuning::variable_label)
-            .into(),
-        Node::TuneObjective(i) => tuning::objective_at(model, i)
-            .map_or("", |objective| tuning::objective_label(&objective.aim))
-            .into(),
-        Node::TuneLimit(i) => tuning::limit_at(model, i)
-            .map_or("", tuning::limit_label)
-            .into(),
-        Node::ForceAt(_) | Node::ResponseAt(_) => "at".into(),
-        Node::ForceDirection(_) | Node::ResponseDirection(_) => "direction".into(),
-        Node::ResponseMeasure(_) => "measure".into(),
-        Node::SweepPoints => "points".into(),
-        Node::SweepSpacing => "spacing".into(),
-        Node::BeamNumber(_)
-        | Node::MaterialNumber(_)
-        | Node::SectionNumber(_)
-        | Node::MotionNumber(..)
-        | Node::SubsystemNumber(..)
-        | Node::ForceNumber(..)
-        | Node::SweepNumber(_) => spaced(number_key(node)),
     }
 }
 
-fn number_key(node: Node) -> &'static str {
-    match node {
-        Node::BeamNumber(row) => field::BEAM[row].key,
-        Node::MaterialNumber(row) => field::MATERIAL[row].key,
-        Node::SectionNumber(row) => field::SECTION[row].key,
-        Node::MotionNumber(_, motion, row) => motion_keys(motion)[row],
-        Node::SubsystemNumber(_, row) => field::SUBSYSTEM[row].key,
-        Node::ForceNumber(_, row) => field::FORCE[row].key,
-        Node::SweepNumber(row) => field::SWEEP[row].key,
-        _ => "",
+fn group_label(model: &Model, group: Group) -> Cow<'_, str> {
+    match group {
+        Group::Model => "Model".into(),
+        Group::Beam => "Beam".into(),
+        Group::Material => "Material".into(),
+        Group::Section => "Section".into(),
+        Group::Supports => "Supports".into(),
+        Group::Subsystems => "Subsystems".into(),
+        Group::Forces => "Forces".into(),
+        Group::Responses => "Responses".into(),
+        Group::Sweep => "Sweep".into(),
+        Group::Studies => "Studies".into(),
+        Group::Tune => "Tune".into(),
+        Group::Support(end) => end.key().into(),
+        Group::Motion(_, motion) => spaced(motion.key()),
+        Group::Subsystem(i) => model.subsystems[i].name.as_str().into(),
+        Group::Force(i) => format!("force {}", i + 1).into(),
+        Group::Response(i) => model.responses[i].name.as_str().into(),
+        Group::Study(i) => model.studies[i].name.as_str().into(),
+        Group::Variable(i) => tuning::variable_at(model, i)
+            .map_or_else(String::new, tuning::variable_label)
+            .into(),
+        Group::Objective(i) => tuning::objective_at(model, i)
+            .map_or("", |objective| tuning::objective_label(&objective.aim))
+            .into(),
+        Group::Limit(i) => tuning::limit_at(model, i)
+            .map_or("", tuning::limit_label)
+            .into(),
     }
 }
 
@@ -79,79 +63,75 @@ fn spaced(key: &str) -> Cow<'_, str> {
 
 /// What a row is called in a message: `S1 y_left stiffness`.
 pub fn subject(model: &Model, node: Node) -> String {
-    let own = match node {
-        Node::Motion(_, motion) => motion.key().to_owned(),
-        Node::Title => "title".to_owned(),
-        _ if number_key(node).is_empty() => label(model, node).into_owned(),
-        _ => number_key(node).replace('.', " "),
-    };
-    with_owner(model, node, own)
-}
-
-/// A name of a row with the name of what it belongs to before it.
-fn with_owner(model: &Model, node: Node, own: String) -> String {
-    let owner = match node {
-        Node::BeamNumber(_) => "beam".to_owned(),
-        Node::MaterialNumber(_) => "material".to_owned(),
-        Node::SectionNumber(_) => "section".to_owned(),
-        Node::Support(end) => return format!("{} support", end.key()),
-        Node::Motion(end, _) => end.key().to_owned(),
-        Node::MotionNumber(end, motion, _) => format!("{} {}", end.key(), motion.key()),
-        Node::SubsystemNumber(i, _) => model.subsystems[i].name.clone(),
-        Node::ForceAt(i) | Node::ForceDirection(i) | Node::ForceNumber(i, _) => {
-            format!("force {}", i + 1)
+    match node {
+        Node::Parameter(id) => {
+            let own = id.key().key.replace('.', " ");
+            match id.group {
+                Group::Model => own,
+                Group::Motion(end, motion) => format!("{} {} {own}", end.key(), motion.key()),
+                Group::Beam | Group::Material | Group::Section | Group::Sweep => {
+                    format!("{} {own}", group_label(model, id.group).to_lowercase())
+                }
+                group => format!("{} {own}", group_label(model, group)),
+            }
         }
-        Node::ResponseMeasure(i) | Node::ResponseAt(i) | Node::ResponseDirection(i) => {
-            model.responses[i].name.clone()
+        Node::Group(Group::Support(end)) => format!("{} support", end.key()),
+        Node::Group(Group::Motion(end, motion)) => format!("{} {}", end.key(), motion.key()),
+        Node::Group(group @ (Group::Variable(_) | Group::Objective(_) | Group::Limit(_))) => {
+            format!("tune {}", group_label(model, group))
         }
-        Node::SweepNumber(_) | Node::SweepPoints | Node::SweepSpacing => "sweep".to_owned(),
-        Node::TuneVariable(_) | Node::TuneObjective(_) | Node::TuneLimit(_) => "tune".to_owned(),
-        _ => return own,
-    };
-    format!("{owner} {own}")
+        _ => label(model, node).into_owned(),
+    }
 }
 
 /// The value at the right of a row.
 pub fn value(model: &Model, node: Node) -> String {
     match node {
-        Node::Beam => Unit::METRE.format(model.beam.length),
-        Node::Material => format!(
+        Node::Group(group) => group_value(model, group),
+        Node::Parameter(id) => Parameter::of(model, id).map_or_else(
+            |_| String::new(),
+            |parameter| of_parameter(&parameter, &parameter.value),
+        ),
+        Node::StudyLine(i, line) => study_line(&model.studies[i], line).1,
+    }
+}
+
+fn group_value(model: &Model, group: Group) -> String {
+    match group {
+        Group::Model => String::new(),
+        Group::Beam => Unit::METRE.format(model.beam.length),
+        Group::Material => format!(
             "E {}",
             Unit::PASCAL.format(model.beam.material.young_modulus)
         ),
-        Node::Section => format!("A {}", Unit::AREA.format(model.beam.section.area)),
-        Node::Supports => supports(&model.supports),
-        Node::Support(end) => end.support(model).kind().to_owned(),
-        Node::Motion(end, motion) => restraint(model, end, motion),
-        Node::Subsystems => model.subsystems.len().to_string(),
-        Node::Subsystem(i) => {
+        Group::Section => format!("A {}", Unit::AREA.format(model.beam.section.area)),
+        Group::Supports => supports(&model.supports),
+        Group::Support(end) => end.support(model).kind().to_owned(),
+        Group::Motion(end, motion) => restraint(end.support(model)[motion], motion),
+        Group::Subsystems => model.subsystems.len().to_string(),
+        Group::Subsystem(i) => {
             let subsystem = &model.subsystems[i];
             switched(subsystem.enabled, || Unit::METRE.format(subsystem.position))
         }
-        Node::Forces => model.forces.len().to_string(),
-        Node::Force(i) => switched(model.forces[i].enabled, || target(&model.forces[i].target)),
-        Node::Responses => model.responses.len().to_string(),
-        Node::Response(i) => switched(model.responses[i].enabled, || {
+        Group::Forces => model.forces.len().to_string(),
+        Group::Force(i) => switched(model.forces[i].enabled, || target(&model.forces[i].target)),
+        Group::Responses => model.responses.len().to_string(),
+        Group::Response(i) => switched(model.responses[i].enabled, || {
             quantity(&model.responses[i].quantity)
         }),
-        Node::Sweep => band(&model.sweep),
-        Node::Studies => model.studies.len().to_string(),
-        Node::Study(i) => counted(members(&model.studies[i]), "curve", "curves"),
-        Node::StudyLine(i, line) => study_line(&model.studies[i], line).1,
-        Node::Tune => model
+        Group::Sweep => band(&model.sweep),
+        Group::Studies => model.studies.len().to_string(),
+        Group::Study(i) => counted(members(&model.studies[i]), "curve", "curves"),
+        Group::Tune => model
             .tune
             .as_ref()
             .map_or_else(String::new, tuning::combination),
-        Node::TuneVariable(i) => tuning::variable_at(model, i)
+        Group::Variable(i) => tuning::variable_at(model, i)
             .map_or_else(String::new, |variable| words::bounds(model, variable)),
-        Node::TuneObjective(i) => tuning::objective_at(model, i)
+        Group::Objective(i) => tuning::objective_at(model, i)
             .map_or_else(String::new, |one| tuning::objective_value(model, one)),
-        Node::TuneLimit(i) => tuning::limit_at(model, i)
+        Group::Limit(i) => tuning::limit_at(model, i)
             .map_or_else(String::new, |limit| tuning::limit_value(model, limit)),
-        _ => parameter_path(model, node)
-            .and_then(|path| path::parameter(model, &path).ok())
-            .map(|parameter| of_parameter(&parameter, &parameter.value))
-            .unwrap_or_default(),
     }
 }
 
@@ -195,11 +175,10 @@ pub fn without_unit_of<'a>(before: &'a str, after: &str) -> &'a str {
     }
 }
 
-fn restraint(model: &Model, end: End, motion: BeamMotion) -> String {
-    match end.support(model)[motion] {
-        Restraint::Elastic(elastic) => field::elastic_fields(motion)[0]
-            .unit
-            .format(elastic.stiffness),
+fn restraint(restraint: Restraint, motion: BeamMotion) -> String {
+    let stiffness = &schema::elastic(motion).keys[ElasticKey::Stiffness as usize];
+    match restraint {
+        Restraint::Elastic(elastic) => stiffness.unit.format(elastic.stiffness),
         held => held.kind().to_owned(),
     }
 }

@@ -3,11 +3,6 @@
 use crate::model::{Aim, Combine, Limit, Model, Objective, Tune, Unit, Variable};
 use crate::tune::words::{band, level, range};
 
-/// How many of something a tuning has; 0 where there is no tuning.
-pub(super) fn count(model: &Model, of: impl Fn(&Tune) -> usize) -> usize {
-    model.tune.as_ref().map_or(0, of)
-}
-
 /// A variable of a model's tuning.
 pub fn variable_at(model: &Model, i: usize) -> Option<&Variable> {
     model.tune.as_ref()?.variables.get(i)
@@ -98,6 +93,7 @@ pub(super) fn limit_value(model: &Model, limit: &Limit) -> String {
 mod tests {
     use super::super::{Node, all_rows, label, value};
     use super::*;
+    use crate::model::Group;
 
     fn model() -> Model {
         crate::model::read(include_str!("../../../tests/data/tuned.toml")).unwrap()
@@ -109,7 +105,7 @@ mod tests {
         let tuning = |node: &Node| {
             matches!(
                 node,
-                Node::TuneVariable(_) | Node::TuneObjective(_) | Node::TuneLimit(_)
+                Node::Group(Group::Variable(_) | Group::Objective(_) | Group::Limit(_))
             )
         };
         let rows = all_rows(&model).into_iter().map(|row| row.node);
@@ -135,6 +131,6 @@ mod tests {
                 "static deflection: P5 w <= 0.001 m",
             ]
         );
-        assert_eq!(value(&model, Node::Tune), "worst of 7");
+        assert_eq!(value(&model, Node::Group(Group::Tune)), "worst of 7");
     }
 }

@@ -7,7 +7,8 @@ use ratatui::widgets::Paragraph;
 
 use super::summary;
 use super::text::{cut, width, wrapped};
-use crate::model::path::{self, Parameter, Value};
+use crate::model::edit::Value;
+use crate::model::{Parameter, path};
 use crate::tui::app::App;
 use crate::tui::theme::Theme;
 use crate::tui::tree::{self, Node};
@@ -39,10 +40,10 @@ fn indented(mut line: Line<'static>) -> Line<'static> {
 
 fn lines(app: &App, theme: Theme, node: Node, columns: usize) -> Vec<Line<'static>> {
     let model = app.model();
-    let Some(path) = tree::parameter_path(model, node) else {
+    let Some(id) = node.parameter() else {
         return plain(&summary::of(model, node, &app.keys), columns);
     };
-    let parameter = match path::parameter(model, &path) {
+    let parameter = match path::described(model, id) {
         Ok(parameter) => parameter,
         Err(fault) => return plain(&format!("{} {}", fault.path, fault.message), columns),
     };
@@ -106,9 +107,7 @@ fn allowed(parameter: &Parameter) -> String {
 /// The value; where it differs from the file's, that before it and the difference.
 fn value_line(app: &App, theme: Theme, parameter: &Parameter, columns: usize) -> Line<'static> {
     let now = tree::of_parameter(parameter, &parameter.value);
-    let before = path::parameter(app.document.saved(), &parameter.path)
-        .ok()
-        .map(|saved| saved.value);
+    let before = app.saved_value(parameter.id);
     let Some(before) = before.filter(|before| *before != parameter.value) else {
         return Line::styled(cut(&now, columns), theme.key());
     };

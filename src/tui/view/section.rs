@@ -16,11 +16,11 @@ use ratatui::text::Line;
 
 use self::plane::{Extent, Plane};
 use super::text::cut;
-use crate::model::{Model, Quantity, Section, Subsystem, Target};
+use crate::model::{Group, Model, Quantity, Section, Subsystem, Target};
 use crate::tui::app::App;
 use crate::tui::sketch::{Board, Signs, width};
 use crate::tui::theme::Theme;
-use crate::tui::tree::{self, Node};
+use crate::tui::tree::Node;
 
 /// From so many rows on, one at the top is kept for words.
 const HEADED: u16 = 10;
@@ -53,10 +53,10 @@ fn subsystem(model: &Model, node: Node) -> Option<&Subsystem> {
         Target::Mass(name, _) => model.subsystems.iter().find(|one| one.name == *name),
         Target::Beam(..) => None,
     };
-    let selected = match tree::item(node) {
-        Some(Node::Subsystem(i)) => model.subsystems.get(i),
-        Some(Node::Force(i)) => named(&model.forces[i].target),
-        Some(Node::Response(i)) => match &model.responses[i].quantity {
+    let selected = match node.item() {
+        Some(Group::Subsystem(i)) => model.subsystems.get(i),
+        Some(Group::Force(i)) => named(&model.forces[i].target),
+        Some(Group::Response(i)) => match &model.responses[i].quantity {
             Quantity::Motion(target, _) => named(target),
             Quantity::Energy => None,
         },

@@ -6,14 +6,15 @@ use ratatui::text::{Line, Span};
 
 use super::prompt::draw_input;
 use super::text::{cut, significant, width};
-use crate::model::{counted, grouped};
+use crate::model::schema::Kind;
+use crate::model::{Group, counted, grouped};
 use crate::solve::modes::Completeness;
 use crate::tui::app::{
     App, Message, Outside, Picture, Progress, Search, Shown, Stage, Witness, WitnessPicture,
 };
 use crate::tui::keys::{Command, RowKind, Scope};
 use crate::tui::theme::Theme;
-use crate::tui::tree::{self, Node};
+use crate::tui::tree::Node;
 
 pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
     let half = usize::from(area.width / 2);
@@ -268,19 +269,15 @@ fn search_hints(app: &App) -> Vec<(String, &'static str)> {
 
 /// What kind of row is selected.
 fn row_kind(app: &App) -> RowKind {
-    match app.selection.node() {
-        Node::Support(_)
-        | Node::Motion(..)
-        | Node::ForceDirection(_)
-        | Node::ResponseDirection(_)
-        | Node::ResponseMeasure(_)
-        | Node::ForceAt(_)
-        | Node::ResponseAt(_)
-        | Node::SweepSpacing => RowKind::Choice,
-        Node::Title => RowKind::Text,
-        Node::Subsystems | Node::Forces | Node::Responses => RowKind::List,
-        Node::Subsystem(_) | Node::Force(_) | Node::Response(_) => RowKind::Item,
-        node if tree::parameter_path(app.model(), node).is_some() => RowKind::Number,
+    let node = app.selection.node();
+    match (node.parameter().map(|id| id.key().kind), node) {
+        (Some(Kind::Number | Kind::Count), _) => RowKind::Number,
+        (Some(Kind::Line | Kind::Text | Kind::Name), _) => RowKind::Text,
+        (Some(_), _) => RowKind::Choice,
+        (None, Node::Group(Group::Subsystems | Group::Forces | Group::Responses)) => RowKind::List,
+        (None, Node::Group(Group::Subsystem(_) | Group::Force(_) | Group::Response(_))) => {
+            RowKind::Item
+        }
         _ => RowKind::Group,
     }
 }

@@ -17,12 +17,12 @@ use ratatui::text::Line;
 
 use self::rows::Rows;
 use super::text::cut;
-use crate::model::{Elastic, Model, Place, Spring, Unit, grouped};
+use crate::model::{Elastic, End, Group, Model, Place, Spring, Unit, grouped};
 use crate::tui::app::App;
 use crate::tui::plot::{Axis, CellRuler, Scale};
 use crate::tui::sketch::{Board, POINTER, POINTER_BACK, Signs, width};
 use crate::tui::theme::Theme;
-use crate::tui::tree::{self, End, Node};
+use crate::tui::tree::{self, Node};
 
 /// Columns left and right of the beam, for walls and words at its ends; fewer where there are few columns.
 const MARGIN: u16 = 3;
@@ -39,14 +39,14 @@ enum Focus {
 }
 
 impl Focus {
-    fn of(node: Node) -> Self {
-        match node {
-            Node::Beam => Self::Beam,
-            Node::Support(end) => Self::Support(end),
-            Node::Subsystem(i) => Self::Subsystem(i),
-            Node::Force(i) => Self::Force(i),
-            Node::Response(i) => Self::Response(i),
-            _ => tree::parent(node).map_or(Self::Nothing, Self::of),
+    fn of(group: Group) -> Self {
+        match group {
+            Group::Beam => Self::Beam,
+            Group::Support(end) => Self::Support(end),
+            Group::Subsystem(i) => Self::Subsystem(i),
+            Group::Force(i) => Self::Force(i),
+            Group::Response(i) => Self::Response(i),
+            other => other.parent().map_or(Self::Nothing, Self::of),
         }
     }
 }
@@ -72,7 +72,7 @@ impl<'a> Picture<'a> {
         let first = i32::from(margin);
         Self {
             model,
-            focus: Focus::of(node),
+            focus: Focus::of(node.group()),
             theme,
             signs: Signs::of(theme),
             rows: Rows::of(i32::from(rows)),
@@ -128,7 +128,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
     let node = app.selection.node();
     let title = super::rule("Structure", theme);
     let room = usize::from(area.width).saturating_sub(title.width() + 3);
-    let note = cut(&note(model, Focus::of(node)), room);
+    let note = cut(&note(model, Focus::of(node.group())), room);
     let note = Line::styled(format!(" {note} "), theme.dim());
     let block = super::panel(title, note, area.width).border_style(theme.dim());
     let inside = block.inner(area);
@@ -230,12 +230,12 @@ fn note(model: &Model, focus: Focus) -> String {
             format!("{} end: {words}", end.key())
         }
         Focus::Force(i) => {
-            let what = tree::value(model, Node::Force(i));
+            let what = tree::value(model, Node::Group(Group::Force(i)));
             let amplitude = loads::amplitude(model, i);
             format!("force {}: {what}, {amplitude}", i + 1)
         }
         Focus::Response(i) => {
-            let what = tree::value(model, Node::Response(i));
+            let what = tree::value(model, Node::Group(Group::Response(i)));
             format!("{}: {what}", model.responses[i].name)
         }
         Focus::Beam | Focus::Nothing => {

@@ -2,41 +2,45 @@
 
 use std::f64::consts::PI;
 
-use crate::model::{Beam, Material, Model, Section, Subsystem, Unit, counted};
+use crate::model::{Beam, Group, Material, Model, Section, Subsystem, Unit, counted};
 use crate::tui::keys::{Command, KeyMap};
 use crate::tui::tree::{self, Node};
 use crate::tune::words;
 
 /// What the details say of a row that is no parameter, a line for each thing.
 pub(super) fn of(model: &Model, node: Node, keys: &KeyMap) -> String {
-    match node {
-        Node::Beam => beam(&model.beam),
-        Node::Material => material(&model.beam.material),
-        Node::Section => section(&model.beam.section),
-        Node::Supports => format!(
+    let group = match node {
+        Node::Group(group) => group,
+        Node::StudyLine(..) => return tree::label(model, node).into_owned(),
+        Node::Parameter(_) => return String::new(),
+    };
+    match group {
+        Group::Beam => beam(&model.beam),
+        Group::Material => material(&model.beam.material),
+        Group::Section => section(&model.beam.section),
+        Group::Supports => format!(
             "what holds the two ends; {} on an end takes the next kind",
             keys.key_of(Command::Cycle)
         ),
-        Node::Subsystems => enabled_of(model.subsystems.iter().map(|one| one.enabled), keys),
-        Node::Forces => enabled_of(model.forces.iter().map(|one| one.enabled), keys),
-        Node::Responses => enabled_of(model.responses.iter().map(|one| one.enabled), keys),
-        Node::Subsystem(i) => subsystem(&model.subsystems[i]),
-        Node::Force(_) | Node::Response(_) => tree::value(model, node),
-        Node::Sweep => counted(model.sweep.points, "frequency", "frequencies"),
-        Node::Studies | Node::Study(_) => {
+        Group::Subsystems => enabled_of(model.subsystems.iter().map(|one| one.enabled), keys),
+        Group::Forces => enabled_of(model.forces.iter().map(|one| one.enabled), keys),
+        Group::Responses => enabled_of(model.responses.iter().map(|one| one.enabled), keys),
+        Group::Subsystem(i) => subsystem(&model.subsystems[i]),
+        Group::Force(_) | Group::Response(_) => tree::value(model, node),
+        Group::Sweep => counted(model.sweep.points, "frequency", "frequencies"),
+        Group::Studies | Group::Study(_) => {
             let (edit, study) = (keys.key_of(Command::Edit), keys.key_of(Command::Study));
             format!("{edit} shows a study's curves, {study} the next study's")
         }
-        Node::StudyLine(..) => tree::label(model, node).into_owned(),
-        Node::Tune => format!(
+        Group::Tune => format!(
             "what a search may move, and what for; {} starts it",
             keys.key_of(Command::Tune)
         ),
-        Node::TuneVariable(i) => tree::variable_at(model, i)
+        Group::Variable(i) => tree::variable_at(model, i)
             .map_or_else(String::new, |variable| words::variable(model, variable)),
-        Node::TuneObjective(i) => tree::objective_at(model, i)
+        Group::Objective(i) => tree::objective_at(model, i)
             .map_or_else(String::new, |objective| words::objective(model, objective)),
-        Node::TuneLimit(i) => {
+        Group::Limit(i) => {
             tree::limit_at(model, i).map_or_else(String::new, |limit| words::limit(model, limit))
         }
         _ => String::new(),

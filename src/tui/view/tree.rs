@@ -6,6 +6,7 @@ use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 
 use super::text::{cut, width};
+use crate::model::Group;
 use crate::tui::app::{App, Search};
 use crate::tui::theme::Theme;
 use crate::tui::tree::{self, Node, Row};
@@ -83,7 +84,7 @@ fn row_line(app: &App, theme: Theme, row: Row, columns: u16) -> Line<'static> {
 
 /// The marker of a response that shows, in the colour of its curve.
 fn swatch(app: &App, theme: Theme, node: Node) -> Option<Span<'static>> {
-    let Node::Response(i) = node else {
+    let Node::Group(Group::Response(i)) = node else {
         return None;
     };
     let response = &app.model().responses[i];
@@ -100,14 +101,14 @@ fn swatch(app: &App, theme: Theme, node: Node) -> Option<Span<'static>> {
 
 fn row_style(app: &App, theme: Theme, row: Row) -> Style {
     let model = app.model();
-    let off = match tree::item(row.node) {
-        Some(Node::Subsystem(i)) => !model.subsystems[i].enabled,
-        Some(Node::Force(i)) => !model.forces[i].enabled,
-        Some(Node::Response(i)) => !model.responses[i].enabled,
-        Some(Node::Study(i)) => app.curves.study != Some(i),
+    let off = match row.node.item() {
+        Some(Group::Subsystem(i)) => !model.subsystems[i].enabled,
+        Some(Group::Force(i)) => !model.forces[i].enabled,
+        Some(Group::Response(i)) => !model.responses[i].enabled,
+        Some(Group::Study(i)) => app.curves.study != Some(i),
         _ => matches!(
             row.node,
-            Node::TuneVariable(_) | Node::TuneObjective(_) | Node::TuneLimit(_)
+            Node::Group(Group::Variable(_) | Group::Objective(_) | Group::Limit(_))
         ),
     };
     if off {

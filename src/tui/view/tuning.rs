@@ -7,8 +7,7 @@ use ratatui::layout::Rect;
 
 use super::table::{self, Column, Content};
 use super::text::{cut, significant, width};
-use crate::model::path;
-use crate::model::{Model, Unit, counted, grouped};
+use crate::model::{Group, Model, Parameter, Unit, counted, grouped, path};
 use crate::tui::app::{App, Progress, Rows, Run};
 use crate::tui::keys::Command;
 use crate::tui::theme::Theme;
@@ -67,7 +66,7 @@ fn figures(run: &Run) -> Vec<Row> {
 fn achieved(run: &Run, index: usize, before: &Achieved, after: &Achieved) -> Row {
     let figure = |one: &Achieved| format!("{} {}", significant(one.figure, 4), one.unit);
     Row {
-        name: tree::value(&run.from, Node::TuneObjective(index)),
+        name: tree::value(&run.from, Node::Group(Group::Objective(index))),
         before: figure(before),
         now: figure(after),
         change: change(before.figure, after.figure),
@@ -122,8 +121,8 @@ fn words(paths: &[String]) -> String {
 
 /// The value of the first parameter of a pattern, and its unit.
 fn first(model: &Model, pattern: &str) -> Option<(f64, Unit)> {
-    let (path, value) = path::numbers(model, pattern).ok()?.into_iter().next()?;
-    Some((value, path::parameter(model, &path).ok()?.unit))
+    let (id, value) = path::numbers(model, pattern).ok()?.into_iter().next()?;
+    Some((value, Parameter::of(model, id).ok()?.unit))
 }
 
 pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rect) -> Rows {

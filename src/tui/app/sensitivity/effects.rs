@@ -3,9 +3,8 @@
 use std::collections::HashMap;
 
 use super::{Key, Sensed};
-use crate::model::Model;
+use crate::model::{Model, Moves};
 use crate::solve::sensitivity::Sensitivity;
-use crate::tui::app::moves::Moves;
 use crate::tui::tree::{self, Node};
 
 /// The sensitivities solved last.
@@ -41,7 +40,6 @@ pub struct Weighed {
 impl Effects {
     /// What was found for the model that was asked about, the largest effect first.
     pub(super) fn new(key: &Key, model: &Model, found: Vec<Sensitivity>) -> Self {
-        let nodes = tree::nodes_by_path(model);
         let mut effects = Self {
             generation: key.generation,
             sensed: key.sensed,
@@ -51,13 +49,13 @@ impl Effects {
             lack: None,
             places: HashMap::new(),
         };
-        let rows = found.into_iter().filter_map(|effect| {
-            let node = *nodes.get(&effect.path)?;
-            Some(Weighed {
+        let rows = found.into_iter().map(|effect| {
+            let node = Node::of(effect.id);
+            Weighed {
                 name: tree::subject(model, node),
                 node: Some(node),
                 effect,
-            })
+            }
         });
         let mut rows: Vec<Weighed> = rows.collect();
         let size = |row: &Weighed| effects.effect(&row.effect).map_or(-1.0, f64::abs);
@@ -69,7 +67,7 @@ impl Effects {
     /// Follows the rows of the tree of a changed model.
     pub(in crate::tui::app) fn follow(&mut self, moves: &Moves) {
         for row in &mut self.rows {
-            row.node = row.node.and_then(|node| moves.of(node));
+            row.node = row.node.and_then(|node| node.moved(moves));
         }
         let places = self.rows.iter().enumerate();
         self.places = places

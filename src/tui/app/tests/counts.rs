@@ -275,7 +275,7 @@ fn what_adds_is_said_for_where_one_is() {
         assert!(message(&app).starts_with(word), "{}", message(&app));
     }
     let mut app = app("fig08");
-    go(&mut app, Node::Study(0));
+    go(&mut app, Node::Group(Group::Study(0)));
     keys(&mut app, "a");
     assert!(
         message(&app).starts_with("Ctrl-t on a number"),

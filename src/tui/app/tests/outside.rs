@@ -19,7 +19,7 @@ fn of_file() -> App {
 fn text_with_length(length: f64) -> (Model, String) {
     let text = presets::find("fig05a").unwrap().text;
     let mut model = crate::model::read(text).unwrap();
-    path::set(&mut model, "beam.length", path::Value::Number(length)).unwrap();
+    model.beam.length = length;
     let text = crate::model::write(&model, text);
     (model, text)
 }
@@ -41,7 +41,7 @@ fn a_value_is_copied_with_all_its_digits_and_reads_back() {
     let effects = keys(&mut app, "Y");
     assert!(matches!(&effects[..], [Effect::Copy(text)] if *text == app.document.text()));
     press(&mut app, KeyCode::Home);
-    go(&mut app, Node::Supports);
+    go(&mut app, Node::Group(Group::Supports));
     assert!(keys(&mut app, "y").is_empty());
     assert!(matches!(app.message, Some(Message::Refused(_))));
 }

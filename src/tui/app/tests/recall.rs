@@ -6,7 +6,7 @@ use super::*;
 fn a_model_is_looked_at_as_it_was_left() {
     let mut first = app("fig08");
     select(&mut first, "subsystems.S2.y_left.damping");
-    go(&mut first, Node::Response(1));
+    go(&mut first, Node::Group(Group::Response(1)));
     keys(&mut first, "vt4zdLm]");
     select(&mut first, "subsystems.S3.mass");
     let memory = first.remembered();
@@ -46,7 +46,7 @@ fn each_model_has_a_view_of_its_own() {
 #[test]
 fn what_a_changed_model_no_longer_has_is_not_recalled() {
     let mut first = app("fig08");
-    go(&mut first, Node::Response(1));
+    go(&mut first, Node::Group(Group::Response(1)));
     keys(&mut first, "vtj");
     let mut memory = first.remembered();
     let view = &mut memory.views[0];

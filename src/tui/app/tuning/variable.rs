@@ -3,12 +3,15 @@
 use std::collections::HashSet;
 use std::sync::Arc;
 
-use crate::model::path::{self, Value};
+use crate::model::edit;
+use crate::model::schema::SubsystemKey;
 use crate::model::{
-    self, Aim, Combine, Hold, Model, Objective, Spacing, Tune, Unit, Variable, entry,
+    Aim, Combine, Group, Hold, Model, Objective, Parameter, ParameterId, Spacing, Tune, Unit,
+    Variable, entry, path,
 };
 use crate::tui::app::{App, Question};
 use crate::tui::tree::{self, Node};
+use crate::tune::words::first_parameter;
 
 /// The rows of the tree that a search may move.
 #[derive(Debug, Default)]
@@ -35,13 +38,9 @@ impl Moving {
         let Some(tune) = &model.tune else {
             return;
         };
-        let by_path = tree::nodes_by_path(model);
         let patterns = tune.variables.iter().flat_map(|variable| &variable.paths);
-        let paths = patterns.filter_map(|pattern| path::expand(model, pattern).ok());
-        let nodes = paths
-            .flatten()
-            .filter_map(|path| by_path.get(&path).copied());
-        self.nodes.extend(nodes);
+        let found = patterns.filter_map(|pattern| path::find(model, pattern).ok());
+        self.nodes.extend(found.flatten().map(Node::of));
     }
 }
 
@@ -55,42 +54,36 @@ impl App {
     /// Lets the selected parameter move within bounds that are typed, or keeps it as it is.
     pub(super) fn turn_variable(&mut self) {
         let node = self.selection.node();
-        if let Node::TuneVariable(index) = node {
+        if let Node::Group(Group::Variable(index)) = node {
             return self.ask_bounds_of(index);
         }
-        let parameter = tree::parameter_path(self.model(), node)
-            .and_then(|path| path::parameter(self.model(), &path).ok());
-        let Some((parameter, value)) = parameter.and_then(|parameter| match parameter.value {
-            Value::Number(value) => Some((parameter, value)),
-            _ => None,
-        }) else {
+        let number = node.parameter().and_then(|id| {
+            let unit = Parameter::of(self.model(), id).ok()?.unit;
+            Some((id, unit, edit::number(self.model(), id).ok()?))
+        });
+        let Some((id, unit, value)) = number else {
             return self.refuse("select a number of the model to let a search move it");
         };
-        if let Some(index) = self.variable_of(&parameter.path) {
+        if let Some(index) = self.variable_of(id) {
             return self.drop_variable(index);
         }
         let question = Question::Bounds {
             subject: tree::subject(self.model(), node),
-            paths: vec![parameter.path.clone()],
-            unit: parameter.unit,
+            paths: vec![path::text(self.model(), id)],
+            unit,
             index: None,
         };
-        let bounds = usual_bounds(self.model(), &parameter.path, value);
-        let text = bounds.map_or_else(String::new, |[low, high]| {
-            bounds_text(parameter.unit, low, high)
-        });
+        let bounds = usual_bounds(self.model(), id, value);
+        let text = bounds.map_or_else(String::new, |[low, high]| bounds_text(unit, low, high));
         self.ask_question(question, text);
     }
 
     /// The variable that moves a parameter, alone or with others.
-    pub fn variable_of(&self, path: &str) -> Option<usize> {
+    pub fn variable_of(&self, id: ParameterId) -> Option<usize> {
         let model = self.model();
         let tune = model.tune.as_ref()?;
-        let moves = |pattern: &String| {
-            pattern == path
-                || path::expand(model, pattern)
-                    .is_ok_and(|paths| paths.iter().any(|one| one == path))
-        };
+        let moves =
+            |pattern: &String| path::find(model, pattern).is_ok_and(|found| found.contains(&id));
         tune.variables
             .iter()
             .position(|variable| variable.paths.iter().any(moves))
@@ -103,11 +96,7 @@ impl App {
         let Some(variable) = variables.nth(index) else {
             return;
         };
-        let first = path::numbers(&model, &variable.paths[0]).ok();
-        let first = first.and_then(|found| found.into_iter().next());
-        let unit = first
-            .and_then(|(path, _)| path::parameter(&model, &path).ok())
-            .map_or(Unit::ONE, |parameter| parameter.unit);
+        let unit = first_parameter(&model, variable).map_or(Unit::ONE, |first| first.unit);
         let mut text = bounds_text(unit, variable.min, variable.max);
         if variable.tolerance > 0.0 {
             let tolerance = variable.tolerance;
@@ -174,9 +163,10 @@ impl App {
     /// # Errors
     /// Why it is not possible, in a line.
     pub(super) fn take_tune(&mut self, words: String, changed: Model) -> Result<(), String> {
-        if let Some(fault) = model::check(&changed).first() {
-            return Err(format!("{} {}", fault.path, fault.message));
-        }
+        let changed = edit::checked(changed).map_err(|faults| {
+            let first = &faults[0];
+            format!("{} {}", first.path, first.message)
+        })?;
         let before = Arc::clone(self.model());
         self.document.replace(words.clone(), changed);
         self.follow(&before);
@@ -226,8 +216,9 @@ impl App {
 }
 
 /// Bounds that are usual for a parameter with this value: a tenth and ten times of it, a place along the whole beam.
-fn usual_bounds(model: &Model, path: &str, value: f64) -> Option<[f64; 2]> {
-    if path.starts_with("subsystems.") && path.ends_with(".position") {
+fn usual_bounds(model: &Model, id: ParameterId, value: f64) -> Option<[f64; 2]> {
+    let is_position = id.row == SubsystemKey::Position as usize;
+    if is_position && matches!(id.group, Group::Subsystem(_)) {
         return Some([0.0, model.beam.length]);
     }
     let mut bounds = [0.1 * value, 10.0 * value];

@@ -86,7 +86,7 @@ fn a_wide_panel() {
     └─┴───┬──┴───┬──┴───┬──┴───┬──┴───┬───┴──┬───┴──┬───┴──┬───┴──┬───┴──┬───┴
          1000   800    600    400    200     0     -200   -400   -600    ←y mm";
     assert_eq!(
-        screen(model("fig05a"), Node::Subsystem(1), [78, 12]),
+        screen(model("fig05a"), Node::Group(Group::Subsystem(1)), [78, 12]),
         expected
     );
 }
@@ -94,7 +94,10 @@ fn a_wide_panel() {
 /// Golden: the picture as it was looked at.
 #[test]
 fn a_narrow_panel_in_ascii() {
-    let app = at(model("fig05a"), Node::Support(crate::tui::tree::End::Left));
+    let app = at(
+        model("fig05a"),
+        Node::Group(Group::Support(crate::model::End::Left)),
+    );
     let mut buffer = buffer(&app, plain_ascii(), 44, 10);
     ascii::flatten(&mut buffer);
     let expected = "\
@@ -152,7 +155,7 @@ fn the_radii_are_those_of_bending_along_their_axes() {
         ..section
     };
     // 73 columns beside the axis: 72 steps for 0.6 m; a row is worth two of them.
-    let screen = screen(model, Node::Sweep, [78, 24]);
+    let screen = screen(model, Node::Group(Group::Sweep), [78, 24]);
     let dots: Vec<(usize, usize)> = ('\u{2801}'..='\u{28ff}')
         .flat_map(|dot| find(&screen, dot))
         .collect();
@@ -173,7 +176,7 @@ fn the_radii_are_those_of_bending_along_their_axes() {
 #[test]
 fn points_are_to_scale() {
     let model = model("fig05a");
-    let app = at(model, Node::Subsystem(0));
+    let app = at(model, Node::Group(Group::Subsystem(0)));
     let picture = Picture::new(
         &app.model().beam.section,
         app.model().subsystems.first(),
@@ -221,7 +224,7 @@ fn points_are_to_scale() {
 
 #[test]
 fn labels_of_the_axes_stand_at_their_values() {
-    let app = at(model("fig05a"), Node::Subsystem(0));
+    let app = at(model("fig05a"), Node::Group(Group::Subsystem(0)));
     let screen = lines(&buffer(&app, Theme::new(false), 78, 24)).join("\n");
     let rows: Vec<&str> = screen.lines().collect();
     let [shear] = find(&screen, '+')[..] else {
@@ -242,7 +245,7 @@ fn only_springs_that_are_there_are_drawn() {
     (one.y_left, one.y_right) = (Spring::default(), Spring::default());
     (one.z_left, one.z_right) = (Spring::default(), Spring::default());
     let count = |model: &Model| {
-        let screen = screen(model.clone(), Node::Subsystem(0), [78, 24]);
+        let screen = screen(model.clone(), Node::Group(Group::Subsystem(0)), [78, 24]);
         let signs = |signs: [char; 2]| signs.map(|sign| find(&screen, sign).len()).iter().sum();
         let springs: usize = signs(['╱', '╲']);
         (
@@ -262,24 +265,24 @@ fn only_springs_that_are_there_are_drawn() {
 fn nothing_degenerates() {
     let mut model = model("fig05a");
     model.beam.section.centroid_offset = 0.0;
-    let symmetric = screen(model.clone(), Node::Subsystem(0), [44, 20]);
+    let symmetric = screen(model.clone(), Node::Group(Group::Subsystem(0)), [44, 20]);
     assert!(symmetric.contains("+SC"), "{symmetric}");
     let one = &mut model.subsystems[0];
     (one.mount_y, one.mount_z, one.arm_left, one.arm_right) = (0.0, 0.0, 0.0, 0.0);
-    let folded = screen(model.clone(), Node::Subsystem(0), [44, 20]);
+    let folded = screen(model.clone(), Node::Group(Group::Subsystem(0)), [44, 20]);
     assert!(folded.contains("+SC") && folded.contains("L■R"), "{folded}");
     assert!(folded.contains("z_c 0 mm"), "{folded}");
     // Mounts and arms may lie across the axis.
     let one = &mut model.subsystems[0];
     (one.mount_y, one.arm_left, one.arm_right) = (-0.13, -0.2, -0.1);
-    let crossed = screen(model.clone(), Node::Subsystem(0), [44, 20]);
+    let crossed = screen(model.clone(), Node::Group(Group::Subsystem(0)), [44, 20]);
     let letters = ['R', '■', 'L'].map(|letter| find(&crossed, letter)[0].0);
     assert!(letters.is_sorted(), "{crossed}");
     // Sections of any size.
     for factor in [1e-200, 1e-9, 1e9, 1e200] {
         let mut model = model.clone();
         model.beam.section.second_moment_y *= factor;
-        let screen = screen(model, Node::Subsystem(0), [44, 20]);
+        let screen = screen(model, Node::Group(Group::Subsystem(0)), [44, 20]);
         assert!(screen.contains('S'), "{factor}\n{screen}");
     }
 }
@@ -292,14 +295,19 @@ fn the_selected_subsystem_is_shown_else_the_first_one_attached() {
         let screen = screen(model.clone(), node, [78, 12]);
         screen.lines().next().unwrap().to_owned()
     };
-    assert!(heading(&model, Node::Sweep).contains("Section at S2 "));
-    assert!(heading(&model, Node::Subsystem(0)).contains("Section at S1, off "));
-    assert!(heading(&model, Node::SubsystemNumber(2, 0)).contains("Section at S3 "));
+    assert!(heading(&model, Node::Group(Group::Sweep)).contains("Section at S2 "));
+    assert!(heading(&model, Node::Group(Group::Subsystem(0))).contains("Section at S1, off "));
+    assert!(
+        heading(&model, Node::Parameter(Group::Subsystem(2).parameter(3)))
+            .contains("Section at S3 ")
+    );
     model.forces[0].target = Target::Mass("S3".to_owned(), crate::model::MassMotion::Y);
-    assert!(heading(&model, Node::ForceAt(0)).contains("Section at S3 "));
+    assert!(
+        heading(&model, Node::Parameter(Group::Force(0).parameter(1))).contains("Section at S3 ")
+    );
     model.subsystems.clear();
     model.forces.truncate(0);
-    assert!(heading(&model, Node::Sweep).contains("─ Section ─"));
+    assert!(heading(&model, Node::Group(Group::Sweep)).contains("─ Section ─"));
 }
 
 #[test]
@@ -336,7 +344,7 @@ fn every_panel_can_be_drawn() {
     let sizes = || (1..=40).flat_map(|width| (1..=14).map(move |height| (width, height)));
     let larger = [(44, 10), (44, 20), (78, 12), (78, 24), (200, 60), (300, 3)];
     for preset in presets::ALL {
-        let app = at(model(preset.name), Node::Beam);
+        let app = at(model(preset.name), Node::Group(Group::Beam));
         for theme in themes {
             for (width, height) in sizes().chain(larger) {
                 let mut drawn = buffer(&app, theme, width, height);

@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::{Focus, Picture};
-use crate::model::{BeamMotion, Force, MassMotion, Model, Quantity, Target};
+use crate::model::schema::ForceKey;
+use crate::model::{BeamMotion, Force, Group, MassMotion, Model, Quantity, Target};
 use crate::tui::sketch::{BIMOMENT, Board, Signs, TORQUE};
 use crate::tui::tree::{self, Node};
 
@@ -21,7 +22,8 @@ pub(super) fn draw(picture: &Picture<'_>, board: &mut Board<'_>) {
 
 /// A force's amplitude with its unit.
 pub(super) fn amplitude(model: &Model, i: usize) -> String {
-    tree::value(model, Node::ForceNumber(i, 0))
+    let amplitude = Group::Force(i).parameter(ForceKey::Amplitude as usize);
+    tree::value(model, Node::Parameter(amplitude))
 }
 
 /// The forces on the beam.

@@ -1,11 +1,8 @@
 //! What holds the ends: a wall, a hinge, springs, dampers and masses along w as signs, and all of it in words.
 
 use super::{Focus, Picture, spring_of, spring_sign};
-use crate::model::{BeamMotion, Restraint, Support};
+use crate::model::{BeamMotion, End, Restraint, Support};
 use crate::tui::sketch::{Board, POINTER, POINTER_BACK};
-use crate::tui::tree::End;
-
-const ENDS: [End; 2] = [End::Left, End::Right];
 
 /// The column of an end, and the step from there into the beam.
 fn side(picture: &Picture<'_>, end: End) -> (i32, i32) {
@@ -16,7 +13,7 @@ fn side(picture: &Picture<'_>, end: End) -> (i32, i32) {
 }
 
 pub(super) fn draw(picture: &Picture<'_>, board: &mut Board<'_>) {
-    for end in ENDS {
+    for end in End::ALL {
         let support = end.support(picture.model);
         match support[BeamMotion::W] {
             Restraint::Free => {}
@@ -94,7 +91,7 @@ fn draw_ground(picture: &Picture<'_>, board: &mut Board<'_>, columns: [i32; 2], 
 
 /// Says at each end what holds it, where there is room.
 pub(super) fn draw_words(picture: &Picture<'_>, board: &mut Board<'_>) {
-    for end in ENDS {
+    for end in End::ALL {
         let style = if picture.focus == Focus::Support(end) {
             picture.theme.accent()
         } else {
@@ -143,7 +140,7 @@ pub(super) fn words(support: &Support) -> Vec<String> {
 
 /// The signs of the supports that are in the picture, and their meanings.
 pub(super) fn keys(picture: &Picture<'_>) -> Vec<String> {
-    let ends = ENDS.map(|end| end.support(picture.model)[BeamMotion::W].elastic());
+    let ends = End::ALL.map(|end| end.support(picture.model)[BeamMotion::W].elastic());
     let with = |sign: char, word: &str, some: bool| some.then(|| format!("{sign} {word}"));
     let [spring, damper, mass] = [
         ends.iter().any(|end| end.stiffness > 0.0),

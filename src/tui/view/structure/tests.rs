@@ -113,7 +113,7 @@ fn reversed(buffer: &Buffer) -> String {
 /// Golden: the picture as it was looked at.
 #[test]
 fn a_narrow_panel() {
-    let app = at(model("fig05a"), Node::Subsystem(1));
+    let app = at(model("fig05a"), Node::Group(Group::Subsystem(1)));
     let expected = "\
 ─ Structure ─────────── S2 at 1.6 m, 100 kg 
    w 1 N, psi 1 N m, v 1 N                  
@@ -131,7 +131,7 @@ fn a_narrow_panel() {
 /// Golden: the picture as it was looked at.
 #[test]
 fn a_wide_panel() {
-    let app = at(model("fig05a"), Node::Force(1));
+    let app = at(model("fig05a"), Node::Group(Group::Force(1)));
     let expected = "\
 ─ Structure ───────────────────────────────────── force 2: psi at left, 1 N m 
    psi 1 N m                                                                  
@@ -179,7 +179,7 @@ fn elastic(stiffness: f64, damping: f64, inertia: f64) -> Restraint {
 fn left_end(support: Support) -> Vec<String> {
     let mut model = model("symmetric_section");
     model.supports.left = support;
-    let app = at(model, Node::Sweep);
+    let app = at(model, Node::Group(Group::Sweep));
     let buffer = buffer(&app, Theme::new(false), 78, 12);
     let lines = lines(&buffer);
     let rows = lines[2..8].iter();
@@ -247,7 +247,7 @@ fn forces_have_their_signs() {
     ];
     for (motion, amplitude, phase, sign, ascii_sign, words) in cases {
         model.forces = vec![force(motion, amplitude, phase)];
-        let app = at(model.clone(), Node::Sweep);
+        let app = at(model.clone(), Node::Group(Group::Sweep));
         let unicode = buffer(&app, Theme::new(false), 78, 12);
         assert_eq!(
             unicode[(3, 2)].symbol(),
@@ -263,7 +263,12 @@ fn forces_have_their_signs() {
         enabled: false,
         ..force(BeamMotion::W, 1.0, 0.0)
     }];
-    let buffer = buffer(&at(model, Node::Sweep), Theme::new(false), 78, 12);
+    let buffer = buffer(
+        &at(model, Node::Group(Group::Sweep)),
+        Theme::new(false),
+        78,
+        12,
+    );
     assert_eq!(lines(&buffer)[1].trim(), "off");
     assert!(buffer[(3, 2)].modifier.contains(Modifier::DIM));
 }
@@ -277,11 +282,11 @@ fn a_mass_shows_what_acts_on_it() {
     model.forces[1].target = of_s2(MassMotion::Theta);
     let selected = |node| screen(&at(model.clone(), node), 78, 12);
     assert!(
-        selected(Node::Sweep).contains("│S2 ↑T"),
+        selected(Node::Group(Group::Sweep)).contains("│S2 ↑T"),
         "{}",
-        selected(Node::Sweep)
+        selected(Node::Group(Group::Sweep))
     );
-    let marked = selected(Node::Force(1));
+    let marked = selected(Node::Group(Group::Force(1)));
     assert!(marked.contains("║S2 ↑>T"), "{marked}");
     assert!(marked.contains("force 2: theta of S2, 1 N m"), "{marked}");
 }
@@ -290,7 +295,7 @@ fn a_mass_shows_what_acts_on_it() {
 fn what_is_not_attached_is_outlined() {
     let mut model = model("fig05a");
     model.subsystems[0].enabled = false;
-    let app = at(model, Node::Sweep);
+    let app = at(model, Node::Group(Group::Sweep));
     let wide = buffer(&app, Theme::new(false), 78, 12);
     assert!(lines(&wide)[6].contains("┌╌╌╌╌╌╌┐          ┌──────┐"));
     let [corner] = columns(&wide, 7, "╎")[..1] else {
@@ -304,14 +309,30 @@ fn what_is_not_attached_is_outlined() {
 #[test]
 fn what_is_selected_stands_out() {
     let chosen = [
-        (Node::Beam, "><", "3.2 m, 3 subsystems"),
-        (Node::Support(End::Left), ">╱╫╲│", "left end: w v sprung"),
-        (Node::Support(End::Right), "<╫╱│╲", "right end: w v sprung"),
-        (Node::Subsystem(0), "╱╲", "S1 at 0.8 m, 100 kg"),
-        (Node::Force(0), ">↑", "force 1: w at left, 1 N"),
-        (Node::Response(3), ">◆", "P2 w: w at 1.2 m"),
+        (Node::Group(Group::Beam), "><", "3.2 m, 3 subsystems"),
+        (
+            Node::Group(Group::Support(End::Left)),
+            ">╱╫╲│",
+            "left end: w v sprung",
+        ),
+        (
+            Node::Group(Group::Support(End::Right)),
+            "<╫╱│╲",
+            "right end: w v sprung",
+        ),
+        (
+            Node::Group(Group::Subsystem(0)),
+            "╱╲",
+            "S1 at 0.8 m, 100 kg",
+        ),
+        (
+            Node::Group(Group::Force(0)),
+            ">↑",
+            "force 1: w at left, 1 N",
+        ),
+        (Node::Group(Group::Response(3)), ">◆", "P2 w: w at 1.2 m"),
     ];
-    let nothing = screen(&at(model("fig05a"), Node::Sweep), 78, 12);
+    let nothing = screen(&at(model("fig05a"), Node::Group(Group::Sweep)), 78, 12);
     assert!(!nothing.contains(['>', '<']), "{nothing}");
     for (node, signs, note) in chosen {
         for (width, height) in [(44, 10), (78, 12), (78, 24)] {
@@ -333,23 +354,31 @@ fn rows_below_a_group_belong_to_it() {
     let mut model = model("fig05a");
     let path = crate::model::path::parameter(&model, "subsystems.S2.mass");
     assert!(path.is_ok());
-    let app = at(model.clone(), Node::SubsystemNumber(1, 1));
+    let app = at(
+        model.clone(),
+        Node::Parameter(Group::Subsystem(1).parameter(3)),
+    );
     assert!(screen(&app, 78, 12).contains("║ >S2  ║"));
     // A response of the whole beam is nowhere.
     model.responses[0].quantity = Quantity::Energy;
-    let energy = screen(&at(model, Node::Response(0)), 78, 12);
+    let energy = screen(&at(model, Node::Group(Group::Response(0))), 78, 12);
     assert!(energy.contains("P1 w: energy") && !energy.contains(['>', '<']));
 }
 
 #[test]
 fn a_thousand_subsystems_become_ticks() {
-    let many = buffer(&at(thousand(), Node::Sweep), Theme::new(false), 78, 12);
+    let many = buffer(
+        &at(thousand(), Node::Group(Group::Sweep)),
+        Theme::new(false),
+        78,
+        12,
+    );
     // 72 columns of the beam less two at either end, where the supports stand.
     assert_eq!(columns(&many, 4, "╷").len(), 72 - 4);
     let screen = lines(&many).join("\n");
     assert!(screen.contains("─ 1,000 masses ─"), "{screen}");
     let chosen = buffer(
-        &at(thousand(), Node::Subsystem(500)),
+        &at(thousand(), Node::Group(Group::Subsystem(500))),
         Theme::new(false),
         78,
         12,
@@ -368,7 +397,8 @@ fn a_thousand_subsystems_become_ticks() {
 fn subsystems_that_are_too_close_share_a_bracket() {
     let mut model = model("fig05a");
     model.subsystems[1].position = 0.9;
-    let screen = |model: &Model, width| screen(&at(model.clone(), Node::Sweep), width, 12);
+    let screen =
+        |model: &Model, width| screen(&at(model.clone(), Node::Group(Group::Sweep)), width, 12);
     // 21 and 23: names have no room.
     let bracket = screen(&model, 78);
     assert!(bracket.contains(" 2 masses "), "{bracket}");
@@ -385,12 +415,12 @@ fn subsystems_that_are_too_close_share_a_bracket() {
 #[test]
 fn every_panel_can_be_drawn() {
     let nodes = [
-        Node::Beam,
-        Node::Sweep,
-        Node::Support(End::Right),
-        Node::Subsystem(0),
-        Node::Force(0),
-        Node::Response(0),
+        Node::Group(Group::Beam),
+        Node::Group(Group::Sweep),
+        Node::Group(Group::Support(End::Right)),
+        Node::Group(Group::Subsystem(0)),
+        Node::Group(Group::Force(0)),
+        Node::Group(Group::Response(0)),
     ];
     let sizes = || (1..=24).flat_map(|width| (1..=14).map(move |height| (width, height)));
     let larger = [(44, 10), (44, 20), (78, 12), (78, 24), (200, 60), (300, 3)];
@@ -401,7 +431,14 @@ fn every_panel_can_be_drawn() {
             let there = crate::tui::tree::all_rows(&model)
                 .iter()
                 .any(|row| row.node == node);
-            let app = at(model, if there { node } else { Node::Beam });
+            let app = at(
+                model,
+                if there {
+                    node
+                } else {
+                    Node::Group(Group::Beam)
+                },
+            );
             for (width, height) in sizes().chain(larger) {
                 let drawn = buffer(&app, theme, width, height);
                 inside_is_ascii(&drawn, theme);
@@ -410,7 +447,7 @@ fn every_panel_can_be_drawn() {
     }
     for (width, height) in sizes().chain(larger) {
         buffer(
-            &at(thousand(), Node::Subsystem(999)),
+            &at(thousand(), Node::Group(Group::Subsystem(999))),
             plain_ascii(),
             width,
             height,

@@ -1,11 +1,22 @@
 //! New names for elements that others speak of.
 
-use super::pattern::{Part, join, split};
+use crate::model::id::Group;
+use crate::model::path::pattern::{Part, join, split};
 use crate::model::tuning::Limit;
 use crate::model::types::{Family, Model, Quantity, Target};
 
+/// Renames an element of a list, wherever the model refers to it.
+pub(super) fn element(model: &mut Model, group: Group, new: &str) {
+    match group {
+        Group::Subsystem(index) => subsystem(model, index, new),
+        Group::Response(index) => response(model, index, new),
+        Group::Study(index) => new.clone_into(&mut model.studies[index].name),
+        _ => {}
+    }
+}
+
 /// Renames a subsystem, wherever the model speaks of it.
-pub(super) fn subsystem(model: &mut Model, index: usize, new: &str) {
+fn subsystem(model: &mut Model, index: usize, new: &str) {
     let old = std::mem::replace(&mut model.subsystems[index].name, new.to_owned());
     let forces = model.forces.iter_mut().map(|force| &mut force.target);
     let responses =
@@ -27,7 +38,7 @@ pub(super) fn subsystem(model: &mut Model, index: usize, new: &str) {
 }
 
 /// Renames a response, wherever the model speaks of it.
-pub(super) fn response(model: &mut Model, index: usize, new: &str) {
+fn response(model: &mut Model, index: usize, new: &str) {
     let old = std::mem::replace(&mut model.responses[index].name, new.to_owned());
     if let Some(tune) = &mut model.tune {
         let objectives = tune.objectives.iter_mut();
@@ -84,7 +95,8 @@ fn rewrite(path: &mut String, list: &str, old: &str, new: &str) {
 
 #[cfg(test)]
 mod tests {
-    use crate::model::path::{Value, number, parameter, sample, set};
+    use crate::model::edit::{Value, set};
+    use crate::model::path::{number, parameter, sample};
     use crate::model::types::Family;
 
     fn text(word: &str) -> Value {

@@ -48,7 +48,7 @@ pub(super) fn direction(target: &Target) -> &'static str {
 }
 
 /// The words of the directions that fit the place.
-pub(super) fn directions(target: &Target) -> Vec<&'static str> {
+pub(in crate::model) fn directions(target: &Target) -> Vec<&'static str> {
     match target {
         Target::Beam(..) => BeamMotion::ALL.map(BeamMotion::key).to_vec(),
         Target::Mass(..) => MassMotion::ALL.map(MassMotion::key).to_vec(),
@@ -135,7 +135,7 @@ fn mass_motion(target: &Target) -> MassMotion {
 }
 
 /// The places there are, in words.
-pub(super) fn places(model: &Model) -> String {
+pub(in crate::model) fn places(model: &Model) -> String {
     let names: Vec<String> = model
         .subsystems
         .iter()
@@ -156,9 +156,20 @@ fn no_place(model: &Model, text: &str) -> String {
     format!("is {text:?}{near}; must be {}", places(model))
 }
 
+/// The unit of a load along a motion.
+pub(in crate::model) const fn load_unit(target: &Target) -> Unit {
+    match target {
+        Target::Beam(_, BeamMotion::W | BeamMotion::V)
+        | Target::Mass(_, MassMotion::Y | MassMotion::Z) => Unit::FORCE,
+        Target::Beam(_, BeamMotion::PsiSlope) => Unit::BIMOMENT,
+        Target::Beam(..) | Target::Mass(_, MassMotion::Theta) => Unit::TORQUE,
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use crate::model::path::{Value, parameter, sample, set};
+    use crate::model::edit::{Value, set};
+    use crate::model::path::{parameter, sample};
 
     fn at(text: &str) -> Value {
         Value::Text(text.to_owned())

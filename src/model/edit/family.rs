@@ -1,9 +1,8 @@
 //! The members of a study.
 
-use super::find::Finder;
-use super::{Value, number_at, value};
-use crate::model::check::check;
+use super::value::{Value, number, put};
 use crate::model::fault::Fault;
+use crate::model::path::{self, Finder};
 use crate::model::types::{Family, Model, Operation};
 use crate::model::unit::Unit;
 
@@ -12,15 +11,11 @@ use crate::model::unit::Unit;
 /// Every change starts from the model's own value, so that a parameter which two paths stand for is changed once.
 ///
 /// # Errors
-/// There is no such member, a path matches nothing or no number, or [`check()`] refuses the outcome.
+/// There is no such member, a path matches nothing or no number, or [`check()`](crate::model::check()) refuses the
+/// outcome.
 pub fn apply(model: &Model, family: &Family, index: usize) -> Result<Model, Vec<Fault>> {
     let member = apply_unchecked(model, family, index).map_err(|fault| vec![fault])?;
-    let faults = check(&member);
-    if faults.is_empty() {
-        Ok(member)
-    } else {
-        Err(faults)
-    }
+    super::checked(member)
 }
 
 /// As [`apply`], without asking whether the member is a possible model.
@@ -41,11 +36,10 @@ fn change(model: &Model, member: &mut Model, family: &Family, index: usize) -> R
     let missing = || Fault::new("", format!("the study has no member {}", index + 1));
     let finder = Finder::new(model);
     let mut write = |path: &str, operation: Operation, by: f64| {
-        for address in finder.find(path)?.addresses(model) {
-            let fault = |message| Fault::new(address.path(model), message);
-            let old = number_at(model, &address).map_err(fault)?;
-            value::write(member, &address, Value::Number(operation.apply(old, by)))
-                .map_err(fault)?;
+        for id in finder.find(path)? {
+            let fault = |message| Fault::new(path::text(model, id), message);
+            let old = number(model, id).map_err(fault)?;
+            put(member, id, Value::Number(operation.apply(old, by))).map_err(fault)?;
         }
         Ok(())
     };

@@ -1,14 +1,15 @@
-//! Where the rows of a model stand in a changed one.
+//! Where the groups and parameters of a model are in a changed one.
 //!
-//! A [`Node`] has meaning with one model alone. What keeps nodes while the model changes takes them through here.
+//! A [`Group`] has meaning with one model alone. What keeps one while the model changes takes it through here.
 
 use std::collections::HashMap;
 
-use crate::model::Model;
-use crate::tui::tree::Node;
+use super::id::{Group, ParameterId};
+use super::types::Model;
 
 /// How the lists of a model changed.
-pub(super) struct Moves {
+#[derive(Debug)]
+pub struct Moves {
     subsystems: Move,
     forces: Move,
     responses: Move,
@@ -16,6 +17,7 @@ pub(super) struct Moves {
 }
 
 /// Where the places of a list are now.
+#[derive(Debug)]
 enum Move {
     /// Where they were.
     Stay,
@@ -68,7 +70,8 @@ impl Move {
 }
 
 impl Moves {
-    pub(super) fn new(before: &Model, after: &Model) -> Self {
+    /// From one model to another, in which elements were added, removed or renamed.
+    pub fn new(before: &Model, after: &Model) -> Self {
         Self {
             subsystems: Move::of_named(&before.subsystems, &after.subsystems, |one| &one.name),
             forces: Move::of_unnamed(&before.forces, &after.forces),
@@ -77,23 +80,49 @@ impl Moves {
         }
     }
 
-    /// Where a row stands in the model after; none where it was removed.
-    pub(super) fn of(&self, node: Node) -> Option<Node> {
-        Some(match node {
-            Node::Subsystem(i) => Node::Subsystem(self.subsystems.of(i)?),
-            Node::SubsystemNumber(i, row) => Node::SubsystemNumber(self.subsystems.of(i)?, row),
-            Node::Force(i) => Node::Force(self.forces.of(i)?),
-            Node::ForceAt(i) => Node::ForceAt(self.forces.of(i)?),
-            Node::ForceDirection(i) => Node::ForceDirection(self.forces.of(i)?),
-            Node::ForceNumber(i, row) => Node::ForceNumber(self.forces.of(i)?, row),
-            Node::Response(i) => Node::Response(self.responses.of(i)?),
-            Node::ResponseMeasure(i) => Node::ResponseMeasure(self.responses.of(i)?),
-            Node::ResponseAt(i) => Node::ResponseAt(self.responses.of(i)?),
-            Node::ResponseDirection(i) => Node::ResponseDirection(self.responses.of(i)?),
-            Node::Study(i) => Node::Study(self.studies.of(i)?),
-            Node::StudyLine(i, row) => Node::StudyLine(self.studies.of(i)?, row),
-            other => other,
-        })
+    /// Where a group is in the model after; none where it was removed.
+    pub fn of(&self, group: Group) -> Option<Group> {
+        let list = match group {
+            Group::Subsystem(_) => &self.subsystems,
+            Group::Force(_) => &self.forces,
+            Group::Response(_) => &self.responses,
+            Group::Study(_) => &self.studies,
+            other => return Some(other),
+        };
+        Some(group.at(list.of(group.place()?)?))
+    }
+}
+
+impl Group {
+    /// The group of another model, such as that of a file, which has the same name; a force has the same number.
+    pub fn counterpart(self, model: &Model, other: &Model) -> Option<Self> {
+        let place = match self {
+            Self::Subsystem(i) => named(&model.subsystems[i].name, i, &other.subsystems, |one| {
+                &one.name
+            })?,
+            Self::Response(i) => named(&model.responses[i].name, i, &other.responses, |one| {
+                &one.name
+            })?,
+            Self::Study(i) => named(&model.studies[i].name, i, &other.studies, |one| &one.name)?,
+            Self::Force(i) => (i < other.forces.len()).then_some(i)?,
+            fixed => return Some(fixed),
+        };
+        Some(self.at(place))
+    }
+}
+
+/// Where in a list a name is: nearly always at the same place, and a search through thousands is not needed.
+fn named<T>(own: &str, place: usize, list: &[T], name: fn(&T) -> &String) -> Option<usize> {
+    let is_it = |one: &T| name(one) == own;
+    let same = list.get(place).is_some_and(is_it);
+    same.then_some(place)
+        .or_else(|| list.iter().position(is_it))
+}
+
+impl ParameterId {
+    /// The same parameter of another model, by [`Group::counterpart`].
+    pub fn counterpart(self, model: &Model, other: &Model) -> Option<Self> {
+        Some(self.group.counterpart(model, other)?.parameter(self.row))
     }
 }
 

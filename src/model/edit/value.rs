@@ -1,0 +1,454 @@
+//! Reading and writing the value of a parameter.
+
+use super::rename;
+use super::target;
+use crate::model::id::{End, Group, ParameterId};
+use crate::model::schema::{self, Access, Key, Kind, Rows};
+use crate::model::serial::format_number;
+use crate::model::types::{
+    BeamMotion, Elastic, Measure, Model, Quantity, Restraint, Support, Target,
+};
+
+/// The value of a parameter.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value {
+    /// A number, in the parameter's unit.
+    Number(f64),
+    /// A whole number.
+    Count(usize),
+    /// True or false.
+    Flag(bool),
+    /// One of the parameter's choices.
+    Choice(&'static str),
+    /// Free text, a name, or a place: `left`, `right`, `1.6 m`, a subsystem's name.
+    Text(String),
+}
+
+impl Value {
+    /// The number that it is.
+    fn number(&self) -> Result<f64, String> {
+        match self {
+            Self::Number(number) => Ok(*number),
+            other => Err(other.misfit("a number")),
+        }
+    }
+
+    fn count(&self) -> Result<usize, String> {
+        match self {
+            Self::Count(count) => Ok(*count),
+            other => Err(other.misfit("a whole number")),
+        }
+    }
+
+    fn flag(&self) -> Result<bool, String> {
+        match self {
+            Self::Flag(flag) => Ok(*flag),
+            other => Err(other.misfit("true or false")),
+        }
+    }
+
+    fn text(self) -> Result<String, String> {
+        match self {
+            Self::Text(text) => Ok(text),
+            Self::Choice(word) => Ok(word.to_owned()),
+            other => Err(other.misfit("text")),
+        }
+    }
+
+    fn word(&self) -> Result<&str, String> {
+        match self {
+            Self::Text(text) => Ok(text),
+            Self::Choice(word) => Ok(word),
+            other => Err(other.misfit("a word")),
+        }
+    }
+
+    fn misfit(&self, wanted: &str) -> String {
+        let given = match self {
+            Self::Number(number) => format_number(*number),
+            Self::Count(count) => count.to_string(),
+            Self::Flag(flag) => flag.to_string(),
+            Self::Choice(word) => format!("{word:?}"),
+            Self::Text(text) => format!("{text:?}"),
+        };
+        format!("is {given}; must be {wanted}")
+    }
+}
+
+impl<T> Rows<T> {
+    /// The value of a row; none where it has rules of its own.
+    fn get(&self, row: usize, of: &T) -> Option<Value> {
+        Some(match &self.access[row] {
+            Access::Number(get, _) => Value::Number(get(of)),
+            Access::Count(get, _) => Value::Count(get(of)),
+            Access::Flag(get, _) => Value::Flag(get(of)),
+            Access::Word(get, _) => Value::Choice(self.keys[row].words[get(of)]),
+            Access::Text(get, _) => Value::Text(get(of).clone()),
+            Access::Optional(..) | Access::Own => return None,
+        })
+    }
+
+    /// Writes the value of a row; one with rules of its own takes none.
+    fn set(&self, row: usize, of: &mut T, value: Value) -> Result<(), String> {
+        match &self.access[row] {
+            Access::Number(_, set) => set(of, value.number()?),
+            Access::Count(_, set) => set(of, value.count()?),
+            Access::Flag(_, set) => set(of, value.flag()?),
+            Access::Word(_, set) => set(of, chosen(&value, self.keys[row].words)?),
+            Access::Text(_, text) => *text(of) = value.text()?,
+            Access::Optional(..) | Access::Own => return Err("cannot be set".to_owned()),
+        }
+        Ok(())
+    }
+}
+
+/// The value of a parameter.
+///
+/// # Errors
+/// Says why it has none: a fixed motion has no spring, an energy no place.
+pub fn get(model: &Model, id: ParameterId) -> Result<Value, String> {
+    let row = id.row;
+    let plain = match id.group {
+        Group::Model => schema::MODEL.get(row, model),
+        Group::Beam => schema::BEAM.get(row, &model.beam),
+        Group::Material => schema::MATERIAL.get(row, &model.beam.material),
+        Group::Section => schema::SECTION.get(row, &model.beam.section),
+        Group::Motion(end, motion) => match end.support(model)[motion] {
+            Restraint::Fixed => return Err(fixed(end, motion, id.key())),
+            held => schema::elastic(motion).get(row, &held.elastic()),
+        },
+        Group::Subsystem(index) => schema::SUBSYSTEM.get(row, &model.subsystems[index]),
+        Group::Force(index) => schema::FORCE.get(row, &model.forces[index]),
+        Group::Response(index) => schema::RESPONSE.get(row, &model.responses[index]),
+        Group::Sweep => schema::SWEEP.get(row, &model.sweep),
+        Group::Study(index) => schema::STUDY.get(row, &model.studies[index]),
+        _ => None,
+    };
+    plain.map_or_else(|| own(model, id), Ok)
+}
+
+/// The number of a parameter.
+///
+/// # Errors
+/// As [`get`], or it is something else.
+pub fn number(model: &Model, id: ParameterId) -> Result<f64, String> {
+    get(model, id)?
+        .number()
+        .map_err(|message| format!("is no number: {message}"))
+}
+
+/// The value of a parameter with rules of its own.
+fn own(model: &Model, id: ParameterId) -> Result<Value, String> {
+    let target = || target_of(model, id.group).ok_or_else(energy);
+    Ok(match (id.group, id.key().kind) {
+        (Group::Support(end), _) => {
+            let support = end.support(model);
+            Value::Choice(
+                id.motion()
+                    .map_or_else(|| support.kind(), |motion| support[motion].kind()),
+            )
+        }
+        (Group::Response(index), Kind::Measure) => {
+            Value::Choice(match &model.responses[index].quantity {
+                Quantity::Motion(_, measure) => measure.key(),
+                Quantity::Energy => Quantity::ENERGY,
+            })
+        }
+        (_, Kind::Place) => Value::Text(target::place(target()?)),
+        _ => Value::Choice(target::direction(target()?)),
+    })
+}
+
+/// Where a force acts or a response is taken; none of an energy.
+pub(in crate::model) fn target_of(model: &Model, group: Group) -> Option<&Target> {
+    match group {
+        Group::Force(index) => Some(&model.forces[index].target),
+        Group::Response(index) => match &model.responses[index].quantity {
+            Quantity::Motion(target, _) => Some(target),
+            Quantity::Energy => None,
+        },
+        _ => None,
+    }
+}
+
+fn fixed(end: End, motion: BeamMotion, key: &Key) -> String {
+    let (end, motion, key) = (end.key(), motion.key(), key.key);
+    format!(
+        "{motion} is fixed there, so it has no {key}; supports.{end}.{motion} must be free or elastic first"
+    )
+}
+
+fn energy() -> String {
+    "is an energy, which is the whole beam's; the measure must be displacement, velocity or acceleration first".to_owned()
+}
+
+/// Writes a value, without asking whether the model stays a possible one.
+///
+/// # Errors
+/// The value is of another type or no choice of the parameter; the model is then unchanged.
+pub fn put(model: &mut Model, id: ParameterId, value: Value) -> Result<(), String> {
+    let row = id.row;
+    match (id.group, id.key().kind) {
+        (group, Kind::Name) => rename::element(model, group, &value.text()?),
+        (group, Kind::Place) => {
+            let old = target_of(model, group).ok_or_else(energy)?;
+            let new = target::moved(model, old, &value.text()?)?;
+            put_target(model, group, new);
+        }
+        (group, Kind::Direction) => {
+            let old = target_of(model, group).ok_or_else(energy)?;
+            let new = target::turned(old, value.word()?)?;
+            put_target(model, group, new);
+        }
+        (Group::Response(index), Kind::Measure) => {
+            let quantity = &mut model.responses[index].quantity;
+            *quantity = measured(quantity, &value)?;
+        }
+        (Group::Support(end), _) => match (id.motion(), end.support_mut(model)) {
+            (Some(motion), support) => put_restraint(&mut support[motion], value.word()?)?,
+            (None, support) => put_support(support, value.word()?)?,
+        },
+        (Group::Motion(end, motion), _) => put_spring(model, end, motion, id, &value)?,
+        (Group::Model, _) => schema::MODEL.set(row, model, value)?,
+        (Group::Beam, _) => schema::BEAM.set(row, &mut model.beam, value)?,
+        (Group::Material, _) => schema::MATERIAL.set(row, &mut model.beam.material, value)?,
+        (Group::Section, _) => schema::SECTION.set(row, &mut model.beam.section, value)?,
+        (Group::Subsystem(index), _) => {
+            schema::SUBSYSTEM.set(row, &mut model.subsystems[index], value)?;
+        }
+        (Group::Force(index), _) => schema::FORCE.set(row, &mut model.forces[index], value)?,
+        (Group::Response(index), _) => {
+            schema::RESPONSE.set(row, &mut model.responses[index], value)?;
+        }
+        (Group::Sweep, _) => schema::SWEEP.set(row, &mut model.sweep, value)?,
+        _ => return Err("cannot be set".to_owned()),
+    }
+    Ok(())
+}
+
+fn put_target(model: &mut Model, group: Group, new: Target) {
+    match group {
+        Group::Force(index) => model.forces[index].target = new,
+        Group::Response(index) => {
+            if let Quantity::Motion(target, _) = &mut model.responses[index].quantity {
+                *target = new;
+            }
+        }
+        _ => {}
+    }
+}
+
+fn put_spring(
+    model: &mut Model,
+    end: End,
+    motion: BeamMotion,
+    id: ParameterId,
+    value: &Value,
+) -> Result<(), String> {
+    let restraint = &mut end.support_mut(model)[motion];
+    let new = value.number()?;
+    let mut elastic = match *restraint {
+        Restraint::Elastic(elastic) => elastic,
+        // What is free has 0 of everything already.
+        Restraint::Free if new == 0.0 => return Ok(()),
+        Restraint::Free => Elastic::default(),
+        Restraint::Fixed => return Err(fixed(end, motion, id.key())),
+    };
+    schema::elastic(motion).set(id.row, &mut elastic, Value::Number(new))?;
+    *restraint = Restraint::Elastic(elastic);
+    Ok(())
+}
+
+fn put_restraint(restraint: &mut Restraint, word: &str) -> Result<(), String> {
+    *restraint = match (word, *restraint) {
+        ("free", _) => Restraint::Free,
+        ("fixed", _) => Restraint::Fixed,
+        ("elastic", kept @ Restraint::Elastic(_)) => kept,
+        ("elastic", _) => Restraint::Elastic(Elastic::default()),
+        (other, _) => return Err(format!("is {other:?}; must be free, fixed or elastic")),
+    };
+    Ok(())
+}
+
+fn put_support(support: &mut Support, word: &str) -> Result<(), String> {
+    if word == "elastic" {
+        return if support.kind() == "elastic" {
+            Ok(())
+        } else {
+            Err("does not become elastic as a whole; set a spring of one motion instead".to_owned())
+        };
+    }
+    *support = Support::of_word(word)
+        .ok_or_else(|| format!("is {word:?}; must be free, pinned or clamped"))?;
+    Ok(())
+}
+
+/// A quantity with another measure. An energy that becomes a motion is w at the right end.
+fn measured(quantity: &Quantity, value: &Value) -> Result<Quantity, String> {
+    if value.word()? == Quantity::ENERGY {
+        return Ok(Quantity::Energy);
+    }
+    let index = chosen(value, Measure::WORDS)
+        .map_err(|message| format!("{message} or {}", Quantity::ENERGY))?;
+    let target = match quantity {
+        Quantity::Motion(target, _) => target.clone(),
+        Quantity::Energy => target::DEFAULT,
+    };
+    Ok(Quantity::Motion(target, Measure::ALL[index]))
+}
+
+/// Which of some words a value is.
+fn chosen(value: &Value, words: &[&str]) -> Result<usize, String> {
+    let word = value.word()?;
+    words
+        .iter()
+        .position(|known| *known == word)
+        .ok_or_else(|| format!("is {word:?}; must be {}", words.join(", ")))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::model::edit::{Value, set, set_unchecked};
+    use crate::model::path::{all, parameter, sample};
+    use crate::model::types::{
+        BeamMotion, Elastic, Measure, Place, Quantity, Restraint, Support, Target,
+    };
+
+    fn choice(word: &'static str) -> Value {
+        Value::Choice(word)
+    }
+
+    #[test]
+    fn every_parameter_reads_and_sets_back_to_the_same_model() {
+        let names = [
+            "S1",
+            "a.b",
+            "12",
+            "5\" 'arm'",
+            "*",
+            "left end",
+            "x2",
+            "1.6 m",
+            "'q'",
+        ];
+        for first in 0..names.len() {
+            let mut rotated = names.to_vec();
+            rotated.rotate_left(first);
+            let model = sample::model(&rotated);
+            for path in all(&model) {
+                let value = parameter(&model, &path).unwrap().value;
+                let mut same = model.clone();
+                set_unchecked(&mut same, &path, value)
+                    .unwrap_or_else(|fault| panic!("{path}: {fault}"));
+                assert_eq!(same, model, "{path}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_value_of_another_type_is_refused_and_changes_nothing() {
+        let model = sample::model(&["S1"]);
+        let values = [
+            Value::Number(1.0),
+            Value::Count(2),
+            Value::Flag(true),
+            choice("no such word"),
+            Value::Text("no such word".to_owned()),
+        ];
+        for path in all(&model) {
+            let old = parameter(&model, &path).unwrap().value;
+            let free_text = matches!(old, Value::Text(_)) && path.rsplit('.').next() != Some("at");
+            for value in &values {
+                let fits = std::mem::discriminant(value) == std::mem::discriminant(&old);
+                let word = matches!(value, Value::Text(_) | Value::Choice(_));
+                if (fits && !word) || (free_text && word) {
+                    continue;
+                }
+                let mut same = model.clone();
+                let fault = set_unchecked(&mut same, &path, value.clone()).unwrap_err();
+                assert!(fault.message.contains("must be"), "{fault}");
+                assert_eq!(same, model, "{path}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_spring_makes_a_free_motion_elastic_and_zero_leaves_it() {
+        let mut model = sample::model(&["S1"]);
+        set(&mut model, "supports.right.v.stiffness", Value::Number(0.0)).unwrap();
+        assert_eq!(model.supports.right[BeamMotion::V], Restraint::Free);
+        set(&mut model, "supports.right.v.mass", Value::Number(2.0)).unwrap();
+        let expected = Elastic {
+            inertia: 2.0,
+            ..Elastic::default()
+        };
+        assert_eq!(
+            model.supports.right[BeamMotion::V],
+            Restraint::Elastic(expected)
+        );
+        set(&mut model, "supports.right.v", choice("elastic")).unwrap();
+        assert_eq!(
+            model.supports.right[BeamMotion::V],
+            Restraint::Elastic(expected)
+        );
+        set(&mut model, "supports.right.v_slope", choice("elastic")).unwrap();
+        assert_eq!(
+            model.supports.right[BeamMotion::VSlope],
+            Restraint::Elastic(Elastic::default())
+        );
+    }
+
+    #[test]
+    fn a_fixed_motion_has_no_spring() {
+        let mut model = sample::model(&["S1"]);
+        let fault = parameter(&model, "supports.left.v.damping").unwrap_err();
+        assert!(
+            fault.message.contains("fixed") && fault.message.contains("supports.left.v"),
+            "{fault}"
+        );
+        assert!(set(&mut model, "supports.left.v.damping", Value::Number(1.0)).is_err());
+        assert!(set(&mut model, "supports.*.v.damping", Value::Number(1.0)).is_err());
+        assert_eq!(model, sample::model(&["S1"]));
+    }
+
+    #[test]
+    fn the_kind_sets_all_six_motions() {
+        let mut model = sample::model(&["S1"]);
+        let kind = |model: &_| parameter(model, "supports.left.kind").unwrap();
+        assert_eq!(kind(&model).value, choice("elastic"));
+        assert_eq!(
+            kind(&model).choices,
+            ["free", "pinned", "clamped", "elastic"]
+        );
+        // That a study moves the spring of w, which a fixed motion has not, is no reason to refuse.
+        for (word, support) in [
+            ("pinned", Support::PINNED),
+            ("clamped", Support::CLAMPED),
+            ("free", Support::FREE),
+        ] {
+            set(&mut model, "supports.left.kind", choice(word)).unwrap();
+            assert_eq!(model.supports.left, support);
+            assert_eq!(kind(&model).value, choice(word));
+        }
+        assert_eq!(kind(&model).choices, ["free", "pinned", "clamped"]);
+        let faults = set(&mut model, "supports.left.kind", choice("elastic")).unwrap_err();
+        assert!(faults[0].message.contains("set a spring"), "{faults:?}");
+    }
+
+    #[test]
+    fn a_response_can_become_an_energy_and_a_motion_again() {
+        let mut model = sample::model(&["S1"]);
+        set(&mut model, "responses.mass.measure", choice("acceleration")).unwrap();
+        set(&mut model, "responses.mass.measure", choice("energy")).unwrap();
+        assert_eq!(model.responses[2].quantity, Quantity::Energy);
+        let fault = parameter(&model, "responses.mass.at").unwrap_err();
+        assert!(fault.message.contains("energy"), "{fault}");
+        assert!(set(&mut model, "responses.mass.direction", choice("w")).is_err());
+        set(&mut model, "responses.mass.measure", choice("velocity")).unwrap();
+        let w = Target::Beam(Place::Right, BeamMotion::W);
+        assert_eq!(
+            model.responses[2].quantity,
+            Quantity::Motion(w, Measure::Velocity)
+        );
+    }
+}

@@ -1,0 +1,101 @@
+//! From parameters to the text of their paths.
+
+use std::cell::OnceCell;
+
+use crate::model::id::{Group, ParameterId};
+use crate::model::names::{element_key, element_keys};
+use crate::model::types::Model;
+
+/// The path of a parameter.
+pub fn text(model: &Model, id: ParameterId) -> String {
+    join(&owner(model, id.group.owner()), id)
+}
+
+/// The paths of parameters; each name of a list is looked at once.
+pub fn texts(model: &Model, ids: &[ParameterId]) -> Vec<String> {
+    let lists = [const { OnceCell::new() }; 3];
+    let key = |list: usize, of: Group, place: usize| {
+        let keys: &Vec<String> =
+            lists[list].get_or_init(|| names(model, of, |names| element_keys(names)));
+        format!("{}.{}", list_key(of), keys[place])
+    };
+    let path = |id: &ParameterId| match id.group {
+        // A single name needs no table of all.
+        _ if ids.len() == 1 => text(model, *id),
+        Group::Subsystem(i) => join(&key(0, id.group, i), *id),
+        Group::Response(i) => join(&key(1, id.group, i), *id),
+        Group::Study(i) => join(&key(2, id.group, i), *id),
+        _ => text(model, *id),
+    };
+    ids.iter().map(path).collect()
+}
+
+/// The keys of a parameter below its owner.
+pub(super) fn parts(id: ParameterId) -> impl Iterator<Item = &'static str> {
+    let inner = match id.group {
+        Group::Material => Some("material"),
+        Group::Section => Some("section"),
+        Group::Motion(_, motion) => Some(motion.key()),
+        _ => None,
+    };
+    inner.into_iter().chain(id.key().key.split('.'))
+}
+
+fn join(owner: &str, id: ParameterId) -> String {
+    let mut path = owner.to_owned();
+    for part in parts(id) {
+        if !path.is_empty() {
+            path.push('.');
+        }
+        path.push_str(part);
+    }
+    path
+}
+
+/// The path of a beam, an end, or an element of a list.
+fn owner(model: &Model, owner: Group) -> String {
+    match owner {
+        Group::Model => String::new(),
+        Group::Support(end) => format!("supports.{}", end.key()),
+        Group::Subsystem(i) | Group::Response(i) | Group::Study(i) => {
+            let key = names(model, owner, |names| element_key(names, i));
+            format!("{}.{key}", list_key(owner))
+        }
+        Group::Force(i) => format!("forces.{}", i + 1),
+        other => list_key(other).to_owned(),
+    }
+}
+
+/// The key of the file below which a table is.
+const fn list_key(of: Group) -> &'static str {
+    match of {
+        Group::Beam => "beam",
+        Group::Subsystem(_) => "subsystems",
+        Group::Response(_) => "responses",
+        Group::Study(_) => "studies",
+        _ => "sweep",
+    }
+}
+
+/// What the names of a list give.
+fn names<R>(model: &Model, list: Group, of: impl FnOnce(&mut dyn Iterator<Item = &str>) -> R) -> R {
+    match list {
+        Group::Subsystem(_) => of(&mut model.subsystems.iter().map(|one| &*one.name)),
+        Group::Response(_) => of(&mut model.responses.iter().map(|one| &*one.name)),
+        _ => of(&mut model.studies.iter().map(|one| &*one.name)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::path::sample;
+
+    #[test]
+    fn one_path_and_many_paths_agree() {
+        let model = sample::model(&["S1", "S1", "", "a.b", "7"]);
+        let all = ParameterId::all(&model);
+        let each: Vec<String> = all.iter().map(|id| text(&model, *id)).collect();
+        assert_eq!(texts(&model, &all), each);
+    }
+}

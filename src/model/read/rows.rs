@@ -1,0 +1,97 @@
+//! The keys that a table of the schema names.
+
+use super::super::schema::{Access, FEWEST_POINTS, Key, Kind, MOST_POINTS, Rows};
+use super::reader::Reader;
+use super::table::Table;
+use super::value::{whole, wrong_type};
+
+/// An inner table that is open, with its key; none where the text has none.
+type Inner<'a> = Option<(&'static str, Option<Table<'a>>)>;
+
+fn finish(inner: Inner<'_>, reader: &mut Reader) {
+    if let Some((_, Some(table))) = inner {
+        table.finish(reader);
+    }
+}
+
+/// For tables in which no key has rules of its own.
+pub(super) fn no_own<T>(_: &mut Table<'_>, _: &mut T, _: Kind, _: &mut Reader) {}
+
+impl<'a> Table<'a> {
+    /// Every key of a table of the schema, those of inner tables included; `own` reads what has rules of its own.
+    pub(super) fn rows<T>(
+        &mut self,
+        of: &mut T,
+        rows: &Rows<T>,
+        reader: &mut Reader,
+        mut own: impl FnMut(&mut Self, &mut T, Kind, &mut Reader),
+    ) {
+        let mut inner = None;
+        for (key, access) in rows.iter() {
+            match access {
+                Access::Number(_, set) => {
+                    set(of, self.number_below(key, &mut inner, reader));
+                }
+                Access::Count(_, set) => {
+                    if let Some(count) = self.count(key.key, reader) {
+                        set(of, count);
+                    }
+                }
+                Access::Flag(_, set) => set(of, self.flag(key.key, reader).unwrap_or(true)),
+                Access::Word(_, set) => {
+                    if let Some(index) = self.word(key.key, key.words, Some(0), reader) {
+                        set(of, index);
+                    }
+                }
+                Access::Text(_, place) => {
+                    let default = (key.kind == Kind::Text).then_some("");
+                    *place(of) = self.text(key.key, default, reader).unwrap_or_default();
+                }
+                Access::Optional(_, set) => {
+                    let absent = key.kind == Kind::Optional && !self.has(key.key);
+                    self.accept(key.key);
+                    let text = (!absent).then(|| self.text(key.key, None, reader));
+                    set(of, text.flatten());
+                }
+                Access::Own => own(self, of, key.kind, reader),
+            }
+        }
+        finish(inner, reader);
+    }
+
+    /// A number of this table or of an inner one, which stays open for the next number.
+    fn number_below(
+        &mut self,
+        key: &'static Key,
+        inner: &mut Inner<'a>,
+        reader: &mut Reader,
+    ) -> f64 {
+        let Some((head, last)) = key.key.split_once('.') else {
+            return self.number(key.key, key.range, key.default, reader);
+        };
+        if inner.as_ref().is_none_or(|(open, _)| *open != head) {
+            finish(inner.take(), reader);
+            *inner = Some((head, self.table(head, reader)));
+        }
+        match inner {
+            Some((_, Some(table))) => table.number(last, key.range, key.default, reader),
+            _ => key.default.unwrap_or(f64::NAN),
+        }
+    }
+
+    /// A whole number of points.
+    fn count(&mut self, key: &'a str, reader: &mut Reader) -> Option<usize> {
+        let expected = format!("a whole number, {FEWEST_POINTS} to {MOST_POINTS}");
+        let (path, node) = self.need(key, &expected, reader)?;
+        let count = whole(node).map(usize::try_from);
+        if let Some(Ok(count)) = count {
+            return Some(count);
+        }
+        let message = match node.get_ref().as_integer() {
+            Some(integer) => format!("is {integer}; must be {expected}"),
+            None => wrong_type(node, &expected),
+        };
+        reader.fault(node.span().start, &path, message);
+        None
+    }
+}

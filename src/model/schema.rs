@@ -1,0 +1,291 @@
+//! The schema of the model file: one row for every key, with its symbol, unit, meaning, kind and range.
+//!
+//! Reading, writing, checking, parameter paths and the designer's tree all go by these rows, so a key is described
+//! once. A number that is added here is read, written, checked, described and shown.
+
+use super::unit::Unit;
+
+/// The fewest frequencies of a sweep.
+pub const FEWEST_POINTS: usize = 2;
+/// The most frequencies of a sweep.
+pub const MOST_POINTS: usize = 1_000_000;
+
+/// A key of a table of the model file.
+#[derive(Debug)]
+pub struct Key {
+    /// As it is in the file, below its table; a dot steps into an inner table (`y_left.stiffness`).
+    pub key: &'static str,
+    /// The symbol of the literature; empty where there is none.
+    pub symbol: &'static str,
+    /// Unit in which a number is held.
+    pub unit: Unit,
+    /// What it is, for people.
+    pub meaning: &'static str,
+    /// What it holds.
+    pub kind: Kind,
+    /// What a number may be.
+    pub range: Range,
+    /// A number's value where the file leaves it out; none where it must be given.
+    pub default: Option<f64>,
+    /// Whether it is a stiffness or damping, whose size matters by its logarithm.
+    pub is_spring: bool,
+    /// What may be chosen; the first is the default.
+    pub words: &'static [&'static str],
+}
+
+/// What a key holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A number.
+    Number,
+    /// A whole number.
+    Count,
+    /// True or false; true where it is left out.
+    Flag,
+    /// One of some words.
+    Word,
+    /// One line of text.
+    Line,
+    /// Any text; empty where it is left out.
+    Text,
+    /// A name that is unique in its list.
+    Name,
+    /// Where a force acts or a response is taken.
+    Place,
+    /// Along which motion.
+    Direction,
+    /// Which time derivative of a motion, or the energy.
+    Measure,
+    /// One word for all motions of an end.
+    Support,
+    /// What one motion of an end meets.
+    Restraint,
+    /// The parameters that a variable moves: a path or several.
+    Paths,
+    /// How a variable is searched; none where it is left out.
+    Scale,
+    /// The name of a response.
+    Response,
+    /// A text that is not blank.
+    Filled,
+    /// The same; none where it is left out.
+    Optional,
+}
+
+/// What a number may be, beyond being finite.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Range {
+    /// Any finite number.
+    Any,
+    /// 0 or more.
+    NonNegative,
+    /// More than 0.
+    Positive,
+}
+
+impl Range {
+    /// Whether a value lies in the range. NaN passes: a reader has reported it already.
+    pub fn holds(self, value: f64) -> bool {
+        match self {
+            Self::Any => true,
+            Self::NonNegative => value >= 0.0 || value.is_nan(),
+            Self::Positive => value > 0.0 || value.is_nan(),
+        }
+    }
+
+    /// The range in words: "any number", ">= 0", "> 0".
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Any => "any number",
+            Self::NonNegative => ">= 0",
+            Self::Positive => "> 0",
+        }
+    }
+}
+
+/// How the value of a key is read from and written to its owner, unchecked.
+#[derive(Debug)]
+pub enum Access<T> {
+    /// A number.
+    Number(fn(&T) -> f64, fn(&mut T, f64)),
+    /// A whole number.
+    Count(fn(&T) -> usize, fn(&mut T, usize)),
+    /// A switch.
+    Flag(fn(&T) -> bool, fn(&mut T, bool)),
+    /// The index of a word.
+    Word(fn(&T) -> usize, fn(&mut T, usize)),
+    /// A text.
+    Text(fn(&T) -> &String, fn(&mut T) -> &mut String),
+    /// A text that is not always there.
+    Optional(fn(&T) -> Option<&String>, fn(&mut T, Option<String>)),
+    /// By rules of its own.
+    Own,
+}
+
+/// What a table is, by one word, with the keys that go with it.
+#[derive(Debug)]
+pub struct Choice<T: 'static> {
+    /// The key of the word.
+    pub key: &'static str,
+    /// The word; empty where any text may follow the key.
+    pub word: &'static str,
+    /// What it is before its keys are read.
+    pub blank: fn() -> T,
+    /// Its keys.
+    pub rows: Rows<T>,
+}
+
+impl<T> Choice<T> {
+    /// The one of some that a value is.
+    pub fn of<'a>(all: &'a [Self], value: &T) -> Option<&'a Self> {
+        let kind = std::mem::discriminant(value);
+        all.iter()
+            .find(|one| std::mem::discriminant(&(one.blank)()) == kind)
+    }
+
+    /// Whether a key goes with it.
+    pub fn has(&self, key: &str) -> bool {
+        self.rows.keys.iter().any(|own| own.key == key)
+    }
+}
+
+/// The keys of a table of the file, with the access to them.
+#[derive(Debug)]
+pub struct Rows<T: 'static> {
+    /// The keys, in the order of the file.
+    pub keys: &'static [Key],
+    /// The access to each of them.
+    pub access: &'static [Access<T>],
+}
+
+impl<T> Rows<T> {
+    /// Every key with its access.
+    pub fn iter(&self) -> impl Iterator<Item = (&'static Key, &'static Access<T>)> + use<T> {
+        self.keys.iter().zip(self.access)
+    }
+
+    /// The keys of numbers, with their values.
+    pub fn numbers(&self, of: &T) -> impl Iterator<Item = (&'static Key, f64)> {
+        self.iter().filter_map(move |(key, access)| match access {
+            Access::Number(get, _) => Some((key, get(of))),
+            _ => None,
+        })
+    }
+}
+
+/// A key of no kind in particular.
+const BLANK: Key = Key {
+    key: "",
+    symbol: "",
+    unit: Unit::ONE,
+    meaning: "",
+    kind: Kind::Text,
+    range: Range::Any,
+    default: None,
+    is_spring: false,
+    words: &[],
+};
+
+/// The description of a row of [`rows!`].
+macro_rules! key {
+    (number $key:literal, $symbol:literal, $unit:ident, $range:ident $(or $default:literal)?, $meaning:literal, $($place:ident).+) => {
+        Key { key: $key, symbol: $symbol, unit: Unit::$unit, meaning: $meaning, kind: Kind::Number, range: Range::$range, default: [$(Some($default),)? None][0], ..BLANK }
+    };
+    (spring $key:literal, $symbol:literal, $unit:ident, $meaning:literal, $($place:ident).+) => {
+        Key { is_spring: true, ..key!(number $key, $symbol, $unit, NonNegative or 0.0, $meaning, $($place).+) }
+    };
+    (number_of $key:literal, $range:ident, $meaning:literal, $of:path, $field:ident) => {
+        Key { key: $key, meaning: $meaning, kind: Kind::Number, range: Range::$range, ..BLANK }
+    };
+    (word_of $key:literal, $words:ident, $meaning:literal, $of:path, $field:ident) => {
+        key!(word $key, $words, $meaning, $field)
+    };
+    (text_of $key:literal, $kind:ident, $meaning:literal, $of:path, $field:ident) => {
+        Key { key: $key, meaning: $meaning, kind: Kind::$kind, ..BLANK }
+    };
+    (word $key:literal, $words:ident, $meaning:literal, $place:ident) => {
+        Key { key: $key, meaning: $meaning, kind: Kind::Word, words: $words::WORDS, ..BLANK }
+    };
+    ($access:ident $key:literal, $kind:ident, $meaning:expr $(, $place:ident)?) => {
+        Key { key: $key, meaning: $meaning, kind: Kind::$kind, ..BLANK }
+    };
+}
+
+/// The access of a row of [`rows!`].
+macro_rules! access {
+    (number $key:literal, $symbol:literal, $unit:ident, $range:ident $(or $default:literal)?, $meaning:literal, $($place:ident).+) => {
+        Access::Number(|of| of.$($place).+, |of, value| of.$($place).+ = value)
+    };
+    (spring $key:literal, $symbol:literal, $unit:ident, $meaning:literal, $($place:ident).+) => {
+        access!(number $key, $symbol, $unit, NonNegative or 0.0, $meaning, $($place).+)
+    };
+    (number_of $key:literal, $range:ident, $meaning:literal, $of:path, $field:ident) => {
+        Access::Number(
+            |of| if let $of { $field, .. } = of { *$field } else { f64::NAN },
+            |of, value| if let $of { $field, .. } = of { *$field = value },
+        )
+    };
+    (word_of $key:literal, $words:ident, $meaning:literal, $of:path, $field:ident) => {
+        Access::Word(
+            |of| if let $of { $field, .. } = of { *$field as usize } else { 0 },
+            |of, index| if let $of { $field, .. } = of { *$field = $words::ALL[index] },
+        )
+    };
+    (text_of $key:literal, Optional, $meaning:literal, $of:path, $field:ident) => {
+        Access::Optional(
+            |of| if let $of { $field, .. } = of { $field.as_ref() } else { None },
+            |of, text| if let $of { $field, .. } = of { *$field = text },
+        )
+    };
+    (text_of $key:literal, $kind:ident, $meaning:literal, $of:path, $field:ident) => {
+        Access::Optional(
+            |of| if let $of { $field, .. } = of { Some($field) } else { None },
+            |of, text| if let $of { $field, .. } = of { *$field = text.unwrap_or_default() },
+        )
+    };
+    (word $key:literal, $words:ident, $meaning:literal, $place:ident) => {
+        Access::Word(|of| of.$place as usize, |of, index| of.$place = $words::ALL[index])
+    };
+    (count $key:literal, $kind:ident, $meaning:literal, $place:ident) => {
+        Access::Count(|of| of.$place, |of, count| of.$place = count)
+    };
+    (flag $key:literal, $kind:ident, $meaning:literal, $place:ident) => {
+        Access::Flag(|of| of.$place, |of, flag| of.$place = flag)
+    };
+    (text $key:literal, $kind:ident, $meaning:literal, $place:ident) => {
+        Access::Text(|of| &of.$place, |of| &mut of.$place)
+    };
+    (own $key:literal, $kind:ident, $meaning:expr) => { Access::Own };
+}
+
+/// `TABLE of Struct { kind(key, ..), .. }`; with `as Enum` the rows have names: `Name = kind(key, ..)`.
+///
+/// - `number(key, symbol, unit, range [or default], meaning, place in the struct)`
+/// - `spring(key, symbol, unit, meaning, place in the struct)`: a stiffness or damping, 0 or more, 0 where it is left out
+/// - `word(key, type of the words, meaning, place)`
+/// - `number_of(key, range, ..)`, `word_of(key, words, ..)`, `text_of(key, kind, ..)`: meaning, variant, field of an enum
+/// - `count`, `flag` or `text(key, kind, meaning, place)`, `own(key, kind, meaning)`
+macro_rules! rows {
+    ($(#[$doc:meta])* $name:ident of $of:ty { $($kind:ident($($row:tt)*),)* }) => {
+        $(#[$doc])*
+        #[allow(missing_docs)]
+        pub const $name: Rows<$of> = Rows { keys: &[$(key!($kind $($row)*)),*], access: &[$(access!($kind $($row)*)),*] };
+    };
+    ($(#[$doc:meta])* $name:ident of $of:ty as $names:ident { $($row_name:ident = $kind:ident($($row:tt)*),)* }) => {
+        rows! { $(#[$doc])* $name of $of { $($kind($($row)*),)* } }
+        #[doc = concat!("The names of the rows of [`", stringify!($name), "`].")]
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        #[allow(missing_docs)]
+        pub enum $names { $($row_name),* }
+        impl $names {
+            /// All of them, in the order of the rows.
+            pub const ALL: [Self; $name.keys.len()] = [$(Self::$row_name),*];
+        }
+    };
+}
+
+mod plans;
+mod tables;
+
+pub use plans::*;
+pub use tables::*;

@@ -1,0 +1,157 @@
+//! The tables of the model file, a row a key.
+
+use super::{Access, BLANK, Key, Kind, Range, Rows};
+use crate::model::types::{
+    Beam, BeamMotion, Elastic, Force, Material, Model, Response, Section, Spacing, Study,
+    Subsystem, Support, Sweep,
+};
+use crate::model::unit::Unit;
+
+rows! {
+    /// What stands above all tables.
+    MODEL of Model {
+        text("title", Line, "one line for people", title),
+        text("notes", Text, "notes", notes),
+    }
+}
+
+rows! {
+    /// The beam itself.
+    BEAM of Beam as BeamKey {
+        Length = number("length", "L", METRE, Positive, "length of the beam", length),
+    }
+}
+
+rows! {
+    /// The material.
+    MATERIAL of Material as MaterialKey {
+        YoungModulus = number("young_modulus", "E", PASCAL, Positive, "Young's modulus", young_modulus),
+        ShearModulus = number("shear_modulus", "G", PASCAL, Positive, "shear modulus", shear_modulus),
+        Density = number("density", "rho", DENSITY, Positive, "density", density),
+        LossFactor = number("loss_factor", "eta", ONE, NonNegative or 0.0, "hysteretic loss factor of E and G", loss_factor),
+    }
+}
+
+rows! {
+    /// The section.
+    SECTION of Section as SectionKey {
+        Area = number("area", "A", AREA, Positive, "area of the section", area),
+        SecondMomentY = number("second_moment_y", "I_y", METRE_4, Positive, "second moment of area, bending of w (along y)", second_moment_y),
+        SecondMomentZ = number("second_moment_z", "I_z", METRE_4, Positive, "second moment of area, bending of v (along z)", second_moment_z),
+        TorsionConstant = number("torsion_constant", "J", METRE_4, NonNegative, "Saint-Venant torsion constant", torsion_constant),
+        WarpingConstant = number("warping_constant", "Gamma_0", METRE_6, NonNegative, "warping constant; 0: no warping stiffness", warping_constant),
+        PolarMoment = number("polar_moment", "I_0", METRE_4, Positive, "polar moment of area about the shear centre, > A z_c^2", polar_moment),
+        CentroidOffset = number("centroid_offset", "z_c", METRE, Any, "offset of the centroid from the shear centre", centroid_offset),
+    }
+}
+
+rows! {
+    /// An end: one word for it, then its motions in the order of [`BeamMotion::ALL`].
+    SUPPORT of Support {
+        own("kind", Support, "what holds the end; elastic: see its motions"),
+        own("w", Restraint, "what holds w, the displacement along y"),
+        own("psi", Restraint, "what holds psi, the twist about x"),
+        own("v", Restraint, "what holds v, the displacement along z"),
+        own("w_slope", Restraint, "what holds the slope of w"),
+        own("psi_slope", Restraint, "what holds the rate of twist; fixed: warping restrained"),
+        own("v_slope", Restraint, "what holds the slope of v"),
+    }
+}
+
+rows! {
+    /// The elastic restraint of w or v.
+    ELASTIC_TRANSLATION of Elastic as ElasticKey {
+        Stiffness = spring("stiffness", "K", STIFFNESS, "spring to the ground", stiffness),
+        Damping = spring("damping", "C", DAMPING, "damper to the ground", damping),
+        Inertia = number("mass", "m", KILOGRAM, NonNegative or 0.0, "mass at the end", inertia),
+    }
+}
+
+rows! {
+    /// The elastic restraint of a motion about an axis: psi and the slopes of w and v.
+    ELASTIC_ROTATION of Elastic {
+        spring("stiffness", "K_T", ROTATIONAL_STIFFNESS, "rotational spring to the ground", stiffness),
+        spring("damping", "C_T", ROTATIONAL_DAMPING, "rotational damper to the ground", damping),
+        number("inertia", "I", INERTIA, NonNegative or 0.0, "moment of inertia at the end", inertia),
+    }
+}
+
+rows! {
+    /// The elastic restraint of the rate of twist, against warping.
+    ELASTIC_WARPING of Elastic {
+        spring("stiffness", "K_B", WARPING_STIFFNESS, "spring against warping", stiffness),
+        spring("damping", "C_B", WARPING_DAMPING, "damper against warping", damping),
+        number("inertia", "I_B", WARPING_INERTIA, NonNegative or 0.0, "inertia against warping", inertia),
+    }
+}
+
+/// The elastic restraint of a motion.
+pub const fn elastic(motion: BeamMotion) -> &'static Rows<Elastic> {
+    match motion {
+        BeamMotion::W | BeamMotion::V => &ELASTIC_TRANSLATION,
+        BeamMotion::Psi | BeamMotion::WSlope | BeamMotion::VSlope => &ELASTIC_ROTATION,
+        BeamMotion::PsiSlope => &ELASTIC_WARPING,
+    }
+}
+
+rows! {
+    /// A subsystem.
+    SUBSYSTEM of Subsystem as SubsystemKey {
+        Name = text("name", Name, "name of the subsystem", name),
+        Enabled = flag("enabled", Flag, "whether it is attached", enabled),
+        Position = number("position", "x", METRE, NonNegative, "distance from the left end, 0 to the beam's length", position),
+        Mass = number("mass", "m", KILOGRAM, Positive, "mass", mass),
+        Inertia = number("inertia", "J", INERTIA, NonNegative or 0.0, "moment of inertia about its own centre", inertia),
+        YLeftStiffness = spring("y_left.stiffness", "k_yL", STIFFNESS, "left spring along y", y_left.stiffness),
+        YLeftDamping = spring("y_left.damping", "c_yL", DAMPING, "left damper along y", y_left.damping),
+        YRightStiffness = spring("y_right.stiffness", "k_yR", STIFFNESS, "right spring along y", y_right.stiffness),
+        YRightDamping = spring("y_right.damping", "c_yR", DAMPING, "right damper along y", y_right.damping),
+        ZLeftStiffness = spring("z_left.stiffness", "k_zL", STIFFNESS, "left spring along z", z_left.stiffness),
+        ZLeftDamping = spring("z_left.damping", "c_zL", DAMPING, "left damper along z", z_left.damping),
+        ZRightStiffness = spring("z_right.stiffness", "k_zR", STIFFNESS, "right spring along z", z_right.stiffness),
+        ZRightDamping = spring("z_right.damping", "c_zR", DAMPING, "right damper along z", z_right.damping),
+        ArmLeft = number("arm_left", "l_L", METRE, Any or 0.0, "arm of the left z spring at the mass", arm_left),
+        ArmRight = number("arm_right", "l_R", METRE, Any or 0.0, "arm of the right z spring at the mass", arm_right),
+        MountY = number("mount_y", "y_u", METRE, Any or 0.0, "half-spacing of the z springs at the beam", mount_y),
+        MountZ = number("mount_z", "z_b", METRE, Any or 0.0, "height of the y springs at the beam, from the shear centre", mount_z),
+    }
+}
+
+rows! {
+    /// A force; the unit of the amplitude is that of a translation's load.
+    FORCE of Force as ForceKey {
+        Enabled = flag("enabled", Flag, "whether it acts", enabled),
+        At = own("at", Place, "where on the beam, or which subsystem"),
+        Direction = own("direction", Direction, "along what it acts"),
+        Amplitude = number("amplitude", "F", FORCE, Any or 1.0, "amplitude, zero to peak", amplitude),
+        Phase = number("phase", "phi", DEGREE, Any or 0.0, "phase", phase),
+    }
+}
+
+rows! {
+    /// A response.
+    RESPONSE of Response {
+        text("name", Name, "name of the response", name),
+        flag("enabled", Flag, "whether it is computed", enabled),
+        own("measure", Measure, "what is computed"),
+        own("at", Place, "where on the beam, or which subsystem"),
+        own("direction", Direction, "which motion"),
+    }
+}
+
+rows! {
+    /// The frequencies.
+    SWEEP of Sweep {
+        number("from", "f_1", HERTZ, Positive, "first frequency", from),
+        number("to", "f_2", HERTZ, Positive, "last frequency", to),
+        count("points", Count, "number of frequencies, both ends included", points),
+        word("spacing", Spacing, "how the frequencies are spread", spacing),
+    }
+}
+
+rows! {
+    /// What all studies have.
+    STUDY of Study {
+        text("name", Name, "name of the study", name),
+    }
+}

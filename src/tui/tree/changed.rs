@@ -1,0 +1,50 @@
+//! Whether what a row shows differs from the file.
+
+use super::{Node, tuning};
+use crate::model::edit;
+use crate::model::{Group, Model, ParameterId};
+
+/// Whether a row's part of the model differs from `saved`.
+pub fn differs(model: &Model, saved: &Model, node: Node) -> bool {
+    match node {
+        Node::Group(group) => group_differs(model, saved, group),
+        Node::Parameter(id) => parameter_differs(model, saved, id),
+        Node::StudyLine(..) => false,
+    }
+}
+
+fn group_differs(model: &Model, saved: &Model, group: Group) -> bool {
+    match group {
+        Group::Model => model != saved,
+        Group::Beam => model.beam != saved.beam,
+        Group::Material => model.beam.material != saved.beam.material,
+        Group::Section => model.beam.section != saved.beam.section,
+        Group::Supports => model.supports != saved.supports,
+        Group::Support(end) => end.support(model) != end.support(saved),
+        Group::Motion(end, motion) => end.support(model)[motion] != end.support(saved)[motion],
+        Group::Subsystems => model.subsystems != saved.subsystems,
+        Group::Subsystem(i) => group
+            .counterpart(model, saved)
+            .and_then(Group::place)
+            .is_none_or(|place| saved.subsystems[place] != model.subsystems[i]),
+        Group::Forces => model.forces != saved.forces,
+        Group::Force(i) => saved.forces.get(i) != Some(&model.forces[i]),
+        Group::Responses => model.responses != saved.responses,
+        Group::Response(i) => !saved.responses.contains(&model.responses[i]),
+        Group::Sweep => model.sweep != saved.sweep,
+        Group::Studies => model.studies != saved.studies,
+        Group::Study(i) => !saved.studies.contains(&model.studies[i]),
+        Group::Tune => model.tune != saved.tune,
+        Group::Variable(i) => tuning::variable_at(model, i) != tuning::variable_at(saved, i),
+        Group::Objective(i) => tuning::objective_at(model, i) != tuning::objective_at(saved, i),
+        Group::Limit(i) => tuning::limit_at(model, i) != tuning::limit_at(saved, i),
+    }
+}
+
+fn parameter_differs(model: &Model, saved: &Model, id: ParameterId) -> bool {
+    let now = edit::get(model, id).ok();
+    let before = id
+        .counterpart(model, saved)
+        .and_then(|id| edit::get(saved, id).ok());
+    now != before
+}

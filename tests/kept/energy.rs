@@ -6,7 +6,7 @@ use beamtune::model::{Elastic, Model, Quantity, Response, Restraint, Support, re
 use beamtune::presets;
 use beamtune::solve::{Kept, sweep};
 
-use super::{NEVER, assert_same, crowded, edits, grid};
+use super::{NEVER, assert_same, crowded, edits, grid, without_warping};
 
 fn with_energy(mut model: Model) -> Model {
     model.responses.push(Response {
@@ -122,6 +122,9 @@ fn random_model(random: &mut fastrand::Rng) -> Model {
         subsystem.position = model.beam.length * random.f64();
         subsystem.mass *= 3.0 * random.f64();
         subsystem.z_right.stiffness *= 2.0 * random.f64();
+    }
+    if model.beam.section.warping_constant == 0.0 {
+        without_warping(&mut model);
     }
     model
 }

@@ -357,8 +357,8 @@ fn complex_frequencies() -> Vec<Complex64> {
     (0..43).map(omega).collect()
 }
 
-/// Expected: closed form of a pinned beam without coupling, `F = prod(sin(k L) sinh(k L) / omega)` over both bendings, and
-/// `sin(a L) sinh(b L) / omega` of twist with warping.
+/// Expected: closed form of a pinned beam without coupling, the product of `sin(k L) sinh(k L) / k^2` over both bendings
+/// and `sin(a L) sinh(b L) / (a b)` of twist with warping.
 #[test]
 fn the_characteristic_function_of_a_pinned_beam_is_its_closed_form() {
     let mut model = read(presets::find("fig05a").unwrap().text).unwrap();
@@ -372,18 +372,20 @@ fn the_characteristic_function_of_a_pinned_beam_is_its_closed_form() {
         let beam = BeamConstants::new(&model.beam);
         let length = model.beam.length;
         let waves = |evanescent: Complex64, travelling: Complex64| {
-            (evanescent.sqrt() * length).sinh() * (travelling.sqrt() * length).sin()
+            // Even in either root.
+            let (b, a) = (evanescent.sqrt(), travelling.sqrt());
+            (b * length).sinh() / b * ((a * length).sin() / a)
         };
         let exact = |omega: Complex64| {
             let bending = [beam.bending_w, beam.bending_v].map(|stiffness| {
                 let h = omega * (beam.mass / stiffness).sqrt();
-                waves(h, h) / omega
+                waves(h, h)
             });
             let inertia = 4.0 * beam.warping * beam.polar * omega * omega;
             let root = (beam.torsion * beam.torsion + inertia).sqrt();
             let twist =
                 [root + beam.torsion, root - beam.torsion].map(|h| h / (2.0 * beam.warping));
-            bending[0] * bending[1] * waves(twist[0], twist[1]) / omega
+            bending[0] * bending[1] * waves(twist[0], twist[1])
         };
         let omegas = complex_frequencies();
         for instructions in Instructions::available() {

@@ -61,6 +61,9 @@ pub(super) struct Waves<A> {
     pub(super) without_warping: bool,
 }
 
+/// A beam and the angular frequencies, rad/s.
+type At<'a, A> = (&'a BeamConstants, Complex<A>);
+
 /// A coupled wave: h = kappa^2 and its shape.
 #[derive(Debug, Clone, Copy)]
 struct CoupledWave<A> {
@@ -76,21 +79,13 @@ impl<A: Arithmetic> CoupledWave<A> {
         psi: Complex::ZERO,
     };
 
-    /// Becomes the wave of a root of a pair; `square` is omega^2. The sign of a travelling wave's h is left out.
+    /// Becomes the wave of a root of a pair; the sign of a travelling wave's h is left out.
     #[inline(always)]
-    fn set_shape(
-        (this, (constants, square), pair, root): (
-            &mut Self,
-            (&Constants, Complex<A>),
-            &Pair<A>,
-            &Root<A>,
-        ),
-    ) {
-        let beam = &constants.beam;
+    fn set_shape((this, (beam, omega), pair, root): (&mut Self, At<'_, A>, &Pair<A>, &Root<A>)) {
         let other = pair.offset.plus_product(pair.slope, root.value);
         let bending = Complex::splat(beam.bending_w) * root.from_bending * (root.value + pair.h_w);
         let torsion = root.from_torsion * other;
-        let inverse = square.inverse();
+        let inverse = (omega * omega).inverse();
         let (w, psi) = shape(
             bending * inverse.scaled(Real::splat(beam.mass.recip())),
             torsion * inverse.scaled(Real::splat(beam.polar.recip())),
@@ -193,7 +188,7 @@ impl<A: Arithmetic> Waves<A> {
         for (column, wave) in waves.iter_mut().enumerate() {
             let pair = column / 2;
             let root = &roots[pair][column % 2];
-            A::outlined(SetShape((wave, (constants, square), &pairs[pair], root)));
+            A::outlined(SetShape((wave, (beam, self.omega), &pairs[pair], root)));
             if pair == 1 {
                 wave.h = -wave.h;
             }
@@ -321,7 +316,7 @@ part!(
 
 part!(
     SetShape ['a, A: Arithmetic] ['a, A]
-    (&'a mut CoupledWave<A>, (&'a Constants, Complex<A>), &'a Pair<A>, &'a Root<A>) -> (),
+    (&'a mut CoupledWave<A>, At<'a, A>, &'a Pair<A>, &'a Root<A>) -> (),
     CoupledWave::set_shape
 );
 

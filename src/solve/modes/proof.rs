@@ -165,9 +165,8 @@ impl Search<'_> {
             .power_sums(inner.centre, outer, count);
         Some(match sums {
             Err(Unsettled::Cancelled) => return None,
-            Err(Unsettled::Noise | Unsettled::Spent) => Group::Nearer(found),
             Ok(sums) if sums.iter().all(|sum| sum.norm() < EXACT) => Group::Proven(found),
-            Ok(_) => Group::Nearer(found),
+            Ok(_) | Err(Unsettled::Noise | Unsettled::Spent) => Group::Nearer(found),
         })
     }
 

@@ -201,19 +201,21 @@ impl<'a> Search<'a> {
 
     /// The characteristic function over the distances to some places.
     pub(super) fn remainder_of(&self, roots: &[Complex64]) -> Remainder<'_> {
-        let farthest = roots
-            .iter()
-            .map(|root| root.norm())
-            .fold(self.reach, f64::max);
-        let masses = self.blocked.roots.iter().copied();
         Remainder {
             characteristic: &self.characteristic,
             known: roots.to_vec(),
             at_zero: self.at_zero,
-            masses: masses.filter(|root| root.norm() > farthest).collect(),
+            masses: self.masses_beyond(roots.iter()),
             budget: &self.budget,
             cancel: self.cancel,
         }
+    }
+
+    /// The roots of the blocked masses beyond the reach of the counts and beyond some roots.
+    fn masses_beyond<'b>(&self, roots: impl Iterator<Item = &'b Complex64>) -> Vec<Complex64> {
+        let farthest = roots.map(|root| root.norm()).fold(self.reach, f64::max);
+        let masses = self.blocked.roots.iter().copied();
+        masses.filter(|root| root.norm() > farthest).collect()
     }
 
     /// Roots inside a circle that has `count` of them; approximate where others lie beside it, none where noise hides
@@ -241,6 +243,8 @@ impl<'a> Search<'a> {
             }
         }
         let fixed: Vec<(Complex64, f64)> = known.iter().map(|&z| (z, 1.0)).collect();
+        // Without the roots beyond, of which there may be thousands, steps would be of the wrong size.
+        let beyond = self.masses_beyond(starts.iter().chain(known));
         for _ in 0..MOST_STEPS {
             if self.cancel.load(Ordering::Relaxed) {
                 return None;
@@ -257,7 +261,7 @@ impl<'a> Search<'a> {
             let pushes: Vec<Complex64> = moving
                 .par_iter()
                 .with_min_len(64)
-                .map(|&index| self.push(&all, index))
+                .map(|&index| self.push(&all, index) + pull(&beyond, all[index].0))
                 .collect();
             for ((index, step), push) in moving.into_iter().zip(steps).zip(pushes) {
                 trackers[index].step(step, push);
@@ -310,6 +314,11 @@ pub(super) const OVERDAMPED: f64 = 1e-7;
 
 /// Rounding of a root on the axis, relative.
 const ON_AXIS: f64 = 1e-10;
+
+/// The sum of 1 / (z - root) over some roots.
+fn pull(roots: &[Complex64], z: Complex64) -> Complex64 {
+    roots.iter().map(|root| inverse(z - root)).sum()
+}
 
 fn omegas(modes: &[Mode]) -> Vec<Complex64> {
     modes.iter().map(|mode| mode.omega).collect()

@@ -186,7 +186,7 @@ const BLANK: Key = Key {
     words: &[],
 };
 
-/// The description of a row of [`rows!`].
+/// The description of a row of `rows!`.
 macro_rules! key {
     (number $key:literal, $symbol:literal, $unit:ident, $range:ident $(or $default:literal)?, $meaning:literal, $($place:ident).+) => {
         Key { key: $key, symbol: $symbol, unit: Unit::$unit, meaning: $meaning, kind: Kind::Number, range: Range::$range, default: [$(Some($default),)? None][0], ..BLANK }
@@ -211,7 +211,7 @@ macro_rules! key {
     };
 }
 
-/// The access of a row of [`rows!`].
+/// The access of a row of `rows!`.
 macro_rules! access {
     (number $key:literal, $symbol:literal, $unit:ident, $range:ident $(or $default:literal)?, $meaning:literal, $($place:ident).+) => {
         Access::Number(|of| of.$($place).+, |of, value| of.$($place).+ = value)

@@ -16,7 +16,7 @@ pub struct MeanSquareGradient {
     /// As [`band::levels`] has it: `1/(f2 - f1) int |H|^2 df`, of an energy the mean of `E_V` itself. Infinite where an
     /// undamped resonance lies in the band.
     pub value: f64,
-    /// Per SI unit of each parameter (of a phase: per degree), in the order of [`Differentiator::paths`]; NaN where the
+    /// Per SI unit of each parameter (of a phase: per degree), in the order of [`Differentiator::ids`]; NaN where the
     /// value is infinite.
     pub by_parameter: Vec<f64>,
 }

@@ -28,12 +28,12 @@ const ASIDE: f64 = 1e-3;
 /// Roots nearer than this (relative) are one.
 const EQUAL: f64 = 1e-11;
 
-/// How a mode moves with each parameter, in the order of [`Differentiator::paths`].
+/// How a mode moves with each parameter, in the order of [`Differentiator::ids`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModeGradient {
-    /// Of [`Mode::frequency`], Hz per SI unit (of a phase: per degree).
+    /// Of [`crate::solve::modes::Mode::frequency`], Hz per SI unit (of a phase: per degree).
     pub frequency: Vec<f64>,
-    /// Of [`Mode::damping_ratio`], 1 per SI unit.
+    /// Of [`crate::solve::modes::Mode::damping_ratio`], 1 per SI unit.
     pub damping_ratio: Vec<f64>,
 }
 

@@ -17,7 +17,7 @@ use crate::solve::recursion::Workspace;
 const POINTS: usize = 16;
 
 /// A resolved extremum of a response with its derivatives by each parameter, per SI unit (of a phase: per degree), in the
-/// order of [`Differentiator::paths`].
+/// order of [`Differentiator::ids`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct PeakGradient {
     /// Where it is, Hz.

@@ -129,7 +129,7 @@ fn the_next_edit_cancels_the_count_and_the_last_one_makes_it() {
     longer.beam.length *= 1.001;
     let longer = Arc::new(longer);
     let mut resolver = Resolver::default();
-    // An edit comes as soon as the modes are told.
+    // An edit comes as soon as the modes are shown.
     for (generation, model) in [(1, &model), (2, &longer), (3, &model)] {
         let cancel = AtomicBool::new(false);
         let told = std::sync::Mutex::new(Vec::new());

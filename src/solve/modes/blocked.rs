@@ -1,6 +1,6 @@
 //! The roots of each mass on its springs with the beam blocked.
 //!
-//! They are zeros of polynomials and known beforehand: each zero of the characteristic function lies beside one of theirs,
+//! They are zeros of polynomials and known beforehand: each zero of the characteristic function lies near one of theirs,
 //! or belongs to the beam.
 
 use std::f64::consts::TAU;
@@ -92,6 +92,9 @@ fn roots(coefficients: &[f64]) -> Vec<Complex64> {
     let unit = (inner[0] / inner[degree])
         .abs()
         .powf(1.0 / degree.max(1) as f64);
+    let scaled: Vec<f64> = (0..=degree)
+        .map(|power| inner[power] * unit.powi(power as i32) / inner[0])
+        .collect();
     // No start is the mirror image of another: symmetric ones would stay so.
     let start = |index: usize| Complex64::cis(0.4 + TAU * index as f64 / degree as f64);
     let mut roots: Vec<Complex64> = (0..degree).map(start).collect();
@@ -100,9 +103,9 @@ fn roots(coefficients: &[f64]) -> Vec<Complex64> {
         for index in 0..degree {
             let z = roots[index];
             let (mut value, mut slope) = (Complex64::ZERO, Complex64::ZERO);
-            for (power, c) in inner.iter().enumerate().rev() {
+            for coefficient in scaled.iter().rev() {
                 slope = slope * z + value;
-                value = value * z + c * unit.powi(power as i32) / inner[0];
+                value = value * z + coefficient;
             }
             let others = (0..degree).filter(|&other| other != index);
             let push: Complex64 = others.map(|other| inverse(z - roots[other])).sum();

@@ -33,7 +33,7 @@ pub(super) struct Remainder<'a> {
     pub(super) known: Vec<Complex64>,
     /// How many roots lie at 0.
     pub(super) at_zero: usize,
-    /// The roots of blocked masses beyond the list: beside each of them lies one of the function.
+    /// The roots of blocked masses beyond the list: near each of them lies one of the function.
     pub(super) masses: Vec<Complex64>,
     /// How many more points may be looked at.
     pub(super) budget: &'a AtomicUsize,
@@ -56,7 +56,7 @@ pub(super) struct Sector {
 
 /// The angles of the sector in which roots are counted, rad: it reaches below the real axis, where no root is, and beyond
 /// the imaginary one, so that roots on the axes lie inside.
-pub(super) const BESIDE: [f64; 2] = [-0.1, FRAC_PI_2 + 0.12];
+pub(super) const COUNTED_ANGLES: [f64; 2] = [-0.1, FRAC_PI_2 + 0.12];
 
 impl Remainder<'_> {
     /// Roots that the list lacks in the disc up to `radius` (rad/s), counted in the right half of the plane and on the
@@ -74,11 +74,11 @@ impl Remainder<'_> {
         let outer = radius.ln();
         // Past 0 on its left, where no root lies below the axis either.
         let path = [
-            Complex64::new(outer, BESIDE[0]),
-            Complex64::new(outer, BESIDE[1]),
-            Complex64::new(inner, BESIDE[1]),
-            Complex64::new(inner, TAU + BESIDE[0]),
-            Complex64::new(outer, TAU + BESIDE[0]),
+            Complex64::new(outer, COUNTED_ANGLES[0]),
+            Complex64::new(outer, COUNTED_ANGLES[1]),
+            Complex64::new(inner, COUNTED_ANGLES[1]),
+            Complex64::new(inner, TAU + COUNTED_ANGLES[0]),
+            Complex64::new(outer, TAU + COUNTED_ANGLES[0]),
         ];
         whole(self.turned(&path)? / TAU)
     }

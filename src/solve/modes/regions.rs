@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
-use super::contour::{BESIDE, Sector, Unsettled};
+use super::contour::{COUNTED_ANGLES, Sector, Unsettled};
 use super::damped::Search;
 use super::eigenspace::Circle;
 use super::types::Gap;
@@ -47,7 +47,7 @@ impl<'a> Regions<'a> {
         }
         let mut sectors = vec![Sector {
             radii: [inner.unwrap_or_else(|inner| inner).ln(), self.outer.ln()],
-            angles: BESIDE,
+            angles: COUNTED_ANGLES,
         }];
         while let Some(sector) = sectors.pop() {
             match self.settle(&sector, &mut roots)? {

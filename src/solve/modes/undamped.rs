@@ -23,7 +23,7 @@ use crate::solve::linear::Magnified;
 /// Relative width to which the count alone brings a root.
 const NARROW: f64 = 4e-14;
 
-/// Roots closer than this (relative) are told apart by their motions: between them the characteristic function is
+/// Roots closer than this (relative) are separated by their motions: between them the characteristic function is
 /// smaller than its rounding.
 const CLOSE: f64 = 1e-5;
 
@@ -85,7 +85,7 @@ impl<'a> Search<'a> {
         let samples = self.samples(&self.places(low, high));
         let pieces = self.pieces([low, high], &samples)?;
         let mut roots = vec![0.0; low.below];
-        roots.extend(self.told_apart([low, high], &pieces)?);
+        roots.extend(self.separated([low, high], &pieces)?);
         Some(roots)
     }
 
@@ -107,7 +107,7 @@ impl<'a> Search<'a> {
     }
 
     /// Where to look first: some places for each root, evenly by the modes of bending and by their logarithm, and the
-    /// roots of the blocked masses, beside each of which there is one.
+    /// roots of the blocked masses, near each of which there is one.
     fn places(&self, low: Counted, high: Counted) -> Vec<f64> {
         let count = 8 + 2 * high.below.saturating_sub(low.below);
         let by = |share: f64, forth: fn(f64) -> f64, back: fn(f64) -> f64| {
@@ -180,7 +180,7 @@ impl<'a> Search<'a> {
     }
 
     /// The roots between two counted frequencies to the last digits, rising, from where they are. `None` where cancelled.
-    fn told_apart(&self, ends: [Counted; 2], pieces: &[Piece]) -> Option<Vec<f64>> {
+    fn separated(&self, ends: [Counted; 2], pieces: &[Piece]) -> Option<Vec<f64>> {
         let places = self.polished(pieces);
         let all: Vec<Complex64> = places.iter().map(|&omega| omega.into()).collect();
         let groups: Vec<&[f64]> = places.chunk_by(|a, b| b - a < CLOSE * a).collect();
@@ -252,7 +252,7 @@ impl<'a> Search<'a> {
 
     /// Counts where a group of places ends: halfway to its neighbours.
     fn around(&self, ends: [Counted; 2], places: &[f64], members: &Range<usize>) -> [Counted; 2] {
-        const BESIDE: f64 = 1e-3;
+        const MARGIN: f64 = 1e-3;
         let (first, last) = (places[members.start], places[members.end - 1]);
         let low = match members.start.checked_sub(1) {
             Some(before) => 0.5 * (places[before] + first),
@@ -263,8 +263,8 @@ impl<'a> Search<'a> {
             None => ends[1].omega,
         };
         [
-            self.counted(low.max(first * (1.0 - BESIDE))),
-            self.counted(high.min(last * (1.0 + BESIDE))),
+            self.counted(low.max(first * (1.0 - MARGIN))),
+            self.counted(high.min(last * (1.0 + MARGIN))),
         ]
     }
 

@@ -38,7 +38,7 @@ const CONFIGURATION: &str = r#"[options]
 color = "auto"      # auto, always, never, 16, 256, truecolor
 theme = "auto"      # auto, dark, light
 ascii = false
-marker = "braille"  # braille, block, dot, ascii
+marker = "braille"  # braille, octant, block, dot, ascii
 mouse = true
 [keys.model]
 undo = ["u"]        # the first is the one in hints; [] takes a command's keys away"#;

@@ -82,6 +82,8 @@ choices! {
     Marker {
         /// Dots, eight a cell.
         Braille = "braille",
+        /// Eighths of a cell; few fonts have them.
+        Octant = "octant",
         /// Quarters of a cell.
         Block = "block",
         /// A bullet a cell.

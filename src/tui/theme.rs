@@ -58,6 +58,7 @@ impl Theme {
         let glyphs = match options.marker {
             _ if ascii => Glyphs::Ascii,
             None | Some(Marker::Braille) => Glyphs::Braille,
+            Some(Marker::Octant) => Glyphs::Octant,
             Some(Marker::Block) => Glyphs::Block,
             Some(Marker::Dot) => Glyphs::Dot,
             Some(Marker::Ascii) => Glyphs::Ascii,
@@ -249,7 +250,7 @@ impl Theme {
     /// The marker of finite-element points: none of the curves', nor of what lines are made.
     pub const fn point(self) -> char {
         match self.glyphs {
-            Glyphs::Braille | Glyphs::Block => '•',
+            Glyphs::Braille | Glyphs::Octant | Glyphs::Block => '•',
             Glyphs::Dot => '○',
             Glyphs::Ascii => '$',
         }
@@ -258,7 +259,7 @@ impl Theme {
     /// The marker of the measured curve with this number: none of the curves', nor that of finite elements.
     pub const fn sample(self, number: usize) -> char {
         let samples = match self.glyphs {
-            Glyphs::Braille | Glyphs::Block | Glyphs::Dot => ['◇', '□', '▽', '☆'],
+            Glyphs::Braille | Glyphs::Octant | Glyphs::Block | Glyphs::Dot => ['◇', '□', '▽', '☆'],
             Glyphs::Ascii => ['M', 'N', 'P', 'Q'],
         };
         samples[number % samples.len()]

@@ -1,5 +1,10 @@
 //! Rulers and dots for pictures that are no charts: values and labels on the same cells as a chart would have them.
 
+use ratatui::buffer::Buffer;
+use ratatui::layout::{Position, Rect};
+use ratatui::style::Color;
+use ratatui::symbols::Marker;
+
 use super::axis::{Axis, Direction, Ruler};
 use super::chart::Glyphs;
 use super::dots::{Dots, rulers};
@@ -84,17 +89,18 @@ pub fn dotted(
             dots.draw(column as u16, row as u16, 0);
         }
     }
-    let cells = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
-    let shown = cells.filter_map(|(column, row)| {
-        let cell = dots.cell(column, row);
-        cell.curve?;
-        let glyph = match glyphs {
-            Glyphs::Braille => cell.braille(),
-            Glyphs::Block => cell.quarters(),
-            Glyphs::Dot => '·',
-            Glyphs::Ascii => '.',
-        };
-        Some((column, row, glyph))
+    let marker = match glyphs {
+        Glyphs::Braille => Marker::Braille,
+        Glyphs::Octant => Marker::Octant,
+        Glyphs::Block => Marker::Quadrant,
+        Glyphs::Dot => Marker::Custom('·'),
+        Glyphs::Ascii => Marker::Custom('.'),
+    };
+    let mut buffer = Buffer::empty(Rect::new(0, 0, columns, rows));
+    dots.render(buffer.area, &mut buffer, |_| marker, |_| Color::Reset);
+    let shown = buffer.area.positions().filter_map(|Position { x, y }| {
+        dots.cell(x, y).curve?;
+        Some((x, y, buffer.cell((x, y))?.symbol().chars().next()?))
     });
     shown.collect()
 }
@@ -125,6 +131,7 @@ mod tests {
         let points = [[1.1, 0.1], [-0.1, 0.0], [2.0, 0.0], [f64::NAN, 0.0]];
         for (glyphs, glyph) in [
             (Glyphs::Braille, '⠁'),
+            (Glyphs::Octant, '𜺨'),
             (Glyphs::Block, '▘'),
             (Glyphs::Dot, '·'),
             (Glyphs::Ascii, '.'),

@@ -3,6 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
+use ratatui::symbols::Marker;
 use ratatui::widgets::Widget;
 
 use super::axis::Axis;
@@ -22,6 +23,8 @@ pub enum Glyphs {
     /// Curves in braille dots, 2 x 4 a cell; axes in box-drawing characters.
     #[default]
     Braille,
+    /// Curves in eighths of cells, 2 x 4 a cell; axes as with braille.
+    Octant,
     /// Curves in quarters of cells; axes as with braille.
     Block,
     /// Curves of a bullet a cell; axes as with braille.
@@ -207,21 +210,21 @@ impl<'a> Chart<'a> {
         Some(marker)
     }
 
-    /// The character of which a curve's line is made where it has a cell a dot.
-    pub(super) fn bullet(&self, index: usize) -> char {
-        match self.curves[index].line {
-            LineStyle::Dotted => '·',
-            LineStyle::Dashed => '◦',
-            LineStyle::Solid | LineStyle::Points { .. } => '•',
-        }
-    }
-
-    /// The character of which a curve's line is made in ASCII.
-    pub(super) fn body(&self, index: usize) -> char {
-        match self.curves[index].line {
-            LineStyle::Dotted => '.',
-            LineStyle::Dashed => self.marker(index).unwrap_or('-'),
-            LineStyle::Solid | LineStyle::Points { .. } => self.marker(index).unwrap_or('*'),
+    /// The grid in which a curve's line is drawn: dots within a cell, or a character a cell.
+    pub(super) fn grid_of(&self, index: usize) -> Marker {
+        let line = self.curves[index].line;
+        match (self.glyphs, line) {
+            (Glyphs::Braille, _) => Marker::Braille,
+            (Glyphs::Octant, _) => Marker::Octant,
+            (Glyphs::Block, _) => Marker::Quadrant,
+            (Glyphs::Dot, LineStyle::Dotted) => Marker::Custom('·'),
+            (Glyphs::Dot, LineStyle::Dashed) => Marker::Custom('◦'),
+            (Glyphs::Dot, LineStyle::Solid | LineStyle::Points { .. }) => Marker::Custom('•'),
+            (Glyphs::Ascii, LineStyle::Dotted) => Marker::Custom('.'),
+            (Glyphs::Ascii, LineStyle::Dashed) => Marker::Custom(self.marker(index).unwrap_or('-')),
+            (Glyphs::Ascii, LineStyle::Solid | LineStyle::Points { .. }) => {
+                Marker::Custom(self.marker(index).unwrap_or('*'))
+            }
         }
     }
 
@@ -263,6 +266,7 @@ impl<'a> Chart<'a> {
         } else {
             trace::trace(self, &mut dots);
         }
+        ink::curves(self, layout, &dots, buffer);
         frame::draw(self, layout, buffer);
         legend::draw(self, layout.legend, buffer);
         ink::paint(self, layout, &dots, buffer);

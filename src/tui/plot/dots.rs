@@ -1,32 +1,30 @@
-//! The dots of a plot area, gathered in cells.
+//! The dots of a plot area and the cells that they lie in; ratatui's canvas draws them.
 
-use ratatui::symbols::braille::BRAILLE;
-use ratatui::symbols::pixel::QUADRANTS as QUARTERS;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::Color;
+use ratatui::symbols::Marker;
+use ratatui::widgets::Widget;
+use ratatui::widgets::canvas::{Canvas, Painter, Shape};
 
 use super::axis::{Direction, Ruler};
 use super::chart::Glyphs;
 
-/// What stands in one cell.
+/// What is in one cell.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Cell {
-    /// A bit a dot, row by row.
-    bits: u8,
     /// The curve that drew here last; its style is the cell's.
     pub(super) curve: Option<usize>,
-    /// Whether the curve's marker stands here instead of dots.
+    /// Whether the curve's marker is shown instead of dots.
     pub(super) marked: bool,
 }
 
-impl Cell {
-    /// Two columns of four dots as a braille character.
-    pub(super) fn braille(self) -> char {
-        BRAILLE[usize::from(self.bits)]
-    }
-
-    /// Two columns of two dots as quarters of a block.
-    pub(super) fn quarters(self) -> char {
-        QUARTERS[usize::from(self.bits % 16)]
-    }
+/// A dot of a curve, in dots from the top left.
+#[derive(Debug, Clone, Copy)]
+struct Dot {
+    column: u16,
+    row: u16,
+    curve: usize,
 }
 
 /// A grid of cells, each of as many dots as its character can show.
@@ -34,7 +32,20 @@ impl Cell {
 pub(super) struct Dots {
     pub(super) across: Ruler,
     pub(super) down: Ruler,
+    /// In the order in which they are drawn.
+    dots: Vec<Dot>,
     cells: Vec<Cell>,
+}
+
+/// Dots of one colour as the canvas paints them.
+struct Stroke<'d>(&'d [Dot], Color);
+
+impl Shape for Stroke<'_> {
+    fn draw(&self, painter: &mut Painter<'_, '_>) {
+        for dot in self.0 {
+            painter.paint(usize::from(dot.column), usize::from(dot.row), self.1);
+        }
+    }
 }
 
 impl Dots {
@@ -43,17 +54,19 @@ impl Dots {
         Self {
             across,
             down,
+            dots: Vec::new(),
             cells: vec![Cell::default(); cells],
         }
     }
 
     /// Draws a dot of `curve`; the dot must lie on the grid.
     pub(super) fn draw(&mut self, column: u16, row: u16, curve: usize) {
-        let (wide, high) = (self.across.dots_per_cell, self.down.dots_per_cell);
-        let bit = (row % high) * wide + column % wide;
-        let cell = self.cell_mut(column / wide, row / high);
-        cell.bits |= 1 << bit;
-        cell.curve = Some(curve);
+        self.dots.push(Dot { column, row, curve });
+        let cell = [
+            column / self.across.dots_per_cell,
+            row / self.down.dots_per_cell,
+        ];
+        self.cell_mut(cell[0], cell[1]).curve = Some(curve);
     }
 
     /// Puts the marker of `curve` into a cell.
@@ -72,6 +85,30 @@ impl Dots {
         self.cells.iter().all(|cell| cell.curve.is_none())
     }
 
+    /// Draws the dots into an area: `marker` gives the grid of a curve's characters, `colour` the curve's colour.
+    ///
+    /// Curves with the same marker share the dots of a cell; of others the later one covers the earlier one.
+    pub(super) fn render(
+        &self,
+        area: Rect,
+        buffer: &mut Buffer,
+        marker: impl Fn(usize) -> Marker,
+        colour: impl Fn(usize) -> Color,
+    ) {
+        let paint = |context: &mut ratatui::widgets::canvas::Context<'_>| {
+            let mut last = None;
+            for stroke in self.dots.chunk_by(|dot, next| dot.curve == next.curve) {
+                let curve = stroke[0].curve;
+                let marker = marker(curve);
+                if last.replace(marker) != Some(marker) {
+                    context.marker(marker);
+                }
+                context.draw(&Stroke(stroke, colour(curve)));
+            }
+        };
+        Canvas::default().paint(paint).render(area, buffer);
+    }
+
     fn cell_mut(&mut self, column: u16, row: u16) -> &mut Cell {
         let index = self.index(column, row);
         &mut self.cells[index]
@@ -85,7 +122,7 @@ impl Dots {
 /// The rulers across and down an area of `columns` by `rows` cells.
 pub(super) fn rulers(columns: u16, rows: u16, glyphs: Glyphs) -> [Ruler; 2] {
     let (wide, high) = match glyphs {
-        Glyphs::Braille => (2, 4),
+        Glyphs::Braille | Glyphs::Octant => (2, 4),
         Glyphs::Block => (2, 2),
         Glyphs::Dot | Glyphs::Ascii => (1, 1),
     };

@@ -3,6 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Position;
 use ratatui::style::Style;
+use ratatui::widgets::{Clear, Widget};
 
 use super::chart::{Chart, Glyphs};
 use super::dots::Dots;
@@ -24,7 +25,16 @@ struct Behind {
     grid: [Vec<u16>; 2],
 }
 
-/// Paints the plot cell by cell.
+/// Draws the curves with ratatui's canvas. What it covers in the legend's place is cleared.
+pub(super) fn curves(chart: &Chart<'_>, layout: &Layout, dots: &Dots, buffer: &mut Buffer) {
+    let colour = |index: usize| chart.curves[index].ink().fg.unwrap_or_default();
+    dots.render(layout.plot, buffer, |index| chart.grid_of(index), colour);
+    if let Place::Inside(legend) = layout.legend {
+        Clear.render(legend, buffer);
+    }
+}
+
+/// Completes the plot cell by cell: styles and markers of the curves, the lines behind them, the signs over them.
 pub(super) fn paint(chart: &Chart<'_>, layout: &Layout, dots: &Dots, buffer: &mut Buffer) {
     let behind = Behind::new(chart, layout);
     let poles = pole_cells(chart, dots.across);
@@ -33,12 +43,20 @@ pub(super) fn paint(chart: &Chart<'_>, layout: &Layout, dots: &Dots, buffer: &mu
             continue;
         }
         let (column, row) = (position.x - layout.plot.x, position.y - layout.plot.y);
+        let Some(cell) = buffer.cell_mut(position) else {
+            continue;
+        };
+        let drawn = dots.cell(column, row);
         let pole = poles.iter().find(|pole| row == 0 && pole.0 == column);
-        let ink = pole
-            .map(|(_, index)| pole_ink(chart, *index))
-            .or_else(|| curve_ink(chart, dots, column, row))
-            .or_else(|| behind.ink(chart, column, row));
-        if let (Some((glyph, style)), Some(cell)) = (ink, buffer.cell_mut(position)) {
+        if let Some((_, index)) = pole {
+            let (glyph, style) = pole_ink(chart, *index);
+            cell.set_char(glyph).set_style(style);
+        } else if let Some(index) = drawn.curve {
+            cell.set_style(chart.curves[index].ink());
+            if let Some(marker) = chart.marker(index).filter(|_| drawn.marked) {
+                cell.set_char(marker);
+            }
+        } else if let Some((glyph, style)) = behind.ink(chart, column, row) {
             cell.set_char(glyph).set_style(style);
         }
     }
@@ -81,19 +99,6 @@ fn number_harmonics(chart: &Chart<'_>, layout: &Layout, dots: &Dots, buffer: &mu
             free = cells.end + 1;
         }
     }
-}
-
-fn curve_ink(chart: &Chart<'_>, dots: &Dots, column: u16, row: u16) -> Option<Ink> {
-    let cell = dots.cell(column, row);
-    let index = cell.curve?;
-    let glyph = match (chart.glyphs, chart.marker(index)) {
-        (_, Some(marker)) if cell.marked => marker,
-        (Glyphs::Braille, _) => cell.braille(),
-        (Glyphs::Block, _) => cell.quarters(),
-        (Glyphs::Dot, _) => chart.bullet(index),
-        (Glyphs::Ascii, _) => chart.body(index),
-    };
-    Some((glyph, chart.curves[index].ink()))
 }
 
 fn pole_ink(chart: &Chart<'_>, index: usize) -> Ink {

@@ -3,6 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
+use ratatui::symbols::Marker;
 
 use super::chart::{Chart, Glyphs};
 use super::curve::{Curve, LineStyle};
@@ -70,10 +71,9 @@ fn entries(chart: &Chart<'_>) -> Vec<Entry> {
 }
 
 fn entry(chart: &Chart<'_>, index: usize, curve: &Curve<'_>) -> Entry {
-    let body = match (chart.glyphs, curve.line) {
+    let body = match (chart.grid_of(index), curve.line) {
         (_, LineStyle::Points { .. }) => ' ',
-        (Glyphs::Ascii, _) => chart.body(index),
-        (Glyphs::Dot, _) => chart.bullet(index),
+        (Marker::Custom(body), _) => body,
         (_, LineStyle::Solid) => '─',
         (_, LineStyle::Dashed) => '╌',
         (_, LineStyle::Dotted) => '┈',

@@ -1,7 +1,8 @@
-//! Frequency-response charts for the terminal, drawn straight into ratatui's buffer.
+//! Frequency-response charts for the terminal, drawn with ratatui's canvas and its marker grids.
 //!
-//! ratatui's own `Chart` has no logarithmic axis, spreads its labels evenly instead of placing them at
-//! their values, and draws zero and non-finite samples as spikes. [`Chart`] here keeps three promises:
+//! The axes are our own: those of ratatui's `Chart` are not logarithmic and have evenly spread labels instead of
+//! labels at round values, and its lines draw zero and non-finite samples as spikes. [`Chart`] here keeps three
+//! promises:
 //!
 //! - A label, a tick, the cursor and a sample of the same value stand in the same column or row.
 //! - Every dot column shows all the rows its samples cover, so a resonance narrower than a column keeps
@@ -9,7 +10,8 @@
 //! - A sample that cannot be drawn (non-finite, or zero on a logarithmic axis) leaves a gap.
 //!
 //! The way from a value to the screen: [`Level`] turns a magnitude into an axis value, [`Axis`] an axis
-//! value into a fraction of its length, `Ruler` a fraction into a dot and a cell, `Pen` dots into `Dots`.
+//! value into a fraction of its length, `Ruler` a fraction into a dot and a cell, `Pen` a line into `Dots`, and a
+//! [`Canvas`](ratatui::widgets::canvas::Canvas) the dots into characters.
 
 mod axis;
 mod cells;

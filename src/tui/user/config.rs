@@ -5,7 +5,7 @@
 //! color = "auto"         # auto, always, never, 16, 256, truecolor
 //! theme = "auto"         # auto, dark, light
 //! ascii = false
-//! marker = "braille"     # braille, block, dot, ascii
+//! marker = "braille"     # braille, octant, block, dot, ascii
 //! mouse = true
 //! [keys.model]           # a table for each part of the key table; `beamtune man` has the names
 //! undo = ["u", "Alt-u"]  # the first is the one in hints; [] takes a command's keys away

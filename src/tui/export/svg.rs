@@ -6,7 +6,7 @@ mod look;
 mod page;
 
 use super::{Provenance, marks, names};
-use crate::tui::plot::{AxisTick, Level, equal_spans};
+use crate::tui::plot::{Level, equal_spans};
 use crate::tui::scene::axes::{Loci, Ruled, frequency_axis, nearest};
 use crate::tui::scene::{ChartView, CurveKind, FrequencyUnit, Scene};
 use frame::{Field, Labels};
@@ -131,7 +131,7 @@ fn draw_panels(page: &mut Page, scene: &Scene, looks: &[Look], top: f64) -> f64 
 
 /// Draws lines that end at the frame, and markers over them.
 fn draw_curves(page: &mut Page, field: &Field, runs: &[(&Look, Run)]) {
-    page.begin_clip(field);
+    page.begin_clip([field.left, field.top], [field.width, field.height]);
     for (look, run) in runs {
         look.draw_line(page, field, run);
     }
@@ -205,16 +205,4 @@ fn draw_spots(page: &mut Page, scene: &Scene, field: &Field) {
             page.circle(place, 5.0, "class=\"spot\"");
         }
     }
-}
-
-/// A label with its powers of ten raised: "5e-7" as 5 times ten to the power of -7.
-fn raised(tick: &AxisTick) -> Option<(String, Option<String>)> {
-    let label = tick.label.as_deref()?;
-    let minus = |text: &str| text.replace('-', "\u{2212}");
-    Some(match label.split_once('e') {
-        Some(("1", power)) => ("10".to_owned(), Some(minus(power))),
-        Some(("-1", power)) => (minus("-10"), Some(minus(power))),
-        Some((digits, power)) => (format!("{}\u{b7}10", minus(digits)), Some(minus(power))),
-        None => (minus(label), None),
-    })
 }

@@ -6,8 +6,8 @@ use ratatui::style::Color;
 use ratatui::symbols::Marker;
 
 use super::axis::{Axis, Direction, Ruler};
-use super::chart::Glyphs;
-use super::dots::{Dots, rulers};
+use super::dots::Dots;
+use super::glyphs::{Glyphs, rulers};
 use super::ticks::ticks;
 
 /// A round value on a ruler.

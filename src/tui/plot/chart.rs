@@ -1,36 +1,24 @@
-//! The chart widget.
+//! What a chart shows, as plain data.
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 use ratatui::symbols::Marker;
-use ratatui::widgets::Widget;
 
 use super::axis::Axis;
 use super::curve::{Curve, LineStyle};
-use super::dots::{Dots, rulers};
-use super::frame;
-use super::ink;
-use super::layout::Layout;
-use super::legend::{self, Legend};
+use super::glyphs::{Glyphs, rulers};
 use super::level::Level;
-use super::locus;
-use super::trace;
 
-/// The characters a chart is made of.
+/// Where the curves are named.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Glyphs {
-    /// Curves in braille dots, 2 x 4 a cell; axes in box-drawing characters.
+pub enum Legend {
+    /// Nowhere.
+    Hidden,
+    /// At the plot's top right; in a line above the plot where that would hide too much.
     #[default]
-    Braille,
-    /// Curves in eighths of cells, 2 x 4 a cell; axes as with braille.
-    Octant,
-    /// Curves in quarters of cells; axes as with braille.
-    Block,
-    /// Curves of a bullet a cell; axes as with braille.
-    Dot,
-    /// ASCII only; curves are drawn with their markers.
-    Ascii,
+    Inside,
+    /// In a line above the plot.
+    Line,
 }
 
 /// The styles of everything but the curves.
@@ -173,17 +161,6 @@ impl<'a> Chart<'a> {
         }
     }
 
-    /// The cells of the curves when the chart is drawn into `area`.
-    pub fn plot_area(&self, area: Rect) -> Rect {
-        Layout::new(self, area).plot
-    }
-
-    /// The screen column of a value of the horizontal axis when the chart is drawn into `area`.
-    pub fn column(&self, area: Rect, value: f64) -> Option<u16> {
-        let plot = self.plot_area(area);
-        self.cell(plot, value).map(|cell| plot.x + cell)
-    }
-
     /// The value of the horizontal axis in the middle of a column of the plot.
     pub fn value_in(&self, plot: Rect, cell: u16) -> f64 {
         let [across, _] = rulers(plot.width, plot.height, self.glyphs);
@@ -225,62 +202,6 @@ impl<'a> Chart<'a> {
             (Glyphs::Ascii, LineStyle::Solid | LineStyle::Points { .. }) => {
                 Marker::Custom(self.marker(index).unwrap_or('*'))
             }
-        }
-    }
-
-    /// Says in the middle of an empty plot why it is empty.
-    fn explain(&self, plot: Rect, buffer: &mut Buffer) {
-        let finite = |(abscissa, magnitude): (f64, f64)| {
-            self.x.fraction(abscissa).is_finite()
-                && self.y.fraction(self.level.value(magnitude)).is_finite()
-        };
-        let mut samples = self.curves.iter().flat_map(Curve::samples).peekable();
-        let hidden = !self.y.fraction(self.level.value(0.0)).is_finite();
-        let zero = hidden && samples.peek().is_some() && samples.all(|sample| sample.1 == 0.0);
-        let message = if zero {
-            "zero at every frequency"
-        } else if self.curves.iter().flat_map(Curve::samples).any(finite) {
-            "no value within the axes"
-        } else if self.level == Level::Degrees {
-            // As an energy, and a measurement of magnitudes alone.
-            "no phase to draw"
-        } else {
-            "no finite value to draw"
-        };
-        let margin = plot.width.saturating_sub(frame::width(message)) / 2;
-        let row = Rect {
-            x: plot.x + margin,
-            y: plot.y + plot.height / 2,
-            width: plot.width - margin,
-            height: plot.height.min(1),
-        };
-        frame::put(buffer, row, message, (self.glyphs, self.styles.message));
-    }
-
-    /// Draws the chart into the places of `layout`.
-    pub(super) fn render_in(&self, layout: &Layout, buffer: &mut Buffer) {
-        let plot = layout.plot;
-        let mut dots = Dots::new(rulers(plot.width, plot.height, self.glyphs));
-        if self.free {
-            locus::trace(self, &mut dots);
-        } else {
-            trace::trace(self, &mut dots);
-        }
-        ink::curves(self, layout, &dots, buffer);
-        frame::draw(self, layout, buffer);
-        legend::draw(self, layout.legend, buffer);
-        ink::paint(self, layout, &dots, buffer);
-        if dots.is_blank() {
-            self.explain(plot, buffer);
-        }
-    }
-}
-
-impl Widget for &Chart<'_> {
-    fn render(self, area: Rect, buffer: &mut Buffer) {
-        let area = area.intersection(buffer.area);
-        if !area.is_empty() {
-            self.render_in(&Layout::new(self, area), buffer);
         }
     }
 }

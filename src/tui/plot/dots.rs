@@ -7,8 +7,7 @@ use ratatui::symbols::Marker;
 use ratatui::widgets::Widget;
 use ratatui::widgets::canvas::{Canvas, Painter, Shape};
 
-use super::axis::{Direction, Ruler};
-use super::chart::Glyphs;
+use super::axis::Ruler;
 
 /// What is in one cell.
 #[derive(Debug, Clone, Copy, Default)]
@@ -117,25 +116,4 @@ impl Dots {
     fn index(&self, column: u16, row: u16) -> usize {
         usize::from(row) * usize::from(self.across.cells) + usize::from(column)
     }
-}
-
-/// The rulers across and down an area of `columns` by `rows` cells.
-pub(super) fn rulers(columns: u16, rows: u16, glyphs: Glyphs) -> [Ruler; 2] {
-    let (wide, high) = match glyphs {
-        Glyphs::Braille | Glyphs::Octant => (2, 4),
-        Glyphs::Block => (2, 2),
-        Glyphs::Dot | Glyphs::Ascii => (1, 1),
-    };
-    [
-        Ruler {
-            direction: Direction::Right,
-            cells: columns,
-            dots_per_cell: wide,
-        },
-        Ruler {
-            direction: Direction::Up,
-            cells: rows,
-            dots_per_cell: high,
-        },
-    ]
 }

@@ -5,13 +5,11 @@ use std::ops::Range;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
-use ratatui::text::Span;
 
-use super::chart::{Below, Chart, Glyphs};
+use super::chart::{Below, Chart};
+use super::glyphs::{Glyphs, put, width};
 use super::layout::Layout;
 use super::ticks::place;
-use crate::escape::escape;
-use crate::tui::ascii;
 
 /// The characters of the axes.
 struct Lines {
@@ -53,25 +51,6 @@ const ASCII_LINES: Lines = Lines {
     passing: ['|', ':'],
     marks: ['\'', '"', '#'],
 };
-
-/// The columns a text takes as [`put`] writes it.
-pub(super) fn width(text: &str) -> u16 {
-    Span::raw(escape(text)).width() as u16
-}
-
-/// Writes a text into one row, hidden characters escaped, cut off at its end.
-pub(super) fn put(buffer: &mut Buffer, row: Rect, text: &str, (glyphs, style): (Glyphs, Style)) {
-    if row.is_empty() {
-        return;
-    }
-    let columns = usize::from(row.width);
-    let text = escape(text);
-    if glyphs == Glyphs::Ascii {
-        buffer.set_stringn(row.x, row.y, ascii::text(&text), columns, style);
-    } else {
-        buffer.set_stringn(row.x, row.y, text, columns, style);
-    }
-}
 
 /// Draws everything around the plot.
 pub(super) fn draw(chart: &Chart<'_>, layout: &Layout, buffer: &mut Buffer) {

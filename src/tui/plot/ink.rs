@@ -5,8 +5,9 @@ use ratatui::layout::Position;
 use ratatui::style::Style;
 use ratatui::widgets::{Clear, Widget};
 
-use super::chart::{Chart, Glyphs};
+use super::chart::Chart;
 use super::dots::Dots;
+use super::glyphs::{Glyphs, rulers};
 use super::layout::Layout;
 use super::legend::Place;
 use super::level::Level;
@@ -183,7 +184,7 @@ impl Behind {
 
 /// The column and the row of 0, where it is inside an axis of signed values.
 fn zero(chart: &Chart<'_>, layout: &Layout) -> [Option<u16>; 2] {
-    let [across, down] = super::dots::rulers(layout.plot.width, layout.plot.height, chart.glyphs);
+    let [across, down] = rulers(layout.plot.width, layout.plot.height, chart.glyphs);
     let inside = |[low, high]: [f64; 2]| low < 0.0 && high > 0.0;
     let column = chart.free && inside(chart.x.bounds());
     let row = chart.level == Level::Signed && inside(chart.y.bounds());

@@ -3,7 +3,7 @@
 use ratatui::layout::Rect;
 
 use super::chart::{Below, Chart};
-use super::dots::rulers;
+use super::glyphs::rulers;
 use super::legend::{self, Place};
 use super::ticks::{Tick, ticks};
 

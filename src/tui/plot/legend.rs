@@ -5,9 +5,9 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 use ratatui::symbols::Marker;
 
-use super::chart::{Chart, Glyphs};
+use super::chart::{Chart, Legend};
 use super::curve::{Curve, LineStyle};
-use super::frame::{put, width};
+use super::glyphs::{Glyphs, put, width};
 use crate::escape::escape;
 
 /// Columns of a line sample and the space after it.
@@ -22,18 +22,6 @@ const SHORTEST: u16 = 3;
 const SHORTEST_PLOT: u16 = 3;
 /// Most of the plot a legend inside it may cover, in percent.
 const MOST_COVERED: u32 = 40;
-
-/// Where the curves are named.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Legend {
-    /// Nowhere.
-    Hidden,
-    /// At the plot's top right; in a line above the plot where that would hide too much.
-    #[default]
-    Inside,
-    /// In a line above the plot.
-    Line,
-}
 
 /// The place found for a legend.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

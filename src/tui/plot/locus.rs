@@ -3,9 +3,10 @@
 use ratatui::layout::Rect;
 
 use super::axis::{Axis, Ruler};
-use super::chart::{Chart, Glyphs};
+use super::chart::Chart;
 use super::curve::{Curve, LineStyle};
-use super::dots::{Dots, rulers};
+use super::dots::Dots;
+use super::glyphs::{Glyphs, rulers};
 use super::layout::Layout;
 use super::level::{FINE_STEPS, Level, signed_axis};
 use super::trace::order;

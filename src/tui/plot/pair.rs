@@ -4,9 +4,8 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::widgets::Widget;
 
-use super::chart::{Below, Chart};
+use super::chart::{Below, Chart, Legend};
 use super::layout::Layout;
-use super::legend::Legend;
 use super::level::Level;
 
 /// Fewest rows in which both are drawn.

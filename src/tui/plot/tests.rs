@@ -6,7 +6,7 @@ use ratatui::style::{Color, Modifier, Style};
 use ratatui::symbols::braille::BRAILLE;
 use ratatui::widgets::Widget;
 
-use super::dots::rulers;
+use super::glyphs::rulers;
 use super::*;
 
 mod views;

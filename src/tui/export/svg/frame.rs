@@ -1,7 +1,6 @@
 //! What surrounds the curves: grid, axes, ticks and labels, cursors and band.
 
 use super::page::Page;
-use super::raised;
 use crate::tui::export::frequency;
 use crate::tui::plot::{Axis, AxisTick};
 use crate::tui::scene::Scene;
@@ -215,4 +214,16 @@ fn anchored(cursor: Option<f64>, second: Option<f64>, hertz: f64) -> &'static st
         (Some(a), Some(b)) if a != b => "class=\"mark\"",
         _ => "class=\"mark\" text-anchor=\"middle\"",
     }
+}
+
+/// A label with its powers of ten raised: "5e-7" as 5 times ten to the power of -7.
+fn raised(tick: &AxisTick) -> Option<(String, Option<String>)> {
+    let label = tick.label.as_deref()?;
+    let minus = |text: &str| text.replace('-', "\u{2212}");
+    Some(match label.split_once('e') {
+        Some(("1", power)) => ("10".to_owned(), Some(minus(power))),
+        Some(("-1", power)) => (minus("-10"), Some(minus(power))),
+        Some((digits, power)) => (format!("{}\u{b7}10", minus(digits)), Some(minus(power))),
+        None => (minus(label), None),
+    })
 }

@@ -2,7 +2,6 @@
 
 use std::fmt::Write as _;
 
-use super::frame::Field;
 use crate::escape::escape;
 
 /// What the classes of the elements look like.
@@ -130,12 +129,11 @@ impl Page {
         self.push(format_args!("<path d=\"{data}\" {attributes}/>"));
     }
 
-    /// From here on nothing is drawn outside of a plot.
-    pub(super) fn begin_clip(&mut self, field: &Field) {
+    /// From here on nothing is drawn outside of a rectangle.
+    pub(super) fn begin_clip(&mut self, [left, top]: [f64; 2], [width, height]: [f64; 2]) {
         let id = self.clips;
         self.clips += 1;
-        let (left, top) = (px(field.left), px(field.top));
-        let (width, height) = (px(field.width), px(field.height));
+        let [left, top, width, height] = [left, top, width, height].map(px);
         self.push(format_args!(
             "<clipPath id=\"plot{id}\"><rect x=\"{left}\" y=\"{top}\" width=\"{width}\" height=\"{height}\"/></clipPath>"
         ));

@@ -1,8 +1,6 @@
 //! What is in a file of measured curves, and what has to be asked before it is read.
 
-use std::fmt;
-
-use super::layout::{FrequencyUnit, Places};
+use super::layout::{FrequencyUnit, Places, Question};
 use super::table::{Columns, Dialect, Plan, decoded};
 use super::{Curve, Fault, Format, Hint, Layout, Values, read, uff};
 use crate::model::counted;
@@ -12,41 +10,6 @@ const PREVIEW_ROWS: usize = 3;
 
 /// Columns in a preview.
 const PREVIEW_COLUMNS: usize = 16;
-
-/// What a file does not say of itself.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Question {
-    /// The unit of its frequencies; Hz is taken.
-    Frequency,
-    /// What its columns are; without an answer the file is refused.
-    Values,
-    /// The unit of its phases; degrees are taken.
-    Phase,
-    /// What its values are and in which unit; without an answer they are taken as they stand.
-    Unit,
-}
-
-impl Question {
-    /// Whether there are no curves without an answer.
-    pub const fn is_needed(self) -> bool {
-        matches!(self, Self::Values)
-    }
-}
-
-/// What is not said, and what would be accepted.
-impl fmt::Display for Question {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Frequency => "in which unit its frequencies are: hz, khz, rad/s or rpm",
-            Self::Values => {
-                "what its columns are: re im, mag deg, mag rad, dB deg, dB rad, mag or dB would be accepted, or with the \
-                 numbers of the columns, as hz 1; re 8; im 9"
-            }
-            Self::Phase => "in which unit its phases are: deg or rad",
-            Self::Unit => "what its values are: a unit such as m/N, mm/s/N, g/N, m/s2 or rad/(N m)",
-        })
-    }
-}
 
 /// What is in a file, and what has to be asked.
 #[derive(Debug, Clone, PartialEq)]

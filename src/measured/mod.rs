@@ -19,8 +19,8 @@ use std::path::Path;
 pub use crate::model::Fault;
 pub use curve::Curve;
 pub use fit::{Fit, fit};
-pub use inspect::{Inspection, Opened, Question, inspect, open, open_in_si};
-pub use layout::{FrequencyUnit, Layout, PhaseUnit, Places, Values};
+pub use inspect::{Inspection, Opened, inspect, open, open_in_si};
+pub use layout::{FrequencyUnit, Layout, PhaseUnit, Places, Question, Values};
 pub use uff::write::{Node, Record, Written, write_uff};
 pub use unit::{Kind, ValueUnit};
 

@@ -7,6 +7,7 @@ mod groups;
 mod head;
 mod header;
 mod plan;
+mod records;
 mod rows;
 mod sample;
 mod text;

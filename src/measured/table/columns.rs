@@ -1,5 +1,8 @@
-//! The columns of one curve.
+//! The columns of a table and those of one curve.
 
+use super::dialect::Dialect;
+use super::head::{Head, Role};
+use super::sample::ColumnKind;
 use crate::measured::layout::{PhaseUnit, Values};
 use crate::measured::unit::{Kind, ValueUnit};
 
@@ -117,5 +120,43 @@ impl Group {
             Some(Kind::Energy) => 10.0,
             _ => 20.0,
         }
+    }
+}
+
+/// What is known of the columns.
+pub(super) struct Table<'a> {
+    pub(super) dialect: &'a Dialect,
+    pub(super) heads: Vec<Head>,
+    /// The columns of numbers besides the frequencies.
+    pub(super) free: Vec<usize>,
+}
+
+impl Table<'_> {
+    /// The number of a column and its header as it stands.
+    pub(super) fn title(&self, index: usize) -> String {
+        match self.dialect.header.get(index).map(|word| word.trim()) {
+            Some(word) if !word.is_empty() => format!("column {} ({word})", index + 1),
+            _ => format!("column {}", index + 1),
+        }
+    }
+
+    pub(super) fn is_complex(&self, index: usize) -> bool {
+        self.dialect.columns.get(index) == Some(&ColumnKind::Complex)
+    }
+
+    pub(super) fn role(&self, index: usize) -> Role {
+        self.heads.get(index).map_or(Role::Unsaid, |head| head.role)
+    }
+
+    /// The columns of numbers besides the frequencies that may be values.
+    pub(super) fn besides(&self, frequency: usize) -> Vec<usize> {
+        let dialect = self.dialect;
+        let is_free = |index: &usize| {
+            *index != frequency
+                && dialect.columns[*index] != ColumnKind::Text
+                && self.role(*index) != Role::Other
+        };
+        let first = usize::from(dialect.has_curves);
+        (first..dialect.width()).filter(is_free).collect()
     }
 }

@@ -1,8 +1,8 @@
 //! How a table is written: what parts its cells, where its numbers start, and what stands above them.
 
 use super::header::{Header, Shape};
-use super::rows::{is_comment, line_at, row_start};
-use super::sample::{ColumnKind, SAMPLE, Sample, Separator};
+use super::records::{Separator, is_comment, line_at, row_start};
+use super::sample::{ColumnKind, SAMPLE, Sample};
 use crate::measured::{Fault, fault_at, number, text_of};
 
 /// How a table is written.

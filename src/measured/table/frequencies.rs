@@ -1,8 +1,8 @@
 //! Which column of a table holds the frequencies.
 
+use super::columns::Table;
 use super::dialect::Dialect;
 use super::head::Role;
-use super::plan::Table;
 use super::sample::ColumnKind;
 use crate::measured::layout::{FrequencyUnit, Layout};
 use crate::measured::{Fault, fault_at};

@@ -1,9 +1,8 @@
 //! The columns of a table put together to curves: as the header says, by number, or one after the other.
 
-use super::columns::{Columns, Group};
+use super::columns::{Columns, Group, Table};
 use super::frequencies::{too_few, wrong_column};
 use super::head::{Head, Role};
-use super::plan::Table;
 use super::sample::ColumnKind;
 use crate::measured::layout::{Layout, PhaseUnit, Values};
 use crate::measured::{Fault, fault_at};

@@ -1,7 +1,7 @@
 //! The words above the columns: found in the lines above the numbers, and matched to the columns by place and count.
 
 use super::head::{Head, Role};
-use super::sample::Separator;
+use super::records::Separator;
 use super::tokens::{Token, grouped, joined, placed, split, tokens, with_units};
 use crate::measured::layout::{FrequencyUnit, PhaseUnit};
 use crate::measured::unit::ValueUnit;

@@ -1,13 +1,12 @@
 //! Which columns of a table make which curves.
 
-use super::columns::{Columns, Group};
+use super::columns::{Columns, Group, Table};
 use super::dialect::Dialect;
 use super::frequencies::frequencies;
 use super::groups::{by_number, guess, in_turn, magnitude, one_unit, said};
 use super::head::{Head, Role};
 use super::sample::ColumnKind;
-use crate::measured::inspect::Question;
-use crate::measured::layout::{FrequencyUnit, Layout, Values};
+use crate::measured::layout::{FrequencyUnit, Layout, Question, Values};
 use crate::measured::{Fault, Hint, fault_at};
 
 /// Most columns of a table.
@@ -31,44 +30,6 @@ pub(in crate::measured) struct Plan {
     pub(in crate::measured) doubts: Vec<String>,
     /// Whether the header is the one that the program writes.
     pub(in crate::measured) is_own: bool,
-}
-
-/// What is known of the columns.
-pub(super) struct Table<'a> {
-    pub(super) dialect: &'a Dialect,
-    pub(super) heads: Vec<Head>,
-    /// The columns of numbers besides the frequencies.
-    pub(super) free: Vec<usize>,
-}
-
-impl Table<'_> {
-    /// The number of a column and its header as it stands.
-    pub(super) fn title(&self, index: usize) -> String {
-        match self.dialect.header.get(index).map(|word| word.trim()) {
-            Some(word) if !word.is_empty() => format!("column {} ({word})", index + 1),
-            _ => format!("column {}", index + 1),
-        }
-    }
-
-    pub(super) fn is_complex(&self, index: usize) -> bool {
-        self.dialect.columns.get(index) == Some(&ColumnKind::Complex)
-    }
-
-    pub(super) fn role(&self, index: usize) -> Role {
-        self.heads.get(index).map_or(Role::Unsaid, |head| head.role)
-    }
-
-    /// The columns of numbers besides the frequencies that may be values.
-    fn besides(&self, frequency: usize) -> Vec<usize> {
-        let dialect = self.dialect;
-        let is_free = |index: &usize| {
-            *index != frequency
-                && dialect.columns[*index] != ColumnKind::Text
-                && self.role(*index) != Role::Other
-        };
-        let first = usize::from(dialect.has_curves);
-        (first..dialect.width()).filter(is_free).collect()
-    }
 }
 
 impl Plan {

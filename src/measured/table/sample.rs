@@ -1,6 +1,6 @@
 //! The first rows of a table as one separator parts them: where its numbers start, and what its columns hold.
 
-use super::rows::for_each_record;
+use super::records::{Separator, for_each_record};
 use crate::measured::{Fault, number, text_of};
 
 /// How far into a table its first numbers are looked for, bytes.
@@ -8,39 +8,6 @@ pub(super) const SAMPLE: usize = 1 << 16;
 
 /// Rows that are looked at.
 const MOST_ROWS: usize = 400;
-
-/// What parts the cells.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::measured) enum Separator {
-    /// A comma, a semicolon or a tab.
-    Byte(u8),
-    /// Blanks, any number of them.
-    Blanks,
-}
-
-impl Separator {
-    pub(super) const ALL: [Self; 4] = [
-        Self::Byte(b'\t'),
-        Self::Byte(b';'),
-        Self::Byte(b','),
-        Self::Blanks,
-    ];
-
-    /// Whether a comma may part the decimals.
-    pub(super) fn allows_decimal_comma(self) -> bool {
-        self != Self::Byte(b',')
-    }
-
-    /// Its name.
-    pub(in crate::measured) const fn name(self) -> &'static str {
-        match self {
-            Self::Byte(b'\t') => "tabs",
-            Self::Byte(b';') => "semicolons",
-            Self::Byte(_) => "commas",
-            Self::Blanks => "blanks",
-        }
-    }
-}
 
 /// What a column holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 
 use csv::ReaderBuilder;
 
-use super::sample::Separator;
+use super::records::Separator;
 
 /// A word of a line and where it stands, in letters from the left.
 #[derive(Debug, Clone, PartialEq)]

@@ -35,6 +35,7 @@ pub mod modes;
 pub mod operating;
 pub mod peaks;
 mod plan;
+mod quadrature;
 mod recursion;
 mod reflection;
 pub mod sensitivity;

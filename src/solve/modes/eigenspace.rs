@@ -15,12 +15,13 @@ use super::loads::{combined, loads};
 use super::motion::Motion;
 use super::orthogonal::bi_orthogonalise;
 use super::pencil::{Pair, pairs};
-use super::quadrature::{Sample, samples};
 use crate::model::{
     BeamMotion, Force, MassMotion, Measure, Model, Place, Quantity, Response, Target,
 };
 use crate::solve::lanes::{Prepared, Solver};
 use crate::solve::plan::Plan;
+use crate::solve::quadrature::{Node, nodes};
+use crate::solve::waves::{BeamConstants, Waves};
 
 /// A circle in the plane of omega, rad/s, and how many points of it are looked at.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,17 +74,20 @@ pub(super) struct Probe<'a> {
     model: &'a Model,
     /// Places to look at, m.
     pub(super) looked_at: Vec<f64>,
-    /// Places and weights of the integrals along the beam.
-    pub(super) samples: Vec<Sample>,
+    /// The nodes of the integrals along the beam.
+    pub(super) nodes: Vec<Node>,
 }
 
 impl<'a> Probe<'a> {
     /// For modes near `omega`, rad/s.
     pub(super) fn new(model: &'a Model, omega: Complex64, looked_at: Vec<f64>) -> Self {
+        let waves = Waves::new(&BeamConstants::new(&model.beam), omega);
+        let mut stations: Vec<f64> = model.attached().map(|of| of.position).collect();
+        stations.sort_by(f64::total_cmp);
         Self {
             model,
             looked_at,
-            samples: samples(model, omega),
+            nodes: nodes(stations, &waves.kappa, model.beam.length),
         }
     }
 
@@ -110,7 +114,7 @@ impl<'a> Probe<'a> {
         if !is_damped(self.model) {
             motions.iter_mut().for_each(Motion::make_real);
         }
-        bi_orthogonalise(self.model, &self.samples, &found, &mut motions).then_some(motions)
+        bi_orthogonalise(self.model, &self.nodes, &found, &mut motions).then_some(motions)
     }
 
     /// Nothing moves.
@@ -120,8 +124,8 @@ impl<'a> Probe<'a> {
 
     /// The places along the beam in the order of [`Motion::beam`], m.
     pub(super) fn places(&self) -> impl Iterator<Item = f64> {
-        let sampled = self.samples.iter().map(|sample| sample.position);
-        self.looked_at.iter().copied().chain(sampled)
+        let nodes = self.nodes.iter().map(|node| node.x);
+        self.looked_at.iter().copied().chain(nodes)
     }
 
     /// What is read, in the order of [`Self::motion`].
@@ -151,7 +155,7 @@ impl<'a> Probe<'a> {
                 .map(|chunk| [chunk[0], chunk[1], chunk[2]])
                 .collect()
         };
-        let (beam, rest) = values.split_at(3 * (self.looked_at.len() + self.samples.len()));
+        let (beam, rest) = values.split_at(3 * (self.looked_at.len() + self.nodes.len()));
         let (stations, rest) = rest.split_at(3 * self.model.attached().count());
         let (ends, masses) = rest.split_at(12);
         Motion {

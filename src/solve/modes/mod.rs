@@ -7,7 +7,7 @@
 //! holds, and counts by the argument principle along a `contour` what is missing; `regions` finds it. Close and equal
 //! modes, and all shapes: `eigenspace` integrates responses around a `group` of them (`neighbours` says which), `pencil`
 //! separates them into `motion`s, and `orthogonal` makes these bi-orthogonal. `shape` is what people see, with the
-//! integrals of `quadrature`.
+//! integrals along the beam.
 
 mod blocked;
 mod bound;
@@ -25,7 +25,6 @@ mod neighbours;
 mod orthogonal;
 mod pencil;
 mod proof;
-mod quadrature;
 mod regions;
 mod rigid;
 mod series;

@@ -8,15 +8,15 @@ use nalgebra::DMatrix;
 use num_complex::Complex64;
 
 use super::motion::Motion;
-use super::quadrature::Sample;
 use crate::model::{BeamMotion, Model};
+use crate::solve::quadrature::Node;
 use crate::solve::springs::{geometric_stretches, springs};
 
 /// Corrects motions that are nearly bi-orthogonal, with their roots, rad/s: the form above is then `2 omega_i` for i = j
 /// and else 0. False where they are far from that: then they are no modes.
 pub(super) fn bi_orthogonalise(
     model: &Model,
-    samples: &[Sample],
+    nodes: &[Node],
     roots: &[Complex64],
     motions: &mut [Motion],
 ) -> bool {
@@ -24,7 +24,7 @@ pub(super) fn bi_orthogonalise(
     const STEPS: usize = 5;
     let count = motions.len();
     let mut form = DMatrix::from_fn(count, count, |i, j| {
-        let [mass, damping] = products(model, samples, [&motions[i], &motions[j]]);
+        let [mass, damping] = products(model, nodes, [&motions[i], &motions[j]]);
         let both = (roots[i] + roots[j]) * mass - Complex64::I * damping;
         both / (2.0 * roots[i].sqrt() * roots[j].sqrt())
     });
@@ -53,16 +53,16 @@ pub(super) fn bi_orthogonalise(
 }
 
 /// `a^T M b` and `a^T C b` (without the beam's loss factor, which is a stiffness).
-fn products(model: &Model, samples: &[Sample], [a, b]: [&Motion; 2]) -> [Complex64; 2] {
+fn products(model: &Model, nodes: &[Node], [a, b]: [&Motion; 2]) -> [Complex64; 2] {
     let (material, section) = (&model.beam.material, &model.beam.section);
     let (mut mass, mut damping) = (Complex64::ZERO, Complex64::ZERO);
-    let looked_at = a.beam.len() - samples.len();
+    let looked_at = a.beam.len() - nodes.len();
     let places = a.beam[looked_at..].iter().zip(&b.beam[looked_at..]);
-    for (sample, ([w, psi, v], [w_b, psi_b, v_b])) in samples.iter().zip(places) {
+    for (node, ([w, psi, v], [w_b, psi_b, v_b])) in nodes.iter().zip(places) {
         let offset = section.centroid_offset;
         let moved = w * w_b + v * v_b + offset * (w * psi_b + psi * w_b);
         let density = section.area * moved + section.polar_moment * psi * psi_b;
-        mass += sample.weight * material.density * density;
+        mass += node.weight * material.density * density;
     }
     let supports = [&model.supports.left, &model.supports.right];
     for (end, support) in supports.into_iter().enumerate() {

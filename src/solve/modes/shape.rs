@@ -8,10 +8,10 @@ use rayon::prelude::*;
 use super::eigenspace::Probe;
 use super::group::{Group, rigid_modes};
 use super::motion::Motion;
-use super::quadrature::Sample;
 use super::rigid::{self, RigidMotion};
 use super::types::{Modes, Shape, Shares};
 use crate::model::{BeamMotion, Model};
+use crate::solve::quadrature::Node;
 
 /// The motion of the mode `index` of `modes` at `points` (2 or more) equal steps along the beam.
 ///
@@ -146,21 +146,21 @@ fn shaped(model: &Model, probe: &Probe, motion: Motion) -> Shape {
         w: column(0),
         psi: column(1),
         v: column(2),
-        shares: energy_shares(&probe.samples, model, &motion, positions.len()),
+        shares: energy_shares(&probe.nodes, model, &motion, positions.len()),
         masses: motion.masses,
         positions,
     }
 }
 
 /// Shares of the kinetic energy.
-fn energy_shares(samples: &[Sample], model: &Model, motion: &Motion, skip: usize) -> Shares {
+fn energy_shares(nodes: &[Node], model: &Model, motion: &Motion, skip: usize) -> Shares {
     let (material, section) = (&model.beam.material, &model.beam.section);
     let offset = section.centroid_offset;
     // Square of the radius of gyration about the centroid.
     let about_centroid = section.polar_moment / section.area - offset * offset;
     let mut shares = Shares::default();
-    for (sample, [w, psi, v]) in samples.iter().zip(&motion.beam[skip..]) {
-        let mass = sample.weight * material.density * section.area;
+    for (node, [w, psi, v]) in nodes.iter().zip(&motion.beam[skip..]) {
+        let mass = node.weight * material.density * section.area;
         shares.bending_y += mass * (w + offset * psi).norm_sqr();
         shares.bending_z += mass * v.norm_sqr();
         shares.twist += mass * about_centroid * psi.norm_sqr();

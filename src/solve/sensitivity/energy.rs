@@ -11,7 +11,6 @@ use num_complex::Complex64;
 
 use super::adjoint::without_loads;
 use super::field::{Field, Reader, Setting};
-use super::nodes::{Node, nodes};
 use super::overlap::Spans;
 use super::product::Product;
 use super::{Differentiator, Gradient, forces, mass_stations};
@@ -20,6 +19,7 @@ use crate::solve::attachment::UNKNOWNS;
 use crate::solve::energy::{SpanEnergy, Sum};
 use crate::solve::linear::ZERO;
 use crate::solve::plan::{Event, Plan};
+use crate::solve::quadrature::{Node, nodes};
 use crate::solve::recursion::{Solution, SpanWaves, Workspace};
 use crate::solve::reflection::{Amplitudes, decay};
 
@@ -34,7 +34,8 @@ impl Differentiator {
     pub(super) fn of_energy(&self, omega: f64) -> Gradient {
         let solution = Workspace::default().solution(&self.plan, omega.into());
         let length = self.model.beam.length;
-        let nodes = nodes(&self.plan, &solution.waves, length);
+        let stations = self.plan.stations.iter().map(|station| station.position);
+        let nodes = nodes(stations, &solution.waves.kappa, length);
         let places = nodes.iter().map(|node| node.x);
         let plan = self.plan.with_probes(places, length);
         let u = refined(&self.plan, &plan, &solution);

@@ -15,7 +15,6 @@ mod forces;
 mod lack;
 mod mean_square;
 mod mode;
-mod nodes;
 mod overlap;
 mod parameters;
 mod peak;

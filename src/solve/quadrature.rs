@@ -1,9 +1,6 @@
-//! Places and weights of integrals along the beam of what two solutions do, exact to rounding.
+//! Quadrature along the beam: the nodes and weights of integrals of the product of two solutions, exact to rounding.
 
 use num_complex::Complex64;
-
-use crate::solve::plan::Plan;
-use crate::solve::waves::Waves;
 
 /// A panel this long against a wave: 16 points integrate the product of two such waves to 1e-15, as the error term of
 /// the rule says for `exp(14 t)` over [0, 1].
@@ -26,7 +23,7 @@ const RULE: [(f64, f64); 8] = [
     (0.989_400_934_991_649_9, 0.027_152_459_411_754_095),
 ];
 
-/// A place and its weight.
+/// A node and its weight.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Node {
     /// m from the left end.
@@ -35,12 +32,17 @@ pub(super) struct Node {
     pub(super) weight: f64,
 }
 
-/// The nodes between the stations of a plan on a beam of a length, m, by rising place.
-pub(super) fn nodes(plan: &Plan, waves: &Waves, length: f64) -> Vec<Node> {
+/// The nodes between stations on a beam of a length, by rising place; both in m, the stations rising. `kappa` are the wave
+/// numbers, 1/m.
+pub(super) fn nodes(
+    stations: impl IntoIterator<Item = f64>,
+    kappa: &[Complex64; 6],
+    length: f64,
+) -> Vec<Node> {
     let mut nodes = Vec::new();
     let mut from = 0.0;
-    for to in plan.stations.iter().map(|of| of.position).chain([length]) {
-        for panel in panels(to - from, &waves.kappa).windows(2) {
+    for to in stations.into_iter().chain([length]) {
+        for panel in panels(to - from, kappa).windows(2) {
             let (middle, half) = (0.5 * (panel[0] + panel[1]), 0.5 * (panel[1] - panel[0]));
             let mirrored = RULE.iter().rev().map(|&(node, weight)| (-node, weight));
             nodes.extend(mirrored.chain(RULE).map(|(node, weight)| Node {

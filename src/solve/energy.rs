@@ -4,8 +4,7 @@ use num_complex::Complex64;
 
 use super::linear::{Matrix, ZERO, zeros};
 use super::plan::Plan;
-use super::reflection::Amplitudes;
-use super::waves::Waves;
+use super::waves::{Amplitudes, Waves};
 
 /// What an energy of a span is made of, for each distinct span length at one frequency.
 ///

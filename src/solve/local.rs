@@ -3,8 +3,7 @@
 use num_complex::Complex64;
 
 use super::linear::ZERO;
-use super::reflection::{Amplitudes, reach};
-use super::waves::Waves;
+use super::waves::{Amplitudes, Waves, reach};
 use crate::model::BeamMotion;
 
 /// What the beam does at a place.

@@ -1,9 +1,8 @@
 //! Exact frequency responses of a checked model: pure numerics, without input or output.
 //!
-//! [`sweep()`] is the entrance. Inside, `plan` lays a model out along x, `waves` gives the six waves of the beam at a
-//! frequency, `attachment` a subsystem as the beam sees it, `ends` the supports, `reflection` what lies left of a point;
-//! `recursion` carries reflections to the right and amplitudes back, `energy` integrates what moved, `limit` finds the value
-//! at a resonance that nothing excites.
+//! [`sweep()`] is the entrance. Inside, `plan` lays a model out along x, `attachment` is a subsystem as the beam sees it,
+//! `lanes` the kernel that solves a plan; `solution` is what it gives for a whole model, `limit` finds the value at a
+//! resonance that nothing excites.
 //!
 //! Method: the waves of Chen & Liu, Mathematics 2022, 10(16), 2849, in a recursion of reflections instead of the
 //! paper's product of 12x12 transfer matrices, which loses all digits above a few hundred hertz. No matrix is larger
@@ -21,7 +20,6 @@ mod attachment;
 pub mod band;
 pub mod chain;
 pub mod compare;
-mod ends;
 mod energy;
 pub mod fem;
 pub mod form;
@@ -36,9 +34,8 @@ pub mod operating;
 pub mod peaks;
 mod plan;
 mod quadrature;
-mod recursion;
-mod reflection;
 pub mod sensitivity;
+mod solution;
 mod springs;
 mod sweep;
 mod waves;

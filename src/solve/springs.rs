@@ -1,9 +1,8 @@
-//! The four springs of a subsystem: their complex stiffnesses and their stretches.
+//! Complex stiffnesses: of the four springs of a subsystem, with their stretches, and of a restraint.
 
 use num_complex::Complex64;
 
-use super::attachment::UNKNOWNS;
-use crate::model::{Spring, Subsystem};
+use crate::model::{Elastic, Spring, Subsystem};
 
 /// The four springs: y left, y right, z left, z right.
 pub(super) fn springs(subsystem: &Subsystem) -> [Spring; 4] {
@@ -20,6 +19,12 @@ pub(super) fn stiffness(omega: Complex64, spring: Spring) -> Complex64 {
     spring.stiffness + Complex64::I * omega * spring.damping
 }
 
+/// K + i omega C - omega^2 m, N/m or N m/rad.
+pub(super) fn restraint_stiffness(elastic: Elastic, omega: Complex64) -> Complex64 {
+    let damper = Complex64::I * omega * elastic.damping;
+    elastic.stiffness + damper - omega * omega * elastic.inertia
+}
+
 /// The stretches of the four springs, m: how far the mass's end of each is ahead of the beam's.
 ///
 /// Either from what moves (`moved`: the mass's y, z, theta and the beam's w, psi, v) or from what the springs carry: of
@@ -28,13 +33,13 @@ pub(super) fn stretches(
     omega: Complex64,
     subsystem: &Subsystem,
     moved: [[Complex64; 3]; 2],
-    unknowns: &[Complex64; UNKNOWNS],
+    channels: [Complex64; 3],
 ) -> [Complex64; 4] {
     let (across, [left, right]) = terms(subsystem, moved);
     let [of_left, of_right, of_z_left, of_z_right] =
         springs(subsystem).map(|spring| stiffness(omega, spring));
-    // The unknowns are what the beam does to the mass: the y springs, and the sum and difference of the z springs.
-    let [force, sum, difference, _] = *unknowns;
+    // What the beam does to the mass: the y springs, and the sum and the difference of the z springs.
+    let [force, sum, difference] = channels;
     let y = better(&across, &[-force], of_left + of_right);
     [
         y,

@@ -1,4 +1,4 @@
-//! The six waves of the beam at one frequency: wave numbers, shapes, internal forces, and what a point load radiates.
+//! The six waves of the beam at one frequency: wave numbers, shapes and internal forces.
 //!
 //! A wave going right is `exp(-kappa x)` with Re kappa > 0, or Re kappa = 0 and Im kappa > 0. With amplitudes a
 //! (right-going) and b (left-going) at a point, displacements are `Q (a + b)`, slopes `-S (a - b)`, internal forces
@@ -6,14 +6,11 @@
 
 use num_complex::Complex64;
 
-use super::linear::{Matrix, ZERO, size, solve, zeros};
+use super::linear::{Matrix, ZERO, size};
 use crate::model::Beam;
 
 /// Index of the wave that carries the warping of the section; with `Gamma_0` = 0 it decays over no length.
 pub(super) const WARPING_WAVE: usize = 0;
-
-/// The columns of the waves that carry w and psi; the other two carry v.
-const COUPLED: usize = 4;
 
 /// What the solver needs to know of a beam, as complex stiffnesses and masses per length.
 #[derive(Debug, Clone, PartialEq)]
@@ -73,10 +70,6 @@ pub(super) struct Waves {
     pub(super) force: Matrix<3, 6>,
     /// M: internal moments (`M_w`, B, `M_v`). Where `Gamma_0` = 0 the row of B is the warping wave alone.
     pub(super) moment: Matrix<3, 6>,
-    /// X: amplitudes that a unit jump of each internal force sends both ways.
-    pub(super) from_force: Matrix<6, 3>,
-    /// Y: amplitudes that a unit jump of each internal moment sends right; left it sends -Y.
-    pub(super) from_moment: Matrix<6, 3>,
 }
 
 /// One of the four coupled waves: h = kappa^2 and its shape.
@@ -87,134 +80,32 @@ pub(super) struct CoupledWave {
     pub(super) psi: Complex64,
 }
 
-impl Waves {
-    /// The waves at the angular frequency `omega`, rad/s: positive, or complex where a mode or a zero is sought.
-    ///
-    /// Source: Chen & Liu, Mathematics 2022, 10(16), 2849, Eqs. 19 to 24, with the shape taken from whichever row of
-    /// the state equation does not divide by `z_c`.
-    pub(super) fn new(beam: &BeamConstants, omega: Complex64) -> Self {
-        let mut waves = Self {
-            kappa: [ZERO; 6],
-            displacement: zeros(),
-            slope: zeros(),
-            force: zeros(),
-            moment: zeros(),
-            from_force: zeros(),
-            from_moment: zeros(),
-        };
-        for (column, wave) in coupled_waves(beam, omega).into_iter().enumerate() {
-            waves.set_coupled(beam, omega, column, wave);
-        }
-        if beam.without_warping() {
-            waves.set_warping_limit();
-        }
-        waves.set_bending_v(beam, omega);
-        waves.set_radiation();
-        waves
-    }
+/// Six wave amplitudes.
+pub(super) type Amplitudes = [Complex64; 6];
 
+impl Waves {
     /// True where `Gamma_0` = 0: the warping wave decays over no length.
     pub(super) fn without_warping(&self) -> bool {
         self.kappa[WARPING_WAVE].re.is_infinite()
     }
 
-    fn set_coupled(
-        &mut self,
-        beam: &BeamConstants,
-        omega: Complex64,
-        column: usize,
-        wave: CoupledWave,
-    ) {
-        let CoupledWave { h, w, psi } = wave;
-        let kappa = decaying_root(h);
-        self.kappa[column] = kappa;
-        self.displacement[0][column] = w;
-        self.displacement[1][column] = psi;
-        self.slope[0][column] = kappa * w;
-        self.slope[1][column] = kappa * psi;
-        self.force[0][column] = beam.bending_w * h * kappa * w;
-        self.force[1][column] = kappa * torque_over_kappa(beam, omega, wave);
-        self.moment[0][column] = beam.bending_w * h * w;
-        self.moment[1][column] = beam.warping * h * psi;
-    }
-
-    /// The limit `Gamma_0` -> 0: the warping wave turns the rate of twist by one unit at no length, no force and no
-    /// displacement; the bimoment vanishes like sqrt(E `Gamma_0` G J), so its row, scaled by that, is this wave alone.
-    fn set_warping_limit(&mut self) {
-        self.kappa[WARPING_WAVE] = Complex64::new(f64::INFINITY, 0.0);
-        for row in 0..3 {
-            self.displacement[row][WARPING_WAVE] = ZERO;
-            self.slope[row][WARPING_WAVE] = ZERO;
-            self.force[row][WARPING_WAVE] = ZERO;
-            self.moment[row][WARPING_WAVE] = ZERO;
-        }
-        self.slope[1][WARPING_WAVE] = Complex64::ONE;
-        self.moment[1] = [ZERO; 6];
-        self.moment[1][WARPING_WAVE] = Complex64::ONE;
-    }
-
-    fn set_bending_v(&mut self, beam: &BeamConstants, omega: Complex64) {
-        let h = (omega * omega * beam.mass / beam.bending_v).sqrt();
-        for (column, h) in [(COUPLED, h), (COUPLED + 1, -h)] {
-            let kappa = decaying_root(h);
-            self.kappa[column] = kappa;
-            self.displacement[2][column] = Complex64::ONE;
-            self.slope[2][column] = kappa;
-            self.force[2][column] = beam.bending_v * h * kappa;
-            self.moment[2][column] = beam.bending_v * h;
-        }
-    }
-
-    /// X = 1/2 [S; P]^-1 [0; I] and Y = 1/2 [Q; M]^-1 [0; I], in their blocks (w, psi) and v.
-    fn set_radiation(&mut self) {
-        self.from_force = radiation(&self.slope, &self.force);
-        self.from_moment = radiation(&self.displacement, &self.moment);
+    /// exp(-kappa l) over a length, m; 1 over no length, also for the wave that decays at once.
+    pub(super) fn decay(&self, length: f64) -> Amplitudes {
+        self.kappa.map(|kappa| {
+            if length == 0.0 {
+                Complex64::ONE
+            } else if kappa.re.is_infinite() {
+                ZERO
+            } else {
+                (-kappa * length).exp()
+            }
+        })
     }
 }
 
-/// 1/2 [still; jump]^-1 [0; I]: what leaves a point where `still` stays and `jump` jumps.
-fn radiation(still: &Matrix<3, 6>, jump: &Matrix<3, 6>) -> Matrix<6, 3> {
-    let half = Complex64::new(0.5, 0.0);
-    let mut coupled = zeros::<4, 4>();
-    for (row, source) in [&still[0], &still[1], &jump[0], &jump[1]]
-        .into_iter()
-        .enumerate()
-    {
-        coupled[row].copy_from_slice(&source[..COUPLED]);
-    }
-    let load = [[ZERO, ZERO], [ZERO, ZERO], [half, ZERO], [ZERO, half]];
-    let bending = [[still[2][4], still[2][5]], [jump[2][4], jump[2][5]]];
-    let mut out = zeros::<6, 3>();
-    for (row, x) in solve(coupled, load).into_iter().enumerate() {
-        out[row][..2].copy_from_slice(&x);
-    }
-    for (row, x) in solve(bending, [[ZERO], [half]]).into_iter().enumerate() {
-        out[COUPLED + row][2] = x[0];
-    }
-    out
-}
-
-/// The square root of h with Re > 0, or Re = 0 and Im > 0.
-fn decaying_root(h: Complex64) -> Complex64 {
-    if h.im == 0.0 {
-        // A zero of either sign must not choose the branch.
-        return if h.re >= 0.0 {
-            Complex64::new(h.re.sqrt(), 0.0)
-        } else {
-            Complex64::new(0.0, (-h.re).sqrt())
-        };
-    }
-    h.sqrt()
-}
-
-/// (E `Gamma_0` h - G J) Psi of a wave, by the equation of motion where the difference would cancel.
-fn torque_over_kappa(beam: &BeamConstants, omega: Complex64, wave: CoupledWave) -> Complex64 {
-    let warping = beam.warping * wave.h;
-    let difference = warping - beam.torsion;
-    if difference.norm_sqr() > 0.25 * beam.torsion.norm_sqr() {
-        return difference * wave.psi;
-    }
-    (beam.polar * wave.psi + beam.coupling * wave.w) * (omega * omega) / wave.h
+/// Columns of the waves that a row (w, psi, v) of Q, S, P or M can reach.
+pub(super) const fn reach(row: usize) -> std::ops::Range<usize> {
+    if row < 2 { 0..4 } else { 4..6 }
 }
 
 /// The four roots `h = kappa^2` of the state equation and their shapes: two evanescent, two travelling.
@@ -525,7 +416,7 @@ mod tests {
     fn waves_decay_or_travel_to_the_right() {
         for loss in [0.0, 0.02, 1.5] {
             let beam = BeamConstants::new(&paper_beam(loss, 2.2783e-8, 0.0619));
-            for kappa in Waves::new(&beam, Complex64::from(600.0)).kappa {
+            for kappa in crate::solve::lanes::waves(&beam, Complex64::from(600.0)).kappa {
                 assert!(
                     kappa.re > 0.0 || (kappa.re == 0.0 && kappa.im > 0.0),
                     "{kappa}"

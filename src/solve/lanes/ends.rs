@@ -9,8 +9,11 @@ use super::number::{Arithmetic, Real, part};
 use super::reflection::{Amplitudes, Reflection, Side, entry, reach};
 use super::waves::Waves;
 use crate::model::{BeamMotion, Restraint};
-use crate::solve::ends::RESONANT;
 use crate::solve::plan::End;
+
+/// A margin of the last system below which its answer is rounding alone: the model has no damping and is at a resonance to
+/// the last digits of the frequency.
+const RESONANT: f64 = 1e-14;
 
 /// The motions of an end: first those that the coupled waves carry, then those of the other two.
 const MOTIONS: [BeamMotion; 6] = [

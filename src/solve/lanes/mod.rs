@@ -1,20 +1,22 @@
-//! The solver of sweeps: the recursion of [`super::recursion`] at several frequencies at once.
+//! The kernel: responses, the characteristic function and whole solutions at several complex frequencies at once.
 //!
-//! A number here is the numbers of eight or four frequencies side by side ([`number`], [`complex`]): each line of the
-//! kernel works on all of them with one instruction where the processor has vectors of 512 or 256 bits (`vectors`; any
-//! other processor: `portable`), and takes the same decisions for each as if it were alone. `waves`, `ends`, `station`,
-//! `reflection` and `recursion` have the names of their plain counterparts in [`super`], which solve one complex
-//! frequency and are what these are held against. `roots` finds the coupled waves, `dispatch` looks what the processor can
-//! do when the program runs.
+//! A number here is the numbers of eight or four frequencies ([`number`], [`complex`]): each line works on all of them
+//! with one instruction where the processor has vectors of 512 or 256 bits (`vectors`; any other processor: `portable`),
+//! and takes the same decisions for each as if it were alone. `dispatch` finds what the processor has when the program
+//! runs. A whole [`solution`] is the instance with one lane.
 //!
-//! `sides` keeps what lies beside an edited place: `carry` takes waves over it, `combinations` and `quadratic` say what
-//! energy they leave there.
+//! At every point the right-going amplitudes are carried as `a = R b + s`, seen looking left (`reflection`); only decaying
+//! exponentials occur, so nothing is lost however long the beam or high the frequency, where a product of transfer
+//! matrices loses digits like `exp(2 kappa L)` (Chen & Liu 2022, Eq. 48). `waves` and `roots` give the waves, `ends` the
+//! supports, `station` the subsystems, `recursion` sweeps to the right and back, `read` gives what is read, `energy`
+//! integrates what moved. Cost and memory are linear in the stations.
 //!
-//! `characteristic` is the function whose zeros are the natural frequencies.
+//! `sides` is the cache of what lies left and right of an edited place: `carry` takes waves over it, `combinations` and
+//! `quadratic` give the energy that they leave there. `characteristic` is the function whose zeros are the natural
+//! frequencies.
 //!
-//! What makes it less work than the plain one, apart from the vectors: reflections are symmetric; nothing is solved for
-//! what a load radiates; a subsystem is solved for its three stretches instead of six waves; unread intermediate results
-//! are not stored.
+//! What saves work: reflections are symmetric; nothing is solved for what a load radiates; a subsystem is solved for its
+//! three stretches instead of six waves; unread intermediate results are not stored.
 
 #![allow(
     clippy::inline_always,
@@ -39,6 +41,7 @@ mod recursion;
 mod reflection;
 mod roots;
 mod sides;
+mod solution;
 mod station;
 #[cfg(target_arch = "x86_64")]
 mod vectors;
@@ -50,6 +53,7 @@ pub(super) use dispatch::{KeptSides, Solver};
 pub(super) use number::MOST_LANES;
 pub(super) use recursion::Prepared;
 pub(super) use sides::{Between, Source};
+pub(super) use solution::waves;
 
 #[cfg(test)]
 mod tests;

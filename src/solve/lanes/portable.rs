@@ -8,6 +8,9 @@ use super::number::{Arithmetic, MOST_LANES, Part};
 /// The arithmetic where nothing better is known.
 pub(in crate::solve) type Portable = Array<Silent, 4>;
 
+/// The arithmetic of a single frequency.
+pub(super) type One = Array<Silent, 1>;
+
 /// Numbers side by side.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(32))]

@@ -89,9 +89,12 @@ impl<A: Arithmetic> State<A> {
         sum
     }
 
-    /// The motion of the mass; which equation gives it without cancellation is told in [`crate::solve::attachment`].
+    /// The motion of the mass.
+    ///
+    /// Below the resonance of a mass on its springs the motion follows from the stretch, above it from the inertia: either
+    /// alone would be a small difference of large numbers on the other side.
     #[inline(always)]
-    fn mass(
+    pub(super) fn mass(
         &self,
         waves: &Waves<A>,
         attachment: &Attachment,

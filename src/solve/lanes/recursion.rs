@@ -26,6 +26,7 @@ pub(in crate::solve) struct Prepared {
 }
 
 impl Prepared {
+    /// To be read where the plan's outputs are.
     pub(in crate::solve) fn new(plan: Plan) -> Self {
         let mut is_read = vec![false; plan.stations.len()];
         for output in &plan.outputs {
@@ -41,6 +42,16 @@ impl Prepared {
                 Output::Held | Output::Energy => {}
             }
         }
+        Self::reading(plan, is_read)
+    }
+
+    /// To be read at every station.
+    pub(in crate::solve) fn whole(plan: Plan) -> Self {
+        let is_read = vec![true; plan.stations.len()];
+        Self::reading(plan, is_read)
+    }
+
+    fn reading(plan: Plan, is_read: Vec<bool>) -> Self {
         let mut read = 0;
         let number = |is_read: bool| {
             read += usize::from(is_read);
@@ -284,7 +295,7 @@ impl<A: Arithmetic> Room<A> {
 
     /// Carries b' to the left over a station; what the station sends to the right, before N.
     #[inline(always)]
-    fn cross(
+    pub(super) fn cross(
         &mut self,
         index: usize,
         event: &Event,

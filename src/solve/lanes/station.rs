@@ -40,7 +40,6 @@ pub(super) struct Unknowns<'a, A> {
 }
 
 /// Stretches of the channels by each wave: w + `z_b` psi and `y_u` psi by the coupled ones; v by the other two is 1.
-/// None of them by a motion that a support holds.
 #[derive(Debug, Clone)]
 pub(super) struct Stretches<A> {
     y: [Complex<A>; 4],
@@ -48,9 +47,19 @@ pub(super) struct Stretches<A> {
     difference: [Complex<A>; 4],
 }
 
+/// The stretches, none of them by a motion that a support holds.
 #[inline(always)]
 pub(super) fn stretches<A: Arithmetic>(waves: &Waves<A>, attachment: &Attachment) -> Stretches<A> {
-    let [w_held, psi_held, v_held] = attachment.held;
+    stretches_without(waves, attachment, attachment.held)
+}
+
+/// The stretches, none of them by w, psi or v where these are left out.
+#[inline(always)]
+pub(super) fn stretches_without<A: Arithmetic>(
+    waves: &Waves<A>,
+    attachment: &Attachment,
+    [w_held, psi_held, v_held]: [bool; 3],
+) -> Stretches<A> {
     let mut out = Stretches {
         y: [Complex::ZERO; 4],
         sum: if v_held { Real::ZERO } else { Real::ONE },

@@ -1,6 +1,6 @@
-//! The six waves of the beam at several frequencies at once.
+//! The six waves of the beam at several frequencies at once; the equations are those of [`crate::solve::waves`].
 //!
-//! The same waves as in [`crate::solve::waves`], where their equations are, with one difference: what a point load radiates is not solved for but follows from reciprocity: a jump f of the internal forces sends
+//! What a point load radiates is not solved for but follows from reciprocity: a jump f of the internal forces sends
 //! `X f` both ways and a jump m of the internal moments `Y m` to the right and `-Y m` to the left with
 //! `X = N Q^T`, `Y = N S^T`, where the diagonal N holds `1 / (2 kappa (2 E Iy h W^2 + (2 E G0 h - G J) Psi^2))` of the
 //! coupled waves and `1 / (4 E Iz h kappa)` of the others, h = kappa^2. It is the same for Q, S, P, M of any scale.
@@ -102,7 +102,7 @@ impl<A: Arithmetic> CoupledWave<A> {
     }
 }
 
-/// Finds the coupled waves by the plain solver where the kernel missed them.
+/// Finds the coupled waves one frequency at a time where all lanes together missed them.
 #[inline(always)]
 fn recover<A: Arithmetic>(
     (waves, constants, omega, missed): (&mut [CoupledWave<A>; 4], &Constants, Complex<A>, Real<A>),

@@ -3,7 +3,7 @@
 //! With the state (q, p) carried from the six solutions that the left support allows to the six equations of the right
 //! one, the determinant of these equations times the determinants of the blocked masses is an entire function of omega
 //! whose zeros are the natural frequencies, as often as they occur: real without damping, complex with it. The
-//! recursion of reflections (see [`recursion`](super::super::recursion)) gives it as a product of small determinants,
+//! recursion of reflections (see [`lanes`](super::super::lanes)) gives it as a product of small determinants,
 //!
 //! `F = det(left) det(right) prod(omega^4 m^2 det(station)) exp(L sum kappa) / (det[Q; M] det[S; P])`
 //!
@@ -13,10 +13,9 @@
 use num_complex::Complex64;
 use rayon::prelude::*;
 
-use super::super::lanes::{MOST_LANES, Prepared, Solver};
+use super::super::lanes::{MOST_LANES, Prepared, Solver, waves};
 use super::super::linear::Magnified;
 use super::super::plan::Plan;
-use super::super::waves::Waves;
 use crate::model::Model;
 
 /// A model laid out to find its natural frequencies.
@@ -43,7 +42,7 @@ impl Characteristic {
 
     /// How fast F turns at most with ln omega at `omega`, rad/s: the sum of kappa L over its waves.
     pub(super) fn turning(&self, omega: f64) -> f64 {
-        let waves = Waves::new(&self.prepared.plan.beam, omega.into());
+        let waves = waves(&self.prepared.plan.beam, omega.into());
         let finite = waves.kappa.iter().filter(|kappa| kappa.re.is_finite());
         1.0 + 0.5 * self.length * finite.map(|kappa| kappa.norm()).sum::<f64>()
     }

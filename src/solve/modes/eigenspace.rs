@@ -18,10 +18,10 @@ use super::pencil::{Pair, pairs};
 use crate::model::{
     BeamMotion, Force, MassMotion, Measure, Model, Place, Quantity, Response, Target,
 };
-use crate::solve::lanes::{Prepared, Solver};
+use crate::solve::lanes::{Prepared, Solver, waves};
 use crate::solve::plan::Plan;
 use crate::solve::quadrature::{Node, nodes};
-use crate::solve::waves::{BeamConstants, Waves};
+use crate::solve::waves::BeamConstants;
 
 /// A circle in the plane of omega, rad/s, and how many points of it are looked at.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -81,7 +81,7 @@ pub(super) struct Probe<'a> {
 impl<'a> Probe<'a> {
     /// For modes near `omega`, rad/s.
     pub(super) fn new(model: &'a Model, omega: Complex64, looked_at: Vec<f64>) -> Self {
-        let waves = Waves::new(&BeamConstants::new(&model.beam), omega);
+        let waves = waves(&BeamConstants::new(&model.beam), omega);
         let mut stations: Vec<f64> = model.attached().map(|of| of.position).collect();
         stations.sort_by(f64::total_cmp);
         Self {

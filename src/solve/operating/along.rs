@@ -3,11 +3,12 @@
 use num_complex::Complex64;
 
 use crate::model::{BeamMotion, Model, Restraint, Support};
+use crate::solve::lanes::Prepared;
 use crate::solve::linear::ZERO;
 use crate::solve::local::Local;
 use crate::solve::plan::Plan;
-use crate::solve::recursion::{Solution, Workspace};
-use crate::solve::reflection::{Amplitudes, decay};
+use crate::solve::solution::Solution;
+use crate::solve::waves::Amplitudes;
 
 /// A model with its solution at one frequency.
 pub(super) struct Along<'a> {
@@ -33,7 +34,7 @@ impl<'a> Along<'a> {
             model,
             plan,
             omega,
-            solution: Workspace::default().solution(plan, omega.into()),
+            solution: Prepared::whole(plan.clone()).solution(omega.into()),
         }
     }
 
@@ -92,8 +93,8 @@ impl<'a> Along<'a> {
 
     fn waves_at(&self, spot: Spot) -> (Amplitudes, Amplitudes) {
         let waves = &self.solution.waves;
-        let from_left = decay(waves, spot.position - self.start_of(spot.span));
-        let from_right = decay(waves, self.end_of(spot.span) - spot.position);
+        let from_left = waves.decay(spot.position - self.start_of(spot.span));
+        let from_right = waves.decay(self.end_of(spot.span) - spot.position);
         let span = &self.solution.spans[spot.span];
         (
             std::array::from_fn(|wave| span.a[wave] * from_left[wave]),

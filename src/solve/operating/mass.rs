@@ -4,6 +4,7 @@ use super::MassState;
 use super::along::Along;
 use crate::model::Subsystem;
 use crate::solve::plan::Event;
+use crate::solve::solution::MassSolution;
 use crate::solve::springs::{springs, stiffness, stretches};
 
 /// The enabled subsystems, in the order of the model.
@@ -12,20 +13,17 @@ pub(super) fn masses(along: &Along<'_>) -> Vec<MassState> {
     // Stations lie by rising place, those at one place in the order of the model.
     let mut order: Vec<usize> = (0..attached.len()).collect();
     order.sort_by(|&a, &b| attached[a].position.total_cmp(&attached[b].position));
-    let stations = along.plan.stations.iter().zip(&along.solution.unknowns);
-    let attachments = stations.filter_map(|(station, unknowns)| match &station.event {
-        Event::Attachment(attachment) => Some((attachment, unknowns)),
-        Event::Load(_) | Event::Probe => None,
-    });
+    let stations = along.plan.stations.iter().zip(&along.solution.masses);
+    let solved = stations.filter(|(station, _)| matches!(station.event, Event::Attachment(_)));
     let mut states: Vec<(usize, MassState)> = order
         .into_iter()
-        .zip(attachments)
-        .map(|(index, (attachment, unknowns))| {
+        .zip(solved)
+        .map(|(index, (_, solved))| {
             let subsystem = attached[index];
             let [w, psi, v, ..] = along.at(along.spot(subsystem.position)).motion;
             let omega = along.omega.into();
-            let motion = attachment.motion(omega, unknowns, &[w, psi, v]);
-            let stretches = stretches(omega, subsystem, [motion, [w, psi, v]], unknowns);
+            let MassSolution { forces, motion } = *solved;
+            let stretches = stretches(omega, subsystem, [motion, [w, psi, v]], forces);
             let springs = springs(subsystem);
             let state = MassState {
                 name: subsystem.name.clone(),

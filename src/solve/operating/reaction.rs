@@ -4,10 +4,10 @@ use num_complex::Complex64;
 
 use super::along::Along;
 use crate::model::{BeamMotion, Restraint};
-use crate::solve::ends::stiffness;
 use crate::solve::linear::ZERO;
 use crate::solve::local::Local;
 use crate::solve::plan::End;
+use crate::solve::springs::restraint_stiffness;
 
 /// Of the left and of the right support, along the six motions.
 pub(super) fn reactions(along: &Along<'_>) -> [[Complex64; 6]; 2] {
@@ -30,7 +30,7 @@ fn reaction(along: &Along<'_>, end: &End, local: &Local, outward: f64) -> [Compl
             Restraint::Free => ZERO,
             Restraint::Fixed => outward * local.force[row] - end.load[row],
             Restraint::Elastic(elastic) => {
-                -stiffness(elastic, along.omega.into()) * local.motion[row]
+                -restraint_stiffness(elastic, along.omega.into()) * local.motion[row]
             }
         }
     })

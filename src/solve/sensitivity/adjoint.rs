@@ -3,6 +3,7 @@
 use num_complex::Complex64;
 
 use crate::model::{BeamMotion, Measure, Model, Place, Quantity, Target};
+use crate::solve::lanes::Prepared;
 use crate::solve::linear::ZERO;
 use crate::solve::plan::{Event, Output, Plan};
 
@@ -20,8 +21,8 @@ pub(super) enum Adjoint {
 /// A motion of the beam or of a mass.
 #[derive(Debug)]
 pub(super) struct Motion {
-    /// The plan under a unit load along the motion.
-    pub(super) plan: Plan,
+    /// The plan under a unit load along the motion, as a whole.
+    pub(super) prepared: Prepared,
     pub(super) measure: Measure,
     /// Where the motion is read.
     pub(super) reading: Reading,
@@ -102,7 +103,7 @@ impl Adjoint {
             }
         };
         Self::Motion(Box::new(Motion {
-            plan,
+            prepared: Prepared::whole(plan),
             measure,
             reading,
             held,

@@ -15,13 +15,13 @@ use super::overlap::Spans;
 use super::product::Product;
 use super::{Differentiator, Gradient, forces, mass_stations};
 use crate::model::Model;
-use crate::solve::attachment::UNKNOWNS;
 use crate::solve::energy::{SpanEnergy, Sum};
+use crate::solve::lanes::Prepared;
 use crate::solve::linear::ZERO;
 use crate::solve::plan::{Event, Plan};
 use crate::solve::quadrature::{Node, nodes};
-use crate::solve::recursion::{Solution, SpanWaves, Workspace};
-use crate::solve::reflection::{Amplitudes, decay};
+use crate::solve::solution::{MassSolution, Solution, SpanWaves};
+use crate::solve::waves::Amplitudes;
 
 /// Where the numbers stand that W depends on, in the order of the model file.
 const LENGTH: usize = 0;
@@ -32,13 +32,18 @@ const POLAR_MOMENT: usize = 10;
 impl Differentiator {
     /// The derivatives of `E_V` at a frequency, rad/s.
     pub(super) fn of_energy(&self, omega: f64) -> Gradient {
-        let solution = Workspace::default().solution(&self.plan, omega.into());
+        let solution = self.prepared.solution(omega.into());
         let length = self.model.beam.length;
-        let stations = self.plan.stations.iter().map(|station| station.position);
+        let stations = self
+            .prepared
+            .plan
+            .stations
+            .iter()
+            .map(|station| station.position);
         let nodes = nodes(stations, &solution.waves.kappa, length);
         let places = nodes.iter().map(|node| node.x);
-        let plan = self.plan.with_probes(places, length);
-        let u = refined(&self.plan, &plan, &solution);
+        let plan = self.prepared.plan.with_probes(places, length);
+        let u = refined(&self.prepared.plan, &plan, &solution);
         let masses = mass_stations(&self.model, &plan);
         let setting = Setting {
             model: &self.model,
@@ -48,10 +53,12 @@ impl Differentiator {
         };
         let spread = Spread::new(&plan, &u, &nodes);
         let lambda_plan = spread.loaded(&plan);
-        let lambda = Workspace::default().solution(&lambda_plan, omega.into());
+        let lambda_plan = Prepared::whole(lambda_plan);
+        let lambda = lambda_plan.solution(omega.into());
+        let lambda_plan = &lambda_plan.plan;
         let lambda_field = Field::new(
             &Setting {
-                plan: &lambda_plan,
+                plan: lambda_plan,
                 ..setting
             },
             &lambda,
@@ -65,9 +72,9 @@ impl Differentiator {
             overlap: spans.overlap(&plan, &lambda.waves, [&lambda.spans, &u.spans]),
         };
         let mut by_parameter = product.by_parameter([&[ZERO; 6], &forces::held(&self.forces)]);
-        let reader = Reader::new(&lambda_plan, &lambda);
+        let reader = Reader::new(lambda_plan, &lambda);
         for force in &self.forces {
-            by_parameter.extend(force.by_parameter(&lambda_plan, &lambda_field, &reader));
+            by_parameter.extend(force.by_parameter(lambda_plan, &lambda_field, &reader));
         }
         for value in &mut by_parameter {
             *value = (2.0 * value.re).into();
@@ -76,7 +83,7 @@ impl Differentiator {
             by_parameter[index] += share;
         }
         Gradient {
-            value: energy(&self.plan, &solution).into(),
+            value: energy(&self.prepared.plan, &solution).into(),
             by_frequency: (2.0 * TAU * product.by_omega().re).into(),
             by_parameter,
         }
@@ -96,9 +103,9 @@ fn energy(plan: &Plan, solution: &Solution) -> f64 {
 /// A solution on a plan that has more places to look at.
 fn refined(plan: &Plan, fine: &Plan, solution: &Solution) -> Solution {
     let lengths = fine.lengths.iter();
-    let decays: Vec<Amplitudes> = lengths.map(|&l| decay(&solution.waves, l)).collect();
+    let decays: Vec<Amplitudes> = lengths.map(|&l| solution.waves.decay(l)).collect();
     let mut spans: Vec<SpanWaves> = Vec::new();
-    let mut unknowns = Vec::new();
+    let mut masses = Vec::new();
     let mut first = 0;
     for (span, waves) in solution.spans.iter().enumerate() {
         // The fine spans up to the station that ends this one.
@@ -108,8 +115,8 @@ fn refined(plan: &Plan, fine: &Plan, solution: &Solution) -> Solution {
             .map_or(f64::INFINITY, |of| of.position);
         let probes = &fine.stations[first..];
         let within = probes.iter().take_while(|of| of.position < end).count();
-        unknowns.extend(vec![[ZERO; UNKNOWNS]; within]);
-        unknowns.extend(solution.unknowns.get(span));
+        masses.extend(vec![MassSolution::default(); within]);
+        masses.extend(solution.masses.get(span));
         let last = first + within;
         let pieces = &fine.spans[first..=last];
         let mut piece_waves = vec![waves.clone(); pieces.len()];
@@ -126,7 +133,7 @@ fn refined(plan: &Plan, fine: &Plan, solution: &Solution) -> Solution {
         waves: solution.waves.clone(),
         decays,
         spans,
-        unknowns,
+        masses,
     }
 }
 

@@ -3,13 +3,11 @@
 use num_complex::Complex64;
 
 use crate::model::{BeamMotion, Model, Restraint, Subsystem};
-use crate::solve::attachment::UNKNOWNS;
-use crate::solve::linear::ZERO;
 use crate::solve::local::Local;
-use crate::solve::plan::{End, Event, Plan};
-use crate::solve::recursion::{Solution, SpanWaves};
-use crate::solve::reflection::Amplitudes;
+use crate::solve::plan::{End, Plan};
+use crate::solve::solution::{MassSolution, Solution, SpanWaves};
 use crate::solve::springs::{springs, stiffness, stretches};
+use crate::solve::waves::Amplitudes;
 use crate::solve::waves::Waves;
 
 /// A model laid out, and one frequency.
@@ -104,8 +102,12 @@ impl Field {
         let edge = reader.end(setting.plan.stations.len());
         let attached = setting.model.attached().zip(setting.masses);
         let masses = attached.map(|(subsystem, &station)| {
-            let unknowns = &solution.unknowns[station];
-            mass(setting, &reader, subsystem, station, unknowns)
+            mass(
+                setting,
+                &reader,
+                subsystem,
+                (station, solution.masses[station]),
+            )
         });
         Self {
             ends: [reader.start(0).motion, edge.motion],
@@ -159,16 +161,11 @@ fn mass(
     setting: &Setting<'_>,
     reader: &Reader<'_>,
     subsystem: &Subsystem,
-    station: usize,
-    unknowns: &[Complex64; UNKNOWNS],
+    (station, MassSolution { forces, motion }): (usize, MassSolution),
 ) -> MassField {
     let local = reader.end(station);
     let [w, psi, v, ..] = local.motion;
-    let motion = match &setting.plan.stations[station].event {
-        Event::Attachment(attachment) => attachment.motion(setting.omega, unknowns, &[w, psi, v]),
-        Event::Load(_) | Event::Probe => [ZERO; 3],
-    };
-    let stretches = stretches(setting.omega, subsystem, [motion, [w, psi, v]], unknowns);
+    let stretches = stretches(setting.omega, subsystem, [motion, [w, psi, v]], forces);
     let springs = springs(subsystem);
     let mut slope = [local.motion[3], local.motion[4], local.motion[5]];
     if setting.plan.beam.without_warping() {

@@ -24,9 +24,10 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
+use super::lanes::Prepared;
 use super::linear::ZERO;
 use super::plan::{Event, Plan};
-use super::recursion::{Solution, Workspace};
+use super::solution::Solution;
 use crate::model::{BeamMotion, Model, ParameterId};
 pub use effect::{Figure, Sensitivity, effects};
 
@@ -62,7 +63,8 @@ pub struct Gradient {
 #[derive(Debug)]
 pub struct Differentiator {
     model: Model,
-    plan: Plan,
+    /// As a whole.
+    prepared: Prepared,
     parameters: Parameters,
     /// Station of each enabled subsystem, in the order of the model.
     masses: Vec<usize>,
@@ -91,7 +93,7 @@ impl Differentiator {
             forces: Force::all(model),
             model: model.clone(),
             masses,
-            plan,
+            prepared: Prepared::whole(plan),
         }
     }
 
@@ -125,13 +127,13 @@ impl Differentiator {
     fn forced(&self, omega: Complex64) -> Forced<'_> {
         let setting = Setting {
             model: &self.model,
-            plan: &self.plan,
+            plan: &self.prepared.plan,
             masses: &self.masses,
             omega,
         };
-        let solution = Workspace::default().solution(&self.plan, omega);
+        let solution = self.prepared.solution(omega);
         Forced {
-            spans: Spans::new(&self.plan, &solution),
+            spans: Spans::new(&self.prepared.plan, &solution),
             field: Field::new(&setting, &solution),
             setting,
             solution,
@@ -157,17 +159,19 @@ impl Differentiator {
 
     fn of_motion(&self, forced: &Forced<'_>, motion: &Motion) -> Gradient {
         let setting = Setting {
-            plan: &motion.plan,
+            plan: &motion.prepared.plan,
             ..forced.setting
         };
-        let solution = Workspace::default().solution(setting.plan, setting.omega);
+        let solution = motion.prepared.solution(setting.omega);
         let lambda = Field::new(&setting, &solution);
         let spans = [&solution.spans[..], &forced.solution.spans];
         let product = Product {
             setting,
             lambda: &lambda,
             u: &forced.field,
-            overlap: forced.spans.overlap(&self.plan, &solution.waves, spans),
+            overlap: forced
+                .spans
+                .overlap(&self.prepared.plan, &solution.waves, spans),
         };
         let mut by_parameter = product.by_parameter([&motion.held, &forces::held(&self.forces)]);
         let reader = Reader::new(setting.plan, &solution);
@@ -176,7 +180,7 @@ impl Differentiator {
         }
         let [times, growth] = factor(motion.measure, setting.omega);
         let mut by_frequency = product.by_omega();
-        let is_unknown = self.plan.beam.without_warping()
+        let is_unknown = self.prepared.plan.beam.without_warping()
             && matches!(
                 motion.reading,
                 Reading::Beam(_, BeamMotion::PsiSlope) | Reading::MeanTwistRate(_)
@@ -199,7 +203,7 @@ impl Differentiator {
 
     /// A motion under the forces of the model.
     fn read(&self, forced: &Forced<'_>, reading: Reading) -> Complex64 {
-        let reader = Reader::new(&self.plan, &forced.solution);
+        let reader = Reader::new(&self.prepared.plan, &forced.solution);
         let rate = |station: usize| reader.end(station).motion[BeamMotion::PsiSlope as usize];
         match reading {
             Reading::Mass(index, motion) => forced.field.masses[index].motion[motion],

@@ -15,12 +15,11 @@ use super::overlap::Spans;
 use super::product::Product;
 use super::{Differentiator, mass_stations};
 use crate::model::{Force, Model};
+use crate::solve::lanes::{Prepared, waves};
 use crate::solve::linear::ZERO;
 use crate::solve::modes::{Group, ModeKind, Modes, eigenvalues};
 use crate::solve::plan::Plan;
-use crate::solve::recursion::{Solution, Workspace};
-use crate::solve::reflection::decay;
-use crate::solve::waves::Waves;
+use crate::solve::solution::Solution;
 
 /// Distance from the root, as a share of that to the next root, but for the modes of the group.
 const ASIDE: f64 = 1e-3;
@@ -210,14 +209,15 @@ impl Loaded {
 /// The points lie on the ray through the root, along which no wave changes its direction. With `u = phi / distance + r0 +
 /// r1 distance + ...` the weights leave phi and what is of the fourth order.
 fn motion(plan: &Plan, omega: Complex64, aside: f64) -> Solution {
-    let answer = |side: f64| Workspace::default().solution(plan, omega * (1.0 + side * aside));
+    let prepared = Prepared::whole(plan.clone());
+    let answer = |side: f64| prepared.solution(omega * (1.0 + side * aside));
     let mut motion = answer(1.0);
     for (side, weight) in [(-1.0, -1.0), (2.0, -0.5), (-2.0, 0.5)] {
         add(&mut motion, &answer(side), weight.into());
     }
-    motion.waves = Waves::new(&plan.beam, omega);
+    motion.waves = waves(&plan.beam, omega);
     let lengths = plan.lengths.iter();
-    motion.decays = lengths.map(|&l| decay(&motion.waves, l)).collect();
+    motion.decays = lengths.map(|&l| motion.waves.decay(l)).collect();
     motion
 }
 
@@ -230,8 +230,10 @@ fn add(to: &mut Solution, other: &Solution, factor: Complex64) {
             *to += factor * other;
         }
     }
-    let unknowns = to.unknowns.iter_mut().flatten();
-    for (to, other) in unknowns.zip(other.unknowns.iter().flatten()) {
-        *to += factor * other;
+    for (to, other) in to.masses.iter_mut().zip(&other.masses) {
+        for index in 0..3 {
+            to.forces[index] += factor * other.forces[index];
+            to.motion[index] += factor * other.motion[index];
+        }
     }
 }

@@ -9,8 +9,8 @@ use num_complex::Complex64;
 use crate::solve::energy::mean_decay;
 use crate::solve::linear::{Matrix, ZERO, zeros};
 use crate::solve::plan::Plan;
-use crate::solve::recursion::{Solution, SpanWaves};
-use crate::solve::reflection::Amplitudes;
+use crate::solve::solution::{Solution, SpanWaves};
+use crate::solve::waves::Amplitudes;
 use crate::solve::waves::{WARPING_WAVE, Waves};
 
 /// The blocks of waves that meet: those that carry w and psi, and those that carry v.

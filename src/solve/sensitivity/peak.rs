@@ -11,7 +11,8 @@ use num_complex::Complex64;
 
 use super::Differentiator;
 use super::adjoint::Adjoint;
-use crate::solve::recursion::Workspace;
+use crate::solve::lanes::Solver;
+use crate::solve::linear::ZERO;
 
 /// Chebyshev points of an interval.
 const POINTS: usize = 16;
@@ -108,7 +109,7 @@ impl Differentiator {
             half: LONGEST * middle,
         };
         while interval.half > SHORTEST * middle {
-            let series = coefficients(&interval.points().map(|f| self.power_at(response, f)));
+            let series = coefficients(&self.powers(response, interval.points()));
             let largest = series.iter().map(|term| term.abs()).fold(0.0, f64::max);
             let last = series[POINTS - 3..].iter().map(|term| term.abs());
             if last.fold(0.0, f64::max) <= CONVERGED * largest && largest.is_finite() {
@@ -119,14 +120,17 @@ impl Differentiator {
         None
     }
 
-    /// |H|^2, or an energy, at a frequency, Hz.
-    fn power_at(&self, response: usize, frequency: f64) -> f64 {
-        let mut values = vec![Complex64::ZERO; self.plan.outputs.len()];
-        Workspace::default().solve(&self.plan, (TAU * frequency).into(), &mut values);
-        match self.adjoints[response] {
-            Adjoint::Energy => values[response].re,
-            Adjoint::Motion(_) | Adjoint::Held => values[response].norm_sqr(),
-        }
+    /// |H|^2, or an energy, at some frequencies, Hz.
+    fn powers(&self, response: usize, frequencies: [f64; POINTS]) -> [f64; POINTS] {
+        let omegas = frequencies.map(|frequency| (TAU * frequency).into());
+        let mut columns = vec![[ZERO; POINTS]; self.prepared.plan.outputs.len()];
+        let mut out: Vec<&mut [Complex64]> =
+            columns.iter_mut().map(|column| &mut column[..]).collect();
+        Solver::default().solve(&self.prepared, &omegas, &mut out);
+        columns[response].map(|value| match self.adjoints[response] {
+            Adjoint::Energy => value.re,
+            Adjoint::Motion(_) | Adjoint::Held => value.norm_sqr(),
+        })
     }
 }
 

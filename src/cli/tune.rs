@@ -17,8 +17,8 @@ use self::progress::Progress;
 use super::csv::unwritten;
 use super::{Failure, Sets, print, source, stdout, warn_of_loss};
 use crate::escape::shown_path;
+use crate::files::{self, Opened, Source};
 use crate::model::{self, Model};
-use crate::tui::{Opened, Source};
 use crate::tune::{self, Options, Problem, Stop, Tuned};
 
 #[derive(Debug, Args)]
@@ -130,7 +130,7 @@ fn notes_added(model: &Model, paragraph: &str) -> Model {
 
 /// Writes the tuned model; what is no regular file, as a pipe, is written to and waited for.
 fn save(file: &Path, text: &str) -> Result<(), Failure> {
-    model::save_with(file, |out| out.write_all(text.as_bytes()))
+    files::save_with(file, |out| out.write_all(text.as_bytes()))
         .map_err(|error| unwritten(file, &error))
 }
 

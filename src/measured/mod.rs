@@ -94,7 +94,7 @@ impl Hint {
 /// Says what is wrong: it cannot be read, is no regular file, or is larger than [`MOST_BYTES`].
 pub fn load(path: &Path) -> Result<Vec<u8>, Fault> {
     let mut bytes = Vec::new();
-    let read = crate::model::open(path)
+    let read = crate::files::open(path)
         .and_then(|file| file.take(MOST_BYTES as u64 + 1).read_to_end(&mut bytes));
     match read {
         Ok(_) => of_possible_size(&bytes).map(|()| bytes),

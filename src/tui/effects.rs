@@ -10,8 +10,9 @@ use super::event::Event;
 use super::user::recovery::{self, Found, Keeper, Kept, Left};
 use super::user::why;
 use super::watch::Watch;
-use super::{Opened, Source, export::provenance, scene, view};
+use super::{export::provenance, scene, view};
 use crate::escape::{path_text, shown_path};
+use crate::files::{Opened, Source, load};
 use crate::model;
 use crate::presets;
 use crate::worker::Worker;
@@ -150,7 +151,7 @@ impl Performer {
             Err(faults) => return Reply::Faulty(found.path.clone(), faults),
         };
         let base = match &found.source {
-            Source::File(path) => model::load(path).ok(),
+            Source::File(path) => load(path).ok(),
             Source::Preset(name) => presets::find(name).map(|preset| preset.text.to_owned()),
             Source::Stdin => None,
         };

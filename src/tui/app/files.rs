@@ -7,10 +7,10 @@ use super::{
     Overlay, Prompt, Purpose, Reading, ReplaceReason, Reply, Saving, Selection, Tables,
 };
 use crate::escape::{path_text, shown_path};
+use crate::files::{Opened, Source};
 use crate::model;
 use crate::presets;
 use crate::tui::keys::Command;
-use crate::tui::{Opened, Source};
 
 impl App {
     /// Goes on to something that drops the model: asks first when it is not saved.

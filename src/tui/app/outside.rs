@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use super::{App, Effect, Next};
+use crate::files::{Opened, Source};
 use crate::model::grouped;
 use crate::tui::keys::Command;
-use crate::tui::{Opened, Source};
 
 /// The longest text that is sent to a clipboard, bytes; terminals drop longer ones without a word.
 const MOST_COPIED: usize = 74_000;

@@ -4,9 +4,9 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::{App, MOTION, Table};
+use crate::files::Source;
 use crate::model::Model;
 use crate::solve::form::Form;
-use crate::tui::Source;
 use crate::tui::scene::{ChartView, FrequencyUnit};
 use crate::tui::tree::{self, Node};
 use crate::tui::user::memory::{Memory, View};

@@ -12,9 +12,9 @@ pub use tolerance::Tolerances;
 pub use variable::Moving;
 
 use super::{App, Table};
+use crate::files::Source;
 use crate::model::edit::{self, Value};
 use crate::model::{Group, Model, path};
-use crate::tui::Source;
 use crate::tui::keys::Command;
 use crate::tui::tree::{self, Node};
 use crate::tune::{Status, Tuned};

@@ -5,16 +5,16 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::escape::{path_of_text, path_text};
+use crate::files::{self, Opened, Source};
 use crate::measured::{self, Hint, Layout};
 use crate::model::{self, Fault, Model, Objective};
 use crate::tui::app::{Export, Guard, OpenedMeasured, Outside, Reply, Saving};
 use crate::tui::user::why;
-use crate::tui::{Opened, Source};
 use crate::tune;
 
 /// What became of a file that held this text.
 pub(super) fn compare(path: &Path, text: &str) -> Outside {
-    match model::load(path) {
+    match files::load(path) {
         Ok(found) if found == text => Outside::Same,
         Err(error) if error.kind() == io::ErrorKind::NotFound => Outside::Gone,
         _ => Outside::Changed,
@@ -59,17 +59,17 @@ fn write(path: &Path, text: &str, guard: &Guard, what: Saving) -> Result<(), Rep
             Some(Reply::ChangedOutside(path.clone()))
         }
         Guard::Losing => {
-            return model::save(&path, text).map_err(|error| Reply::NotSaved(path, why(&error)));
+            return files::save(&path, text).map_err(|error| Reply::NotSaved(path, why(&error)));
         }
         _ => None,
     };
     // Nothing is asked about a file that could not be replaced.
-    match (model::may_save(&path), question) {
+    match (files::may_save(&path), question) {
         (Err(error), _) => Err(Reply::NotSaved(path, why(&error))),
         (Ok(_), Some(question)) => Err(question),
         (Ok(Some(lost)), None) => Err(Reply::Loses(path, what, lost)),
         (Ok(None), None) => {
-            model::save(&path, text).map_err(|error| Reply::NotSaved(path, why(&error)))
+            files::save(&path, text).map_err(|error| Reply::NotSaved(path, why(&error)))
         }
     }
 }
@@ -107,7 +107,7 @@ fn is_there(path: &Path) -> bool {
 /// Opens a file.
 pub(super) fn open(path: PathBuf, reply: impl FnOnce(Box<Opened>) -> Reply) -> Reply {
     let path = from_home(path);
-    let text = match model::load(&path) {
+    let text = match files::load(&path) {
         Ok(text) => text,
         Err(error) => return Reply::NotRead(path, error.to_string()),
     };

@@ -13,7 +13,7 @@ use std::time::Duration;
 use serde::{Deserialize, Serialize};
 
 use crate::escape::shown_path;
-use crate::model;
+use crate::files;
 
 use super::{make_private, read_if_there, why};
 
@@ -182,7 +182,7 @@ fn try_store(path: &Path, memory: &Memory) -> io::Result<()> {
     };
     stored.take(memory);
     let text = toml::to_string(&stored).map_err(io::Error::other)?;
-    model::save(path, &text)
+    files::save(path, &text)
 }
 
 /// `memory.toml` and an ending more.
@@ -199,7 +199,7 @@ fn turn(path: &Path) -> Option<File> {
     const TRIES: usize = 100;
     const PAUSE: Duration = Duration::from_millis(10);
     let mut options = OpenOptions::new();
-    let file = model::open_with(path, options.write(true).create(true)).ok()?;
+    let file = files::open_with(path, options.write(true).create(true)).ok()?;
     for _ in 0..TRIES {
         match file.try_lock() {
             Ok(()) => return Some(file),

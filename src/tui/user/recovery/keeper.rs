@@ -10,8 +10,8 @@ use std::time::{Duration, Instant};
 use super::found::Found;
 use super::slot::{self, Slot};
 use super::text;
+use crate::files::Source;
 use crate::model::{self, Model};
-use crate::tui::Source;
 use crate::tui::user::why;
 use crate::worker::give_way;
 

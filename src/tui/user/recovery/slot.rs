@@ -5,8 +5,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
-use crate::model;
-use crate::tui::Source;
+use crate::files::{self, Source};
 
 /// Ending of a recovery file.
 pub(super) const MODEL: &str = "toml";
@@ -81,7 +80,7 @@ impl Slot {
     /// Adds an edit to the recovery file; `durable` lets it outlast a loss of power too. Where that fails, the file is as
     /// it was, or ends in a torn edit.
     pub(super) fn append(&self, edit: &str, durable: bool) -> io::Result<()> {
-        let mut file = model::open_with(&self.path, OpenOptions::new().append(true))?;
+        let mut file = files::open_with(&self.path, OpenOptions::new().append(true))?;
         let length = file.metadata()?.len();
         let mut written = file.write_all(edit.as_bytes());
         if durable {
@@ -109,7 +108,7 @@ fn write_new(path: &Path, text: &str, durable: bool) -> io::Result<()> {
         use std::os::unix::fs::OpenOptionsExt as _;
         options.mode(0o600);
     }
-    let mut file = model::open_with(path, &mut options)?;
+    let mut file = files::open_with(path, &mut options)?;
     file.write_all(text.as_bytes())?;
     if durable {
         file.sync_all()?;

@@ -17,9 +17,9 @@ use std::ffi::OsString;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
+use crate::files::Source;
 use crate::model::basic_string;
 use crate::presets;
-use crate::tui::Source;
 
 const FIRST_LINE: &str = "# beamtune recovery 1";
 const SOURCE: &str = "# source: ";

@@ -236,7 +236,7 @@ const LONGEST: u64 = 1 << 28;
 /// # Errors
 /// It cannot be read, is no regular file, is not UTF-8, or is longer than 256 MiB.
 pub fn load(path: &Path) -> io::Result<String> {
-    text_of(super::open(path)?)
+    text_of(super::open::open(path)?)
 }
 
 /// As [`load`], of what is open already.

@@ -146,7 +146,7 @@ fn remove_left(folder: &Path) {
     for entry in entries.flatten().filter(is_temporary) {
         let path = entry.path();
         // A program that lives holds its own locked.
-        if crate::model::open(&path).is_ok_and(|file| file.try_lock().is_ok()) {
+        if crate::files::open(&path).is_ok_and(|file| file.try_lock().is_ok()) {
             let _ = fs::remove_file(path);
         }
     }

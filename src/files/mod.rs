@@ -1,0 +1,15 @@
+//! Files of models and of the user: opened without waiting, written so that nothing is lost, and where they are.
+//!
+//! [`open()`] and [`load`] read, [`save()`] replaces a file atomically and keeps its owner, mode and attributes, [`Source`]
+//! says where a model came from, and [`Folders`] where the user's own files are.
+
+mod folders;
+mod open;
+mod save;
+mod source;
+
+pub use folders::Folders;
+pub use open::{open, open_with};
+pub(crate) use save::own_words;
+pub use save::{load, may_save, remove_temporaries, save, save_with, text_of};
+pub use source::{Opened, Source};

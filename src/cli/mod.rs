@@ -25,12 +25,11 @@ use clap::{Args, CommandFactory as _, Parser, Subcommand};
 
 use self::stdout::print;
 use crate::escape::{escape, escape_lines, shown_path};
-use crate::files::{self, Folders};
+use crate::files::{self, Folders, read_if_there};
 use crate::model::{Fault, MOST_SHOWN};
 use crate::presets;
 use crate::tui::options::{Environment, LookArguments};
 use crate::tui::user::config::{self, Config};
-use crate::tui::user::read_if_there;
 use crate::tui::{self, Ended, Setup};
 
 /// Designs a thin-walled beam with spring-damper-mass subsystems: exact frequency responses in the terminal.

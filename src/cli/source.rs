@@ -34,19 +34,16 @@ pub(super) fn label(argument: &OsStr) -> String {
 pub(super) fn open(argument: &OsStr, sets: &[String]) -> Result<Opened, Failure> {
     let label = label(argument);
     let (source, text) = text_of(argument, &label)?;
-    let mut model = model::read(&text).map_err(|faults| Failure::faults(&label, &faults))?;
+    let mut opened =
+        Opened::read(text, source).map_err(|faults| Failure::faults(&label, &faults))?;
     for set in sets {
-        change(&mut model, set)?;
+        change(&mut opened.model, set)?;
     }
-    let faults = model::check(&model);
+    let faults = model::check(&opened.model);
     if !faults.is_empty() {
         return Err(Failure::faults("--set", &faults));
     }
-    Ok(Opened {
-        model,
-        text,
-        source,
-    })
+    Ok(opened)
 }
 
 fn text_of(argument: &OsStr, label: &str) -> Result<(Source, String), Failure> {

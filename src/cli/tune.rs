@@ -17,7 +17,7 @@ use self::progress::Progress;
 use super::csv::unwritten;
 use super::{Failure, Sets, print, source, stdout, warn_of_loss};
 use crate::escape::shown_path;
-use crate::files::{self, Opened, Source};
+use crate::files::{self, Opened};
 use crate::model::{self, Model};
 use crate::tune::{self, Options, Problem, Stop, Tuned};
 
@@ -53,7 +53,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     if let Some(file) = output {
         warn_of_loss(file).map_err(|error| unwritten(file, &error))?;
     }
-    let problem = Problem::new(&opened.model, &folder(&opened.source))
+    let problem = Problem::new(&opened.model, opened.source.folder())
         .map_err(|faults| Failure::faults(label, &faults))?;
     for path in problem.outside() {
         warn(&format!(
@@ -74,15 +74,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         Some(signal) => Ok(ExitCode::from(128_u8.saturating_add(signal))),
         None => printed.map(|()| ExitCode::SUCCESS),
     }
-}
-
-/// Where the files that a model names are.
-fn folder(source: &Source) -> PathBuf {
-    let folder = match source {
-        Source::File(file) => file.parent(),
-        _ => None,
-    };
-    folder.unwrap_or(Path::new("")).to_owned()
 }
 
 fn search(

@@ -9,7 +9,9 @@ mod save;
 mod source;
 
 pub use folders::Folders;
-pub use open::{open, open_with};
-pub(crate) use save::own_words;
-pub use save::{load, may_save, remove_temporaries, save, save_with, text_of};
+pub(crate) use folders::make_private;
+pub(crate) use open::read_if_there;
+pub use open::{load, open, open_with, text_of};
+pub(crate) use save::error_text;
+pub use save::{may_save, remove_temporaries, save, save_with};
 pub use source::{Opened, Source};

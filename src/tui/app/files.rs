@@ -45,12 +45,8 @@ impl App {
         let Some(preset) = presets::ALL.get(row) else {
             return;
         };
-        match model::read(preset.text) {
-            Ok(model) => self.open(Opened {
-                model,
-                text: preset.text.to_owned(),
-                source: Source::Preset(preset.name),
-            }),
+        match Opened::preset(preset) {
+            Ok(opened) => self.open(opened),
             Err(faults) => self.list_faults(PathBuf::from(preset.name), faults),
         }
     }

@@ -12,7 +12,6 @@ pub use tolerance::Tolerances;
 pub use variable::Moving;
 
 use super::{App, Table};
-use crate::files::Source;
 use crate::model::edit::{self, Value};
 use crate::model::{Group, Model, path};
 use crate::tui::keys::Command;
@@ -218,10 +217,7 @@ impl App {
 
     /// The folder of the model's file.
     fn folder(&self) -> PathBuf {
-        match self.document.source() {
-            Source::File(path) => path.parent().map(PathBuf::from).unwrap_or_default(),
-            Source::Preset(_) | Source::Stdin => PathBuf::new(),
-        }
+        self.document.source().folder().to_owned()
     }
 
     /// Takes how far a search is.

@@ -37,7 +37,7 @@ fn entry(since_1970: Duration, what: &str) -> String {
 
 fn write(path: &Path, entry: &str) -> io::Result<()> {
     if let Some(folder) = path.parent() {
-        super::make_private(folder)?;
+        files::make_private(folder)?;
     }
     if fs::metadata(path).is_ok_and(|found| found.len() + entry.len() as u64 > LARGEST) {
         drop_older_half(path)?;

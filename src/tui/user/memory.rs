@@ -13,9 +13,7 @@ use std::time::Duration;
 use serde::{Deserialize, Serialize};
 
 use crate::escape::shown_path;
-use crate::files;
-
-use super::{make_private, read_if_there, why};
+use crate::files::{self, error_text, make_private, read_if_there};
 
 /// The views that are kept; the oldest are dropped.
 const MOST_VIEWS: usize = 100;
@@ -101,7 +99,7 @@ impl Memory {
         match read_if_there(path) {
             Ok(Some(text)) => parse(&text).map_err(told),
             Ok(None) => Ok(Self::default()),
-            Err(error) => Err(told(why(&error))),
+            Err(error) => Err(told(error_text(&error))),
         }
     }
 
@@ -159,8 +157,13 @@ fn parse(text: &str) -> Result<Memory, String> {
 /// # Errors
 /// In words, where the file cannot be read or written.
 pub fn store(path: &Path, memory: &Memory) -> Result<(), String> {
-    try_store(path, memory)
-        .map_err(|error| format!("{} is not written: {}", shown_path(path), why(&error)))
+    try_store(path, memory).map_err(|error| {
+        format!(
+            "{} is not written: {}",
+            shown_path(path),
+            error_text(&error)
+        )
+    })
 }
 
 fn try_store(path: &Path, memory: &Memory) -> io::Result<()> {

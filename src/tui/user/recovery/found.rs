@@ -295,7 +295,6 @@ mod tests {
         assert_eq!(fs::read_dir(folder).unwrap().count(), 0);
     }
 
-    #[cfg(unix)]
     #[test]
     fn links_are_left_alone() {
         let folder = tempfile::tempdir().unwrap();
@@ -334,7 +333,6 @@ mod tests {
         assert!(!left.exists() && held.exists());
     }
 
-    #[cfg(unix)]
     #[test]
     fn pipes_are_left_alone_and_not_waited_for() {
         let folder = tempfile::tempdir().unwrap();

@@ -6,7 +6,7 @@ use beamtune::measured::{
     Curve, Fault, Hint, Kind, Layout, Record, ValueUnit, inspect, read, write_uff,
 };
 use beamtune::model::Measure;
-use beamtune::solve::form::{Dimension, Load, Moves};
+use beamtune::unit::{Dimension, Load, Moves};
 
 /// Layouts that a person may give; the first is none.
 const LAYOUTS: [&str; 12] = [

@@ -55,4 +55,5 @@ pub mod solve;
 mod table;
 pub mod tui;
 pub mod tune;
+pub mod unit;
 pub mod worker;

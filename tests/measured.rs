@@ -9,7 +9,7 @@ use beamtune::measured::{
     self, Curve, Fault, Format, Hint, Kind, Layout, Question, Values, fit, inspect, read,
 };
 use beamtune::model::{Measure, Model};
-use beamtune::solve::form::{Dimension, Load, Moves};
+use beamtune::unit::{Dimension, Load, Moves};
 use num_complex::Complex64;
 
 #[path = "measured/foreign.rs"]

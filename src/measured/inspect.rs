@@ -2,10 +2,11 @@
 
 use std::fmt;
 
-use super::layout::{FrequencyUnit, Places};
+use super::layout::Places;
 use super::table::{Columns, Dialect, Plan, decoded};
 use super::{Curve, Fault, Format, Hint, Layout, Values, read, uff};
 use crate::model::counted;
+use crate::unit::FrequencyUnit;
 
 /// Rows of numbers in a preview.
 const PREVIEW_ROWS: usize = 3;

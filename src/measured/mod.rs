@@ -11,18 +11,17 @@ mod layout;
 mod number;
 mod table;
 mod uff;
-mod unit;
 
 use std::io::Read;
 use std::path::Path;
 
 pub use crate::model::Fault;
+pub use crate::unit::{FrequencyUnit, Kind, PhaseUnit, ValueUnit};
 pub use curve::Curve;
 pub use fit::{Fit, fit};
 pub use inspect::{Inspection, Opened, Question, inspect, open, open_in_si};
-pub use layout::{FrequencyUnit, Layout, PhaseUnit, Places, Values};
+pub use layout::{Layout, Places, Values};
 pub use uff::write::{Node, Record, Written, write_uff};
-pub use unit::{Kind, ValueUnit};
 
 /// Largest file that is read, bytes: 256 MiB.
 pub const MOST_BYTES: usize = 256 << 20;

@@ -1,11 +1,11 @@
 //! What a person needs to know of a parameter.
 
 use super::edit::{Value, directions, get, load_unit, places, target_of};
-use super::entry;
 use super::id::{Group, ParameterId};
 use super::schema::{FEWEST_POINTS, ForceKey, Kind, MOST_POINTS, SectionKey, SubsystemKey};
 use super::types::{Measure, Model, Quantity, Support};
-use super::unit::Unit;
+use crate::unit::Unit;
+use crate::unit::entry;
 
 /// A parameter, with all that a person needs to set it.
 #[derive(Debug, Clone, PartialEq)]

@@ -24,7 +24,6 @@ pub mod compare;
 mod ends;
 mod energy;
 pub mod fem;
-pub mod form;
 mod kept;
 mod lanes;
 mod layout;
@@ -36,6 +35,7 @@ pub mod operating;
 pub mod peaks;
 mod plan;
 mod recursion;
+mod reference;
 mod reflection;
 pub mod sensitivity;
 mod springs;
@@ -44,6 +44,7 @@ mod waves;
 
 pub use kept::Kept;
 pub use lanes::{Instructions, Work, work};
+pub use reference::Reference;
 #[doc(hidden)]
 pub use sweep::sweep_with;
 pub use sweep::{Column, ColumnKind, Frf, frequencies, sweep, sweep_alone};

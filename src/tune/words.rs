@@ -4,7 +4,7 @@ use crate::model::edit::Value;
 use crate::model::{
     Aim, Compare, Hold, Limit, Model, Objective, Parameter, Spacing, Unit, Variable,
 };
-use crate::solve::form::Dimension;
+use crate::unit::Dimension;
 
 /// Two numbers with one unit, that in which the larger is shown: `0.1..100 MN/m`.
 pub fn range(from: f64, to: f64, unit: Unit) -> String {

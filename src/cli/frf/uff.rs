@@ -10,7 +10,8 @@ use crate::cli::{Failure, csv, say};
 use crate::measured::{Kind, Node, Record, Written, write_uff};
 use crate::model::{BeamMotion, MassMotion, Model, Place, Quantity, Response, Target, counted};
 use crate::solve::Frf;
-use crate::solve::form::{Dimension, Reference};
+use crate::solve::Reference;
+use crate::unit::Dimension;
 
 /// A model's curve, solved.
 struct Solved<'a> {

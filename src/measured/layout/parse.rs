@@ -1,7 +1,8 @@
 //! A layout from its text.
 
-use super::{FrequencyUnit, Layout, PhaseUnit, Places, Values};
-use crate::measured::unit::ValueUnit;
+use super::{Layout, Places, Values};
+use crate::unit::ValueUnit;
+use crate::unit::{FrequencyUnit, PhaseUnit};
 
 /// A word for a column, whether it stands with a minus, and the columns that are chosen by number.
 struct Named {

@@ -1,7 +1,8 @@
 //! The columns of one curve.
 
-use crate::measured::layout::{PhaseUnit, Values};
-use crate::measured::unit::{Kind, ValueUnit};
+use crate::measured::layout::Values;
+use crate::unit::PhaseUnit;
+use crate::unit::{Kind, ValueUnit};
 
 /// The columns of one curve.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,9 +1,9 @@
 //! What the words above a column say.
 
 use super::words;
-use crate::measured::layout::{FrequencyUnit, PhaseUnit};
-use crate::measured::unit::ValueUnit;
 use crate::table::unquoted;
+use crate::unit::ValueUnit;
+use crate::unit::{FrequencyUnit, PhaseUnit};
 
 /// What a column's header says.
 #[derive(Debug, Clone, PartialEq)]

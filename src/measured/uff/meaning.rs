@@ -2,11 +2,12 @@
 
 use super::head::{Axis, End, Head};
 use super::lines::Lines;
-use crate::measured::layout::{FrequencyUnit, Layout};
-use crate::measured::unit::{self, Kind, ValueUnit};
+use crate::measured::layout::Layout;
 use crate::measured::{Fault, Question, number};
 use crate::model::Measure;
-use crate::solve::form::{Dimension, Load, Moves};
+use crate::unit::FrequencyUnit;
+use crate::unit::{self, Kind, ValueUnit};
+use crate::unit::{Dimension, Load, Moves};
 
 /// Data set 164: one metre and one newton in the units of the file; angles are in rad.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,9 +5,9 @@ use std::io::{self, Write};
 use num_complex::Complex64;
 
 use crate::escape::escape;
-use crate::measured::unit::Kind;
 use crate::model::Measure;
-use crate::solve::form::{Dimension, Load, Moves};
+use crate::unit::Kind;
+use crate::unit::{Dimension, Load, Moves};
 
 /// A response to write.
 #[derive(Debug, Clone, PartialEq)]

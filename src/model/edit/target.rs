@@ -3,7 +3,7 @@
 use crate::model::entry;
 use crate::model::names::{nearest, segment};
 use crate::model::types::{BeamMotion, MassMotion, Model, Place, Target};
-use crate::model::unit::Unit;
+use crate::unit::Unit;
 
 /// Where an energy's response goes when it becomes a motion.
 pub(super) const DEFAULT: Target = Target::Beam(Place::Right, BeamMotion::W);

@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use super::{App, Table};
 use crate::model::{Model, Quantity};
+use crate::solve::Reference;
 use crate::solve::band::Level;
-use crate::solve::form::{Dimension, Form, Reference};
+use crate::unit::{Dimension, Form};
 use crate::worker::{LevelsAnswer, LevelsRequest, Request, Subject};
 
 /// What levels were asked for.

@@ -6,9 +6,10 @@ use std::time::Duration;
 use num_complex::Complex64;
 
 use crate::model::{Model, Quantity, Spacing};
-use crate::solve::form::{Dimension, Reference};
+use crate::solve::Reference;
 use crate::solve::peaks::Peak;
 use crate::solve::{Column, Frf};
+use crate::unit::Dimension;
 use crate::worker::{self, CurvesAnswer, Stage};
 
 /// One response over the frequencies.

@@ -6,9 +6,9 @@ use num_complex::Complex64;
 
 use super::{App, Trace};
 use crate::model::{Measure, Unit};
-use crate::solve::form::{Dimension, Form};
 use crate::tui::keys::Command;
 use crate::tui::scene::{self, ChartView, FrequencyUnit, Scale};
+use crate::unit::{Dimension, Form};
 
 /// What a response is called that is not divided by the force.
 pub const MOTION: &str = "motion under the force";

@@ -9,9 +9,10 @@ use super::{App, Display, Effect, Question, Trace};
 use crate::escape::shown_path;
 use crate::measured::{self, Curve, Fit, Inspection, Kind, ValueUnit, fit};
 use crate::model::{Fault, counted};
-use crate::solve::form::{Dimension, Form, Reference};
+use crate::solve::Reference;
 use crate::tui::keys::Command;
 use crate::tui::scene::ChartView;
+use crate::unit::{Dimension, Form};
 use crate::worker::{Request, SampleAnswer, SampleRequest, Sampling};
 
 /// More measured curves than these cannot be told apart.

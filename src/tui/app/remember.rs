@@ -6,10 +6,10 @@ use std::sync::Arc;
 use super::{App, MOTION, Table};
 use crate::files::Source;
 use crate::model::Model;
-use crate::solve::form::Form;
 use crate::tui::scene::{ChartView, FrequencyUnit};
 use crate::tui::tree::{self, Node};
 use crate::tui::user::memory::{Memory, View};
+use crate::unit::Form;
 
 /// How many open groups are remembered.
 const MOST_OPEN: usize = 200;

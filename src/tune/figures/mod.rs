@@ -167,7 +167,7 @@ impl Figure {
 
 /// The unit of a response's values.
 fn unit_of(quantity: Option<&Quantity>) -> String {
-    use crate::solve::form::Dimension;
+    use crate::unit::Dimension;
     match quantity.map(|quantity| Dimension::of(quantity, None)) {
         None => String::new(),
         Some(None) => "kg m2".to_owned(),

@@ -8,7 +8,8 @@ use super::Band;
 use super::matching::Matching;
 use crate::measured::{self, Curve, Hint, Inspection, Kind, Layout, Opened};
 use crate::model::{Aim, Compare, Fault, Model};
-use crate::solve::form::{Dimension, Reference};
+use crate::solve::Reference;
+use crate::unit::Dimension;
 
 /// What a response should be at the measured frequencies in a band.
 ///

@@ -8,8 +8,8 @@ use std::fmt;
 use num_complex::Complex64;
 use product::{is_twist, plain, product};
 
+use super::{Dimension, Form, Load, Moves};
 use crate::model::Measure;
-use crate::solve::form::{Dimension, Form, Load, Moves};
 
 /// What the values of a curve are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,7 +37,7 @@ pub struct ValueUnit {
 }
 
 /// What is accepted where a unit is wanted.
-pub(super) const ACCEPTED: &str = "accepted is a motion (m, mm, um, in, rad, deg; m/s, mm/s; m/s2, g) alone or over a \
+const ACCEPTED: &str = "accepted is a motion (m, mm, um, in, rad, deg; m/s, mm/s; m/s2, g) alone or over a \
     load (m/s2/N, g/lbf, rad/(N m)), the inverse (N/m, N s/m, kg), or kg m2 for an energy; a number may stand in front \
     (1e-6 m/N)";
 
@@ -90,7 +90,7 @@ impl ValueUnit {
     }
 
     /// A unit that is so many SI units of a kind, or so many of their inverse.
-    pub(super) fn scaled(kind: Kind, scale: f64, inverse: bool) -> Self {
+    pub(crate) fn scaled(kind: Kind, scale: f64, inverse: bool) -> Self {
         Self {
             text: kind.unit(),
             kind,
@@ -120,7 +120,7 @@ impl ValueUnit {
     }
 
     /// One of it in SI, and whether the load stands above the motion.
-    pub(super) const fn ratio(&self) -> (f64, bool) {
+    pub(crate) const fn ratio(&self) -> (f64, bool) {
         (self.scale, self.inverse)
     }
 }
@@ -133,7 +133,7 @@ impl fmt::Display for ValueUnit {
 }
 
 /// A load's unit (`N`, `kN`, `lbf`, `N m`, `N m2`) and one of it in SI.
-pub(super) fn load(text: &str) -> Option<(Load, f64)> {
+pub(crate) fn load(text: &str) -> Option<(Load, f64)> {
     let (scale, powers) = product(text)?;
     let loads = [Load::Force, Load::Moment, Load::Bimoment];
     let load = loads

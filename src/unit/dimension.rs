@@ -7,7 +7,8 @@
 
 use num_complex::Complex64;
 
-use crate::model::{BeamMotion, MassMotion, Measure, Model, Quantity, Target};
+use crate::model::{BeamMotion, MassMotion, Measure, Quantity, Target};
+use crate::solve::Reference;
 
 /// What moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -117,30 +118,6 @@ impl Load {
             Target::Beam(_, BeamMotion::PsiSlope) => Self::Bimoment,
             Target::Beam(..) | Target::Mass(_, MassMotion::Theta) => Self::Moment,
         }
-    }
-}
-
-/// The one force of a model by which its responses can be divided.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Reference {
-    /// What it is.
-    pub load: Load,
-    /// Its complex amplitude, zero to peak, N, N m or N m2.
-    pub amplitude: Complex64,
-}
-
-impl Reference {
-    /// The only enabled force of a model; none where there are several, or where it is 0.
-    pub fn of(model: &Model) -> Option<Self> {
-        let mut forces = model.forces.iter().filter(|force| force.enabled);
-        let (force, None) = (forces.next()?, forces.next()) else {
-            return None;
-        };
-        let amplitude = Complex64::from_polar(force.amplitude, force.phase.to_radians());
-        (amplitude != Complex64::ZERO).then(|| Self {
-            load: Load::along(&force.target),
-            amplitude,
-        })
     }
 }
 
@@ -298,21 +275,5 @@ mod tests {
             Complex64::new(0.0, -1.0 / (omega * mass)),
         );
         near(of(Form::DynamicStiffness), (-omega * omega * mass).into());
-    }
-
-    #[test]
-    fn only_one_force_makes_a_ratio() {
-        let preset = |name| crate::model::read(crate::presets::find(name).unwrap().text).unwrap();
-        let mut one = preset("fig05a");
-        one.forces.truncate(1);
-        one.forces[0].amplitude = 2.0;
-        one.forces[0].phase = 90.0;
-        let reference = Reference::of(&one).unwrap();
-        assert_eq!(reference.load, Load::Force);
-        assert!((reference.amplitude - Complex64::new(0.0, 2.0)).norm() < 1e-15);
-        one.forces.push(one.forces[0].clone());
-        assert_eq!(Reference::of(&one), None);
-        one.forces[1].enabled = false;
-        assert!(Reference::of(&one).is_some());
     }
 }

@@ -1,7 +1,7 @@
 //! What a person types for a parameter: a value with or without unit, a change of the old value, or a word.
 
-use super::names::nearest;
-use super::unit::Unit;
+use super::Unit;
+use crate::model::names::nearest;
 
 /// Multipliers that may stand behind a number in place of a unit.
 const PREFIXES: &[(&str, i32)] = &[
@@ -15,7 +15,7 @@ const PREFIXES: &[(&str, i32)] = &[
     ("n", -9),
 ];
 
-pub(super) fn flag(text: &str) -> Result<bool, String> {
+pub(crate) fn flag(text: &str) -> Result<bool, String> {
     match text.trim().to_ascii_lowercase().as_str() {
         "true" | "on" | "yes" => Ok(true),
         "false" | "off" | "no" => Ok(false),
@@ -26,7 +26,7 @@ pub(super) fn flag(text: &str) -> Result<bool, String> {
     }
 }
 
-pub(super) fn choice(
+pub(crate) fn choice(
     text: &str,
     choices: &[&'static str],
     range: &str,

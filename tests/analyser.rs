@@ -9,8 +9,9 @@ use beamtune::model::Model;
 use beamtune::solve::{Frf, sweep};
 use beamtune::tui::app::{Look, Message, OpenedMeasured, Overlay, Reply};
 use beamtune::tui::plot::Level;
-use beamtune::tui::scene::{self, ChartView, CurveKind, FrequencyUnit, Scene};
+use beamtune::tui::scene::{self, ChartView, CurveKind, Scene};
 use beamtune::unit::Form;
+use beamtune::unit::FrequencyUnit;
 use num_complex::Complex64;
 
 #[path = "screens/driver.rs"]

@@ -8,8 +8,9 @@ use clap::{Args, ValueHint};
 use super::csv::{self, cell, number};
 use super::{Failure, print};
 use crate::escape::{escape, path_text};
-use crate::measured::{self, Curve, Hint, Inspection, Kind, Layout, Opened};
+use crate::measured::{self, Curve, Hint, Inspection, Layout, Opened};
 use crate::model::Fault;
+use crate::unit::Kind;
 
 #[derive(Debug, Args)]
 pub(super) struct Arguments {

@@ -38,7 +38,10 @@ impl Question {
 impl fmt::Display for Question {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Frequency => "in which unit its frequencies are: hz, khz, rad/s or rpm",
+            Self::Frequency => {
+                let accepted = FrequencyUnit::ACCEPTED;
+                return write!(f, "in which unit its frequencies are: {accepted}");
+            }
             Self::Values => {
                 "what its columns are: re im, mag deg, mag rad, dB deg, dB rad, mag or dB would be accepted, or with the \
                  numbers of the columns, as hz 1; re 8; im 9"
@@ -199,7 +202,7 @@ fn recognised(dialect: &Dialect, plan: &Plan) -> Vec<String> {
     )];
     recognised.extend(plan.doubts.iter().cloned());
     if !plan.missing.contains(&Question::Frequency) {
-        recognised.push(format!("frequencies in {}: {}", name(column), unit.word()));
+        recognised.push(format!("frequencies in {}: {}", name(column), unit.key()));
     }
     if plan.missing.contains(&Question::Values) {
         return recognised;

@@ -89,7 +89,7 @@ impl fmt::Display for Values {
         match *self {
             Self::Complex => f.write_str("re im"),
             Self::MagnitudePhase { phase, decibels } => {
-                write!(f, "{} {}", size(decibels), phase.word())
+                write!(f, "{} {}", size(decibels), phase.key())
             }
             Self::Magnitude { decibels } => f.write_str(size(decibels)),
         }
@@ -109,7 +109,7 @@ impl Layout {
 /// The text that [`Layout::parse`] reads.
 impl fmt::Display for Layout {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.frequency.word())?;
+        f.write_str(self.frequency.key())?;
         if let Some(column) = self.places.frequency {
             write!(f, " {column}")?;
         }

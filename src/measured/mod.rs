@@ -16,7 +16,6 @@ use std::io::Read;
 use std::path::Path;
 
 pub use crate::model::Fault;
-pub use crate::unit::{FrequencyUnit, Kind, PhaseUnit, ValueUnit};
 pub use curve::Curve;
 pub use fit::{Fit, fit};
 pub use inspect::{Inspection, Opened, Question, inspect, open, open_in_si};

@@ -21,7 +21,7 @@ mod tuning;
 mod types;
 mod write;
 
-pub use crate::unit::{Unit, counted, entry, grouped};
+pub use crate::unit::{Measure, Unit, counted, entry, grouped};
 pub use check::check;
 pub use delta::{apply_delta, delta};
 pub use describe::Parameter;

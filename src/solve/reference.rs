@@ -23,7 +23,7 @@ impl Reference {
         };
         let amplitude = Complex64::from_polar(force.amplitude, force.phase.to_radians());
         (amplitude != Complex64::ZERO).then(|| Self {
-            load: Load::along(&force.target),
+            load: force.target.load(),
             amplitude,
         })
     }

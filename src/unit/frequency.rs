@@ -2,45 +2,91 @@
 
 use std::f64::consts::{PI, TAU};
 
-/// In what a file gives its frequencies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FrequencyUnit {
-    /// Hz.
-    Hertz,
-    /// kHz.
-    Kilohertz,
-    /// rad/s.
-    RadianPerSecond,
-    /// Revolutions a minute.
-    RevolutionPerMinute,
+use super::Unit;
+use crate::words::words;
+
+words! {
+    /// In what frequencies are given and shown; the words are those of the layout of a table.
+    #[derive(Default)]
+    pub enum FrequencyUnit {
+        /// Hz.
+        #[default]
+        Hertz = "hz",
+        /// kHz.
+        Kilohertz = "khz",
+        /// rad/s.
+        RadianPerSecond = "rad/s",
+        /// Revolutions a minute.
+        RevolutionPerMinute = "rpm",
+    }
 }
 
-/// In what a file gives phases.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PhaseUnit {
-    /// Degrees.
-    Degree,
-    /// rad.
-    Radian,
+words! {
+    /// In what a file gives phases; the words are those of the layout of a table.
+    pub enum PhaseUnit {
+        /// Degrees.
+        Degree = "deg",
+        /// rad.
+        Radian = "rad",
+    }
 }
 
 impl FrequencyUnit {
-    /// All four.
-    pub const ALL: [Self; 4] = [
+    /// Those in which frequencies are shown and typed, in the order in which a key goes through them.
+    pub const SHOWN: [Self; 3] = [
         Self::Hertz,
-        Self::Kilohertz,
         Self::RadianPerSecond,
         Self::RevolutionPerMinute,
     ];
 
-    /// The word of a layout.
-    pub const fn word(self) -> &'static str {
+    /// [`Self::SHOWN`] for people.
+    pub const SHOWN_WORDS: &str = "Hz, rad/s or rpm";
+
+    /// The words of a layout for people.
+    pub const ACCEPTED: &str = "hz, khz, rad/s or rpm";
+
+    /// As it is written.
+    pub const fn symbol(self) -> &'static str {
         match self {
-            Self::Hertz => "hz",
-            Self::Kilohertz => "khz",
-            Self::RadianPerSecond => "rad/s",
-            Self::RevolutionPerMinute => "rpm",
+            Self::Hertz => Unit::HERTZ.symbol,
+            Self::Kilohertz => "kHz",
+            Self::RadianPerSecond | Self::RevolutionPerMinute => self.key(),
         }
+    }
+
+    /// What is given in it.
+    const fn quantity(self) -> &'static str {
+        match self {
+            Self::Hertz | Self::Kilohertz => "frequency",
+            Self::RadianPerSecond => "angular frequency",
+            Self::RevolutionPerMinute => "speed",
+        }
+    }
+
+    /// What stands at an axis in it: "frequency, Hz".
+    pub fn heading(self) -> String {
+        format!("{}, {}", self.quantity(), self.symbol())
+    }
+
+    /// The name of a column in it: `angular_frequency_rad_s`.
+    pub fn column(self) -> String {
+        let name = format!("{}_{}", self.quantity(), self.symbol());
+        name.to_lowercase().replace([' ', '/'], "_")
+    }
+
+    /// How many of it are 1 Hz.
+    pub const fn per_hertz(self) -> f64 {
+        match self {
+            Self::Hertz => 1.0,
+            Self::Kilohertz => 1e-3,
+            Self::RadianPerSecond => TAU,
+            Self::RevolutionPerMinute => 60.0,
+        }
+    }
+
+    /// One of it in Hz.
+    pub const fn hertz(self) -> f64 {
+        1.0 / self.per_hertz()
     }
 
     /// The unit of a word as measuring programs write it, in whatever case, with or without brackets: `(kHz)`, `rad/sec`.
@@ -59,16 +105,6 @@ impl FrequencyUnit {
             _ => return None,
         })
     }
-
-    /// One of it in Hz.
-    pub const fn hertz(self) -> f64 {
-        match self {
-            Self::Hertz => 1.0,
-            Self::Kilohertz => 1e3,
-            Self::RadianPerSecond => 1.0 / TAU,
-            Self::RevolutionPerMinute => 1.0 / 60.0,
-        }
-    }
 }
 
 impl PhaseUnit {
@@ -77,14 +113,6 @@ impl PhaseUnit {
         match self {
             Self::Degree => PI / 180.0,
             Self::Radian => 1.0,
-        }
-    }
-
-    /// The word of a layout.
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::Degree => "deg",
-            Self::Radian => "rad",
         }
     }
 
@@ -136,5 +164,39 @@ mod tests {
         for word in ["", "mHz", "MHz", "GHz", "1/s", "rad", "order", "s", "deg/s"] {
             assert_eq!(FrequencyUnit::from_word(word), None, "{word}");
         }
+    }
+
+    /// Expected: the names that exported files have had from the first.
+    #[test]
+    fn an_axis_and_a_column_are_named_by_quantity_and_unit() {
+        let names = FrequencyUnit::ALL.map(|unit| (unit.heading(), unit.column()));
+        let expected = [
+            ("frequency, Hz", "frequency_hz"),
+            ("frequency, kHz", "frequency_khz"),
+            ("angular frequency, rad/s", "angular_frequency_rad_s"),
+            ("speed, rpm", "speed_rpm"),
+        ];
+        assert_eq!(
+            names.map(|(heading, column)| [heading, column]),
+            expected.map(|(heading, column)| [heading.to_owned(), column.to_owned()])
+        );
+    }
+
+    /// Closed form: 1 kHz is 1000 Hz, 1 rad/s is 1/(2 pi) Hz, 1 rpm is 1/60 Hz.
+    #[test]
+    fn one_of_each_is_so_many_hertz() {
+        let hertz = FrequencyUnit::ALL.map(FrequencyUnit::hertz);
+        assert_eq!(hertz, [1.0, 1e3, 1.0 / TAU, 1.0 / 60.0]);
+    }
+
+    #[test]
+    fn what_is_said_to_be_accepted_are_all() {
+        let listed = |words: &[&str]| {
+            let (last, most) = words.split_last().unwrap();
+            format!("{} or {last}", most.join(", "))
+        };
+        assert_eq!(listed(FrequencyUnit::WORDS), FrequencyUnit::ACCEPTED);
+        let shown = FrequencyUnit::SHOWN.map(FrequencyUnit::symbol);
+        assert_eq!(listed(&shown), FrequencyUnit::SHOWN_WORDS);
     }
 }

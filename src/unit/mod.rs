@@ -10,8 +10,18 @@ mod frequency;
 mod parameter;
 mod response;
 
-pub use dimension::{Dimension, Form, Load, Moves};
+pub use dimension::{Dimension, Form, Kind, Load, Measure, Moves};
 pub use frequency::{FrequencyUnit, PhaseUnit};
 pub use parameter::{Unit, counted, grouped};
+pub use response::ValueUnit;
 pub(crate) use response::load;
-pub use response::{Kind, ValueUnit};
+
+/// A letter of a unit as every keyboard has it: a plain digit for a raised one, u for micro.
+fn plain_letter(letter: char) -> char {
+    match letter {
+        '²' => '2',
+        '³' => '3',
+        'µ' | 'μ' => 'u',
+        other => other,
+    }
+}

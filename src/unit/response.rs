@@ -8,17 +8,7 @@ use std::fmt;
 use num_complex::Complex64;
 use product::{is_twist, plain, product};
 
-use super::{Dimension, Form, Load, Moves};
-use crate::model::Measure;
-
-/// What the values of a curve are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
-    /// A motion, or a motion over a load.
-    Motion(Dimension),
-    /// A vibration energy, kg m2, real.
-    Energy,
-}
+use super::{Dimension, Form, Kind, Load, Moves};
 
 /// The unit in which a file gives values, and what they are because of it.
 ///
@@ -45,16 +35,6 @@ const ACCEPTED: &str = "accepted is a motion (m, mm, um, in, rad, deg; m/s, mm/s
 type Powers = [i32; 4];
 
 const FORCE: Powers = [1, 1, -2, 0];
-
-impl Kind {
-    /// Its SI unit: `m/(N s2)`, `rad`, `kg m2`.
-    pub fn unit(&self) -> String {
-        match self {
-            Self::Motion(dimension) => dimension.unit(dimension.form_of_measure()),
-            Self::Energy => "kg m2".to_owned(),
-        }
-    }
-}
 
 impl ValueUnit {
     /// Reads a unit.
@@ -135,8 +115,7 @@ impl fmt::Display for ValueUnit {
 /// A load's unit (`N`, `kN`, `lbf`, `N m`, `N m2`) and one of it in SI.
 pub(crate) fn load(text: &str) -> Option<(Load, f64)> {
     let (scale, powers) = product(text)?;
-    let loads = [Load::Force, Load::Moment, Load::Bimoment];
-    let load = loads
+    let load = Load::ALL
         .into_iter()
         .find(|load| powers_of_load(Some(*load)) == powers)?;
     Some((load, scale))
@@ -175,14 +154,9 @@ fn kind_of(text: &str, powers: Powers) -> Option<(Kind, bool)> {
 /// Every motion over every load, and every load over every motion, the usual first.
 fn candidates() -> impl Iterator<Item = (Dimension, Form)> {
     let moves = [Moves::Length, Moves::Angle, Moves::TwistRate];
-    let loads = [
-        None,
-        Some(Load::Force),
-        Some(Load::Moment),
-        Some(Load::Bimoment),
-    ];
+    let loads = [None].into_iter().chain(Load::ALL.map(Some));
     moves.into_iter().flat_map(move |moves| {
-        loads.into_iter().flat_map(move |per| {
+        loads.clone().flat_map(move |per| {
             let of = move |form: Form| {
                 let measure = form.measure();
                 let dimension = Dimension {
@@ -204,11 +178,7 @@ fn powers_of(dimension: Dimension, form: Form) -> Powers {
         Moves::Angle => [0, 0, 0, 1],
         Moves::TwistRate => [-1, 0, 0, 1],
     };
-    powers[2] -= match form.measure() {
-        Measure::Displacement => 0,
-        Measure::Velocity => 1,
-        Measure::Acceleration => 2,
-    };
+    powers[2] -= form.measure().order();
     for (sum, part) in powers.iter_mut().zip(powers_of_load(dimension.per)) {
         *sum -= part;
     }
@@ -230,6 +200,7 @@ fn powers_of_load(load: Option<Load>) -> Powers {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::unit::Measure;
 
     fn motion(moves: Moves, measure: Measure, per: Option<Load>) -> Kind {
         Kind::Motion(Dimension {

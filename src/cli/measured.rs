@@ -113,7 +113,7 @@ fn table(curves: &[Curve]) -> String {
 
 /// What the values are, and their SI unit; both empty where it is not said.
 fn quantity(kind: Option<Kind>) -> (&'static str, String) {
-    let unit = kind.map_or_else(String::new, |kind| kind.unit());
+    let unit = kind.map_or_else(String::new, Kind::unit);
     let words = match kind {
         None => "",
         Some(Kind::Energy) => "energy",

@@ -9,9 +9,9 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use beamtune::files::Source;
 use beamtune::model::{self, Model};
 use beamtune::presets;
-use beamtune::tui::Source;
 use beamtune::tui::user::recovery::{Keeper, Kept, found};
 
 /// From one edit to the next, as keys repeat.

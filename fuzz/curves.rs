@@ -2,11 +2,9 @@
 
 use std::fmt::Write as _;
 
-use beamtune::measured::{
-    Curve, Fault, Hint, Kind, Layout, Record, ValueUnit, inspect, read, write_uff,
-};
+use beamtune::measured::{Curve, Fault, Hint, Layout, Record, inspect, read, write_uff};
 use beamtune::model::Measure;
-use beamtune::solve::form::{Dimension, Load, Moves};
+use beamtune::unit::{Dimension, Kind, Load, Moves, ValueUnit};
 
 /// Layouts that a person may give; the first is none.
 const LAYOUTS: [&str; 12] = [

@@ -111,7 +111,6 @@ pub(crate) fn path_text(path: &Path) -> String {
 }
 
 /// The path of a text that was typed, or made by [`path_text`].
-#[cfg(unix)]
 pub(crate) fn path_of_text(text: &str) -> PathBuf {
     use std::os::unix::ffi::OsStringExt as _;
     let mut bytes = Vec::with_capacity(text.len());
@@ -122,12 +121,6 @@ pub(crate) fn path_of_text(text: &str) -> PathBuf {
         }
     }
     std::ffi::OsString::from_vec(bytes).into()
-}
-
-/// Only where a path is bytes can one that is no text be made from them again.
-#[cfg(not(unix))]
-pub(crate) fn path_of_text(text: &str) -> PathBuf {
-    text.into()
 }
 
 #[cfg(test)]
@@ -178,7 +171,6 @@ mod tests {
         }
     }
 
-    #[cfg(unix)]
     #[test]
     fn a_path_of_any_bytes_is_text_and_back() {
         use std::ffi::OsStr;

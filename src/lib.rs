@@ -5,13 +5,16 @@
 //!
 //! | module | what is in it | may use |
 //! | --- | --- | --- |
-//! | [`model`] | what the engineer edits: plain types in SI, TOML in and out, rules, parameter paths | nothing |
+//! | [`unit`] | units: of parameters and their typed numbers, of responses (what moves, its measure, per which load), of frequencies and phases; symbols, prefixes, factors to SI | `words` |
+//! | [`model`] | what the engineer edits: plain types in SI, TOML in and out, rules, parameter paths | `unit`, `words` |
 //! | [`presets`] | the figures of the paper and more, embedded | `model` |
-//! | [`solve`] | the exact solver: waves, subsystems, a recursion of reflections; [modes](solve::modes) and [peaks](solve::peaks) from it; [exact derivatives](solve::sensitivity); two witnesses, [finite elements](solve::fem) and [the paper's chain](solve::chain) | `model` |
-//! | [`measured`] | measured curves from CSV and universal files (UFF 58), how well a model fits them; universal files out | `model`, `solve::form` |
-//! | [`tune`] | what `[tune]` asks for: variables, objectives, limits, tolerances; [the search](tune::search) for it | `model`, `solve`, `measured` |
+//! | [`files`] | files of models and of the user: opened, saved atomically, where they are, what a model was opened from | `model`, `presets`, `escape` |
+//! | [`solve`] | the exact solver: waves, subsystems, a recursion of reflections; [modes](solve::modes) and [peaks](solve::peaks) from it; [exact derivatives](solve::sensitivity); two witnesses, [finite elements](solve::fem) and [the paper's chain](solve::chain) | `model`, `unit` |
+//! | [`measured`] | measured curves from CSV and universal files (UFF 58), how well a model fits them; universal files out | `model`, `unit`, `files` |
+//! | [`tune`] | what `[tune]` asks for: variables, objectives, limits, tolerances; [the search](tune::search) for it | `model`, `unit`, `solve`, `measured` |
 //! | [`worker`] | the background threads: newest request wins | `model`, `solve`, `tune` |
 //! | [`tui`] | the designer: state and commands ([`tui::app`]), keys, views, the chart, the terminal and its bytes ([`tui::backend`]), what is kept for the user ([`tui::user`]) | all above |
+//! | `words` | enums whose values have words in files | nothing |
 //! | `escape` | text from outside as a person or a terminal may read it | nothing |
 //! | `table` | numbers and texts as cells of CSV | `escape` |
 //! | `signals` | signals that the program was started to ignore | nothing |
@@ -20,8 +23,8 @@
 //!
 //! # What always holds
 //!
-//! - `model` and `solve` know no terminal, no thread of their own and no clock; `solve` reads a checked model and
-//!   nothing else.
+//! - `model` and `solve` know no terminal, no file system, no thread of their own and no clock; `solve` reads a checked
+//!   model and nothing else.
 //! - Numbers inside are SI. Prefixes exist only where a person reads or types.
 //! - Every key of a model is one row of [`model::schema`] (key, symbol, unit, meaning, kind, range); reading, writing,
 //!   checking, paths and the designer's tree go by it. A [`model::ParameterId`] stands for a parameter; text paths are
@@ -44,6 +47,7 @@
 
 pub mod cli;
 mod escape;
+pub mod files;
 pub mod measured;
 pub mod model;
 pub mod presets;
@@ -53,4 +57,6 @@ pub mod solve;
 mod table;
 pub mod tui;
 pub mod tune;
+pub mod unit;
+mod words;
 pub mod worker;

@@ -6,11 +6,12 @@ use std::sync::atomic::AtomicBool;
 
 use beamtune::measured::{Hint, Layout, inspect, read};
 use beamtune::model::Model;
-use beamtune::solve::form::Form;
 use beamtune::solve::{Frf, sweep};
 use beamtune::tui::app::{Look, Message, OpenedMeasured, Overlay, Reply};
 use beamtune::tui::plot::Level;
-use beamtune::tui::scene::{self, ChartView, CurveKind, FrequencyUnit, Scene};
+use beamtune::tui::scene::{self, ChartView, CurveKind, Scene};
+use beamtune::unit::Form;
+use beamtune::unit::FrequencyUnit;
 use num_complex::Complex64;
 
 #[path = "screens/driver.rs"]

@@ -21,7 +21,7 @@ mod driver;
 #[path = "common/hidden.rs"]
 mod hidden;
 
-use beamtune::tui::Source;
+use beamtune::files::Source;
 use beamtune::tui::theme::Theme;
 use dice::Dice;
 use driver::Driver;

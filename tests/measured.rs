@@ -6,10 +6,10 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use beamtune::measured::{
-    self, Curve, Fault, Format, Hint, Kind, Layout, Question, Values, fit, inspect, read,
+    self, Curve, Fault, Format, Hint, Layout, Question, Values, fit, inspect, read,
 };
 use beamtune::model::{Measure, Model};
-use beamtune::solve::form::{Dimension, Load, Moves};
+use beamtune::unit::{Dimension, Kind, Load, Moves};
 use num_complex::Complex64;
 
 #[path = "measured/foreign.rs"]

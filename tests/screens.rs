@@ -15,9 +15,9 @@ mod random;
 use std::sync::Arc;
 use std::time::Duration;
 
+use beamtune::files::Source;
 use beamtune::model::{Model, Restraint, Unit};
 use beamtune::solve::modes::{Completeness, Gap};
-use beamtune::tui::Source;
 use beamtune::tui::app::{Lost, Outside, Reply};
 use beamtune::worker::Stage;
 use driver::Driver;

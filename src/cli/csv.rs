@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::{Failure, signals, stdout, warn_of_loss};
 use crate::escape::shown_path;
-use crate::model::save_with;
+use crate::files::save_with;
 pub(super) use crate::table::{cell, number};
 
 /// Writes a table to a file, or to standard output where none is named. A file is written beside and renamed, so that

@@ -8,8 +8,9 @@ use clap::{Args, ValueHint};
 use super::csv::{self, cell, number};
 use super::{Failure, print};
 use crate::escape::{escape, path_text};
-use crate::measured::{self, Curve, Hint, Inspection, Kind, Layout, Opened};
+use crate::measured::{self, Curve, Hint, Inspection, Layout, Opened};
 use crate::model::Fault;
+use crate::unit::Kind;
 
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
@@ -112,7 +113,7 @@ fn table(curves: &[Curve]) -> String {
 
 /// What the values are, and their SI unit; both empty where it is not said.
 fn quantity(kind: Option<Kind>) -> (&'static str, String) {
-    let unit = kind.map_or_else(String::new, |kind| kind.unit());
+    let unit = kind.map_or_else(String::new, Kind::unit);
     let words = match kind {
         None => "",
         Some(Kind::Energy) => "energy",

@@ -25,12 +25,11 @@ use clap::{Args, CommandFactory as _, Parser, Subcommand};
 
 use self::stdout::print;
 use crate::escape::{escape, escape_lines, shown_path};
-use crate::model::{self, Fault, MOST_SHOWN};
+use crate::files::{self, Folders, read_if_there};
+use crate::model::{Fault, MOST_SHOWN};
 use crate::presets;
 use crate::tui::options::{Environment, LookArguments};
 use crate::tui::user::config::{self, Config};
-use crate::tui::user::folders::Folders;
-use crate::tui::user::read_if_there;
 use crate::tui::{self, Ended, Setup};
 
 /// Designs a thin-walled beam with spring-damper-mass subsystems: exact frequency responses in the terminal.
@@ -264,7 +263,7 @@ fn padded(text: &str, width: usize) -> String {
 /// # Errors
 /// It cannot be replaced.
 fn warn_of_loss(file: &Path) -> std::io::Result<()> {
-    if let Some(lost) = model::may_save(file)? {
+    if let Some(lost) = files::may_save(file)? {
         let name = shown_path(file);
         say(&format!(
             "warning: {name} loses {lost}, which the user may not set"

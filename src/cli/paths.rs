@@ -2,7 +2,7 @@
 
 use super::{Failure, padded};
 use crate::escape::shown_path;
-use crate::tui::user::folders::Folders;
+use crate::files::Folders;
 
 /// A line each: what it is, and where. None of them need be there.
 pub(super) fn run() -> Result<(), Failure> {

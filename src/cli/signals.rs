@@ -10,7 +10,7 @@ use signal_hook::consts::{
 use signal_hook::iterator::Signals;
 use signal_hook::low_level::emulate_default_handler;
 
-use crate::model;
+use crate::files;
 use crate::signals::not_ignored;
 
 /// Those by which a person or the system asks a program to end.
@@ -42,7 +42,7 @@ fn clean_up_after(signals: &[i32]) -> io::Result<()> {
     let mut signals = Signals::new(not_ignored(signals.iter().copied()))?;
     thread::spawn(move || {
         for signal in signals.forever() {
-            model::remove_temporaries();
+            files::remove_temporaries();
             // It does not return from a signal that ends the program.
             let _ = emulate_default_handler(signal);
         }

@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 
 use super::Failure;
 use crate::escape::shown_path;
+use crate::files::{self, Opened, Source};
 use crate::model::{self, Fault, Model, edit, path};
 use crate::presets::{self, Preset};
-use crate::tui::{Opened, Source};
 
 /// The preset of a name.
 pub(super) fn preset(name: &str) -> Result<&'static Preset, Failure> {
@@ -34,35 +34,32 @@ pub(super) fn label(argument: &OsStr) -> String {
 pub(super) fn open(argument: &OsStr, sets: &[String]) -> Result<Opened, Failure> {
     let label = label(argument);
     let (source, text) = text_of(argument, &label)?;
-    let mut model = model::read(&text).map_err(|faults| Failure::faults(&label, &faults))?;
+    let mut opened =
+        Opened::read(text, source).map_err(|faults| Failure::faults(&label, &faults))?;
     for set in sets {
-        change(&mut model, set)?;
+        change(&mut opened.model, set)?;
     }
-    let faults = model::check(&model);
+    let faults = model::check(&opened.model);
     if !faults.is_empty() {
         return Err(Failure::faults("--set", &faults));
     }
-    Ok(Opened {
-        model,
-        text,
-        source,
-    })
+    Ok(opened)
 }
 
 fn text_of(argument: &OsStr, label: &str) -> Result<(Source, String), Failure> {
     let unread = |error| Failure::input(format!("{label}: cannot be read: {error}"));
     if argument == "-" {
-        let text = model::text_of(std::io::stdin().lock()).map_err(unread)?;
+        let text = files::text_of(std::io::stdin().lock()).map_err(unread)?;
         return Ok((Source::Stdin, text));
     }
     if Path::new(argument).exists() {
         let path = PathBuf::from(argument);
         let is_file = path.is_file();
         let text = if is_file {
-            model::load(&path)
+            files::load(&path)
         } else {
             // A pipe that is named here, as by `<(..)`, is waited for; Ctrl-C ends it.
-            File::open(&path).and_then(model::text_of)
+            File::open(&path).and_then(files::text_of)
         }
         .map_err(unread)?;
         // What came through a pipe is not there to be saved to.

@@ -40,7 +40,6 @@ fn failure(reason: &str) -> Failure {
 ///
 /// The standard library opens /dev/null in the place of a closed one before `main`, after which nothing tells the two
 /// apart. So this looks before, in a function that the loader calls.
-#[cfg(unix)]
 mod startup {
     use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -57,12 +56,5 @@ mod startup {
 
     pub(super) fn was_closed() -> bool {
         CLOSED.load(Ordering::Relaxed)
-    }
-}
-
-#[cfg(not(unix))]
-mod startup {
-    pub(super) fn was_closed() -> bool {
-        false
     }
 }

@@ -17,8 +17,8 @@ use self::progress::Progress;
 use super::csv::unwritten;
 use super::{Failure, Sets, print, source, stdout, warn_of_loss};
 use crate::escape::shown_path;
+use crate::files::{self, Opened};
 use crate::model::{self, Model};
-use crate::tui::{Opened, Source};
 use crate::tune::{self, Options, Problem, Stop, Tuned};
 
 #[derive(Debug, Args)]
@@ -53,7 +53,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     if let Some(file) = output {
         warn_of_loss(file).map_err(|error| unwritten(file, &error))?;
     }
-    let problem = Problem::new(&opened.model, &folder(&opened.source))
+    let problem = Problem::new(&opened.model, opened.source.folder())
         .map_err(|faults| Failure::faults(label, &faults))?;
     for path in problem.outside() {
         warn(&format!(
@@ -74,15 +74,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         Some(signal) => Ok(ExitCode::from(128_u8.saturating_add(signal))),
         None => printed.map(|()| ExitCode::SUCCESS),
     }
-}
-
-/// Where the files that a model names are.
-fn folder(source: &Source) -> PathBuf {
-    let folder = match source {
-        Source::File(file) => file.parent(),
-        _ => None,
-    };
-    folder.unwrap_or(Path::new("")).to_owned()
 }
 
 fn search(
@@ -130,7 +121,7 @@ fn notes_added(model: &Model, paragraph: &str) -> Model {
 
 /// Writes the tuned model; what is no regular file, as a pipe, is written to and waited for.
 fn save(file: &Path, text: &str) -> Result<(), Failure> {
-    model::save_with(file, |out| out.write_all(text.as_bytes()))
+    files::save_with(file, |out| out.write_all(text.as_bytes()))
         .map_err(|error| unwritten(file, &error))
 }
 

@@ -3,7 +3,7 @@
 use num_complex::Complex64;
 
 use super::Question;
-use super::unit::{Kind, ValueUnit};
+use crate::unit::{Kind, ValueUnit};
 
 /// A curve from a file.
 #[derive(Debug, Clone, PartialEq)]

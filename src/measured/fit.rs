@@ -3,7 +3,7 @@
 use num_complex::Complex64;
 
 use super::curve::Curve;
-use super::unit::Kind;
+use crate::unit::Kind;
 
 /// How close two curves are in a band.
 #[derive(Debug, Clone, Copy, PartialEq)]

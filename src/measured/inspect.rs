@@ -1,9 +1,10 @@
 //! What is in a file of measured curves, and what has to be asked before it is read.
 
-use super::layout::{FrequencyUnit, Places, Question};
+use super::layout::{Places, Question};
 use super::table::{Columns, Dialect, Plan, decoded};
 use super::{Curve, Fault, Format, Hint, Layout, Values, read, uff};
 use crate::model::counted;
+use crate::unit::FrequencyUnit;
 
 /// Rows of numbers in a preview.
 const PREVIEW_ROWS: usize = 3;
@@ -161,7 +162,7 @@ fn recognised(dialect: &Dialect, plan: &Plan) -> Vec<String> {
     )];
     recognised.extend(plan.doubts.iter().cloned());
     if !plan.missing.contains(&Question::Frequency) {
-        recognised.push(format!("frequencies in {}: {}", name(column), unit.word()));
+        recognised.push(format!("frequencies in {}: {}", name(column), unit.key()));
     }
     if plan.missing.contains(&Question::Values) {
         return recognised;

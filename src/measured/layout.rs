@@ -2,10 +2,9 @@
 
 mod parse;
 
-use std::f64::consts::{PI, TAU};
 use std::fmt;
 
-use super::unit::ValueUnit;
+use crate::unit::{FrequencyUnit, PhaseUnit, ValueUnit};
 
 /// How the columns of a table are to be read.
 ///
@@ -45,19 +44,6 @@ pub struct Places {
     pub curves: Vec<[usize; 2]>,
 }
 
-/// In what a file gives its frequencies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FrequencyUnit {
-    /// Hz.
-    Hertz,
-    /// kHz.
-    Kilohertz,
-    /// rad/s.
-    RadianPerSecond,
-    /// Revolutions a minute.
-    RevolutionPerMinute,
-}
-
 /// The columns of one curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Values {
@@ -75,90 +61,6 @@ pub enum Values {
         /// Whether it is in dB.
         decibels: bool,
     },
-}
-
-/// In what a file gives phases.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PhaseUnit {
-    /// Degrees.
-    Degree,
-    /// rad.
-    Radian,
-}
-
-impl FrequencyUnit {
-    /// All four.
-    pub const ALL: [Self; 4] = [
-        Self::Hertz,
-        Self::Kilohertz,
-        Self::RadianPerSecond,
-        Self::RevolutionPerMinute,
-    ];
-
-    /// The word of a layout.
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::Hertz => "hz",
-            Self::Kilohertz => "khz",
-            Self::RadianPerSecond => "rad/s",
-            Self::RevolutionPerMinute => "rpm",
-        }
-    }
-
-    /// The unit of a word as measuring programs write it, in whatever case, with or without brackets: `(kHz)`, `rad/sec`.
-    pub fn from_word(word: &str) -> Option<Self> {
-        let left_out = |letter: char| letter.is_whitespace() || "()[]^.".contains(letter);
-        let plain = word.replace(left_out, "").to_lowercase();
-        Some(match plain.as_str() {
-            "hz" | "hertz" | "cps" | "c/s" | "cycle/s" | "cycles/s" | "cycles/sec" => Self::Hertz,
-            "khz" | "kilohertz" => Self::Kilohertz,
-            "rad/s" | "rads/s" | "rad/sec" | "rads/sec" | "rad/second" | "radian/s"
-            | "radians/s" | "radian/sec" | "radians/sec" | "radian/second" | "radians/second"
-            | "rads-1" => Self::RadianPerSecond,
-            "rpm" | "r/min" | "rev/min" | "revs/min" | "1/min" | "min-1" | "cpm" | "cycles/min" => {
-                Self::RevolutionPerMinute
-            }
-            _ => return None,
-        })
-    }
-
-    /// One of it in Hz.
-    pub const fn hertz(self) -> f64 {
-        match self {
-            Self::Hertz => 1.0,
-            Self::Kilohertz => 1e3,
-            Self::RadianPerSecond => 1.0 / TAU,
-            Self::RevolutionPerMinute => 1.0 / 60.0,
-        }
-    }
-}
-
-impl PhaseUnit {
-    /// One of it in rad.
-    pub const fn radians(self) -> f64 {
-        match self {
-            Self::Degree => PI / 180.0,
-            Self::Radian => 1.0,
-        }
-    }
-
-    /// The word of a layout.
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::Degree => "deg",
-            Self::Radian => "rad",
-        }
-    }
-
-    /// The unit of a word, in whatever case.
-    pub(super) fn from_word(word: &str) -> Option<Self> {
-        match word.trim().to_lowercase().as_str() {
-            "deg" | "deg." | "degree" | "degrees" | "grad" | "degré" | "degrés" | "degre"
-            | "degres" | "°" | "º" => Some(Self::Degree),
-            "rad" | "rad." | "radian" | "radians" | "radiant" => Some(Self::Radian),
-            _ => None,
-        }
-    }
 }
 
 impl Values {
@@ -187,7 +89,7 @@ impl fmt::Display for Values {
         match *self {
             Self::Complex => f.write_str("re im"),
             Self::MagnitudePhase { phase, decibels } => {
-                write!(f, "{} {}", size(decibels), phase.word())
+                write!(f, "{} {}", size(decibels), phase.key())
             }
             Self::Magnitude { decibels } => f.write_str(size(decibels)),
         }
@@ -207,7 +109,7 @@ impl Layout {
 /// The text that [`Layout::parse`] reads.
 impl fmt::Display for Layout {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.frequency.word())?;
+        f.write_str(self.frequency.key())?;
         if let Some(column) = self.places.frequency {
             write!(f, " {column}")?;
         }
@@ -256,7 +158,10 @@ impl Question {
 impl fmt::Display for Question {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Frequency => "in which unit its frequencies are: hz, khz, rad/s or rpm",
+            Self::Frequency => {
+                let accepted = FrequencyUnit::ACCEPTED;
+                return write!(f, "in which unit its frequencies are: {accepted}");
+            }
             Self::Values => {
                 "what its columns are: re im, mag deg, mag rad, dB deg, dB rad, mag or dB would be accepted, or with the \
                  numbers of the columns, as hz 1; re 8; im 9"
@@ -270,41 +175,6 @@ impl fmt::Display for Question {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn frequency_words_of_other_programs_are_known() {
-        use FrequencyUnit::{Hertz, Kilohertz, RadianPerSecond, RevolutionPerMinute};
-        for (unit, words) in [
-            (
-                Hertz,
-                &["Hz", "HZ", "hertz", "(Hz)", "[Hz]", "cps", "cycles/sec"][..],
-            ),
-            (Kilohertz, &["kHz", "KHZ", "(kHz)", "[ kHz ]"]),
-            (
-                RadianPerSecond,
-                &[
-                    "rad/s",
-                    "rad/sec",
-                    "RAD/SEC",
-                    "Radians/Second",
-                    "rad s^-1",
-                    "rad.s-1",
-                ],
-            ),
-            (
-                RevolutionPerMinute,
-                &["rpm", "RPM", "(rpm)", "rev/min", "cpm", "1/min"],
-            ),
-        ] {
-            for word in words {
-                assert_eq!(FrequencyUnit::from_word(word), Some(unit), "{word}");
-            }
-        }
-        // Millihertz or megahertz, 1/s of what: no guess.
-        for word in ["", "mHz", "MHz", "GHz", "1/s", "rad", "order", "s", "deg/s"] {
-            assert_eq!(FrequencyUnit::from_word(word), None, "{word}");
-        }
-    }
 
     #[test]
     fn a_layout_is_one_line_that_reads_back() {

@@ -11,7 +11,6 @@ mod layout;
 mod number;
 mod table;
 mod uff;
-mod unit;
 
 use std::io::Read;
 use std::path::Path;
@@ -20,9 +19,8 @@ pub use crate::model::Fault;
 pub use curve::Curve;
 pub use fit::{Fit, fit};
 pub use inspect::{Inspection, Opened, inspect, open, open_in_si};
-pub use layout::{FrequencyUnit, Layout, PhaseUnit, Places, Question, Values};
+pub use layout::{Layout, Places, Question, Values};
 pub use uff::write::{Node, Record, Written, write_uff};
-pub use unit::{Kind, ValueUnit};
 
 /// Largest file that is read, bytes: 256 MiB.
 pub const MOST_BYTES: usize = 256 << 20;
@@ -94,7 +92,7 @@ impl Hint {
 /// Says what is wrong: it cannot be read, is no regular file, or is larger than [`MOST_BYTES`].
 pub fn load(path: &Path) -> Result<Vec<u8>, Fault> {
     let mut bytes = Vec::new();
-    let read = crate::model::open(path)
+    let read = crate::files::open(path)
         .and_then(|file| file.take(MOST_BYTES as u64 + 1).read_to_end(&mut bytes));
     match read {
         Ok(_) => of_possible_size(&bytes).map(|()| bytes),

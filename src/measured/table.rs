@@ -21,6 +21,7 @@ use num_complex::Complex64;
 use super::curve::{Curve, Points};
 use super::{Fault, Hint, MOST_VALUES, fault_at, text_of, too_many};
 use crate::table::unquoted;
+use crate::unit::ValueUnit;
 pub(super) use columns::Columns;
 use columns::Group;
 pub(super) use dialect::Dialect;
@@ -216,7 +217,7 @@ impl Tables {
                     ("", key) => key.to_owned(),
                     (name, key) => format!("{name}, {key}"),
                 };
-                let kind = group.unit.as_ref().map(super::ValueUnit::kind);
+                let kind = group.unit.as_ref().map(ValueUnit::kind);
                 curves.extend(points.curve(name, group.columns.have_phase(), kind));
             }
         }

@@ -15,9 +15,9 @@ use std::collections::BTreeMap;
 use num_complex::Complex64;
 
 use super::curve::{Curve, Points};
-use super::layout::FrequencyUnit;
-use super::{Fault, Hint, MOST_VALUES, Question, ValueUnit, fault_at, too_many};
+use super::{Fault, Hint, MOST_VALUES, Question, fault_at, too_many};
 use crate::model::counted;
+use crate::unit::{FrequencyUnit, ValueUnit};
 use data::Numbers;
 use head::Head;
 use lines::{Lines, Start};

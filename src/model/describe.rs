@@ -1,11 +1,11 @@
 //! What a person needs to know of a parameter.
 
-use super::edit::{Value, directions, get, load_unit, places, target_of};
-use super::entry;
+use super::edit::{Value, directions, get, places, target_of};
 use super::id::{Group, ParameterId};
+use super::names::nearest;
 use super::schema::{FEWEST_POINTS, ForceKey, Kind, MOST_POINTS, SectionKey, SubsystemKey};
-use super::types::{Measure, Model, Quantity, Support};
-use super::unit::Unit;
+use super::types::{Model, Quantity, Support};
+use crate::unit::{Measure, Unit, entry};
 
 /// A parameter, with all that a person needs to set it.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,10 +59,8 @@ impl Parameter {
         match &self.value {
             Value::Number(old) => entry::number(text, *old, &self.unit).map(Value::Number),
             Value::Count(old) => entry::count(text, *old).map(Value::Count),
-            Value::Flag(_) => entry::flag(text).map(Value::Flag),
-            Value::Choice(_) => {
-                entry::choice(text.trim(), &self.choices, &self.range).map(Value::Choice)
-            }
+            Value::Flag(_) => flag(text).map(Value::Flag),
+            Value::Choice(_) => choice(text.trim(), &self.choices, &self.range).map(Value::Choice),
             Value::Text(_) => Ok(Value::Text(text.to_owned())),
         }
     }
@@ -88,7 +86,7 @@ fn choices(model: &Model, id: ParameterId, value: &Value) -> Vec<&'static str> {
 /// The unit of a number: a load's goes with its direction.
 fn unit(model: &Model, id: ParameterId) -> Unit {
     match target_of(model, id.group) {
-        Some(target) if is_amplitude(id) => load_unit(target),
+        Some(target) if is_amplitude(id) => target.load().unit(),
         _ => id.key().unit,
     }
 }
@@ -139,6 +137,31 @@ fn section_range(model: &Model, id: ParameterId) -> String {
 
 fn short(value: f64) -> String {
     Unit::ONE.format(value)
+}
+
+/// A flag that a person types.
+fn flag(text: &str) -> Result<bool, String> {
+    match text.trim().to_ascii_lowercase().as_str() {
+        "true" | "on" | "yes" => Ok(true),
+        "false" | "off" | "no" => Ok(false),
+        _ => Err(format!(
+            "\"{}\" does not fit here: accepted is true or false",
+            text.trim()
+        )),
+    }
+}
+
+/// One of some words as a person types it, in whatever case.
+fn choice(text: &str, choices: &[&'static str], range: &str) -> Result<&'static str, String> {
+    choices
+        .iter()
+        .copied()
+        .find(|word| word.eq_ignore_ascii_case(text))
+        .ok_or_else(|| {
+            let near = nearest(text, choices.iter().copied())
+                .map_or_else(String::new, |near| format!(" (did you mean {near}?)"));
+            format!("\"{text}\" does not fit here{near}: accepted is {range}")
+        })
 }
 
 #[cfg(test)]

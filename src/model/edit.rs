@@ -7,7 +7,7 @@ mod value;
 mod variable;
 
 pub use family::{apply, apply_unchecked, family_keys, family_labels};
-pub(super) use target::{directions, load_unit, places};
+pub(super) use target::{directions, places};
 pub(super) use value::target_of;
 pub use value::{Value, get, number, put};
 

@@ -3,7 +3,7 @@
 //! Reading, writing, checking, parameter paths and the designer's tree all go by these rows, so a key is described
 //! once. A number that is added here is read, written, checked, described and shown.
 
-use super::unit::Unit;
+use crate::unit::Unit;
 
 /// The fewest frequencies of a sweep.
 pub const FEWEST_POINTS: usize = 2;

@@ -1,6 +1,7 @@
 //! What an optimiser may move, what for, and within which limits: `[tune]` of a model file as plain data.
 
-use super::types::{Spacing, words};
+use super::types::Spacing;
+use crate::words::words;
 
 /// What an optimiser may move, and what for.
 #[derive(Debug, Clone, PartialEq)]

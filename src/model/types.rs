@@ -4,28 +4,8 @@
 //! these types is a complete model. Whether it is also a *possible* one is said by [`check`](super::check()).
 
 use super::tuning::Tune;
-
-/// A choice whose values have words in the model file; the first is the default of a file.
-macro_rules! words {
-    ($(#[$doc:meta])* pub enum $name:ident { $($(#[$of:meta])* $value:ident = $word:literal,)* }) => {
-        $(#[$doc])*
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-        pub enum $name { $($(#[$of])* $value,)* }
-
-        impl $name {
-            /// The words of the model file.
-            pub const WORDS: &'static [&'static str] = &[$($word),*];
-            /// All of them, in the order of the words.
-            pub const ALL: [Self; Self::WORDS.len()] = [$(Self::$value),*];
-
-            /// The word of the model file.
-            pub const fn key(self) -> &'static str {
-                Self::WORDS[self as usize]
-            }
-        }
-    };
-}
-pub(super) use words;
+use crate::unit::{Dimension, Kind, Load, Measure, Moves};
+use crate::words::words;
 
 /// A beam with its supports, subsystems, loads and what is asked of it.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -323,6 +303,18 @@ pub enum Target {
     Mass(String, MassMotion),
 }
 
+impl Target {
+    /// What acts along it.
+    pub const fn load(&self) -> Load {
+        match self {
+            Self::Beam(_, BeamMotion::W | BeamMotion::V)
+            | Self::Mass(_, MassMotion::Y | MassMotion::Z) => Load::Force,
+            Self::Beam(_, BeamMotion::PsiSlope) => Load::Bimoment,
+            Self::Beam(..) | Self::Mass(_, MassMotion::Theta) => Load::Moment,
+        }
+    }
+}
+
 /// A harmonic load.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Force {
@@ -359,19 +351,17 @@ pub enum Quantity {
 impl Quantity {
     /// The word for an energy among the measures.
     pub const ENERGY: &'static str = "energy";
-}
 
-words! {
-    /// Which time derivative of a motion.
-    #[derive(Default)]
-    pub enum Measure {
-        /// Receptance.
-        #[default]
-        Displacement = "displacement",
-        /// Mobility.
-        Velocity = "velocity",
-        /// Accelerance.
-        Acceleration = "acceleration",
+    /// What its values are where they are divided by a load, or by none.
+    pub const fn kind(&self, per: Option<Load>) -> Kind {
+        match self {
+            Self::Motion(target, measure) => Kind::Motion(Dimension {
+                moves: Moves::along(target.load()),
+                measure: *measure,
+                per,
+            }),
+            Self::Energy => Kind::Energy,
+        }
     }
 }
 

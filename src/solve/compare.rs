@@ -117,7 +117,6 @@ mod tests {
                 .map(|(response, value)| Column {
                     name: response.name.clone(),
                     kind: ColumnKind::Complex,
-                    unit: "m",
                     values: vec![Complex64::from(*value)],
                 })
                 .collect(),

@@ -22,7 +22,6 @@ pub mod chain;
 pub mod compare;
 mod energy;
 pub mod fem;
-pub mod form;
 mod kept;
 mod lanes;
 mod layout;
@@ -34,6 +33,7 @@ pub mod operating;
 pub mod peaks;
 mod plan;
 mod quadrature;
+mod reference;
 pub mod sensitivity;
 mod solution;
 mod springs;
@@ -42,6 +42,7 @@ mod waves;
 
 pub use kept::Kept;
 pub use lanes::{Instructions, Work, work};
+pub use reference::Reference;
 #[doc(hidden)]
 pub use sweep::sweep_with;
 pub use sweep::{Column, ColumnKind, Frf, frequencies, sweep, sweep_alone};

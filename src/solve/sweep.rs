@@ -9,9 +9,7 @@ use rayon::prelude::*;
 use super::lanes::{Instructions, MOST_LANES, Prepared, Solver};
 use super::limit;
 use super::plan::Plan;
-use crate::model::{
-    BeamMotion, MassMotion, Measure, Model, Quantity, Response, Spacing, Sweep, Target,
-};
+use crate::model::{Model, Quantity, Response, Spacing, Sweep};
 
 /// Frequency responses of a model: one column for each enabled response, one value for each frequency.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,8 +27,6 @@ pub struct Column {
     pub name: String,
     /// What its values are.
     pub kind: ColumnKind,
-    /// Unit of the values, for the loads as they are given.
-    pub unit: &'static str,
     /// As many as frequencies; an energy has no imaginary part.
     pub values: Vec<Complex64>,
 }
@@ -82,7 +78,6 @@ impl Frf {
         let columns = columns.map(|(one, other)| Column {
             name: one.name.clone(),
             kind: one.kind,
-            unit: one.unit,
             values: order
                 .iter()
                 .map(|&row| match row.checked_sub(split) {
@@ -252,7 +247,6 @@ fn columns(model: &Model, count: usize) -> Vec<Column> {
         } else {
             ColumnKind::Complex
         },
-        unit: unit(&response.quantity),
         values: vec![Complex64::ZERO; count],
     };
     responses.map(column).collect()
@@ -288,22 +282,4 @@ pub(super) fn chunk_length(plan: &Plan) -> usize {
     const STATIONS_A_CHUNK: usize = 1000;
     let groups = STATIONS_A_CHUNK / (plan.stations.len() + 1) / MOST_LANES;
     MOST_LANES * groups.clamp(1, 8)
-}
-
-/// The unit of a response's values.
-fn unit(quantity: &Quantity) -> &'static str {
-    let Quantity::Motion(target, measure) = quantity else {
-        return "kg m2";
-    };
-    let units = match target {
-        Target::Beam(_, BeamMotion::W | BeamMotion::V)
-        | Target::Mass(_, MassMotion::Y | MassMotion::Z) => ["m", "m/s", "m/s2"],
-        Target::Beam(_, BeamMotion::PsiSlope) => ["rad/m", "rad/(m s)", "rad/(m s2)"],
-        Target::Beam(..) | Target::Mass(_, MassMotion::Theta) => ["rad", "rad/s", "rad/s2"],
-    };
-    match measure {
-        Measure::Displacement => units[0],
-        Measure::Velocity => units[1],
-        Measure::Acceleration => units[2],
-    }
 }

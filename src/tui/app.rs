@@ -72,8 +72,8 @@ pub use witness::{Witness, WitnessCurves, WitnessPicture};
 
 pub use crate::worker::Stage;
 
+use crate::files::Opened;
 use crate::model::{Model, Moves};
-use crate::tui::Opened;
 use crate::tui::event::Event;
 use crate::tui::keys::{KeyMap, Scope};
 use crate::tui::theme::Theme;

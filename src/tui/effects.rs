@@ -8,12 +8,11 @@ use std::sync::mpsc::Sender;
 use super::app::{App, Base, Effect, Export, Lost, Reply};
 use super::event::Event;
 use super::user::recovery::{self, Found, Keeper, Kept, Left};
-use super::user::why;
 use super::watch::Watch;
-use super::{Opened, Source, export::provenance, scene, view};
+use super::{export::provenance, scene, view};
 use crate::escape::{path_text, shown_path};
+use crate::files::{Opened, Source, error_text};
 use crate::model;
-use crate::presets;
 use crate::worker::Worker;
 use files::{check_match, compare, complete, export, open, open_measured, save};
 
@@ -69,8 +68,7 @@ impl Performer {
         let own = source.absolute();
         self.found
             .sort_by_key(|found| found.source.absolute() != own);
-        let is_offered =
-            |found: &&Found| !matches!(source, Source::File(_)) || found.source.absolute() == own;
+        let is_offered = |found: &&Found| source.path().is_none() || found.source.absolute() == own;
         let lost = self.found.iter().filter(is_offered).map(|found| Lost {
             name: match &found.source {
                 Source::File(path) => path_text(path),
@@ -83,10 +81,7 @@ impl Performer {
 
     /// Looks from time to time whether this is changed by other programs.
     pub fn watch(&self, source: &Source) {
-        self.watch.set(match source {
-            Source::File(path) => Some(path),
-            Source::Preset(_) | Source::Stdin => None,
-        });
+        self.watch.set(source.path());
     }
 
     /// Performs an effect, and those that follow from what came of it.
@@ -149,12 +144,7 @@ impl Performer {
             Ok(model) => model,
             Err(faults) => return Reply::Faulty(found.path.clone(), faults),
         };
-        let base = match &found.source {
-            Source::File(path) => model::load(path).ok(),
-            Source::Preset(name) => presets::find(name).map(|preset| preset.text.to_owned()),
-            Source::Stdin => None,
-        };
-        let base = base.filter(|text| model::read(text).is_ok());
+        let base = found.source.text().filter(|text| model::read(text).is_ok());
         let kind = match base {
             None => Base::Missing,
             Some(_) if is_newer(&found.source, &found.path) => Base::Newer,
@@ -181,7 +171,7 @@ impl Performer {
         if let Err(error) = found.discard() {
             app.update(Event::Trouble(format!(
                 "{place} is not removed: {}",
-                why(&error)
+                error_text(&error)
             )));
         }
         Outcome::Done
@@ -205,8 +195,11 @@ impl Performer {
                 "unsaved changes are in {}; it is a model file",
                 shown_path(&path)
             )),
-            Err(error) if nothing => Some(format!("what was kept is not removed: {}", why(&error))),
-            Err(error) => Some(format!("unsaved changes are lost: {}", why(&error))),
+            Err(error) if nothing => Some(format!(
+                "what was kept is not removed: {}",
+                error_text(&error)
+            )),
+            Err(error) => Some(format!("unsaved changes are lost: {}", error_text(&error))),
         }
     }
 }
@@ -228,9 +221,7 @@ fn exported(app: &mut App, kind: Export) -> String {
 
 /// Whether the file of a model was written after what is kept of it.
 fn is_newer(source: &Source, kept: &Path) -> bool {
-    let Source::File(path) = source else {
-        return false;
-    };
-    let written = |path: &Path| std::fs::metadata(path)?.modified();
-    matches!((written(path), written(kept)), (Ok(file), Ok(kept)) if file > kept)
+    let written = |path: &Path| std::fs::metadata(path).ok()?.modified().ok();
+    let (file, kept) = (source.path().and_then(written), written(kept));
+    file.zip(kept).is_some_and(|(file, kept)| file > kept)
 }

@@ -15,11 +15,12 @@ use super::pace::{Pace, Reason};
 use super::terminal::{self, Session};
 use super::theme::Theme;
 use super::user::config::Config;
-use super::user::folders::Folders;
 use super::user::log;
 use super::user::memory::{self, Memory};
-use super::{Opened, view};
+use super::view;
 use crate::escape::escape;
+use crate::files::Folders;
+use crate::files::Opened;
 
 /// From one frame of what moves to the next.
 const FRAME: Duration = Duration::from_millis(100);

@@ -10,18 +10,7 @@ use num_complex::Complex64;
 pub use build::{Scale, label, of, scale};
 
 use crate::tui::plot::{Level, LineStyle};
-
-/// The unit in which frequencies are shown and typed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum FrequencyUnit {
-    /// Hz.
-    #[default]
-    Hertz,
-    /// rad/s.
-    RadianPerSecond,
-    /// Revolutions per minute.
-    RevolutionPerMinute,
-}
+use crate::unit::FrequencyUnit;
 
 /// What of the complex values is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -139,33 +128,6 @@ pub struct Marked {
     pub mode: Option<usize>,
     /// Whether the modes belong to an older model.
     pub modes_dim: bool,
-}
-
-impl FrequencyUnit {
-    /// Every unit, in the order in which a key goes through them.
-    pub const ALL: [Self; 3] = [
-        Self::Hertz,
-        Self::RadianPerSecond,
-        Self::RevolutionPerMinute,
-    ];
-
-    /// As it is written.
-    pub const fn symbol(self) -> &'static str {
-        match self {
-            Self::Hertz => "Hz",
-            Self::RadianPerSecond => "rad/s",
-            Self::RevolutionPerMinute => "rpm",
-        }
-    }
-
-    /// How many of it are 1 Hz.
-    pub const fn per_hertz(self) -> f64 {
-        match self {
-            Self::Hertz => 1.0,
-            Self::RadianPerSecond => std::f64::consts::TAU,
-            Self::RevolutionPerMinute => 60.0,
-        }
-    }
 }
 
 impl ChartView {

@@ -4,7 +4,7 @@ use crate::model::edit::Value;
 use crate::model::{
     Aim, Compare, Hold, Limit, Model, Objective, Parameter, Spacing, Unit, Variable,
 };
-use crate::solve::form::Dimension;
+use crate::unit::Kind;
 
 /// Two numbers with one unit, that in which the larger is shown: `0.1..100 MN/m`.
 pub fn range(from: f64, to: f64, unit: Unit) -> String {
@@ -29,8 +29,8 @@ pub fn band(objective: &Objective) -> String {
 /// A level of a response in its unit: `1e-7 m`. Without a unit where there is no such motion.
 pub fn level(model: &Model, response: &str, value: f64) -> String {
     let found = model.responses.iter().find(|one| one.name == response);
-    let dimension = found.and_then(|one| Dimension::of(&one.quantity, None));
-    let unit = dimension.map_or_else(String::new, |one| one.unit(one.form_of_measure()));
+    let dimension = found.and_then(|one| one.quantity.kind(None).motion());
+    let unit = dimension.map_or_else(String::new, |one| Kind::Motion(one).unit());
     let number = Unit::ONE.format(value);
     format!("{number} {unit}").trim_end().to_owned()
 }

@@ -320,7 +320,7 @@ fn a_header_may_be_corrected() {
     assert_eq!(
         seen.proposal.values,
         Values::MagnitudePhase {
-            phase: measured::PhaseUnit::Degree,
+            phase: beamtune::unit::PhaseUnit::Degree,
             decibels: false
         }
     );

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use beamtune::measured::ValueUnit;
+use beamtune::unit::ValueUnit;
 
 use super::*;
 

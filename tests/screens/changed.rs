@@ -1,8 +1,8 @@
 //! What was found for a model stays with it while subsystems, forces and responses come and go.
 
+use beamtune::files::Source;
 use beamtune::model::{self, Model};
 use beamtune::presets;
-use beamtune::tui::Source;
 use beamtune::tui::tree;
 
 use super::dice::Dice;

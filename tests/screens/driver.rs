@@ -5,13 +5,14 @@ use std::fmt::Write as _;
 use std::sync::mpsc::channel;
 use std::time::Duration;
 
+use beamtune::files::{Opened, Source};
 use beamtune::model::{self, Model, path};
 use beamtune::presets;
 use beamtune::tui::app::{App, Effect, Reply};
 use beamtune::tui::event::Event;
 use beamtune::tui::keys::Key;
 use beamtune::tui::theme::Theme;
-use beamtune::tui::{Opened, Source, tree, view};
+use beamtune::tui::{tree, view};
 use beamtune::worker::{Answer, CurvesAnswer, Request, Stage, Subject, TuneStage, Worker};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use ratatui::Terminal;

@@ -7,10 +7,10 @@ use num_complex::Complex64;
 
 use super::{Curve, Member, Points, warn_of};
 use crate::cli::{Failure, csv, say};
-use crate::measured::{Kind, Node, Record, Written, write_uff};
+use crate::measured::{Node, Record, Written, write_uff};
 use crate::model::{BeamMotion, MassMotion, Model, Place, Quantity, Response, Target, counted};
-use crate::solve::Frf;
-use crate::solve::form::{Dimension, Reference};
+use crate::solve::{Frf, Reference};
+use crate::unit::Kind;
 
 /// A model's curve, solved.
 struct Solved<'a> {
@@ -99,12 +99,12 @@ impl Solved<'_> {
                     Quantity::Motion(target, _) => Some(target),
                     Quantity::Energy => None,
                 };
-                let dimension = Dimension::of(&response.quantity, reference.as_ref());
-                let force = force.filter(|_| dimension.is_some());
+                let kind = response.quantity.kind(reference.map(|one| one.load));
+                let force = force.filter(|_| kind != Kind::Energy);
                 Record {
                     name,
                     title: self.title(),
-                    kind: dimension.map_or(Kind::Energy, Kind::Motion),
+                    kind,
                     response: target.map(|target| places.node(target)),
                     reference: force.map(|force| places.node(&force.target)),
                     frequencies: &self.frf.frequencies,

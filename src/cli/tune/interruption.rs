@@ -14,9 +14,9 @@ use signal_hook::iterator::Signals;
 use super::{Failure, notes_added, save, say, warn};
 use crate::cli::signals;
 use crate::escape::shown_path;
+use crate::files::{self, Opened};
 use crate::model::{self, Model, path};
 use crate::signals::not_ignored;
-use crate::tui::Opened;
 use crate::tune::Status;
 
 /// What the second signal may take, before another one ends the program.
@@ -158,7 +158,7 @@ fn values(model: &Model) -> String {
 }
 
 fn end(signal: i32) -> ! {
-    model::remove_temporaries();
+    files::remove_temporaries();
     process::exit(128 + signal)
 }
 

@@ -1,7 +1,7 @@
 //! A layout from its text.
 
-use super::{FrequencyUnit, Layout, PhaseUnit, Places, Values};
-use crate::measured::unit::ValueUnit;
+use super::{Layout, Places, Values};
+use crate::unit::{FrequencyUnit, PhaseUnit, ValueUnit};
 
 /// A word for a column, whether it stands with a minus, and the columns that are chosen by number.
 struct Named {
@@ -96,7 +96,8 @@ fn frequencies(part: &str) -> Result<(FrequencyUnit, Option<usize>), String> {
         _ => (part, None),
     };
     let unit = FrequencyUnit::from_word(unit).ok_or_else(|| {
-        format!("{part:?} is no unit of a frequency: accepted is hz, khz, rad/s or rpm, and behind it the number of the column")
+        let accepted = FrequencyUnit::ACCEPTED;
+        format!("{part:?} is no unit of a frequency: accepted is {accepted}, and behind it the number of the column")
     })?;
     Ok((unit, column))
 }

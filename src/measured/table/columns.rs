@@ -3,8 +3,8 @@
 use super::dialect::Dialect;
 use super::head::{Head, Role};
 use super::sample::ColumnKind;
-use crate::measured::layout::{PhaseUnit, Values};
-use crate::measured::unit::{Kind, ValueUnit};
+use crate::measured::layout::Values;
+use crate::unit::{Kind, PhaseUnit, ValueUnit};
 
 /// The columns of one curve.
 #[derive(Debug, Clone, PartialEq)]

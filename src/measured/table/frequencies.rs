@@ -4,8 +4,9 @@ use super::columns::Table;
 use super::dialect::Dialect;
 use super::head::Role;
 use super::sample::ColumnKind;
-use crate::measured::layout::{FrequencyUnit, Layout};
+use crate::measured::layout::Layout;
 use crate::measured::{Fault, fault_at};
+use crate::unit::FrequencyUnit;
 
 /// The column of frequencies, and their unit as far as the header says it.
 pub(super) fn frequencies(

@@ -4,8 +4,9 @@ use super::columns::{Columns, Group, Table};
 use super::frequencies::{too_few, wrong_column};
 use super::head::{Head, Role};
 use super::sample::ColumnKind;
-use crate::measured::layout::{Layout, PhaseUnit, Values};
+use crate::measured::layout::{Layout, Values};
 use crate::measured::{Fault, fault_at};
+use crate::unit::PhaseUnit;
 
 /// A column that is a magnitude.
 pub(super) fn magnitude(head: &Head, index: usize) -> Group {

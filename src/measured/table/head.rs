@@ -1,9 +1,9 @@
 //! What the words above a column say.
 
 use super::words;
-use crate::measured::layout::{FrequencyUnit, PhaseUnit};
-use crate::measured::unit::ValueUnit;
 use crate::table::unquoted;
+use crate::unit::ValueUnit;
+use crate::unit::{FrequencyUnit, PhaseUnit};
 
 /// What a column's header says.
 #[derive(Debug, Clone, PartialEq)]
@@ -207,9 +207,7 @@ fn frequency(cell: &str) -> Option<Role> {
         .replace(" / ", " ");
     let all: Vec<&str> = plain.split_whitespace().collect();
     let unit = |word: &str| match word {
-        "hertz" => Some(FrequencyUnit::Hertz),
         "rads" | "1/s" => Some(FrequencyUnit::RadianPerSecond),
-        "1/min" | "cpm" => Some(FrequencyUnit::RevolutionPerMinute),
         word => FrequencyUnit::from_word(word),
     };
     // A unit alone.

@@ -3,8 +3,8 @@
 use super::head::{Head, Role};
 use super::records::Separator;
 use super::tokens::{Token, grouped, joined, placed, split, tokens, with_units};
-use crate::measured::layout::{FrequencyUnit, PhaseUnit};
-use crate::measured::unit::ValueUnit;
+use crate::unit::ValueUnit;
+use crate::unit::{FrequencyUnit, PhaseUnit};
 
 /// Lines above the numbers that are looked at.
 const MOST_LINES: usize = 12;

@@ -6,8 +6,9 @@ use super::frequencies::frequencies;
 use super::groups::{by_number, guess, in_turn, magnitude, one_unit, said};
 use super::head::{Head, Role};
 use super::sample::ColumnKind;
-use crate::measured::layout::{FrequencyUnit, Layout, Question, Values};
+use crate::measured::layout::{Layout, Question, Values};
 use crate::measured::{Fault, Hint, fault_at};
+use crate::unit::FrequencyUnit;
 
 /// Most columns of a table.
 const MOST_COLUMNS: usize = 1000;

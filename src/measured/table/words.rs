@@ -1,7 +1,7 @@
 //! The words of headers in English, German, French, Italian and Spanish.
 
 use super::head::Role;
-use crate::measured::layout::PhaseUnit;
+use crate::unit::PhaseUnit;
 
 /// Words that name a column of frequencies wherever they stand last, without accents.
 const FREQUENCIES: &[&str] = &[

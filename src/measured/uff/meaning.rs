@@ -2,11 +2,9 @@
 
 use super::head::{Axis, End, Head};
 use super::lines::Lines;
-use crate::measured::layout::{FrequencyUnit, Layout};
-use crate::measured::unit::{self, Kind, ValueUnit};
+use crate::measured::layout::Layout;
 use crate::measured::{Fault, Question, number};
-use crate::model::Measure;
-use crate::solve::form::{Dimension, Load, Moves};
+use crate::unit::{self, Dimension, FrequencyUnit, Kind, Load, Measure, Moves, ValueUnit};
 
 /// Data set 164: one metre and one newton in the units of the file; angles are in rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -199,7 +197,7 @@ fn frequency(head: &Head, notes: &mut Vec<String>) -> Result<Option<FrequencyUni
     let word = &head.abscissa.unit;
     let unit = FrequencyUnit::from_word(if word.is_empty() { "hz" } else { word });
     if let Some(unit) = unit.filter(|unit| *unit != FrequencyUnit::Hertz) {
-        notes.push(format!("frequencies are in {}", unit.word()));
+        notes.push(format!("frequencies are in {}", unit.key()));
     }
     Ok(unit)
 }

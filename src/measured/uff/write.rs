@@ -5,9 +5,7 @@ use std::io::{self, Write};
 use num_complex::Complex64;
 
 use crate::escape::escape;
-use crate::measured::unit::Kind;
-use crate::model::Measure;
-use crate::solve::form::{Dimension, Load, Moves};
+use crate::unit::{Dimension, Kind, Load, Measure, Moves, Unit};
 
 /// A response to write.
 #[derive(Debug, Clone, PartialEq)]
@@ -193,7 +191,7 @@ fn write_record(
         out,
         "\n{kind:>10}{count:>10}{even:>10}{first:>13}{step:>13}{z:>13}"
     )?;
-    write_axis(out, 18, [0, 0], "Frequency", "Hz")?;
+    write_axis(out, 18, [0, 0], "Frequency", Unit::HERTZ.symbol)?;
     write_ordinate(out, record.kind)?;
     write_axis(out, 0, [0, 0], "NONE", "NONE")?;
     write_data(out, points, is_energy, grid.even)?;
@@ -220,12 +218,15 @@ fn write_ordinate(out: &mut dyn Write, kind: Kind) -> io::Result<()> {
         Moves::Length | Moves::Angle => write_axis(out, code, [0, 0], label, &above)?,
         Moves::TwistRate => write_axis(out, 1, [-1, 0], "Rate of twist", &above)?,
     }
-    match dimension.per {
-        None => write_axis(out, 0, [0, 0], "NONE", "NONE"),
-        Some(Load::Force) => write_axis(out, 13, [0, 0], "Force", "N"),
-        Some(Load::Moment) => write_axis(out, 13, [0, 0], "Moment", "N m"),
-        Some(Load::Bimoment) => write_axis(out, 1, [2, 1], "Bimoment", "N m2"),
-    }
+    let Some(load) = dimension.per else {
+        return write_axis(out, 0, [0, 0], "NONE", "NONE");
+    };
+    let (code, exponents, label) = match load {
+        Load::Force => (13, [0, 0], "Force"),
+        Load::Moment => (13, [0, 0], "Moment"),
+        Load::Bimoment => (1, [2, 1], "Bimoment"),
+    };
+    write_axis(out, code, exponents, label, load.unit().symbol)
 }
 
 /// An axis: specific data type, exponents of length and force, label and unit.

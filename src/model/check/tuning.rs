@@ -8,9 +8,10 @@ use super::super::path;
 use super::super::schema::{AIMS, Access, Choice, Kind, LIMITS, OBJECTIVE, Rows};
 use super::super::serial::format_number;
 use super::super::tuning::{Aim, Hold, Limit, Objective, Tune, Variable};
-use super::super::types::{Measure, Model, Quantity, Spacing};
+use super::super::types::{Model, Quantity, Spacing};
 use super::plans::{Plans, not_empty};
 use super::{band, not_finite, state};
+use crate::unit::Measure;
 use std::collections::HashMap;
 
 /// Adds the faults of a model's tuning.

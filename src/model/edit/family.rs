@@ -4,7 +4,7 @@ use super::value::{Value, number, put};
 use crate::model::fault::Fault;
 use crate::model::path::{self, Finder};
 use crate::model::types::{Family, Model, Operation};
-use crate::model::unit::Unit;
+use crate::unit::Unit;
 
 /// A member of a study: the model with its changes, checked. It carries no studies and no tuning of its own.
 ///

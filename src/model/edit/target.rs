@@ -1,9 +1,8 @@
 //! Where a force acts or a response is taken, as text.
 
-use crate::model::entry;
 use crate::model::names::{nearest, segment};
 use crate::model::types::{BeamMotion, MassMotion, Model, Place, Target};
-use crate::model::unit::Unit;
+use crate::unit::{Unit, entry};
 
 /// Where an energy's response goes when it becomes a motion.
 pub(super) const DEFAULT: Target = Target::Beam(Place::Right, BeamMotion::W);
@@ -154,16 +153,6 @@ fn no_place(model: &Model, text: &str) -> String {
     let near = nearest(text, ["left", "right"].into_iter().chain(names));
     let near = near.map_or_else(String::new, |near| format!(" (did you mean {near:?}?)"));
     format!("is {text:?}{near}; must be {}", places(model))
-}
-
-/// The unit of a load along a motion.
-pub(in crate::model) const fn load_unit(target: &Target) -> Unit {
-    match target {
-        Target::Beam(_, BeamMotion::W | BeamMotion::V)
-        | Target::Mass(_, MassMotion::Y | MassMotion::Z) => Unit::FORCE,
-        Target::Beam(_, BeamMotion::PsiSlope) => Unit::BIMOMENT,
-        Target::Beam(..) | Target::Mass(_, MassMotion::Theta) => Unit::TORQUE,
-    }
 }
 
 #[cfg(test)]

@@ -5,9 +5,8 @@ use super::target;
 use crate::model::id::{End, Group, ParameterId};
 use crate::model::schema::{self, Access, Key, Kind, Rows};
 use crate::model::serial::format_number;
-use crate::model::types::{
-    BeamMotion, Elastic, Measure, Model, Quantity, Restraint, Support, Target,
-};
+use crate::model::types::{BeamMotion, Elastic, Model, Quantity, Restraint, Support, Target};
+use crate::unit::Measure;
 
 /// The value of a parameter.
 #[derive(Debug, Clone, PartialEq)]
@@ -310,9 +309,8 @@ fn chosen(value: &Value, words: &[&str]) -> Result<usize, String> {
 mod tests {
     use crate::model::edit::{Value, set, set_unchecked};
     use crate::model::path::{all, parameter, sample};
-    use crate::model::types::{
-        BeamMotion, Elastic, Measure, Place, Quantity, Restraint, Support, Target,
-    };
+    use crate::model::types::{BeamMotion, Elastic, Place, Quantity, Restraint, Support, Target};
+    use crate::unit::Measure;
 
     fn choice(word: &'static str) -> Value {
         Value::Choice(word)

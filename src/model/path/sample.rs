@@ -2,10 +2,11 @@
 
 use crate::model::tuning::{Aim, Combine, Hold, Objective, Tune, Variable};
 use crate::model::types::{
-    Beam, BeamMotion, Case, Elastic, Family, Force, MassMotion, Material, Measure, Model,
-    Operation, Place, Quantity, Response, Restraint, Section, Spacing, Spring, Study, Subsystem,
-    Support, Supports, Sweep, Target,
+    Beam, BeamMotion, Case, Elastic, Family, Force, MassMotion, Material, Model, Operation, Place,
+    Quantity, Response, Restraint, Section, Spacing, Spring, Study, Subsystem, Support, Supports,
+    Sweep, Target,
 };
+use crate::unit::Measure;
 
 /// The beam of the paper with as many subsystems as there are names, and a little of everything else.
 pub(in crate::model) fn model(names: &[&str]) -> Model {

@@ -1,13 +1,12 @@
 //! Forces and responses of a model file.
 
 use super::super::schema::{FORCE, Kind, RESPONSE};
-use super::super::types::{
-    BeamMotion, Force, MassMotion, Measure, Place, Quantity, Response, Target,
-};
+use super::super::types::{BeamMotion, Force, MassMotion, Place, Quantity, Response, Target};
 use super::list::{named, names as element_names};
 use super::reader::Reader;
 use super::table::Table;
 use super::value::number;
+use crate::unit::Measure;
 use toml::de::DeValue;
 
 /// The list of forces.

@@ -2,7 +2,7 @@
 
 use super::{Access, BLANK, Choice, Key, Kind, Range, Rows};
 use crate::model::tuning::{Aim, Compare, Hold, Limit, Objective, Variable};
-use crate::model::unit::Unit;
+use crate::unit::Unit;
 
 rows! {
     /// A variable of a tuning.

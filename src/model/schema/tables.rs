@@ -5,7 +5,7 @@ use crate::model::types::{
     Beam, BeamMotion, Elastic, Force, Material, Model, Response, Section, Spacing, Study,
     Subsystem, Support, Sweep,
 };
-use crate::model::unit::Unit;
+use crate::unit::Unit;
 
 rows! {
     /// What stands above all tables.

@@ -5,11 +5,12 @@ use super::super::schema::{
     self, Access, FORCE, Key, Kind, MATERIAL, RESPONSE, Rows, SECTION, SUBSYSTEM, SWEEP,
 };
 use super::super::types::{
-    BeamMotion, Case, Family, Force, Measure, Model, Place, Quantity, Response, Restraint, Study,
-    Subsystem, Support, Supports, Target,
+    BeamMotion, Case, Family, Force, Model, Place, Quantity, Response, Restraint, Study, Subsystem,
+    Support, Supports, Target,
 };
 use super::node::{Entry, Node, Presence};
 use super::tuning;
+use crate::unit::Measure;
 use std::borrow::Cow;
 use toml_edit::{Item, Table, TableLike};
 

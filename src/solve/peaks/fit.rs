@@ -224,7 +224,6 @@ mod tests {
         let column = Column {
             name: String::new(),
             kind: ColumnKind::Complex,
-            unit: "m",
             values: [99.98, 100.003, 100.05].map(response).into(),
         };
         Fit::new(

@@ -8,7 +8,7 @@ use num_complex::Complex64;
 
 use super::Differentiator;
 use crate::model::{Group, Model, ParameterId, Quantity, Response};
-use crate::solve::form::Reference;
+use crate::solve::Reference;
 use crate::solve::modes::Modes;
 
 /// What is to be differentiated.

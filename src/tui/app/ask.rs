@@ -5,12 +5,13 @@ use std::sync::Arc;
 
 use super::{App, Effect, List, Overlay, Prompt, Purpose, choose};
 use crate::escape::path_of_text;
-use crate::measured::{Curve, ValueUnit};
+use crate::measured::Curve;
 use crate::model::edit::{self, Value};
 use crate::model::{Family, Model, Operation, Parameter, ParameterId, Study, Unit, entry, path};
 use crate::tui::keys::Command;
-use crate::tui::scene::{ChartView, FrequencyUnit};
+use crate::tui::scene::ChartView;
 use crate::tui::tree;
+use crate::unit::{FrequencyUnit, ValueUnit};
 
 /// More curves than these cannot be told apart.
 const MOST_CURVES: usize = 12;
@@ -78,7 +79,11 @@ impl Question {
         let (title, allowed) = match self {
             Self::Frequency(unit) => (
                 "Cursor to",
-                format!("{}; or a number with Hz, rad/s or rpm", unit.symbol()),
+                format!(
+                    "{}; or a number with {}",
+                    unit.symbol(),
+                    FrequencyUnit::SHOWN_WORDS
+                ),
             ),
             Self::DecibelReference(unit) => (
                 "0 dB is",
@@ -393,7 +398,7 @@ fn plain(text: &str, unit: Unit) -> Result<f64, String> {
 /// A typed frequency, Hz: a number in `unit`, or with a unit of its own.
 fn read_frequency(text: &str, unit: FrequencyUnit) -> Result<f64, String> {
     let text = text.trim();
-    let own = FrequencyUnit::ALL
+    let own = FrequencyUnit::SHOWN
         .into_iter()
         .skip(1)
         .find_map(|unit| Some((text.strip_suffix(unit.symbol())?, unit)));

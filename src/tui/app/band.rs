@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use super::{App, Table};
 use crate::model::{Model, Quantity};
+use crate::solve::Reference;
 use crate::solve::band::Level;
-use crate::solve::form::{Dimension, Form, Reference};
+use crate::unit::{Form, Kind};
 use crate::worker::{LevelsAnswer, LevelsRequest, Request, Subject};
 
 /// What levels were asked for.
@@ -33,7 +34,7 @@ pub struct ResponseLevel {
     /// The response's name.
     pub response: String,
     /// The unit of the maximum; none for an energy.
-    pub dimension: Option<Dimension>,
+    pub kind: Kind,
     /// Maximum and mean square.
     pub level: Level,
 }
@@ -172,14 +173,14 @@ fn response_levels(model: &Model, levels: &[Level], motion: bool) -> Vec<Respons
     enabled
         .zip(levels)
         .map(|(response, level)| {
-            let dimension = Dimension::of(&response.quantity, reference.as_ref());
-            let divisor = match (&reference, dimension) {
-                (Some(reference), Some(_)) => reference.amplitude.norm(),
+            let kind = response.quantity.kind(reference.map(|one| one.load));
+            let divisor = match (&reference, kind) {
+                (Some(reference), Kind::Motion(_)) => reference.amplitude.norm(),
                 _ => 1.0,
             };
             ResponseLevel {
                 response: response.name.clone(),
-                dimension,
+                kind,
                 level: Level {
                     maximum: level.maximum / divisor,
                     mean_square: level.mean_square / (divisor * divisor),

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use super::measured::{Asked, FitKey, Fitted, Measured, Sample};
 use super::{App, Effect, List, Overlay, Picture, Question, Shown, Stage};
+use crate::files::Opened;
 use crate::model::Model;
-use crate::tui::Opened;
 use crate::tui::keys::Command;
 use crate::worker::{ReferenceAnswer, Request, Subject};
 

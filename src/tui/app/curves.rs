@@ -5,10 +5,11 @@ use std::time::Duration;
 
 use num_complex::Complex64;
 
-use crate::model::{Model, Quantity, Spacing};
-use crate::solve::form::{Dimension, Reference};
+use crate::model::{Model, Spacing};
+use crate::solve::Reference;
 use crate::solve::peaks::Peak;
 use crate::solve::{Column, Frf};
+use crate::unit::Dimension;
 use crate::worker::{self, CurvesAnswer, Stage};
 
 /// One response over the frequencies.
@@ -121,7 +122,8 @@ pub(super) fn member(member: worker::Member) -> Member {
 pub(super) fn traces(model: &Model, frf: &Frf, peaks: Vec<Vec<Peak>>) -> Vec<Trace> {
     let reference = Reference::of(model);
     let quantities = model.responses.iter().filter(|one| one.enabled);
-    let dimensions = quantities.map(|one| Dimension::of(&one.quantity, reference.as_ref()));
+    let per = reference.map(|reference| reference.load);
+    let dimensions = quantities.map(|one| one.quantity.kind(per).motion());
     let mut peaks = peaks.into_iter();
     let columns = frf.columns.iter().zip(dimensions);
     columns
@@ -339,12 +341,11 @@ impl Curves {
                 .map(|one| &one.quantity)
         };
         if self.visible == [response] {
-            let of = |quantity: &Quantity| Dimension::of(quantity, None);
-            let dimension = quantity(response).map(of);
+            let kind = quantity(response).map(|one| one.kind(None));
             let alike = model
                 .responses
                 .iter()
-                .filter(|one| Some(of(&one.quantity)) == dimension);
+                .filter(|one| Some(one.quantity.kind(None)) == kind);
             self.visible = alike.map(|one| one.name.clone()).collect();
             return false;
         }

@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use num_complex::Complex64;
 
 use super::{App, Trace};
-use crate::model::{Measure, Unit};
-use crate::solve::form::{Dimension, Form};
+use crate::model::Unit;
 use crate::tui::keys::Command;
-use crate::tui::scene::{self, ChartView, FrequencyUnit, Scale};
+use crate::tui::scene::{self, ChartView, Scale};
+use crate::unit::{Dimension, Form, FrequencyUnit, Kind};
 
 /// What a response is called that is not divided by the force.
 pub const MOTION: &str = "motion under the force";
@@ -88,10 +88,10 @@ impl Display {
 
     /// The unit of the values as they are shown.
     pub fn unit_of(&self, dimension: Option<&Dimension>) -> String {
-        dimension.map_or_else(
-            || "kg m2".to_owned(),
-            |dimension| dimension.unit(self.form_of(dimension)),
-        )
+        match dimension {
+            Some(dimension) => dimension.unit(self.form_of(dimension)),
+            None => Kind::Energy.unit(),
+        }
     }
 
     /// A frequency (Hz) for people, with its unit.
@@ -176,11 +176,7 @@ impl App {
             (Choice::Form(form), true) => form.name().to_owned(),
             // What the first three are without a force to divide by.
             (Choice::Form(form), false) => {
-                let motion = match form.measure() {
-                    Measure::Displacement => "displacement",
-                    Measure::Velocity => "velocity",
-                    Measure::Acceleration => "acceleration",
-                };
+                let motion = form.measure().key();
                 format!("{motion}; several forces act, so that there is no ratio and no inverse")
             }
         });
@@ -230,7 +226,7 @@ impl App {
     }
 
     fn next_frequency_unit(&mut self) {
-        let all = FrequencyUnit::ALL;
+        let all = FrequencyUnit::SHOWN;
         let place = all.iter().position(|unit| *unit == self.display.unit);
         self.display.unit = all[(place.unwrap_or(0) + 1) % all.len()];
         self.turned.frequency_unit = Some(self.display.unit.symbol().to_owned());

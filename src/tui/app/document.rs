@@ -4,11 +4,11 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::history::{Change, History, Step};
+use crate::files::{Opened, Source};
 use crate::model::edit::{self, Value};
 use crate::model::{self, Fault, Model, Parameter, ParameterId, path};
 use crate::tui::tree;
 use crate::tui::user::recovery::Kept;
-use crate::tui::{Opened, Source};
 
 /// A model with its source, its text as opened or saved, and its history.
 #[derive(Debug)]

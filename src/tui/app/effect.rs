@@ -5,8 +5,8 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::{Base, Export, OpenedMeasured, Outside, Saving};
+use crate::files::Opened;
 use crate::model::{Fault, Model, Objective};
-use crate::tui::Opened;
 use crate::tui::user::recovery::Kept;
 use crate::worker::Request;
 

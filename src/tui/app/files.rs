@@ -7,10 +7,10 @@ use super::{
     Overlay, Prompt, Purpose, Reading, ReplaceReason, Reply, Saving, Selection, Tables,
 };
 use crate::escape::{path_text, shown_path};
+use crate::files::{Opened, Source};
 use crate::model;
 use crate::presets;
 use crate::tui::keys::Command;
-use crate::tui::{Opened, Source};
 
 impl App {
     /// Goes on to something that drops the model: asks first when it is not saved.
@@ -45,12 +45,8 @@ impl App {
         let Some(preset) = presets::ALL.get(row) else {
             return;
         };
-        match model::read(preset.text) {
-            Ok(model) => self.open(Opened {
-                model,
-                text: preset.text.to_owned(),
-                source: Source::Preset(preset.name),
-            }),
+        match Opened::preset(preset) {
+            Ok(opened) => self.open(opened),
             Err(faults) => self.list_faults(PathBuf::from(preset.name), faults),
         }
     }

@@ -7,11 +7,12 @@ use num_complex::Complex64;
 use super::curves::traces;
 use super::{App, Display, Effect, Question, Trace};
 use crate::escape::shown_path;
-use crate::measured::{self, Curve, Fit, Inspection, Kind, ValueUnit, fit};
+use crate::measured::{self, Curve, Fit, Inspection, fit};
 use crate::model::{Fault, counted};
-use crate::solve::form::{Dimension, Form, Reference};
+use crate::solve::Reference;
 use crate::tui::keys::Command;
 use crate::tui::scene::ChartView;
+use crate::unit::{Dimension, Form, Kind, ValueUnit};
 use crate::worker::{Request, SampleAnswer, SampleRequest, Sampling};
 
 /// More measured curves than these cannot be told apart.
@@ -86,10 +87,7 @@ pub enum OpenedMeasured {
 impl Measured {
     /// What its values are, if that is known of a motion.
     pub fn dimension(&self) -> Option<Dimension> {
-        match self.curve.kind {
-            Some(Kind::Motion(dimension)) => Some(dimension),
-            Some(Kind::Energy) | None => None,
-        }
+        self.curve.kind.and_then(Kind::motion)
     }
 
     /// Whether it can stand on the axis of a response: its quantity is the same but for the measure of the motion, or
@@ -192,16 +190,13 @@ impl App {
         let alike = responses.find(|one| one.enabled && one.name == curve.name);
         if let (None, true, Some(alike)) = (curve.kind, curve.unknown.is_empty(), alike) {
             let reference = Reference::of(self.model());
-            curve.kind = match Dimension::of(&alike.quantity, reference.as_ref()) {
-                Some(dimension) => {
-                    let amplitude = reference.map_or(Complex64::ONE, |one| one.amplitude);
-                    for value in &mut curve.values {
-                        *value /= amplitude;
-                    }
-                    Some(Kind::Motion(dimension))
+            let kind = alike.quantity.kind(reference.map(|one| one.load));
+            if let (Kind::Motion(_), Some(reference)) = (kind, reference) {
+                for value in &mut curve.values {
+                    *value /= reference.amplitude;
                 }
-                None => Some(Kind::Energy),
-            };
+            }
+            curve.kind = Some(kind);
         }
         curve
     }

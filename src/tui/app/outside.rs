@@ -1,11 +1,12 @@
 //! What goes out of the designer and comes in from other programs: the clipboard, the file as others change it.
 
+use std::path::Path;
 use std::sync::Arc;
 
 use super::{App, Effect, Next};
+use crate::files::Opened;
 use crate::model::grouped;
 use crate::tui::keys::Command;
-use crate::tui::{Opened, Source};
 
 /// The longest text that is sent to a clipboard, bytes; terminals drop longer ones without a word.
 const MOST_COPIED: usize = 74_000;
@@ -56,13 +57,12 @@ impl App {
 
     /// Looks whether the file is still as it was.
     pub(super) fn compare(&mut self) -> Vec<Effect> {
-        match self.document.source() {
-            Source::File(path) => vec![Effect::Compare {
-                path: path.clone(),
-                text: self.document.saved_text().to_owned(),
-            }],
-            Source::Preset(_) | Source::Stdin => Vec::new(),
-        }
+        let compare = |path: &Path| Effect::Compare {
+            path: path.to_owned(),
+            text: self.document.saved_text().to_owned(),
+        };
+        let path = self.document.source().path();
+        path.map(compare).into_iter().collect()
     }
 
     pub(super) fn note_outside(&mut self, outside: Outside) {
@@ -87,7 +87,7 @@ impl App {
 
     /// Reads the file again; asks first where something is not saved.
     pub(super) fn reload(&mut self) -> Vec<Effect> {
-        if let Source::File(_) = self.document.source() {
+        if self.document.source().path().is_some() {
             return self.leave(Next::Reload);
         }
         let name = self.document.source().name();
@@ -96,11 +96,7 @@ impl App {
     }
 
     pub(super) fn reload_now(&self) -> Vec<Effect> {
-        let source = self.document.source();
-        let path = match source {
-            Source::File(path) => Some(path.clone()),
-            Source::Preset(_) | Source::Stdin => None,
-        };
+        let path = self.document.source().path().map(Path::to_owned);
         path.map(Effect::Reload).into_iter().collect()
     }
 

@@ -205,7 +205,7 @@ impl App {
     /// The row of the preset that is open, in the list of presets.
     pub(super) fn preset_row(&self) -> usize {
         match self.document.source() {
-            crate::tui::Source::Preset(name) => presets::ALL
+            crate::files::Source::Preset(name) => presets::ALL
                 .iter()
                 .position(|preset| preset.name == *name)
                 .unwrap_or(0),
@@ -216,7 +216,9 @@ impl App {
     /// What the file must be to be replaced without a question.
     pub(super) fn guard(&self, path: &std::path::Path) -> Guard {
         match self.document.source() {
-            crate::tui::Source::File(own) if own == path && self.document.base() != Base::Newer => {
+            crate::files::Source::File(own)
+                if own == path && self.document.base() != Base::Newer =>
+            {
                 Guard::Holds(self.document.saved_text().to_owned())
             }
             _ => Guard::Absent,

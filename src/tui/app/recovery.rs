@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use super::{App, Base, Document, Effect, List, Lost, Next, Overlay};
+use crate::files::Opened;
 use crate::model::counted;
-use crate::tui::Opened;
 use crate::tui::keys::Command;
 
 impl App {

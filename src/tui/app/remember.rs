@@ -4,12 +4,12 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::{App, MOTION, Table};
+use crate::files::Source;
 use crate::model::Model;
-use crate::solve::form::Form;
-use crate::tui::Source;
-use crate::tui::scene::{ChartView, FrequencyUnit};
+use crate::tui::scene::ChartView;
 use crate::tui::tree::{self, Node};
 use crate::tui::user::memory::{Memory, View};
+use crate::unit::{Form, FrequencyUnit};
 
 /// How many open groups are remembered.
 const MOST_OPEN: usize = 200;
@@ -21,7 +21,7 @@ impl App {
             self.curves.decibels = decibels;
         }
         let unit = memory.options.frequency_unit.as_deref();
-        let mut units = FrequencyUnit::ALL.into_iter();
+        let mut units = FrequencyUnit::SHOWN.into_iter();
         self.display.unit = units
             .find(|known| Some(known.symbol()) == unit)
             .unwrap_or_default();

@@ -3,9 +3,9 @@ use std::path::PathBuf;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::*;
+use crate::files::Source;
 use crate::model::{Group, path};
 use crate::presets;
-use crate::tui::Source;
 use crate::tui::tree::{self, Node};
 use crate::worker::{self, Answer, CurvesAnswer, Request, Stage};
 

@@ -14,7 +14,6 @@ pub use variable::Moving;
 use super::{App, Table};
 use crate::model::edit::{self, Value};
 use crate::model::{Group, Model, path};
-use crate::tui::Source;
 use crate::tui::keys::Command;
 use crate::tui::tree::{self, Node};
 use crate::tune::{Status, Tuned};
@@ -218,10 +217,7 @@ impl App {
 
     /// The folder of the model's file.
     fn folder(&self) -> PathBuf {
-        match self.document.source() {
-            Source::File(path) => path.parent().map(PathBuf::from).unwrap_or_default(),
-            Source::Preset(_) | Source::Stdin => PathBuf::new(),
-        }
+        self.document.source().folder().to_owned()
     }
 
     /// Takes how far a search is.

@@ -5,16 +5,15 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::escape::{path_of_text, path_text};
+use crate::files::{self, Opened, Source, error_text};
 use crate::measured::{self, Hint, Layout};
-use crate::model::{self, Fault, Model, Objective};
+use crate::model::{Fault, Model, Objective};
 use crate::tui::app::{Export, Guard, OpenedMeasured, Outside, Reply, Saving};
-use crate::tui::user::why;
-use crate::tui::{Opened, Source};
 use crate::tune;
 
 /// What became of a file that held this text.
 pub(super) fn compare(path: &Path, text: &str) -> Outside {
-    match model::load(path) {
+    match files::load(path) {
         Ok(found) if found == text => Outside::Same,
         Err(error) if error.kind() == io::ErrorKind::NotFound => Outside::Gone,
         _ => Outside::Changed,
@@ -59,17 +58,18 @@ fn write(path: &Path, text: &str, guard: &Guard, what: Saving) -> Result<(), Rep
             Some(Reply::ChangedOutside(path.clone()))
         }
         Guard::Losing => {
-            return model::save(&path, text).map_err(|error| Reply::NotSaved(path, why(&error)));
+            return files::save(&path, text)
+                .map_err(|error| Reply::NotSaved(path, error_text(&error)));
         }
         _ => None,
     };
     // Nothing is asked about a file that could not be replaced.
-    match (model::may_save(&path), question) {
-        (Err(error), _) => Err(Reply::NotSaved(path, why(&error))),
+    match (files::may_save(&path), question) {
+        (Err(error), _) => Err(Reply::NotSaved(path, error_text(&error))),
         (Ok(_), Some(question)) => Err(question),
         (Ok(Some(lost)), None) => Err(Reply::Loses(path, what, lost)),
         (Ok(None), None) => {
-            model::save(&path, text).map_err(|error| Reply::NotSaved(path, why(&error)))
+            files::save(&path, text).map_err(|error| Reply::NotSaved(path, error_text(&error)))
         }
     }
 }
@@ -107,16 +107,12 @@ fn is_there(path: &Path) -> bool {
 /// Opens a file.
 pub(super) fn open(path: PathBuf, reply: impl FnOnce(Box<Opened>) -> Reply) -> Reply {
     let path = from_home(path);
-    let text = match model::load(&path) {
+    let text = match files::load(&path) {
         Ok(text) => text,
         Err(error) => return Reply::NotRead(path, error.to_string()),
     };
-    match model::read(&text) {
-        Ok(model) => reply(Box::new(Opened {
-            model,
-            text,
-            source: Source::File(path),
-        })),
+    match Opened::read(text, Source::File(path.clone())) {
+        Ok(opened) => reply(Box::new(opened)),
         Err(faults) => Reply::Faulty(path, faults),
     }
 }

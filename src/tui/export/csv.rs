@@ -7,7 +7,7 @@ use crate::escape::escape;
 use crate::table::{cell, number};
 use crate::tui::plot::Level;
 use crate::tui::scene::axes::heading;
-use crate::tui::scene::{ChartView, FrequencyUnit, Scene};
+use crate::tui::scene::{ChartView, Scene};
 
 /// The curves on the chart as CSV (RFC 4180, lines end with a line feed), after comment lines that start with `#`.
 ///
@@ -18,7 +18,8 @@ pub fn csv(scene: &Scene, provenance: &Provenance) -> String {
     let names = names(scene);
     let mut text = head(scene, provenance, &names);
     let columns: Vec<&str> = (0..scene.panels.len()).map(|i| column(scene, i)).collect();
-    let mut titles = vec!["curve", abscissa(scene.frequency.unit)];
+    let abscissa = scene.frequency.unit.column();
+    let mut titles = vec!["curve", &abscissa];
     titles.extend(columns);
     // Writing to a string has no errors.
     let _ = writeln!(text, "{}", titles.join(","));
@@ -57,7 +58,7 @@ fn head(scene: &Scene, provenance: &Provenance, names: &[String]) -> String {
     lines.push("amplitudes are zero to peak; nan is a gap".to_owned());
     lines.push(format!(
         "{}: {}",
-        abscissa(scene.frequency.unit),
+        scene.frequency.unit.column(),
         scene.frequency.unit.symbol()
     ));
     for (index, panel) in scene.panels.iter().enumerate() {
@@ -73,15 +74,6 @@ fn head(scene: &Scene, provenance: &Provenance, names: &[String]) -> String {
     }
     let comment = |line: &String| format!("# {}\n", escape(&line.replace(['\n', '\r'], " ")));
     lines.iter().map(comment).collect()
-}
-
-/// The title of the column of frequencies.
-const fn abscissa(unit: FrequencyUnit) -> &'static str {
-    match unit {
-        FrequencyUnit::Hertz => "frequency_hz",
-        FrequencyUnit::RadianPerSecond => "angular_frequency_rad_s",
-        FrequencyUnit::RevolutionPerMinute => "speed_rpm",
-    }
 }
 
 /// The title of a panel's column.

@@ -8,7 +8,7 @@ mod page;
 use super::{Provenance, marks, names};
 use crate::tui::plot::{Level, equal_spans};
 use crate::tui::scene::axes::{Loci, Ruled, frequency_axis, nearest};
-use crate::tui::scene::{ChartView, CurveKind, FrequencyUnit, Scene};
+use crate::tui::scene::{ChartView, CurveKind, Scene};
 use frame::{Field, Labels};
 use line::Run;
 use look::{Look, legend, looks};
@@ -93,6 +93,7 @@ fn small_print(scene: &Scene, provenance: &Provenance) -> Vec<String> {
 /// Draws the panels over the frequencies from `top` down; where the lowest one ends.
 fn draw_panels(page: &mut Page, scene: &Scene, looks: &[Look], top: f64) -> f64 {
     let ruled = Ruled::new(scene);
+    let heading = scene.frequency.unit.heading();
     let heights: &[f64] = match scene.panels.as_slice() {
         [] => &[],
         [_] => &[SINGLE],
@@ -111,7 +112,7 @@ fn draw_panels(page: &mut Page, scene: &Scene, looks: &[Look], top: f64) -> f64 
         };
         let lowest = panel + 1 == heights.len();
         let labels = Labels {
-            across: lowest.then_some(abscissa(scene.frequency.unit)),
+            across: lowest.then_some(&*heading),
             up: field.y.unit(),
         };
         field.draw_band(page, scene);
@@ -138,15 +139,6 @@ fn draw_curves(page: &mut Page, field: &Field, runs: &[(&Look, Run)]) {
     page.end_clip();
     for (look, run) in runs {
         look.draw_markers(page, field, run);
-    }
-}
-
-/// What stands beneath the frequencies.
-const fn abscissa(unit: FrequencyUnit) -> &'static str {
-    match unit {
-        FrequencyUnit::Hertz => "frequency, Hz",
-        FrequencyUnit::RadianPerSecond => "angular frequency, rad/s",
-        FrequencyUnit::RevolutionPerMinute => "speed, rpm",
     }
 }
 

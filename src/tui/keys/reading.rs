@@ -140,3 +140,18 @@ pub(super) const READING: &[Binding] = &[
         "mark the band between the cursors, or that shows, and tell its levels; again: without",
     ),
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::unit::FrequencyUnit;
+
+    #[test]
+    fn the_help_names_the_units_that_the_key_goes_through() {
+        let row = READING
+            .iter()
+            .find(|row| row.command == Command::FrequencyUnit)
+            .unwrap();
+        assert!(row.help.ends_with(FrequencyUnit::SHOWN_WORDS));
+    }
+}

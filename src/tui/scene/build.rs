@@ -5,11 +5,11 @@ mod beside;
 use super::{
     ChartView, CurveKind, FrequencyAxis, Marked, Panel, Scene, SceneCurve, difference, part,
 };
-use crate::solve::form::Dimension;
 use crate::tui::app::{
     Anchor, App, Curves, DetailPicture, Look, MOTION, Member, Picture, Table, Trace,
 };
 use crate::tui::plot::{Level, LineStyle};
+use crate::unit::Dimension;
 
 /// What stands on the chart.
 pub fn of(app: &App) -> Scene {

@@ -2,8 +2,9 @@
 
 use num_complex::Complex64;
 
-use super::{ChartView, CurveKind, FrequencyAxis, FrequencyUnit, Marked, Panel, Scene, SceneCurve};
+use super::{ChartView, CurveKind, FrequencyAxis, Marked, Panel, Scene, SceneCurve};
 use crate::tui::plot::{Level, LineStyle};
+use crate::unit::FrequencyUnit;
 
 /// A mass on a spring with a loss factor of 0.05 and its resonance at 30 Hz: 1 / (1 - (f / 30)^2 + 0.05 i), m/N.
 pub fn receptance(frequency: f64) -> Complex64 {

@@ -13,7 +13,7 @@ use signal_hook::consts::{
 use signal_hook::iterator::Signals;
 
 use super::give_back;
-use crate::model;
+use crate::files;
 use crate::signals::not_ignored;
 use crate::tui::event::Event;
 
@@ -87,6 +87,6 @@ pub(super) fn insist(signal: i32, after: Duration) {
     thread::spawn(give_back);
     thread::sleep(LAST);
     let _ = disable_raw_mode();
-    model::remove_temporaries();
+    files::remove_temporaries();
     std::process::exit(128 + signal);
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use crate::escape::escape_lines;
-use crate::model;
+use crate::files;
 
 /// From this size on, bytes, the older half is dropped.
 const LARGEST: u64 = 1_000_000;
@@ -37,12 +37,12 @@ fn entry(since_1970: Duration, what: &str) -> String {
 
 fn write(path: &Path, entry: &str) -> io::Result<()> {
     if let Some(folder) = path.parent() {
-        super::make_private(folder)?;
+        files::make_private(folder)?;
     }
     if fs::metadata(path).is_ok_and(|found| found.len() + entry.len() as u64 > LARGEST) {
         drop_older_half(path)?;
     }
-    let mut file = model::open_with(path, OpenOptions::new().create(true).append(true))?;
+    let mut file = files::open_with(path, OpenOptions::new().create(true).append(true))?;
     // One write, so that the entries of two programs do not mix.
     file.write_all(entry.as_bytes())
 }
@@ -50,11 +50,11 @@ fn write(path: &Path, entry: &str) -> io::Result<()> {
 /// Keeps the lines of the newer half.
 fn drop_older_half(path: &Path) -> io::Result<()> {
     let mut bytes = Vec::new();
-    model::open(path)?.read_to_end(&mut bytes)?;
+    files::open(path)?.read_to_end(&mut bytes)?;
     let newer = &bytes[bytes.len() / 2..];
     let start = newer.iter().position(|byte| *byte == b'\n');
     let kept = start.map_or(&[][..], |newline| &newer[newline + 1..]);
-    model::save_with(path, |file| file.write_all(kept))
+    files::save_with(path, |file| file.write_all(kept))
 }
 
 /// Date and time of day in UTC, `2026-11-23T17:05:09Z`, from the time since the start of 1970 without leap seconds.

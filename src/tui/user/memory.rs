@@ -13,9 +13,7 @@ use std::time::Duration;
 use serde::{Deserialize, Serialize};
 
 use crate::escape::shown_path;
-use crate::model;
-
-use super::{make_private, read_if_there, why};
+use crate::files::{self, error_text, make_private, read_if_there};
 
 /// The views that are kept; the oldest are dropped.
 const MOST_VIEWS: usize = 100;
@@ -101,7 +99,7 @@ impl Memory {
         match read_if_there(path) {
             Ok(Some(text)) => parse(&text).map_err(told),
             Ok(None) => Ok(Self::default()),
-            Err(error) => Err(told(why(&error))),
+            Err(error) => Err(told(error_text(&error))),
         }
     }
 
@@ -159,8 +157,13 @@ fn parse(text: &str) -> Result<Memory, String> {
 /// # Errors
 /// In words, where the file cannot be read or written.
 pub fn store(path: &Path, memory: &Memory) -> Result<(), String> {
-    try_store(path, memory)
-        .map_err(|error| format!("{} is not written: {}", shown_path(path), why(&error)))
+    try_store(path, memory).map_err(|error| {
+        format!(
+            "{} is not written: {}",
+            shown_path(path),
+            error_text(&error)
+        )
+    })
 }
 
 fn try_store(path: &Path, memory: &Memory) -> io::Result<()> {
@@ -182,7 +185,7 @@ fn try_store(path: &Path, memory: &Memory) -> io::Result<()> {
     };
     stored.take(memory);
     let text = toml::to_string(&stored).map_err(io::Error::other)?;
-    model::save(path, &text)
+    files::save(path, &text)
 }
 
 /// `memory.toml` and an ending more.
@@ -199,7 +202,7 @@ fn turn(path: &Path) -> Option<File> {
     const TRIES: usize = 100;
     const PAUSE: Duration = Duration::from_millis(10);
     let mut options = OpenOptions::new();
-    let file = model::open_with(path, options.write(true).create(true)).ok()?;
+    let file = files::open_with(path, options.write(true).create(true)).ok()?;
     for _ in 0..TRIES {
         match file.try_lock() {
             Ok(()) => return Some(file),

@@ -10,6 +10,7 @@ use crate::model::counted;
 use crate::solve::band::Level;
 use crate::tui::app::{App, MemberLevels, ResponseLevel, Rows};
 use crate::tui::theme::Theme;
+use crate::unit::Kind;
 
 /// The columns, in what there is room for. A reduction is positive where the level is lower than the reference's.
 const LAYOUTS: [&[Column]; 2] = [
@@ -110,7 +111,7 @@ fn levels_of(
                 Row::Level {
                     label: words.join(" "),
                     level: one.level,
-                    energy: one.dimension.is_none(),
+                    energy: one.kind == Kind::Energy,
                     against: other.map(|other| other.level),
                 }
             }));
@@ -163,20 +164,14 @@ fn unit(app: &App) -> String {
     let mut units: Vec<String> = Vec::new();
     let members = app.band.levels.iter().flat_map(|levels| &levels.members);
     for level in members.flat_map(|member| &member.levels) {
-        let unit = match &level.dimension {
-            Some(dimension) => {
-                let form = dimension.form_of_measure();
-                dimension.unit(form)
-            }
-            None => "kg m2".to_owned(),
-        };
+        let unit = level.kind.unit();
         if app.curves.shows(&level.response) && !units.contains(&unit) {
             units.push(unit);
         }
     }
     match units.as_slice() {
         [] => String::new(),
-        [energy] if energy == "kg m2" => "kg m2; rms is the mean".to_owned(),
+        [unit] if *unit == Kind::Energy.unit() => format!("{unit}; rms is the mean"),
         units => format!("{}, zero to peak", units.join(", ")),
     }
 }

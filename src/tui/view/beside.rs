@@ -11,6 +11,7 @@ use crate::model::counted;
 use crate::tui::app::{App, List, MOTION, Measured, Overlay, Reference, Rows};
 use crate::tui::keys::{RowKind, Scope};
 use crate::tui::theme::Theme;
+use crate::unit::Kind;
 
 /// An entry: whether it shows, its name, and what it is.
 type Entry = (bool, String, String);
@@ -103,7 +104,7 @@ fn measurement(app: &App, one: &Measured) -> Entry {
     let what = match fit {
         Some(fitted) => format!("{}: {}", fitted.response, fit_words(&fitted.fit)),
         None if one.shown && !stands => {
-            let unit = one.curve.kind.map(|kind| kind.unit()).unwrap_or_default();
+            let unit = one.curve.kind.map(Kind::unit).unwrap_or_default();
             let units = app.shown_units().join(", ");
             let is_motion = one.dimension().is_some_and(|own| own.per.is_none());
             let hint = if is_motion && !app.display.motion {

@@ -8,6 +8,7 @@ use super::text::significant;
 use crate::tui::app::{App, Look};
 use crate::tui::plot::{Axis, Curve, Level, LineStyle, Scale};
 use crate::tui::theme::Theme;
+use crate::unit::{Load, Unit};
 
 /// A force smaller than this share of the group's largest is left out of the picture: rounding makes as much.
 const UNSEEN: f64 = 1e-9;
@@ -24,18 +25,18 @@ struct Group {
 
 /// The forces of a look; those along the six motions are `S_w`, T, `S_v`, `M_w`, B, `M_v`.
 fn group(look: Look) -> Option<Group> {
-    let group = |name, unit, members| {
+    let group = |name, load: Load, members| {
         Some(Group {
             name,
-            unit,
+            unit: load.unit().symbol,
             members,
         })
     };
     match look {
-        Look::Moments => group("Bending moments", "N m", &[("M_w", 3), ("M_v", 5)]),
-        Look::Shear => group("Shear forces", "N", &[("S_w", 0), ("S_v", 2)]),
-        Look::Torque => group("Torque", "N m", &[("T", 1)]),
-        Look::Bimoment => group("Bimoment", "N m2", &[("B", 4)]),
+        Look::Moments => group("Bending moments", Load::Moment, &[("M_w", 3), ("M_v", 5)]),
+        Look::Shear => group("Shear forces", Load::Force, &[("S_w", 0), ("S_v", 2)]),
+        Look::Torque => group("Torque", Load::Moment, &[("T", 1)]),
+        Look::Bimoment => group("Bimoment", Load::Bimoment, &[("B", 4)]),
         _ => None,
     }
 }
@@ -87,7 +88,7 @@ fn forces(frame: &mut Frame<'_>, seen: Seen<'_>, group: Group, area: Rect) {
         });
     }
     let ends = [0.0, x.last().copied().unwrap_or(1.0)];
-    let across = Axis::new(Scale::Linear, ends, "m");
+    let across = Axis::new(Scale::Linear, ends, Unit::METRE.symbol);
     let value = Level::Signed.axis(&curves, &across, group.unit);
     moving::chart(frame, seen, curves, value, inside);
 }

@@ -12,6 +12,7 @@ use crate::solve::operating::{MassState, Operating};
 use crate::tui::app::App;
 use crate::tui::plot::{Axis, Chart, Curve, Legend, Level, LineStyle, Scale};
 use crate::tui::theme::Theme;
+use crate::unit::Unit;
 
 /// What is smaller than this share of the rest (1 m to 1 rad) is not blown up to be seen.
 const NEGLIGIBLE: f64 = 1e-6;
@@ -142,7 +143,7 @@ pub(super) fn chart(
     for curve in &mut all {
         curve.dim |= seen.stale;
     }
-    let x = Axis::new(Scale::Linear, ends, "m");
+    let x = Axis::new(Scale::Linear, ends, Unit::METRE.symbol);
     let mut chart = Chart::new(x, value, Level::Signed, &all);
     chart.legend = Legend::Line;
     chart.styles = seen.theme.chart();

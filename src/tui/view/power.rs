@@ -11,6 +11,7 @@ use crate::model::{Force, Place, Target};
 use crate::tui::app::App;
 use crate::tui::plot::{Axis, Curve, Level, Scale};
 use crate::tui::theme::Theme;
+use crate::unit::Unit;
 
 /// Columns of the numbers: power in W, and its percentage.
 const NUMBERS: [usize; 2] = [10, 7];
@@ -201,7 +202,7 @@ fn flow(frame: &mut Frame<'_>, seen: Seen<'_>, area: Rect) {
         ..Curve::new(x, &seen.operating.power.flow)
     };
     let ends = [0.0, x.last().copied().unwrap_or(1.0)];
-    let across = Axis::new(Scale::Linear, ends, "m");
+    let across = Axis::new(Scale::Linear, ends, Unit::METRE.symbol);
     let value = Level::Signed.axis(std::slice::from_ref(&curve), &across, "W");
     moving::chart(frame, seen, vec![curve], value, area);
 }

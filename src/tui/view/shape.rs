@@ -10,6 +10,7 @@ use super::{moving, text::significant};
 use crate::tui::app::{App, ModeKind, Shape};
 use crate::tui::plot::{Axis, Chart, Curve, Legend, Level, LineStyle, Scale};
 use crate::tui::theme::Theme;
+use crate::unit::Unit;
 
 /// Names of the beam's motions, and the markers of the masses' (y, z, theta) on the same scales.
 const MOTIONS: [(&str, char); 3] = [("w", 'y'), ("v", 'z'), ("psi", 't')];
@@ -49,7 +50,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
     for curve in &mut curves {
         curve.dim |= stale;
     }
-    let x = Axis::new(Scale::Linear, ends, "m");
+    let x = Axis::new(Scale::Linear, ends, Unit::METRE.symbol);
     let y = Axis::new(Scale::Linear, [-REACH, REACH], "");
     let mut chart = Chart::new(x, y, Level::Magnitude, &curves);
     chart.legend = Legend::Line;

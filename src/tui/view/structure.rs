@@ -68,7 +68,7 @@ impl<'a> Picture<'a> {
         // On few columns all of them are the beam's.
         let margin = MARGIN.min(columns.saturating_sub(8) / 4);
         let length = columns.saturating_sub(2 * margin).max(1);
-        let axis = Axis::new(Scale::Linear, [0.0, model.beam.length], "m");
+        let axis = Axis::new(Scale::Linear, [0.0, model.beam.length], Unit::METRE.symbol);
         let first = i32::from(margin);
         Self {
             model,

@@ -7,8 +7,8 @@ use ratatui::text::{Line, Span};
 
 use super::text::{cut, width};
 use crate::tui::app::{List, Rows};
-use crate::tui::scene::FrequencyUnit;
 use crate::tui::theme::Theme;
+use crate::unit::FrequencyUnit;
 
 /// Rows beside those of the list: the rule with the title, and the heading.
 pub(super) const FRAME_ROWS: u16 = 2;

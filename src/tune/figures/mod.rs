@@ -18,7 +18,7 @@ use width::Width;
 
 use super::search::{Function, Residuals};
 use super::trial::{Slopes, Trial};
-use crate::model::{Aim, Compare, Fault, Measure, Model, Objective, Quantity};
+use crate::model::{Aim, Compare, Fault, Measure, Model, Objective, Quantity, Unit};
 use crate::solve::band::levels;
 
 /// From and to, Hz.
@@ -103,7 +103,7 @@ impl Figure {
                 Some(Quantity::Energy) => unit_of(response(index)),
                 motion => squared(&unit_of(motion)),
             },
-            Self::Width(_) | Self::AntiResonance(_) => "Hz".to_owned(),
+            Self::Width(_) | Self::AntiResonance(_) => Unit::HERTZ.symbol.to_owned(),
             Self::Matching(Matching { compare, .. }) => match compare {
                 Compare::LogMagnitude => "dB".to_owned(),
                 Compare::Complex => String::new(),
@@ -167,12 +167,7 @@ impl Figure {
 
 /// The unit of a response's values.
 fn unit_of(quantity: Option<&Quantity>) -> String {
-    use crate::solve::form::Dimension;
-    match quantity.map(|quantity| Dimension::of(quantity, None)) {
-        None => String::new(),
-        Some(None) => "kg m2".to_owned(),
-        Some(Some(dimension)) => dimension.unit(dimension.form_of_measure()),
-    }
+    quantity.map_or_else(String::new, |quantity| quantity.kind(None).unit())
 }
 
 /// A unit's square: m -> m2, m/s -> (m/s)2.

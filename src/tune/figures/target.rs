@@ -6,9 +6,10 @@ use num_complex::Complex64;
 
 use super::Band;
 use super::matching::Matching;
-use crate::measured::{self, Curve, Hint, Inspection, Kind, Layout, Opened};
+use crate::measured::{self, Curve, Hint, Inspection, Layout, Opened};
 use crate::model::{Aim, Compare, Fault, Model};
-use crate::solve::form::{Dimension, Reference};
+use crate::solve::Reference;
+use crate::unit::Kind;
 
 /// What a response should be at the measured frequencies in a band.
 ///
@@ -126,7 +127,7 @@ fn in_form_of(model: &Model, curve: &Curve, response: usize) -> Result<Vec<Compl
         };
     };
     let reference = Reference::of(model);
-    let dimension = quantity.and_then(|quantity| Dimension::of(quantity, reference.as_ref()));
+    let dimension = quantity.and_then(|one| one.kind(reference.map(|one| one.load)).motion());
     let Some(dimension) = dimension.filter(|one| one.moves == own.moves) else {
         return Err(format!(
             "is in {}, which is not what the response is",

@@ -102,7 +102,6 @@ fn resolved(app: &App, frequencies: &[f64], completeness: Completeness) -> Curve
     let column = Column {
         name: app.model().responses[0].name.clone(),
         kind: ColumnKind::Complex,
-        unit: "m",
         values: vec![Complex64::ONE; 2],
     };
     let sweep = app.model().sweep;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use num_complex::Complex64;
 
-use crate::solve::form::Reference;
+use crate::solve::Reference;
 use crate::tui::app::{App, Member, Trace};
 use crate::worker::{Request, SpreadAnswer, SpreadRequest};
 

@@ -1,10 +1,10 @@
 //! The curves beside the model: references, finite elements, measurements.
 
 use super::{Builder, Source, colour, poles, traces};
-use crate::solve::form::Dimension;
 use crate::tui::app::{Measured, Reference};
 use crate::tui::plot::LineStyle;
 use crate::tui::scene::{ChartView, CurveKind, SceneCurve, part};
+use crate::unit::Dimension;
 
 /// Of more points of a measured curve every second, third... is drawn.
 const MOST_MEASURED: usize = 20_000;

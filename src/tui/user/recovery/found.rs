@@ -7,8 +7,8 @@ use std::time::{Duration, SystemTime};
 
 use super::slot::{LOCK, MODEL, UNNAMED, remove};
 use super::text::{self, Contents};
+use crate::files::{self, Source};
 use crate::model::{self, Fault, Model};
-use crate::tui::Source;
 
 /// Unsaved edits of a program that has ended. As long as this value lives, no other program is offered them; after
 /// that the next one is, unless they were discarded.
@@ -93,7 +93,7 @@ fn take(path: PathBuf) -> Option<Found> {
     read(&path)?;
     let mut options = OpenOptions::new();
     options.write(true).create(true).truncate(false);
-    let lock = model::open_with(&path.with_extension(LOCK), &mut options).ok()?;
+    let lock = files::open_with(&path.with_extension(LOCK), &mut options).ok()?;
     lock.try_lock().ok()?;
     // Its owner may have changed or removed it before it gave the lock away.
     let Some(contents) = read(&path) else {
@@ -121,14 +121,14 @@ fn take(path: PathBuf) -> Option<Found> {
 
 fn read(path: &Path) -> Option<Contents> {
     let mut bytes = Vec::new();
-    model::open(path).ok()?.read_to_end(&mut bytes).ok()?;
+    files::open(path).ok()?.read_to_end(&mut bytes).ok()?;
     text::read(&bytes)
 }
 
 /// Removes a lock that its program has left without a recovery file. Nothing is lost where that fails.
 fn remove_if_lone(lock_path: &Path) {
     let path = lock_path.with_extension(MODEL);
-    let Ok(lock) = model::open(lock_path) else {
+    let Ok(lock) = files::open(lock_path) else {
         return;
     };
     let empty = lock.metadata().is_ok_and(|found| found.len() == 0);
@@ -146,7 +146,7 @@ fn is_unnamed(entry: &DirEntry) -> bool {
 
 /// Removes a lock whose program was killed before it gave it a name.
 fn remove_if_unlocked(lock_path: &Path) {
-    if model::open(lock_path).is_ok_and(|lock| lock.try_lock().is_ok()) {
+    if files::open(lock_path).is_ok_and(|lock| lock.try_lock().is_ok()) {
         let _ = fs::remove_file(lock_path);
     }
 }
@@ -295,7 +295,6 @@ mod tests {
         assert_eq!(fs::read_dir(folder).unwrap().count(), 0);
     }
 
-    #[cfg(unix)]
     #[test]
     fn links_are_left_alone() {
         let folder = tempfile::tempdir().unwrap();
@@ -334,7 +333,6 @@ mod tests {
         assert!(!left.exists() && held.exists());
     }
 
-    #[cfg(unix)]
     #[test]
     fn pipes_are_left_alone_and_not_waited_for() {
         let folder = tempfile::tempdir().unwrap();

@@ -10,9 +10,8 @@ use std::time::{Duration, Instant};
 use super::found::Found;
 use super::slot::{self, Slot};
 use super::text;
+use crate::files::{Source, error_text};
 use crate::model::{self, Model};
-use crate::tui::Source;
-use crate::tui::user::why;
 use crate::worker::give_way;
 
 /// After a state the thread rests this many times as long as it worked: under a key that repeats it takes a fifth of a
@@ -167,7 +166,10 @@ fn work(inbox: &Receiver<Job>, mut files: Files, report: impl Fn(String)) -> Fil
         };
         if let Err(error) = done {
             let folder = crate::escape::shown_path(&files.folder);
-            let sentence = format!("unsaved changes are not kept in {folder}: {}", why(&error));
+            let sentence = format!(
+                "unsaved changes are not kept in {folder}: {}",
+                error_text(&error)
+            );
             if !told.contains(&sentence) {
                 told.push(sentence.clone());
                 report(sentence);

@@ -3,10 +3,10 @@
 use std::ffi::OsStr;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write as _};
+use std::os::unix::fs::OpenOptionsExt as _;
 use std::path::{Path, PathBuf};
 
-use crate::model;
-use crate::tui::Source;
+use crate::files::{self, Source};
 
 /// Ending of a recovery file.
 pub(super) const MODEL: &str = "toml";
@@ -34,7 +34,7 @@ impl Slot {
     /// # Errors
     /// The folder cannot be made or written, or files in it cannot be locked.
     pub(super) fn claim(folder: &Path, source: &Source) -> io::Result<Self> {
-        super::super::make_private(folder)?;
+        files::make_private(folder)?;
         // Another program may take the first one for one that was left: it is not locked at once.
         Self::try_claim(folder, source).or_else(|_| Self::try_claim(folder, source))
     }
@@ -81,7 +81,7 @@ impl Slot {
     /// Adds an edit to the recovery file; `durable` lets it outlast a loss of power too. Where that fails, the file is as
     /// it was, or ends in a torn edit.
     pub(super) fn append(&self, edit: &str, durable: bool) -> io::Result<()> {
-        let mut file = model::open_with(&self.path, OpenOptions::new().append(true))?;
+        let mut file = files::open_with(&self.path, OpenOptions::new().append(true))?;
         let length = file.metadata()?.len();
         let mut written = file.write_all(edit.as_bytes());
         if durable {
@@ -104,12 +104,8 @@ impl Slot {
 fn write_new(path: &Path, text: &str, durable: bool) -> io::Result<()> {
     let mut options = OpenOptions::new();
     options.write(true).create(true).truncate(true);
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::OpenOptionsExt as _;
-        options.mode(0o600);
-    }
-    let mut file = model::open_with(path, &mut options)?;
+    options.mode(0o600);
+    let mut file = files::open_with(path, &mut options)?;
     file.write_all(text.as_bytes())?;
     if durable {
         file.sync_all()?;
@@ -209,7 +205,6 @@ mod tests {
         assert_eq!(stem(&Source::Stdin), "standard-input");
     }
 
-    #[cfg(unix)]
     #[test]
     fn folder_and_file_are_the_user_s_alone() {
         use std::os::unix::fs::PermissionsExt as _;

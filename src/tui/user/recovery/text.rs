@@ -17,9 +17,9 @@ use std::ffi::OsString;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
+use crate::files::Source;
 use crate::model::basic_string;
 use crate::presets;
-use crate::tui::Source;
 
 const FIRST_LINE: &str = "# beamtune recovery 1";
 const SOURCE: &str = "# source: ";
@@ -147,8 +147,6 @@ fn hexadecimal(path: &Path) -> String {
     })
 }
 
-/// Only where a path is bytes can one that is no text be made from them again.
-#[cfg(unix)]
 fn from_hexadecimal(text: &str) -> Option<OsString> {
     use std::os::unix::ffi::OsStringExt as _;
     let digit = |byte: u8| char::from(byte).to_digit(16);
@@ -158,11 +156,6 @@ fn from_hexadecimal(text: &str) -> Option<OsString> {
     };
     let bytes: Option<Vec<u8>> = text.as_bytes().chunks(2).map(byte).collect();
     bytes.map(OsString::from_vec)
-}
-
-#[cfg(not(unix))]
-fn from_hexadecimal(_text: &str) -> Option<OsString> {
-    None
 }
 
 #[cfg(test)]
@@ -248,7 +241,6 @@ mod tests {
         returns(&Source::Stdin, "text");
     }
 
-    #[cfg(unix)]
     #[test]
     fn a_path_that_is_no_text_comes_back() {
         use std::os::unix::ffi::OsStringExt as _;

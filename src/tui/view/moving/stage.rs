@@ -6,11 +6,12 @@ use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 
 use super::*;
+use crate::files::{Opened, Source};
 use crate::presets;
 use crate::solve::operating::operating;
 use crate::tui::app::Look;
+use crate::tui::ascii;
 use crate::tui::options::{Environment, Marker, Options};
-use crate::tui::{Opened, Source, ascii};
 
 /// How a panel is drawn.
 pub(in crate::tui::view) type Draw = fn(&mut Frame<'_>, &App, Theme, Rect);

@@ -4,17 +4,18 @@ use ratatui::buffer::Buffer;
 
 use super::plane::Reserve;
 use super::*;
+use crate::files::{Opened, Source};
 use crate::model::Spring;
 use crate::presets;
+use crate::tui::ascii;
 use crate::tui::options::{Environment, Marker, Options};
-use crate::tui::{Source, ascii};
 
 fn model(preset: &str) -> Model {
     crate::model::read(presets::find(preset).unwrap().text).unwrap()
 }
 
 fn at(model: Model, node: Node) -> App {
-    let mut app = App::new(crate::tui::Opened {
+    let mut app = App::new(Opened {
         model,
         text: String::new(),
         source: Source::Stdin,

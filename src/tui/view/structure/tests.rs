@@ -4,11 +4,11 @@ use ratatui::buffer::Buffer;
 use ratatui::style::Modifier;
 
 use super::*;
+use crate::files::{Opened, Source};
 use crate::model::{BeamMotion, Force, MassMotion, Quantity, Restraint, Support, Target};
 use crate::presets;
 use crate::tui::ascii;
 use crate::tui::options::{Environment, Marker, Options};
-use crate::tui::{Opened, Source};
 
 fn model(preset: &str) -> Model {
     crate::model::read(presets::find(preset).unwrap().text).unwrap()

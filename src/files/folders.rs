@@ -1,6 +1,9 @@
 //! Where the user's files are: the XDG base directories, on every system.
 
-use std::path::PathBuf;
+use std::fs::DirBuilder;
+use std::io;
+use std::os::unix::fs::DirBuilderExt as _;
+use std::path::{Path, PathBuf};
 
 use etcetera::BaseStrategy as _;
 use etcetera::base_strategy::Xdg;
@@ -66,10 +69,15 @@ impl Folders {
     }
 }
 
+/// Makes a folder and those above it where they are missing, for the user alone (mode 0700, as the XDG base directory
+/// specification 0.8 asks).
+pub(crate) fn make_private(folder: &Path) -> io::Result<()> {
+    DirBuilder::new().recursive(true).mode(0o700).create(folder)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::path::Path;
 
     #[test]
     fn every_file_is_in_the_program_s_folders() {

@@ -1,7 +1,6 @@
-//! What a person types for a parameter: a value with or without unit, a change of the old value, or a word.
+//! What a person types for a parameter: a number with or without unit, or a change of the old value.
 
-use super::names::nearest;
-use super::unit::Unit;
+use super::{Unit, plain_letter};
 
 /// Multipliers that may stand behind a number in place of a unit.
 const PREFIXES: &[(&str, i32)] = &[
@@ -10,37 +9,8 @@ const PREFIXES: &[(&str, i32)] = &[
     ("G", 9),
     ("T", 12),
     ("u", -6),
-    ("µ", -6),
-    ("μ", -6),
     ("n", -9),
 ];
-
-pub(super) fn flag(text: &str) -> Result<bool, String> {
-    match text.trim().to_ascii_lowercase().as_str() {
-        "true" | "on" | "yes" => Ok(true),
-        "false" | "off" | "no" => Ok(false),
-        _ => Err(format!(
-            "\"{}\" does not fit here: accepted is true or false",
-            text.trim()
-        )),
-    }
-}
-
-pub(super) fn choice(
-    text: &str,
-    choices: &[&'static str],
-    range: &str,
-) -> Result<&'static str, String> {
-    choices
-        .iter()
-        .copied()
-        .find(|word| word.eq_ignore_ascii_case(text))
-        .ok_or_else(|| {
-            let near = nearest(text, choices.iter().copied())
-                .map_or_else(String::new, |near| format!(" (did you mean {near}?)"));
-            format!("\"{text}\" does not fit here{near}: accepted is {range}")
-        })
-}
 
 /// The new value of a number that was `old`, in the unit it is held in.
 ///
@@ -175,7 +145,7 @@ fn power(text: &str, unit: &Unit) -> Result<i32, String> {
     let (first, symbol) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
     let prefix = PREFIXES
         .iter()
-        .find(|(prefix, _)| *prefix == first)
+        .find(|(prefix, _)| prefix.chars().eq(first.chars().map(plain_letter)))
         .map(|(_, power)| *power);
     match (prefix, symbol) {
         (Some(power), "") => Ok(power),

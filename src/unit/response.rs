@@ -8,17 +8,7 @@ use std::fmt;
 use num_complex::Complex64;
 use product::{is_twist, plain, product};
 
-use crate::model::Measure;
-use crate::solve::form::{Dimension, Form, Load, Moves};
-
-/// What the values of a curve are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
-    /// A motion, or a motion over a load.
-    Motion(Dimension),
-    /// A vibration energy, kg m2, real.
-    Energy,
-}
+use super::{Dimension, Form, Kind, Load, Moves};
 
 /// The unit in which a file gives values, and what they are because of it.
 ///
@@ -37,7 +27,7 @@ pub struct ValueUnit {
 }
 
 /// What is accepted where a unit is wanted.
-pub(super) const ACCEPTED: &str = "accepted is a motion (m, mm, um, in, rad, deg; m/s, mm/s; m/s2, g) alone or over a \
+const ACCEPTED: &str = "accepted is a motion (m, mm, um, in, rad, deg; m/s, mm/s; m/s2, g) alone or over a \
     load (m/s2/N, g/lbf, rad/(N m)), the inverse (N/m, N s/m, kg), or kg m2 for an energy; a number may stand in front \
     (1e-6 m/N)";
 
@@ -45,16 +35,6 @@ pub(super) const ACCEPTED: &str = "accepted is a motion (m, mm, um, in, rad, deg
 type Powers = [i32; 4];
 
 const FORCE: Powers = [1, 1, -2, 0];
-
-impl Kind {
-    /// Its SI unit: `m/(N s2)`, `rad`, `kg m2`.
-    pub fn unit(&self) -> String {
-        match self {
-            Self::Motion(dimension) => dimension.unit(dimension.form_of_measure()),
-            Self::Energy => "kg m2".to_owned(),
-        }
-    }
-}
 
 impl ValueUnit {
     /// Reads a unit.
@@ -90,7 +70,7 @@ impl ValueUnit {
     }
 
     /// A unit that is so many SI units of a kind, or so many of their inverse.
-    pub(super) fn scaled(kind: Kind, scale: f64, inverse: bool) -> Self {
+    pub(crate) fn scaled(kind: Kind, scale: f64, inverse: bool) -> Self {
         Self {
             text: kind.unit(),
             kind,
@@ -120,7 +100,7 @@ impl ValueUnit {
     }
 
     /// One of it in SI, and whether the load stands above the motion.
-    pub(super) const fn ratio(&self) -> (f64, bool) {
+    pub(crate) const fn ratio(&self) -> (f64, bool) {
         (self.scale, self.inverse)
     }
 }
@@ -133,10 +113,9 @@ impl fmt::Display for ValueUnit {
 }
 
 /// A load's unit (`N`, `kN`, `lbf`, `N m`, `N m2`) and one of it in SI.
-pub(super) fn load(text: &str) -> Option<(Load, f64)> {
+pub(crate) fn load(text: &str) -> Option<(Load, f64)> {
     let (scale, powers) = product(text)?;
-    let loads = [Load::Force, Load::Moment, Load::Bimoment];
-    let load = loads
+    let load = Load::ALL
         .into_iter()
         .find(|load| powers_of_load(Some(*load)) == powers)?;
     Some((load, scale))
@@ -175,14 +154,9 @@ fn kind_of(text: &str, powers: Powers) -> Option<(Kind, bool)> {
 /// Every motion over every load, and every load over every motion, the usual first.
 fn candidates() -> impl Iterator<Item = (Dimension, Form)> {
     let moves = [Moves::Length, Moves::Angle, Moves::TwistRate];
-    let loads = [
-        None,
-        Some(Load::Force),
-        Some(Load::Moment),
-        Some(Load::Bimoment),
-    ];
+    let loads = [None].into_iter().chain(Load::ALL.map(Some));
     moves.into_iter().flat_map(move |moves| {
-        loads.into_iter().flat_map(move |per| {
+        loads.clone().flat_map(move |per| {
             let of = move |form: Form| {
                 let measure = form.measure();
                 let dimension = Dimension {
@@ -204,11 +178,7 @@ fn powers_of(dimension: Dimension, form: Form) -> Powers {
         Moves::Angle => [0, 0, 0, 1],
         Moves::TwistRate => [-1, 0, 0, 1],
     };
-    powers[2] -= match form.measure() {
-        Measure::Displacement => 0,
-        Measure::Velocity => 1,
-        Measure::Acceleration => 2,
-    };
+    powers[2] -= form.measure().order();
     for (sum, part) in powers.iter_mut().zip(powers_of_load(dimension.per)) {
         *sum -= part;
     }
@@ -230,6 +200,7 @@ fn powers_of_load(load: Option<Load>) -> Powers {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::unit::Measure;
 
     fn motion(moves: Moves, measure: Measure, per: Option<Load>) -> Kind {
         Kind::Motion(Dimension {

@@ -7,13 +7,12 @@
 //! meanwhile. Where the file may not be written in place either, it is renamed over all the same, and [`may_save`]
 //! says before what is lost.
 
-#[cfg(unix)]
 mod attributes;
 mod temporary;
 
-use std::env;
-use std::fs::{self, File, OpenOptions};
-use std::io::{self, Read as _, Seek as _, SeekFrom};
+use std::fs::{self, File, FileType, OpenOptions};
+use std::io::{self, Seek as _, SeekFrom};
+use std::os::unix::fs::FileTypeExt as _;
 use std::path::{Path, PathBuf};
 
 use super::open::{open_with, without_waiting};
@@ -29,10 +28,10 @@ pub use temporary::remove_temporaries;
 /// The folder cannot be written, the disk is full, the existing file is read-only, or it is a pipe.
 pub fn save(path: &Path, text: &str) -> io::Result<()> {
     let target = target(path)?;
-    if !is_special(&target) {
+    let Some(kind) = special(&target) else {
         return replace(&target, |file| file.write_all(text.as_bytes()));
-    }
-    if is_pipe(&target) {
+    };
+    if kind.is_fifo() {
         let words = "it is a pipe; a file would be accepted";
         return Err(io::Error::new(io::ErrorKind::InvalidInput, words));
     }
@@ -51,7 +50,7 @@ pub fn save_with(
     write: impl FnOnce(&mut dyn io::Write) -> io::Result<()>,
 ) -> io::Result<()> {
     let target = target(path)?;
-    if is_special(&target) {
+    if special(&target).is_some() {
         return write(&mut OpenOptions::new().write(true).open(&target)?);
     }
     replace(&target, write)
@@ -63,7 +62,7 @@ pub fn save_with(
 /// The folder cannot be written, or there is a folder or a read-only file at the path.
 pub fn may_save(path: &Path) -> io::Result<Option<String>> {
     let target = target(path)?;
-    if is_special(&target) {
+    if special(&target).is_some() {
         return Ok(None);
     }
     Ok(match Plan::of(&target)?.way {
@@ -90,11 +89,10 @@ struct Plan {
 
 impl Plan {
     fn of(target: &Path) -> io::Result<Self> {
-        let folder = folder_of(target)?;
         let is_there = is_there(target)?;
-        let temporary = Temporary::in_folder(&folder, is_there)?;
+        let temporary = Temporary::in_folder(folder_of(target), is_there)?;
         let lost = if is_there {
-            carry(target, &temporary)?
+            attributes::carry(target, temporary.path())?
         } else {
             Vec::new()
         };
@@ -120,7 +118,7 @@ fn replace(
         Way::Renamed | Way::Losing(_) => temporary.replace(target)?,
         Way::InPlace => overwrite(target, temporary)?,
     }
-    sync_folder(&folder_of(target)?);
+    sync_folder(folder_of(target));
     Ok(())
 }
 
@@ -131,7 +129,7 @@ fn overwrite(target: &Path, temporary: Temporary) -> io::Result<()> {
     name.push(temporary.path().file_name().unwrap_or_default());
     let backup = PathBuf::from(name);
     let mut new = temporary.keep_as(&backup)?;
-    sync_folder(&folder_of(target)?);
+    sync_folder(folder_of(target));
     let mut file = open_with(target, OpenOptions::new().write(true))?;
     if let Err(error) = extend(&mut file, &mut new) {
         fs::remove_file(&backup)?;
@@ -171,15 +169,14 @@ fn copy(from: &mut File, place: u64, to: &mut File) -> io::Result<u64> {
 }
 
 /// What is neither a file nor a folder: a pipe, a device.
-fn is_special(target: &Path) -> bool {
-    fs::metadata(target).is_ok_and(|found| !found.is_file() && !found.is_dir())
+fn special(target: &Path) -> Option<FileType> {
+    let kind = fs::metadata(target).ok()?.file_type();
+    (!kind.is_file() && !kind.is_dir()).then_some(kind)
 }
 
-fn folder_of(target: &Path) -> io::Result<PathBuf> {
-    match target.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => Ok(folder.to_path_buf()),
-        _ => env::current_dir(),
-    }
+fn folder_of(target: &Path) -> &Path {
+    let folder = target.parent().filter(|one| !one.as_os_str().is_empty());
+    folder.unwrap_or(Path::new("."))
 }
 
 /// Whether there is a file that may be replaced.
@@ -200,62 +197,9 @@ fn is_there(target: &Path) -> io::Result<bool> {
 }
 
 /// An error of the system in words, without the name of a temporary file, which the user does not know.
-pub(crate) fn own_words(error: &io::Error) -> String {
+pub(crate) fn error_text(error: &io::Error) -> String {
     let text = error.to_string();
     text.split(" at path ").next().unwrap_or(&text).to_owned()
-}
-
-/// Gives the temporary file what the other one has besides its text; what cannot be given.
-#[cfg(unix)]
-fn carry(target: &Path, temporary: &Temporary) -> io::Result<Vec<&'static str>> {
-    attributes::carry(target, temporary.path())
-}
-
-#[cfg(not(unix))]
-fn carry(target: &Path, temporary: &Temporary) -> io::Result<Vec<&'static str>> {
-    fs::set_permissions(temporary.path(), fs::metadata(target)?.permissions())?;
-    Ok(Vec::new())
-}
-
-#[cfg(unix)]
-fn is_pipe(target: &Path) -> bool {
-    use std::os::unix::fs::FileTypeExt as _;
-    fs::metadata(target).is_ok_and(|found| found.file_type().is_fifo())
-}
-
-#[cfg(not(unix))]
-fn is_pipe(_target: &Path) -> bool {
-    false
-}
-
-/// The longest model file that is read, bytes: what has no end, as some devices have none, is not waited for.
-const LONGEST: u64 = 1 << 28;
-
-/// The text of a model file.
-///
-/// # Errors
-/// It cannot be read, is no regular file, is not UTF-8, or is longer than 256 MiB.
-pub fn load(path: &Path) -> io::Result<String> {
-    text_of(super::open(path)?)
-}
-
-/// As [`load`], of what is open already.
-///
-/// # Errors
-/// As those of [`load`].
-pub fn text_of(source: impl io::Read) -> io::Result<String> {
-    let mut bytes = Vec::new();
-    source.take(LONGEST + 1).read_to_end(&mut bytes)?;
-    if bytes.len() as u64 > LONGEST {
-        return Err(io::Error::other(
-            "it is longer than 256 MiB, which no model file is",
-        ));
-    }
-    String::from_utf8(bytes).map_err(|error| {
-        let at = error.utf8_error().valid_up_to();
-        let words = format!("byte {at} is not UTF-8; a model file is UTF-8 text");
-        io::Error::new(io::ErrorKind::InvalidData, words)
-    })
 }
 
 /// The file behind a chain of symbolic links; a dangling link leads to the file it names.
@@ -431,15 +375,12 @@ mod tests {
         assert!(made.unwrap().success());
         let error = save(&pipe, "text").unwrap_err().to_string();
         assert_eq!(error, "it is a pipe; a file would be accepted");
-        assert!(load(&pipe).unwrap_err().to_string().contains("a pipe"));
-    }
-
-    #[test]
-    fn what_has_no_end_is_not_waited_for() {
-        assert!(text_of(io::repeat(b'a')).is_err());
-        assert_eq!(text_of(&b"text"[..]).unwrap(), "text");
-        let error = text_of(&b"te\xff"[..]).unwrap_err().to_string();
-        assert_eq!(error, "byte 2 is not UTF-8; a model file is UTF-8 text");
+        assert!(
+            super::super::load(&pipe)
+                .unwrap_err()
+                .to_string()
+                .contains("a pipe")
+        );
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! The six forms of a frequency response, and the units they have.
+//! What the values of a response are: their dimension, the six forms of a frequency response, and their SI units.
 //!
 //! A response to one force is a ratio: receptance, mobility and accelerance are displacement, velocity and acceleration
 //! over force; dynamic stiffness, impedance and apparent mass are their inverses (Ewins, Modal Testing, 2nd ed. 2000,
@@ -7,7 +7,22 @@
 
 use num_complex::Complex64;
 
-use crate::model::{BeamMotion, MassMotion, Measure, Model, Quantity, Target};
+use super::Unit;
+use crate::words::words;
+
+words! {
+    /// Which time derivative of a motion.
+    #[derive(Default)]
+    pub enum Measure {
+        /// Receptance.
+        #[default]
+        Displacement = "displacement",
+        /// Mobility.
+        Velocity = "velocity",
+        /// Accelerance.
+        Acceleration = "acceleration",
+    }
+}
 
 /// What moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -40,6 +55,15 @@ pub struct Dimension {
     pub measure: Measure,
     /// What it is divided by; none where it is the motion itself, zero to peak.
     pub per: Option<Load>,
+}
+
+/// What the values of a response are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A motion, or a motion over a load.
+    Motion(Dimension),
+    /// A vibration energy, kg m2, real.
+    Energy,
 }
 
 /// A form of a frequency response.
@@ -100,67 +124,61 @@ impl Form {
     }
 }
 
-impl Load {
-    const fn unit(self) -> &'static str {
+impl Measure {
+    /// How often it is the displacement's rate of change.
+    pub const fn order(self) -> i32 {
         match self {
-            Self::Force => "N",
-            Self::Moment => "N m",
-            Self::Bimoment => "N m2",
-        }
-    }
-
-    /// What acts along a motion.
-    pub const fn along(target: &Target) -> Self {
-        match target {
-            Target::Beam(_, BeamMotion::W | BeamMotion::V)
-            | Target::Mass(_, MassMotion::Y | MassMotion::Z) => Self::Force,
-            Target::Beam(_, BeamMotion::PsiSlope) => Self::Bimoment,
-            Target::Beam(..) | Target::Mass(_, MassMotion::Theta) => Self::Moment,
+            Self::Displacement => 0,
+            Self::Velocity => 1,
+            Self::Acceleration => 2,
         }
     }
 }
 
-/// The one force of a model by which its responses can be divided.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Reference {
-    /// What it is.
-    pub load: Load,
-    /// Its complex amplitude, zero to peak, N, N m or N m2.
-    pub amplitude: Complex64,
+impl Moves {
+    /// What a load acts along.
+    pub const fn along(load: Load) -> Self {
+        match load {
+            Load::Force => Self::Length,
+            Load::Moment => Self::Angle,
+            Load::Bimoment => Self::TwistRate,
+        }
+    }
 }
 
-impl Reference {
-    /// The only enabled force of a model; none where there are several, or where it is 0.
-    pub fn of(model: &Model) -> Option<Self> {
-        let mut forces = model.forces.iter().filter(|force| force.enabled);
-        let (force, None) = (forces.next()?, forces.next()) else {
-            return None;
-        };
-        let amplitude = Complex64::from_polar(force.amplitude, force.phase.to_radians());
-        (amplitude != Complex64::ZERO).then(|| Self {
-            load: Load::along(&force.target),
-            amplitude,
-        })
+impl Load {
+    /// All three.
+    pub const ALL: [Self; 3] = [Self::Force, Self::Moment, Self::Bimoment];
+
+    /// The unit of its amplitude.
+    pub const fn unit(self) -> Unit {
+        match self {
+            Self::Force => Unit::FORCE,
+            Self::Moment => Unit::TORQUE,
+            Self::Bimoment => Unit::BIMOMENT,
+        }
+    }
+}
+
+impl Kind {
+    /// Its SI unit: `m/(N s2)`, `rad`, `kg m2`.
+    pub fn unit(self) -> String {
+        match self {
+            Self::Motion(dimension) => dimension.unit(dimension.form_of_measure()),
+            Self::Energy => Unit::INERTIA.symbol.to_owned(),
+        }
+    }
+
+    /// The dimension of a motion.
+    pub const fn motion(self) -> Option<Dimension> {
+        match self {
+            Self::Motion(dimension) => Some(dimension),
+            Self::Energy => None,
+        }
     }
 }
 
 impl Dimension {
-    /// What a response of a model is when divided by `reference`; none for an energy.
-    pub fn of(quantity: &Quantity, reference: Option<&Reference>) -> Option<Self> {
-        let Quantity::Motion(target, measure) = quantity else {
-            return None;
-        };
-        Some(Self {
-            moves: match Load::along(target) {
-                Load::Force => Moves::Length,
-                Load::Moment => Moves::Angle,
-                Load::Bimoment => Moves::TwistRate,
-            },
-            measure: *measure,
-            per: reference.map(|reference| reference.load),
-        })
-    }
-
     /// The form, without an inverse, that its measure makes it; of a motion that is not divided by a force the one with
     /// the same measure.
     pub const fn form_of_measure(&self) -> Form {
@@ -181,7 +199,7 @@ impl Dimension {
     /// Displacement, velocity and acceleration differ by i omega.
     pub fn converted(&self, value: Complex64, frequency: f64, form: Form) -> Complex64 {
         let omega = std::f64::consts::TAU * frequency;
-        let steps = order(form.measure()) - order(self.measure);
+        let steps = form.measure().order() - self.measure.order();
         let motion = value * Complex64::new(0.0, omega).powi(steps);
         if form.is_inverse() {
             motion.finv()
@@ -193,14 +211,16 @@ impl Dimension {
     /// The unit of its values in a form, SI.
     pub fn unit(&self, form: Form) -> String {
         let moved = match self.moves {
-            Moves::Length => "m",
+            Moves::Length => Unit::METRE.symbol,
             Moves::Angle => "rad",
             Moves::TwistRate => "rad/m",
         };
-        let second = ["", "s", "s2"][order(form.measure()).unsigned_abs() as usize];
-        let load = self.per.map_or("", Load::unit);
+        let second = ["", "s", "s2"][form.measure().order().unsigned_abs() as usize];
+        let load = self.per.map_or("", |load| load.unit().symbol);
         match (form, self.moves, self.per) {
-            (Form::ApparentMass, Moves::Length, Some(Load::Force)) => "kg".to_owned(),
+            (Form::ApparentMass, Moves::Length, Some(Load::Force)) => {
+                Unit::KILOGRAM.symbol.to_owned()
+            }
             (form, Moves::TwistRate, _) if form.is_inverse() => {
                 over(&format!("{load} m {second}"), "rad")
             }
@@ -208,15 +228,6 @@ impl Dimension {
             (_, Moves::TwistRate, _) => over("rad", &format!("m {load} {second}")),
             _ => over(moved, &format!("{load} {second}")),
         }
-    }
-}
-
-/// How often a measure is the displacement's rate of change.
-const fn order(measure: Measure) -> i32 {
-    match measure {
-        Measure::Displacement => 0,
-        Measure::Velocity => 1,
-        Measure::Acceleration => 2,
     }
 }
 
@@ -298,21 +309,5 @@ mod tests {
             Complex64::new(0.0, -1.0 / (omega * mass)),
         );
         near(of(Form::DynamicStiffness), (-omega * omega * mass).into());
-    }
-
-    #[test]
-    fn only_one_force_makes_a_ratio() {
-        let preset = |name| crate::model::read(crate::presets::find(name).unwrap().text).unwrap();
-        let mut one = preset("fig05a");
-        one.forces.truncate(1);
-        one.forces[0].amplitude = 2.0;
-        one.forces[0].phase = 90.0;
-        let reference = Reference::of(&one).unwrap();
-        assert_eq!(reference.load, Load::Force);
-        assert!((reference.amplitude - Complex64::new(0.0, 2.0)).norm() < 1e-15);
-        one.forces.push(one.forces[0].clone());
-        assert_eq!(Reference::of(&one), None);
-        one.forces[1].enabled = false;
-        assert!(Reference::of(&one).is_some());
     }
 }

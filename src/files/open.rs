@@ -1,8 +1,14 @@
 //! Opening files that other programs may have put there: what could be waited for without end is refused.
 
 use std::fs::{self, File, OpenOptions};
-use std::io;
+use std::io::{self, Read as _};
+use std::os::unix::fs::{FileTypeExt as _, OpenOptionsExt as _};
 use std::path::Path;
+
+use rustix::fs::OFlags;
+
+/// The longest model file that is read, bytes: what has no end, as some devices have none, is not waited for.
+const LONGEST: u64 = 1 << 28;
 
 /// Opens a file for reading. A pipe or a device, which may have no end or no other side, is refused and not waited
 /// for.
@@ -38,20 +44,12 @@ fn must_be_file(kind: fs::FileType) -> io::Result<()> {
 }
 
 /// Lets nothing that is opened wait for another program, nor become the terminal of this one.
-#[cfg(unix)]
 pub(super) fn without_waiting(options: &mut OpenOptions) {
-    use rustix::fs::OFlags;
-    use std::os::unix::fs::OpenOptionsExt as _;
     options.custom_flags((OFlags::NONBLOCK | OFlags::NOCTTY).bits() as i32);
 }
 
-#[cfg(not(unix))]
-pub(super) fn without_waiting(_options: &mut OpenOptions) {}
-
 /// What it is, in words.
-#[cfg(unix)]
 fn name(kind: fs::FileType) -> &'static str {
-    use std::os::unix::fs::FileTypeExt as _;
     if kind.is_dir() {
         "a folder"
     } else if kind.is_fifo() {
@@ -63,19 +61,57 @@ fn name(kind: fs::FileType) -> &'static str {
     }
 }
 
-#[cfg(not(unix))]
-fn name(kind: fs::FileType) -> &'static str {
-    if kind.is_dir() {
-        "a folder"
-    } else {
-        "a device"
+/// The text of a model file.
+///
+/// # Errors
+/// It cannot be read, is no regular file, is not UTF-8, or is longer than 256 MiB.
+pub fn load(path: &Path) -> io::Result<String> {
+    text_of(open(path)?)
+}
+
+/// As [`load`], of what is open already.
+///
+/// # Errors
+/// As those of [`load`].
+pub fn text_of(source: impl io::Read) -> io::Result<String> {
+    let mut bytes = Vec::new();
+    source.take(LONGEST + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > LONGEST {
+        return Err(io::Error::other(
+            "it is longer than 256 MiB, which no model file is",
+        ));
     }
+    String::from_utf8(bytes).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        let words = format!("byte {at} is not UTF-8; a model file is UTF-8 text");
+        io::Error::new(io::ErrorKind::InvalidData, words)
+    })
+}
+
+/// The text of a file of the user; none where it is not there, nor can be (a home that is no folder).
+///
+/// # Errors
+/// The file cannot be read, is no regular file, or is not UTF-8.
+pub(crate) fn read_if_there(path: &Path) -> io::Result<Option<String>> {
+    match open(path).and_then(io::read_to_string) {
+        Ok(text) => Ok(Some(text)),
+        Err(error) if is_absent(&error) => Ok(None),
+        Err(error) => Err(error),
+    }
+}
+
+/// Whether a file could not be read because it is not there.
+fn is_absent(error: &io::Error) -> bool {
+    matches!(
+        error.kind(),
+        io::ErrorKind::NotFound | io::ErrorKind::NotADirectory
+    )
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::io::{Read as _, Write as _};
+    use std::io::Write as _;
 
     /// Makes a pipe in the file system.
     fn pipe(path: &Path) {
@@ -125,5 +161,13 @@ mod tests {
         let mut text = String::new();
         open(&path).unwrap().read_to_string(&mut text).unwrap();
         assert_eq!(text, "text");
+    }
+
+    #[test]
+    fn what_has_no_end_is_not_waited_for() {
+        assert!(text_of(io::repeat(b'a')).is_err());
+        assert_eq!(text_of(&b"text"[..]).unwrap(), "text");
+        let error = text_of(&b"te\xff"[..]).unwrap_err().to_string();
+        assert_eq!(error, "byte 2 is not UTF-8; a model file is UTF-8 text");
     }
 }

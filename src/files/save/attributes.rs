@@ -6,8 +6,14 @@ use std::io;
 use std::os::unix::fs::{MetadataExt as _, PermissionsExt as _, chown};
 use std::path::Path;
 
+use rustix::fs::{XattrFlags, getxattr, listxattr, removexattr, setxattr};
+use rustix::io::Errno;
+
 /// Attributes that say something of the text, and are not true of another one.
 const OF_THE_TEXT: [&[u8]; 3] = [b"security.capability", b"security.evm", b"security.ima"];
+
+/// No list and no value of extended attributes is longer on Linux, bytes.
+const LONGEST: usize = 1 << 16;
 
 /// Name and value.
 type Extended = (Vec<u8>, Vec<u8>);
@@ -43,7 +49,7 @@ impl Attributes {
             owner: found.uid(),
             group: found.gid(),
             mode: found.mode() & 0o7777,
-            extended: extended::all(path)?,
+            extended: extended_of(path)?,
         })
     }
 
@@ -55,9 +61,9 @@ impl Attributes {
             let _ = chown(path, Some(self.owner), Some(self.group))
                 .or_else(|_| chown(path, None, Some(self.group)));
         }
-        extended::give(path, &self.extended);
+        give_extended(path, &self.extended);
         // The bits of the group are also the mask of an access control list; without the list they would give more.
-        let whole = extended::all(path)? == self.extended;
+        let whole = extended_of(path)? == self.extended;
         let mode = if whole { self.mode } else { self.mode & !0o070 };
         // Last, for another owner or list changes it.
         fs::set_permissions(path, Permissions::from_mode(mode))
@@ -79,60 +85,36 @@ impl Attributes {
     }
 }
 
-#[cfg(any(target_os = "linux", target_os = "android", target_vendor = "apple"))]
-mod extended {
-    use super::{Extended, OF_THE_TEXT};
-    use rustix::fs::{XattrFlags, getxattr, listxattr, removexattr, setxattr};
-    use rustix::io::Errno;
-    use std::io;
-    use std::path::Path;
-
-    /// No list and no value is longer on Linux, bytes.
-    const LONGEST: usize = 1 << 16;
-
-    /// Those of a file, by name; none where the file system has none.
-    pub(super) fn all(path: &Path) -> io::Result<Vec<Extended>> {
-        let mut buffer = vec![0_u8; LONGEST];
-        let length = match listxattr(path, &mut buffer[..]) {
-            Err(Errno::NOTSUP | Errno::NOSYS) => 0,
-            other => other?,
-        };
-        let names = buffer[..length].split(|byte| *byte == 0);
-        let names = names.filter(|name| !name.is_empty() && !OF_THE_TEXT.contains(name));
-        let mut value = vec![0_u8; LONGEST];
-        let mut all: Vec<Extended> = Vec::new();
-        for name in names {
-            let length = getxattr(path, name, &mut value[..])?;
-            all.push((name.to_vec(), value[..length].to_vec()));
-        }
-        all.sort();
-        Ok(all)
+/// The extended attributes of a file, by name; none where the file system has none.
+fn extended_of(path: &Path) -> io::Result<Vec<Extended>> {
+    let mut buffer = vec![0_u8; LONGEST];
+    let length = match listxattr(path, &mut buffer[..]) {
+        Err(Errno::NOTSUP | Errno::NOSYS) => 0,
+        other => other?,
+    };
+    let names = buffer[..length].split(|byte| *byte == 0);
+    let names = names.filter(|name| !name.is_empty() && !OF_THE_TEXT.contains(name));
+    let mut value = vec![0_u8; LONGEST];
+    let mut all: Vec<Extended> = Vec::new();
+    for name in names {
+        let length = getxattr(path, name, &mut value[..])?;
+        all.push((name.to_vec(), value[..length].to_vec()));
     }
-
-    /// Gives a file these and takes others from it, as far as that is allowed: what it has then is compared.
-    pub(super) fn give(path: &Path, wanted: &[Extended]) {
-        let found = all(path).unwrap_or_default();
-        for (name, value) in wanted.iter().filter(|one| !found.contains(one)) {
-            let _ = setxattr(path, name.as_slice(), value, XattrFlags::empty());
-        }
-        let is_wanted = |name: &[u8]| wanted.iter().any(|(wanted, _)| wanted == name);
-        for (name, _) in found.iter().filter(|(name, _)| !is_wanted(name)) {
-            let _ = removexattr(path, name.as_slice());
-        }
-    }
+    all.sort();
+    Ok(all)
 }
 
-#[cfg(not(any(target_os = "linux", target_os = "android", target_vendor = "apple")))]
-mod extended {
-    use super::Extended;
-    use std::io;
-    use std::path::Path;
-
-    pub(super) fn all(_path: &Path) -> io::Result<Vec<Extended>> {
-        Ok(Vec::new())
+/// Gives a file these extended attributes and takes others from it, as far as that is allowed: what it has then is
+/// compared.
+fn give_extended(path: &Path, wanted: &[Extended]) {
+    let found = extended_of(path).unwrap_or_default();
+    for (name, value) in wanted.iter().filter(|one| !found.contains(one)) {
+        let _ = setxattr(path, name.as_slice(), value, XattrFlags::empty());
     }
-
-    pub(super) fn give(_path: &Path, _wanted: &[Extended]) {}
+    let is_wanted = |name: &[u8]| wanted.iter().any(|(wanted, _)| wanted == name);
+    for (name, _) in found.iter().filter(|(name, _)| !is_wanted(name)) {
+        let _ = removexattr(path, name.as_slice());
+    }
 }
 
 #[cfg(test)]

@@ -1,14 +1,15 @@
 //! Files that are written before they take the place of another one. However the program ends, none is left for long:
 //! a signal removes them, and what a killed program left goes when the next one writes to the folder.
 
-use std::fs::{self, DirEntry, File, TryLockError};
+use std::fs::{self, DirEntry, File, Permissions, TryLockError};
 use std::io::{self, Write};
+use std::os::unix::fs::{MetadataExt as _, PermissionsExt as _};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use tempfile::NamedTempFile;
 
-use super::own_words;
+use super::error_text;
 
 /// Start of the names.
 const PREFIX: &str = ".beamtune-";
@@ -62,9 +63,10 @@ impl Temporary {
         let mut builder = tempfile::Builder::new();
         builder.prefix(PREFIX).rand_bytes(RANDOM);
         if !private {
-            open_to_others(&mut builder);
+            // The umask decides; temporary files are otherwise private.
+            builder.permissions(Permissions::from_mode(0o666));
         }
-        let own = |error: io::Error| io::Error::new(error.kind(), own_words(&error));
+        let own = |error: io::Error| io::Error::new(error.kind(), error_text(&error));
         for _ in 0..TRIES {
             // Held meanwhile, so that no signal comes between the file and its place in the list.
             let mut live = live();
@@ -127,15 +129,8 @@ fn is_locked(file: &File) -> bool {
     }
 }
 
-#[cfg(unix)]
 fn is_removed(file: &File) -> bool {
-    use std::os::unix::fs::MetadataExt as _;
     file.metadata().is_ok_and(|found| found.nlink() == 0)
-}
-
-#[cfg(not(unix))]
-fn is_removed(_file: &File) -> bool {
-    false
 }
 
 /// Removes the files that programs have left which were killed. Nothing is lost where that fails.
@@ -146,7 +141,7 @@ fn remove_left(folder: &Path) {
     for entry in entries.flatten().filter(is_temporary) {
         let path = entry.path();
         // A program that lives holds its own locked.
-        if crate::model::open(&path).is_ok_and(|file| file.try_lock().is_ok()) {
+        if crate::files::open(&path).is_ok_and(|file| file.try_lock().is_ok()) {
             let _ = fs::remove_file(path);
         }
     }
@@ -160,16 +155,6 @@ fn is_temporary(entry: &DirEntry) -> bool {
         |text: &str| text.len() == RANDOM && text.bytes().all(|c| c.is_ascii_alphanumeric());
     random.is_some_and(is_random) && entry.file_type().is_ok_and(|kind| kind.is_file())
 }
-
-/// Lets the umask decide the mode; temporary files are otherwise private.
-#[cfg(unix)]
-fn open_to_others(builder: &mut tempfile::Builder<'_, '_>) {
-    use std::os::unix::fs::PermissionsExt as _;
-    builder.permissions(fs::Permissions::from_mode(0o666));
-}
-
-#[cfg(not(unix))]
-fn open_to_others(_builder: &mut tempfile::Builder<'_, '_>) {}
 
 #[cfg(test)]
 mod tests {

@@ -1,6 +1,7 @@
 //! The text of a unit: a product of symbols.
 
 use super::{Powers, symbols};
+use crate::unit::plain_letter;
 
 /// Longest text of a unit, bytes.
 const LONGEST: usize = 60;
@@ -60,10 +61,7 @@ pub(super) fn plain(text: &str) -> String {
         let next = letters.peek().copied().unwrap_or(' ');
         let joins = (before.is_alphanumeric() || before == ')') && next.is_alphabetic();
         match letter {
-            '²' => plain.push('2'),
-            '³' => plain.push('3'),
             '⁻' | '−' => plain.push('-'),
-            'µ' | 'μ' => plain.push('u'),
             '[' => plain.push('('),
             ']' => plain.push(')'),
             '.' | '-' if joins => plain.push(JOINT),
@@ -72,7 +70,7 @@ pub(super) fn plain(text: &str) -> String {
             '*' | '\t' => plain.push(' '),
             '^' => {}
             '\'' | '’' if next.eq_ignore_ascii_case(&'s') => {}
-            other => plain.push(other),
+            other => plain.push(plain_letter(other)),
         }
         before = letter;
     }

@@ -3,6 +3,8 @@
 //! Every spelling of a unit is a power of ten of it, so a number is moved between spellings by its decimal
 //! exponent alone, and text made by [`Unit::format_exact`] reads back to the last bit.
 
+use super::plain_letter;
+
 /// The unit in which a number of the model is held.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Unit {
@@ -209,12 +211,9 @@ fn bare(text: &str) -> String {
         .chars()
         .filter_map(|letter| match letter {
             ' ' | '*' | '^' | '·' | '⋅' => None,
-            '²' => Some('2'),
-            '³' => Some('3'),
             '⁴' => Some('4'),
             '⁶' => Some('6'),
-            'µ' | 'μ' => Some('u'),
-            other => Some(other),
+            other => Some(plain_letter(other)),
         })
         .collect();
     text.strip_suffix("/rad")

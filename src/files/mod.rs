@@ -1,0 +1,17 @@
+//! Files of models and of the user: opened without waiting, written so that nothing is lost, and where they are.
+//!
+//! [`open()`] and [`load`] read, [`save()`] replaces a file atomically and keeps its owner, mode and attributes, [`Source`]
+//! says where a model came from, and [`Folders`] where the user's own files are.
+
+mod folders;
+mod open;
+mod save;
+mod source;
+
+pub use folders::Folders;
+pub(crate) use folders::make_private;
+pub(crate) use open::read_if_there;
+pub use open::{load, open, open_with, text_of};
+pub(crate) use save::error_text;
+pub use save::{may_save, remove_temporaries, save, save_with};
+pub use source::{Opened, Source};

@@ -1,0 +1,23 @@
+//! Enums whose values have words in files.
+
+/// A choice whose values have words in files; of a model file, the first is the default.
+macro_rules! words {
+    ($(#[$doc:meta])* pub enum $name:ident { $($(#[$of:meta])* $value:ident = $word:literal,)* }) => {
+        $(#[$doc])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        pub enum $name { $($(#[$of])* $value,)* }
+
+        impl $name {
+            /// The words in files.
+            pub const WORDS: &'static [&'static str] = &[$($word),*];
+            /// All of them, in the order of the words.
+            pub const ALL: [Self; Self::WORDS.len()] = [$(Self::$value),*];
+
+            /// The word in files.
+            pub const fn key(self) -> &'static str {
+                Self::WORDS[self as usize]
+            }
+        }
+    };
+}
+pub(crate) use words;

@@ -19,6 +19,7 @@
 
 mod attachment;
 pub mod band;
+mod cancelled;
 pub mod chain;
 pub mod compare;
 mod ends;
@@ -42,6 +43,7 @@ mod springs;
 mod sweep;
 mod waves;
 
+pub use cancelled::Cancelled;
 pub use kept::Kept;
 pub use lanes::{Instructions, Work, work};
 #[doc(hidden)]

@@ -1,9 +1,12 @@
 //! Limits that an optimum comes up against, with the optima that closed forms give.
 
 use std::f64::consts::TAU;
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
 
 use beamtune::model::{Hold, Limit, Model, Variable};
-use beamtune::tune::Tuned;
+use beamtune::tune::search::Landscape;
+use beamtune::tune::{Problem, Terrain, Tuned};
 
 use crate::absorber::{self, ABSORBER, MASS, STIFFNESS, mean_square, receptance_on, tuned};
 
@@ -151,4 +154,35 @@ fn all_limits_hold_at_once() {
     let least = scan.fold(f64::INFINITY, f64::min);
     let figure = found.after[0].figure;
     assert!(figure < least * (1.0 + 1e-6), "{figure:e} {least:e}");
+}
+
+/// Expected: by its wave numbers a beam as soft as that has more modes in the band than are listed. Such a trial is the
+/// worst of all, and no reason to stop.
+#[test]
+fn a_trial_with_too_many_modes_is_the_worst() {
+    let soft = variable(&["beam.material.young_modulus"], 1e-17, 2.1e13);
+    let model = limited(PEAK, vec![soft], Vec::new());
+    let problem = Problem::new(&model, Path::new(".")).unwrap();
+    let never = AtomicBool::new(false);
+    let mut point = problem.point_of(&model);
+    let terrain = Terrain::new(&problem, &point, &never).unwrap();
+    let start = terrain.merit(&point).unwrap();
+    point[2] = 0.0;
+    let softest = terrain.merit(&point).unwrap();
+    assert!(start.is_better_than(&softest), "{softest:?}");
+    let softest = terrain.evaluate(&point).unwrap().merit();
+    assert!(start.is_better_than(&softest), "{softest:?}");
+}
+
+/// Expected: by its wave numbers the beam has more modes than are listed up to there.
+#[test]
+fn a_band_with_too_many_modes_is_no_limit() {
+    let limit = Limit::NoMode {
+        from: 1.0,
+        to: 1e12,
+    };
+    let model = limited(PEAK, Vec::new(), vec![limit]);
+    let faults = Problem::new(&model, Path::new(".")).unwrap_err();
+    assert_eq!(faults[0].path, "tune.limits.1");
+    assert!(faults[0].message.contains("10000"), "{}", faults[0].message);
 }

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
 
 use beamtune::model::{Hold, Model, Tune, Variable};
+use beamtune::solve::Cancelled;
 use beamtune::tune::{Spread, spread};
 
 use crate::absorber::{self, MASS};
@@ -99,5 +100,5 @@ fn without_tolerances_nothing_is_spread() {
 fn a_cancelled_spread_is_none() {
     let (model, tune) = on_springs();
     let found = spread(&model, &tune, (5, 1), &FREQUENCIES, &AtomicBool::new(true));
-    assert_eq!(found, Ok(None));
+    assert_eq!(found, Ok(Err(Cancelled)));
 }

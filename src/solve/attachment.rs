@@ -12,6 +12,7 @@ use num_complex::Complex64;
 
 use super::linear::{Matrix, ZERO, solve, zeros};
 use super::reflection::Contact;
+use super::springs::{rows, stiffness};
 use crate::model::{Spring, Subsystem};
 
 /// Unknowns of an attachment: the forces of the three channels, and theta.
@@ -67,15 +68,13 @@ pub(super) struct Channels {
 impl Attachment {
     /// The attachment of a subsystem, without loads.
     pub(super) fn new(subsystem: &Subsystem) -> Self {
+        let [spring_y, z_left, z_right] = rows(subsystem).map(|row| row.spring);
         Self {
             mass: subsystem.mass,
             inertia: subsystem.inertia,
-            spring_y: Spring {
-                stiffness: subsystem.y_left.stiffness + subsystem.y_right.stiffness,
-                damping: subsystem.y_left.damping + subsystem.y_right.damping,
-            },
-            z_left: subsystem.z_left,
-            z_right: subsystem.z_right,
+            spring_y,
+            z_left,
+            z_right,
             mount_y: subsystem.mount_y,
             mount_z: subsystem.mount_z,
             arm_left: subsystem.arm_left,
@@ -86,11 +85,10 @@ impl Attachment {
     }
 
     fn stiffness(&self, omega: Complex64) -> Stiffness {
-        let complex = |spring: Spring| spring.stiffness + Complex64::I * omega * spring.damping;
         Stiffness {
-            y: complex(self.spring_y),
-            left: complex(self.z_left),
-            right: complex(self.z_right),
+            y: stiffness(omega, self.spring_y),
+            left: stiffness(omega, self.z_left),
+            right: stiffness(omega, self.z_right),
         }
     }
 
@@ -269,4 +267,41 @@ fn split(solution: &Matrix<UNKNOWNS, 7>) -> Channels {
         channels.forced[row] = x[6];
     }
     channels
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Expected: the rows of the springs, turned: y, and half the sum and half the difference of both z springs.
+    #[test]
+    fn the_channels_are_the_rows_of_the_springs() {
+        let text = crate::presets::find("fig06").unwrap().text;
+        let mut subsystem = crate::model::read(text).unwrap().subsystems[0].clone();
+        (subsystem.arm_left, subsystem.arm_right) = (0.25, 0.75);
+        (subsystem.mount_y, subsystem.mount_z) = (0.125, 0.5);
+        let [y, left, right] = rows(&subsystem);
+        let half = |sign: f64, of: fn(&crate::solve::springs::Stretch) -> [f64; 3]| -> [f64; 3] {
+            std::array::from_fn(|k| -0.5 * (of(&right)[k] + sign * of(&left)[k]))
+        };
+        let attachment = Attachment::new(&subsystem);
+        let unit = std::array::from_fn(|row| {
+            std::array::from_fn(|column| Complex64::from(f64::from(u8::from(row == column))))
+        });
+        let of_beam = attachment
+            .stretches::<3>(&unit)
+            .map(|row| row.map(|x| x.re));
+        let expected = [
+            y.beam.map(|x| -x),
+            half(1.0, |row| row.beam),
+            half(-1.0, |row| row.beam),
+        ];
+        assert_eq!(of_beam, expected);
+        let theta = [
+            attachment.half_difference_of_arms(),
+            attachment.half_sum_of_arms(),
+        ];
+        let expected = [half(1.0, |row| row.mass)[2], half(-1.0, |row| row.mass)[2]];
+        assert_eq!(theta.map(|x| -x), expected);
+    }
 }

@@ -5,8 +5,9 @@ use num_complex::Complex64;
 use super::linear::{ZERO, size, solve, solve_with_margin, zeros};
 use super::plan::{End, Plan};
 use super::reflection::{Amplitudes, Reflection, dot};
+use super::springs::restraint_stiffness;
 use super::waves::Waves;
-use crate::model::{BeamMotion, Elastic, Restraint};
+use crate::model::BeamMotion;
 
 /// A margin of the last system below which its answer is rounding alone: the model has no damping and is at a
 /// resonance to the last digits of the frequency.
@@ -30,11 +31,10 @@ fn end_row(waves: &Waves, omega: Complex64, end: &End, motion: BeamMotion, outwa
     } else {
         (&waves.slope[row - 3], -1.0, &waves.moment[row - 3], 1.0)
     };
-    // A fixed motion is zero whatever acts along it.
-    let (k, outward, load) = match end.support[motion] {
-        Restraint::Fixed => (Complex64::ONE, 0.0, ZERO),
-        Restraint::Free => (ZERO, outward, end.load[row]),
-        Restraint::Elastic(elastic) => (stiffness(elastic, omega), outward, end.load[row]),
+    let (k, outward, load) = match restraint_stiffness(omega, end.support[motion]) {
+        // A fixed motion is zero whatever acts along it.
+        None => (Complex64::ONE, 0.0, ZERO),
+        Some(k) => (k, outward, end.load[row]),
     };
     let combine = |moved_sign: f64, acted_sign: f64| {
         std::array::from_fn(|wave| {
@@ -46,12 +46,6 @@ fn end_row(waves: &Waves, omega: Complex64, end: &End, motion: BeamMotion, outwa
         of_b: combine(1.0, acted_b),
         load,
     }
-}
-
-/// K + i omega C - omega^2 m, N/m or N m/rad.
-pub(super) fn stiffness(elastic: Elastic, omega: Complex64) -> Complex64 {
-    let damper = Complex64::I * omega * elastic.damping;
-    elastic.stiffness + damper - omega * omega * elastic.inertia
 }
 
 /// a = R b + s at the left end.

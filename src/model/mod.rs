@@ -25,7 +25,7 @@ mod types;
 mod unit;
 mod write;
 
-pub use check::check;
+pub use check::{check, check_state};
 pub use delta::{apply_delta, delta};
 pub use describe::Parameter;
 pub use fault::Fault;

@@ -41,7 +41,7 @@ impl Bound {
                 let inside = |frequency: &f64| depth(*frequency, *band);
                 match intruders(trial, *band)? {
                     Some(all) => all.iter().map(inside).collect(),
-                    None => vec![f64::NAN],
+                    None => vec![f64::INFINITY],
                 }
             }
             Self::StaticDeflection { response, at_most } => {
@@ -120,8 +120,8 @@ fn depth(frequency: f64, [from, to]: [f64; 2]) -> f64 {
     (frequency - from).min(to - frequency) / (to - from)
 }
 
-/// The undamped modes in a band (Hz); none where there are too many below its end. Where the count of Wittrick & Williams
-/// is the same at both ends, no search begins.
+/// The undamped modes in a band (Hz); none where there are too many below its end. Where the count of Wittrick &
+/// Williams is the same at both ends, no search begins.
 fn intruders(trial: &Trial, [from, to]: [f64; 2]) -> Result<Option<Vec<f64>>, Cancelled> {
     if count(&trial.model, from) == count(&trial.model, to) {
         return Ok(Some(Vec::new()));
@@ -141,7 +141,7 @@ fn modes_in(trial: &Trial, moved: &[Moved], band: [f64; 2]) -> Result<Vec<Functi
     let model = without_damping(&trial.model);
     let near = modes(&model, to + width, trial.cancel)?;
     if near.are_too_many() {
-        return Ok(vec![Function::unknown(moved.len())]);
+        return Ok(vec![Function::worst(moved.len())]);
     }
     let slopes = Slopes::new(&model, moved);
     let function = |index: usize| {

@@ -8,7 +8,7 @@ use super::figures::{self, Figure};
 use super::limits::{self, Bound};
 use super::trial::{Moved, Trial};
 use crate::model::{
-    Aim, Combine, Fault, Limit, Model, Objective, Quantity, Response, Tune, edit, path,
+    Aim, Combine, Fault, Limit, Model, Objective, Quantity, Response, Tune, check_state, edit, path,
 };
 use crate::solve::Cancelled;
 use crate::solve::modes::{MOST_MODES, are_too_many, count};
@@ -194,24 +194,30 @@ impl Problem {
     }
 
     /// The model on trial at a point; `deviation` is how far each variable is from its value, in tolerances: from -1 to
-    /// 1, nothing for none.
+    /// 1, nothing for none. None where the model is impossible, which variables within their bounds may make it together, or
+    /// where it has more modes than are listed.
     pub(super) fn trial<'a>(
         &self,
         x: &[f64],
         deviation: &[f64],
         cancel: &'a AtomicBool,
-    ) -> Result<Trial<'a>, Cancelled> {
+    ) -> Result<Option<Trial<'a>>, Cancelled> {
+        let mut whole = self.given.clone();
+        self.set(&mut whole, x, deviation);
+        if !check_state(&whole).is_empty() {
+            return Ok(None);
+        }
         let mut model = self.bare.clone();
         self.set(&mut model, x, deviation);
         Trial::new(model, self.modes_to, cancel)
     }
 
-    /// A model of the same structure on trial.
+    /// A possible model of the same structure on trial; none where it has more modes than are listed.
     pub(super) fn trial_of<'a>(
         &self,
         model: &Model,
         cancel: &'a AtomicBool,
-    ) -> Result<Trial<'a>, Cancelled> {
+    ) -> Result<Option<Trial<'a>>, Cancelled> {
         let bare = Model {
             beam: model.beam,
             supports: model.supports,
@@ -222,11 +228,11 @@ impl Problem {
         Trial::new(bare, self.modes_to, cancel)
     }
 
-    /// The given model itself on trial.
+    /// The given model itself on trial; none where it has more modes than are listed.
     pub(super) fn trial_as_given<'a>(
         &self,
         cancel: &'a AtomicBool,
-    ) -> Result<Trial<'a>, Cancelled> {
+    ) -> Result<Option<Trial<'a>>, Cancelled> {
         Trial::new(self.bare.clone(), self.modes_to, cancel)
     }
 

@@ -8,7 +8,7 @@ use super::problem::{Aimed, Problem};
 use super::robust::{corners, uncertain};
 use super::run::place;
 use super::search::{Certainty, Merit, Place};
-use super::terrain::figures;
+use super::terrain::figures_at;
 use super::trial::Trial;
 use crate::model::{Limit, Objective};
 use crate::solve::Cancelled;
@@ -173,7 +173,7 @@ fn worst(
 ) -> Result<(f64, f64), Cancelled> {
     let mut worst = (f64::NEG_INFINITY, 0.0_f64);
     for deviation in deviations {
-        let found = figures(problem, &problem.trial(x, deviation, cancel)?)?;
+        let found = figures_at(problem, x, deviation, cancel)?;
         worst.0 = worst.0.max(problem.combined(&found.figures));
         worst.1 = worst.1.max(Merit::violation(found.limits));
     }

@@ -110,13 +110,13 @@ pub fn run(
         );
     }
     let evaluations = search.evaluations;
-    report(problem, &start, &found, &never)
-        .map(|tuned| Tuned {
-            evaluations,
-            seed: options.seed,
-            ..tuned
-        })
-        .map_err(in_words)
+    let reported = report(problem, &start, &found, &never).map_err(in_words)?;
+    let tuned = reported.ok_or("the model cannot be solved")?;
+    Ok(Tuned {
+        evaluations,
+        seed: options.seed,
+        ..tuned
+    })
 }
 
 /// The measured curve, where it alone is to be met: least squares.
@@ -236,16 +236,19 @@ impl Search<'_> {
     }
 }
 
-/// All that is to be said of the best point.
+/// All that is to be said of the best point; none where the model has more modes than are listed.
 fn report(
     problem: &Problem,
     start: &[f64],
     found: &Found,
     never: &AtomicBool,
-) -> Result<Tuned, Cancelled> {
+) -> Result<Option<Tuned>, Cancelled> {
     let given = problem.trial_as_given(never)?;
     let trial = problem.trial_of(&problem.tuned(&found.x), never)?;
-    Ok(Tuned {
+    let Some((given, trial)) = given.zip(trial) else {
+        return Ok(None);
+    };
+    Ok(Some(Tuned {
         model: problem.tuned(&found.x),
         before: achieved(problem, &given)?,
         after: achieved(problem, &trial)?,
@@ -259,7 +262,7 @@ fn report(
         evaluations: 0,
         seed: 0,
         stop: found.stop,
-    })
+    }))
 }
 
 /// Where a coordinate is.

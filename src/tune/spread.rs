@@ -6,7 +6,7 @@ use fastrand::Rng;
 use rayon::prelude::*;
 
 use super::coordinates::Coordinate;
-use crate::model::{Fault, Model, Tune};
+use crate::model::{Fault, Model, Tune, check_state};
 use crate::solve::{Cancelled, sweep};
 
 /// Where the magnitude of one response lies, in its unit, a value a frequency.
@@ -31,7 +31,8 @@ const QUANTILES: [f64; 3] = [0.05, 0.5, 0.95];
 /// American Statistician 1996, 50, 361, definition 7).
 ///
 /// # Errors
-/// A variable moves nothing; inside, `cancel` became true before the end.
+/// A variable moves nothing, or tolerances together make an impossible model; inside, `cancel` became true before the
+/// end.
 pub fn spread(
     model: &Model,
     tune: &Tune,
@@ -90,9 +91,17 @@ fn models(model: &Model, tune: &Tune, samples: usize, seed: u64) -> Result<Vec<M
             let share = 0.01 * coordinate.variable.tolerance * (2.0 * random.f64() - 1.0);
             coordinate.set(&mut changed, coordinate.start() * (1.0 + share));
         }
-        changed
+        match check_state(&changed).into_iter().next() {
+            None => Ok(changed),
+            Some(Fault { path, message, .. }) => Err(Fault::new(
+                "tune",
+                format!(
+                    "has tolerances that together make the model impossible: {path}: {message}; must have smaller ones"
+                ),
+            )),
+        }
     };
-    Ok((0..samples).map(|_| one()).collect())
+    (0..samples).map(|_| one()).collect()
 }
 
 /// For each response the quantiles at each frequency.

@@ -42,13 +42,23 @@ pub(super) struct Sloped {
     pub(super) limits: Vec<Function>,
 }
 
-impl Sloped {
-    /// Of a model of which no figure is known.
-    fn unknown(problem: &Problem) -> Self {
-        let nothing = Function::unknown(problem.variables());
+impl Figures {
+    /// Those of no model: worse than any other.
+    fn worst(problem: &Problem) -> Self {
         Self {
-            figures: vec![vec![nothing]; problem.aims.len()],
-            limits: Vec::new(),
+            figures: vec![f64::INFINITY; problem.aims.len()],
+            limits: vec![f64::INFINITY],
+        }
+    }
+}
+
+impl Sloped {
+    /// Those of no model: worse than any other.
+    fn worst(problem: &Problem) -> Self {
+        let worst = Function::worst(problem.variables());
+        Self {
+            figures: vec![vec![worst.clone()]; problem.aims.len()],
+            limits: vec![worst],
         }
     }
 }
@@ -134,17 +144,15 @@ impl<'a> Terrain<'a> {
 
     /// The figures of one model.
     pub(super) fn figures(&self, x: &[f64], deviation: &[f64]) -> Result<Figures, Cancelled> {
-        let trial = self.problem.trial(x, deviation, self.cancel)?;
-        figures(self.problem, &trial)
+        figures_at(self.problem, x, deviation, self.cancel)
     }
 
     /// The functions of one model.
     pub(super) fn sloped(&self, x: &[f64], deviation: &[f64]) -> Result<Sloped, Cancelled> {
         let problem = self.problem;
-        let trial = problem.trial(x, deviation, self.cancel)?;
-        if trial.modes().are_too_many() {
-            return Ok(Sloped::unknown(problem));
-        }
+        let Some(trial) = problem.trial(x, deviation, self.cancel)? else {
+            return Ok(Sloped::worst(problem));
+        };
         let moved = problem.moved(x, deviation);
         let slopes = Slopes::new(&trial.model, &moved);
         let of = |aim: usize| -> Result<Vec<Function>, Cancelled> {
@@ -165,15 +173,22 @@ impl<'a> Terrain<'a> {
     }
 }
 
-/// The figures of a model on trial and what the limits say; NaN where it has too many modes.
-pub(super) fn figures(problem: &Problem, trial: &Trial) -> Result<Figures, Cancelled> {
-    let aims = problem.aims.iter();
-    if trial.modes().are_too_many() {
-        return Ok(Figures {
-            figures: aims.map(|_| f64::NAN).collect(),
-            limits: Vec::new(),
-        });
+/// The figures of the model at a point, off by deviations, and what the limits say.
+pub(super) fn figures_at(
+    problem: &Problem,
+    x: &[f64],
+    deviation: &[f64],
+    cancel: &AtomicBool,
+) -> Result<Figures, Cancelled> {
+    match &problem.trial(x, deviation, cancel)? {
+        Some(trial) => figures(problem, trial),
+        None => Ok(Figures::worst(problem)),
     }
+}
+
+/// The figures of a model on trial and what the limits say.
+fn figures(problem: &Problem, trial: &Trial) -> Result<Figures, Cancelled> {
+    let aims = problem.aims.iter();
     let figures: Result<Vec<f64>, Cancelled> = aims
         .map(|aimed| Ok(aimed.figure.read(trial)?.figure))
         .collect();
@@ -248,8 +263,10 @@ impl Fit for Matched<'_> {
             problem, cancel, ..
         } = self.terrain;
         Cancelled::check(cancel)?;
-        let model = problem.trial(x, &[], cancel)?.model;
-        let slopes = Slopes::new(&model, &problem.moved(x, &[]));
-        Ok(self.curve.residuals(&slopes))
+        let moved = problem.moved(x, &[]);
+        Ok(match problem.trial(x, &[], cancel)? {
+            Some(trial) => self.curve.residuals(&Slopes::new(&trial.model, &moved)),
+            None => self.curve.worst_residuals(moved.len()),
+        })
     }
 }

@@ -20,22 +20,22 @@ pub(super) struct Trial<'a> {
 }
 
 impl<'a> Trial<'a> {
-    /// A checked model, with its modes up to `to` (Hz): they say where points must lie, so that no proof that they are
-    /// all is waited for.
+    /// A possible model, with its modes up to `to` (Hz): they say where points must lie, so that no proof that they are
+    /// all is waited for. None where they are more than are listed.
     pub(super) fn new(
         model: Model,
         to: Option<f64>,
         cancel: &'a AtomicBool,
-    ) -> Result<Self, Cancelled> {
+    ) -> Result<Option<Self>, Cancelled> {
         let modes = match to {
             Some(to) => uncertified(&model, to, cancel)?,
             None => Modes::none(),
         };
-        Ok(Self {
+        Ok((!modes.are_too_many()).then_some(Self {
             model,
             modes,
             cancel,
-        })
+        }))
     }
 
     /// Its modes, up to where some objective asks for them.
@@ -163,7 +163,7 @@ mod tests {
             let to = model.sweep.to;
             let certified = modes(&model, to, &never).unwrap();
             assert_eq!(certified.completeness, Completeness::Certain);
-            let trial = Trial::new(model, Some(to), &never).unwrap();
+            let trial = Trial::new(model, Some(to), &never).unwrap().unwrap();
             let found = trial.modes();
             assert_ne!(found.completeness, Completeness::Certain);
             let oscillating = |mode: &&Mode| mode.kind == ModeKind::Oscillating;

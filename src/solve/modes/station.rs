@@ -56,7 +56,7 @@ impl End {
     pub(super) fn stiffness(&self, omega: f64, units: &Units) -> Matrix6<f64> {
         Matrix6::from_diagonal(&Vector6::from_fn(|row, _| {
             let met = restraint_stiffness(omega.into(), self.0.0[row]);
-            // Dampers have no part in the real one.
+            // Without its dampers, which are the imaginary part.
             met.map_or(0.0, |k| k.re) * units.motion[row].powi(2) / units.stiffness
         }))
     }

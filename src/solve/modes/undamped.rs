@@ -74,8 +74,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// All roots from 0 to `to` (rad/s), rising, as often as they occur; rigid-body modes are 0; none where they
-    /// are more than [`MOST_MODES`].
+    /// All roots from 0 to `to` (rad/s), rising, as often as they occur; rigid-body modes are 0; none where
+    /// they are more than [`MOST_MODES`].
     pub(super) fn up_to(&self, to: f64) -> Result<Option<Vec<f64>>, Cancelled> {
         let rigid = self.counter.rigid();
         let high = self.counted(to);

@@ -85,6 +85,15 @@ impl Matching {
         }
     }
 
+    /// Those of no model: nothing of the curve is met.
+    pub(in crate::tune) fn worst_residuals(&self, variables: usize) -> Residuals {
+        let count = self.frequencies.len();
+        Residuals {
+            values: DVector::repeat(count, f64::INFINITY),
+            jacobian: DMatrix::repeat(count, variables, f64::NAN),
+        }
+    }
+
     fn differences(&self, values: &[Complex64]) -> Vec<f64> {
         let both = values.iter().zip(&self.values);
         match self.compare {

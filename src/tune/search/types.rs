@@ -18,10 +18,10 @@ pub struct Function {
 }
 
 impl Function {
-    /// One of so many coordinates of which nothing is known.
-    pub(in crate::tune) fn unknown(variables: usize) -> Self {
+    /// Worse than any other, of so many coordinates.
+    pub(in crate::tune) fn worst(variables: usize) -> Self {
         Self {
-            value: f64::NAN,
+            value: f64::INFINITY,
             gradient: vec![f64::NAN; variables],
         }
     }

@@ -276,7 +276,7 @@ mod tests {
     /// Expected: the rows of the springs, turned: y, and half the sum and half the difference of both z springs.
     #[test]
     fn the_channels_are_the_rows_of_the_springs() {
-        let text = crate::presets::find("fig06").unwrap().text;
+        let text = crate::presets::find("fig05a").unwrap().text;
         let mut subsystem = crate::model::read(text).unwrap().subsystems[0].clone();
         (subsystem.arm_left, subsystem.arm_right) = (0.25, 0.75);
         (subsystem.mount_y, subsystem.mount_z) = (0.125, 0.5);

@@ -141,9 +141,15 @@ pub trait Landscape: Sync {
     fn variables(&self) -> usize;
 
     /// How good a point is; cheap, without derivatives. A point without a value has a goal that is infinite or NaN.
+    ///
+    /// # Errors
+    /// The search is cancelled.
     fn merit(&self, x: &[f64]) -> Result<Merit, Cancelled>;
 
     /// The same with derivatives.
+    ///
+    /// # Errors
+    /// The search is cancelled.
     fn evaluate(&self, x: &[f64]) -> Result<Evaluation, Cancelled>;
 }
 
@@ -151,6 +157,9 @@ pub trait Landscape: Sync {
 /// early end where cancelled.
 pub trait Fit: Sync {
     /// The residuals and their derivatives at a point of the unit box.
+    ///
+    /// # Errors
+    /// The search is cancelled.
     fn residuals(&self, x: &[f64]) -> Result<Residuals, Cancelled>;
 }
 

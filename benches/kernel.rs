@@ -379,7 +379,7 @@ fn edits() {
     );
     for (name, edit) in EDITS {
         let (mut model, mut kept) = (thousand.clone(), Kept::default());
-        kept.sweep(&model, &all, &NEVER);
+        kept.sweep(&model, &all, &NEVER).unwrap();
         let mut next = || {
             edit(&mut model);
             shortest(1, || kept.sweep(&model, &all, &NEVER))

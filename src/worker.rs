@@ -30,11 +30,11 @@ pub use sensitivity::{SensitivityAnswer, SensitivityRequest};
 pub use tuning::{Pause, SpreadAnswer, SpreadRequest, TuneAnswer, TuneRequest, TuneStage};
 
 use crate::model::Model;
-use crate::solve::Frf;
 use crate::solve::band::Level;
 use crate::solve::modes::{Modes, Shape, Shares, shape};
 use crate::solve::operating::{Operating, operating};
 use crate::solve::peaks::Peak;
+use crate::solve::{Cancelled, Frf};
 
 /// A sweep that would take longer than this, about the time of drawing, is preceded by a coarse one.
 pub const PROMPT: Duration = Duration::from_micros(500);
@@ -362,7 +362,7 @@ impl Worker {
         let curves = Lane::start(move |subject: Subject, cancel: &_| {
             let tell = |answer| tell(Answer::Curves(answer));
             let before = memory.last(0);
-            if let Some(unresolved) = curves::answer(subject, &memory, cancel, &tell) {
+            if let Ok(Ok(unresolved)) = curves::answer(subject, &memory, cancel, &tell) {
                 if let Some(edit) = memory.missing(before, &unresolved.members) {
                     preparing.give(edit);
                 }
@@ -371,39 +371,39 @@ impl Worker {
         });
         let tell = notify.clone();
         let shapes = Lane::start(move |request, _| {
-            if let Some(answer) = shape_of(&request) {
+            if let Ok(answer) = shape_of(&request) {
                 tell(Answer::Shape(answer));
             }
         });
         let tell = notify.clone();
         let witness = Lane::start(move |subject, cancel| {
-            if let Some(answer) = witness::answer(&subject, cancel) {
+            if let Ok(answer) = witness::answer(&subject, cancel) {
                 tell(Answer::Witness(answer));
             }
         });
         let [details, readings, measured] = [(); 3].map(|()| {
             let tell = notify.clone();
             Lane::start(move |request, cancel: &_| {
-                if let Some(answer) = sample::answer(&request, cancel) {
+                if let Ok(answer) = sample::answer(&request, cancel) {
                     tell(Answer::Sample(answer));
                 }
             })
         });
         let tell = notify.clone();
         let references = Lane::start(move |subject, cancel| {
-            if let Some(answer) = sample::reference(subject, cancel) {
+            if let Ok(answer) = sample::reference(subject, cancel) {
                 tell(Answer::Reference(answer));
             }
         });
         let tell = notify.clone();
         let levels = Lane::start(move |request, cancel| {
-            if let Some(answer) = levels::answer(&request, cancel) {
+            if let Ok(answer) = levels::answer(&request, cancel) {
                 tell(Answer::Levels(answer));
             }
         });
         let tell = notify.clone();
         let sensitivities = Lane::start(move |request, cancel| {
-            if let Some(answer) = sensitivity::answer(&request, cancel) {
+            if let Ok(answer) = sensitivity::answer(&request, cancel) {
                 tell(Answer::Sensitivity(answer));
             }
         });
@@ -413,12 +413,12 @@ impl Worker {
         });
         let tell = notify.clone();
         let spreads = Lane::start(move |request, cancel| {
-            if let Some(answer) = tuning::spread(&request, cancel) {
+            if let Ok(answer) = tuning::spread(&request, cancel) {
                 tell(Answer::Spread(answer));
             }
         });
         let operating = Lane::start(move |request, _| {
-            if let Some(answer) = operating_of(&request) {
+            if let Ok(answer) = operating_of(&request) {
                 notify(Answer::Operating(answer));
             }
         });
@@ -475,35 +475,34 @@ fn preparation(memory: Memory) -> Lane<ExpectRequest> {
         let expect = || memory.expect(&request, cancel);
         // A fault of the solver is told where it is asked for curves.
         drop(guarded(|| {
-            match &pool {
+            Ok(match &pool {
                 Some(pool) => pool.install(expect),
                 None => expect(),
-            }
-            Ok(Some(()))
+            }?)
         }));
     })
 }
 
-fn shape_of(request: &ShapeRequest) -> Option<ShapeAnswer> {
+fn shape_of(request: &ShapeRequest) -> Result<ShapeAnswer, Cancelled> {
     let ShapeRequest {
         generation,
         model,
         modes,
         index,
     } = request;
-    let result = guarded(|| Ok(Some(shape(model, modes, *index, SHAPE_POINTS))))?;
-    Some(ShapeAnswer {
+    let result = guarded(|| Ok(shape(model, modes, *index, SHAPE_POINTS)))?;
+    Ok(ShapeAnswer {
         generation: *generation,
         index: *index,
         result,
     })
 }
 
-fn operating_of(request: &OperatingRequest) -> Option<OperatingAnswer> {
+fn operating_of(request: &OperatingRequest) -> Result<OperatingAnswer, Cancelled> {
     let solve = || operating(&request.model, request.frequency, SHAPE_POINTS);
-    Some(OperatingAnswer {
+    Ok(OperatingAnswer {
         serial: request.serial,
-        result: guarded(|| Ok(Some(Arc::new(solve()))))?,
+        result: guarded(|| Ok(Arc::new(solve())))?,
     })
 }
 

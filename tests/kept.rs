@@ -13,7 +13,7 @@ use beamtune::model::{
     Target, read,
 };
 use beamtune::presets;
-use beamtune::solve::{ColumnKind, Frf, Kept, sweep};
+use beamtune::solve::{Cancelled, ColumnKind, Frf, Kept, sweep};
 
 #[path = "kept/energy.rs"]
 mod energy;
@@ -247,7 +247,7 @@ fn an_expected_edit_finds_everything_there() {
     let mut edited = model.clone();
     edited.subsystems[30].mass *= 1.1;
     let mut kept = Kept::default();
-    assert!(kept.expect(&model, &edited, &grid(), &NEVER));
+    kept.expect(&model, &edited, &grid(), &NEVER).unwrap();
     let bytes = kept.bytes();
     assert!(bytes > 0);
     let fresh = sweep(&edited, &grid(), &NEVER).unwrap();
@@ -260,9 +260,9 @@ fn a_cancelled_sweep_gives_nothing_and_spoils_nothing() {
     let cancelled = AtomicBool::new(true);
     let mut model = crowded(40);
     let mut kept = Kept::default();
-    assert!(kept.sweep(&model, &grid(), &NEVER).is_some());
+    assert!(kept.sweep(&model, &grid(), &NEVER).is_ok());
     model.subsystems[10].mass *= 1.1;
-    assert!(kept.sweep(&model, &grid(), &cancelled).is_none());
+    assert_eq!(kept.sweep(&model, &grid(), &cancelled), Err(Cancelled));
     let fresh = sweep(&model, &grid(), &NEVER).unwrap();
     assert_same(&kept.sweep(&model, &grid(), &NEVER).unwrap(), &fresh);
 }
@@ -288,7 +288,8 @@ fn what_lies_beside_an_edit_serves_edits_of_the_same_place_alone() {
         model
     };
     let mut kept = Kept::default();
-    assert!(kept.expect(&model, &edited(30, 1.1), &grid(), &NEVER));
+    kept.expect(&model, &edited(30, 1.1), &grid(), &NEVER)
+        .unwrap();
     for (other, there) in [
         (edited(30, 1.3), true),
         (model.clone(), true),
@@ -296,12 +297,12 @@ fn what_lies_beside_an_edit_serves_edits_of_the_same_place_alone() {
         (edited(2, 1.1), false),
     ] {
         assert_eq!(Kept::would_serve(&model, &edited(30, 1.1), &other), there);
-        let recalled = kept.recalled(&other, &grid(), &NEVER);
+        let recalled = kept.recalled(&other, &grid(), &NEVER).unwrap();
         assert_eq!(recalled.is_some(), there);
         if let Some(found) = recalled {
             assert_same(&found, &sweep(&other, &grid(), &NEVER).unwrap());
         }
     }
     // Other frequencies were not prepared for.
-    assert!(kept.recalled(&model, &grid()[1..], &NEVER).is_none());
+    assert_eq!(kept.recalled(&model, &grid()[1..], &NEVER), Ok(None));
 }

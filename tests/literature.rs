@@ -77,7 +77,9 @@ fn side_by_side(
     to: f64,
     (least, most): (f64, f64),
 ) -> Outcome {
-    let all = modes::undamped(model, to, &AtomicBool::new(false)).unwrap();
+    let all = modes::undamped(model, to, &AtomicBool::new(false))
+        .unwrap()
+        .unwrap();
     let ours: Vec<f64> = all
         .into_iter()
         .filter(|&hertz| hertz > 0.0)

@@ -14,7 +14,7 @@ use beamtune::model::{
 };
 use beamtune::solve::modes::{Completeness, Mode, ModeKind, Modes};
 use beamtune::solve::peaks::{Peak, peaks, refined, resolved};
-use beamtune::solve::{Column, ColumnKind, Frf, frequencies, sweep};
+use beamtune::solve::{Cancelled, Column, ColumnKind, Frf, frequencies, sweep};
 use beamtune::{presets, solve};
 use num_complex::Complex64;
 use proptest::prelude::*;
@@ -572,9 +572,12 @@ fn a_coarse_base_loses_nothing() {
 fn nothing_is_returned_once_cancelled() {
     let (model, modes) = pinned(1e-3);
     let cancelled = AtomicBool::new(true);
-    assert_eq!(refined(&model, &modes, &[5.0, 900.0], &cancelled), None);
+    assert_eq!(
+        refined(&model, &modes, &[5.0, 900.0], &cancelled),
+        Err(Cancelled)
+    );
     let base = solved(&model, &[5.0, 900.0]);
-    assert_eq!(resolved(&model, &modes, base, &cancelled), None);
+    assert_eq!(resolved(&model, &modes, base, &cancelled), Err(Cancelled));
 }
 
 /// Expected: with as much inertia and stiffness along z as along y and a loss factor, w and v of a section without

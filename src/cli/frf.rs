@@ -16,7 +16,7 @@ use super::{Failure, Sets, say, source};
 use crate::model::{Family, Model, counted, edit};
 use crate::solve::modes::{Completeness, MOST_MODES, Modes, modes};
 use crate::solve::peaks::resolved;
-use crate::solve::{Column, ColumnKind, Frf, frequencies, sweep};
+use crate::solve::{Cancelled, Column, ColumnKind, Frf, frequencies, sweep};
 
 /// Frequencies solved and written at a time: bounds the memory of a long sweep.
 const BLOCK: usize = 4096;
@@ -123,13 +123,11 @@ fn write_all(out: &mut dyn Write, members: &[Member], points: Points) -> std::io
     let mut header_due = true;
     let mut singular = Vec::new();
     for (index, (key, model)) in members.iter().enumerate() {
-        let curve = Curve::new(model, points);
+        let curve = Curve::new(model, points).map_err(std::io::Error::other)?;
         let last = curve.base.len();
         for start in (0..last).step_by(BLOCK) {
             let end = last.min(start + BLOCK);
-            let Some(frf) = curve.block(start..end) else {
-                continue;
-            };
+            let frf = curve.block(start..end).map_err(std::io::Error::other)?;
             if std::mem::take(&mut header_due) {
                 write_header(out, key.is_some(), &frf)?;
             }
@@ -152,25 +150,23 @@ struct Curve<'a> {
 }
 
 impl<'a> Curve<'a> {
-    fn new(model: &'a Model, points: Points) -> Self {
+    fn new(model: &'a Model, points: Points) -> Result<Self, Cancelled> {
         let never = AtomicBool::new(false);
         let (base, modes) = match points {
             Points::At(at) => (at.to_vec(), None),
             Points::Sweep => (frequencies(&model.sweep), None),
             Points::Resolved => {
-                let modes = modes(model, model.sweep.to, &never);
-                match &modes {
-                    Some(modes) => warn_of_doubt(modes),
-                    None => warn_of_too_many(model.sweep.to),
-                }
-                (frequencies(&model.sweep), modes)
+                let modes = modes(model, model.sweep.to, &never)?;
+                warn_of_doubt(&modes);
+                let listed = (!modes.are_too_many()).then_some(modes);
+                (frequencies(&model.sweep), listed)
             }
         };
-        Self { model, base, modes }
+        Ok(Self { model, base, modes })
     }
 
     /// The rows from the first frequency of a part of the base up to what follows the part.
-    fn block(&self, part: Range<usize>) -> Option<Frf> {
+    fn block(&self, part: Range<usize>) -> Result<Frf, Cancelled> {
         let never = AtomicBool::new(false);
         let Some(modes) = &self.modes else {
             return sweep(self.model, &self.base[part], &never);
@@ -185,7 +181,7 @@ impl<'a> Curve<'a> {
             Some(&next) => row_of(next),
             None => frf.frequencies.len(),
         };
-        Some(rows(&frf, first..end))
+        Ok(rows(&frf, first..end))
     }
 }
 
@@ -255,7 +251,8 @@ fn progress(done: usize, of: usize, member: usize, members: usize) {
 
 fn warn_of_doubt(modes: &Modes) {
     let doubt = match &modes.completeness {
-        Completeness::Certain | Completeness::TooMany => return,
+        Completeness::Certain => return,
+        Completeness::TooMany => return warn_of_too_many(modes.to),
         Completeness::Open(gaps) => format!("not certain {}", listed(gaps)),
         Completeness::Uncounted => "not counted".to_owned(),
     };

@@ -28,6 +28,7 @@ use crate::escape::{escape, escape_lines, shown_path};
 use crate::files::{self, Folders, read_if_there};
 use crate::model::{Fault, MOST_SHOWN};
 use crate::presets;
+use crate::solve::Cancelled;
 use crate::tui::options::{Environment, LookArguments};
 use crate::tui::user::config::{self, Config};
 use crate::tui::{self, Ended, Setup};
@@ -123,6 +124,12 @@ impl Failure {
         let more = (more > 0).then(|| format!("{source}: and {more} more"));
         let lines = faults.iter().take(MOST_SHOWN).map(line).chain(more);
         Self::Input(lines.map(|line| escape(&line).into_owned()).collect())
+    }
+}
+
+impl From<Cancelled> for Failure {
+    fn from(cancelled: Cancelled) -> Self {
+        Self::Other(cancelled.to_string())
     }
 }
 

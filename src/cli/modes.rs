@@ -36,14 +36,16 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let model = source::open(&arguments.model, &arguments.sets.sets)?.model;
     let to = arguments.to.unwrap_or(model.sweep.to);
-    let Some(found) = modes(&model, to, &AtomicBool::new(false)) else {
+    let never = AtomicBool::new(false);
+    let found = modes(&model, to, &never)?;
+    if found.are_too_many() {
         return Err(Failure::input(format!(
             "there are more than {MOST_MODES} modes below {to:?} Hz: at most {MOST_MODES} are listed; --to asks for fewer"
         )));
-    };
+    }
     csv::write(arguments.output.as_deref(), |out| write_modes(out, &found))?;
     if let Some(file) = &arguments.shapes {
-        let shapes = shapes(&model, &found, PLACES, &AtomicBool::new(false)).unwrap_or_default();
+        let shapes = shapes(&model, &found, PLACES, &never)?;
         csv::write(Some(file), |out| write_shapes(out, &model, &shapes))?;
     }
     // Beside the table, so that a table stays a table.

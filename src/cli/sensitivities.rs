@@ -14,7 +14,7 @@ use crate::model::{Model, edit, path};
 use crate::solve::modes::{MOST_MODES, Modes, modes};
 use crate::solve::peaks::{Peak, peaks, resolved};
 use crate::solve::sensitivity::{Figure, Sensitivity, effects, lack};
-use crate::solve::{frequencies, sweep};
+use crate::solve::{Cancelled, frequencies, sweep};
 
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
@@ -66,7 +66,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let model = source::open(&arguments.model, &arguments.sets.sets)?.model;
     let response = response(&model, arguments.response.as_deref())?;
     let figure = figure(&model, response, &arguments.of)?;
-    let found = effects(&model, &figure, &AtomicBool::new(false)).unwrap_or_default();
+    let found = effects(&model, &figure, &AtomicBool::new(false))?;
     let found = sorted(found, &figure);
     csv::write(arguments.output.as_deref(), |out| {
         write(out, &model, &found)
@@ -129,7 +129,7 @@ fn figure(model: &Model, response: usize, of: &Of) -> Result<Figure, Failure> {
         return Ok(Figure::Mode { modes, index });
     }
     let near = of.peak.unwrap_or_default();
-    let peak = nearest_peak(model, response, &modes, near).ok_or_else(|| {
+    let peak = nearest_peak(model, response, &modes, near)?.ok_or_else(|| {
         Failure::input(format!(
             "--peak {near}: the response has no peak of finite height in the sweep"
         ))
@@ -141,23 +141,28 @@ fn figure(model: &Model, response: usize, of: &Of) -> Result<Figure, Failure> {
 }
 
 fn modes_up_to(model: &Model, to: f64) -> Result<Modes, Failure> {
-    modes(model, to, &AtomicBool::new(false)).ok_or_else(|| {
-        Failure::input(format!(
+    let found = modes(model, to, &AtomicBool::new(false))?;
+    if found.are_too_many() {
+        return Err(Failure::input(format!(
             "there are more than {MOST_MODES} modes below {to:?} Hz: at most {MOST_MODES} are listed"
-        ))
-    })
+        )));
+    }
+    Ok(found)
 }
 
-fn nearest_peak(model: &Model, response: usize, modes: &Modes, near: f64) -> Option<Peak> {
+fn nearest_peak(
+    model: &Model,
+    response: usize,
+    modes: &Modes,
+    near: f64,
+) -> Result<Option<Peak>, Cancelled> {
     let never = AtomicBool::new(false);
     let solved = sweep(model, &frequencies(&model.sweep), &never)?;
     let frf = resolved(model, modes, solved, &never)?;
-    let peaks = peaks(&frf.frequencies, frf.columns.get(response)?, modes);
+    let peaks = peaks(&frf.frequencies, &frf.columns[response], modes);
     let distance = |peak: &Peak| (peak.frequency - near).abs();
-    peaks
-        .into_iter()
-        .filter(|peak| !peak.pole)
-        .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+    let finite = peaks.into_iter().filter(|peak| !peak.pole);
+    Ok(finite.min_by(|a, b| distance(a).total_cmp(&distance(b))))
 }
 
 /// The largest effect first: of a mode on its frequency, else on the level.

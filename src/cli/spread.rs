@@ -50,8 +50,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let (samples, seed) = (arguments.samples as usize, arguments.seed);
     let found = spread(&model, tune, (samples, seed), &at, &AtomicBool::new(false))
-        .map_err(|fault| Failure::faults(&source::label(&arguments.model), &[fault]))?
-        .unwrap_or_default();
+        .map_err(|fault| Failure::faults(&source::label(&arguments.model), &[fault]))??;
     csv::write(arguments.output.as_deref(), |out| write(out, &at, &found))
 }
 

@@ -95,10 +95,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 fn find(model: &Model, elements: usize, frequencies: &[f64]) -> Result<Findings, Failure> {
     // Nothing cancels a command but a signal.
     let never = AtomicBool::new(false);
-    let stopped = || Failure::Other("the solution was stopped".into());
     progress("exact solution");
     let start = Instant::now();
-    let exact = solve::sweep(model, frequencies, &never).ok_or_else(stopped)?;
+    let exact = solve::sweep(model, frequencies, &never)?;
     let exact_time = start.elapsed();
     let witness = |start: Instant, frf: &Frf| Witness {
         time: start.elapsed(),
@@ -107,7 +106,7 @@ fn find(model: &Model, elements: usize, frequencies: &[f64]) -> Result<Findings,
     progress("transfer matrices");
     let start = Instant::now();
     let chain = match chain::sweep(model, frequencies, &never) {
-        Ok(frf) => Ok(witness(start, &frf.ok_or_else(stopped)?)),
+        Ok(frf) => Ok(witness(start, &frf?)),
         Err(reason) => Err(reason),
     };
     let mut mesh = FiniteElements::new(model, elements);
@@ -115,7 +114,7 @@ fn find(model: &Model, elements: usize, frequencies: &[f64]) -> Result<Findings,
     for _ in 0..3 {
         progress(&format!("{} finite elements", mesh.elements()));
         let start = Instant::now();
-        let frf = mesh.sweep(frequencies, &never).ok_or_else(stopped)?;
+        let frf = mesh.sweep(frequencies, &never)?;
         meshes.push((mesh.elements(), witness(start, &frf)));
         mesh = mesh.halved();
     }

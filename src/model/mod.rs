@@ -22,7 +22,7 @@ mod types;
 mod write;
 
 pub use crate::unit::{Measure, Unit, counted, entry, grouped};
-pub use check::check;
+pub use check::{check, check_state};
 pub use delta::{apply_delta, delta};
 pub use describe::Parameter;
 pub use fault::Fault;

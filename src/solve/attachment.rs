@@ -11,6 +11,7 @@
 use num_complex::Complex64;
 
 use super::linear::ZERO;
+use super::springs::rows;
 use crate::model::{Spring, Subsystem};
 
 /// Unknowns of an attachment: the forces of the three channels, and theta.
@@ -37,15 +38,13 @@ pub(super) struct Attachment {
 impl Attachment {
     /// The attachment of a subsystem, without loads.
     pub(super) fn new(subsystem: &Subsystem) -> Self {
+        let [spring_y, z_left, z_right] = rows(subsystem).map(|row| row.spring);
         Self {
             mass: subsystem.mass,
             inertia: subsystem.inertia,
-            spring_y: Spring {
-                stiffness: subsystem.y_left.stiffness + subsystem.y_right.stiffness,
-                damping: subsystem.y_left.damping + subsystem.y_right.damping,
-            },
-            z_left: subsystem.z_left,
-            z_right: subsystem.z_right,
+            spring_y,
+            z_left,
+            z_right,
             mount_y: subsystem.mount_y,
             mount_z: subsystem.mount_z,
             arm_left: subsystem.arm_left,

@@ -10,7 +10,7 @@ mod quadrature;
 use std::sync::atomic::AtomicBool;
 
 use super::modes::Modes;
-use super::{Column, ColumnKind, sweep};
+use super::{Cancelled, Column, ColumnKind, sweep};
 use crate::model::Model;
 
 /// The level of one response in a band.
@@ -29,13 +29,16 @@ pub struct Level {
 ///
 /// `modes` are the model's, up to the end of the band or higher. The integral is adaptive Gauss-Kronrod quadrature
 /// (7 and 15 points; Kronrod 1965, with the error estimate of QUADPACK, Piessens et al. 1983) to a relative 1e-8, or as
-/// near as 30,000 frequencies bring it. `None` where `cancel` became true before the end.
+/// near as 30,000 frequencies bring it.
+///
+/// # Errors
+/// `cancel` became true before the end.
 pub fn levels(
     model: &Model,
     modes: &Modes,
     band: [f64; 2],
     cancel: &AtomicBool,
-) -> Option<Vec<Level>> {
+) -> Result<Vec<Level>, Cancelled> {
     let poles = poles(model, modes, band, cancel)?;
     let integral = quadrature::integrate(model, &places::cuts(modes, band), &poles, cancel)?;
     let tops = maximum::tops(model, &integral.samples, band, cancel)?;
@@ -52,23 +55,23 @@ pub fn levels(
             mean_square: *mean,
         },
     };
-    Some(levels.map(level).collect())
+    Ok(levels.map(level).collect())
 }
 
 /// The frequencies (Hz) and weights by which the mean square of a model's responses comes out; empty where an undamped
-/// resonance lies in the band. `None` where `cancel` became true before the end.
+/// resonance lies in the band.
 pub(super) fn rule(
     model: &Model,
     modes: &Modes,
     band: [f64; 2],
     cancel: &AtomicBool,
-) -> Option<Vec<[f64; 2]>> {
+) -> Result<Vec<[f64; 2]>, Cancelled> {
     let poles = poles(model, modes, band, cancel)?;
     if poles.iter().any(Option::is_some) {
-        return Some(Vec::new());
+        return Ok(Vec::new());
     }
     let integral = quadrature::integrate(model, &places::cuts(modes, band), &poles, cancel)?;
-    Some(integral.rule)
+    Ok(integral.rule)
 }
 
 /// The first undamped resonance in the band that each response shows, Hz.
@@ -79,7 +82,7 @@ fn poles(
     modes: &Modes,
     band: [f64; 2],
     cancel: &AtomicBool,
-) -> Option<Vec<Option<f64>>> {
+) -> Result<Vec<Option<f64>>, Cancelled> {
     const FAR: f64 = 1e-7;
     const NEAR: f64 = 1e-9;
     const GROWS: f64 = 10.0;
@@ -102,7 +105,7 @@ fn poles(
             }
         }
     }
-    Some(poles)
+    Ok(poles)
 }
 
 /// What is averaged: |H|^2, or an energy itself.
@@ -123,7 +126,11 @@ struct Sample {
 }
 
 /// The responses at some frequencies, Hz.
-fn samples(model: &Model, frequencies: &[f64], cancel: &AtomicBool) -> Option<Vec<Sample>> {
+fn samples(
+    model: &Model,
+    frequencies: &[f64],
+    cancel: &AtomicBool,
+) -> Result<Vec<Sample>, Cancelled> {
     let frf = sweep(model, frequencies, cancel)?;
     let sample = |(row, &frequency): (usize, &f64)| Sample {
         frequency,
@@ -133,5 +140,5 @@ fn samples(model: &Model, frequencies: &[f64], cancel: &AtomicBool) -> Option<Ve
             .map(|column| power(column, row))
             .collect(),
     };
-    Some(frequencies.iter().enumerate().map(sample).collect())
+    Ok(frequencies.iter().enumerate().map(sample).collect())
 }

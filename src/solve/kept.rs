@@ -10,6 +10,7 @@ use std::sync::atomic::AtomicBool;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
+use super::Cancelled;
 use super::lanes::{Between, KeptSides, MOST_LANES, Prepared, Solver, Source};
 use super::plan::{Output, Plan};
 use super::sweep::{Frf, angular, chunk_length, fill_limits, over_chunks, solved, sweep_prepared};
@@ -52,18 +53,20 @@ struct Part {
 }
 
 impl Kept {
-    /// The same as [`super::sweep()`]: solves a checked model at each frequency (Hz, > 0); `None` where `cancel` became
-    /// true before the end.
+    /// The same as [`super::sweep()`]: solves a checked model at each frequency (Hz, > 0).
     ///
     /// A model that differs from the last one in one place is solved from what is kept of the rest, which is found first
     /// where it is not there yet (as much work as two sweeps; with an enabled response `E_V`, which every place along the
     /// beam adds to, as four to five).
+    ///
+    /// # Errors
+    /// `cancel` became true before the end.
     pub fn sweep(
         &mut self,
         model: &Model,
         frequencies: &[f64],
         cancel: &AtomicBool,
-    ) -> Option<Frf> {
+    ) -> Result<Frf, Cancelled> {
         let plan = Plan::new(model);
         if !self.reaches(&plan, frequencies) {
             let before = self.last.replace(plan.clone());
@@ -78,28 +81,41 @@ impl Kept {
         }
     }
 
-    /// The same from what is kept alone; `None` also where that does not serve.
-    pub fn recalled(&self, model: &Model, frequencies: &[f64], cancel: &AtomicBool) -> Option<Frf> {
+    /// The same from what is kept alone; none where that does not serve.
+    ///
+    /// # Errors
+    /// `cancel` became true before the end.
+    pub fn recalled(
+        &self,
+        model: &Model,
+        frequencies: &[f64],
+        cancel: &AtomicBool,
+    ) -> Result<Option<Frf>, Cancelled> {
         let plan = Plan::new(model);
-        let beside = self.beside_of(&plan, frequencies)?;
-        from_sides(model, plan, beside, frequencies, cancel)
+        let Some(beside) = self.beside_of(&plan, frequencies) else {
+            return Ok(None);
+        };
+        from_sides(model, plan, beside, frequencies, cancel).map(Some)
     }
 
     /// Finds what lies beside the place in which a model is going to be edited, so that its next sweep need not.
     ///
-    /// `edited` is the model after such an edit. False where `cancel` became true before the end.
+    /// `edited` is the model after such an edit.
+    ///
+    /// # Errors
+    /// `cancel` became true before the end.
     pub fn expect(
         &mut self,
         model: &Model,
         edited: &Model,
         frequencies: &[f64],
         cancel: &AtomicBool,
-    ) -> bool {
+    ) -> Result<(), Cancelled> {
         let (plan, edited) = (Plan::new(model), Plan::new(edited));
         if self.reaches(&edited, frequencies) {
-            return true;
+            return Ok(());
         }
-        self.keep(&plan, &edited, frequencies, cancel).is_some()
+        self.keep(&plan, &edited, frequencies, cancel)
     }
 
     /// Whether what lies beside an edit that makes a model `edited` serves another model, too.
@@ -139,9 +155,9 @@ impl Kept {
         other: &Plan,
         frequencies: &[f64],
         cancel: &AtomicBool,
-    ) -> Option<()> {
+    ) -> Result<(), Cancelled> {
         let Some(part) = common(one, other).and_then(|common| part(common, one, other)) else {
-            return Some(());
+            return Ok(());
         };
         // What was kept for another place would only take room.
         self.beside = None;
@@ -153,18 +169,18 @@ impl Kept {
             frequencies: frequencies.to_vec(),
             sides,
         });
-        Some(())
+        Ok(())
     }
 }
 
-/// The responses of a plan from what lies beside a part of it; none where cancelled.
+/// The responses of a plan from what lies beside a part of it.
 fn from_sides(
     model: &Model,
     plan: Plan,
     (beside, part): (&Beside, Part),
     frequencies: &[f64],
     cancel: &AtomicBool,
-) -> Option<Frf> {
+) -> Result<Frf, Cancelled> {
     let between = between(plan, part, &beside.plan);
     let solve = |solver: &mut Solver, first, frequencies: &[f64], out: &mut [&mut [Complex64]]| {
         solver.solve_between(&between, (&beside.sides, first), &angular(frequencies), out);
@@ -176,7 +192,7 @@ fn from_sides(
     };
     let mut frf = solved(model, frequencies, chunk, cancel, &solve)?;
     fill_limits(model, &between.prepared, &mut frf);
-    Some(frf)
+    Ok(frf)
 }
 
 /// Whether what lies beside a part of a plan lies beside a part of another, too.
@@ -313,13 +329,17 @@ fn sources(plan: &Plan, range: &Range<usize>, known: &Plan, part: Part) -> Vec<S
     plan.outputs.iter().map(source).collect()
 }
 
-/// The sides at each group of frequencies; none where cancelled.
-fn keep(between: &Between, frequencies: &[f64], cancel: &AtomicBool) -> Option<Vec<KeptSides>> {
+/// The sides at each group of frequencies.
+fn keep(
+    between: &Between,
+    frequencies: &[f64],
+    cancel: &AtomicBool,
+) -> Result<Vec<KeptSides>, Cancelled> {
     let chunk = chunk_length(&between.prepared.plan);
     let mut kept = vec![Vec::new(); frequencies.len().div_ceil(chunk)];
     let keep = |solver: &mut Solver, _, frequencies: &[f64], kept: &mut Vec<_>| {
         *kept = solver.keep(between, &angular(frequencies));
     };
     over_chunks(frequencies, chunk, kept.par_iter_mut(), cancel, &keep)?;
-    Some(kept.into_iter().flatten().collect())
+    Ok(kept.into_iter().flatten().collect())
 }

@@ -18,6 +18,7 @@
 
 mod attachment;
 pub mod band;
+mod cancelled;
 pub mod chain;
 pub mod compare;
 mod energy;
@@ -40,6 +41,7 @@ mod springs;
 mod sweep;
 mod waves;
 
+pub use cancelled::Cancelled;
 pub use kept::Kept;
 pub use lanes::{Instructions, Work, work};
 pub use reference::Reference;

@@ -1,8 +1,12 @@
-//! Complex stiffnesses: of the four springs of a subsystem, with their stretches, and of a restraint.
+//! What supports and springs are to the beam, said once for the solver, the count of modes and the derivatives: their
+//! dynamic stiffnesses, and how far the springs of a subsystem are stretched.
+//!
+//! The kernel of `lanes` has the same in its own arithmetic; the two witnesses have words of their own on purpose.
 
 use num_complex::Complex64;
 
-use crate::model::{Elastic, Spring, Subsystem};
+use super::linear::ZERO;
+use crate::model::{Elastic, Restraint, Spring, Subsystem};
 
 /// The four springs: y left, y right, z left, z right.
 pub(super) fn springs(subsystem: &Subsystem) -> [Spring; 4] {
@@ -19,13 +23,79 @@ pub(super) fn stiffness(omega: Complex64, spring: Spring) -> Complex64 {
     spring.stiffness + Complex64::I * omega * spring.damping
 }
 
-/// K + i omega C - omega^2 m, N/m or N m/rad.
-pub(super) fn restraint_stiffness(elastic: Elastic, omega: Complex64) -> Complex64 {
-    let damper = Complex64::I * omega * elastic.damping;
-    elastic.stiffness + damper - omega * omega * elastic.inertia
+/// k + i omega c - omega^2 m of what restrains a motion, in the units of [`Elastic`]; none where the motion is fixed.
+pub(super) fn restraint_stiffness(omega: Complex64, restraint: Restraint) -> Option<Complex64> {
+    match restraint {
+        Restraint::Fixed => None,
+        Restraint::Free => Some(ZERO),
+        Restraint::Elastic(Elastic {
+            stiffness: k,
+            damping,
+            inertia,
+        }) => {
+            let spring = Spring {
+                stiffness: k,
+                damping,
+            };
+            Some(stiffness(omega, spring) - omega * omega * inertia)
+        }
+    }
 }
 
-/// The stretches of the four springs, m: how far the mass's end of each is ahead of the beam's.
+/// A spring, and its stretch as a row over the motions: how far the mass's end is ahead of the beam's.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Stretch {
+    pub(super) spring: Spring,
+    /// Of y, z and theta of the mass; m, m and m/rad.
+    pub(super) mass: [f64; 3],
+    /// Of w, psi and v of the beam.
+    pub(super) beam: [f64; 3],
+}
+
+/// The two y springs, which are stretched alike, as one; the left and the right z spring (Chen & Liu 2022, Appendix A).
+pub(super) fn rows(subsystem: &Subsystem) -> [Stretch; 3] {
+    let along_z = |spring: Spring, arm: f64, mount: f64| Stretch {
+        spring,
+        mass: [0.0, 1.0, arm],
+        beam: [0.0, -mount, -1.0],
+    };
+    [
+        Stretch {
+            spring: Spring {
+                stiffness: subsystem.y_left.stiffness + subsystem.y_right.stiffness,
+                damping: subsystem.y_left.damping + subsystem.y_right.damping,
+            },
+            mass: [1.0, 0.0, 0.0],
+            beam: [-1.0, -subsystem.mount_z, 0.0],
+        },
+        along_z(subsystem.z_left, -subsystem.arm_left, -subsystem.mount_y),
+        along_z(subsystem.z_right, subsystem.arm_right, subsystem.mount_y),
+    ]
+}
+
+impl Stretch {
+    /// What adds up to the stretch, m, of motions (y, z, theta) and (w, psi, v).
+    fn terms(&self, [mass, [w, psi, v]]: [[Complex64; 3]; 2]) -> [Complex64; 6] {
+        // What has no share may be infinite.
+        let of = |share: f64, moved: Complex64| if share == 0.0 { ZERO } else { share * moved };
+        let ([y, z, theta], [of_w, of_psi, of_v]) = (self.mass, self.beam);
+        [
+            of(y, mass[0]),
+            of(z, mass[1]),
+            of(theta, mass[2]),
+            of(of_w, w),
+            of(of_v, v),
+            of(of_psi, psi),
+        ]
+    }
+
+    /// The stretch, m, of motions (y, z, theta) and (w, psi, v).
+    pub(super) fn of(&self, moved: [[Complex64; 3]; 2]) -> Complex64 {
+        self.terms(moved).iter().sum()
+    }
+}
+
+/// The stretches of the four springs, m.
 ///
 /// Either from what moves (`moved`: the mass's y, z, theta and the beam's w, psi, v) or from what the springs carry: of
 /// a stiff spring the first, of a soft one the second is a small difference of large numbers.
@@ -35,7 +105,7 @@ pub(super) fn stretches(
     moved: [[Complex64; 3]; 2],
     channels: [Complex64; 3],
 ) -> [Complex64; 4] {
-    let (across, [left, right]) = terms(subsystem, moved);
+    let [across, left, right] = rows(subsystem).map(|row| row.terms(moved));
     let [of_left, of_right, of_z_left, of_z_right] =
         springs(subsystem).map(|spring| stiffness(omega, spring));
     // What the beam does to the mass: the y springs, and the sum and the difference of the z springs.
@@ -54,24 +124,8 @@ pub(super) fn geometric_stretches(
     subsystem: &Subsystem,
     moved: [[Complex64; 3]; 2],
 ) -> [Complex64; 4] {
-    let (across, [left, right]) = terms(subsystem, moved);
-    let y = across.iter().sum();
-    [y, y, left.iter().sum(), right.iter().sum()]
-}
-
-/// What adds up to the stretch of the y springs, and of the left and the right z spring, m.
-fn terms(
-    subsystem: &Subsystem,
-    [[y, z, theta], [w, psi, v]]: [[Complex64; 3]; 2],
-) -> ([Complex64; 3], [[Complex64; 4]; 2]) {
-    let along_z = |arm: f64, mount: f64| [z, arm * theta, -v, -mount * psi];
-    (
-        [y, -w, -subsystem.mount_z * psi],
-        [
-            along_z(-subsystem.arm_left, -subsystem.mount_y),
-            along_z(subsystem.arm_right, subsystem.mount_y),
-        ],
-    )
+    let [y, left, right] = rows(subsystem).map(|row| row.of(moved));
+    [y, y, left, right]
 }
 
 /// The sum of `lengths`, or that of `forces` over a stiffness: whichever sums smaller terms.

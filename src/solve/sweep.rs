@@ -1,11 +1,12 @@
 //! Frequency responses over many frequencies, on all cores.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 use std::sync::{Mutex, PoisonError};
 
 use num_complex::Complex64;
 use rayon::prelude::*;
 
+use super::Cancelled;
 use super::lanes::{Instructions, MOST_LANES, Prepared, Solver};
 use super::limit;
 use super::plan::Plan;
@@ -115,10 +116,13 @@ pub(super) fn angular(frequencies: &[f64]) -> Vec<Complex64> {
     frequencies.iter().map(omega).collect()
 }
 
-/// Solves a checked model at each frequency (Hz, > 0). `None` where `cancel` became true before the end.
+/// Solves a checked model at each frequency (Hz, > 0).
 ///
 /// The work is shared among all cores in chunks; `cancel` is looked at between chunks.
-pub fn sweep(model: &Model, frequencies: &[f64], cancel: &AtomicBool) -> Option<Frf> {
+///
+/// # Errors
+/// `cancel` became true before the end.
+pub fn sweep(model: &Model, frequencies: &[f64], cancel: &AtomicBool) -> Result<Frf, Cancelled> {
     let prepared = Prepared::new(Plan::new(model));
     sweep_prepared(model, &prepared, frequencies, cancel)
 }
@@ -129,14 +133,14 @@ pub(super) fn sweep_prepared(
     prepared: &Prepared,
     frequencies: &[f64],
     cancel: &AtomicBool,
-) -> Option<Frf> {
+) -> Result<Frf, Cancelled> {
     let chunk = chunk_length(&prepared.plan);
     let solve = |solver: &mut Solver, _, frequencies: &[f64], out: &mut [&mut [Complex64]]| {
         solver.solve(prepared, &angular(frequencies), out);
     };
     let mut frf = solved(model, frequencies, chunk, cancel, &solve)?;
     fill_limits(model, prepared, &mut frf);
-    Some(frf)
+    Ok(frf)
 }
 
 /// Finds what is finite of the rows at a resonance that nothing excites.
@@ -174,8 +178,7 @@ fn solved_alone(
     }
 }
 
-/// Gives `solve` each chunk of frequencies (Hz), with the place of its first one and its own of `rooms`; none where
-/// `cancel` became true before the end.
+/// Gives `solve` each chunk of frequencies (Hz), with the place of its first one and its own of `rooms`.
 ///
 /// Chunks that follow each other on a core use the same workspace.
 pub(super) fn over_chunks<W: Default + Send, R: Send>(
@@ -184,7 +187,7 @@ pub(super) fn over_chunks<W: Default + Send, R: Send>(
     rooms: impl IndexedParallelIterator<Item = R>,
     cancel: &AtomicBool,
     solve: &(impl Fn(&mut W, usize, &[f64], R) + Sync),
-) -> Option<()> {
+) -> Result<(), Cancelled> {
     let idle: Mutex<Vec<W>> = Mutex::default();
     let lock = || idle.lock().unwrap_or_else(PoisonError::into_inner);
     frequencies
@@ -192,13 +195,11 @@ pub(super) fn over_chunks<W: Default + Send, R: Send>(
         .zip(rooms)
         .enumerate()
         .try_for_each(|(index, (frequencies, room))| {
-            if cancel.load(Ordering::Relaxed) {
-                return None;
-            }
+            Cancelled::check(cancel)?;
             let mut workspace = lock().pop().unwrap_or_default();
             solve(&mut workspace, index * chunk, frequencies, room);
             lock().push(workspace);
-            Some(())
+            Ok(())
         })
 }
 
@@ -209,7 +210,7 @@ pub(super) fn solved<W: Default + Send>(
     chunk: usize,
     cancel: &AtomicBool,
     solve: &(impl Fn(&mut W, usize, &[f64], &mut [&mut [Complex64]]) + Sync),
-) -> Option<Frf> {
+) -> Result<Frf, Cancelled> {
     let mut columns = columns(model, frequencies.len());
     let chunks = frequencies.len().div_ceil(chunk);
     let mut rooms: Vec<Vec<&mut [Complex64]>> = Vec::new();
@@ -223,15 +224,13 @@ pub(super) fn solved<W: Default + Send>(
         solve(workspace, first, frequencies, &mut room);
     };
     if let Some(room) = (chunks == 1).then(|| rooms.pop()).flatten() {
-        if cancel.load(Ordering::Relaxed) {
-            return None;
-        }
+        Cancelled::check(cancel)?;
         // It is solved here before another thread has woken.
         solve(&mut W::default(), 0, frequencies, room);
     } else {
         over_chunks(frequencies, chunk, rooms.into_par_iter(), cancel, &solve)?;
     }
-    Some(Frf {
+    Ok(Frf {
         frequencies: frequencies.to_vec(),
         columns,
     })
@@ -259,7 +258,7 @@ pub(super) fn one_by_one<W: Default + Send>(
     frequencies: &[f64],
     cancel: &AtomicBool,
     solve: &(impl Fn(&mut W, f64, &mut [Complex64]) + Sync),
-) -> Option<Frf> {
+) -> Result<Frf, Cancelled> {
     /// A few, so that a cancelled sweep ends soon.
     const CHUNK: usize = 4;
     let solve = |(workspace, row): &mut (W, Vec<Complex64>),

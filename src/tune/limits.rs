@@ -6,6 +6,7 @@ use super::search::Function;
 use super::trial::{Moved, Slopes, Trial};
 use crate::model::schema::SubsystemKey;
 use crate::model::{Group, Limit, Model, ParameterId};
+use crate::solve::Cancelled;
 use crate::solve::modes::{count, modes, undamped, without_damping};
 
 /// A limit of a model whose responses are known by their places.
@@ -32,13 +33,16 @@ impl Bound {
         }
     }
 
-    /// The numbers that must not be above 0; those far below may be left out. None where cancelled.
-    pub(super) fn values(&self, trial: &Trial) -> Option<Vec<f64>> {
-        Some(match self {
+    /// The numbers that must not be above 0; those far below may be left out.
+    pub(super) fn values(&self, trial: &Trial) -> Result<Vec<f64>, Cancelled> {
+        Ok(match self {
             Self::AddedMass { at_most } => vec![added_mass(&trial.model) / at_most - 1.0],
             Self::NoMode { band } => {
                 let inside = |frequency: &f64| depth(*frequency, *band);
-                intruders(trial, *band)?.iter().map(inside).collect()
+                match intruders(trial, *band)? {
+                    Some(all) => all.iter().map(inside).collect(),
+                    None => vec![f64::INFINITY],
+                }
             }
             Self::StaticDeflection { response, at_most } => {
                 let deflection = at_rest(trial, *response)?.norm();
@@ -47,14 +51,14 @@ impl Bound {
         })
     }
 
-    /// The same with derivatives by the coordinates, which move `moved`. None where cancelled.
+    /// The same with derivatives by the coordinates, which move `moved`.
     pub(super) fn functions(
         &self,
         trial: &Trial,
         slopes: &Slopes,
         moved: &[Moved],
-    ) -> Option<Vec<Function>> {
-        Some(match self {
+    ) -> Result<Vec<Function>, Cancelled> {
+        Ok(match self {
             Self::AddedMass { at_most } => vec![added_mass_function(trial, moved, *at_most)],
             Self::NoMode { band } => modes_in(trial, moved, *band)?,
             Self::StaticDeflection { response, at_most } => {
@@ -64,17 +68,28 @@ impl Bound {
     }
 
     /// What a person wants to know: the mass, kg; the frequency of the mode that is deepest in the band or nearest to it,
-    /// Hz; the deflection, in the response's unit. None where cancelled.
-    pub(super) fn reading(&self, trial: &Trial) -> Option<f64> {
-        Some(match self {
+    /// Hz; the deflection, in the response's unit.
+    pub(super) fn reading(&self, trial: &Trial) -> Result<f64, Cancelled> {
+        Ok(match self {
             Self::AddedMass { .. } => added_mass(&trial.model),
             Self::NoMode { band } => {
-                let all = undamped(&trial.model, 2.0 * band[1], trial.cancel)?;
+                let all = undamped(&trial.model, SEEN * band[1], trial.cancel)?;
                 let deeper = |a: &f64, b: &f64| depth(*a, *band).total_cmp(&depth(*b, *band));
-                all.into_iter().max_by(deeper).unwrap_or(f64::NAN)
+                all.into_iter().flatten().max_by(deeper).unwrap_or(f64::NAN)
             }
             Self::StaticDeflection { response, .. } => at_rest(trial, *response)?.norm(),
         })
+    }
+}
+
+/// The modes up to so many times the end of a band are looked at.
+const SEEN: f64 = 2.0;
+
+/// Up to where a limit asks for the modes, Hz; none where it asks for none.
+pub(super) fn looks_to(limit: &Limit) -> Option<f64> {
+    match limit {
+        Limit::NoMode { to, .. } => Some(SEEN * to),
+        Limit::AddedMass { .. } | Limit::StaticDeflection { .. } => None,
     }
 }
 
@@ -105,25 +120,29 @@ fn depth(frequency: f64, [from, to]: [f64; 2]) -> f64 {
     (frequency - from).min(to - frequency) / (to - from)
 }
 
-/// The undamped modes in a band (Hz). Where there are none by the count of Wittrick & Williams, none is sought.
-fn intruders(trial: &Trial, [from, to]: [f64; 2]) -> Option<Vec<f64>> {
+/// The undamped modes in a band (Hz); none where there are too many below its end. Where the count of Wittrick &
+/// Williams is the same at both ends, no search begins.
+fn intruders(trial: &Trial, [from, to]: [f64; 2]) -> Result<Option<Vec<f64>>, Cancelled> {
     if count(&trial.model, from) == count(&trial.model, to) {
-        return Some(Vec::new());
+        return Ok(Some(Vec::new()));
     }
     let all = undamped(&trial.model, to, trial.cancel)?;
-    Some(
-        all.into_iter()
-            .filter(|one| *one > from && *one < to)
-            .collect(),
-    )
+    let inside = |all: Vec<f64>| {
+        let inside = all.into_iter().filter(|one| *one > from && *one < to);
+        inside.collect()
+    };
+    Ok(all.map(inside))
 }
 
 /// How deep each mode in a band, or within its width on both sides, is in it.
-fn modes_in(trial: &Trial, moved: &[Moved], band: [f64; 2]) -> Option<Vec<Function>> {
+fn modes_in(trial: &Trial, moved: &[Moved], band: [f64; 2]) -> Result<Vec<Function>, Cancelled> {
     let [from, to] = band;
     let width = to - from;
     let model = without_damping(&trial.model);
     let near = modes(&model, to + width, trial.cancel)?;
+    if near.are_too_many() {
+        return Ok(vec![Function::worst(moved.len())]);
+    }
     let slopes = Slopes::new(&model, moved);
     let function = |index: usize| {
         let frequency = near.modes[index].frequency();
@@ -141,7 +160,7 @@ fn modes_in(trial: &Trial, moved: &[Moved], band: [f64; 2]) -> Option<Vec<Functi
     let lowest = (from - width).max(0.0);
     let indices = 0..near.modes.len();
     let inside = indices.filter(|&index| near.modes[index].frequency() > lowest);
-    Some(inside.map(function).collect())
+    Ok(inside.map(function).collect())
 }
 
 /// The weights by which a cubic through f, 2 f, 3 f and 4 f is 0 Hz's value.
@@ -163,15 +182,15 @@ fn lowest(model: &Model) -> Option<f64> {
     None
 }
 
-/// A response at rest; infinite where the beam can move freely. None where cancelled.
-pub(super) fn at_rest(trial: &Trial, response: usize) -> Option<Complex64> {
+/// A response at rest; infinite where the beam can move freely.
+pub(super) fn at_rest(trial: &Trial, response: usize) -> Result<Complex64, Cancelled> {
     let Some(lowest) = lowest(&trial.model) else {
-        return Some(Complex64::from(f64::INFINITY));
+        return Ok(Complex64::from(f64::INFINITY));
     };
     let places = [1.0, 2.0, 3.0, 4.0].map(|times| times * lowest);
     let values = trial.values(response, &places)?;
     let terms = values.iter().zip(TO_REST);
-    Some(terms.map(|(value, weight)| weight * value).sum())
+    Ok(terms.map(|(value, weight)| weight * value).sum())
 }
 
 fn deflection(trial: &Trial, slopes: &Slopes, response: usize, at_most: f64) -> Function {

@@ -5,11 +5,12 @@ use std::sync::atomic::AtomicBool;
 
 use super::coordinates::Coordinate;
 use super::figures::{self, Figure};
-use super::limits::Bound;
+use super::limits::{self, Bound};
 use super::trial::{Moved, Trial};
 use crate::model::{
-    Aim, Combine, Fault, Limit, Model, Objective, Quantity, Response, Tune, edit, path,
+    Aim, Combine, Fault, Limit, Model, Objective, Quantity, Response, Tune, check_state, edit, path,
 };
+use crate::solve::Cancelled;
 use crate::solve::modes::{MOST_MODES, are_too_many, count};
 
 /// What is sought: a model and its `[tune]`, ready to be searched.
@@ -82,6 +83,7 @@ impl Problem {
             }
         }
         faults.extend(restless(model, tune));
+        faults.extend(crowded(model, tune));
         let place = |name: &str| place_of(&bare, name);
         let bounds = tune
             .limits
@@ -192,20 +194,30 @@ impl Problem {
     }
 
     /// The model on trial at a point; `deviation` is how far each variable is from its value, in tolerances: from -1 to
-    /// 1, nothing for none. None where cancelled.
+    /// 1, nothing for none. None where the model is impossible, which variables within their bounds may make it together, or
+    /// where it has more modes than are listed.
     pub(super) fn trial<'a>(
         &self,
         x: &[f64],
         deviation: &[f64],
         cancel: &'a AtomicBool,
-    ) -> Option<Trial<'a>> {
+    ) -> Result<Option<Trial<'a>>, Cancelled> {
+        let mut whole = self.given.clone();
+        self.set(&mut whole, x, deviation);
+        if !check_state(&whole).is_empty() {
+            return Ok(None);
+        }
         let mut model = self.bare.clone();
         self.set(&mut model, x, deviation);
         Trial::new(model, self.modes_to, cancel)
     }
 
-    /// A model of the same structure on trial. None where cancelled.
-    pub(super) fn trial_of<'a>(&self, model: &Model, cancel: &'a AtomicBool) -> Option<Trial<'a>> {
+    /// A possible model of the same structure on trial; none where it has more modes than are listed.
+    pub(super) fn trial_of<'a>(
+        &self,
+        model: &Model,
+        cancel: &'a AtomicBool,
+    ) -> Result<Option<Trial<'a>>, Cancelled> {
         let bare = Model {
             beam: model.beam,
             supports: model.supports,
@@ -216,8 +228,11 @@ impl Problem {
         Trial::new(bare, self.modes_to, cancel)
     }
 
-    /// The given model itself on trial. None where cancelled.
-    pub(super) fn trial_as_given<'a>(&self, cancel: &'a AtomicBool) -> Option<Trial<'a>> {
+    /// The given model itself on trial; none where it has more modes than are listed.
+    pub(super) fn trial_as_given<'a>(
+        &self,
+        cancel: &'a AtomicBool,
+    ) -> Result<Option<Trial<'a>>, Cancelled> {
         Trial::new(self.bare.clone(), self.modes_to, cancel)
     }
 
@@ -295,6 +310,19 @@ fn bare(model: &Model, tune: &Tune) -> (Model, Vec<usize>) {
     };
     let places = tune.objectives.iter().map(place).collect();
     (bare, places)
+}
+
+/// Limits on modes that are too many to be listed.
+fn crowded(model: &Model, tune: &Tune) -> Vec<Fault> {
+    let limits = tune.limits.iter().enumerate();
+    let crowded = limits.filter_map(|(index, limit)| {
+        let to = limits::looks_to(limit).filter(|&to| are_too_many(model, to))?;
+        Some(Fault::new(
+            format!("tune.limits.{}", index + 1),
+            format!("asks for the modes up to {to:?} Hz, of which there are more than {MOST_MODES}; its `to` must be lower"),
+        ))
+    });
+    crowded.collect()
 }
 
 /// Limits of a deflection at rest that there is not.

@@ -8,9 +8,10 @@ use super::problem::{Aimed, Problem};
 use super::robust::{corners, uncertain};
 use super::run::place;
 use super::search::{Certainty, Merit, Place};
-use super::terrain::figures;
+use super::terrain::figures_at;
 use super::trial::Trial;
 use crate::model::{Limit, Objective};
+use crate::solve::Cancelled;
 
 /// What an objective came to.
 #[derive(Debug, Clone, PartialEq)]
@@ -71,14 +72,14 @@ pub struct WorstCase {
     pub is_possible: bool,
 }
 
-/// What each objective is on a model on trial. None where cancelled.
-pub(super) fn achieved(problem: &Problem, trial: &Trial) -> Option<Vec<Achieved>> {
+/// What each objective is on a model on trial.
+pub(super) fn achieved(problem: &Problem, trial: &Trial) -> Result<Vec<Achieved>, Cancelled> {
     /// As near as two ways to a peak come.
     const NEAR: f64 = 1e-6;
     let of = |aimed: &Aimed| {
         let read = aimed.figure.read(trial)?;
         let highest = aimed.figure.highest(trial)?;
-        Some(Achieved {
+        Ok(Achieved {
             objective: aimed.objective.clone(),
             unit: aimed.figure.unit(&trial.model),
             // A pole is infinite even where the response does not move in its mode but by rounding.
@@ -114,15 +115,15 @@ pub(super) fn moved(problem: &Problem, x: &[f64], certainty: &Certainty) -> Vec<
     .collect()
 }
 
-/// What each limit says of a model on trial. None where cancelled.
-pub(super) fn kept(problem: &Problem, trial: &Trial) -> Option<Vec<Kept>> {
+/// What each limit says of a model on trial.
+pub(super) fn kept(problem: &Problem, trial: &Trial) -> Result<Vec<Kept>, Cancelled> {
     /// What rounding of a search that ends on a limit leaves.
     const ROUNDING: f64 = 1e-9;
     let limits = problem.tune().limits.iter().zip(&problem.bounds);
     limits
         .map(|(limit, bound)| {
             let values = bound.values(trial)?;
-            Some(Kept {
+            Ok(Kept {
                 limit: limit.clone(),
                 value: bound.reading(trial)?,
                 holds: values.iter().all(|value| *value <= ROUNDING),
@@ -131,13 +132,13 @@ pub(super) fn kept(problem: &Problem, trial: &Trial) -> Option<Vec<Kept>> {
         .collect()
 }
 
-/// The worst over the corners of the tolerances and 200 random points, before and after. None where cancelled.
+/// The worst over the corners of the tolerances and 200 random points, before and after.
 pub(super) fn worst_case(
     problem: &Problem,
     start: &[f64],
     x: &[f64],
     cancel: &AtomicBool,
-) -> Option<WorstCase> {
+) -> Result<WorstCase, Cancelled> {
     const MOST_CORNERS: usize = 1024;
     const SAMPLES: usize = 200;
     let uncertain = uncertain(problem);
@@ -154,7 +155,7 @@ pub(super) fn worst_case(
     }
     let [before, after] = [start, x].map(|point| worst(problem, point, &all, cancel));
     let (after, violation) = after?;
-    Some(WorstCase {
+    Ok(WorstCase {
         before: before?.0,
         after,
         corners,
@@ -169,12 +170,12 @@ fn worst(
     x: &[f64],
     deviations: &[Vec<f64>],
     cancel: &AtomicBool,
-) -> Option<(f64, f64)> {
+) -> Result<(f64, f64), Cancelled> {
     let mut worst = (f64::NEG_INFINITY, 0.0_f64);
     for deviation in deviations {
-        let found = figures(problem, &problem.trial(x, deviation, cancel)?)?;
+        let found = figures_at(problem, x, deviation, cancel)?;
         worst.0 = worst.0.max(problem.combined(&found.figures));
         worst.1 = worst.1.max(Merit::violation(found.limits));
     }
-    Some(worst)
+    Ok(worst)
 }

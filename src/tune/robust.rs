@@ -6,16 +6,17 @@
 use super::problem::Problem;
 use super::search::Function;
 use super::terrain::{Sloped, Terrain};
+use crate::solve::Cancelled;
 
 /// All corners of so many variables with tolerances are looked at in the search.
 const MOST_FULL: usize = 4;
 
 /// The deviations of all variables, in tolerances, from -1 to 1, whose worst counts at a point; one of nothing but 0
-/// where no variable has a tolerance. The same at the same point. None where cancelled.
-pub(super) fn deviations(terrain: &Terrain, x: &[f64]) -> Option<Vec<Vec<f64>>> {
+/// where no variable has a tolerance. The same at the same point.
+pub(super) fn deviations(terrain: &Terrain, x: &[f64]) -> Result<Vec<Vec<f64>>, Cancelled> {
     let uncertain = uncertain(terrain.problem);
     if uncertain.len() <= MOST_FULL {
-        return Some(corners(terrain.problem, &uncertain));
+        return Ok(corners(terrain.problem, &uncertain));
     }
     pointed_to(terrain, x, &uncertain)
 }
@@ -42,7 +43,11 @@ pub(super) fn corners(problem: &Problem, uncertain: &[usize]) -> Vec<Vec<f64>> {
 
 /// From the middle to the corner that the derivatives of each objective's largest function, and of each limit, point to,
 /// and on from there until no new corner comes up.
-fn pointed_to(terrain: &Terrain, x: &[f64], uncertain: &[usize]) -> Option<Vec<Vec<f64>>> {
+fn pointed_to(
+    terrain: &Terrain,
+    x: &[f64],
+    uncertain: &[usize],
+) -> Result<Vec<Vec<f64>>, Cancelled> {
     const MOST: usize = 12;
     let middle = vec![0.0; x.len()];
     let mut known: Vec<Vec<f64>> = Vec::new();
@@ -61,7 +66,7 @@ fn pointed_to(terrain: &Terrain, x: &[f64], uncertain: &[usize]) -> Option<Vec<V
             }
         }
     }
-    Some(known)
+    Ok(known)
 }
 
 /// The corner to which a function grows.

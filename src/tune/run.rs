@@ -2,12 +2,14 @@
 
 use std::sync::atomic::AtomicBool;
 
+use super::figures::{Figure, Matching};
 use super::problem::Problem;
 use super::report::{Achieved, Kept, Moved, WorstCase, achieved, kept, moved, worst_case};
 use super::robust::uncertain;
 use super::search::{self, Certainty, Control, Phase, Place, Progress, Stop, fit, minimise};
-use super::terrain::{Terrain, figures};
+use super::terrain::{Matched, Terrain};
 use crate::model::Model;
+use crate::solve::Cancelled;
 
 /// How to search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -85,8 +87,8 @@ pub fn run(
     let budget = options
         .budget
         .unwrap_or_else(|| default_budget(problem.variables()));
-    let unsolved = || "the model cannot be solved".to_owned();
-    let scaled = Terrain::new(problem, &start, &never).ok_or_else(unsolved)?;
+    let in_words = |cancelled: Cancelled| cancelled.to_string();
+    let scaled = Terrain::new(problem, &start, &never).map_err(in_words)?;
     let terrain = scaled.until(cancel);
     let mut search = Search {
         terrain: &terrain,
@@ -96,10 +98,9 @@ pub fn run(
         tell,
         start: terrain.start,
     };
-    let found = if is_fit(problem) {
-        search.fit(&start)
-    } else {
-        search.minimise(&start, budget)
+    let found = match only_curve(problem) {
+        Some(curve) => search.fit(curve, &start),
+        None => search.minimise(&start, budget),
     };
     if found.figure.is_nan() || found.figure.is_infinite() {
         return Err(
@@ -109,23 +110,26 @@ pub fn run(
         );
     }
     let evaluations = search.evaluations;
-    report(problem, &start, &found, &never)
-        .map(|tuned| Tuned {
-            evaluations,
-            seed: options.seed,
-            ..tuned
-        })
-        .ok_or_else(unsolved)
+    let reported = report(problem, &start, &found, &never).map_err(in_words)?;
+    let tuned = reported.ok_or("the model cannot be solved")?;
+    Ok(Tuned {
+        evaluations,
+        seed: options.seed,
+        ..tuned
+    })
 }
 
-/// Whether it is a curve alone that is to be met: least squares.
-fn is_fit(problem: &Problem) -> bool {
+/// The measured curve, where it alone is to be met: least squares.
+fn only_curve(problem: &Problem) -> Option<&Matching> {
     let [only] = &problem.aims[..] else {
-        return false;
+        return None;
     };
-    let exact = problem.coordinates.iter();
-    let mut exact = exact.map(|one| one.variable.tolerance == 0.0);
-    only.figure.is_least_squares() && problem.bounds.is_empty() && exact.all(|one| one)
+    let Figure::Matching(curve) = &only.figure else {
+        return None;
+    };
+    let mut variables = problem.coordinates.iter().map(|one| &one.variable);
+    let is_exact = variables.all(|variable| variable.tolerance == 0.0);
+    (problem.bounds.is_empty() && is_exact).then_some(curve)
 }
 
 /// The best point, and what is known of it.
@@ -172,8 +176,8 @@ impl Search<'_> {
     }
 
     /// Least squares downhill from the start; then all over the box; then downhill from the best that was found there.
-    fn fit(&mut self, start: &[f64]) -> Found {
-        let first = self.descend(start, f64::INFINITY);
+    fn fit(&mut self, curve: &Matching, start: &[f64]) -> Found {
+        let first = self.descend(curve, start, f64::INFINITY);
         let left = self.budget.saturating_sub(self.evaluations);
         if first.stop == Stop::Cancelled || left < 2 {
             return first;
@@ -182,7 +186,7 @@ impl Search<'_> {
         if looked.stop == Stop::Cancelled || looked.x == first.x {
             return first;
         }
-        let last = self.descend(&looked.x, looked.figure);
+        let last = self.descend(curve, &looked.x, looked.figure);
         if last.figure <= first.figure {
             last
         } else {
@@ -190,10 +194,9 @@ impl Search<'_> {
         }
     }
 
-    fn descend(&mut self, start: &[f64], best: f64) -> Found {
+    fn descend(&mut self, curve: &Matching, start: &[f64], best: f64) -> Found {
         let terrain = self.terrain;
-        let aim = terrain.problem.aims.first();
-        let figure = |sum: f64| aim.map_or(f64::NAN, |aimed| aimed.figure.of_squares(sum));
+        let figure = |sum: f64| curve.of_squares(sum);
         let budget = self.budget.saturating_sub(self.evaluations);
         let mut tell = self.teller(&figure, best);
         let control = Control {
@@ -201,7 +204,7 @@ impl Search<'_> {
             budget,
             tell: &mut tell,
         };
-        let estimate = fit(terrain, start, control);
+        let estimate = fit(&Matched { terrain, curve }, start, control);
         drop(tell);
         self.evaluations += estimate.evaluations;
         Found {
@@ -233,12 +236,19 @@ impl Search<'_> {
     }
 }
 
-/// All that is to be said of the best point. None where something cannot be solved.
-fn report(problem: &Problem, start: &[f64], found: &Found, never: &AtomicBool) -> Option<Tuned> {
+/// All that is to be said of the best point; none where the model has more modes than are listed.
+fn report(
+    problem: &Problem,
+    start: &[f64],
+    found: &Found,
+    never: &AtomicBool,
+) -> Result<Option<Tuned>, Cancelled> {
     let given = problem.trial_as_given(never)?;
     let trial = problem.trial_of(&problem.tuned(&found.x), never)?;
-    debug_assert!(figures(problem, &trial).is_some());
-    Some(Tuned {
+    let Some((given, trial)) = given.zip(trial) else {
+        return Ok(None);
+    };
+    Ok(Some(Tuned {
         model: problem.tuned(&found.x),
         before: achieved(problem, &given)?,
         after: achieved(problem, &trial)?,
@@ -252,7 +262,7 @@ fn report(problem: &Problem, start: &[f64], found: &Found, never: &AtomicBool) -
         evaluations: 0,
         seed: 0,
         stop: found.stop,
-    })
+    }))
 }
 
 /// Where a coordinate is.

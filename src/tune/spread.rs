@@ -6,8 +6,8 @@ use fastrand::Rng;
 use rayon::prelude::*;
 
 use super::coordinates::Coordinate;
-use crate::model::{Fault, Model, Tune};
-use crate::solve::sweep;
+use crate::model::{Fault, Model, Tune, check_state};
+use crate::solve::{Cancelled, sweep};
 
 /// Where the magnitude of one response lies, in its unit, a value a frequency.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,17 +28,18 @@ const QUANTILES: [f64; 3] = [0.05, 0.5, 0.95];
 /// The 5, 50 and 95 % quantiles of |H| of every enabled response at some frequencies (Hz), over `samples` models whose
 /// variables lie anywhere within their tolerances about the model's own values, all equally likely and independent of
 /// each other; the same for the same seed. Quantiles are drawn linearly between the sorted values (Hyndman & Fan, The
-/// American Statistician 1996, 50, 361, definition 7). None where `cancel` became true before the end.
+/// American Statistician 1996, 50, 361, definition 7).
 ///
 /// # Errors
-/// A variable moves nothing.
+/// A variable moves nothing, or tolerances together make an impossible model; inside, `cancel` became true before the
+/// end.
 pub fn spread(
     model: &Model,
     tune: &Tune,
     (samples, seed): (usize, u64),
     frequencies: &[f64],
     cancel: &AtomicBool,
-) -> Result<Option<Vec<Spread>>, Fault> {
+) -> Result<Result<Vec<Spread>, Cancelled>, Fault> {
     /// Values held at a time.
     const MOST_VALUES: usize = 4_000_000;
     let models = models(model, tune, samples, seed)?;
@@ -53,8 +54,9 @@ pub fn spread(
         .collect();
     let piece = (MOST_VALUES / (samples * all.len()).max(1)).max(1);
     for frequencies in frequencies.chunks(piece) {
-        let Some(values) = quantiles(&models, frequencies, cancel) else {
-            return Ok(None);
+        let values = match quantiles(&models, frequencies, cancel) {
+            Ok(values) => values,
+            Err(cancelled) => return Ok(Err(cancelled)),
         };
         for (spread, rows) in all.iter_mut().zip(values) {
             for [low, median, high] in rows {
@@ -64,7 +66,7 @@ pub fn spread(
             }
         }
     }
-    Ok(Some(all))
+    Ok(Ok(all))
 }
 
 /// Random models within the tolerances.
@@ -89,9 +91,17 @@ fn models(model: &Model, tune: &Tune, samples: usize, seed: u64) -> Result<Vec<M
             let share = 0.01 * coordinate.variable.tolerance * (2.0 * random.f64() - 1.0);
             coordinate.set(&mut changed, coordinate.start() * (1.0 + share));
         }
-        changed
+        match check_state(&changed).into_iter().next() {
+            None => Ok(changed),
+            Some(Fault { path, message, .. }) => Err(Fault::new(
+                "tune",
+                format!(
+                    "has tolerances that together make the model impossible: {path}: {message}; must have smaller ones"
+                ),
+            )),
+        }
     };
-    Ok((0..samples).map(|_| one()).collect())
+    (0..samples).map(|_| one()).collect()
 }
 
 /// For each response the quantiles at each frequency.
@@ -99,17 +109,15 @@ fn quantiles(
     models: &[Model],
     frequencies: &[f64],
     cancel: &AtomicBool,
-) -> Option<Vec<Vec<[f64; 3]>>> {
-    let solved: Option<Vec<Vec<Vec<f64>>>> = models
+) -> Result<Vec<Vec<[f64; 3]>>, Cancelled> {
+    let solved: Result<Vec<Vec<Vec<f64>>>, Cancelled> = models
         .par_iter()
         .map(|model| {
             let frf = sweep(model, frequencies, cancel)?;
             let columns = frf.columns.iter();
-            Some(
-                columns
-                    .map(|column| column.values.iter().map(|value| value.norm()).collect())
-                    .collect(),
-            )
+            Ok(columns
+                .map(|column| column.values.iter().map(|value| value.norm()).collect())
+                .collect())
         })
         .collect();
     let solved = solved?;
@@ -123,7 +131,7 @@ fn quantiles(
         let all = (0..frequencies.len()).into_par_iter();
         all.map(|row| of(response, row)).collect()
     };
-    Some((0..responses).map(rows).collect())
+    Ok((0..responses).map(rows).collect())
 }
 
 /// A quantile of sorted values.

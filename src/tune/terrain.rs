@@ -2,14 +2,15 @@
 
 use std::sync::atomic::AtomicBool;
 
+use super::figures::Matching;
 use super::problem::Problem;
 use super::robust::deviations;
 use super::search::{Evaluation, Fit, Function, Landscape, Merit, Residuals};
 use super::trial::{Slopes, Trial};
 use crate::model::Combine;
+use crate::solve::Cancelled;
 
-/// A problem that is searched: a [`Landscape`] over its unit box, and least squares where it is a measured curve that is to
-/// be met.
+/// A problem that is searched: a [`Landscape`] over its unit box.
 #[derive(Debug)]
 pub struct Terrain<'a> {
     pub(super) problem: &'a Problem,
@@ -41,9 +42,37 @@ pub(super) struct Sloped {
     pub(super) limits: Vec<Function>,
 }
 
+impl Figures {
+    /// Those of no model: worse than any other.
+    fn worst(problem: &Problem) -> Self {
+        Self {
+            figures: vec![f64::INFINITY; problem.aims.len()],
+            limits: vec![f64::INFINITY],
+        }
+    }
+}
+
+impl Sloped {
+    /// Those of no model: worse than any other.
+    fn worst(problem: &Problem) -> Self {
+        let worst = Function::worst(problem.variables());
+        Self {
+            figures: vec![vec![worst.clone()]; problem.aims.len()],
+            limits: vec![worst],
+        }
+    }
+}
+
 impl<'a> Terrain<'a> {
-    /// Scaled by what is at `start`. None where cancelled.
-    pub fn new(problem: &'a Problem, start: &[f64], cancel: &'a AtomicBool) -> Option<Self> {
+    /// Scaled by what is at `start`.
+    ///
+    /// # Errors
+    /// `cancel` became true before the end.
+    pub fn new(
+        problem: &'a Problem,
+        start: &[f64],
+        cancel: &'a AtomicBool,
+    ) -> Result<Self, Cancelled> {
         let mut terrain = Self {
             problem,
             cancel,
@@ -58,7 +87,7 @@ impl<'a> Terrain<'a> {
             let size = terrain.start.abs();
             Scale::Over(if size.is_normal() { size } else { 1.0 })
         };
-        Some(terrain)
+        Ok(terrain)
     }
 
     /// The same that ends where `cancel` becomes true.
@@ -114,47 +143,61 @@ impl<'a> Terrain<'a> {
     }
 
     /// The figures of one model.
-    pub(super) fn figures(&self, x: &[f64], deviation: &[f64]) -> Option<Figures> {
-        let trial = self.problem.trial(x, deviation, self.cancel)?;
-        figures(self.problem, &trial)
+    pub(super) fn figures(&self, x: &[f64], deviation: &[f64]) -> Result<Figures, Cancelled> {
+        figures_at(self.problem, x, deviation, self.cancel)
     }
 
     /// The functions of one model.
-    pub(super) fn sloped(&self, x: &[f64], deviation: &[f64]) -> Option<Sloped> {
+    pub(super) fn sloped(&self, x: &[f64], deviation: &[f64]) -> Result<Sloped, Cancelled> {
         let problem = self.problem;
-        let trial = problem.trial(x, deviation, self.cancel)?;
+        let Some(trial) = problem.trial(x, deviation, self.cancel)? else {
+            return Ok(Sloped::worst(problem));
+        };
         let moved = problem.moved(x, deviation);
         let slopes = Slopes::new(&trial.model, &moved);
-        let of = |aim: usize| -> Option<Vec<Function>> {
+        let of = |aim: usize| -> Result<Vec<Function>, Cancelled> {
             let functions = problem.aims[aim].figure.functions(&trial, &slopes)?;
             let scaled = functions.into_iter();
-            Some(scaled.map(|one| self.scaled_function(aim, &one)).collect())
+            Ok(scaled.map(|one| self.scaled_function(aim, &one)).collect())
         };
-        let figures: Option<Vec<_>> = (0..problem.aims.len()).map(of).collect();
-        let limits: Option<Vec<Vec<Function>>> = problem
+        let figures: Result<Vec<_>, Cancelled> = (0..problem.aims.len()).map(of).collect();
+        let limits: Result<Vec<Vec<Function>>, Cancelled> = problem
             .bounds
             .iter()
             .map(|bound| bound.functions(&trial, &slopes, &moved))
             .collect();
-        Some(Sloped {
+        Ok(Sloped {
             figures: figures?,
             limits: limits?.concat(),
         })
     }
 }
 
-/// The figures of a model on trial and what the limits say. None where cancelled.
-pub(super) fn figures(problem: &Problem, trial: &Trial) -> Option<Figures> {
+/// The figures of the model at a point, off by deviations, and what the limits say.
+pub(super) fn figures_at(
+    problem: &Problem,
+    x: &[f64],
+    deviation: &[f64],
+    cancel: &AtomicBool,
+) -> Result<Figures, Cancelled> {
+    match &problem.trial(x, deviation, cancel)? {
+        Some(trial) => figures(problem, trial),
+        None => Ok(Figures::worst(problem)),
+    }
+}
+
+/// The figures of a model on trial and what the limits say.
+fn figures(problem: &Problem, trial: &Trial) -> Result<Figures, Cancelled> {
     let aims = problem.aims.iter();
-    let figures: Option<Vec<f64>> = aims
-        .map(|aimed| Some(aimed.figure.read(trial)?.figure))
+    let figures: Result<Vec<f64>, Cancelled> = aims
+        .map(|aimed| Ok(aimed.figure.read(trial)?.figure))
         .collect();
-    let limits: Option<Vec<Vec<f64>>> = problem
+    let limits: Result<Vec<Vec<f64>>, Cancelled> = problem
         .bounds
         .iter()
         .map(|bound| bound.values(trial))
         .collect();
-    Some(Figures {
+    Ok(Figures {
         figures: figures?,
         limits: limits?.concat(),
     })
@@ -165,7 +208,7 @@ impl Landscape for Terrain<'_> {
         self.problem.variables()
     }
 
-    fn merit(&self, x: &[f64]) -> Option<Merit> {
+    fn merit(&self, x: &[f64]) -> Result<Merit, Cancelled> {
         let mut worst = vec![f64::NEG_INFINITY; self.problem.aims.len()];
         let mut violation = 0.0;
         for deviation in deviations(self, x)? {
@@ -188,10 +231,10 @@ impl Landscape for Terrain<'_> {
         } else {
             worst.into_iter().sum()
         };
-        Some(Merit { goal, violation })
+        Ok(Merit { goal, violation })
     }
 
-    fn evaluate(&self, x: &[f64]) -> Option<Evaluation> {
+    fn evaluate(&self, x: &[f64]) -> Result<Evaluation, Cancelled> {
         let mut terms = vec![Vec::new(); self.problem.aims.len()];
         let mut limits = Vec::new();
         for deviation in deviations(self, x)? {
@@ -204,17 +247,26 @@ impl Landscape for Terrain<'_> {
         if self.is_one_term() {
             terms = vec![terms.concat()];
         }
-        Some(Evaluation { terms, limits })
+        Ok(Evaluation { terms, limits })
     }
 }
 
-impl Fit for Terrain<'_> {
-    fn residuals(&self, x: &[f64]) -> Option<Residuals> {
-        if self.cancel.load(std::sync::atomic::Ordering::Relaxed) {
-            return None;
-        }
-        let model = self.problem.trial(x, &[], self.cancel)?.model;
-        let slopes = Slopes::new(&model, &self.problem.moved(x, &[]));
-        self.problem.aims.first()?.figure.residuals(&slopes)
+/// A problem whose only objective is a measured curve: least squares.
+pub(super) struct Matched<'a> {
+    pub(super) terrain: &'a Terrain<'a>,
+    pub(super) curve: &'a Matching,
+}
+
+impl Fit for Matched<'_> {
+    fn residuals(&self, x: &[f64]) -> Result<Residuals, Cancelled> {
+        let Terrain {
+            problem, cancel, ..
+        } = self.terrain;
+        Cancelled::check(cancel)?;
+        let moved = problem.moved(x, &[]);
+        Ok(match problem.trial(x, &[], cancel)? {
+            Some(trial) => self.curve.residuals(&Slopes::new(&trial.model, &moved)),
+            None => self.curve.worst_residuals(moved.len()),
+        })
     }
 }

@@ -9,46 +9,58 @@ use super::search::Function;
 use crate::model::{Model, ParameterId, Quantity};
 use crate::solve::modes::{Modes, uncertified};
 use crate::solve::sensitivity::{Differentiator, Gradient};
-use crate::solve::sweep;
+use crate::solve::{Cancelled, sweep};
 
 /// A model on trial.
 pub(super) struct Trial<'a> {
     pub(super) model: Model,
-    /// Up to where some objective asks for them; none where none does.
-    modes: Option<Modes>,
+    /// Up to where some objective asks for them.
+    modes: Modes,
     pub(super) cancel: &'a AtomicBool,
 }
 
 impl<'a> Trial<'a> {
-    /// A checked model, with its modes up to `to` (Hz): they say where points must lie, so that no proof that they are
-    /// all is waited for. None where cancelled.
-    pub(super) fn new(model: Model, to: Option<f64>, cancel: &'a AtomicBool) -> Option<Self> {
+    /// A possible model, with its modes up to `to` (Hz): they say where points must lie, so that no proof that they are
+    /// all is waited for. None where they are more than are listed.
+    pub(super) fn new(
+        model: Model,
+        to: Option<f64>,
+        cancel: &'a AtomicBool,
+    ) -> Result<Option<Self>, Cancelled> {
         let modes = match to {
-            Some(to) => Some(uncertified(&model, to, cancel)?),
-            None => None,
+            Some(to) => uncertified(&model, to, cancel)?,
+            None => Modes::none(),
         };
-        Some(Self {
+        Ok((!modes.are_too_many()).then_some(Self {
             model,
             modes,
             cancel,
-        })
+        }))
     }
 
-    /// Its modes; none where no objective asked for them.
-    pub(super) fn modes(&self) -> Option<&Modes> {
-        self.modes.as_ref()
+    /// Its modes, up to where some objective asks for them.
+    pub(super) fn modes(&self) -> &Modes {
+        &self.modes
     }
 
-    /// One response at some frequencies (Hz). None where cancelled.
-    pub(super) fn values(&self, response: usize, frequencies: &[f64]) -> Option<Vec<Complex64>> {
+    /// One response at some frequencies (Hz).
+    pub(super) fn values(
+        &self,
+        response: usize,
+        frequencies: &[f64],
+    ) -> Result<Vec<Complex64>, Cancelled> {
         let mut frf = sweep(&self.model, frequencies, self.cancel)?;
-        Some(std::mem::take(&mut frf.columns.get_mut(response)?.values))
+        Ok(std::mem::take(&mut frf.columns[response].values))
     }
 
-    /// The magnitude of one response, or the energy, at some frequencies (Hz). None where cancelled.
-    pub(super) fn sizes(&self, response: usize, frequencies: &[f64]) -> Option<Vec<f64>> {
+    /// The magnitude of one response, or the energy, at some frequencies (Hz).
+    pub(super) fn sizes(
+        &self,
+        response: usize,
+        frequencies: &[f64],
+    ) -> Result<Vec<f64>, Cancelled> {
         let values = self.values(response, frequencies)?;
-        Some(values.into_iter().map(Complex64::norm).collect())
+        Ok(values.into_iter().map(Complex64::norm).collect())
     }
 
     /// Whether a response is an energy.
@@ -151,8 +163,8 @@ mod tests {
             let to = model.sweep.to;
             let certified = modes(&model, to, &never).unwrap();
             assert_eq!(certified.completeness, Completeness::Certain);
-            let trial = Trial::new(model, Some(to), &never).unwrap();
-            let found = trial.modes().unwrap();
+            let trial = Trial::new(model, Some(to), &never).unwrap().unwrap();
+            let found = trial.modes();
             assert_ne!(found.completeness, Completeness::Certain);
             let oscillating = |mode: &&Mode| mode.kind == ModeKind::Oscillating;
             let [found, certified] = [found, &certified].map(|list| {

@@ -11,7 +11,7 @@ use super::resolve::Unresolved;
 use super::{Curves, CurvesAnswer, Member, PROMPT, Stage, Subject};
 use crate::model::Model;
 use crate::rehearsal;
-use crate::solve::{Frf, frequencies, sweep, sweep_alone};
+use crate::solve::{Cancelled, Frf, frequencies, sweep, sweep_alone};
 
 /// Frequencies of the timing sample, spread over the whole range.
 const SAMPLE: usize = 8;
@@ -25,13 +25,13 @@ const COARSE: f64 = 0.5;
 /// The fewest frequencies of a coarse curve: about one for each column of dots on a terminal of 80 columns.
 const COARSEST: usize = 100;
 
-/// Answers coarsely where that helps, then in full; what is left to resolve. `None` where cancelled or not possible.
+/// Answers coarsely where that helps, then in full; what is left to resolve, or one line that says what went wrong.
 pub(super) fn answer(
     subject: Subject,
     memory: &Memory,
     cancel: &AtomicBool,
     notify: &impl Fn(CurvesAnswer),
-) -> Option<Unresolved> {
+) -> Result<Result<Unresolved, String>, Cancelled> {
     let start = Instant::now();
     let tell = |stage, result| {
         notify(CurvesAnswer {
@@ -43,19 +43,20 @@ pub(super) fn answer(
     };
     let solved = guarded(|| {
         rehearsal::fault("worker", &subject.model.title);
-        let Some(members) = members(&subject, cancel)? else {
-            return Ok(None);
-        };
-        let few = of_each(&members, |place, model| memory.few(place, model, cancel));
+        let members = members(&subject, cancel)?;
+        // Where that is cancelled a coarse curve comes all the same.
+        let few = |place, model: &Arc<Model>| memory.few(place, model, cancel).ok().flatten();
+        let few = of_each(&members, few);
         if let Some(coarse) = few.or_else(|| coarse(&members, memory)) {
             tell(Stage::Coarse, Ok(coarse));
         }
-        Ok(solve_all(&members, memory, cancel).map(|solved| (members, solved)))
-    });
-    match solved? {
+        let solved = solve_all(&members, memory, cancel)?;
+        Ok((members, solved))
+    })?;
+    Ok(match solved {
         Ok((members, (curves, shown))) => {
             tell(Stage::Full, Ok(shown));
-            Some(Unresolved {
+            Ok(Unresolved {
                 subject,
                 members,
                 curves,
@@ -63,10 +64,10 @@ pub(super) fn answer(
             })
         }
         Err(message) => {
-            tell(Stage::Full, Err(message));
-            None
+            tell(Stage::Full, Err(message.clone()));
+            Err(message)
         }
-    }
+    })
 }
 
 /// What `solve` makes of every member, which it is given with its place; none where it makes nothing of one.
@@ -101,7 +102,7 @@ fn coarse(members: &[Labelled], memory: &Memory) -> Option<Curves> {
         if alone {
             Some(sweep_alone(model, &some))
         } else {
-            sweep(model, &some, &AtomicBool::new(false))
+            sweep(model, &some, &AtomicBool::new(false)).ok()
         }
     })
 }
@@ -148,7 +149,7 @@ fn sampled(model: &Model) -> Option<f64> {
     let mut shortest = f64::INFINITY;
     for _ in 0..2 {
         let (solved, took) = timed(|| sweep(model, &sample, &never));
-        solved?;
+        solved.ok()?;
         shortest = shortest.min(took);
     }
     Some(shortest / sample.len() as f64)
@@ -161,13 +162,12 @@ pub(super) fn timed<T>(solve: impl FnOnce() -> T) -> (T, f64) {
     (solved, start.elapsed().as_secs_f64())
 }
 
-/// Every member at the frequencies of its sweep, and the same with those where its peaks were before; none where
-/// cancelled.
+/// Every member at the frequencies of its sweep, and the same with those where its peaks were before.
 fn solve_all(
     members: &[Labelled],
     memory: &Memory,
     cancel: &AtomicBool,
-) -> Option<(Curves, Curves)> {
+) -> Result<(Curves, Curves), Cancelled> {
     let (mut all, mut shown) = (Vec::new(), Vec::new());
     for (place, (label, model)) in members.iter().enumerate() {
         let (base, near) = memory.sweep(place, model, cancel)?;
@@ -182,7 +182,7 @@ fn solve_all(
         members,
         modes: None,
     };
-    Some((curves(all), curves(shown)))
+    Ok((curves(all), curves(shown)))
 }
 
 /// A member's responses, not resolved.

@@ -1,12 +1,11 @@
 //! A thread that works on the newest of the jobs it is given.
 
-use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use crate::solve::modes::MOST_MODES;
+use crate::solve::Cancelled;
 
 /// A thread with its jobs. A new job cancels the one in work; dropping the lane cancels it too, and does not wait.
 #[derive(Debug)]
@@ -66,20 +65,35 @@ fn work<J>(inbox: &Receiver<(J, Arc<AtomicBool>)>, mut run: impl FnMut(J, &Atomi
     }
 }
 
-/// What is said where no modes were found: nothing after a cancellation, else that there are too many.
-pub(super) fn unless_cancelled<T>(cancel: &AtomicBool) -> Result<Option<T>, String> {
-    if cancel.load(Ordering::Relaxed) {
-        return Ok(None);
-    }
-    Err(format!("there are more than {MOST_MODES} modes"))
+/// Why some work has no result.
+#[derive(Debug)]
+pub(super) enum Unfinished {
+    /// It was cancelled.
+    Cancelled(Cancelled),
+    /// What went wrong, in one line.
+    Failed(String),
 }
 
-/// What a solve gives, with its panic as an error in words. `None` where it was cancelled.
+impl From<Cancelled> for Unfinished {
+    fn from(cancelled: Cancelled) -> Self {
+        Self::Cancelled(cancelled)
+    }
+}
+
+impl From<String> for Unfinished {
+    fn from(reason: String) -> Self {
+        Self::Failed(reason)
+    }
+}
+
+/// What a solve gives, or one line that says what went wrong; a panic is such a line, too.
 pub(super) fn guarded<T>(
-    solve: impl FnOnce() -> Result<Option<T>, String>,
-) -> Option<Result<T, String>> {
-    let fault = |_: Box<dyn Any + Send>| Err("the solver stopped at a fault of its own".to_owned());
-    catch_unwind(AssertUnwindSafe(solve))
-        .unwrap_or_else(fault)
-        .transpose()
+    solve: impl FnOnce() -> Result<T, Unfinished>,
+) -> Result<Result<T, String>, Cancelled> {
+    match catch_unwind(AssertUnwindSafe(solve)) {
+        Ok(Ok(found)) => Ok(Ok(found)),
+        Ok(Err(Unfinished::Failed(reason))) => Ok(Err(reason)),
+        Ok(Err(Unfinished::Cancelled(cancelled))) => Err(cancelled),
+        Err(_) => Ok(Err("the solver stopped at a fault of its own".to_owned())),
+    }
 }

@@ -2,31 +2,28 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::lane::{guarded, unless_cancelled};
+use super::lane::{Unfinished, guarded};
 use super::members::{Labelled, members};
 use super::{LevelsAnswer, LevelsMember, LevelsRequest};
+use crate::solve::Cancelled;
 use crate::solve::band::levels;
-use crate::solve::modes::modes;
+use crate::solve::modes::{MOST_MODES, modes};
 
-/// The levels of every subject's members; none where cancelled.
-pub(super) fn answer(request: &LevelsRequest, cancel: &AtomicBool) -> Option<LevelsAnswer> {
+/// The levels of every subject's members.
+pub(super) fn answer(
+    request: &LevelsRequest,
+    cancel: &AtomicBool,
+) -> Result<LevelsAnswer, Cancelled> {
     let result = guarded(|| {
-        let mut all = Vec::new();
-        for subject in &request.subjects {
-            let Some(members) = members(subject, cancel)? else {
-                return Ok(None);
-            };
-            let solved = members
-                .into_iter()
-                .map(|member| of_member(member, request.band, cancel));
-            match solved.collect::<Result<Option<Vec<_>>, String>>()? {
-                Some(solved) => all.push(solved),
-                None => return Ok(None),
-            }
-        }
-        Ok(Some(all))
+        let of_subject = |subject| {
+            let members = members(subject, cancel)?.into_iter();
+            members
+                .map(|member| of_member(member, request.band, cancel))
+                .collect()
+        };
+        request.subjects.iter().map(of_subject).collect()
     })?;
-    Some(LevelsAnswer {
+    Ok(LevelsAnswer {
         serial: request.serial,
         result,
     })
@@ -36,15 +33,15 @@ fn of_member(
     (label, model): Labelled,
     band: [f64; 2],
     cancel: &AtomicBool,
-) -> Result<Option<LevelsMember>, String> {
+) -> Result<LevelsMember, Unfinished> {
     // A mode above the band has its half-power width in it.
-    let Some(modes) = modes(&model, band[1].max(model.sweep.to), cancel) else {
-        return unless_cancelled(cancel);
-    };
-    let levels = levels(&model, &modes, band, cancel);
-    Ok(levels.map(|levels| LevelsMember {
+    let modes = modes(&model, band[1].max(model.sweep.to), cancel)?;
+    if modes.are_too_many() {
+        return Err(format!("there are more than {MOST_MODES} modes").into());
+    }
+    Ok(LevelsMember {
+        levels: levels(&model, &modes, band, cancel)?,
         label,
         model,
-        levels,
-    }))
+    })
 }

@@ -8,7 +8,7 @@ use super::ExpectRequest;
 use super::curves::{spread, timed};
 use super::members::Labelled;
 use crate::model::{Model, Sweep};
-use crate::solve::{Frf, Kept, frequencies, sweep};
+use crate::solve::{Cancelled, Frf, Kept, frequencies, sweep};
 
 /// Shared by the threads that solve curves, those that resolve them and those that prepare for an edit.
 #[derive(Debug, Clone, Default)]
@@ -53,15 +53,15 @@ struct Peaks {
 
 impl Memory {
     /// The curves of a member at the frequencies of its sweep, and between them at those where the peaks were before the
-    /// edit: they move little. None where cancelled.
+    /// edit: they move little.
     pub(super) fn sweep(
         &self,
         place: usize,
         model: &Arc<Model>,
         cancel: &AtomicBool,
-    ) -> Option<(Frf, Option<Frf>)> {
+    ) -> Result<(Frf, Option<Frf>), Cancelled> {
         let all = frequencies(&model.sweep);
-        let recalled = self.of(place, |member| member.kept.recalled(model, &all, cancel));
+        let recalled = self.of(place, |member| member.kept.recalled(model, &all, cancel))?;
         let base = if let Some(base) = recalled {
             base
         } else {
@@ -71,22 +71,29 @@ impl Memory {
             base
         };
         self.of(place, |member| member.last = Some(Arc::clone(model)));
-        let near = match self.few(place, model, cancel) {
+        let near = match self.few(place, model, cancel)? {
             Some(few) => few,
             None => match self.between(place, model) {
-                between if between.is_empty() => return Some((base, None)),
+                between if between.is_empty() => return Ok((base, None)),
                 between => sweep(model, &between, cancel)?,
             },
         };
         let both = base.merged(&near);
-        Some((base, Some(both)))
+        Ok((base, Some(both)))
     }
 
     /// A coarse curve of a member with the peaks of before, from what is kept; none where that does not serve.
-    pub(super) fn few(&self, place: usize, model: &Model, cancel: &AtomicBool) -> Option<Frf> {
-        self.of(place, |Member { few, .. }| {
-            let few = few.as_ref().filter(|few| few.sweep == model.sweep)?;
-            few.kept.recalled(model, &few.frequencies, cancel)
+    pub(super) fn few(
+        &self,
+        place: usize,
+        model: &Model,
+        cancel: &AtomicBool,
+    ) -> Result<Option<Frf>, Cancelled> {
+        self.of(place, |Member { few, .. }| match few {
+            Some(few) if few.sweep == model.sweep => {
+                few.kept.recalled(model, &few.frequencies, cancel)
+            }
+            _ => Ok(None),
         })
     }
 
@@ -175,29 +182,34 @@ impl Memory {
     /// Prepares for an edit of the first member.
     ///
     /// Curves can be solved meanwhile: they do not wait for it.
-    pub(super) fn expect(&self, edit: &ExpectRequest, cancel: &AtomicBool) {
+    pub(super) fn expect(
+        &self,
+        edit: &ExpectRequest,
+        cancel: &AtomicBool,
+    ) -> Result<(), Cancelled> {
         self.of(0, |member| member.pending = Some(edit.clone()));
-        self.prepare(&edit.model, &edit.edited, cancel);
+        let prepared = self.prepare(&edit.model, &edit.edited, cancel);
         self.of(0, |member| member.pending = None);
+        prepared
     }
 
-    fn prepare(&self, model: &Model, edited: &Model, cancel: &AtomicBool) {
+    fn prepare(&self, model: &Model, edited: &Model, cancel: &AtomicBool) -> Result<(), Cancelled> {
         let found = |frequencies: &[f64]| {
             let mut kept = Kept::default();
-            let is_done = kept.expect(model, edited, frequencies, cancel);
-            (is_done && kept.knows(edited, frequencies)).then_some(kept)
+            kept.expect(model, edited, frequencies, cancel)?;
+            Ok(kept.knows(edited, frequencies).then_some(kept))
         };
         if !self.knows(0, edited) {
-            let Some(kept) = found(&frequencies(&model.sweep)) else {
-                return;
+            let Some(kept) = found(&frequencies(&model.sweep))? else {
+                return Ok(());
             };
             self.of(0, |member| member.kept = kept);
         }
         let frequencies = self.few_of(model);
         if self.knows_few(edited, &frequencies) {
-            return;
+            return Ok(());
         }
-        if let Some(kept) = found(&frequencies) {
+        if let Some(kept) = found(&frequencies)? {
             let few = Few {
                 sweep: model.sweep,
                 frequencies,
@@ -205,6 +217,7 @@ impl Memory {
             };
             self.of(0, |member| member.few = Some(few));
         }
+        Ok(())
     }
 
     /// What is known of a member is read or changed.

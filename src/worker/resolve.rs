@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use rayon::ThreadPool;
@@ -14,6 +14,7 @@ use super::members::Labelled;
 use super::memory::Memory;
 use super::{Curves, CurvesAnswer, Member, ModalModel, Stage, Subject};
 use crate::model::Model;
+use crate::solve::Cancelled;
 use crate::solve::modes::{Completeness, Mode, Modes, certify, follow, shares, uncertified};
 use crate::solve::peaks::{peaks, resolved};
 
@@ -58,7 +59,7 @@ impl Resolver {
         cancel: &AtomicBool,
         tell: &dyn Fn(CurvesAnswer),
     ) {
-        let Some(result) = self.in_pool(|resolver| resolver.resolve(unresolved, cancel)) else {
+        let Ok(result) = self.in_pool(|resolver| resolver.resolve(unresolved, cancel)) else {
             return;
         };
         let elapsed = unresolved.start.elapsed();
@@ -73,30 +74,33 @@ impl Resolver {
         }
         tell(answer(Stage::Resolved, result.clone()));
         let Ok(resolved) = result else { return };
-        if let Some(result) = self.in_pool(|resolver| resolver.count(unresolved, resolved, cancel))
-        {
+        if let Ok(result) = self.in_pool(|resolver| resolver.count(unresolved, resolved, cancel)) {
             tell(answer(Stage::Counted, result));
         }
     }
 
-    /// Does some work where it does not disturb that of the curves; none where it was cancelled.
+    /// Does some work where it does not disturb that of the curves.
     fn in_pool(
         &mut self,
-        work: impl FnOnce(&mut Self) -> Option<Curves> + Send,
-    ) -> Option<Result<Curves, String>> {
+        work: impl FnOnce(&mut Self) -> Result<Curves, Cancelled> + Send,
+    ) -> Result<Result<Curves, String>, Cancelled> {
         let pool = self.pool.take();
         let found = guarded(|| {
             let work = || work(self);
             Ok(match &pool {
                 Some(pool) => pool.install(work),
                 None => work(),
-            })
+            }?)
         });
         self.pool = pool;
         found
     }
 
-    fn resolve(&mut self, unresolved: &Unresolved, cancel: &AtomicBool) -> Option<Curves> {
+    fn resolve(
+        &mut self,
+        unresolved: &Unresolved,
+        cancel: &AtomicBool,
+    ) -> Result<Curves, Cancelled> {
         let own_model = &unresolved.subject.model;
         let own = self.modes(0, own_model, cancel)?;
         let mut members = Vec::new();
@@ -109,27 +113,26 @@ impl Resolver {
             members.push(self.member(unresolved, index, &modes, cancel)?);
         }
         let shares = shares(own_model, &own, cancel)?;
-        Some(Curves {
+        Ok(Curves {
             members,
             modes: Some(ModalModel { modes: own, shares }),
         })
     }
 
-    /// Resolved curves with modes that are counted: where these are others, what goes by them is solved again. None where
-    /// cancelled.
+    /// Resolved curves with modes that are counted: where these are others, what goes by them is solved again.
     fn count(
         &mut self,
         unresolved: &Unresolved,
         mut resolved: Curves,
         cancel: &AtomicBool,
-    ) -> Option<Curves> {
+    ) -> Result<Curves, Cancelled> {
         let own_model = &unresolved.subject.model;
-        let own = self.counted(0, cancel)?;
+        let own = self.counted(0, own_model, cancel)?;
         for (index, (_, model)) in unresolved.members.iter().enumerate() {
             let counted = if model == own_model {
                 own.clone()
             } else {
-                self.counted(index + 1, cancel)?
+                self.counted(index + 1, model, cancel)?
             };
             if counted.changed {
                 resolved.members[index] = self.member(unresolved, index, &counted.modes, cancel)?;
@@ -144,22 +147,22 @@ impl Resolver {
             modes: own.modes,
             shares,
         });
-        Some(resolved)
+        Ok(resolved)
     }
 
-    /// Resolves the curves of a member, and remembers where its peaks are. None where cancelled.
+    /// Resolves the curves of a member, and remembers where its peaks are.
     fn member(
         &self,
         unresolved: &Unresolved,
         index: usize,
         modes: &Modes,
         cancel: &AtomicBool,
-    ) -> Option<Member> {
+    ) -> Result<Member, Cancelled> {
         let (_, model) = &unresolved.members[index];
         let member = unresolved.curves.members[index].clone();
         let resolved = resolve_member(model, modes, member, cancel)?;
         self.memory.learn(index, model, &resolved.frf);
-        Some(resolved)
+        Ok(resolved)
     }
 
     /// The modes of a model, followed from those that had its place before if they can be its own, moved.
@@ -168,35 +171,35 @@ impl Resolver {
         place: usize,
         model: &Arc<Model>,
         cancel: &AtomicBool,
-    ) -> Option<Arc<Modes>> {
+    ) -> Result<Arc<Modes>, Cancelled> {
         let before = self.known.get(&place);
         if let Some((known, modes)) = before
             && known == model
         {
-            return Some(Arc::clone(modes));
+            return Ok(Arc::clone(modes));
         }
-        let found = match before {
-            Some((known, before)) if is_alike(known, model) => follow(model, before, cancel),
-            _ => uncertified(model, model.sweep.to, cancel),
-        };
-        let found = match found {
-            Some(found) => Arc::new(found),
-            None if cancel.load(Ordering::Relaxed) => return None,
-            None => Arc::new(Modes::too_many(model.sweep.to)),
-        };
+        let found = Arc::new(match before {
+            Some((known, before)) if is_alike(known, model) => follow(model, before, cancel)?,
+            _ => uncertified(model, model.sweep.to, cancel)?,
+        });
         let entry = (Arc::clone(model), Arc::clone(&found));
         self.known.insert(place, entry);
-        Some(found)
+        Ok(found)
     }
 
-    /// The modes that have a place, counted. None where cancelled.
-    fn counted(&mut self, place: usize, cancel: &AtomicBool) -> Option<Counted> {
-        let (model, before) = self.known.get(&place)?;
-        let modes = Arc::new(certify(model, before, cancel)?);
-        let changed = !modes.has_modes_of(before);
+    /// The modes of a model, counted.
+    fn counted(
+        &mut self,
+        place: usize,
+        model: &Arc<Model>,
+        cancel: &AtomicBool,
+    ) -> Result<Counted, Cancelled> {
+        let before = self.modes(place, model, cancel)?;
+        let modes = Arc::new(certify(model, &before, cancel)?);
+        let changed = !modes.has_modes_of(&before);
         let entry = (Arc::clone(model), Arc::clone(&modes));
         self.known.insert(place, entry);
-        Some(Counted { modes, changed })
+        Ok(Counted { modes, changed })
     }
 
     /// Whether no list of modes of what was resolved waits for its count.
@@ -230,14 +233,14 @@ fn resolve_member(
     modes: &Modes,
     member: Member,
     cancel: &AtomicBool,
-) -> Option<Member> {
+) -> Result<Member, Cancelled> {
     let frf = resolved(model, modes, member.frf, cancel)?;
     let peaks = frf
         .columns
         .par_iter()
         .map(|column| peaks(&frf.frequencies, column, modes))
         .collect();
-    Some(Member {
+    Ok(Member {
         label: member.label,
         model: member.model,
         frf,

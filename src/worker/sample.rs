@@ -3,26 +3,21 @@
 use std::sync::atomic::AtomicBool;
 use std::sync::mpsc::channel;
 
-use super::lane::{guarded, unless_cancelled};
+use super::lane::{Unfinished, guarded};
 use super::members::members;
 use super::memory::Memory;
 use super::resolve::{Resolver, Unresolved};
 use super::{Curves, Member, ReferenceAnswer, SampleAnswer, SampleRequest, Stage, Subject, curves};
-use crate::solve::sweep;
+use crate::solve::{Cancelled, sweep};
 
-/// The responses of every subject at every frequency; none where cancelled.
-pub(super) fn answer(request: &SampleRequest, cancel: &AtomicBool) -> Option<SampleAnswer> {
-    let result = guarded(|| {
-        let mut all = Vec::new();
-        for subject in &request.subjects {
-            match of_subject(subject, &request.frequencies, cancel)? {
-                Some(solved) => all.push(solved),
-                None => return Ok(None),
-            }
-        }
-        Ok(Some(all))
-    })?;
-    Some(SampleAnswer {
+/// The responses of every subject at every frequency.
+pub(super) fn answer(
+    request: &SampleRequest,
+    cancel: &AtomicBool,
+) -> Result<SampleAnswer, Cancelled> {
+    let of = |subject| of_subject(subject, &request.frequencies, cancel);
+    let result = guarded(|| request.subjects.iter().map(of).collect())?;
+    Ok(SampleAnswer {
         serial: request.serial,
         sampling: request.sampling,
         frequencies: request.frequencies.clone(),
@@ -34,12 +29,10 @@ fn of_subject(
     subject: &Subject,
     frequencies: &[f64],
     cancel: &AtomicBool,
-) -> Result<Option<Vec<Member>>, String> {
-    let Some(members) = members(subject, cancel)? else {
-        return Ok(None);
-    };
-    let solved = members.into_iter().map(|(label, model)| {
-        Some(Member {
+) -> Result<Vec<Member>, Unfinished> {
+    let members = members(subject, cancel)?.into_iter();
+    let solved = members.map(|(label, model)| {
+        Ok(Member {
             label,
             frf: sweep(&model, frequencies, cancel)?,
             model,
@@ -47,34 +40,31 @@ fn of_subject(
             damping_ratios: Vec::new(),
         })
     });
-    Ok(solved.collect())
+    solved.collect()
 }
 
 /// The resolved curves of a model to compare with.
-pub(super) fn reference(subject: Subject, cancel: &AtomicBool) -> Option<ReferenceAnswer> {
+pub(super) fn reference(
+    subject: Subject,
+    cancel: &AtomicBool,
+) -> Result<ReferenceAnswer, Cancelled> {
     let serial = subject.generation;
-    let (sender, failures) = channel();
-    // What comes before the resolved curves does not show; a failure does.
-    let notify = move |answer: super::CurvesAnswer| {
-        if let (Stage::Full, Err(reason)) = (answer.stage, answer.result) {
-            drop(sender.send(reason));
-        }
+    // What comes before the resolved curves does not show.
+    let result = match curves::answer(subject, &Memory::default(), cancel, &|_| {})? {
+        Ok(unresolved) => counted(&unresolved, cancel)?,
+        Err(reason) => Err(reason),
     };
-    let result: Result<Curves, String> =
-        match curves::answer(subject, &Memory::default(), cancel, &notify) {
-            Some(unresolved) => match counted(&unresolved, cancel) {
-                Some(result) => result,
-                None => unless_cancelled(cancel).transpose()?,
-            },
-            None => Err(failures.try_recv().ok()?),
-        };
-    Some(ReferenceAnswer { serial, result })
+    Ok(ReferenceAnswer { serial, result })
 }
 
-/// The resolved curves by modes that are counted. None where cancelled.
-fn counted(unresolved: &Unresolved, cancel: &AtomicBool) -> Option<Result<Curves, String>> {
+/// The resolved curves by modes that are counted.
+fn counted(
+    unresolved: &Unresolved,
+    cancel: &AtomicBool,
+) -> Result<Result<Curves, String>, Cancelled> {
     let (sender, answers) = channel();
     Resolver::default().answer(unresolved, cancel, &|answer| drop(sender.send(answer)));
-    let last = answers.try_iter().last()?;
-    (last.stage == Stage::Counted || last.result.is_err()).then_some(last.result)
+    let mut answers = answers.try_iter();
+    let last = answers.find(|one| one.stage == Stage::Counted || one.result.is_err());
+    last.map(|answer| answer.result).ok_or(Cancelled)
 }

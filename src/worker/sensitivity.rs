@@ -5,6 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use super::lane::guarded;
 use crate::model::Model;
+use crate::solve::Cancelled;
 use crate::solve::sensitivity::{Figure, Sensitivity, effects, lack};
 
 /// What is to be differentiated of which model.
@@ -29,14 +30,14 @@ pub struct SensitivityAnswer {
     pub lack: Option<String>,
 }
 
-/// How a figure moves with each parameter; none where cancelled.
+/// How a figure moves with each parameter.
 pub(super) fn answer(
     request: &SensitivityRequest,
     cancel: &AtomicBool,
-) -> Option<SensitivityAnswer> {
-    let result = guarded(|| Ok(effects(&request.model, &request.figure, cancel)))?;
+) -> Result<SensitivityAnswer, Cancelled> {
+    let result = guarded(|| Ok(effects(&request.model, &request.figure, cancel)?))?;
     let found = result.as_ref().ok();
-    Some(SensitivityAnswer {
+    Ok(SensitivityAnswer {
         serial: request.serial,
         lack: found.and_then(|found| lack(&request.model, &request.figure, found)),
         result,

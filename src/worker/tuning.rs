@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 
 use super::lane::guarded;
 use crate::model::{Fault, Model};
+use crate::solve::Cancelled;
 use crate::tune::{self, Options, Problem, Spread, Status, Tuned};
 
 /// Between two reports of a search that goes on.
@@ -107,9 +108,9 @@ pub(super) fn search(request: &TuneRequest, cancel: &AtomicBool, tell: &impl Fn(
             request.pause.wait();
             watch.rested += before.elapsed();
         });
-        found.map(|found| Some(Box::new(found)))
+        Ok(Box::new(found?))
     });
-    if let Some(result) = found {
+    if let Ok(result) = found {
         tell(answer(&watch, TuneStage::Over(result)));
     }
 }
@@ -166,19 +167,24 @@ pub struct SpreadAnswer {
     pub result: Result<Vec<Spread>, String>,
 }
 
-/// The quantiles of the curves; none where cancelled.
-pub(super) fn spread(request: &SpreadRequest, cancel: &AtomicBool) -> Option<SpreadAnswer> {
+/// The quantiles of the curves.
+pub(super) fn spread(
+    request: &SpreadRequest,
+    cancel: &AtomicBool,
+) -> Result<SpreadAnswer, Cancelled> {
     let SpreadRequest {
         serial,
         model,
         frequencies,
     } = request;
-    let result = guarded(|| match &model.tune {
-        Some(tune) => tune::spread(model, tune, (SAMPLES, SEED), frequencies, cancel)
-            .map_err(|fault| in_words(vec![fault])),
-        None => Err("the model has no [tune] with tolerances".to_owned()),
+    let result = guarded(|| {
+        let Some(tune) = &model.tune else {
+            return Err("the model has no [tune] with tolerances".to_owned().into());
+        };
+        let found = tune::spread(model, tune, (SAMPLES, SEED), frequencies, cancel);
+        Ok(found.map_err(|fault| in_words(vec![fault]))??)
     })?;
-    Some(SpreadAnswer {
+    Ok(SpreadAnswer {
         serial: *serial,
         frequencies: frequencies.clone(),
         result,

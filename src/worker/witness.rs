@@ -8,28 +8,26 @@ use super::{Difference, Subject, WitnessAnswer, WitnessMember};
 use crate::model::Model;
 use crate::solve::compare::differences;
 use crate::solve::fem::{FiniteElements, default_elements};
-use crate::solve::{Frf, frequencies, sweep};
+use crate::solve::{Cancelled, Frf, frequencies, sweep};
 
-/// The curves of a finite-element model of each member, held against the exact ones; none where cancelled.
-pub(super) fn answer(subject: &Subject, cancel: &AtomicBool) -> Option<WitnessAnswer> {
+/// The curves of a finite-element model of each member, held against the exact ones.
+pub(super) fn answer(subject: &Subject, cancel: &AtomicBool) -> Result<WitnessAnswer, Cancelled> {
     let result = guarded(|| {
-        let Some(members) = members(subject, cancel)? else {
-            return Ok(None);
-        };
-        let solved = members.into_iter().map(|(_, model)| {
+        let members = members(subject, cancel)?.into_iter();
+        let solved = members.map(|(_, model)| {
             let frequencies = frequencies(&model.sweep);
             let mesh = FiniteElements::new(&model, default_elements(&model));
             let frf = mesh.sweep(&frequencies, cancel)?;
             let exact = sweep(&model, &frequencies, cancel)?;
-            Some(WitnessMember {
+            Ok(WitnessMember {
                 elements: mesh.elements(),
                 differences: largest(&model, &exact, &frf),
                 frf,
             })
         });
-        Ok(solved.collect::<Option<Vec<_>>>())
+        solved.collect()
     })?;
-    Some(WitnessAnswer {
+    Ok(WitnessAnswer {
         generation: subject.generation,
         result,
     })

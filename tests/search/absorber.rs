@@ -1,5 +1,6 @@
 //! Den Hartog's damped absorber on an undamped mass: the least highest peak in two variables.
 
+use beamtune::solve::Cancelled;
 use beamtune::tune::search::{Evaluation, Function, Landscape, Merit};
 
 use super::{downhill, everywhere};
@@ -64,11 +65,11 @@ impl Landscape for Absorber {
         2
     }
 
-    fn merit(&self, x: &[f64]) -> Option<Merit> {
+    fn merit(&self, x: &[f64]) -> Result<Merit, Cancelled> {
         self.evaluate(x).map(|evaluation| evaluation.merit())
     }
 
-    fn evaluate(&self, x: &[f64]) -> Option<Evaluation> {
+    fn evaluate(&self, x: &[f64]) -> Result<Evaluation, Cancelled> {
         let at = Self::real(x);
         let peaks = Self::peaks(at).into_iter().map(|g| {
             let [value, by_f, by_zeta] = Self::magnification(g, at);
@@ -77,7 +78,7 @@ impl Landscape for Absorber {
                 gradient: vec![by_f, 0.6 * by_zeta],
             }
         });
-        Some(Evaluation {
+        Ok(Evaluation {
             terms: vec![peaks.collect()],
             limits: Vec::new(),
         })

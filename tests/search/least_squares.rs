@@ -3,6 +3,7 @@
 
 use std::sync::atomic::AtomicBool;
 
+use beamtune::solve::Cancelled;
 use beamtune::tune::search::{Certainty, Control, Estimate, Fit, Place, Residuals, Stop, fit};
 use nalgebra::{DMatrix, DVector};
 
@@ -36,7 +37,7 @@ impl Data {
 }
 
 impl Fit for Data {
-    fn residuals(&self, unit: &[f64]) -> Option<Residuals> {
+    fn residuals(&self, unit: &[f64]) -> Result<Residuals, Cancelled> {
         let real = self.real(unit);
         let mut values = DVector::zeros(self.x.len());
         let mut jacobian = DMatrix::zeros(self.x.len(), unit.len());
@@ -47,7 +48,7 @@ impl Fit for Data {
                 jacobian[(row, column)] = gradient[column] * (max - min);
             }
         }
-        Some(Residuals { values, jacobian })
+        Ok(Residuals { values, jacobian })
     }
 }
 
@@ -245,10 +246,10 @@ fn a_variable_at_its_bound_is_told() {
 struct Twins;
 
 impl Fit for Twins {
-    fn residuals(&self, b: &[f64]) -> Option<Residuals> {
+    fn residuals(&self, b: &[f64]) -> Result<Residuals, Cancelled> {
         let x = DVector::from_vec(vec![1.0, 2.0, 3.0, 4.0]);
         let y = DVector::from_vec(vec![1.1, 1.9, 3.2, 3.9]);
-        Some(Residuals {
+        Ok(Residuals {
             values: &x * (b[0] + 2.0 * b[1]) - y,
             jacobian: DMatrix::from_fn(4, 2, |row, column| x[row] * [1.0, 2.0][column]),
         })
@@ -276,9 +277,9 @@ fn what_the_residuals_do_not_tell_apart_is_said() {
 struct First<F>(F, usize);
 
 impl<F: Fit> Fit for First<F> {
-    fn residuals(&self, x: &[f64]) -> Option<Residuals> {
+    fn residuals(&self, x: &[f64]) -> Result<Residuals, Cancelled> {
         let all = self.0.residuals(x)?;
-        Some(Residuals {
+        Ok(Residuals {
             values: all.values.rows(0, self.1).into_owned(),
             jacobian: all.jacobian.rows(0, self.1).into_owned(),
         })
@@ -296,12 +297,12 @@ fn too_few_residuals_are_told() {
 struct Hole(Data);
 
 impl Fit for Hole {
-    fn residuals(&self, x: &[f64]) -> Option<Residuals> {
+    fn residuals(&self, x: &[f64]) -> Result<Residuals, Cancelled> {
         let mut residuals = self.0.residuals(x)?;
         if x[0] > 0.5 {
             residuals.values[0] = f64::NAN;
         }
-        Some(residuals)
+        Ok(residuals)
     }
 }
 

@@ -1,5 +1,6 @@
 //! Landscapes that are not smooth, not finite, flat or impossible.
 
+use beamtune::solve::Cancelled;
 use beamtune::tune::search::{Evaluation, Function, Landscape, Merit, Stop};
 
 use super::problems::{Problem, cb2, chained};
@@ -16,12 +17,12 @@ impl<F: Fn(&[f64]) -> Evaluation + Sync> Landscape for Odd<F> {
         self.variables
     }
 
-    fn merit(&self, x: &[f64]) -> Option<Merit> {
-        Some((self.evaluate)(x).merit())
+    fn merit(&self, x: &[f64]) -> Result<Merit, Cancelled> {
+        Ok((self.evaluate)(x).merit())
     }
 
-    fn evaluate(&self, x: &[f64]) -> Option<Evaluation> {
-        Some((self.evaluate)(x))
+    fn evaluate(&self, x: &[f64]) -> Result<Evaluation, Cancelled> {
+        Ok((self.evaluate)(x))
     }
 }
 

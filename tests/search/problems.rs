@@ -1,5 +1,6 @@
 //! Test problems with published optima: value, derivatives and source of each.
 
+use beamtune::solve::Cancelled;
 use beamtune::tune::search::{Evaluation, Function, Landscape, Merit};
 
 /// A value and its derivatives by the variables themselves.
@@ -46,14 +47,14 @@ impl Landscape for Problem {
         self.bounds.len()
     }
 
-    fn merit(&self, x: &[f64]) -> Option<Merit> {
+    fn merit(&self, x: &[f64]) -> Result<Merit, Cancelled> {
         self.evaluate(x).map(|evaluation| evaluation.merit())
     }
 
-    fn evaluate(&self, x: &[f64]) -> Option<Evaluation> {
+    fn evaluate(&self, x: &[f64]) -> Result<Evaluation, Cancelled> {
         let (terms, limits) = (self.values)(&self.real(x));
         let all = |values: Vec<Value>| values.into_iter().map(|v| self.function(v)).collect();
-        Some(Evaluation {
+        Ok(Evaluation {
             terms: terms.into_iter().map(all).collect(),
             limits: all(limits),
         })

@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
 
+use beamtune::solve::Cancelled;
 use beamtune::tune::search::{
     Control, Evaluation, Function, Landscape, Merit, Options, Outcome, Stop, descend, minimise,
 };
@@ -22,16 +23,16 @@ impl Landscape for Smooth {
         self.variables
     }
 
-    fn merit(&self, x: &[f64]) -> Option<Merit> {
+    fn merit(&self, x: &[f64]) -> Result<Merit, Cancelled> {
         self.evaluate(x).map(|evaluation| evaluation.merit())
     }
 
-    fn evaluate(&self, x: &[f64]) -> Option<Evaluation> {
+    fn evaluate(&self, x: &[f64]) -> Result<Evaluation, Cancelled> {
         let width = 2.0 * self.reach;
         let x: Vec<f64> = x.iter().map(|x| width * (x - 0.57)).collect();
         let (value, gradient) = (self.value)(&x);
         let gradient = gradient.iter().map(|g| width * g).collect();
-        Some(Evaluation {
+        Ok(Evaluation {
             terms: vec![vec![Function { value, gradient }]],
             limits: Vec::new(),
         })
@@ -146,16 +147,18 @@ impl<L: Landscape> Landscape for Counted<L> {
         self.inner.variables()
     }
 
-    fn merit(&self, x: &[f64]) -> Option<Merit> {
+    fn merit(&self, x: &[f64]) -> Result<Merit, Cancelled> {
         let asked = self.asked.fetch_add(1, Relaxed);
-        (asked < self.until).then(|| self.inner.merit(x)).flatten()
+        (asked < self.until)
+            .then(|| self.inner.merit(x))
+            .unwrap_or(Err(Cancelled))
     }
 
-    fn evaluate(&self, x: &[f64]) -> Option<Evaluation> {
+    fn evaluate(&self, x: &[f64]) -> Result<Evaluation, Cancelled> {
         let asked = self.asked.fetch_add(1, Relaxed);
         (asked < self.until)
             .then(|| self.inner.evaluate(x))
-            .flatten()
+            .unwrap_or(Err(Cancelled))
     }
 }
 
@@ -222,7 +225,7 @@ fn cancelled_it_gives_the_best_so_far() {
         let (found, told) = cancelled_after(&problem, &problem.start(), evaluations);
         assert_eq!(found.stop, Stop::Cancelled, "{evaluations}");
         assert_eq!(found.merit, told);
-        assert_eq!(problem.merit(&found.x), Some(found.merit));
+        assert_eq!(problem.merit(&found.x), Ok(found.merit));
         assert!(!found.start.is_better_than(&found.merit));
         assert!(found.evaluations < evaluations + 60);
     }

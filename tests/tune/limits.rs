@@ -1,9 +1,12 @@
 //! Limits that an optimum comes up against, with the optima that closed forms give.
 
 use std::f64::consts::TAU;
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
 
 use beamtune::model::{Hold, Limit, Model, Variable};
-use beamtune::tune::Tuned;
+use beamtune::tune::search::{Landscape, Merit};
+use beamtune::tune::{Problem, Terrain, Tuned};
 
 use crate::absorber::{self, ABSORBER, MASS, STIFFNESS, mean_square, receptance_on, tuned};
 
@@ -151,4 +154,53 @@ fn all_limits_hold_at_once() {
     let least = scan.fold(f64::INFINITY, f64::min);
     let figure = found.after[0].figure;
     assert!(figure < least * (1.0 + 1e-6), "{figure:e} {least:e}");
+}
+
+/// Expected: by its wave numbers a beam as soft as that has more modes in the band than are listed. Such a trial is the
+/// worst of all, and no reason to stop.
+#[test]
+fn a_trial_with_too_many_modes_is_the_worst() {
+    let soft = variable(&["beam.material.young_modulus"], 1e-17, 2.1e13);
+    let model = limited(PEAK, vec![soft], Vec::new());
+    let problem = Problem::new(&model, Path::new(".")).unwrap();
+    let never = AtomicBool::new(false);
+    let mut point = problem.point_of(&model);
+    let terrain = Terrain::new(&problem, &point, &never).unwrap();
+    point[2] = 0.0;
+    assert_eq!(terrain.merit(&point), Ok(Merit::WORST));
+    assert_eq!(terrain.evaluate(&point).unwrap().merit(), Merit::WORST);
+}
+
+/// Closed form: each variable is possible at its bounds, the largest area and the least polar moment together are not:
+/// I0 = 2e-4 m4 is less than A z_c^2 = 0.03 * 0.1^2 m4, which is the share of the centroid alone.
+#[test]
+fn a_trial_that_variables_make_impossible_together_is_the_worst() {
+    let area = variable(&["beam.section.area"], 0.01, 0.03);
+    let polar = variable(&["beam.section.polar_moment"], 2e-4, 4e-4);
+    let mut model = limited(PEAK, vec![area, polar], Vec::new());
+    model.beam.section.polar_moment = 4e-4;
+    model.beam.section.centroid_offset = 0.1;
+    assert_eq!(beamtune::model::check(&model), []);
+    let problem = Problem::new(&model, Path::new(".")).unwrap();
+    let never = AtomicBool::new(false);
+    let mut point = problem.point_of(&model);
+    let terrain = Terrain::new(&problem, &point, &never).unwrap();
+    (point[2], point[3]) = (1.0, 0.0);
+    assert_eq!(terrain.merit(&point), Ok(Merit::WORST));
+    assert_eq!(terrain.evaluate(&point).unwrap().merit(), Merit::WORST);
+    point[3] = 1.0;
+    assert!(terrain.merit(&point).unwrap().is_better_than(&Merit::WORST));
+}
+
+/// Expected: by its wave numbers the beam has more modes than are listed up to there.
+#[test]
+fn a_band_with_too_many_modes_is_no_limit() {
+    let limit = Limit::NoMode {
+        from: 1.0,
+        to: 1e12,
+    };
+    let model = limited(PEAK, Vec::new(), vec![limit]);
+    let faults = Problem::new(&model, Path::new(".")).unwrap_err();
+    assert_eq!(faults[0].path, "tune.limits.1");
+    assert!(faults[0].message.contains("10000"), "{}", faults[0].message);
 }

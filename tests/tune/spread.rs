@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
 
 use beamtune::model::{Hold, Model, Tune, Variable};
+use beamtune::solve::Cancelled;
 use beamtune::tune::{Spread, spread};
 
 use crate::absorber::{self, MASS};
@@ -99,5 +100,41 @@ fn without_tolerances_nothing_is_spread() {
 fn a_cancelled_spread_is_none() {
     let (model, tune) = on_springs();
     let found = spread(&model, &tune, (5, 1), &FREQUENCIES, &AtomicBool::new(true));
-    assert_eq!(found, Ok(None));
+    assert_eq!(found, Ok(Err(Cancelled)));
+}
+
+/// Closed form: I0 = 2e-4 m4 less 45 % and A z_c^2 = 1e-4 m4 more 60 % are each possible alone and not together.
+#[test]
+fn tolerances_that_are_impossible_together_are_refused() {
+    let (mut model, mut tune) = on_springs();
+    model.beam.section.polar_moment = 2e-4;
+    model.beam.section.centroid_offset = 0.1;
+    let one = |path: &str, tolerance| Variable {
+        paths: vec![format!("beam.section.{path}")],
+        tolerance,
+        ..tune.variables[0].clone()
+    };
+    tune.variables = vec![one("area", 60.0), one("polar_moment", 45.0)];
+    let fault = spread(
+        &model,
+        &tune,
+        (200, 1),
+        &FREQUENCIES,
+        &AtomicBool::new(false),
+    )
+    .unwrap_err();
+    assert_eq!(fault.path, "tune");
+    assert!(
+        fault.message.contains("beam.section.polar_moment"),
+        "{fault}"
+    );
+    tune.variables.pop();
+    let found = spread(
+        &model,
+        &tune,
+        (200, 1),
+        &FREQUENCIES,
+        &AtomicBool::new(false),
+    );
+    assert!(found.unwrap().is_ok());
 }

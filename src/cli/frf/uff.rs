@@ -30,10 +30,8 @@ pub(super) fn write(
     let mut singular = Vec::new();
     let mut solved = Vec::new();
     for (key, model) in members {
-        let curve = Curve::new(model, points);
-        let Some(mut frf) = curve.block(0..curve.base.len()) else {
-            return Err(Failure::Other("the sweep was cancelled".into()));
-        };
+        let curve = Curve::new(model, points)?;
+        let mut frf = curve.block(0..curve.base.len())?;
         singular.extend(frf.singular());
         divide(&mut frf, model);
         let names = frf.columns.iter().map(|column| match key {

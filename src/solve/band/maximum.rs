@@ -4,6 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use super::{Sample, samples};
 use crate::model::{Model, Quantity};
+use crate::solve::Cancelled;
 
 /// A local maximum lower than this share of the highest sample is not the highest point: samples lie so near that none
 /// misses a top by more.
@@ -50,18 +51,14 @@ struct Bracket {
 }
 
 /// The highest point of each response; `solved` are by rising frequency and lie inside the band.
-///
-/// `None` where `cancel` became true before the end.
 pub(super) fn tops(
     model: &Model,
     solved: &[Sample],
     band: [f64; 2],
     cancel: &AtomicBool,
-) -> Option<Vec<Top>> {
-    let [first, last] = <[Sample; 2]>::try_from(samples(model, &band, cancel)?).ok()?;
-    let mut all = vec![first];
-    all.extend_from_slice(solved);
-    all.push(last);
+) -> Result<Vec<Top>, Cancelled> {
+    let mut all = samples(model, &band, cancel)?;
+    all.splice(1..1, solved.iter().cloned());
     let responses = model.responses.iter().filter(|response| response.enabled);
     let mut brackets: Vec<Bracket> = Vec::new();
     for response in 0..responses.clone().count() {
@@ -84,7 +81,7 @@ pub(super) fn tops(
             energy: one.quantity == Quantity::Energy,
         }
     };
-    Some(responses.enumerate().map(top).collect())
+    Ok(responses.enumerate().map(top).collect())
 }
 
 /// The samples that may be next to the highest point of a response, each between its neighbours.
@@ -112,7 +109,7 @@ fn likely(all: &[Sample], response: usize) -> Vec<Bracket> {
 }
 
 /// Looks closer at each bracket and leaves the steps beside its highest point.
-fn narrow(model: &Model, brackets: &mut [Bracket], cancel: &AtomicBool) -> Option<()> {
+fn narrow(model: &Model, brackets: &mut [Bracket], cancel: &AtomicBool) -> Result<(), Cancelled> {
     let inside = |bracket: &Bracket| -> [f64; INSIDE] {
         let [from, to] = bracket.ends;
         std::array::from_fn(|index| from + (to - from) * (index + 1) as f64 / (INSIDE + 1) as f64)
@@ -131,5 +128,5 @@ fn narrow(model: &Model, brackets: &mut [Bracket], cancel: &AtomicBool) -> Optio
         let at = bracket.best[0];
         bracket.ends = [(at - step).max(from), (at + step).min(to)];
     }
-    Some(())
+    Ok(())
 }

@@ -4,6 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use super::{Sample, samples};
 use crate::model::Model;
+use crate::solve::Cancelled;
 
 /// What is asked of every mean, relative.
 const TOLERANCE: f64 = 1e-8;
@@ -78,13 +79,13 @@ struct Estimate {
 }
 
 /// The means over the pieces between `cuts` (Hz, rising). A response with a pole has no finite mean and is not waited
-/// for. `None` where `cancel` became true before the end.
+/// for.
 pub(super) fn integrate(
     model: &Model,
     cuts: &[f64],
     poles: &[Option<f64>],
     cancel: &AtomicBool,
-) -> Option<Integral> {
+) -> Result<Integral, Cancelled> {
     let mut solved: Vec<Sample> = Vec::new();
     let mut pieces: Vec<Piece> = Vec::new();
     let mut wanted: Vec<Wanted> = cuts.windows(2).map(Wanted::first).collect();
@@ -105,7 +106,7 @@ pub(super) fn integrate(
     solved.sort_by(|a, b| a.frequency.total_cmp(&b.frequency));
     let width: f64 = pieces.iter().map(|piece| piece.to - piece.from).sum();
     let mean = |response: usize| total(&pieces, response, |estimate| estimate.value) / width;
-    Some(Integral {
+    Ok(Integral {
         rule: pieces.iter().flat_map(|piece| piece.rule(width)).collect(),
         means: (0..poles.len()).map(mean).collect(),
         samples: solved,

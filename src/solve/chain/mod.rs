@@ -22,6 +22,7 @@ use num_complex::Complex64;
 
 use self::shapes::{Matrix, Shapes};
 use self::springs::EffectiveSprings;
+use super::Cancelled;
 use super::layout::{Layout, Reading, derivative};
 use super::sweep::{Frf, one_by_one};
 use crate::model::{BeamMotion, Model};
@@ -58,19 +59,18 @@ impl std::fmt::Display for NotApplicable {
     }
 }
 
-/// Solves a checked model at each frequency (Hz, > 0) by the paper's closed form, on all cores; `None` where `cancel`
-/// became true before the end.
+/// Solves a checked model at each frequency (Hz, > 0) by the paper's closed form, on all cores.
 ///
 /// Values and units are those of [`solve::sweep`](super::sweep()), with as many digits as the method leaves: none at
 /// all at high frequencies, where values may not even be finite.
 ///
 /// # Errors
-/// Where the paper's formulas divide by a zero of the model.
+/// The paper's formulas divide by a zero of the model; inside, `cancel` became true before the end.
 pub fn sweep(
     model: &Model,
     frequencies: &[f64],
     cancel: &AtomicBool,
-) -> Result<Option<Frf>, NotApplicable> {
+) -> Result<Result<Frf, Cancelled>, NotApplicable> {
     if model.beam.section.centroid_offset == 0.0 {
         return Err(NotApplicable::NoOffset);
     }

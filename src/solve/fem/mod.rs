@@ -26,6 +26,7 @@ use std::sync::atomic::AtomicBool;
 
 use self::assembly::System;
 use self::solution::Workspace;
+use super::Cancelled;
 use super::layout::Layout;
 use super::sweep::{Frf, one_by_one};
 use crate::model::Model;
@@ -74,11 +75,14 @@ impl<'a> FiniteElements<'a> {
         self.divisions.iter().sum()
     }
 
-    /// Solves at each frequency (Hz, > 0), on all cores. `None` where `cancel` became true before the end.
+    /// Solves at each frequency (Hz, > 0), on all cores.
     ///
     /// Values and units are those of [`solve::sweep`](super::sweep()); exactly at an undamped resonance of the mesh
     /// they are not finite.
-    pub fn sweep(&self, frequencies: &[f64], cancel: &AtomicBool) -> Option<Frf> {
+    ///
+    /// # Errors
+    /// `cancel` became true before the end.
+    pub fn sweep(&self, frequencies: &[f64], cancel: &AtomicBool) -> Result<Frf, Cancelled> {
         let system = System::new(&self.layout, &self.divisions);
         one_by_one(
             self.layout.model,
@@ -98,12 +102,15 @@ impl<'a> FiniteElements<'a> {
 }
 
 /// [`FiniteElements::sweep`] of a mesh of about `elements` elements.
+///
+/// # Errors
+/// `cancel` became true before the end.
 pub fn sweep(
     model: &Model,
     elements: usize,
     frequencies: &[f64],
     cancel: &AtomicBool,
-) -> Option<Frf> {
+) -> Result<Frf, Cancelled> {
     FiniteElements::new(model, elements).sweep(frequencies, cancel)
 }
 

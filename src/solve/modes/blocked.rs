@@ -8,8 +8,9 @@ use std::f64::consts::TAU;
 use num_complex::Complex64;
 
 use super::characteristic::inverse;
-use crate::model::{Model, Spring, Subsystem};
+use crate::model::{Model, Subsystem};
 use crate::solve::linear::Magnified;
+use crate::solve::springs::rows;
 
 /// All roots of the blocked masses of a model, rad/s.
 #[derive(Debug, Clone)]
@@ -39,35 +40,20 @@ pub(super) fn distances(roots: &[Complex64], omega: Complex64) -> Magnified {
 
 /// m s^2 + c s + k for y and, with arms and products, for z and theta together; omega = -i s.
 fn of_mass(subsystem: &Subsystem) -> Vec<Complex64> {
-    let Subsystem {
-        y_left,
-        y_right,
-        z_left,
-        z_right,
-        mass,
-        inertia,
-        arm_left,
-        arm_right,
-        ..
-    } = subsystem;
-    let sum = |left: &Spring, right: &Spring, weights: [f64; 2]| {
+    let [across, left, right] = rows(subsystem);
+    // Of the z springs over two motions of the mass.
+    let sum = |i: usize, j: usize, inertia: f64| {
+        let weights = [left, right].map(|row| row.mass[i] * row.mass[j]);
         [
-            weights[0] * left.stiffness + weights[1] * right.stiffness,
-            weights[0] * left.damping + weights[1] * right.damping,
+            weights[0] * left.spring.stiffness + weights[1] * right.spring.stiffness,
+            weights[0] * left.spring.damping + weights[1] * right.spring.damping,
+            inertia,
         ]
     };
-    let [k, c] = sum(y_left, y_right, [1.0, 1.0]);
-    let y = [k, c, *mass];
-    let [k, c] = sum(z_left, z_right, [1.0, 1.0]);
-    let z = [k, c, *mass];
-    let [k, c] = sum(
-        z_left,
-        z_right,
-        [arm_left * arm_left, arm_right * arm_right],
-    );
-    let theta = [k, c, *inertia];
-    let [k, c] = sum(z_left, z_right, [-arm_left, *arm_right]);
-    let across = [k, c, 0.0];
+    let Subsystem { mass, inertia, .. } = *subsystem;
+    let y = [across.spring.stiffness, across.spring.damping, mass];
+    let (z, theta) = (sum(1, 1, mass), sum(2, 2, inertia));
+    let across = sum(1, 2, 0.0);
     let mut together = [0.0; 5];
     for i in 0..3 {
         for j in 0..3 {

@@ -13,17 +13,24 @@ use rayon::prelude::*;
 
 use super::blocked::distances;
 use super::characteristic::Characteristic;
+use crate::solve::Cancelled;
 use crate::solve::linear::Magnified;
 
 /// Why a path has no count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Unsettled {
     /// The request is cancelled.
-    Cancelled,
+    Cancelled(Cancelled),
     /// The function is rounding there.
     Noise,
     /// The work allowed is used up.
     Spent,
+}
+
+impl From<Cancelled> for Unsettled {
+    fn from(cancelled: Cancelled) -> Self {
+        Self::Cancelled(cancelled)
+    }
 }
 
 /// The characteristic function over the distances to what is known.
@@ -202,9 +209,7 @@ impl Remainder<'_> {
         let mut looks = Vec::with_capacity(places.len());
         for places in places.chunks(AT_ONCE) {
             looks.extend(self.logs(places));
-            if self.cancel.load(Ordering::Relaxed) {
-                return Err(Unsettled::Cancelled);
-            }
+            Cancelled::check(self.cancel)?;
         }
         if looks.iter().any(|look| !look.log.is_finite()) {
             return Err(Unsettled::Noise);

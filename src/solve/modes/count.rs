@@ -174,7 +174,7 @@ impl March<'_> {
     /// stiffness of all that was passed, in a frame that points away from the end.
     fn over(&mut self, end: &End, path: &[(usize, usize)], share: f64) -> Matrix6<f64> {
         let mut stiffness = end.stiffness(self.omega, &self.units);
-        let mut fixed = end.fixed;
+        let mut fixed = end.fixed();
         let last = path.len() - 1;
         for (step, &(node, span)) in path.iter().enumerate() {
             self.attach(node, &mut stiffness);

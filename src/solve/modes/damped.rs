@@ -5,7 +5,7 @@
 //! counts what is missing (see [`contour`](super::contour)); the roots of the blocked masses are tried for it, and then
 //! [`regions`](super::regions).
 
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize};
 
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -20,6 +20,7 @@ use super::tracker::Tracker;
 use super::types::{Completeness, Mode, ModeKind};
 use super::{is_hysteretic, rigid, with_damping_times};
 use crate::model::Model;
+use crate::solve::Cancelled;
 
 /// The search for the damped roots of a model.
 pub(super) struct Search<'a> {
@@ -83,34 +84,38 @@ impl<'a> Search<'a> {
     }
 
     /// The roots with |omega| up to `to`, rad/s, from the undamped ones (rad/s, above 0, rising; some beyond `to`, so
-    /// that none is missed that damping slows). `None` where cancelled.
-    pub(super) fn continue_undamped(&self, undamped: &[f64], to: f64) -> Option<Found> {
+    /// that none is missed that damping slows).
+    pub(super) fn continue_undamped(&self, undamped: &[f64], to: f64) -> Result<Found, Cancelled> {
         self.completed(&self.predicted(undamped), to)
     }
 
     /// The roots from the undamped ones, as [`Self::continue_undamped`] finds them, and from `overdamped`, rad/s; not
-    /// counted. `None` where cancelled.
-    pub(super) fn uncertified(&self, undamped: &[f64], overdamped: &[Mode]) -> Option<Found> {
+    /// counted.
+    pub(super) fn uncertified(
+        &self,
+        undamped: &[f64],
+        overdamped: &[Mode],
+    ) -> Result<Found, Cancelled> {
         let mut starts = self.predicted(undamped);
         starts.extend(overdamped.iter().map(|mode| mode.omega));
         self.uncounted(&starts)
     }
 
-    /// The roots that those of a model that differs little lead to, not counted. `None` where cancelled.
-    pub(super) fn follow(&self, before: &[Mode]) -> Option<Found> {
+    /// The roots that those of a model that differs little lead to, not counted.
+    pub(super) fn follow(&self, before: &[Mode]) -> Result<Found, Cancelled> {
         self.uncounted(&omegas(before))
     }
 
     /// The roots with |omega| up to `to`, rad/s, from those that are known: each of them is proven again, and they are
-    /// counted. `None` where cancelled.
-    pub(super) fn certify(&self, known: &[Mode], to: f64) -> Option<Found> {
+    /// counted.
+    pub(super) fn certify(&self, known: &[Mode], to: f64) -> Result<Found, Cancelled> {
         self.completed(&omegas(known), to)
     }
 
     /// The roots that starts lead to.
-    fn uncounted(&self, starts: &[Complex64]) -> Option<Found> {
+    fn uncounted(&self, starts: &[Complex64]) -> Result<Found, Cancelled> {
         let arrived = self.settled(starts, &[])?;
-        Some(Found {
+        Ok(Found {
             modes: listed(&self.proven(Vec::new(), &arrived)?),
             completeness: Completeness::Uncounted,
         })
@@ -154,12 +159,12 @@ impl<'a> Search<'a> {
     }
 
     /// The roots that starts lead to, and those that the counts still miss.
-    fn completed(&self, starts: &[Complex64], to: f64) -> Option<Found> {
+    fn completed(&self, starts: &[Complex64], to: f64) -> Result<Found, Cancelled> {
         let arrived = self.settled(starts, &[])?;
         let mut roots = self.proven(Vec::new(), &arrived)?;
         let mut outer = boundary(&roots, to);
         let mut counted = self.missing(&roots, outer)?;
-        if counted != Ok(0) {
+        if counted != Some(0) {
             let masses = self.blocked.roots.iter().copied();
             let inside =
                 masses.filter(|root| root.re >= 0.0 && root.norm() < outer && root.im > 0.0);
@@ -169,28 +174,29 @@ impl<'a> Search<'a> {
             counted = self.missing(&roots, outer)?;
         }
         let mut completeness = Completeness::Certain;
-        if counted != Ok(0) {
+        if counted != Some(0) {
             let open;
             (roots, open) = Regions::new(self, outer).completed(roots)?;
             if !open.is_empty() {
                 completeness = Completeness::Open(open);
             }
         }
-        Some(Found {
+        Ok(Found {
             modes: listed(&roots),
             completeness,
         })
     }
 
-    /// How many roots the list lacks in the disc up to `outer`, rad/s; `None` where cancelled.
+    /// How many roots the list lacks in the disc up to `outer`, rad/s; none where that cannot be counted.
     pub(super) fn missing(
         &self,
         roots: &[Complex64],
         outer: f64,
-    ) -> Option<Result<i64, Unsettled>> {
+    ) -> Result<Option<i64>, Cancelled> {
         match self.remainder(roots).in_disc(outer, self.is_hysteretic()) {
-            Err(Unsettled::Cancelled) => None,
-            counted => Some(counted),
+            Ok(counted) => Ok(Some(counted)),
+            Err(Unsettled::Noise | Unsettled::Spent) => Ok(None),
+            Err(Unsettled::Cancelled(cancelled)) => Err(cancelled),
         }
     }
 
@@ -225,12 +231,12 @@ impl<'a> Search<'a> {
     }
 
     /// Moves all starts to roots other than the known ones; those that do not arrive are left out, but for starts that lie
-    /// together: these move as one, to where their number may be proven. `None` where cancelled.
+    /// together: these move as one, to where their number may be proven.
     pub(super) fn settled(
         &self,
         starts: &[Complex64],
         known: &[Complex64],
-    ) -> Option<Vec<Complex64>> {
+    ) -> Result<Vec<Complex64>, Cancelled> {
         const MOST_STEPS: usize = 40;
         const TOGETHER: f64 = 1e-6;
         let mut trackers: Vec<Tracker> = Vec::new();
@@ -246,9 +252,7 @@ impl<'a> Search<'a> {
         // Without the roots beyond, of which there may be thousands, steps would be of the wrong size.
         let beyond = self.masses_beyond(starts.iter().chain(known));
         for _ in 0..MOST_STEPS {
-            if self.cancel.load(Ordering::Relaxed) {
-                return None;
-            }
+            Cancelled::check(self.cancel)?;
             let moving = trackers
                 .iter()
                 .map(|tracker| (tracker.z, tracker.count as f64));
@@ -273,11 +277,9 @@ impl<'a> Search<'a> {
         let arrived = trackers
             .into_iter()
             .filter(|tracker| tracker.arrived || tracker.count > 1);
-        Some(
-            arrived
-                .flat_map(|tracker| vec![tracker.z; tracker.count])
-                .collect(),
-        )
+        Ok(arrived
+            .flat_map(|tracker| vec![tracker.z; tracker.count])
+            .collect())
     }
 
     /// The sum of 1 / (z - other) over all other roots, each as often as it counts, mirror images, and those at 0.

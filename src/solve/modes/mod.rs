@@ -43,6 +43,7 @@ pub(super) use pencil::eigenvalues;
 pub use shape::{shape, shapes, shares};
 pub use types::{Completeness, Gap, Mode, ModeKind, Modes, Shape, Shares};
 
+use super::Cancelled;
 use crate::model::{Model, Restraint};
 
 /// How many undamped modes lie below a frequency (Hz, > 0), rigid-body modes included; `usize::MAX` where that is beyond
@@ -58,15 +59,23 @@ pub fn count(model: &Model, frequency: f64) -> usize {
 }
 
 /// All undamped natural frequencies up to `to` (Hz, > 0), in Hz, rising, as often as they occur; rigid-body modes are
-/// 0. `None` where `cancel` became true before the end, or where there are more than [`MOST_MODES`].
+/// 0. None where there are more than [`MOST_MODES`].
 ///
 /// Dampers and the loss factor are left out. The list is complete by the count of Wittrick & Williams (1971).
-pub fn undamped(model: &Model, to: f64, cancel: &AtomicBool) -> Option<Vec<f64>> {
+///
+/// # Errors
+/// `cancel` became true before the end.
+pub fn undamped(
+    model: &Model,
+    to: f64,
+    cancel: &AtomicBool,
+) -> Result<Option<Vec<f64>>, Cancelled> {
     if bound::is_beyond(model, TAU * to) {
-        return None;
+        return Ok(None);
     }
     let roots = undamped::Search::new(model, cancel).up_to(TAU * to)?;
-    Some(roots.into_iter().map(|omega| omega / TAU).collect())
+    let in_hertz = |roots: Vec<f64>| roots.into_iter().map(|omega| omega / TAU).collect();
+    Ok(roots.map(in_hertz))
 }
 
 /// The most modes that are listed: no search for more begins.
@@ -77,19 +86,24 @@ pub fn are_too_many(model: &Model, to: f64) -> bool {
     count(model, to) > MOST_MODES
 }
 
-/// All modes up to `to` (Hz, > 0), with damping. `None` where `cancel` became true before the end, or where there are
-/// more than [`MOST_MODES`].
+/// All modes up to `to` (Hz, > 0), with damping; none is listed where there are more than [`MOST_MODES`].
 ///
 /// Sources: Wittrick & Williams (1971) for the undamped ones, Aberth (Math. Comp. 27 (1973) 339-344) and the argument
 /// principle for the damped ones.
-pub fn modes(model: &Model, to: f64, cancel: &AtomicBool) -> Option<Modes> {
+///
+/// # Errors
+/// `cancel` became true before the end.
+pub fn modes(model: &Model, to: f64, cancel: &AtomicBool) -> Result<Modes, Cancelled> {
     solved(model, to, Certificate::Wanted, cancel)
 }
 
 /// The same without the argument principle, for one of many models of a search, or where the count comes later (see
 /// [`certify`]): the oscillating modes that the undamped ones become. What may be missing is never oscillating, and the
 /// list is [`Completeness::Uncounted`] where there is damping.
-pub fn uncertified(model: &Model, to: f64, cancel: &AtomicBool) -> Option<Modes> {
+///
+/// # Errors
+/// `cancel` became true before the end.
+pub fn uncertified(model: &Model, to: f64, cancel: &AtomicBool) -> Result<Modes, Cancelled> {
     let overdamped = &[];
     solved(model, to, Certificate::Unwanted { overdamped }, cancel)
 }
@@ -109,14 +123,16 @@ fn solved(
     to: f64,
     certificate: Certificate<'_>,
     cancel: &AtomicBool,
-) -> Option<Modes> {
+) -> Result<Modes, Cancelled> {
     // Damping slows a mode: some from beyond the range may come into it.
     const BEYOND: f64 = 1.1;
     if bound::is_beyond(model, TAU * to * BEYOND) {
-        return None;
+        return Ok(Modes::too_many(to));
     }
     let search = undamped::Search::new(model, cancel);
-    let undamped = search.up_to(TAU * to * BEYOND)?;
+    let Some(undamped) = search.up_to(TAU * to * BEYOND)? else {
+        return Ok(Modes::too_many(to));
+    };
     let counter = search.counter;
     let oscillating = &undamped[counter.rigid().min(undamped.len())..];
     let found = if is_damped(model) {
@@ -128,15 +144,18 @@ fn solved(
     } else {
         damped::Found::without_damping(oscillating)
     };
-    Some(collected(&counter, to, &found))
+    Ok(collected(&counter, to, &found))
 }
 
 /// The same as [`uncertified`] up to `before.to`, faster where the model differs little from that of `before`, whose modes
 /// are followed one by one. Where one of them is lost on the way, or one enters the range that is not among them, the
 /// search starts from the undamped modes. [`certify`] notices what is missing all the same.
-pub fn follow(model: &Model, before: &Modes, cancel: &AtomicBool) -> Option<Modes> {
+///
+/// # Errors
+/// `cancel` became true before the end.
+pub fn follow(model: &Model, before: &Modes, cancel: &AtomicBool) -> Result<Modes, Cancelled> {
     if are_too_many(model, before.to) {
-        return None;
+        return Ok(Modes::too_many(before.to));
     }
     let moving = moving(before);
     if is_damped(model) && !moving.is_empty() {
@@ -144,7 +163,7 @@ pub fn follow(model: &Model, before: &Modes, cancel: &AtomicBool) -> Option<Mode
         let search = damped::Search::new(model, counter.rigid(), TAU * before.to, cancel);
         let followed = collected(&counter, before.to, &search.follow(&moving)?);
         if balance(&followed) == balance(before) {
-            return Some(followed);
+            return Ok(followed);
         }
     }
     let mut overdamped = moving;
@@ -174,12 +193,14 @@ fn balance(list: &Modes) -> (usize, i64) {
 
 /// A list of [`uncertified`] or [`follow`] for this model, with the count of its modes: what was missing is added, and each
 /// mode is proven again. Where none was missing the modes are the same to the last digit. Another list stays as it is.
-/// `None` where `cancel` became true before the end.
-pub fn certify(model: &Model, found: &Modes, cancel: &AtomicBool) -> Option<Modes> {
+///
+/// # Errors
+/// `cancel` became true before the end.
+pub fn certify(model: &Model, found: &Modes, cancel: &AtomicBool) -> Result<Modes, Cancelled> {
     match found.completeness {
         Completeness::Uncounted => {}
         Completeness::Certain | Completeness::Open(_) | Completeness::TooMany => {
-            return Some(found.clone());
+            return Ok(found.clone());
         }
     }
     let counter = count::Counter::new(model);
@@ -193,9 +214,9 @@ pub fn certify(model: &Model, found: &Modes, cancel: &AtomicBool) -> Option<Mode
         }
     };
     if !agree(found, &counted) {
-        return Some(counted);
+        return Ok(counted);
     }
-    Some(Modes {
+    Ok(Modes {
         completeness: counted.completeness,
         ..found.clone()
     })

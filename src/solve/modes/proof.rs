@@ -12,6 +12,7 @@ use super::contour::Unsettled;
 use super::damped::{CLOSE, OVERDAMPED, Search};
 use super::eigenspace::Circle;
 use super::neighbours::{Neighbours, neighbours, with_images};
+use crate::solve::Cancelled;
 use crate::solve::linear::Magnified;
 
 /// What a group of places turns out to be.
@@ -24,12 +25,11 @@ enum Group {
 
 impl Search<'_> {
     /// The roots that are, as often as they are: proven ones, and new ones that may be none, or twice in the list.
-    /// `None` where cancelled.
     pub(super) fn proven(
         &self,
         mut proven: Vec<Complex64>,
         new: &[Complex64],
-    ) -> Option<Vec<Complex64>> {
+    ) -> Result<Vec<Complex64>, Cancelled> {
         const MOST_ROUNDS: usize = 5;
         let mut doubtful = new.to_vec();
         for _ in 0..MOST_ROUNDS {
@@ -41,7 +41,7 @@ impl Search<'_> {
             doubtful = self.settled(&nearer, &proven)?;
         }
         proven.sort_by(|a, b| a.norm().total_cmp(&b.norm()));
-        Some(proven)
+        Ok(proven)
     }
 
     /// Adds those of the new places that are roots by themselves; the others come back.
@@ -68,12 +68,12 @@ impl Search<'_> {
     }
 
     /// Adds the roots of the groups that the doubtful places belong to; places nearer to roots come back where a group
-    /// needs another look. `None` where cancelled.
+    /// needs another look.
     fn prove_together(
         &self,
         proven: &mut Vec<Complex64>,
         mut doubtful: Vec<Complex64>,
-    ) -> Option<Vec<Complex64>> {
+    ) -> Result<Vec<Complex64>, Cancelled> {
         let mut nearer = Vec::new();
         // One group after the other: each sees those before it.
         while let Some(root) = doubtful.pop() {
@@ -98,7 +98,7 @@ impl Search<'_> {
                 Group::Nearer(places) => nearer.extend(places.into_iter().filter(own)),
             }
         }
-        Some(nearer)
+        Ok(nearer)
     }
 
     /// Roots to the last digit, each if the function changes its sign through it as through a simple root.
@@ -135,26 +135,26 @@ impl Search<'_> {
         roots.iter().zip(values.chunks(3)).map(polished).collect()
     }
 
-    /// What a group of the places `all` is, mirror images among them. `None` where cancelled.
-    fn group(&self, all: &[Complex64], group: &Neighbours) -> Option<Group> {
+    /// What a group of the places `all` is, mirror images among them.
+    fn group(&self, all: &[Complex64], group: &Neighbours) -> Result<Group, Cancelled> {
         const NONE: Group = Group::Proven(Vec::new());
         let members: Vec<Complex64> = group.members.iter().map(|&member| all[member]).collect();
         let circles = Circles::around(&members, group.gap);
         let Circles { inner, outer } = circles;
         let missing = match self.remainder_of(all).in_circle(inner.centre, outer) {
-            Err(Unsettled::Cancelled) => return None,
+            Err(Unsettled::Cancelled(cancelled)) => return Err(cancelled),
             // What cannot be counted is no proven root: the whole count tells of it.
-            Err(Unsettled::Noise | Unsettled::Spent) => return Some(NONE),
+            Err(Unsettled::Noise | Unsettled::Spent) => return Ok(NONE),
             Ok(missing) => missing,
         };
         let count = usize::try_from(members.len() as i64 + missing).unwrap_or(0);
         if count == 0 {
-            return Some(NONE);
+            return Ok(NONE);
         }
         let found = self.inside(inner, count);
         let farthest = found.iter().map(|root| (root - inner.centre).norm());
         if found.is_empty() || farthest.fold(0.0, f64::max) > outer {
-            return Some(NONE);
+            return Ok(NONE);
         }
         let found: Vec<Complex64> = found.into_iter().map(|root| self.on_axis(root)).collect();
         let others = (0..all.len()).filter(|index| !group.members.contains(index));
@@ -163,8 +163,8 @@ impl Search<'_> {
         let sums = self
             .remainder_of(&known)
             .power_sums(inner.centre, outer, count);
-        Some(match sums {
-            Err(Unsettled::Cancelled) => return None,
+        Ok(match sums {
+            Err(Unsettled::Cancelled(cancelled)) => return Err(cancelled),
             Ok(sums) if sums.iter().all(|sum| sum.norm() < EXACT) => Group::Proven(found),
             Ok(_) | Err(Unsettled::Noise | Unsettled::Spent) => Group::Nearer(found),
         })

@@ -11,6 +11,7 @@ use super::contour::{COUNTED_ANGLES, Sector, Unsettled};
 use super::damped::Search;
 use super::eigenspace::Circle;
 use super::types::Gap;
+use crate::solve::Cancelled;
 
 /// The division of the half disc of a search.
 pub(super) struct Regions<'a> {
@@ -35,11 +36,11 @@ impl<'a> Regions<'a> {
         Self { search, outer }
     }
 
-    /// The roots with those that they lack, and what stays open; `None` where cancelled.
+    /// The roots with those that they lack, and what stays open.
     pub(super) fn completed(
         &self,
         mut roots: Vec<Complex64>,
-    ) -> Option<(Vec<Complex64>, Vec<Gap>)> {
+    ) -> Result<(Vec<Complex64>, Vec<Gap>), Cancelled> {
         let inner = self.inner(&roots)?;
         let mut open = Vec::new();
         if let Err(inner) = inner {
@@ -61,17 +62,17 @@ impl<'a> Regions<'a> {
         }
         match self.search.missing(&roots, self.outer)? {
             // All of the list are roots, so that none is missing anywhere.
-            Ok(0) => open.clear(),
-            Ok(_) if open.is_empty() => open.push((0.0, self.outer, None)),
+            Some(0) => open.clear(),
+            Some(_) if open.is_empty() => open.push((0.0, self.outer, None)),
             // The parts are counted, each for itself.
-            Ok(_) | Err(_) => {}
+            Some(_) | None => {}
         }
         let gaps = gaps(open, &roots);
-        Some((roots, gaps))
+        Ok((roots, gaps))
     }
 
     /// A radius below which nothing is missing, or else the one below which that is not known.
-    fn inner(&self, roots: &[Complex64]) -> Option<Result<f64, f64>> {
+    fn inner(&self, roots: &[Complex64]) -> Result<Result<f64, f64>, Cancelled> {
         const SMALLER: f64 = 0.03;
         const TRIES: usize = 4;
         let slowest = roots
@@ -80,22 +81,22 @@ impl<'a> Regions<'a> {
             .fold(self.outer, f64::min);
         let mut radius = 0.3 * slowest;
         for _ in 0..TRIES {
-            if self.search.missing(roots, radius)? == Ok(0) {
-                return Some(Ok(radius));
+            if self.search.missing(roots, radius)? == Some(0) {
+                return Ok(Ok(radius));
             }
             radius *= SMALLER;
         }
-        Some(Err(radius / SMALLER))
+        Ok(Err(radius / SMALLER))
     }
 
-    fn settle(&self, sector: &Sector, roots: &mut Vec<Complex64>) -> Option<Outcome> {
+    fn settle(&self, sector: &Sector, roots: &mut Vec<Complex64>) -> Result<Outcome, Cancelled> {
         const SMALL: f64 = 0.4;
         const SMALLEST: f64 = 2e-3;
         let counted = match self.search.remainder(roots).in_sector(sector) {
-            Err(Unsettled::Cancelled) => return None,
-            Err(Unsettled::Spent) => return Some(Outcome::Open(None)),
+            Err(Unsettled::Cancelled(cancelled)) => return Err(cancelled),
+            Err(Unsettled::Spent) => return Ok(Outcome::Open(None)),
             Err(Unsettled::Noise) => None,
-            Ok(0) => return Some(Outcome::Settled),
+            Ok(0) => return Ok(Outcome::Settled),
             Ok(missing) => Some(missing),
         };
         let [length, width] = [sector.radii, sector.angles].map(|[from, to]| to - from);
@@ -104,9 +105,9 @@ impl<'a> Regions<'a> {
             && self.found(sector, missing, roots)?
             && self.search.remainder(roots).in_sector(sector) == Ok(0)
         {
-            return Some(Outcome::Settled);
+            return Ok(Outcome::Settled);
         }
-        Some(if length.max(width) < SMALLEST {
+        Ok(if length.max(width) < SMALLEST {
             Outcome::Open(counted)
         } else {
             Outcome::Divided(divided(sector, roots))
@@ -114,7 +115,12 @@ impl<'a> Regions<'a> {
     }
 
     /// Adds roots near a sector in which some are missing; whether there were any.
-    fn found(&self, sector: &Sector, missing: i64, roots: &mut Vec<Complex64>) -> Option<bool> {
+    fn found(
+        &self,
+        sector: &Sector,
+        missing: i64,
+        roots: &mut Vec<Complex64>,
+    ) -> Result<bool, Cancelled> {
         // Of roots close together as many as there are subsystems alike.
         const MOST: i64 = 12;
         const MOST_CLOSE: i64 = 48;
@@ -134,7 +140,7 @@ impl<'a> Regions<'a> {
             .filter(|root| (*root - centre).norm() < circle.radius)
             .count() as i64;
         let count = match remainder.in_circle(centre, circle.radius) {
-            Err(Unsettled::Cancelled) => return None,
+            Err(Unsettled::Cancelled(cancelled)) => return Err(cancelled),
             Err(Unsettled::Noise | Unsettled::Spent) => inside + missing,
             Ok(missing) => inside + missing,
         };
@@ -144,7 +150,7 @@ impl<'a> Regions<'a> {
             MOST
         };
         if !(1..=most).contains(&count) {
-            return Some(false);
+            return Ok(false);
         }
         let starts = self.search.inside(circle, count as usize);
         let before = roots.len();
@@ -154,7 +160,7 @@ impl<'a> Regions<'a> {
             let arrived = self.search.settled(&starts, roots)?;
             *roots = self.search.proven(std::mem::take(roots), &arrived)?;
         }
-        Some(roots.len() > before)
+        Ok(roots.len() > before)
     }
 }
 

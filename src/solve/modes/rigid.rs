@@ -161,7 +161,7 @@ fn mass(model: &Model, ends: [&End; 2], a: &RigidMotion, b: &RigidMotion) -> f64
     let mean = (density(0.0) + 4.0 * density(0.5 * length) + density(length)) / 6.0;
     let mut sum = material.density * section.area * length * mean;
     for (end, x) in ends.iter().zip([0.0, length]) {
-        for (row, elastic) in rigid_motions(x).iter().zip(&end.elastic) {
+        for (row, elastic) in rigid_motions(x).iter().zip(end.elastic()) {
             sum += elastic.inertia * row.dot(&a.beam) * row.dot(&b.beam);
         }
     }
@@ -183,11 +183,12 @@ fn stiffness(left: &End, right: &End, masses: &[Mass], length: f64) -> SMatrix<f
     let mut rigid = SMatrix::<f64, 5, 5>::zeros();
     let held = held_stiffness([left, right], masses);
     for (end, x) in [(left, 0.0), (right, length)] {
+        let (fixed, elastic) = (end.fixed(), end.elastic());
         for (row, motion) in rigid_motions(x).iter().enumerate() {
-            let stiffness = if end.fixed[row] {
+            let stiffness = if fixed[row] {
                 held
             } else {
-                end.elastic[row].stiffness
+                elastic[row].stiffness
             };
             rigid += stiffness * motion * motion.transpose();
         }
@@ -208,7 +209,7 @@ fn stiffness(left: &End, right: &End, masses: &[Mass], length: f64) -> SMatrix<f
 fn held_stiffness(ends: [&End; 2], masses: &[Mass]) -> f64 {
     let springs = ends
         .iter()
-        .flat_map(|end| end.elastic.iter().map(|elastic| elastic.stiffness));
+        .flat_map(|end| end.elastic().map(|elastic| elastic.stiffness));
     let masses = masses.iter().map(|mass| mass.stiffness.amax());
     springs.chain(masses).fold(1.0, f64::max)
 }

@@ -1,6 +1,6 @@
 //! How a mode moves, for people to see.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -11,6 +11,7 @@ use super::motion::Motion;
 use super::rigid::{self, RigidMotion};
 use super::types::{Modes, Shape, Shares};
 use crate::model::{BeamMotion, Model};
+use crate::solve::Cancelled;
 use crate::solve::quadrature::Node;
 
 /// The motion of the mode `index` of `modes` at `points` (2 or more) equal steps along the beam.
@@ -30,31 +31,36 @@ pub fn shape(model: &Model, modes: &Modes, index: usize, points: usize) -> Shape
     shapes.swap_remove(own.unwrap_or_default()).1
 }
 
-/// [`shape`] of every mode, in the order of `modes`; those that share a frequency are found together. `None` where
+/// [`shape`] of every mode, in the order of `modes`; those that share a frequency are found together.
+///
+/// # Errors
 /// `cancel` became true before the end.
 pub fn shapes(
     model: &Model,
     modes: &Modes,
     points: usize,
     cancel: &AtomicBool,
-) -> Option<Vec<Shape>> {
+) -> Result<Vec<Shape>, Cancelled> {
     all(model, modes, points, cancel, &|shape| shape)
 }
 
-/// Who moves in each mode, in the order of `modes`. `None` where `cancel` became true before the end.
-pub fn shares(model: &Model, modes: &Modes, cancel: &AtomicBool) -> Option<Vec<Shares>> {
+/// Who moves in each mode, in the order of `modes`.
+///
+/// # Errors
+/// `cancel` became true before the end.
+pub fn shares(model: &Model, modes: &Modes, cancel: &AtomicBool) -> Result<Vec<Shares>, Cancelled> {
     const FEWEST_POINTS: usize = 2;
     all(model, modes, FEWEST_POINTS, cancel, &|shape| shape.shares)
 }
 
-/// What `of` makes of the shape of every mode, in the order of `modes`; none where cancelled.
+/// What `of` makes of the shape of every mode, in the order of `modes`.
 fn all<T: Send>(
     model: &Model,
     modes: &Modes,
     points: usize,
     cancel: &AtomicBool,
     of: &(impl Fn(Shape) -> T + Sync),
-) -> Option<Vec<T>> {
+) -> Result<Vec<T>, Cancelled> {
     let rigid = rigid_modes(modes);
     let mut is_known = vec![false; modes.modes.len()];
     let mut groups = Vec::new();
@@ -73,13 +79,14 @@ fn all<T: Send>(
         shapes.map(|(index, shape)| (index, of(shape))).collect()
     };
     let of_group = |group: &Group| {
-        (!cancel.load(Ordering::Relaxed)).then(|| kept(moving(model, group, points)))
+        Cancelled::check(cancel)?;
+        Ok(kept(moving(model, group, points)))
     };
-    let found: Option<Vec<_>> = groups.par_iter().map(of_group).collect();
+    let found: Result<Vec<_>, Cancelled> = groups.par_iter().map(of_group).collect();
     let mut all = kept(still(model, rigid, points));
     all.extend(found?.into_iter().flatten());
     all.sort_by_key(|(index, _)| *index);
-    Some(all.into_iter().map(|(_, made)| made).collect())
+    Ok(all.into_iter().map(|(_, made)| made).collect())
 }
 
 /// `points` (2 or more) places in equal steps along the beam, m.

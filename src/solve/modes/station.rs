@@ -5,16 +5,14 @@ use nalgebra::{Matrix3, Matrix6, SymmetricEigen, Vector3, Vector6};
 use super::inertia::eliminate;
 use super::rigid::RigidMotion;
 use crate::model::{BeamMotion, Elastic, Restraint, Subsystem, Support};
+use crate::solve::springs::{Stretch, restraint_stiffness, rows};
 
 /// A share of the largest stiffness below which one is rounding.
 const RESOLVED: f64 = 1e-12;
 
-/// An end: which motions it holds, and the springs and inertias on the others.
+/// An end with its support.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct End {
-    pub(super) fixed: [bool; 6],
-    pub(super) elastic: [Elastic; 6],
-}
+pub(super) struct End(Support);
 
 /// A subsystem's stiffness over (y, z, theta | w, psi, v), and its inertia.
 #[derive(Debug, Clone)]
@@ -38,28 +36,28 @@ pub(super) struct Units {
 impl End {
     /// Where a section does not warp, the rate of twist is no degree of freedom: it is held at no cost.
     pub(super) fn new(support: &Support, warps: bool) -> Self {
-        let mut end = Self {
-            fixed: [false; 6],
-            elastic: [Elastic::default(); 6],
-        };
-        for motion in BeamMotion::ALL {
-            match support[motion] {
-                _ if motion == BeamMotion::PsiSlope && !warps => {
-                    end.fixed[motion as usize] = true;
-                }
-                Restraint::Free => {}
-                Restraint::Fixed => end.fixed[motion as usize] = true,
-                Restraint::Elastic(elastic) => end.elastic[motion as usize] = elastic,
-            }
+        let mut support = *support;
+        if !warps {
+            support[BeamMotion::PsiSlope] = Restraint::Fixed;
         }
-        end
+        Self(support)
+    }
+
+    /// Which motions are fixed.
+    pub(super) fn fixed(&self) -> [bool; 6] {
+        self.0.0.map(|restraint| restraint == Restraint::Fixed)
+    }
+
+    /// The springs and inertias on the others.
+    pub(super) fn elastic(&self) -> [Elastic; 6] {
+        self.0.0.map(Restraint::elastic)
     }
 
     pub(super) fn stiffness(&self, omega: f64, units: &Units) -> Matrix6<f64> {
         Matrix6::from_diagonal(&Vector6::from_fn(|row, _| {
-            let elastic = self.elastic[row];
-            (elastic.stiffness - omega * omega * elastic.inertia) * units.motion[row].powi(2)
-                / units.stiffness
+            let met = restraint_stiffness(omega.into(), self.0.0[row]);
+            // Without its dampers, which are the imaginary part.
+            met.map_or(0.0, |k| k.re) * units.motion[row].powi(2) / units.stiffness
         }))
     }
 }
@@ -67,24 +65,10 @@ impl End {
 impl Mass {
     /// Chen & Liu 2022, Appendix A, without damping.
     pub(super) fn new(subsystem: &Subsystem) -> Self {
-        let y = subsystem.y_left.stiffness + subsystem.y_right.stiffness;
-        let (left, right) = (subsystem.z_left.stiffness, subsystem.z_right.stiffness);
-        // Each spring's stretch as a row over (y, z, theta | w, psi, v).
-        let stretches = [
-            (y, [1.0, 0.0, 0.0, -1.0, -subsystem.mount_z, 0.0]),
-            (
-                left,
-                [0.0, 1.0, -subsystem.arm_left, 0.0, subsystem.mount_y, -1.0],
-            ),
-            (
-                right,
-                [0.0, 1.0, subsystem.arm_right, 0.0, -subsystem.mount_y, -1.0],
-            ),
-        ];
         let mut stiffness = Matrix6::zeros();
-        for (spring, row) in stretches {
-            let row = Vector6::from(row);
-            stiffness += spring * row * row.transpose();
+        for Stretch { spring, mass, beam } in rows(subsystem) {
+            let row = Vector6::from_iterator(mass.into_iter().chain(beam));
+            stiffness += spring.stiffness * row * row.transpose();
         }
         let mut inertia = [subsystem.mass, subsystem.mass, subsystem.inertia];
         if subsystem.inertia == 0.0 && stiffness[(2, 2)] == 0.0 {

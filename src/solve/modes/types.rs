@@ -57,6 +57,17 @@ pub enum Completeness {
 }
 
 impl Modes {
+    /// Those up to 0 Hz: none is asked for.
+    pub const fn none() -> Self {
+        Self {
+            to: 0.0,
+            undamped: 0,
+            modes: Vec::new(),
+            beyond: Vec::new(),
+            completeness: Completeness::Uncounted,
+        }
+    }
+
     /// Those of a model that has more than [`MOST_MODES`](super::MOST_MODES) up to a frequency, Hz: none is listed.
     pub fn too_many(to: f64) -> Self {
         Self {
@@ -66,6 +77,11 @@ impl Modes {
             beyond: Vec::new(),
             completeness: Completeness::TooMany,
         }
+    }
+
+    /// Whether none is listed because there are too many.
+    pub fn are_too_many(&self) -> bool {
+        self.completeness == Completeness::TooMany
     }
 
     /// Whether two lists have the same modes to the last digit, whatever is known of their completeness.

@@ -5,7 +5,7 @@
 //! are counted, and the samples between which a root hides are made denser.
 
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -18,6 +18,7 @@ use super::eigenspace::{Circle, roots_inside};
 use super::neighbours::neighbours;
 use super::{MOST_MODES, without_damping};
 use crate::model::Model;
+use crate::solve::Cancelled;
 use crate::solve::linear::Magnified;
 
 /// Relative width to which the count alone brings a root.
@@ -73,20 +74,20 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// All roots from 0 to `to` (rad/s), rising, as often as they occur; rigid-body modes are 0. `None` where cancelled,
-    /// or where they are more than [`MOST_MODES`].
-    pub(super) fn up_to(&self, to: f64) -> Option<Vec<f64>> {
+    /// All roots from 0 to `to` (rad/s), rising, as often as they occur; rigid-body modes are 0; none where
+    /// they are more than [`MOST_MODES`].
+    pub(super) fn up_to(&self, to: f64) -> Result<Option<Vec<f64>>, Cancelled> {
         let rigid = self.counter.rigid();
         let high = self.counted(to);
         if high.below > MOST_MODES {
-            return None;
+            return Ok(None);
         }
         let low = self.floor(high, rigid);
         let samples = self.samples(&self.places(low, high));
         let pieces = self.pieces([low, high], &samples)?;
         let mut roots = vec![0.0; low.below];
         roots.extend(self.separated([low, high], &pieces)?);
-        Some(roots)
+        Ok(Some(roots))
     }
 
     fn counted(&self, omega: f64) -> Counted {
@@ -134,23 +135,20 @@ impl<'a> Search<'a> {
         places.iter().zip(values).map(sample).collect()
     }
 
-    /// Where the roots between two counted frequencies are, the first and the last of some samples. `None` where
-    /// cancelled.
-    fn pieces(&self, ends: [Counted; 2], samples: &[Sample]) -> Option<Vec<Piece>> {
+    /// Where the roots between two counted frequencies are, the first and the last of some samples.
+    fn pieces(&self, ends: [Counted; 2], samples: &[Sample]) -> Result<Vec<Piece>, Cancelled> {
         /// More samples between two.
         const DENSER: usize = 8;
-        if self.cancel.load(Ordering::Relaxed) {
-            return None;
-        }
+        Cancelled::check(self.cancel)?;
         let [low, high] = ends;
         let roots = high.below.saturating_sub(low.below);
         if roots == 0 {
-            return Some(Vec::new());
+            return Ok(Vec::new());
         }
         let changes = samples.windows(2).filter(|pair| pair[0].differs(&pair[1]));
         if changes.clone().count() == roots {
             let single = |pair: &[Sample]| Piece::Single([pair[0], pair[1]]);
-            return Some(changes.map(single).collect());
+            return Ok(changes.map(single).collect());
         }
         if samples.len() > 2 {
             let middle = samples.len() / 2;
@@ -159,18 +157,17 @@ impl<'a> Search<'a> {
                 || self.pieces([low, counted], &samples[..=middle]),
                 || self.pieces([counted, high], &samples[middle..]),
             );
-            return Some([left?, right?].concat());
+            return Ok([left?, right?].concat());
         }
         if high.omega / low.omega - 1.0 < CLOSE {
             if roots > 1 {
-                return Some(vec![Piece::Group(ends)]);
+                return Ok(vec![Piece::Group(ends)]);
             }
-            return Some(
-                self.by_count(ends)?
-                    .into_iter()
-                    .map(Piece::Counted)
-                    .collect(),
-            );
+            return Ok(self
+                .by_count(ends)?
+                .into_iter()
+                .map(Piece::Counted)
+                .collect());
         }
         let ratio = (high.omega / low.omega).powf(1.0 / DENSER as f64);
         let places = (1..DENSER).map(|index| low.omega * ratio.powi(index as i32));
@@ -179,31 +176,31 @@ impl<'a> Search<'a> {
         self.pieces(ends, &denser)
     }
 
-    /// The roots between two counted frequencies to the last digits, rising, from where they are. `None` where cancelled.
-    fn separated(&self, ends: [Counted; 2], pieces: &[Piece]) -> Option<Vec<f64>> {
+    /// The roots between two counted frequencies to the last digits, rising, from where they are.
+    fn separated(&self, ends: [Counted; 2], pieces: &[Piece]) -> Result<Vec<f64>, Cancelled> {
         let places = self.polished(pieces);
         let all: Vec<Complex64> = places.iter().map(|&omega| omega.into()).collect();
         let groups: Vec<&[f64]> = places.chunk_by(|a, b| b - a < CLOSE * a).collect();
         let apart = groups.into_par_iter().map(|group| {
             if group.len() == 1 {
-                return Some(Ok(group.to_vec()));
+                return Ok(Some(group.to_vec()));
             }
             let first = places.partition_point(|place| *place < group[0]);
             let members = first..first + group.len();
             let around = self.around(ends, &places, &members);
             if around[1].below.saturating_sub(around[0].below) != group.len() {
                 // Samples this close together were rounding.
-                return Some(Err(()));
+                return Ok(None);
             }
             match self.by_motions(&all, &members) {
-                Some(roots) => Some(Ok(roots)),
-                None => self.by_count(around).map(Ok),
+                Some(roots) => Ok(Some(roots)),
+                None => self.by_count(around).map(Some),
             }
         });
-        let apart: Option<Result<Vec<Vec<f64>>, ()>> = apart.collect();
-        match apart? {
-            Ok(roots) => Some(roots.concat()),
-            Err(()) => self.by_count(ends),
+        let apart: Result<Vec<Option<Vec<f64>>>, Cancelled> = apart.collect();
+        match apart?.into_iter().collect::<Option<Vec<_>>>() {
+            Some(roots) => Ok(roots.concat()),
+            None => self.by_count(ends),
         }
     }
 
@@ -293,24 +290,22 @@ impl<'a> Search<'a> {
             .then(|| own.iter().map(|root| root.re).collect())
     }
 
-    /// The roots between two counted frequencies by the count alone. `None` where cancelled.
-    fn by_count(&self, [low, high]: [Counted; 2]) -> Option<Vec<f64>> {
-        if self.cancel.load(Ordering::Relaxed) {
-            return None;
-        }
+    /// The roots between two counted frequencies by the count alone.
+    fn by_count(&self, [low, high]: [Counted; 2]) -> Result<Vec<f64>, Cancelled> {
+        Cancelled::check(self.cancel)?;
         let roots = high.below.saturating_sub(low.below);
         if roots == 0 {
-            return Some(Vec::new());
+            return Ok(Vec::new());
         }
         if high.omega / low.omega - 1.0 < NARROW {
-            return Some(vec![0.5 * (low.omega + high.omega); roots]);
+            return Ok(vec![0.5 * (low.omega + high.omega); roots]);
         }
         let middle = self.counted((low.omega * high.omega).sqrt());
         let (left, right) = rayon::join(
             || self.by_count([low, middle]),
             || self.by_count([middle, high]),
         );
-        Some([left?, right?].concat())
+        Ok([left?, right?].concat())
     }
 }
 

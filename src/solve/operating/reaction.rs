@@ -3,7 +3,7 @@
 use num_complex::Complex64;
 
 use super::along::Along;
-use crate::model::{BeamMotion, Restraint};
+use crate::model::BeamMotion;
 use crate::solve::linear::ZERO;
 use crate::solve::local::Local;
 use crate::solve::plan::End;
@@ -26,12 +26,10 @@ fn reaction(along: &Along<'_>, end: &End, local: &Local, outward: f64) -> [Compl
         if motion == BeamMotion::PsiSlope && along.plan.beam.without_warping() {
             return ZERO;
         }
-        match end.support[motion] {
-            Restraint::Free => ZERO,
-            Restraint::Fixed => outward * local.force[row] - end.load[row],
-            Restraint::Elastic(elastic) => {
-                -restraint_stiffness(elastic, along.omega.into()) * local.motion[row]
-            }
+        match restraint_stiffness(along.omega.into(), end.support[motion]) {
+            None => outward * local.force[row] - end.load[row],
+            Some(k) if k == ZERO => ZERO,
+            Some(k) => -k * local.motion[row],
         }
     })
 }

@@ -10,23 +10,25 @@ use super::lacks::{Lacks, hidden};
 use super::{centre, half_width};
 use crate::model::Model;
 use crate::solve::modes::{ModeKind, Modes};
-use crate::solve::{ColumnKind, Frf, sweep};
+use crate::solve::{Cancelled, ColumnKind, Frf, sweep};
 
 /// Most passes over the grid; a dip without damping takes about ten.
 const MOST_PASSES: usize = 24;
 
 /// The frequencies of [`resolved`] on the base `base` (Hz, rising, > 0): all of `base` and what lies between.
 ///
-/// `None` where `cancel` became true before the end. Who has solved the base takes [`resolved`], which solves nothing
-/// twice.
+/// Who has solved the base takes [`resolved`], which solves nothing twice.
+///
+/// # Errors
+/// `cancel` became true before the end.
 pub fn refined(
     model: &Model,
     modes: &Modes,
     base: &[f64],
     cancel: &AtomicBool,
-) -> Option<Vec<f64>> {
+) -> Result<Vec<f64>, Cancelled> {
     let solved = sweep(model, base, cancel)?;
-    Some(resolved(model, modes, solved, cancel)?.frequencies)
+    Ok(resolved(model, modes, solved, cancel)?.frequencies)
 }
 
 /// The curves `solved` of a model with the points added that peaks and anti-resonances need.
@@ -39,8 +41,15 @@ pub fn refined(
 /// both sides, none on it. A response that is nothing but rounding, as where a symmetry cancels it, is left as it is.
 ///
 /// A mode or an anti-resonance costs some tens of points, more where it is narrow: their steps double away from it.
-/// `None` where `cancel` became true before the end.
-pub fn resolved(model: &Model, modes: &Modes, solved: Frf, cancel: &AtomicBool) -> Option<Frf> {
+///
+/// # Errors
+/// `cancel` became true before the end.
+pub fn resolved(
+    model: &Model,
+    modes: &Modes,
+    solved: Frf,
+    cancel: &AtomicBool,
+) -> Result<Frf, Cancelled> {
     let features = features(modes);
     let mut wanted = missing(&solved.frequencies, &features);
     let mut frf = solved;
@@ -55,7 +64,7 @@ pub fn resolved(model: &Model, modes: &Modes, solved: Frf, cancel: &AtomicBool) 
             break;
         }
     }
-    Some(frf)
+    Ok(frf)
 }
 
 /// The frequencies of a base grid (Hz, rising) and those between them that the half-power bands of the modes need: steps

@@ -8,8 +8,8 @@ use num_complex::Complex64;
 
 use super::Differentiator;
 use crate::model::{Group, Model, ParameterId, Quantity, Response};
-use crate::solve::Reference;
 use crate::solve::modes::Modes;
+use crate::solve::{Cancelled, Reference};
 
 /// What is to be differentiated.
 #[derive(Debug, Clone)]
@@ -62,11 +62,19 @@ pub struct Sensitivity {
 /// How a figure of a checked model moves with each parameter that is not 0, in the order of the model.
 ///
 /// The level of a response is 20 log10 |H| in dB, of an energy or a mean square 10 log10. Where just one force acts, its
-/// amplitude and phase are left out: the response is taken per force. `None` where `cancel` became true before the end.
-pub fn effects(model: &Model, figure: &Figure, cancel: &AtomicBool) -> Option<Vec<Sensitivity>> {
+/// amplitude and phase are left out: the response is taken per force. Of a mode that the list does
+/// not have nothing is known.
+///
+/// # Errors
+/// `cancel` became true before the end.
+pub fn effects(
+    model: &Model,
+    figure: &Figure,
+    cancel: &AtomicBool,
+) -> Result<Vec<Sensitivity>, Cancelled> {
     let differentiator = Differentiator::new(model);
     let slopes = slopes(model, &differentiator, figure, cancel)?;
-    Some(by_logarithms(model, &differentiator, &slopes))
+    Ok(by_logarithms(model, &differentiator, &slopes))
 }
 
 /// The derivatives of a level, of a frequency and of a damping ratio by each parameter.
@@ -82,13 +90,13 @@ fn slopes(
     differentiator: &Differentiator,
     figure: &Figure,
     cancel: &AtomicBool,
-) -> Option<Slopes> {
+) -> Result<Slopes, Cancelled> {
     // An energy has ten decibels a decade, and so has a mean square.
     let decibels = |response: usize| match enabled(model, response).map(|one| &one.quantity) {
         Some(Quantity::Energy) => 10.0 / LN_10,
         _ => 20.0 / LN_10,
     };
-    Some(match figure {
+    Ok(match figure {
         Figure::Level {
             response,
             frequency,
@@ -105,8 +113,8 @@ fn slopes(
             response,
             frequency,
         } => peak_slopes(differentiator, *response, *frequency, decibels(*response)),
+        Figure::Mode { modes, index } if *index >= modes.modes.len() => Slopes::default(),
         Figure::Mode { modes, index } => {
-            modes.modes.get(*index)?;
             let gradient = differentiator.mode(modes, *index);
             Slopes {
                 level: None,

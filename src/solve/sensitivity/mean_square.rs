@@ -1,14 +1,14 @@
 //! How a mean square in a band moves with the parameters.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 use rayon::prelude::*;
 
 use super::adjoint::Adjoint;
 use super::{Differentiator, Gradient};
 use crate::model::Model;
-use crate::solve::band;
 use crate::solve::modes::Modes;
+use crate::solve::{Cancelled, band};
 
 /// The mean square of a response in a band with its derivatives.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,29 +25,31 @@ impl Differentiator {
     /// The mean square of a response, by its index among the enabled ones, in a band (Hz, rising, > 0), with its derivatives.
     ///
     /// `modes` are the model's, up to the end of the band or higher. The frequencies are those of [`band::levels`] for this
-    /// response alone. `None` where `cancel` became true before the end.
+    /// response alone.
+    ///
+    /// # Errors
+    /// `cancel` became true before the end.
     pub fn mean_square(
         &self,
         response: usize,
         modes: &Modes,
         band: [f64; 2],
         cancel: &AtomicBool,
-    ) -> Option<MeanSquareGradient> {
+    ) -> Result<MeanSquareGradient, Cancelled> {
         let rule = band::rule(&self.alone(response), modes, band, cancel)?;
         if rule.is_empty() {
-            return Some(MeanSquareGradient {
+            return Ok(MeanSquareGradient {
                 value: f64::INFINITY,
                 by_parameter: vec![f64::NAN; self.ids().len()],
             });
         }
         let at = |&[frequency, weight]: &[f64; 2]| {
-            (!cancel.load(Ordering::Relaxed)).then(|| {
-                let gradient = self.response_at(response, frequency.into());
-                let power = self.power(response, &gradient);
-                power.into_iter().map(|share| weight * share).collect()
-            })
+            Cancelled::check(cancel)?;
+            let gradient = self.response_at(response, frequency.into());
+            let power = self.power(response, &gradient);
+            Ok(power.into_iter().map(|share| weight * share).collect())
         };
-        let shares: Option<Vec<Vec<f64>>> = rule.par_iter().map(at).collect();
+        let shares: Result<Vec<Vec<f64>>, Cancelled> = rule.par_iter().map(at).collect();
         // Added in order, so that the sum does not depend on the number of threads.
         let mut sum = vec![0.0; self.ids().len() + 1];
         for share in shares? {
@@ -55,7 +57,7 @@ impl Differentiator {
                 .zip(share)
                 .for_each(|(sum, share)| *sum += share);
         }
-        Some(MeanSquareGradient {
+        Ok(MeanSquareGradient {
             value: sum.pop().unwrap_or_default(),
             by_parameter: sum,
         })

@@ -20,6 +20,7 @@ use crate::model::schema::{BeamKey, ElasticKey, MaterialKey, SectionKey, Subsyst
 use crate::model::{BeamMotion, Restraint, Subsystem, Support};
 use crate::solve::linear::ZERO;
 use crate::solve::local::Local;
+use crate::solve::springs::{rows, springs};
 
 /// A field and the adjoint one, with the integrals of their product.
 pub(super) struct Product<'a> {
@@ -65,7 +66,7 @@ impl Product<'_> {
         for (subsystem, (lambda, u)) in self.setting.model.attached().zip(masses) {
             let [y, z, theta] = products(&lambda.motion, &u.motion);
             mass += subsystem.mass * (y + z) + subsystem.inertia * theta;
-            let springs = crate::solve::springs::springs(subsystem);
+            let springs = springs(subsystem);
             let stretches = products(&lambda.stretches, &u.stretches);
             for (spring, stretch) in springs.iter().zip(stretches) {
                 damping += spring.damping * stretch;
@@ -256,11 +257,9 @@ impl Product<'_> {
 impl MassField {
     /// The work of this field's forces when the other's beam is met a metre farther along.
     fn along(&self, subsystem: &Subsystem, other: &Self) -> Complex64 {
-        let [w, psi, v] = other.slope;
+        let [across, left, right] = rows(subsystem).map(|row| row.of([[ZERO; 3], other.slope]));
         let [y_left, y_right, z_left, z_right] = self.forces;
-        (y_left + y_right) * (w + subsystem.mount_z * psi)
-            + z_left * (v - subsystem.mount_y * psi)
-            + z_right * (v + subsystem.mount_y * psi)
+        -((y_left + y_right) * across + z_left * left + z_right * right)
     }
 }
 

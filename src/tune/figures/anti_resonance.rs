@@ -6,6 +6,7 @@ use super::super::search::Function;
 use super::super::trial::{Slopes, Trial};
 use super::curve::{Curve, Turn};
 use super::{Band, Read};
+use crate::solve::Cancelled;
 use crate::solve::sensitivity::Differentiator;
 
 /// The distance from `at` to the nearest complex zero z of the response with Re z in the band, |Re z - at|, Hz.
@@ -30,10 +31,10 @@ enum Found {
 
 impl AntiResonance {
     /// The distance, and where the zero is.
-    pub(super) fn read(&self, trial: &Trial) -> Option<Read> {
+    pub(super) fn read(&self, trial: &Trial) -> Result<Read, Cancelled> {
         // Without derivatives by parameters, only to follow the zero.
         let slopes = Differentiator::new(&trial.model);
-        Some(match self.find(trial, &slopes)? {
+        Ok(match self.find(trial, &slopes)? {
             Found::Zero(zero) => Read {
                 figure: (zero.re - self.at).abs(),
                 places: vec![zero.re],
@@ -49,9 +50,13 @@ impl AntiResonance {
     }
 
     /// The distance to both sides, of which one is positive, with dz/dp = -(dH/dp) / (dH/df) at the zero.
-    pub(super) fn functions(&self, trial: &Trial, slopes: &Slopes) -> Option<Vec<Function>> {
+    pub(super) fn functions(
+        &self,
+        trial: &Trial,
+        slopes: &Slopes,
+    ) -> Result<Vec<Function>, Cancelled> {
         let all = slopes.differentiator();
-        Some(match self.find(trial, all)? {
+        Ok(match self.find(trial, all)? {
             Found::Zero(zero) => {
                 let gradient = all.response_at(self.response, zero);
                 let shift = slopes.by_coordinate(|index| {
@@ -83,7 +88,7 @@ impl AntiResonance {
     }
 
     /// Zeros by Newton's method from each minimum of |H|, from its value and slope at complex frequencies.
-    fn find(&self, trial: &Trial, slopes: &Differentiator) -> Option<Found> {
+    fn find(&self, trial: &Trial, slopes: &Differentiator) -> Result<Found, Cancelled> {
         let curve = Curve::new(trial, self.response, self.band)?;
         let minima = curve.extrema(Turn::Minimum, |_| true)?;
         let zeros = minima
@@ -91,7 +96,7 @@ impl AntiResonance {
             .filter_map(|point| self.zero(slopes, point.frequency));
         let distance = |zero: &Complex64| (zero.re - self.at).abs();
         let nearest = zeros.min_by(|a, b| distance(a).total_cmp(&distance(b)));
-        Some(nearest.map_or_else(
+        Ok(nearest.map_or_else(
             || {
                 let highest = curve.points.iter().max_by(|a, b| a.size.total_cmp(&b.size));
                 Found::None(highest.map_or(self.at, |point| point.frequency))

@@ -6,7 +6,7 @@
 //! Derivatives, 1973, chapter 5.
 
 use super::super::trial::Trial;
-use crate::solve::peaks;
+use crate::solve::{Cancelled, peaks};
 
 /// A point of a curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,21 +39,22 @@ const STEPS: usize = 24;
 const BESIDE: f64 = 1e-3;
 
 impl<'a> Curve<'a> {
-    /// Solves a response in a band (Hz, rising). None where cancelled.
-    pub(super) fn new(trial: &'a Trial<'a>, response: usize, band: [f64; 2]) -> Option<Self> {
+    /// Solves a response in a band (Hz, rising).
+    pub(super) fn new(
+        trial: &'a Trial<'a>,
+        response: usize,
+        band: [f64; 2],
+    ) -> Result<Self, Cancelled> {
         let step = (band[1] - band[0]) / STEPS as f64;
         let place = |index: usize| band[0] + step * index as f64;
         let mut base = vec![band[0], band[0] + BESIDE * step];
         base.extend((1..STEPS).map(place));
         base.extend([band[1] - BESIDE * step, band[1]]);
-        let frequencies = match trial.modes() {
-            Some(modes) => peaks::points(modes, &base),
-            None => base,
-        };
+        let frequencies = peaks::points(trial.modes(), &base);
         let sizes = trial.sizes(response, &frequencies)?;
         let both = frequencies.into_iter().zip(sizes);
         let points = both.map(|(frequency, size)| Point { frequency, size });
-        Some(Self {
+        Ok(Self {
             trial,
             response,
             // Not finite exactly on an undamped mode alone: its neighbours stand for it.
@@ -69,9 +70,12 @@ impl<'a> Curve<'a> {
             .fold(0.0, f64::max)
     }
 
-    /// The extrema next to the points whose sizes `wanted` says, by rising frequency; the ends of the band are none. None
-    /// where cancelled.
-    pub(super) fn extrema(&self, turn: Turn, wanted: impl Fn(f64) -> bool) -> Option<Vec<Point>> {
+    /// The extrema next to the points whose sizes `wanted` says, by rising frequency; the ends of the band are none.
+    pub(super) fn extrema(
+        &self,
+        turn: Turn,
+        wanted: impl Fn(f64) -> bool,
+    ) -> Result<Vec<Point>, Cancelled> {
         let three = self.points.windows(3);
         let turns = three.filter(|three| {
             let [left, middle, right] = [0, 1, 2].map(|index| three[index].size);
@@ -86,7 +90,7 @@ impl<'a> Curve<'a> {
     }
 
     /// Narrows brackets until each has its extremum.
-    fn drawn_in(&self, turn: Turn, mut brackets: Vec<Bracket>) -> Option<Vec<Point>> {
+    fn drawn_in(&self, turn: Turn, mut brackets: Vec<Bracket>) -> Result<Vec<Point>, Cancelled> {
         const MOST_ROUNDS: usize = 60;
         let power = if self.trial.is_energy(self.response) {
             1
@@ -112,7 +116,7 @@ impl<'a> Curve<'a> {
                 brackets[index].take(Point { frequency, size }, depth);
             }
         }
-        Some(brackets.into_iter().map(|bracket| bracket.middle).collect())
+        Ok(brackets.into_iter().map(|bracket| bracket.middle).collect())
     }
 
     /// The points with others put among them.
@@ -124,8 +128,8 @@ impl<'a> Curve<'a> {
         self
     }
 
-    /// Where (Hz) the curve passes a level between points on both sides of it, rising. None where cancelled.
-    pub(super) fn crossings(&self, level: f64) -> Option<Vec<f64>> {
+    /// Where (Hz) the curve passes a level between points on both sides of it, rising.
+    pub(super) fn crossings(&self, level: f64) -> Result<Vec<f64>, Cancelled> {
         const MOST_ROUNDS: usize = 80;
         let pairs = self.points.windows(2);
         let passes = pairs.filter(|pair| (pair[0].size < level) != (pair[1].size < level));
@@ -143,7 +147,7 @@ impl<'a> Curve<'a> {
                 all[one].take(frequency, (size / level).ln());
             }
         }
-        Some(all.iter().map(Crossing::place).collect())
+        Ok(all.iter().map(Crossing::place).collect())
     }
 }
 

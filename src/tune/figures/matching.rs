@@ -7,6 +7,7 @@ use super::super::search::{Function, Residuals};
 use super::super::trial::{Slopes, Trial, growth};
 use super::Read;
 use crate::model::Compare;
+use crate::solve::Cancelled;
 
 /// The root mean square of the difference to a measured curve: dB, or relative to its own root mean square.
 #[derive(Debug, Clone)]
@@ -21,17 +22,17 @@ pub(in crate::tune) struct Matching {
 
 impl Matching {
     /// The root mean square.
-    pub(super) fn read(&self, trial: &Trial) -> Option<Read> {
+    pub(super) fn read(&self, trial: &Trial) -> Result<Read, Cancelled> {
         let values = trial.values(self.response, &self.frequencies)?;
         let squares: f64 = self.differences(&values).iter().map(|one| one * one).sum();
-        Some(Read {
+        Ok(Read {
             figure: self.of_squares(squares),
             places: Vec::new(),
         })
     }
 
     /// The root mean square of a sum of squares.
-    pub(super) fn of_squares(&self, sum: f64) -> f64 {
+    pub(in crate::tune) fn of_squares(&self, sum: f64) -> f64 {
         (sum / self.frequencies.len() as f64).sqrt()
     }
 
@@ -53,7 +54,7 @@ impl Matching {
 
     /// The differences with their derivatives: of levels in dB one a frequency; of complex values real and imaginary
     /// part, over the root mean square of what was measured.
-    pub(super) fn residuals(&self, slopes: &Slopes) -> Residuals {
+    pub(in crate::tune) fn residuals(&self, slopes: &Slopes) -> Residuals {
         let gradients = slopes.responses(self.response, &self.frequencies);
         let values: Vec<Complex64> = gradients.iter().map(|one| one.value).collect();
         let decibels = 20.0 / std::f64::consts::LN_10;
@@ -81,6 +82,15 @@ impl Matching {
                 columns,
                 rows.iter().flatten().copied(),
             ),
+        }
+    }
+
+    /// Those of no model: nothing of the curve is met.
+    pub(in crate::tune) fn worst_residuals(&self, variables: usize) -> Residuals {
+        let count = self.frequencies.len();
+        Residuals {
+            values: DVector::repeat(count, f64::INFINITY),
+            jacobian: DMatrix::repeat(count, variables, f64::NAN),
         }
     }
 

@@ -3,6 +3,7 @@
 use super::super::search::Function;
 use super::super::trial::{Slopes, Trial};
 use super::{Band, Read};
+use crate::solve::Cancelled;
 use crate::solve::band::levels;
 
 /// The mean square of a response, in its unit squared, or the mean of an energy.
@@ -14,19 +15,23 @@ pub(in crate::tune) struct MeanSquare {
 
 impl MeanSquare {
     /// The mean; infinite where an undamped resonance lies in the band.
-    pub(super) fn read(&self, trial: &Trial) -> Option<Read> {
-        let levels = levels(&trial.model, trial.modes()?, self.band, trial.cancel)?;
-        Some(Read {
-            figure: levels.get(self.response)?.mean_square,
+    pub(super) fn read(&self, trial: &Trial) -> Result<Read, Cancelled> {
+        let levels = levels(&trial.model, trial.modes(), self.band, trial.cancel)?;
+        Ok(Read {
+            figure: levels[self.response].mean_square,
             places: Vec::new(),
         })
     }
 
     /// The mean with its derivatives, integrated with it.
-    pub(super) fn functions(&self, trial: &Trial, slopes: &Slopes) -> Option<Vec<Function>> {
+    pub(super) fn functions(
+        &self,
+        trial: &Trial,
+        slopes: &Slopes,
+    ) -> Result<Vec<Function>, Cancelled> {
         let all = slopes.differentiator();
-        let mean = all.mean_square(self.response, trial.modes()?, self.band, trial.cancel)?;
-        Some(vec![Function {
+        let mean = all.mean_square(self.response, trial.modes(), self.band, trial.cancel)?;
+        Ok(vec![Function {
             value: mean.value,
             gradient: slopes.by_coordinate(|index| mean.by_parameter[index]),
         }])

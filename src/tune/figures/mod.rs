@@ -11,14 +11,15 @@ mod width;
 use std::path::Path;
 
 use anti_resonance::AntiResonance;
-use matching::Matching;
+pub(super) use matching::Matching;
 use mean_square::MeanSquare;
 use peak::Peak;
 use width::Width;
 
-use super::search::{Function, Residuals};
+use super::search::Function;
 use super::trial::{Slopes, Trial};
 use crate::model::{Aim, Compare, Fault, Measure, Model, Objective, Quantity, Unit};
+use crate::solve::Cancelled;
 use crate::solve::band::levels;
 
 /// From and to, Hz.
@@ -111,8 +112,8 @@ impl Figure {
         }
     }
 
-    /// The figure of a model. None where cancelled.
-    pub(super) fn read(&self, trial: &Trial) -> Option<Read> {
+    /// The figure of a model.
+    pub(super) fn read(&self, trial: &Trial) -> Result<Read, Cancelled> {
         match self {
             Self::Peak(figure) => figure.read(trial),
             Self::MeanSquare(figure) => figure.read(trial),
@@ -122,46 +123,29 @@ impl Figure {
         }
     }
 
-    /// Functions of the coordinates whose largest is the figure, or becomes it nearby. None where cancelled.
-    pub(super) fn functions(&self, trial: &Trial, slopes: &Slopes) -> Option<Vec<Function>> {
+    /// Functions of the coordinates whose largest is the figure, or becomes it nearby.
+    pub(super) fn functions(
+        &self,
+        trial: &Trial,
+        slopes: &Slopes,
+    ) -> Result<Vec<Function>, Cancelled> {
         match self {
             Self::Peak(figure) => figure.functions(trial, slopes),
             Self::MeanSquare(figure) => figure.functions(trial, slopes),
             Self::Width(figure) => figure.functions(trial, slopes),
             Self::AntiResonance(figure) => figure.functions(trial, slopes),
-            Self::Matching(figure) => Some(figure.functions(slopes)),
-        }
-    }
-
-    /// Whether it is a sum of squares.
-    pub(super) fn is_least_squares(&self) -> bool {
-        matches!(self, Self::Matching(_))
-    }
-
-    /// The figure of a sum of squares.
-    pub(super) fn of_squares(&self, sum: f64) -> f64 {
-        match self {
-            Self::Matching(figure) => figure.of_squares(sum),
-            _ => f64::NAN,
+            Self::Matching(figure) => Ok(figure.functions(slopes)),
         }
     }
 
     /// The highest level in the band of a peak, found another way: by the quadrature's samples; minus infinity for
-    /// other figures. None where cancelled.
-    pub(super) fn highest(&self, trial: &Trial) -> Option<f64> {
+    /// other figures.
+    pub(super) fn highest(&self, trial: &Trial) -> Result<f64, Cancelled> {
         let Self::Peak(Peak { response, band }) = self else {
-            return Some(f64::NEG_INFINITY);
+            return Ok(f64::NEG_INFINITY);
         };
-        let levels = levels(&trial.model, trial.modes()?, *band, trial.cancel)?;
-        levels.get(*response).map(|level| level.maximum)
-    }
-
-    /// What of it should be 0; none where it is no sum of squares.
-    pub(super) fn residuals(&self, slopes: &Slopes) -> Option<Residuals> {
-        match self {
-            Self::Matching(figure) => Some(figure.residuals(slopes)),
-            _ => None,
-        }
+        let levels = levels(&trial.model, trial.modes(), *band, trial.cancel)?;
+        Ok(levels[*response].maximum)
     }
 }
 

@@ -4,6 +4,7 @@ use super::super::search::Function;
 use super::super::trial::{Slopes, Trial};
 use super::curve::{Curve, Point, Turn};
 use super::{Band, Read};
+use crate::solve::Cancelled;
 
 /// A maximum lower than this share of the highest point cannot be the highest: points lie so near that none misses a
 /// top by more.
@@ -24,25 +25,29 @@ pub(in crate::tune) struct Peak {
 
 impl Peak {
     /// The highest point, with where it is.
-    pub(super) fn read(&self, trial: &Trial) -> Option<Read> {
+    pub(super) fn read(&self, trial: &Trial) -> Result<Read, Cancelled> {
         let tops = self.tops(trial, LIKELY)?;
         let highest = tops.first();
-        Some(Read {
+        Ok(Read {
             figure: highest.map_or(f64::NAN, |top| top.size),
             places: highest.map(|top| top.frequency).into_iter().collect(),
         })
     }
 
     /// The magnitude at each top: to first order a maximum moves at no cost (envelope theorem).
-    pub(super) fn functions(&self, trial: &Trial, slopes: &Slopes) -> Option<Vec<Function>> {
+    pub(super) fn functions(
+        &self,
+        trial: &Trial,
+        slopes: &Slopes,
+    ) -> Result<Vec<Function>, Cancelled> {
         let tops = self.tops(trial, RELEVANT)?;
         let places: Vec<f64> = tops.iter().map(|top| top.frequency).take(MOST).collect();
         let gradients = slopes.responses(self.response, &places);
-        Some(gradients.iter().map(|one| slopes.size(one)).collect())
+        Ok(gradients.iter().map(|one| slopes.size(one)).collect())
     }
 
     /// The local maxima and the ends of the band as high as a share of the highest, from the highest down.
-    fn tops(&self, trial: &Trial, share: f64) -> Option<Vec<Point>> {
+    fn tops(&self, trial: &Trial, share: f64) -> Result<Vec<Point>, Cancelled> {
         let curve = Curve::new(trial, self.response, self.band)?;
         let least = share * curve.highest();
         let mut tops = curve.extrema(Turn::Maximum, |size| size >= LIKELY * least)?;
@@ -51,6 +56,6 @@ impl Peak {
         tops.sort_by(|a, b| b.size.total_cmp(&a.size));
         let highest = tops.first().map_or(0.0, |top| top.size);
         tops.retain(|top| top.size >= share * highest);
-        Some(tops)
+        Ok(tops)
     }
 }

@@ -4,6 +4,7 @@ use super::super::search::Function;
 use super::super::trial::{Slopes, Trial, growth};
 use super::curve::{Curve, Turn};
 use super::{Band, Read};
+use crate::solve::Cancelled;
 
 /// What the widest band below a level leaves of the whole band, Hz.
 ///
@@ -27,9 +28,9 @@ enum Found {
 
 impl Width {
     /// The figure, and the ends of the widest band or the frequency of the lowest point.
-    pub(super) fn read(&self, trial: &Trial) -> Option<Read> {
+    pub(super) fn read(&self, trial: &Trial) -> Result<Read, Cancelled> {
         let whole = self.band[1] - self.band[0];
-        Some(match self.find(trial)? {
+        Ok(match self.find(trial)? {
             Found::Widest([from, to]) => Read {
                 figure: whole - (to - from),
                 places: vec![from, to],
@@ -43,9 +44,13 @@ impl Width {
 
     /// The figure with its derivatives: an edge f of |H(f, p)| = level moves by -(d|H|/dp) / (d|H|/df), an end of the
     /// band does not move.
-    pub(super) fn functions(&self, trial: &Trial, slopes: &Slopes) -> Option<Vec<Function>> {
+    pub(super) fn functions(
+        &self,
+        trial: &Trial,
+        slopes: &Slopes,
+    ) -> Result<Vec<Function>, Cancelled> {
         let whole = self.band[1] - self.band[0];
-        Some(vec![match self.find(trial)? {
+        Ok(vec![match self.find(trial)? {
             Found::Widest(edges) => {
                 let [from, to] = edges.map(|edge| self.shift(slopes, edge));
                 Function {
@@ -77,7 +82,7 @@ impl Width {
         slopes.by_coordinate(|index| -growth(&gradient, gradient.by_parameter[index]) / steepness)
     }
 
-    fn find(&self, trial: &Trial) -> Option<Found> {
+    fn find(&self, trial: &Trial) -> Result<Found, Cancelled> {
         let curve = Curve::new(trial, self.response, self.band)?;
         // What passes the level between two points shows at an extremum.
         let maxima = curve.extrema(Turn::Maximum, |size| size < self.below)?;
@@ -93,10 +98,10 @@ impl Width {
         let bands = ends.windows(2).skip(usize::from(!is_below)).step_by(2);
         let widest = bands.max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
         if let Some([from, to]) = widest {
-            return Some(Found::Widest([*from, *to]));
+            return Ok(Found::Widest([*from, *to]));
         }
         let lowest = curve.points.iter().min_by(|a, b| a.size.total_cmp(&b.size));
-        Some(
+        Ok(
             lowest.map_or(Found::Nothing(self.band[0], f64::NAN), |point| {
                 Found::Nothing(point.frequency, point.size)
             }),

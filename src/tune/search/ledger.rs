@@ -5,6 +5,7 @@ use std::sync::atomic::Ordering::Relaxed;
 use rayon::prelude::*;
 
 use super::types::{Control, Evaluation, Landscape, Merit, Phase, Progress, Stop};
+use crate::solve::Cancelled;
 
 /// The books of one search.
 pub(super) struct Ledger<'a> {
@@ -63,7 +64,7 @@ impl<'a> Ledger<'a> {
     pub(super) fn evaluations(&mut self, points: &[Vec<f64>], phase: Phase) -> Vec<Evaluation> {
         self.batch(points, phase, |landscape, x| {
             let evaluation = landscape.evaluate(x)?;
-            Some((evaluation.merit(), evaluation))
+            Ok((evaluation.merit(), evaluation))
         })
     }
 
@@ -72,7 +73,7 @@ impl<'a> Ledger<'a> {
         &mut self,
         points: &[Vec<f64>],
         phase: Phase,
-        of: impl Fn(&dyn Landscape, &[f64]) -> Option<(Merit, T)> + Sync,
+        of: impl Fn(&dyn Landscape, &[f64]) -> Result<(Merit, T), Cancelled> + Sync,
     ) -> Vec<T> {
         /// Points a thread between two words to the caller.
         const SHARE: usize = 4;

@@ -118,7 +118,7 @@ impl Search<'_> {
         if self.control.cancel.load(Relaxed) {
             return Err(Stop::Cancelled);
         }
-        let residuals = self.problem.residuals(x).ok_or(Stop::Cancelled)?;
+        let residuals = self.problem.residuals(x)?;
         self.evaluations += 1;
         Ok(residuals)
     }

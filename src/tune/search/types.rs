@@ -6,6 +6,8 @@ use std::sync::atomic::AtomicBool;
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::solve::Cancelled;
+
 /// A smooth function at one point.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Function {
@@ -16,6 +18,14 @@ pub struct Function {
 }
 
 impl Function {
+    /// Worse than any other, of so many coordinates.
+    pub(in crate::tune) fn worst(variables: usize) -> Self {
+        Self {
+            value: f64::INFINITY,
+            gradient: vec![f64::NAN; variables],
+        }
+    }
+
     /// True where the value and all derivatives are finite.
     pub(super) fn is_finite(&self) -> bool {
         self.value.is_finite() && self.gradient.iter().all(|slope| slope.is_finite())
@@ -125,23 +135,32 @@ pub struct Residuals {
 }
 
 /// What is searched. Points have [`variables`](Self::variables) coordinates, each from 0 to 1. Every method may be called
-/// from many threads at once, gives the same at the same point, and None where the search is cancelled.
+/// from many threads at once, gives the same at the same point, and ends early where the search is cancelled.
 pub trait Landscape: Sync {
     /// The number of coordinates.
     fn variables(&self) -> usize;
 
     /// How good a point is; cheap, without derivatives. A point without a value has a goal that is infinite or NaN.
-    fn merit(&self, x: &[f64]) -> Option<Merit>;
+    ///
+    /// # Errors
+    /// The search is cancelled.
+    fn merit(&self, x: &[f64]) -> Result<Merit, Cancelled>;
 
     /// The same with derivatives.
-    fn evaluate(&self, x: &[f64]) -> Option<Evaluation>;
+    ///
+    /// # Errors
+    /// The search is cancelled.
+    fn evaluate(&self, x: &[f64]) -> Result<Evaluation, Cancelled>;
 }
 
-/// Residuals whose sum of squares is to be small. As of [`Landscape`]: any thread, the same at the same point, None where
-/// cancelled.
+/// Residuals whose sum of squares is to be small. As of [`Landscape`]: any thread, the same at the same point, an
+/// early end where cancelled.
 pub trait Fit: Sync {
     /// The residuals and their derivatives at a point of the unit box.
-    fn residuals(&self, x: &[f64]) -> Option<Residuals>;
+    ///
+    /// # Errors
+    /// The search is cancelled.
+    fn residuals(&self, x: &[f64]) -> Result<Residuals, Cancelled>;
 }
 
 /// Which part of a search is running.
@@ -205,6 +224,12 @@ pub enum Stop {
     Cancelled,
     /// There is no finite value where it starts.
     NotFinite,
+}
+
+impl From<Cancelled> for Stop {
+    fn from(Cancelled: Cancelled) -> Self {
+        Self::Cancelled
+    }
 }
 
 impl fmt::Display for Stop {

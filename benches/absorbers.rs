@@ -38,11 +38,11 @@ fn model() -> Model {
             });
         }
     }
-    let response = "P5 w".to_owned();
     model.tune = Some(Tune {
         variables,
         objectives: vec![Objective {
-            aim: Aim::Peak { response },
+            aim: Aim::Peak,
+            response: Some("P5 w".to_owned()),
             from: 1.0,
             to: 400.0,
             weight: 1.0,

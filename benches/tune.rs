@@ -38,6 +38,7 @@ fn absorbers(aim: Aim) -> Model {
         variables,
         objectives: vec![Objective {
             aim,
+            response: Some("P5 w".to_owned()),
             from: 1.0,
             to: 400.0,
             weight: 1.0,
@@ -57,20 +58,9 @@ fn points(variables: usize) -> Vec<Vec<f64>> {
 }
 
 fn benches(criterion: &mut Criterion) {
-    let response = || "P5 w".to_owned();
     let aims = [
-        (
-            "highest peak",
-            Aim::Peak {
-                response: response(),
-            },
-        ),
-        (
-            "mean square",
-            Aim::MeanSquare {
-                response: response(),
-            },
-        ),
+        ("highest peak", Aim::Peak),
+        ("mean square", Aim::MeanSquare),
     ];
     let mut group = criterion.benchmark_group("tune fig05a");
     group.sample_size(10);

@@ -712,7 +712,7 @@ fn studies_change() {
         cases.push(Case { name: "new".to_owned(), set: Vec::new() });
         model.tune = Some(Tune {
             variables: vec![Variable { paths: vec!["beam.length".to_owned()], hold: Hold::Equal, min: 3.0, max: 4.0, scale: None, tolerance: 0.0 }],
-            objectives: vec![Objective { aim: Aim::Peak { response: "E_V".to_owned() }, from: 2.0, to: 3.0, weight: 1.0 }],
+            objectives: vec![Objective { aim: Aim::Peak, response: Some("E_V".to_owned()), from: 2.0, to: 3.0, weight: 1.0 }],
             combine: Combine::Sum,
             limits: Vec::new(),
         });

@@ -81,8 +81,8 @@ fn updated_with(folder: &Path, compare: Compare, columns: Option<&str>) -> Tuned
             })
             .collect(),
         objectives: vec![Objective {
+            response: Some("tip w".to_owned()),
             aim: Aim::Match {
-                response: "tip w".to_owned(),
                 file: "measured.csv".to_owned(),
                 curve: None,
                 columns: columns.map(str::to_owned),

@@ -42,7 +42,7 @@ fn response(model: &mut Model, index: usize, new: &str) {
     let old = std::mem::replace(&mut model.responses[index].name, new.to_owned());
     if let Some(tune) = &mut model.tune {
         let objectives = tune.objectives.iter_mut();
-        let responses = objectives.filter_map(|objective| objective.aim.response_mut());
+        let responses = objectives.filter_map(|objective| objective.response.as_mut());
         let limits = tune.limits.iter_mut().filter_map(|limit| match limit {
             Limit::StaticDeflection { response, .. } => Some(response),
             Limit::AddedMass { .. } | Limit::NoMode { .. } => None,
@@ -146,7 +146,9 @@ mod tests {
         let mut model = sample::model(&["S1"]);
         set(&mut model, "responses.P5 w.name", text("tip")).unwrap();
         assert_eq!(
-            model.tune.as_ref().unwrap().objectives[0].aim.response(),
+            model.tune.as_ref().unwrap().objectives[0]
+                .response
+                .as_deref(),
             Some("tip")
         );
     }

@@ -57,9 +57,8 @@ pub(in crate::model) fn model(names: &[&str]) -> Model {
                 tolerance: 0.0,
             }],
             objectives: vec![Objective {
-                aim: Aim::Peak {
-                    response: "P5 w".to_owned(),
-                },
+                aim: Aim::Peak,
+                response: Some("P5 w".to_owned()),
                 from: 20.0,
                 to: 120.0,
                 weight: 1.0,

@@ -67,11 +67,8 @@ fn variable(variable: &Variable, listed: &HashSet<String>) -> Node {
 
 fn objective(objective: &Objective) -> Node {
     let mut entries = chosen(AIMS, &objective.aim);
-    // The response stands behind what the aim is.
-    let word = usize::from(entries.first().is_some_and(|first| first.key != "response"));
-    if let Some(own) = entries.get_mut(word..) {
-        own.rotate_left(usize::from(!own.is_empty()));
-    }
+    let response = objective.response.as_ref();
+    entries.extend(response.map(|name| text("response", name)));
     entries.extend(rows(objective, &OBJECTIVE));
     Node::Inline(entries)
 }

@@ -192,7 +192,7 @@ fn user_of(model: &Model, item: Group) -> Option<String> {
             let tuned = model.tune.as_ref().is_some_and(|tune| {
                 tune.objectives
                     .iter()
-                    .any(|one| one.aim.response() == Some(name))
+                    .any(|one| one.response.as_ref() == Some(name))
             });
             tuned.then(|| "the objective of [tune]".to_owned())
         }

@@ -178,7 +178,7 @@ impl App {
     /// Shows the response that is sought for, where it does not show.
     fn show_objective(&mut self, model: &Model) {
         let objectives = model.tune.iter().flat_map(|tune| &tune.objectives);
-        let mut responses = objectives.filter_map(|objective| objective.aim.response());
+        let mut responses = objectives.filter_map(|objective| objective.response.as_deref());
         if let Some(first) = responses.next()
             && !self.curves.shows(first)
         {

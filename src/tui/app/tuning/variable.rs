@@ -200,9 +200,8 @@ impl App {
         };
         let [from, to] = self.tuned_band();
         Ok(Objective {
-            aim: Aim::Peak {
-                response: response.clone(),
-            },
+            aim: Aim::Peak,
+            response: Some(response.clone()),
             from,
             to,
             weight: 1.0,

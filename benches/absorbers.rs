@@ -28,7 +28,7 @@ fn model() -> Model {
         for (key, min, max) in [("stiffness", 1e5, 1e9), ("damping", 1.0, 1e5)] {
             variables.push(Variable {
                 paths: springs
-                    .map(|spring| format!("subsystems.{name}.{spring}.{key}"))
+                    .map(|spring| format!("subsystems.{name}.{spring}.{key}").into())
                     .to_vec(),
                 hold: Hold::Equal,
                 min,

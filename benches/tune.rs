@@ -22,7 +22,7 @@ fn absorbers(aim: Aim) -> Model {
     for name in ["S1", "S2", "S3"] {
         for axis in ["y", "z"] {
             for (key, min, max) in [("stiffness", 1e5, 1e9), ("damping", 1.0, 1e5)] {
-                let side = |side: &str| format!("subsystems.{name}.{axis}_{side}.{key}");
+                let side = |side: &str| format!("subsystems.{name}.{axis}_{side}.{key}").into();
                 variables.push(Variable {
                     paths: vec![side("left"), side("right")],
                     hold: model::Hold::Equal,

@@ -26,12 +26,11 @@ fn best(
     (aim, response): (Aim, &str),
     band: [f64; 2],
 ) -> Tuned {
-    let paths: Vec<String> = paths.iter().map(|path| (*path).to_owned()).collect();
-    let base = path::numbers(model, &paths[0]).unwrap()[0].1;
+    let base = path::numbers(model, paths[0]).unwrap()[0].1;
     let mut model = model.clone();
     model.tune = Some(Tune {
         variables: vec![Variable {
-            paths,
+            paths: paths.iter().map(|path| (*path).into()).collect(),
             hold: Hold::Ratio,
             min: base * times[0],
             max: base * times[1],

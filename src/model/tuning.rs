@@ -1,5 +1,6 @@
 //! What an optimiser may move, what for, and within which limits: `[tune]` of a model file as plain data.
 
+use super::path::Pattern;
 use super::types::{Spacing, words};
 
 /// What an optimiser may move, and what for.
@@ -19,7 +20,7 @@ pub struct Tune {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Variable {
     /// Parameter paths; `*` is every subsystem. The first parameter is the one that `min` and `max` are of.
-    pub paths: Vec<String>,
+    pub paths: Vec<Pattern>,
     /// How the other parameters follow the first.
     pub hold: Hold,
     /// Lower bound, in the parameter's unit.

@@ -37,7 +37,7 @@ fn variables() -> impl Strategy<Value = Vec<Variable>> {
             tolerances,
         )
             .prop_map(move |(hold, size, scale, tolerance)| Variable {
-                paths: paths.iter().map(|path| (*path).to_owned()).collect(),
+                paths: paths.iter().map(|path| (*path).into()).collect(),
                 hold,
                 min: size,
                 max: size * 2.0,
@@ -223,7 +223,7 @@ fn everything_is_read_as_it_stands() {
             .all(|one| (one.from, one.to) == (20.0, 120.0))
     );
     let variable = |paths: &[&str], hold, min, max| Variable {
-        paths: paths.iter().map(|path| (*path).to_owned()).collect(),
+        paths: paths.iter().map(|path| (*path).into()).collect(),
         hold,
         min,
         max,
@@ -334,7 +334,7 @@ fn bounds_change_alone() {
 fn variables_come_and_go_with_their_comments() {
     insta::assert_snapshot!(edited(|tune| {
         tune.variables.push(Variable {
-            paths: vec!["subsystems.*.arm_left".to_owned(), "subsystems.*.arm_right".to_owned()],
+            paths: vec!["subsystems.*.arm_left".into(), "subsystems.*.arm_right".into()],
             hold: Hold::Ratio,
             min: 0.05,
             max: 0.4,

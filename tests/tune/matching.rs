@@ -72,7 +72,7 @@ fn updated_with(folder: &Path, compare: Compare, columns: Option<&str>) -> Tuned
     model.tune = Some(Tune {
         variables: variables
             .map(|(path, value)| Variable {
-                paths: vec![path.to_owned()],
+                paths: vec![path.into()],
                 hold: Hold::Equal,
                 min: 0.7 * value,
                 max: 1.4 * value,

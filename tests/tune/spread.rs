@@ -25,7 +25,7 @@ fn on_springs() -> (Model, Tune) {
     let tune = Tune {
         variables: vec![Variable {
             paths: sides
-                .map(|side| format!("supports.{side}.w.stiffness"))
+                .map(|side| format!("supports.{side}.w.stiffness").into())
                 .to_vec(),
             hold: Hold::Equal,
             min: 1e5,

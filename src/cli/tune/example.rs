@@ -39,7 +39,7 @@ fn tune(model: &Model) -> Tune {
     let aim = response.map_or(Aim::Energy, |_| Aim::Peak);
     Tune {
         variables: vec![Variable {
-            paths: vec![path::text(model, id)],
+            paths: vec![path::text(model, id).into()],
             hold: Hold::Equal,
             min: now / 10.0,
             max: now * 10.0,

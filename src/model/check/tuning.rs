@@ -63,7 +63,7 @@ impl Rules<'_> {
                 1 => format!("{at}.path"),
                 _ => format!("{at}.paths.{}", number + 1),
             };
-            match path::numbers(&self.plans.bare, pattern) {
+            match path::numbers_of(&self.plans.bare, pattern) {
                 Ok(found) => {
                     let message = found
                         .into_iter()

@@ -1,6 +1,7 @@
 //! The tuning of a model file.
 
 use super::super::names;
+use super::super::path::Pattern;
 use super::super::schema::{AIMS, Asked, Choice, Kind, LIMITS, OBJECTIVE, VARIABLE};
 use super::super::tuning::{Aim, Combine, Hold, Limit, Objective, Tune, Variable};
 use super::super::types::Spacing;
@@ -8,7 +9,7 @@ use super::list::elements;
 use super::reader::{Reader, one_of};
 use super::rows::no_own;
 use super::table::Table;
-use super::value::{Node, text};
+use super::value::{Node, pattern};
 
 /// The tuning, if the file has one.
 pub(super) fn tune(root: &mut Table<'_>, reader: &mut Reader) -> Option<Tune> {
@@ -94,7 +95,7 @@ fn one_or_several<'a>(
     list
 }
 
-fn paths(table: &mut Table<'_>, reader: &mut Reader) -> Vec<String> {
+fn paths(table: &mut Table<'_>, reader: &mut Reader) -> Vec<Pattern> {
     let expected = "a parameter path (or paths, an array of them)";
     one_or_several(
         ["path", "paths"],
@@ -103,7 +104,7 @@ fn paths(table: &mut Table<'_>, reader: &mut Reader) -> Vec<String> {
         reader,
     )
     .into_iter()
-    .map(|(path, node)| text(&path, node, reader).unwrap_or_default())
+    .map(|(path, node)| pattern(&path, node, reader))
     .collect()
 }
 

@@ -52,9 +52,9 @@ fn paths_in_lists(original: Option<&dyn TableLike>) -> HashSet<String> {
 
 fn variable(variable: &Variable, listed: &HashSet<String>) -> Node {
     let mut entries = vec![match &variable.paths[..] {
-        [path] if !listed.contains(path) => text("path", path),
+        [path] if !listed.contains(&**path) => text("path", path),
         paths => {
-            let paths = paths.iter().cloned().map(Node::Text);
+            let paths = paths.iter().map(|path| Node::Text(path.to_string()));
             entry("paths", Node::List(paths.collect()))
         }
     }];

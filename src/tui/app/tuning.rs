@@ -333,7 +333,7 @@ fn taken_over(model: &Model, from: &Model, best: &Model) -> Result<Model, String
     let mut changed = model.clone();
     let variables = from.tune.iter().flat_map(|tune| &tune.variables);
     for pattern in variables.flat_map(|variable| &variable.paths) {
-        let found = path::numbers(best, pattern).map_err(|fault| fault.message)?;
+        let found = path::numbers_of(best, pattern).map_err(|fault| fault.message)?;
         for (id, value) in found {
             // Names lead from one model to another, which may have changed since the search began.
             edit::set_unchecked(&mut changed, &path::text(best, id), Value::Number(value))

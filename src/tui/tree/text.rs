@@ -223,7 +223,7 @@ fn study_line(study: &Study, line: usize) -> (String, String) {
             let values: Vec<String> = values.iter().map(f64::to_string).collect();
             (operation.key().to_owned(), values.join(" "))
         }
-        Family::Vary { paths, .. } => (paths[line - 1].clone(), String::new()),
+        Family::Vary { paths, .. } => (paths[line - 1].to_string(), String::new()),
         Family::Cases(cases) => {
             let case = &cases[line];
             let set = match case.set.len() {

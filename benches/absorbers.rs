@@ -28,7 +28,7 @@ fn model() -> Model {
         for (key, min, max) in [("stiffness", 1e5, 1e9), ("damping", 1.0, 1e5)] {
             variables.push(Variable {
                 paths: springs
-                    .map(|spring| format!("subsystems.{name}.{spring}.{key}"))
+                    .map(|spring| format!("subsystems.{name}.{spring}.{key}").into())
                     .to_vec(),
                 hold: Hold::Equal,
                 min,
@@ -38,11 +38,11 @@ fn model() -> Model {
             });
         }
     }
-    let response = "P5 w".to_owned();
     model.tune = Some(Tune {
         variables,
         objectives: vec![Objective {
-            aim: Aim::Peak { response },
+            aim: Aim::Peak,
+            response: Some("P5 w".to_owned()),
             from: 1.0,
             to: 400.0,
             weight: 1.0,

@@ -13,6 +13,12 @@ macro_rules! words {
             /// All of them, in the order of the words.
             pub const ALL: [Self; Self::WORDS.len()] = [$(Self::$value),*];
 
+            /// The one that a word in files names.
+            pub fn of_word(word: &str) -> Option<Self> {
+                let known = Self::WORDS.iter().position(|known| *known == word)?;
+                Some(Self::ALL[known])
+            }
+
             /// The word in files.
             pub const fn key(self) -> &'static str {
                 Self::WORDS[self as usize]

@@ -245,7 +245,12 @@ fn studies() -> impl Strategy<Value = Vec<Study>> {
         "beam.section.second_moment_*",
     ];
     let paths = prop::sample::subsequence(paths[..2].to_vec(), 1..=2).prop_shuffle();
-    let paths = paths.prop_map(|paths| paths.into_iter().map(str::to_owned).collect::<Vec<_>>());
+    let paths = paths.prop_map(|paths| {
+        paths
+            .into_iter()
+            .map(path::Pattern::from)
+            .collect::<Vec<_>>()
+    });
     let vary = (
         paths.clone(),
         prop::sample::select(Operation::ALL.to_vec()),
@@ -702,8 +707,8 @@ fn forces_and_responses_change() {
 fn studies_change() {
     insta::assert_snapshot!(edit(|model| {
         let Family::Vary { paths, operation, values } = &mut model.studies[0].family else { panic!() };
-        paths[0] = "subsystems.*.mass".to_owned();
-        paths.push("beam.material.density".to_owned());
+        paths[0] = "subsystems.*.mass".into();
+        paths.push("beam.material.density".into());
         *operation = Operation::Set;
         values.remove(0);
         values.push(8.0);
@@ -711,8 +716,8 @@ fn studies_change() {
         cases[1].set.reverse();
         cases.push(Case { name: "new".to_owned(), set: Vec::new() });
         model.tune = Some(Tune {
-            variables: vec![Variable { paths: vec!["beam.length".to_owned()], hold: Hold::Equal, min: 3.0, max: 4.0, scale: None, tolerance: 0.0 }],
-            objectives: vec![Objective { aim: Aim::Peak { response: "E_V".to_owned() }, from: 2.0, to: 3.0, weight: 1.0 }],
+            variables: vec![Variable { paths: vec!["beam.length".into()], hold: Hold::Equal, min: 3.0, max: 4.0, scale: None, tolerance: 0.0 }],
+            objectives: vec![Objective { aim: Aim::Peak, response: Some("E_V".to_owned()), from: 2.0, to: 3.0, weight: 1.0 }],
             combine: Combine::Sum,
             limits: Vec::new(),
         });
@@ -774,7 +779,7 @@ fn other_styles_of_tables_are_kept() {
         model.responses.push(Response { name: "s".to_owned(), enabled: true, quantity: Quantity::Energy });
         model.studies.push(Study {
             name: "new".to_owned(),
-            family: Family::Vary { paths: vec!["beam.length".to_owned()], operation: Operation::Multiply, values: vec![1.0] },
+            family: Family::Vary { paths: vec!["beam.length".into()], operation: Operation::Multiply, values: vec![1.0] },
         });
     }), @r#"
  title = "Other styles"

@@ -271,7 +271,7 @@ mod tests {
     fn a_study_with_an_impossible_curve_does_not_stand_in_the_way() {
         let mut model = smallest();
         let family = Family::Vary {
-            paths: vec!["beam.section.area".to_owned()],
+            paths: vec!["beam.section.area".into()],
             operation: Operation::Multiply,
             values: vec![1.0, -1.0],
         };
@@ -299,7 +299,7 @@ mod tests {
             name: "é".repeat(200),
             family: Family::Cases(vec![Case {
                 name: name.to_owned(),
-                set: vec![("beam.length".to_owned(), 1.0)],
+                set: vec![("beam.length".into(), 1.0)],
             }]),
         };
         (model.studies, model.tune) = (vec![study(&"é".repeat(200))], None);

@@ -4,7 +4,7 @@ use super::edit::{Value, directions, get, places, target_of};
 use super::id::{Group, ParameterId};
 use super::names::nearest;
 use super::schema::{FEWEST_POINTS, ForceKey, Kind, MOST_POINTS, SectionKey, SubsystemKey};
-use super::types::{Model, Quantity, Support};
+use super::types::{Model, Quantity, Restraint, Support};
 use crate::unit::{Measure, Unit, entry};
 
 /// A parameter, with all that a person needs to set it.
@@ -71,14 +71,16 @@ fn choices(model: &Model, id: ParameterId, value: &Value) -> Vec<&'static str> {
     let key = id.key();
     match key.kind {
         Kind::Word => key.words.to_vec(),
-        Kind::Restraint => vec!["free", "fixed", "elastic"],
+        Kind::Restraint => Restraint::WORDS.to_vec(),
         Kind::Support => {
             // What is mixed comes from the single motions and cannot be chosen here.
             let mixed = (*value == Value::Choice("elastic")).then_some("elastic");
             Support::WORDS.into_iter().chain(mixed).collect()
         }
         Kind::Measure => [Measure::WORDS, &[Quantity::ENERGY]].concat(),
-        Kind::Direction => target_of(model, id.group).map_or_else(Vec::new, directions),
+        Kind::Direction => {
+            target_of(model, id.group).map_or_else(Vec::new, |target| directions(target).to_vec())
+        }
         _ => Vec::new(),
     }
 }

@@ -7,15 +7,16 @@ mod value;
 mod variable;
 
 pub use family::{apply, apply_unchecked, family_keys, family_labels};
+pub use target::target_of;
 pub(super) use target::{directions, places};
-pub(super) use value::target_of;
 pub use value::{Value, get, number, put};
 
 use super::check::check;
 use super::fault::Fault;
 use super::id::{Group, ParameterId};
-use super::path;
+use super::path::{self, Pattern};
 use super::types::Model;
+use std::cmp::Ordering;
 
 /// A model, if it is a possible one.
 ///
@@ -52,6 +53,36 @@ pub fn remove(model: &mut Model, element: Group) {
     }
 }
 
+/// The first study or variable with a path that leads elsewhere, or nowhere, in a model from which an element was removed.
+pub fn misled(before: &Model, after: &Model, removed: Group) -> Option<Group> {
+    // What stands behind the removed one is one place further up.
+    let moved = |id: ParameterId| match (id.group.place(), removed.place()) {
+        (Some(own), Some(there)) if id.group.at(there) == removed => match own.cmp(&there) {
+            Ordering::Less => Some(id),
+            Ordering::Equal => None,
+            Ordering::Greater => Some(id.at(own - 1)),
+        },
+        _ => Some(id),
+    };
+    let is_misled = |pattern: &Pattern| {
+        let same = |old: Vec<ParameterId>, new: Vec<ParameterId>| {
+            new.into_iter().eq(old.into_iter().filter_map(moved))
+        };
+        match (pattern.parameters(before), pattern.parameters(after)) {
+            (Ok(old), Ok(new)) => !same(old, new),
+            (Ok(_), Err(_)) => true,
+            (Err(_), _) => false,
+        }
+    };
+    let mut studies = before.studies.iter();
+    let study = studies.position(|study| study.family.patterns().any(is_misled));
+    study.map(Group::Study).or_else(|| {
+        let mut variables = before.tune.iter().flat_map(|tune| &tune.variables);
+        let variable = variables.position(|variable| variable.paths.iter().any(is_misled));
+        variable.map(Group::Variable)
+    })
+}
+
 /// Sets every parameter of a path or pattern, if the model stays a possible one.
 ///
 /// # Errors
@@ -83,11 +114,58 @@ pub fn set_unchecked(model: &mut Model, pattern: &str, value: Value) -> Result<(
 
 #[cfg(test)]
 mod tests {
-    use super::super::types::{Case, Family};
+    use super::super::types::{Case, Family, Operation, Study};
     use super::*;
     use crate::model::path::{all, number, numbers, parameter, sample};
     use crate::model::schema::SubsystemKey;
     use std::time::{Duration, Instant};
+
+    /// Which study or variable is misled where a subsystem of three is removed.
+    fn misled_by(removed: usize, pattern: &str) -> Option<Group> {
+        let mut model = sample::model(&["S1", "a.b", "S3"]);
+        model.tune = None;
+        model.studies = vec![Study {
+            name: "only".to_owned(),
+            family: Family::Vary {
+                paths: vec!["beam.length".into(), pattern.into()],
+                operation: Operation::Multiply,
+                values: vec![1.0],
+            },
+        }];
+        let mut after = model.clone();
+        remove(&mut after, Group::Subsystem(removed));
+        misled(&model, &after, Group::Subsystem(removed))
+    }
+
+    /// Expected: a path is misled where it stands for other parameters, or for none, once the element is removed. A name
+    /// in quotes that need not be there, or in single ones, is the same name.
+    #[test]
+    fn paths_that_lead_elsewhere_are_found() {
+        let study = Some(Group::Study(0));
+        for pattern in [
+            "subsystems.S1.mass",
+            "subsystems.\"S1\".mass",
+            "subsystems.1.mass",
+            "subsystems.3.mass",
+        ] {
+            assert_eq!(misled_by(0, pattern), study, "{pattern}");
+        }
+        for pattern in [
+            "subsystems.S3.mass",
+            "subsystems.*.mass",
+            "subsystems.'a.b'.mass",
+        ] {
+            assert_eq!(misled_by(0, pattern), None, "{pattern}");
+        }
+        assert_eq!(misled_by(1, "subsystems.'a.b'.mass"), study);
+        assert_eq!(misled_by(2, "subsystems.1.mass"), None);
+        let mut model = sample::model(&["S1"]);
+        model.studies.clear();
+        let mut after = model.clone();
+        after.subsystems.clear();
+        let variable = misled(&model, &after, Group::Subsystem(0));
+        assert_eq!(variable, Some(Group::Variable(0)));
+    }
 
     #[test]
     fn a_number_is_set_and_checked() {
@@ -227,7 +305,7 @@ mod tests {
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
         let mut model = sample::model(&names);
         (model.studies, model.tune) = (Vec::new(), None);
-        let path = |name: &&str| (format!("subsystems.{name}.mass"), 7.0);
+        let path = |name: &&str| (format!("subsystems.{name}.mass").into(), 7.0);
         let set_all = names.iter().map(path).collect();
         let case = Case {
             name: "all".to_owned(),

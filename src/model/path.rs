@@ -14,6 +14,9 @@ pub(super) mod sample;
 mod text;
 
 pub(super) use find::Finder;
+#[cfg(test)]
+pub(crate) use pattern::PARSED;
+pub use pattern::Pattern;
 pub use text::{text, texts};
 
 use super::describe::Parameter;
@@ -34,7 +37,7 @@ pub fn all(model: &Model) -> Vec<String> {
 /// # Errors
 /// The pattern matches nothing; the fault names the nearest path that does, or what could stand there.
 pub fn find(model: &Model, pattern: &str) -> Result<Vec<ParameterId>, Fault> {
-    Finder::new(model).find(pattern)
+    Pattern::from(pattern).parameters(model)
 }
 
 /// The paths that a pattern stands for, at least one.
@@ -74,12 +77,21 @@ pub fn number(model: &Model, path: &str) -> Result<f64, Fault> {
 /// # Errors
 /// The pattern matches nothing, or something that is no number.
 pub fn numbers(model: &Model, pattern: &str) -> Result<Vec<(ParameterId, f64)>, Fault> {
+    numbers_of(model, &Pattern::from(pattern))
+}
+
+/// The numbers that a pattern stands for, each with its parameter.
+///
+/// # Errors
+/// As [`numbers`].
+pub fn numbers_of(model: &Model, pattern: &Pattern) -> Result<Vec<(ParameterId, f64)>, Fault> {
     let number = |id| match value_of(model, id) {
         Ok(number) => Ok((id, number)),
         // A path is made where it is reported alone.
         Err(message) => Err(Fault::new(text(model, id), message)),
     };
-    find(model, pattern)?.into_iter().map(number).collect()
+    let found = pattern.parameters(model)?;
+    found.into_iter().map(number).collect()
 }
 
 /// The one parameter of a path.

@@ -31,6 +31,8 @@ pub struct Key {
     pub is_spring: bool,
     /// What may be chosen; the first is the default.
     pub words: &'static [&'static str],
+    /// The same for people, where the words of the file do not say it.
+    pub spoken: &'static [&'static str],
 }
 
 /// What a key holds.
@@ -131,8 +133,39 @@ pub struct Choice<T: 'static> {
     pub word: &'static str,
     /// What it is before its keys are read.
     pub blank: fn() -> T,
+    /// The response that it is of.
+    pub response: Asked,
     /// Its keys.
     pub rows: Rows<T>,
+    /// What people read of it.
+    pub wording: Wording,
+}
+
+/// The response that an aim or a limit is of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Asked {
+    /// None.
+    Nothing,
+    /// A motion or an energy.
+    Any,
+    /// A motion.
+    Motion,
+    /// A displacement.
+    Displacement,
+}
+
+/// What people read of an aim or a limit. A key in braces stands for its value, `{response}` and `{band}` for those of
+/// the objective; what stands in brackets is left out where a value in it is empty.
+#[derive(Debug)]
+pub struct Wording {
+    /// Its row of the tree: what it is.
+    pub label: &'static str,
+    /// The value of that row.
+    pub value: &'static str,
+    /// All about it.
+    pub whole: &'static str,
+    /// The figure in a report; empty for a limit.
+    pub figure: &'static str,
 }
 
 impl<T> Choice<T> {
@@ -145,7 +178,8 @@ impl<T> Choice<T> {
 
     /// Whether a key goes with it.
     pub fn has(&self, key: &str) -> bool {
-        self.rows.keys.iter().any(|own| own.key == key)
+        let of_response = key == "response" && self.response != Asked::Nothing;
+        of_response || self.rows.keys.iter().any(|own| own.key == key)
     }
 }
 
@@ -184,6 +218,7 @@ const BLANK: Key = Key {
     default: None,
     is_spring: false,
     words: &[],
+    spoken: &[],
 };
 
 /// The description of a row of `rows!`.
@@ -194,11 +229,11 @@ macro_rules! key {
     (spring $key:literal, $symbol:literal, $unit:ident, $meaning:literal, $($place:ident).+) => {
         Key { is_spring: true, ..key!(number $key, $symbol, $unit, NonNegative or 0.0, $meaning, $($place).+) }
     };
-    (number_of $key:literal, $range:ident, $meaning:literal, $of:path, $field:ident) => {
-        Key { key: $key, meaning: $meaning, kind: Kind::Number, range: Range::$range, ..BLANK }
+    (number_of $key:literal, $unit:ident, $range:ident, $meaning:literal, $of:path, $field:ident) => {
+        Key { key: $key, unit: Unit::$unit, meaning: $meaning, kind: Kind::Number, range: Range::$range, ..BLANK }
     };
     (word_of $key:literal, $words:ident, $meaning:literal, $of:path, $field:ident) => {
-        key!(word $key, $words, $meaning, $field)
+        Key { spoken: $words::SPOKEN, ..key!(word $key, $words, $meaning, $field) }
     };
     (text_of $key:literal, $kind:ident, $meaning:literal, $of:path, $field:ident) => {
         Key { key: $key, meaning: $meaning, kind: Kind::$kind, ..BLANK }
@@ -219,7 +254,7 @@ macro_rules! access {
     (spring $key:literal, $symbol:literal, $unit:ident, $meaning:literal, $($place:ident).+) => {
         access!(number $key, $symbol, $unit, NonNegative or 0.0, $meaning, $($place).+)
     };
-    (number_of $key:literal, $range:ident, $meaning:literal, $of:path, $field:ident) => {
+    (number_of $key:literal, $unit:ident, $range:ident, $meaning:literal, $of:path, $field:ident) => {
         Access::Number(
             |of| if let $of { $field, .. } = of { *$field } else { f64::NAN },
             |of, value| if let $of { $field, .. } = of { *$field = value },
@@ -263,7 +298,7 @@ macro_rules! access {
 /// - `number(key, symbol, unit, range [or default], meaning, place in the struct)`
 /// - `spring(key, symbol, unit, meaning, place in the struct)`: a stiffness or damping, 0 or more, 0 where it is left out
 /// - `word(key, type of the words, meaning, place)`
-/// - `number_of(key, range, ..)`, `word_of(key, words, ..)`, `text_of(key, kind, ..)`: meaning, variant, field of an enum
+/// - `number_of(key, unit, range, ..)`, `word_of(key, words, ..)`, `text_of(key, kind, ..)`: meaning, variant, field of an enum
 /// - `count`, `flag` or `text(key, kind, meaning, place)`, `own(key, kind, meaning)`
 macro_rules! rows {
     ($(#[$doc:meta])* $name:ident of $of:ty { $($kind:ident($($row:tt)*),)* }) => {

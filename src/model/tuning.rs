@@ -1,5 +1,6 @@
 //! What an optimiser may move, what for, and within which limits: `[tune]` of a model file as plain data.
 
+use super::path::Pattern;
 use super::types::Spacing;
 use crate::words::words;
 
@@ -20,7 +21,7 @@ pub struct Tune {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Variable {
     /// Parameter paths; `*` is every subsystem. The first parameter is the one that `min` and `max` are of.
-    pub paths: Vec<String>,
+    pub paths: Vec<Pattern>,
     /// How the other parameters follow the first.
     pub hold: Hold,
     /// Lower bound, in the parameter's unit.
@@ -63,6 +64,8 @@ words! {
 pub struct Objective {
     /// Which figure.
     pub aim: Aim,
+    /// The name of the response that it is of; none for the energy of the beam.
+    pub response: Option<String>,
     /// Band start, Hz.
     pub from: f64,
     /// Band end, Hz.
@@ -75,36 +78,24 @@ pub struct Objective {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Aim {
     /// The least highest magnitude: `minimise = "peak"`.
-    Peak {
-        /// The response's name.
-        response: String,
-    },
+    Peak,
     /// The least mean of the squared magnitude (of an energy, of itself): `minimise = "mean_square"`.
-    MeanSquare {
-        /// The response's name.
-        response: String,
-    },
+    MeanSquare,
     /// The least mean vibration energy `E_V` of the beam: `minimise = "energy"`.
     Energy,
     /// The widest band below a level: `maximise = "width"`. Its figure is what the widest one leaves of the band, Hz.
     Width {
-        /// The response's name.
-        response: String,
         /// The level, in the response's unit.
         below: f64,
     },
     /// An anti-resonance at a frequency: `place = "anti_resonance"`. Its figure is how far the nearest one is, Hz.
     AntiResonance {
-        /// The response's name.
-        response: String,
         /// Where it is wanted, Hz.
         at: f64,
     },
     /// A response as it was measured: `match = FILE`. Its figure is the root mean square of the difference, in decibels
     /// or relative to the root mean square of what was measured.
     Match {
-        /// The response's name.
-        response: String,
         /// A measured curve, CSV or UFF 58; relative to the folder of the model file.
         file: String,
         /// Which curve of the file; none: the one with the response's name, or the only one.
@@ -116,6 +107,22 @@ pub enum Aim {
     },
 }
 
+impl Compare {
+    /// What is compared, for people; in the order of [`WORDS`](Self::WORDS).
+    pub const SPOKEN: &[&str] = &["the magnitude in decibels", "real and imaginary part"];
+}
+
+impl Aim {
+    /// The decibels of a factor of ten in its figure; none where the figure is no level.
+    pub const fn decibels(&self) -> Option<f64> {
+        match self {
+            Self::Peak => Some(20.0),
+            Self::MeanSquare | Self::Energy => Some(10.0),
+            Self::Width { .. } | Self::AntiResonance { .. } | Self::Match { .. } => None,
+        }
+    }
+}
+
 words! {
     /// What of a measured curve is compared.
     #[derive(Default)]
@@ -125,32 +132,6 @@ words! {
         LogMagnitude = "log_magnitude",
         /// Real and imaginary part.
         Complex = "complex",
-    }
-}
-
-impl Aim {
-    /// The response it is about; none for the energy.
-    pub fn response(&self) -> Option<&str> {
-        match self {
-            Self::Energy => None,
-            Self::Peak { response }
-            | Self::MeanSquare { response }
-            | Self::Width { response, .. }
-            | Self::AntiResonance { response, .. }
-            | Self::Match { response, .. } => Some(response),
-        }
-    }
-
-    /// The response it is about, to be renamed.
-    pub fn response_mut(&mut self) -> Option<&mut String> {
-        match self {
-            Self::Energy => None,
-            Self::Peak { response }
-            | Self::MeanSquare { response }
-            | Self::Width { response, .. }
-            | Self::AntiResonance { response, .. }
-            | Self::Match { response, .. } => Some(response),
-        }
     }
 }
 
@@ -176,4 +157,14 @@ pub enum Limit {
         /// At most this, in the response's unit.
         at_most: f64,
     },
+}
+
+impl Limit {
+    /// The name of the response that it is of, if it is of one.
+    pub fn response(&self) -> Option<&String> {
+        match self {
+            Self::StaticDeflection { response, .. } => Some(response),
+            Self::AddedMass { .. } | Self::NoMode { .. } => None,
+        }
+    }
 }

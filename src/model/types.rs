@@ -3,6 +3,7 @@
 //! A number left out of a file has its default here (no stiffness, no damping, amplitude 1), so every value of
 //! these types is a complete model. Whether it is also a *possible* one is said by [`check`](super::check()).
 
+use super::path::Pattern;
 use super::tuning::Tune;
 use crate::unit::{Dimension, Kind, Load, Measure, Moves};
 use crate::words::words;
@@ -205,12 +206,21 @@ impl Restraint {
         }
     }
 
-    /// Its word: `free`, `fixed` or `elastic`.
+    /// The words of all kinds.
+    pub const WORDS: [&'static str; 3] = ["free", "fixed", "elastic"];
+
+    /// The one with a word; an elastic one has 0 of everything.
+    pub fn of_word(word: &str) -> Option<Self> {
+        let all = [Self::Free, Self::Fixed, Self::Elastic(Elastic::default())];
+        all.into_iter().find(|one| one.kind() == word)
+    }
+
+    /// Its word.
     pub const fn kind(self) -> &'static str {
         match self {
-            Self::Free => "free",
-            Self::Fixed => "fixed",
-            Self::Elastic(_) => "elastic",
+            Self::Free => Self::WORDS[0],
+            Self::Fixed => Self::WORDS[1],
+            Self::Elastic(_) => Self::WORDS[2],
         }
     }
 }
@@ -405,7 +415,7 @@ pub enum Family {
     /// The same paths changed by each value in turn.
     Vary {
         /// Parameter paths; `*` is every subsystem.
-        paths: Vec<String>,
+        paths: Vec<Pattern>,
         /// How a value acts.
         operation: Operation,
         /// One curve each.
@@ -413,6 +423,19 @@ pub enum Family {
     },
     /// Named cases.
     Cases(Vec<Case>),
+}
+
+impl Family {
+    /// What its members change.
+    pub fn patterns(&self) -> Box<dyn Iterator<Item = &Pattern> + '_> {
+        match self {
+            Self::Vary { paths, .. } => Box::new(paths.iter()),
+            Self::Cases(cases) => {
+                let set = cases.iter().flat_map(|case| &case.set);
+                Box::new(set.map(|(path, _)| path))
+            }
+        }
+    }
 }
 
 words! {
@@ -444,5 +467,5 @@ pub struct Case {
     /// Unique in its study.
     pub name: String,
     /// Paths and the numbers they are set to.
-    pub set: Vec<(String, f64)>,
+    pub set: Vec<(Pattern, f64)>,
 }

@@ -109,10 +109,7 @@ mod tests {
     fn coordinate(scale: Spacing, hold: Hold) -> Coordinate {
         let model = crate::model::read(crate::presets::find("fig05a").unwrap().text).unwrap();
         let variable = Variable {
-            paths: vec![
-                "subsystems.S1.mass".to_owned(),
-                "subsystems.*.inertia".to_owned(),
-            ],
+            paths: vec!["subsystems.S1.mass".into(), "subsystems.*.inertia".into()],
             hold,
             min: 10.0,
             max: 1000.0,

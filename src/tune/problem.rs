@@ -41,11 +41,11 @@ pub(super) struct Aimed {
 /// The curve cannot be read, needs an answer on its columns, is of something else than the response, or has nothing in
 /// the band.
 pub fn check_match(model: &Model, objective: &Objective, folder: &Path) -> Result<(), Fault> {
-    let Some(name) = objective.aim.response() else {
+    let Some(name) = objective.response.as_ref() else {
         return Ok(());
     };
     let mut responses = model.responses.iter();
-    match responses.position(|response| response.name == name) {
+    match responses.position(|response| response.name == *name) {
         Some(place) => Figure::new(model, objective, place, folder).map(drop),
         None => Err(Fault::new("tune", format!("there is no response {name:?}"))),
     }
@@ -275,12 +275,10 @@ fn bare(model: &Model, tune: &Tune) -> (Model, Vec<usize>) {
     let mut names: Vec<&str> = tune
         .objectives
         .iter()
-        .filter_map(|objective| objective.aim.response())
+        .filter_map(|objective| objective.response.as_deref())
         .collect();
-    names.extend(tune.limits.iter().filter_map(|limit| match limit {
-        Limit::StaticDeflection { response, .. } => Some(response.as_str()),
-        Limit::AddedMass { .. } | Limit::NoMode { .. } => None,
-    }));
+    let limits = tune.limits.iter().filter_map(Limit::response);
+    names.extend(limits.map(String::as_str));
     let wanted = model
         .responses
         .iter()
@@ -304,7 +302,7 @@ fn bare(model: &Model, tune: &Tune) -> (Model, Vec<usize>) {
         response.enabled = true;
     }
     let energy = bare.responses.len() - 1;
-    let place = |objective: &Objective| match objective.aim.response() {
+    let place = |objective: &Objective| match &objective.response {
         Some(name) => place_of(&bare, name),
         None => energy,
     };

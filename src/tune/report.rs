@@ -10,6 +10,7 @@ use super::run::place;
 use super::search::{Certainty, Merit, Place};
 use super::terrain::figures_at;
 use super::trial::Trial;
+use crate::model::path::Pattern;
 use crate::model::{Limit, Objective};
 use crate::solve::Cancelled;
 
@@ -105,7 +106,7 @@ pub(super) fn moved(problem: &Problem, x: &[f64], certainty: &Certainty) -> Vec<
             _ => None,
         };
         Moved {
-            paths: one.variable.paths.clone(),
+            paths: one.variable.paths.iter().map(Pattern::to_string).collect(),
             before: one.start(),
             after: after[index],
             uncertainty: known,

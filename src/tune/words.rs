@@ -1,9 +1,8 @@
 //! What a tuning asks for in words, with units.
 
 use crate::model::edit::Value;
-use crate::model::{
-    Aim, Compare, Hold, Limit, Model, Objective, Parameter, Spacing, Unit, Variable,
-};
+use crate::model::schema::{AIMS, Access, Choice, LIMITS, Wording};
+use crate::model::{Hold, Limit, Model, Objective, Parameter, Spacing, Unit, Variable};
 use crate::unit::Kind;
 
 /// Two numbers with one unit, that in which the larger is shown: `0.1..100 MN/m`.
@@ -80,39 +79,7 @@ pub fn variable(model: &Model, variable: &Variable) -> String {
 
 /// Everything about an objective, its weight on a line of its own.
 pub fn objective(model: &Model, objective: &Objective) -> String {
-    let band = band(objective);
-    let text = match &objective.aim {
-        Aim::Peak { response } => format!("the least highest peak of {response}, {band}"),
-        Aim::MeanSquare { response } => format!("the least mean square of {response}, {band}"),
-        Aim::Energy => format!("the least mean vibration energy of the beam, {band}"),
-        Aim::Width { response, below } => {
-            let below = level(model, response, *below);
-            format!("the widest band of {response} below {below}, in {band}")
-        }
-        Aim::AntiResonance { response, at } => {
-            let at = Unit::HERTZ.format(*at);
-            format!("an anti-resonance of {response} at {at}, in {band}")
-        }
-        Aim::Match {
-            response,
-            file,
-            curve,
-            columns,
-            compare,
-        } => {
-            let curve = curve
-                .as_ref()
-                .map_or_else(String::new, |curve| format!(", curve {curve}"));
-            let columns = columns
-                .as_ref()
-                .map_or_else(String::new, |columns| format!(" (columns {columns})"));
-            let what = match compare {
-                Compare::LogMagnitude => "the magnitude in decibels",
-                Compare::Complex => "real and imaginary part",
-            };
-            format!("{what} of {response} as in {file}{columns}{curve}, {band}")
-        }
-    };
+    let text = of_objective(model, objective, |wording| wording.whole);
     if objective.weight == 1.0 {
         text
     } else {
@@ -120,22 +87,78 @@ pub fn objective(model: &Model, objective: &Objective) -> String {
     }
 }
 
-/// Everything about a limit.
-pub fn limit(model: &Model, limit: &Limit) -> String {
-    match limit {
-        Limit::AddedMass { at_most } => {
-            let mass = Unit::KILOGRAM.format(*at_most);
-            format!("the masses of all enabled subsystems together: at most {mass}")
+/// One of the wordings of an objective, with its values.
+pub fn of_objective(
+    model: &Model,
+    objective: &Objective,
+    wording: fn(&Wording) -> &'static str,
+) -> String {
+    let response = objective.response.as_ref();
+    in_words(model, AIMS, &objective.aim, response, wording, || {
+        band(objective)
+    })
+}
+
+/// One of the wordings of a limit, with its values.
+pub fn of_limit(model: &Model, limit: &Limit, wording: fn(&Wording) -> &'static str) -> String {
+    let response = limit.response();
+    in_words(model, LIMITS, limit, response, wording, || match limit {
+        Limit::NoMode { from, to } => range(*from, *to, Unit::HERTZ),
+        Limit::AddedMass { .. } | Limit::StaticDeflection { .. } => String::new(),
+    })
+}
+
+fn in_words<T>(
+    model: &Model,
+    choices: &'static [Choice<T>],
+    of: &T,
+    response: Option<&String>,
+    wording: fn(&Wording) -> &'static str,
+    band: impl Fn() -> String,
+) -> String {
+    let Some(choice) = Choice::of(choices, of) else {
+        return String::new();
+    };
+    let response = response.map_or("", String::as_str);
+    filled(wording(&choice.wording), |wanted| match wanted {
+        "response" => response.to_owned(),
+        "band" => band(),
+        _ => choice
+            .rows
+            .iter()
+            .find(|(key, _)| key.key == wanted)
+            .map_or_else(String::new, |(key, access)| match access {
+                // What has no unit of its own has that of the response.
+                Access::Number(get, _) if key.unit == Unit::ONE => level(model, response, get(of)),
+                Access::Number(get, _) => key.unit.format(get(of)),
+                Access::Word(get, _) => key.spoken[get(of)].to_owned(),
+                Access::Optional(get, _) => get(of).cloned().unwrap_or_default(),
+                _ => String::new(),
+            }),
+    })
+}
+
+/// A wording in which values take the places of the keys in braces. What stands in brackets is left out where a value
+/// in it is empty.
+fn filled(wording: &str, value: impl Fn(&str) -> String) -> String {
+    let mut text = String::new();
+    for (index, piece) in wording.split(['[', ']']).enumerate() {
+        let (mut own, mut lacks) = (String::new(), false);
+        for part in piece.split_inclusive('}') {
+            let (words, key) = part.split_once('{').unwrap_or((part, ""));
+            own.push_str(words);
+            if let Some(key) = key.strip_suffix('}') {
+                let value = value(key);
+                lacks |= value.is_empty();
+                own.push_str(&value);
+            }
         }
-        Limit::NoMode { from, to } => {
-            let band = range(*from, *to, Unit::HERTZ);
-            format!("no natural frequency, without damping, in {band}")
-        }
-        Limit::StaticDeflection { response, at_most } => {
-            let most = level(model, response, *at_most);
-            format!("{response} under the forces at rest: at most {most}")
+        let in_brackets = index % 2 == 1;
+        if !(in_brackets && lacks) {
+            text.push_str(&own);
         }
     }
+    text
 }
 
 #[cfg(test)]
@@ -169,7 +192,11 @@ mod tests {
                 "the magnitude in decibels of P5 v as in measured.unv, 20..120 Hz",
             ]
         );
-        let limits: Vec<_> = tune.limits.iter().map(|one| limit(&model, one)).collect();
+        let limits: Vec<_> = tune
+            .limits
+            .iter()
+            .map(|one| of_limit(&model, one, |of| of.whole))
+            .collect();
         assert_eq!(
             limits,
             [

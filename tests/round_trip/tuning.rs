@@ -37,7 +37,7 @@ fn variables() -> impl Strategy<Value = Vec<Variable>> {
             tolerances,
         )
             .prop_map(move |(hold, size, scale, tolerance)| Variable {
-                paths: paths.iter().map(|path| (*path).to_owned()).collect(),
+                paths: paths.iter().map(|path| (*path).into()).collect(),
                 hold,
                 min: size,
                 max: size * 2.0,
@@ -50,35 +50,40 @@ fn variables() -> impl Strategy<Value = Vec<Variable>> {
         .prop_flat_map(move |pools| pools.into_iter().map(one).collect::<Vec<_>>())
 }
 
-fn aim(names: &[Vec<String>; 3], from: f64, to: f64) -> BoxedStrategy<Aim> {
-    let mut aims = vec![Just(Aim::Energy).boxed()];
+/// What is sought, and of which response.
+fn aim(
+    names: &[Vec<String>; 3],
+    from: f64,
+    to: f64,
+) -> impl Strategy<Value = (Aim, Option<String>)> + use<> {
+    let mut aims = vec![Just((Aim::Energy, None)).boxed()];
     let [any, motions, _] = names.clone();
     if !any.is_empty() {
-        let peak = |response| Aim::Peak { response };
-        let mean_square = |response| Aim::MeanSquare { response };
+        let peak = |response| (Aim::Peak, Some(response));
+        let mean_square = |response| (Aim::MeanSquare, Some(response));
         aims.push(prop::sample::select(any.clone()).prop_map(peak).boxed());
         aims.push(prop::sample::select(any).prop_map(mean_square).boxed());
     }
     if !motions.is_empty() {
         let name = || prop::sample::select(motions.clone());
         let width =
-            (name(), positive()).prop_map(|(response, below)| Aim::Width { response, below });
-        let place = (name(), 0.0..=1.0_f64).prop_map(move |(response, share)| {
+            (name(), positive()).prop_map(|(name, below)| (Aim::Width { below }, Some(name)));
+        let place = (name(), 0.0..=1.0_f64).prop_map(move |(name, share)| {
             let at = (to - from).mul_add(share, from).clamp(from, to);
-            Aim::AntiResonance { response, at }
+            (Aim::AntiResonance { at }, Some(name))
         });
         let compare = prop::sample::select(Compare::ALL.to_vec());
         let files = "[a-z./ \"\\\\']{0,8}[.]csv";
         let curves = prop::option::of("[ -~äß€]{0,5}x");
         let matched = (name(), files, curves.clone(), curves, compare).prop_map(|found| {
-            let (response, file, curve, columns, compare) = found;
-            Aim::Match {
-                response,
+            let (name, file, curve, columns, compare) = found;
+            let aim = Aim::Match {
                 file,
                 curve,
                 columns,
                 compare,
-            }
+            };
+            (aim, Some(name))
         });
         aims.extend([width.boxed(), place.boxed(), matched.boxed()]);
     }
@@ -89,8 +94,9 @@ fn objective(names: [Vec<String>; 3]) -> impl Strategy<Value = Objective> {
     let weight = prop_oneof![Just(1.0), positive()];
     (positive(), weight).prop_flat_map(move |(from, weight)| {
         let to = from * 3.0;
-        aim(&names, from, to).prop_map(move |aim| Objective {
+        aim(&names, from, to).prop_map(move |(aim, response)| Objective {
             aim,
+            response,
             from,
             to,
             weight,
@@ -182,30 +188,19 @@ const WHOLE: &str = include_str!("../data/tuned.toml");
 fn everything_is_read_as_it_stands() {
     let tune = read(WHOLE).unwrap().tune.unwrap();
     let name = || "P5 w".to_owned();
-    let velocity = || "P5 v".to_owned();
     let aims = [
-        Aim::Peak { response: name() },
-        Aim::MeanSquare {
-            response: velocity(),
-        },
+        Aim::Peak,
+        Aim::MeanSquare,
         Aim::Energy,
-        Aim::Width {
-            response: name(),
-            below: 1e-7,
-        },
-        Aim::AntiResonance {
-            response: name(),
-            at: 85.0,
-        },
+        Aim::Width { below: 1e-7 },
+        Aim::AntiResonance { at: 85.0 },
         Aim::Match {
-            response: name(),
             file: "measured.csv".to_owned(),
             curve: Some("tip".to_owned()),
             columns: Some("hz; re im; m/N".to_owned()),
             compare: Compare::Complex,
         },
         Aim::Match {
-            response: velocity(),
             file: "measured.unv".to_owned(),
             curve: None,
             columns: None,
@@ -214,6 +209,9 @@ fn everything_is_read_as_it_stands() {
     ];
     let found: Vec<_> = tune.objectives.iter().map(|one| one.aim.clone()).collect();
     assert_eq!(found, aims);
+    let responses = tune.objectives.iter().map(|one| one.response.as_deref());
+    let [w, v] = [Some("P5 w"), Some("P5 v")];
+    assert_eq!(responses.collect::<Vec<_>>(), [w, v, None, w, w, w, v]);
     let weights = tune.objectives.iter().map(|one| one.weight);
     assert_eq!(
         weights.collect::<Vec<_>>(),
@@ -225,7 +223,7 @@ fn everything_is_read_as_it_stands() {
             .all(|one| (one.from, one.to) == (20.0, 120.0))
     );
     let variable = |paths: &[&str], hold, min, max| Variable {
-        paths: paths.iter().map(|path| (*path).to_owned()).collect(),
+        paths: paths.iter().map(|path| (*path).into()).collect(),
         hold,
         min,
         max,
@@ -273,7 +271,7 @@ fn a_new_name_goes_to_objectives_limits_and_variables() {
     let named: Vec<_> = tune
         .objectives
         .iter()
-        .filter_map(|one| one.aim.response())
+        .filter_map(|one| one.response.as_deref())
         .collect();
     assert_eq!(named, ["tip", "P5 v", "tip", "tip", "tip", "P5 v"]);
     let deflection = Limit::StaticDeflection {
@@ -294,10 +292,8 @@ fn edited(change: impl Fn(&mut Tune)) -> String {
 
 fn width() -> Objective {
     Objective {
-        aim: Aim::Width {
-            response: "P5 w".to_owned(),
-            below: 1e-7,
-        },
+        aim: Aim::Width { below: 1e-7 },
+        response: Some("P5 w".to_owned()),
         from: 20.0,
         to: 120.0,
         weight: 1.0,
@@ -338,7 +334,7 @@ fn bounds_change_alone() {
 fn variables_come_and_go_with_their_comments() {
     insta::assert_snapshot!(edited(|tune| {
         tune.variables.push(Variable {
-            paths: vec!["subsystems.*.arm_left".to_owned(), "subsystems.*.arm_right".to_owned()],
+            paths: vec!["subsystems.*.arm_left".into(), "subsystems.*.arm_right".into()],
             hold: Hold::Ratio,
             min: 0.05,
             max: 0.4,
@@ -380,7 +376,10 @@ fn an_objective_is_replaced() {
 -objective = { minimise = "peak", response = "P5 w", from = 20.0, to = 120.0 }  # as low as can be
 +objective = { maximise = "width", response = "P5 w", from = 20.0, to = 120.0, below = 1e-7 }  # as low as can be
 "#);
-    insta::assert_snapshot!(edited(|tune| tune.objectives[0].aim = Aim::Energy), @r#"
+    insta::assert_snapshot!(edited(|tune| {
+        tune.objectives[0].aim = Aim::Energy;
+        tune.objectives[0].response = None;
+    }), @r#"
  ]
 -objective = { minimise = "peak", response = "P5 w", from = 20.0, to = 120.0 }  # as low as can be
 +objective = { minimise = "energy", from = 20.0, to = 120.0 }  # as low as can be

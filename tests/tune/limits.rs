@@ -16,7 +16,7 @@ const SUPPORTS: [&str; 2] = ["supports.left.w.stiffness", "supports.right.w.stif
 
 fn variable(paths: &[&str], min: f64, max: f64) -> Variable {
     Variable {
-        paths: paths.iter().map(|path| (*path).to_owned()).collect(),
+        paths: paths.iter().map(|path| (*path).into()).collect(),
         hold: Hold::Equal,
         min,
         max,

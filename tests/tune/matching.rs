@@ -72,7 +72,7 @@ fn updated_with(folder: &Path, compare: Compare, columns: Option<&str>) -> Tuned
     model.tune = Some(Tune {
         variables: variables
             .map(|(path, value)| Variable {
-                paths: vec![path.to_owned()],
+                paths: vec![path.into()],
                 hold: Hold::Equal,
                 min: 0.7 * value,
                 max: 1.4 * value,
@@ -81,8 +81,8 @@ fn updated_with(folder: &Path, compare: Compare, columns: Option<&str>) -> Tuned
             })
             .collect(),
         objectives: vec![Objective {
+            response: Some("tip w".to_owned()),
             aim: Aim::Match {
-                response: "tip w".to_owned(),
                 file: "measured.csv".to_owned(),
                 curve: None,
                 columns: columns.map(str::to_owned),

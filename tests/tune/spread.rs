@@ -26,7 +26,7 @@ fn on_springs() -> (Model, Tune) {
     let tune = Tune {
         variables: vec![Variable {
             paths: sides
-                .map(|side| format!("supports.{side}.w.stiffness"))
+                .map(|side| format!("supports.{side}.w.stiffness").into())
                 .to_vec(),
             hold: Hold::Equal,
             min: 1e5,
@@ -110,7 +110,7 @@ fn tolerances_that_are_impossible_together_are_refused() {
     model.beam.section.polar_moment = 2e-4;
     model.beam.section.centroid_offset = 0.1;
     let one = |path: &str, tolerance| Variable {
-        paths: vec![format!("beam.section.{path}")],
+        paths: vec![format!("beam.section.{path}").into()],
         tolerance,
         ..tune.variables[0].clone()
     };

@@ -36,12 +36,10 @@ fn tune(model: &Model) -> Tune {
             (modulus, model.beam.material.young_modulus)
         });
     let response = model.responses.iter().find(|response| response.enabled);
-    let aim = response.map_or(Aim::Energy, |response| Aim::Peak {
-        response: response.name.clone(),
-    });
+    let aim = response.map_or(Aim::Energy, |_| Aim::Peak);
     Tune {
         variables: vec![Variable {
-            paths: vec![path::text(model, id)],
+            paths: vec![path::text(model, id).into()],
             hold: Hold::Equal,
             min: now / 10.0,
             max: now * 10.0,
@@ -50,6 +48,7 @@ fn tune(model: &Model) -> Tune {
         }],
         objectives: vec![Objective {
             aim,
+            response: response.map(|response| response.name.clone()),
             from: model.sweep.from,
             to: model.sweep.to,
             weight: 1.0,

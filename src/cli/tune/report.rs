@@ -3,7 +3,7 @@
 use crate::cli::padded;
 use crate::escape::escape;
 use crate::model::{Aim, Limit, Model, Unit, Variable, counted, path};
-use crate::tune::words::{band, bounds, first_parameter, level, range};
+use crate::tune::words::{bounds, first_parameter, level, of_objective, range};
 use crate::tune::{Achieved, Kept, Moved, Place, Tuned, WorstCase};
 
 /// One thing that was changed or reached.
@@ -117,21 +117,7 @@ fn objectives(model: &Model, tuned: &Tuned) -> Vec<Row> {
 
 fn objective(model: &Model, before: &Achieved, after: &Achieved) -> Row {
     let objective = &after.objective;
-    let band = band(objective);
-    let what = match &objective.aim {
-        Aim::Peak { response } => format!("highest peak of {response}, {band}"),
-        Aim::MeanSquare { response } => format!("mean square of {response}, {band}"),
-        Aim::Energy => format!("mean vibration energy, {band}"),
-        Aim::Width { response, below } => {
-            let below = level(model, response, *below);
-            format!("widest band of {response} below {below}, {band}")
-        }
-        Aim::AntiResonance { response, at } => {
-            let at = Unit::HERTZ.format(*at);
-            format!("anti-resonance of {response}, off {at}")
-        }
-        Aim::Match { response, file, .. } => format!("{response} off {file}, {band}"),
-    };
+    let what = of_objective(model, objective, |wording| wording.figure);
     let more = [change(before, after), places(after)];
     let more: Vec<_> = more.into_iter().filter(|text| !text.is_empty()).collect();
     Row {
@@ -156,10 +142,8 @@ fn figure(achieved: &Achieved) -> String {
 
 /// By how many decibels a level changed.
 fn change(before: &Achieved, after: &Achieved) -> String {
-    let per_decade = match after.objective.aim {
-        Aim::Peak { .. } => 20.0,
-        Aim::MeanSquare { .. } | Aim::Energy => 10.0,
-        Aim::Width { .. } | Aim::AntiResonance { .. } | Aim::Match { .. } => return String::new(),
+    let Some(per_decade) = after.objective.aim.decibels() else {
+        return String::new();
     };
     let decibels = per_decade * (after.figure / before.figure).log10();
     if decibels.is_finite() {

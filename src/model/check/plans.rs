@@ -2,7 +2,7 @@
 
 use super::super::fault::Fault;
 use super::super::names::{self, element_keys};
-use super::super::path;
+use super::super::path::{self, Pattern};
 use super::super::types::{Case, Family, Model, Supports};
 use super::{element_names, not_finite, state, tuning};
 use std::collections::HashSet;
@@ -93,7 +93,7 @@ impl Plans {
             if !value.is_finite() {
                 faults.push(Fault::new(&path, not_finite(*value)));
             }
-            if !seen.insert(pattern) {
+            if !seen.insert(&**pattern) {
                 faults.push(Fault::new(
                     &path,
                     "is set twice; must be set once in a case",
@@ -103,8 +103,8 @@ impl Plans {
     }
 
     /// A pattern must stand for numbers.
-    fn pattern(&self, at: &str, pattern: &str, faults: &mut Vec<Fault>) {
-        if let Err(fault) = path::numbers(&self.bare, pattern) {
+    fn pattern(&self, at: &str, pattern: &Pattern, faults: &mut Vec<Fault>) {
+        if let Err(fault) = path::numbers_of(&self.bare, pattern) {
             faults.push(Fault::new(at, format!("{}: {}", fault.path, fault.message)));
         }
     }

@@ -5,7 +5,7 @@ use super::super::fault::Fault;
 use super::super::id::{Group, ParameterId};
 use super::super::names;
 use super::super::path;
-use super::super::schema::{AIMS, Access, Choice, Kind, LIMITS, OBJECTIVE, Rows};
+use super::super::schema::{AIMS, Access, Asked, Choice, Kind, LIMITS, OBJECTIVE, Rows};
 use super::super::serial::format_number;
 use super::super::tuning::{Aim, Hold, Limit, Objective, Tune, Variable};
 use super::super::types::{Model, Quantity, Spacing};
@@ -64,7 +64,7 @@ impl Rules<'_> {
                 1 => format!("{at}.path"),
                 _ => format!("{at}.paths.{}", number + 1),
             };
-            match path::numbers(&self.plans.bare, pattern) {
+            match path::numbers_of(&self.plans.bare, pattern) {
                 Ok(found) => {
                     let message = found
                         .into_iter()
@@ -195,13 +195,13 @@ fn range(at: &str, variable: &Variable, faults: &mut Vec<Fault>) {
 
 fn objective(at: &str, model: &Model, objective: &Objective, faults: &mut Vec<Fault>) {
     let aim = &objective.aim;
-    let wanted = match aim {
-        Aim::Energy | Aim::Peak { .. } | Aim::MeanSquare { .. } => Wanted::Any,
-        Aim::Width { .. } | Aim::AntiResonance { .. } | Aim::Match { .. } => Wanted::Motion,
-    };
-    if let Some(name) = aim.response() {
-        response(at, model, name, wanted, faults);
-    }
+    response(
+        at,
+        model,
+        objective.response.as_ref(),
+        asked(AIMS, aim),
+        faults,
+    );
     let (from, to) = (objective.from, objective.to);
     ranges(at, objective, &OBJECTIVE, faults);
     band(at, from, to, faults);
@@ -217,13 +217,16 @@ fn objective(at: &str, model: &Model, objective: &Objective, faults: &mut Vec<Fa
 }
 
 fn limit(at: &str, model: &Model, limit: &Limit, faults: &mut Vec<Fault>) {
-    if let Limit::StaticDeflection { response: name, .. } = limit {
-        response(at, model, name, Wanted::Displacement, faults);
-    }
+    response(at, model, limit.response(), asked(LIMITS, limit), faults);
     chosen(at, limit, LIMITS, faults);
     if let Limit::NoMode { from, to } = limit {
         band(at, *from, *to, faults);
     }
+}
+
+/// The response that an aim or a limit is of.
+fn asked<T>(choices: &[Choice<T>], of: &T) -> Asked {
+    Choice::of(choices, of).map_or(Asked::Nothing, |choice| choice.response)
 }
 
 /// The numbers and texts of what a table is.
@@ -256,17 +259,10 @@ fn ranges<T>(at: &str, of: &T, rows: &Rows<T>, faults: &mut Vec<Fault>) {
     }
 }
 
-/// What a response must be.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Wanted {
-    Any,
-    Motion,
-    Displacement,
-}
-
 /// A response must be there, in use, and what is wanted.
-fn response(at: &str, model: &Model, name: &str, wanted: Wanted, faults: &mut Vec<Fault>) {
-    let found = model.responses.iter().find(|one| one.name == name);
+fn response(at: &str, model: &Model, name: Option<&String>, asked: Asked, faults: &mut Vec<Fault>) {
+    let Some(name) = name else { return };
+    let found = model.responses.iter().find(|one| one.name == *name);
     let message = match found {
         None => {
             let known = model
@@ -280,14 +276,14 @@ fn response(at: &str, model: &Model, name: &str, wanted: Wanted, faults: &mut Ve
         Some(found) if !found.enabled => {
             format!("{name:?} is disabled; must be an enabled response")
         }
-        Some(found) => match (&found.quantity, wanted) {
-            (Quantity::Energy, Wanted::Motion) => {
+        Some(found) => match (&found.quantity, asked) {
+            (Quantity::Energy, Asked::Motion) => {
                 format!("{name:?} is an energy, which has no phase; must be a motion")
             }
-            (Quantity::Energy, Wanted::Displacement) => {
+            (Quantity::Energy, Asked::Displacement) => {
                 format!("{name:?} is an energy; must be a displacement")
             }
-            (Quantity::Motion(_, measure), Wanted::Displacement)
+            (Quantity::Motion(_, measure), Asked::Displacement)
                 if *measure != Measure::Displacement =>
             {
                 let measure = measure.key();

@@ -2,7 +2,7 @@
 
 use super::value::{Value, number, put};
 use crate::model::fault::Fault;
-use crate::model::path::{self, Finder};
+use crate::model::path::{self, Finder, Pattern};
 use crate::model::types::{Family, Model, Operation};
 use crate::unit::Unit;
 
@@ -35,7 +35,7 @@ pub fn apply_unchecked(model: &Model, family: &Family, index: usize) -> Result<M
 fn change(model: &Model, member: &mut Model, family: &Family, index: usize) -> Result<(), Fault> {
     let missing = || Fault::new("", format!("the study has no member {}", index + 1));
     let finder = Finder::new(model);
-    let mut write = |path: &str, operation: Operation, by: f64| {
+    let mut write = |path: &Pattern, operation: Operation, by: f64| {
         for id in finder.find(path)? {
             let fault = |message| Fault::new(path::text(model, id), message);
             let old = number(model, id).map_err(fault)?;
@@ -111,7 +111,7 @@ mod tests {
     use crate::model::types::{Case, Study};
 
     fn vary(paths: &[&str], operation: Operation, values: &[f64]) -> Family {
-        let paths = paths.iter().map(|path| (*path).to_owned()).collect();
+        let paths = paths.iter().map(|path| (*path).into()).collect();
         Family::Vary {
             paths,
             operation,
@@ -189,7 +189,7 @@ mod tests {
             vary(&["subsystems.S1.mass"], Operation::Set, &[]),
             Family::Cases(vec![Case {
                 name: "a".to_owned(),
-                set: vec![("beam.length".to_owned(), 0.0)],
+                set: vec![("beam.length".into(), 0.0)],
             }]),
         ];
         for family in refused {

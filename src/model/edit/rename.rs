@@ -1,7 +1,8 @@
 //! New names for elements that others speak of.
 
 use crate::model::id::Group;
-use crate::model::path::pattern::{Part, join, split};
+use crate::model::path::Pattern;
+use crate::model::path::pattern::{Part, join};
 use crate::model::tuning::Limit;
 use crate::model::types::{Family, Model, Quantity, Target};
 
@@ -42,7 +43,7 @@ fn response(model: &mut Model, index: usize, new: &str) {
     let old = std::mem::replace(&mut model.responses[index].name, new.to_owned());
     if let Some(tune) = &mut model.tune {
         let objectives = tune.objectives.iter_mut();
-        let responses = objectives.filter_map(|objective| objective.aim.response_mut());
+        let responses = objectives.filter_map(|objective| objective.response.as_mut());
         let limits = tune.limits.iter_mut().filter_map(|limit| match limit {
             Limit::StaticDeflection { response, .. } => Some(response),
             Limit::AddedMass { .. } | Limit::NoMode { .. } => None,
@@ -77,10 +78,10 @@ fn paths(model: &mut Model, list: &str, old: &str, new: &str) {
     }
 }
 
-fn rewrite(path: &mut String, list: &str, old: &str, new: &str) {
-    let Ok(mut parts) = split(path) else { return };
+fn rewrite(path: &mut Pattern, list: &str, old: &str, new: &str) {
+    let Ok(parts) = path.parts() else { return };
     // Digits without quotes are a number, which stays.
-    let named = match &parts[..] {
+    let named = match parts {
         [root, Part::Word(name), ..] => {
             root.means(list) && name == old && !name.chars().all(|letter| letter.is_ascii_digit())
         }
@@ -88,8 +89,9 @@ fn rewrite(path: &mut String, list: &str, old: &str, new: &str) {
         _ => false,
     };
     if named {
+        let mut parts = parts.to_vec();
         parts[1] = Part::Quoted(new.to_owned());
-        *path = join(&parts);
+        *path = join(&parts).into();
     }
 }
 
@@ -112,7 +114,7 @@ mod tests {
                 "subsystems.1.mass",
                 "subsystems.S2.mass",
             ]
-            .map(str::to_owned)
+            .map(crate::model::path::Pattern::from)
             .to_vec();
         }
         set(&mut model, "subsystems.S1.name", text("a.b")).unwrap();
@@ -146,7 +148,9 @@ mod tests {
         let mut model = sample::model(&["S1"]);
         set(&mut model, "responses.P5 w.name", text("tip")).unwrap();
         assert_eq!(
-            model.tune.as_ref().unwrap().objectives[0].aim.response(),
+            model.tune.as_ref().unwrap().objectives[0]
+                .response
+                .as_deref(),
             Some("tip")
         );
     }

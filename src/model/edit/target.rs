@@ -1,11 +1,13 @@
 //! Where a force acts or a response is taken, as text.
 
+use super::value::Value;
+use crate::model::id::Group;
 use crate::model::names::{nearest, segment};
-use crate::model::types::{BeamMotion, MassMotion, Model, Place, Target};
-use crate::unit::{Unit, entry};
+use crate::model::types::{BeamMotion, MassMotion, Model, Place, Quantity, Target};
+use crate::unit::{Measure, Unit, entry};
 
 /// Where an energy's response goes when it becomes a motion.
-pub(super) const DEFAULT: Target = Target::Beam(Place::Right, BeamMotion::W);
+const DEFAULT: Target = Target::Beam(Place::Right, BeamMotion::W);
 
 /// More subsystems than this are not listed.
 const MOST_LISTED: usize = 6;
@@ -47,18 +49,92 @@ pub(super) fn direction(target: &Target) -> &'static str {
 }
 
 /// The words of the directions that fit the place.
-pub(in crate::model) fn directions(target: &Target) -> Vec<&'static str> {
+pub(in crate::model) const fn directions(target: &Target) -> &'static [&'static str] {
     match target {
-        Target::Beam(..) => BeamMotion::ALL.map(BeamMotion::key).to_vec(),
-        Target::Mass(..) => MassMotion::ALL.map(MassMotion::key).to_vec(),
+        Target::Beam(..) => BeamMotion::WORDS,
+        Target::Mass(..) => MassMotion::WORDS,
     }
 }
 
-/// The target at another place, with the motion that is nearest to the old one there.
+/// Where a force acts or a response is taken; none of an energy.
+pub fn target_of(model: &Model, group: Group) -> Option<&Target> {
+    match group {
+        Group::Force(index) => Some(&model.forces[index].target),
+        Group::Response(index) => match &model.responses[index].quantity {
+            Quantity::Motion(target, _) => Some(target),
+            Quantity::Energy => None,
+        },
+        _ => None,
+    }
+}
+
+/// As [`target_of`], or why there is none.
+pub(super) fn known(model: &Model, group: Group) -> Result<&Target, String> {
+    target_of(model, group).ok_or_else(|| "is an energy, which is the whole beam's; the measure must be displacement, velocity or acceleration first".to_owned())
+}
+
+fn put(model: &mut Model, group: Group, new: Target) {
+    match group {
+        Group::Force(index) => model.forces[index].target = new,
+        Group::Response(index) => {
+            if let Quantity::Motion(target, _) = &mut model.responses[index].quantity {
+                *target = new;
+            }
+        }
+        _ => {}
+    }
+}
+
+/// The word of what a response is.
+pub(super) const fn measure(quantity: &Quantity) -> &'static str {
+    match quantity {
+        Quantity::Motion(_, measure) => measure.key(),
+        Quantity::Energy => Quantity::ENERGY,
+    }
+}
+
+/// A quantity with another measure. An energy that becomes a motion is w at the right end.
 ///
 /// # Errors
-/// The text is no place; says what would be.
-pub(super) fn moved(model: &Model, old: &Target, text: &str) -> Result<Target, String> {
+/// There is no such measure; says which there are.
+pub(super) fn measured(quantity: &Quantity, word: &str) -> Result<Quantity, String> {
+    if word == Quantity::ENERGY {
+        return Ok(Quantity::Energy);
+    }
+    let measure = Measure::of_word(word).ok_or_else(|| {
+        let words = Measure::WORDS.join(", ");
+        format!("is {word:?}; must be {words} or {}", Quantity::ENERGY)
+    })?;
+    let target = match quantity {
+        Quantity::Motion(target, _) => target.clone(),
+        Quantity::Energy => DEFAULT,
+    };
+    Ok(Quantity::Motion(target, measure))
+}
+
+/// Takes a force or response to another place, with the motion that is nearest to the old one there.
+///
+/// # Errors
+/// It is an energy, or the text is no place; says what would be.
+pub(super) fn place_at(model: &mut Model, group: Group, value: Value) -> Result<(), String> {
+    let old = known(model, group)?;
+    let new = moved(model, old, &value.text()?)?;
+    put(model, group, new);
+    Ok(())
+}
+
+/// Turns a force or response along another direction.
+///
+/// # Errors
+/// It is an energy, or the direction does not fit the place; says which do.
+pub(super) fn turn(model: &mut Model, group: Group, value: &Value) -> Result<(), String> {
+    let old = known(model, group)?;
+    let new = turned(old, value.word()?)?;
+    put(model, group, new);
+    Ok(())
+}
+
+fn moved(model: &Model, old: &Target, text: &str) -> Result<Target, String> {
     let text = text.trim();
     let known = |name: &str| {
         model
@@ -85,32 +161,16 @@ pub(super) fn moved(model: &Model, old: &Target, text: &str) -> Result<Target, S
     Ok(Target::Mass(name.to_owned(), mass_motion(old)))
 }
 
-/// The target along another direction.
-///
-/// # Errors
-/// The direction does not fit the place; says which do.
-pub(super) fn turned(old: &Target, word: &str) -> Result<Target, String> {
-    let beam = BeamMotion::ALL
-        .into_iter()
-        .find(|motion| motion.key() == word);
-    let mass = MassMotion::ALL
-        .into_iter()
-        .find(|motion| motion.key() == word);
-    match (old, beam, mass) {
-        (Target::Beam(place, _), Some(motion), _) => Ok(Target::Beam(*place, motion)),
-        (Target::Mass(name, _), _, Some(motion)) => Ok(Target::Mass(name.clone(), motion)),
-        _ => {
-            let place = if matches!(old, Target::Beam(..)) {
-                "on the beam"
-            } else {
-                "at a subsystem"
-            };
-            Err(format!(
-                "is {word:?}; must be {} {place}",
-                directions(old).join(", ")
-            ))
-        }
-    }
+fn turned(old: &Target, word: &str) -> Result<Target, String> {
+    let (beam, mass) = (BeamMotion::of_word(word), MassMotion::of_word(word));
+    let place = match (old, beam, mass) {
+        (Target::Beam(place, _), Some(motion), _) => return Ok(Target::Beam(*place, motion)),
+        (Target::Mass(name, _), _, Some(motion)) => return Ok(Target::Mass(name.clone(), motion)),
+        (Target::Beam(..), ..) => "on the beam",
+        (Target::Mass(..), ..) => "at a subsystem",
+    };
+    let fitting = directions(old).join(", ");
+    Err(format!("is {word:?}; must be {fitting} {place}"))
 }
 
 /// The motion of the beam along which a target is, or that of the beam nearest to it.

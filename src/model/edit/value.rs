@@ -5,8 +5,7 @@ use super::target;
 use crate::model::id::{End, Group, ParameterId};
 use crate::model::schema::{self, Access, Key, Kind, Rows};
 use crate::model::serial::format_number;
-use crate::model::types::{BeamMotion, Elastic, Model, Quantity, Restraint, Support, Target};
-use crate::unit::Measure;
+use crate::model::types::{BeamMotion, Elastic, Model, Restraint, Support};
 
 /// The value of a parameter.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,7 +45,7 @@ impl Value {
         }
     }
 
-    fn text(self) -> Result<String, String> {
+    pub(super) fn text(self) -> Result<String, String> {
         match self {
             Self::Text(text) => Ok(text),
             Self::Choice(word) => Ok(word.to_owned()),
@@ -54,7 +53,7 @@ impl Value {
         }
     }
 
-    fn word(&self) -> Result<&str, String> {
+    pub(super) fn word(&self) -> Result<&str, String> {
         match self {
             Self::Text(text) => Ok(text),
             Self::Choice(word) => Ok(word),
@@ -138,7 +137,7 @@ pub fn number(model: &Model, id: ParameterId) -> Result<f64, String> {
 
 /// The value of a parameter with rules of its own.
 fn own(model: &Model, id: ParameterId) -> Result<Value, String> {
-    let target = || target_of(model, id.group).ok_or_else(energy);
+    let target = || target::known(model, id.group);
     Ok(match (id.group, id.key().kind) {
         (Group::Support(end), _) => {
             let support = end.support(model);
@@ -148,26 +147,11 @@ fn own(model: &Model, id: ParameterId) -> Result<Value, String> {
             )
         }
         (Group::Response(index), Kind::Measure) => {
-            Value::Choice(match &model.responses[index].quantity {
-                Quantity::Motion(_, measure) => measure.key(),
-                Quantity::Energy => Quantity::ENERGY,
-            })
+            Value::Choice(target::measure(&model.responses[index].quantity))
         }
         (_, Kind::Place) => Value::Text(target::place(target()?)),
         _ => Value::Choice(target::direction(target()?)),
     })
-}
-
-/// Where a force acts or a response is taken; none of an energy.
-pub(in crate::model) fn target_of(model: &Model, group: Group) -> Option<&Target> {
-    match group {
-        Group::Force(index) => Some(&model.forces[index].target),
-        Group::Response(index) => match &model.responses[index].quantity {
-            Quantity::Motion(target, _) => Some(target),
-            Quantity::Energy => None,
-        },
-        _ => None,
-    }
 }
 
 fn fixed(end: End, motion: BeamMotion, key: &Key) -> String {
@@ -175,10 +159,6 @@ fn fixed(end: End, motion: BeamMotion, key: &Key) -> String {
     format!(
         "{motion} is fixed there, so it has no {key}; supports.{end}.{motion} must be free or elastic first"
     )
-}
-
-fn energy() -> String {
-    "is an energy, which is the whole beam's; the measure must be displacement, velocity or acceleration first".to_owned()
 }
 
 /// Writes a value, without asking whether the model stays a possible one.
@@ -189,19 +169,11 @@ pub fn put(model: &mut Model, id: ParameterId, value: Value) -> Result<(), Strin
     let row = id.row;
     match (id.group, id.key().kind) {
         (group, Kind::Name) => rename::element(model, group, &value.text()?),
-        (group, Kind::Place) => {
-            let old = target_of(model, group).ok_or_else(energy)?;
-            let new = target::moved(model, old, &value.text()?)?;
-            put_target(model, group, new);
-        }
-        (group, Kind::Direction) => {
-            let old = target_of(model, group).ok_or_else(energy)?;
-            let new = target::turned(old, value.word()?)?;
-            put_target(model, group, new);
-        }
+        (group, Kind::Place) => target::place_at(model, group, value)?,
+        (group, Kind::Direction) => target::turn(model, group, &value)?,
         (Group::Response(index), Kind::Measure) => {
             let quantity = &mut model.responses[index].quantity;
-            *quantity = measured(quantity, &value)?;
+            *quantity = target::measured(quantity, value.word()?)?;
         }
         (Group::Support(end), _) => match (id.motion(), end.support_mut(model)) {
             (Some(motion), support) => put_restraint(&mut support[motion], value.word()?)?,
@@ -223,18 +195,6 @@ pub fn put(model: &mut Model, id: ParameterId, value: Value) -> Result<(), Strin
         _ => return Err("cannot be set".to_owned()),
     }
     Ok(())
-}
-
-fn put_target(model: &mut Model, group: Group, new: Target) {
-    match group {
-        Group::Force(index) => model.forces[index].target = new,
-        Group::Response(index) => {
-            if let Quantity::Motion(target, _) = &mut model.responses[index].quantity {
-                *target = new;
-            }
-        }
-        _ => {}
-    }
 }
 
 fn put_spring(
@@ -259,13 +219,12 @@ fn put_spring(
 }
 
 fn put_restraint(restraint: &mut Restraint, word: &str) -> Result<(), String> {
-    *restraint = match (word, *restraint) {
-        ("free", _) => Restraint::Free,
-        ("fixed", _) => Restraint::Fixed,
-        ("elastic", kept @ Restraint::Elastic(_)) => kept,
-        ("elastic", _) => Restraint::Elastic(Elastic::default()),
-        (other, _) => return Err(format!("is {other:?}; must be free, fixed or elastic")),
-    };
+    let new = Restraint::of_word(word)
+        .ok_or_else(|| format!("is {word:?}; must be free, fixed or elastic"))?;
+    // What is elastic already keeps its springs.
+    if new.kind() != restraint.kind() {
+        *restraint = new;
+    }
     Ok(())
 }
 
@@ -280,20 +239,6 @@ fn put_support(support: &mut Support, word: &str) -> Result<(), String> {
     *support = Support::of_word(word)
         .ok_or_else(|| format!("is {word:?}; must be free, pinned or clamped"))?;
     Ok(())
-}
-
-/// A quantity with another measure. An energy that becomes a motion is w at the right end.
-fn measured(quantity: &Quantity, value: &Value) -> Result<Quantity, String> {
-    if value.word()? == Quantity::ENERGY {
-        return Ok(Quantity::Energy);
-    }
-    let index = chosen(value, Measure::WORDS)
-        .map_err(|message| format!("{message} or {}", Quantity::ENERGY))?;
-    let target = match quantity {
-        Quantity::Motion(target, _) => target.clone(),
-        Quantity::Energy => target::DEFAULT,
-    };
-    Ok(Quantity::Motion(target, Measure::ALL[index]))
 }
 
 /// Which of some words a value is.

@@ -16,7 +16,7 @@ impl Variable {
     pub fn parameters(&self, model: &Model) -> Result<Vec<(ParameterId, f64)>, Fault> {
         let (mut all, mut seen) = (Vec::new(), HashSet::new());
         for pattern in &self.paths {
-            let found = path::numbers(model, pattern)?.into_iter();
+            let found = path::numbers_of(model, pattern)?.into_iter();
             all.extend(found.filter(|(id, _)| seen.insert(*id)));
         }
         Ok(all)
@@ -51,10 +51,8 @@ impl Variable {
     /// above 0, linear otherwise.
     pub fn spacing(&self, model: &Model) -> Spacing {
         let first = || {
-            path::find(model, self.paths.first()?)
-                .ok()?
-                .first()
-                .copied()
+            let ids = self.paths.first()?.parameters(model).ok()?;
+            ids.first().copied()
         };
         self.scale.unwrap_or_else(|| match first() {
             Some(first) if first.key().is_spring && self.min > 0.0 => Spacing::Log,
@@ -70,7 +68,7 @@ mod tests {
 
     fn variable(paths: &[&str], hold: Hold) -> Variable {
         Variable {
-            paths: paths.iter().map(|path| (*path).to_owned()).collect(),
+            paths: paths.iter().map(|path| (*path).into()).collect(),
             hold,
             min: 1.0,
             max: 1000.0,

@@ -4,7 +4,7 @@ use std::cell::{Cell, OnceCell};
 use std::collections::HashMap;
 
 use super::miss::{self, Miss};
-use super::pattern::{Part, split};
+use super::pattern::{Part, Pattern};
 use super::text::parts;
 use crate::model::Fault;
 use crate::model::id::{End, Group, ParameterId};
@@ -44,10 +44,11 @@ impl<'a> Finder<'a> {
     ///
     /// # Errors
     /// The path matches nothing; the fault has the nearest path that does, or what could stand there.
-    pub(in crate::model) fn find(&self, path: &str) -> Result<Vec<ParameterId>, Fault> {
-        let parts = split(path).map_err(|message| Fault::new(path, message))?;
-        self.resolve(&parts)
-            .map_err(|miss| Fault::new(path, miss::explain(self, parts, miss)))
+    pub(in crate::model) fn find(&self, path: &Pattern) -> Result<Vec<ParameterId>, Fault> {
+        let fault = |message| Fault::new(&**path, message);
+        let parts = path.parts().map_err(|message| fault(message.to_owned()))?;
+        self.resolve(parts)
+            .map_err(|miss| fault(miss::explain(self, parts.to_vec(), miss)))
     }
 
     /// The parameters of a path's parts.

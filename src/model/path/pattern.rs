@@ -1,6 +1,85 @@
 //! The text of a path and its parts.
 
+use std::borrow::Borrow;
+use std::fmt;
+use std::ops::Deref;
+use std::sync::Arc;
+
+use super::find::Finder;
+use crate::model::fault::Fault;
+use crate::model::id::ParameterId;
 use crate::model::names;
+use crate::model::types::Model;
+
+/// The path or pattern of a study or a variable. Its text is parsed once, where it is read; copies share it.
+#[derive(Debug, Clone)]
+pub struct Pattern(Arc<Parsed>);
+
+#[derive(Debug)]
+struct Parsed {
+    text: String,
+    parts: Result<Vec<Part>, String>,
+}
+
+impl Pattern {
+    /// Its parts, or what is wrong with its text.
+    pub(in crate::model) fn parts(&self) -> Result<&[Part], &str> {
+        self.0.parts.as_deref().map_err(String::as_str)
+    }
+
+    /// The parameters that it stands for, at least one.
+    ///
+    /// # Errors
+    /// It matches nothing; the fault names the nearest path that does, or what could stand there.
+    pub fn parameters(&self, model: &Model) -> Result<Vec<ParameterId>, Fault> {
+        Finder::new(model).find(self)
+    }
+}
+
+impl<T: Into<String>> From<T> for Pattern {
+    fn from(text: T) -> Self {
+        let text = text.into();
+        let parts = split(&text);
+        Self(Arc::new(Parsed { text, parts }))
+    }
+}
+
+impl Deref for Pattern {
+    type Target = str;
+    fn deref(&self) -> &str {
+        &self.0.text
+    }
+}
+
+impl Borrow<str> for Pattern {
+    fn borrow(&self) -> &str {
+        self
+    }
+}
+
+impl PartialEq for Pattern {
+    fn eq(&self, other: &Self) -> bool {
+        **self == **other
+    }
+}
+
+impl PartialEq<&str> for Pattern {
+    fn eq(&self, other: &&str) -> bool {
+        **self == **other
+    }
+}
+
+impl fmt::Display for Pattern {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self)
+    }
+}
+
+#[cfg(test)]
+thread_local! {
+    /// How many texts were parsed by this thread.
+    pub(crate) static PARSED: std::cell::Cell<usize> = const { std::cell::Cell::new(0) };
+}
 
 /// One part of a path, between two dots.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -32,7 +111,9 @@ impl Part {
 ///
 /// # Errors
 /// Says what is wrong with the text.
-pub(in crate::model) fn split(path: &str) -> Result<Vec<Part>, String> {
+fn split(path: &str) -> Result<Vec<Part>, String> {
+    #[cfg(test)]
+    PARSED.set(PARSED.get() + 1);
     let mut parts = Vec::new();
     let mut rest = path;
     loop {

@@ -50,7 +50,7 @@ pub(in crate::model) fn model(names: &[&str]) -> Model {
         ],
         tune: Some(Tune {
             variables: vec![Variable {
-                paths: vec!["subsystems.*.mass".to_owned()],
+                paths: vec!["subsystems.*.mass".into()],
                 hold: Hold::Equal,
                 min: 1.0,
                 max: 1000.0,
@@ -58,9 +58,8 @@ pub(in crate::model) fn model(names: &[&str]) -> Model {
                 tolerance: 0.0,
             }],
             objectives: vec![Objective {
-                aim: Aim::Peak {
-                    response: "P5 w".to_owned(),
-                },
+                aim: Aim::Peak,
+                response: Some("P5 w".to_owned()),
                 from: 20.0,
                 to: 120.0,
                 weight: 1.0,
@@ -176,7 +175,7 @@ fn responses(names: &[&str]) -> Vec<Response> {
 
 fn study(name: &str, path: &str, operation: Operation, values: &[f64]) -> Study {
     let family = Family::Vary {
-        paths: vec![path.to_owned()],
+        paths: vec![path.into()],
         operation,
         values: values.to_vec(),
     };
@@ -188,10 +187,8 @@ fn study(name: &str, path: &str, operation: Operation, values: &[f64]) -> Study 
 
 fn cases(names: &[&str]) -> Vec<Case> {
     let named = names.first().map(|name| {
-        (
-            format!("subsystems.{}.arm_left", crate::model::names::segment(name)),
-            0.22,
-        )
+        let path = format!("subsystems.{}.arm_left", crate::model::names::segment(name));
+        (path.into(), 0.22)
     });
     vec![
         Case {

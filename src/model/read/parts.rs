@@ -115,11 +115,11 @@ fn support(table: Option<Table<'_>>, reader: &mut Reader) -> Support {
 }
 
 fn restraint(path: &str, node: Node<'_>, motion: BeamMotion, reader: &mut Reader) -> Restraint {
-    match node.get_ref() {
-        DeValue::String(word) if word == "free" => return Restraint::Free,
-        DeValue::String(word) if word == "fixed" => return Restraint::Fixed,
-        DeValue::Table(_) => {}
-        other => {
+    let word = node.get_ref().as_str().and_then(Restraint::of_word);
+    match (word, node.get_ref()) {
+        (Some(held @ (Restraint::Free | Restraint::Fixed)), _) => return held,
+        (_, DeValue::Table(_)) => {}
+        (_, other) => {
             let inertia = if motion.is_translation() {
                 "mass"
             } else {

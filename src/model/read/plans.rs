@@ -1,11 +1,12 @@
 //! The studies of a model file.
 
 use super::super::names;
+use super::super::path::Pattern;
 use super::super::types::{Case, Family, Operation, Study};
 use super::list::{elements, named};
 use super::reader::Reader;
 use super::table::Table;
-use super::value::{number, text, wrong_type};
+use super::value::{number, pattern, wrong_type};
 use toml::de::DeValue;
 
 /// The list of studies.
@@ -60,7 +61,7 @@ fn vary(table: &mut Table<'_>, operations: &[Operation], reader: &mut Reader) ->
         None => Vec::new(),
         Some(_) => elements("vary", "parameter paths", table, reader)
             .into_iter()
-            .map(|(path, node)| text(&path, node, reader).unwrap_or_default())
+            .map(|(path, node)| pattern(&path, node, reader))
             .collect(),
     };
     let operation = operations.first().copied().unwrap_or(Operation::Multiply);
@@ -122,7 +123,7 @@ fn cases(table: &mut Table<'_>, reader: &mut Reader) -> Family {
 }
 
 /// Paths and numbers, in the order of the text.
-fn assignments(set: &Table<'_>, reader: &mut Reader) -> Vec<(String, f64)> {
+fn assignments(set: &Table<'_>, reader: &mut Reader) -> Vec<(Pattern, f64)> {
     let mut assignments = Vec::new();
     for (key, node) in set.entries() {
         let path = set.at(&names::segment(key));
@@ -134,7 +135,7 @@ fn assignments(set: &Table<'_>, reader: &mut Reader) -> Vec<(String, f64)> {
         } else {
             number(&path, node, "a number", reader)
         };
-        assignments.push((key.to_owned(), value));
+        assignments.push((key.into(), value));
     }
     assignments
 }

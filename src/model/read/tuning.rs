@@ -1,14 +1,15 @@
 //! The tuning of a model file.
 
 use super::super::names;
-use super::super::schema::{AIMS, Choice, Kind, LIMITS, OBJECTIVE, VARIABLE};
+use super::super::path::Pattern;
+use super::super::schema::{AIMS, Asked, Choice, Kind, LIMITS, OBJECTIVE, VARIABLE};
 use super::super::tuning::{Aim, Combine, Hold, Limit, Objective, Tune, Variable};
 use super::super::types::Spacing;
 use super::list::elements;
 use super::reader::{Reader, one_of};
 use super::rows::no_own;
 use super::table::Table;
-use super::value::{Node, text};
+use super::value::{Node, pattern};
 
 /// The tuning, if the file has one.
 pub(super) fn tune(root: &mut Table<'_>, reader: &mut Reader) -> Option<Tune> {
@@ -67,59 +68,57 @@ fn variable(path: String, node: Node<'_>, reader: &mut Reader) -> Variable {
     variable
 }
 
-/// `path`, or `paths` in its place.
-fn paths(table: &mut Table<'_>, reader: &mut Reader) -> Vec<String> {
-    let (one, several) = (table.at("path"), table.at("paths"));
-    if !table.has("paths") {
+/// The values of a key, or of the list of several in its place; `expected` says what the key and the list hold.
+fn one_or_several<'a>(
+    [one, several]: [&'static str; 2],
+    [expected, of]: [&str; 2],
+    table: &mut Table<'a>,
+    reader: &mut Reader,
+) -> Vec<(String, Node<'a>)> {
+    let [at_one, at_several] = [one, several].map(|key| table.at(key));
+    if !table.has(several) {
         // Nothing is said of the list that is empty for want of it.
-        reader.silence(&several);
-        let expected = "a parameter path (or paths, an array of them)";
-        let path = table.need("path", expected, reader);
-        table.accept("paths");
-        return path
-            .into_iter()
-            .map(|(path, node)| text(&path, node, reader).unwrap_or_default())
-            .collect();
+        reader.silence(&at_several);
+        let node = table.need(one, expected, reader);
+        table.accept(several);
+        return node.into_iter().collect();
     }
-    if let Some((path, node)) = table.take("path", reader) {
-        let message = "stands beside paths; must be either path or paths";
+    if let Some((path, node)) = table.take(one, reader) {
+        let message = format!("stands beside {several}; must be either {one} or {several}");
         reader.fault(node.span().start, &path, message);
     }
-    table.accept("path");
-    let list = elements("paths", "parameter paths", table, reader);
+    table.accept(one);
+    let list = elements(several, of, table, reader);
     if list.len() == 1 {
-        reader.alias(one, format!("{several}.1"));
+        reader.alias(at_one, format!("{at_several}.1"));
     }
-    list.into_iter()
-        .map(|(path, node)| text(&path, node, reader).unwrap_or_default())
-        .collect()
+    list
 }
 
-/// `objective`, or `objectives` in its place.
+fn paths(table: &mut Table<'_>, reader: &mut Reader) -> Vec<Pattern> {
+    let expected = "a parameter path (or paths, an array of them)";
+    one_or_several(
+        ["path", "paths"],
+        [expected, "parameter paths"],
+        table,
+        reader,
+    )
+    .into_iter()
+    .map(|(path, node)| pattern(&path, node, reader))
+    .collect()
+}
+
 fn objectives(table: &mut Table<'_>, reader: &mut Reader) -> Vec<Objective> {
-    let (one, several) = (table.at("objective"), table.at("objectives"));
-    if !table.has("objectives") {
-        reader.silence(&several);
-        let expected = "a table (or objectives, an array of them)";
-        let node = table.need("objective", expected, reader);
-        table.accept("objectives");
-        return node
-            .into_iter()
-            .map(|(path, node)| objective(path, node, reader))
-            .collect();
-    }
-    if let Some((path, node)) = table.take("objective", reader) {
-        let message = "stands beside objectives; must be either objective or objectives";
-        reader.fault(node.span().start, &path, message);
-    }
-    table.accept("objective");
-    let list = elements("objectives", "tables", table, reader);
-    if list.len() == 1 {
-        reader.alias(one, format!("{several}.1"));
-    }
-    list.into_iter()
-        .map(|(path, node)| objective(path, node, reader))
-        .collect()
+    let expected = "a table (or objectives, an array of them)";
+    one_or_several(
+        ["objective", "objectives"],
+        [expected, "tables"],
+        table,
+        reader,
+    )
+    .into_iter()
+    .map(|(path, node)| objective(path, node, reader))
+    .collect()
 }
 
 /// The keys of which one says what is asked for.
@@ -131,6 +130,7 @@ const OF_AIMS: [&str; 6] = ["response", "below", "at", "curve", "columns", "comp
 fn objective(path: String, node: Node<'_>, reader: &mut Reader) -> Objective {
     let mut objective = Objective {
         aim: Aim::Energy,
+        response: None,
         from: f64::NAN,
         to: f64::NAN,
         weight: 1.0,
@@ -138,26 +138,48 @@ fn objective(path: String, node: Node<'_>, reader: &mut Reader) -> Objective {
     let Some(mut table) = Table::open(path, node, reader) else {
         return objective;
     };
-    if let Some(choice) = aim(&mut table, reader) {
+    let choice = aim(&mut table, reader);
+    table.rows(
+        &mut objective,
+        &OBJECTIVE,
+        reader,
+        // The aim says whether there is a response.
+        |table, of, _, reader| sought(table, of, choice, reader),
+    );
+    table.finish(reader);
+    objective
+}
+
+/// The aim of an objective and its response.
+fn sought(
+    table: &mut Table<'_>,
+    of: &mut Objective,
+    choice: Option<&'static Choice<Aim>>,
+    reader: &mut Reader,
+) {
+    let response = |table: &mut Table<'_>, reader: &mut Reader| {
+        Some(table.text("response", None, reader).unwrap_or_default())
+    };
+    if let Some(choice) = choice {
         let what = match choice.word {
             "" => choice.key.to_owned(),
             word => format!("{} = {word:?}", choice.key),
         };
-        objective.aim = chosen(&mut table, &OF_AIMS, choice, &what, reader);
-    } else {
-        for key in AIM_KEYS.into_iter().chain(OF_AIMS) {
-            table.accept(key);
+        leave_out(table, &OF_AIMS, choice, &what, reader);
+        if choice.response != Asked::Nothing {
+            of.response = response(table, reader);
         }
-        // Whatever is asked for, it is of this response.
-        if table.has("response") {
-            objective.aim = Aim::Peak {
-                response: table.text("response", None, reader).unwrap_or_default(),
-            };
-        }
+        of.aim = chosen(table, choice, reader);
+        return;
     }
-    table.rows(&mut objective, &OBJECTIVE, reader, no_own);
-    table.finish(reader);
-    objective
+    for key in AIM_KEYS.into_iter().chain(OF_AIMS) {
+        table.accept(key);
+    }
+    // Whatever is asked for, it is of this response.
+    if table.has("response") {
+        of.aim = Aim::Peak;
+        of.response = response(table, reader);
+    }
 }
 
 /// Which of the aims is asked for; none where that cannot be read.
@@ -193,15 +215,14 @@ fn aim(table: &mut Table<'_>, reader: &mut Reader) -> Option<&'static Choice<Aim
     of_key.nth(table.word(key, &words, None, reader)?)
 }
 
-/// What a word says that a table is; `all` are the keys that go with some of its words, and `what` is the word in a
-/// message.
-fn chosen<'a, T>(
+/// Refuses the keys that go with other words than that of a choice; `all` go with some, `what` is the word in a message.
+fn leave_out<'a, T>(
     table: &mut Table<'a>,
     all: &[&'a str],
-    choice: &'static Choice<T>,
+    choice: &Choice<T>,
     what: &str,
     reader: &mut Reader,
-) -> T {
+) {
     for key in all.iter().filter(|key| !choice.has(key)) {
         if table.has(key)
             && let Some((path, node)) = table.take(key, reader)
@@ -210,6 +231,10 @@ fn chosen<'a, T>(
             reader.fault(node.span().start, &path, message);
         }
     }
+}
+
+/// The keys that go with a choice.
+fn chosen<T>(table: &mut Table<'_>, choice: &'static Choice<T>, reader: &mut Reader) -> T {
     let mut chosen = (choice.blank)();
     table.rows(&mut chosen, &choice.rows, reader, no_own);
     chosen
@@ -234,7 +259,8 @@ fn limit(path: &str, node: Node<'_>, reader: &mut Reader) -> Limit {
     };
     let choice = &LIMITS[index];
     let what = one_of(&[choice.word]);
-    let limit = chosen(&mut table, &OF_LIMITS, choice, &what, reader);
+    leave_out(&mut table, &OF_LIMITS, choice, &what, reader);
+    let limit = chosen(&mut table, choice, reader);
     table.finish(reader);
     limit
 }

@@ -1,5 +1,6 @@
 //! Single values of the text.
 
+use super::super::path::Pattern;
 use super::reader::{Reader, quoted};
 use toml::Spanned;
 use toml::de::DeValue;
@@ -52,6 +53,11 @@ pub(super) fn text(path: &str, node: Node<'_>, reader: &mut Reader) -> Option<St
         );
     }
     text.map(str::to_owned)
+}
+
+/// A path or pattern; empty where it is no text.
+pub(super) fn pattern(path: &str, node: Node<'_>, reader: &mut Reader) -> Pattern {
+    text(path, node, reader).unwrap_or_default().into()
 }
 
 /// What is said of a value of another type.

@@ -1,6 +1,6 @@
 //! The tables of a tuning, a row a key: variables, and what an objective and a limit may be.
 
-use super::{Access, BLANK, Choice, Key, Kind, Range, Rows};
+use super::{Access, Asked, BLANK, Choice, Key, Kind, Range, Rows, Wording};
 use crate::model::tuning::{Aim, Compare, Hold, Limit, Objective, Variable};
 use crate::unit::Unit;
 
@@ -19,6 +19,7 @@ rows! {
 rows! {
     /// What all objectives have.
     OBJECTIVE of Objective {
+        own("response", Response, "of what"),
         number("from", "", HERTZ, Positive, "band start", from),
         number("to", "", HERTZ, Positive, "band end", to),
         number("weight", "", ONE, Positive or 1.0, "what the figure is multiplied by", weight),
@@ -26,29 +27,16 @@ rows! {
 }
 
 rows! {
-    PEAK of Aim { text_of("response", Response, "of what", Aim::Peak, response), }
+    NO_KEYS of Aim {}
 }
 rows! {
-    MEAN_SQUARE of Aim { text_of("response", Response, "of what", Aim::MeanSquare, response), }
+    WIDTH of Aim { number_of("below", ONE, Positive, "the level, in the response's unit", Aim::Width, below), }
 }
 rows! {
-    ENERGY of Aim {}
-}
-rows! {
-    WIDTH of Aim {
-        text_of("response", Response, "of what", Aim::Width, response),
-        number_of("below", Positive, "the level, in the response's unit", Aim::Width, below),
-    }
-}
-rows! {
-    ANTI_RESONANCE of Aim {
-        text_of("response", Response, "of what", Aim::AntiResonance, response),
-        number_of("at", Positive, "where it is wanted, Hz", Aim::AntiResonance, at),
-    }
+    ANTI_RESONANCE of Aim { number_of("at", HERTZ, Positive, "where it is wanted", Aim::AntiResonance, at), }
 }
 rows! {
     MATCH of Aim {
-        text_of("response", Response, "of what", Aim::Match, response),
         text_of("match", Filled, "a file", Aim::Match, file),
         text_of("curve", Optional, "a curve", Aim::Match, curve),
         text_of("columns", Optional, "the columns, as \"hz; re im; m/N\"", Aim::Match, columns),
@@ -56,15 +44,17 @@ rows! {
     }
 }
 
-/// `Choice`s of one enum: `variant { its fields } key, word, rows`.
+/// `Choice`s of one enum: `variant { its fields } key, word, response, rows, [label, value, whole, figure]`.
 macro_rules! choices {
-    ($(#[$doc:meta])* $name:ident of $of:ident { $($variant:ident { $($field:ident: $blank:expr),* } $key:literal, $word:literal, $rows:ident;)* }) => {
+    ($(#[$doc:meta])* $name:ident of $of:ident { $($variant:ident { $($field:ident: $blank:expr),* } $key:literal, $word:literal, $response:ident, $rows:ident, [$label:literal, $value:literal, $whole:literal, $figure:literal];)* }) => {
         $(#[$doc])*
         pub const $name: &[Choice<$of>] = &[$(Choice {
             key: $key,
             word: $word,
             blank: || $of::$variant { $($field: $blank),* },
+            response: Asked::$response,
             rows: $rows,
+            wording: Wording { label: $label, value: $value, whole: $whole, figure: $figure },
         }),*];
     };
 }
@@ -72,36 +62,45 @@ macro_rules! choices {
 choices! {
     /// What an objective may ask for.
     AIMS of Aim {
-        Peak { response: String::new() } "minimise", "peak", PEAK;
-        MeanSquare { response: String::new() } "minimise", "mean_square", MEAN_SQUARE;
-        Energy {} "minimise", "energy", ENERGY;
-        Width { response: String::new(), below: f64::NAN } "maximise", "width", WIDTH;
-        AntiResonance { response: String::new(), at: f64::NAN } "place", "anti_resonance", ANTI_RESONANCE;
-        Match { response: String::new(), file: String::new(), curve: None, columns: None, compare: Compare::LogMagnitude } "match", "", MATCH;
+        Peak {} "minimise", "peak", Any, NO_KEYS,
+            ["least peak", "{response} {band}", "the least highest peak of {response}, {band}", "highest peak of {response}, {band}"];
+        MeanSquare {} "minimise", "mean_square", Any, NO_KEYS,
+            ["least mean square", "{response} {band}", "the least mean square of {response}, {band}", "mean square of {response}, {band}"];
+        Energy {} "minimise", "energy", Nothing, NO_KEYS,
+            ["least energy", "{band}", "the least mean vibration energy of the beam, {band}", "mean vibration energy, {band}"];
+        Width { below: f64::NAN } "maximise", "width", Motion, WIDTH,
+            ["widest band", "{response} < {below}", "the widest band of {response} below {below}, in {band}", "widest band of {response} below {below}, {band}"];
+        AntiResonance { at: f64::NAN } "place", "anti_resonance", Motion, ANTI_RESONANCE,
+            ["anti-resonance", "{response} at {at}", "an anti-resonance of {response} at {at}, in {band}", "anti-resonance of {response}, off {at}"];
+        Match { file: String::new(), curve: None, columns: None, compare: Compare::LogMagnitude } "match", "", Motion, MATCH,
+            ["match", "{response} {match}", "{compare} of {response} as in {match}[ (columns {columns})][, curve {curve}], {band}", "{response} off {match}, {band}"];
     }
 }
 
 rows! {
-    ADDED_MASS of Limit { number_of("at_most", Positive, "kg", Limit::AddedMass, at_most), }
+    ADDED_MASS of Limit { number_of("at_most", KILOGRAM, Positive, "at most this", Limit::AddedMass, at_most), }
 }
 rows! {
     NO_MODE of Limit {
-        number_of("from", NonNegative, "band start, Hz", Limit::NoMode, from),
-        number_of("to", Positive, "band end, Hz", Limit::NoMode, to),
+        number_of("from", HERTZ, NonNegative, "band start", Limit::NoMode, from),
+        number_of("to", HERTZ, Positive, "band end", Limit::NoMode, to),
     }
 }
 rows! {
     STATIC_DEFLECTION of Limit {
         text_of("response", Response, "of what", Limit::StaticDeflection, response),
-        number_of("at_most", Positive, "in the response's unit", Limit::StaticDeflection, at_most),
+        number_of("at_most", ONE, Positive, "in the response's unit", Limit::StaticDeflection, at_most),
     }
 }
 
 choices! {
     /// What may be limited.
     LIMITS of Limit {
-        AddedMass { at_most: f64::NAN } "limit", "added_mass", ADDED_MASS;
-        NoMode { from: f64::NAN, to: f64::NAN } "limit", "no_mode", NO_MODE;
-        StaticDeflection { response: String::new(), at_most: f64::NAN } "limit", "static_deflection", STATIC_DEFLECTION;
+        AddedMass { at_most: f64::NAN } "limit", "added_mass", Nothing, ADDED_MASS,
+            ["added mass", "<= {at_most}", "the masses of all enabled subsystems together: at most {at_most}", ""];
+        NoMode { from: f64::NAN, to: f64::NAN } "limit", "no_mode", Nothing, NO_MODE,
+            ["no mode", "{band}", "no natural frequency, without damping, in {band}", ""];
+        StaticDeflection { response: String::new(), at_most: f64::NAN } "limit", "static_deflection", Displacement, STATIC_DEFLECTION,
+            ["static deflection", "{response} <= {at_most}", "{response} under the forces at rest: at most {at_most}", ""];
     }
 }

@@ -182,8 +182,10 @@ fn support(support: &Support, original: Option<&dyn TableLike>) -> Vec<Entry> {
         BeamMotion::PsiSlope,
     ];
     let restraint = |motion: BeamMotion| match &support[motion] {
-        Restraint::Free => optional(motion.key(), Node::Text("free".to_owned()), true),
-        Restraint::Fixed => text(motion.key(), "fixed"),
+        held @ (Restraint::Free | Restraint::Fixed) => {
+            let word = Node::Text(held.kind().to_owned());
+            optional(motion.key(), word, *held == Restraint::Free)
+        }
         Restraint::Elastic(elastic) => entry(
             motion.key(),
             Node::Inline(rows(elastic, schema::elastic(motion))),
@@ -250,7 +252,12 @@ fn study(study: &Study) -> Vec<Entry> {
         } => {
             entries.push(entry(
                 "vary",
-                Node::List(paths.iter().cloned().map(Node::Text).collect()),
+                Node::List(
+                    paths
+                        .iter()
+                        .map(|path| Node::Text(path.to_string()))
+                        .collect(),
+                ),
             ));
             entries.push(entry(
                 operation.key(),
@@ -268,7 +275,7 @@ fn case(case: &Case) -> Node {
     let set = case
         .set
         .iter()
-        .map(|(path, value)| entry(path.clone(), Node::Number(*value)))
+        .map(|(path, value)| entry(path.to_string(), Node::Number(*value)))
         .collect();
     Node::Inline(vec![
         text("name", &case.name),

@@ -52,9 +52,9 @@ fn paths_in_lists(original: Option<&dyn TableLike>) -> HashSet<String> {
 
 fn variable(variable: &Variable, listed: &HashSet<String>) -> Node {
     let mut entries = vec![match &variable.paths[..] {
-        [path] if !listed.contains(path) => text("path", path),
+        [path] if !listed.contains(&**path) => text("path", path),
         paths => {
-            let paths = paths.iter().cloned().map(Node::Text);
+            let paths = paths.iter().map(|path| Node::Text(path.to_string()));
             entry("paths", Node::List(paths.collect()))
         }
     }];
@@ -67,11 +67,8 @@ fn variable(variable: &Variable, listed: &HashSet<String>) -> Node {
 
 fn objective(objective: &Objective) -> Node {
     let mut entries = chosen(AIMS, &objective.aim);
-    // The response stands behind what the aim is.
-    let word = usize::from(entries.first().is_some_and(|first| first.key != "response"));
-    if let Some(own) = entries.get_mut(word..) {
-        own.rotate_left(usize::from(!own.is_empty()));
-    }
+    let response = objective.response.as_ref();
+    entries.extend(response.map(|name| text("response", name)));
     entries.extend(rows(objective, &OBJECTIVE));
     Node::Inline(entries)
 }

@@ -7,7 +7,8 @@ use super::{App, Effect, List, Overlay, Prompt, Purpose, choose};
 use crate::escape::path_of_text;
 use crate::measured::Curve;
 use crate::model::edit::{self, Value};
-use crate::model::{Family, Model, Operation, Parameter, ParameterId, Study, Unit, entry, path};
+use crate::model::path::{self, Pattern};
+use crate::model::{Family, Model, Operation, Parameter, ParameterId, Study, Unit, entry};
 use crate::tui::keys::Command;
 use crate::tui::scene::ChartView;
 use crate::tui::tree;
@@ -56,7 +57,7 @@ pub enum Question {
         /// The parameter in words.
         subject: String,
         /// The paths that move together.
-        paths: Vec<String>,
+        paths: Vec<Pattern>,
         /// The unit of the bounds.
         unit: Unit,
         /// The variable that gets other bounds; none for a new one.
@@ -289,7 +290,7 @@ impl App {
         let study = Study {
             name: free_study_name(&changed, &path),
             family: Family::Vary {
-                paths: vec![path],
+                paths: vec![path.into()],
                 operation,
                 values,
             },

@@ -6,11 +6,8 @@ use super::App;
 use super::edit::faults_in_words;
 use super::fresh::{free_name, new_subsystem, response_names, subsystem_names};
 use crate::model::edit::{self, Value};
-use crate::model::names::segment;
 use crate::model::schema::Kind;
-use crate::model::{
-    self, BeamMotion, Force, Group, Measure, Model, Place, Quantity, Response, Target,
-};
+use crate::model::{BeamMotion, Force, Group, Measure, Model, Place, Quantity, Response, Target};
 use crate::tui::keys::Command;
 use crate::tui::tree::{self, Node};
 
@@ -115,7 +112,7 @@ impl App {
         };
         edit::remove(&mut after, item);
         let subject = tree::subject(self.model(), Node::Group(item));
-        if let Some(user) = user_of(self.model(), item) {
+        if let Some(user) = user_of(self.model(), &after, item) {
             return self.refuse(format!("{subject} is needed by {user}"));
         }
         let rest = list.groups(&after);
@@ -162,79 +159,36 @@ fn group(node: Node) -> Option<Group> {
     holders.into_iter().filter(|of| *of != Group::Model).last()
 }
 
-/// Who needs a subsystem or response, in words.
-fn user_of(model: &Model, item: Group) -> Option<String> {
-    match item {
-        Group::Subsystem(i) => {
-            let name = &model.subsystems[i].name;
-            let on = |target: &Target| matches!(target, Target::Mass(mass, _) if mass == name);
-            let force = model.forces.iter().position(|force| on(&force.target));
-            let response = model.responses.iter().find(
-                |response| matches!(&response.quantity, Quantity::Motion(target, _) if on(target)),
-            );
-            force
-                .map(|i| format!("force {}, which acts on it", i + 1))
-                .or_else(|| {
-                    response
-                        .map(|response| format!("response {}, which is taken on it", response.name))
-                })
-                .or_else(|| {
-                    path_user(
-                        model,
-                        &ways_to(Some(segment(name)), i, model.subsystems.len()),
-                        "subsystems",
-                    )
-                })
-        }
-        Group::Force(i) => path_user(model, &ways_to(None, i, model.forces.len()), "forces"),
+/// Who needs an element that `after` does not have any more, in words.
+fn user_of(model: &Model, after: &Model, element: Group) -> Option<String> {
+    let own = match element {
+        Group::Subsystem(i) => mass_user(model, &model.subsystems[i].name),
         Group::Response(i) => {
-            let name = &model.responses[i].name;
-            let tuned = model.tune.as_ref().is_some_and(|tune| {
-                tune.objectives
-                    .iter()
-                    .any(|one| one.aim.response() == Some(name))
-            });
-            tuned.then(|| "the objective of [tune]".to_owned())
+            let tune = model.tune.as_ref()?;
+            let name = Some(&model.responses[i].name);
+            let mut sought = tune.objectives.iter();
+            return sought
+                .any(|one| one.response.as_ref() == name)
+                .then(|| "the objective of [tune]".to_owned());
         }
         _ => None,
-    }
-}
-
-/// How a path may lead to an item of a list, or to one that moves when it is deleted: by its name, by numbers, and by
-/// a star if it is the last one.
-fn ways_to(name: Option<String>, item: usize, length: usize) -> Vec<String> {
-    let numbers = (item + 1..=length).map(|number| number.to_string());
-    numbers
-        .chain(name)
-        .chain((length == 1).then(|| "*".to_owned()))
-        .collect()
-}
-
-/// The study or variable with a path into this item of a list.
-fn path_user(model: &Model, names: &[String], list: &str) -> Option<String> {
-    let into = |path: &str| {
-        names.iter().any(|name| {
-            let rest = path
-                .strip_prefix(list)
-                .and_then(|rest| rest.strip_prefix('.'));
-            rest.and_then(|rest| rest.strip_prefix(name.as_str()))
-                .is_some_and(|rest| rest.starts_with('.'))
-        })
     };
-    let study = model.studies.iter().find(|study| match &study.family {
-        model::Family::Vary { paths, .. } => paths.iter().any(|path| into(path)),
-        model::Family::Cases(cases) => cases
-            .iter()
-            .flat_map(|case| &case.set)
-            .any(|(path, _)| into(path)),
-    });
-    let tuned = model.tune.as_ref().is_some_and(|tune| {
-        tune.variables
-            .iter()
-            .flat_map(|variable| &variable.paths)
-            .any(|path| into(path))
-    });
-    study
-        .map(|study| format!("study {}", study.name))
-        .or_else(|| tuned.then(|| "a variable of [tune]".to_owned()))
+    own.or_else(|| match edit::misled(model, after, element)? {
+        Group::Study(i) => Some(format!("study {}", model.studies[i].name)),
+        _ => Some("a variable of [tune]".to_owned()),
+    })
+}
+
+/// The force or response on the mass of a subsystem, in words.
+fn mass_user(model: &Model, name: &String) -> Option<String> {
+    let on = |group| matches!(edit::target_of(model, group), Some(Target::Mass(mass, _)) if mass == name);
+    let force = Group::Forces.groups(model).into_iter().position(on);
+    let mut responses = Group::Responses.groups(model).into_iter();
+    let response = responses.position(on);
+    force
+        .map(|i| format!("force {}, which acts on it", i + 1))
+        .or_else(|| {
+            let name = &model.responses[response?].name;
+            Some(format!("response {name}, which is taken on it"))
+        })
 }

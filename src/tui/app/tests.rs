@@ -137,6 +137,37 @@ fn nudges_of_one_parameter_are_one_step() {
     assert_eq!(said(&app), "nothing to undo");
 }
 
+/// Expected: no more than the path of this test itself, also with studies and variables whose rows the tree marks.
+#[test]
+fn a_nudge_parses_no_path() {
+    let preset = presets::find("fig05a").unwrap();
+    let tune = r#"
+        [[studies]]
+        name = "mass"
+        vary = ["subsystems.*.mass"]
+        multiply = [0.5, 2.0]
+        [tune]
+        variables = [
+            { path = "subsystems.S2.mass", min = 1.0, max = 1e3 },
+            { paths = ["subsystems.*.y_left.stiffness", "subsystems.*.y_right.stiffness"], min = 1e3, max = 1e9 },
+        ]
+        objective = { minimise = "energy", from = 1.0, to = 100.0 }
+    "#;
+    let text = format!("{}{tune}", preset.text);
+    let mut app = App::new(Opened {
+        model: crate::model::read(&text).unwrap(),
+        text,
+        source: Source::Preset(preset.name),
+    });
+    app.start();
+    select(&mut app, "subsystems.S1.mass");
+    let mass = number(&app, "subsystems.S1.mass");
+    let before = path::PARSED.get();
+    keys(&mut app, "++");
+    assert_eq!(path::PARSED.get(), before);
+    assert!(number(&app, "subsystems.S1.mass") > mass);
+}
+
 #[test]
 fn a_zero_is_not_nudged() {
     let mut app = app("fig05a");

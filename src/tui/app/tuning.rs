@@ -177,7 +177,7 @@ impl App {
     /// Shows the response that is sought for, where it does not show.
     fn show_objective(&mut self, model: &Model) {
         let objectives = model.tune.iter().flat_map(|tune| &tune.objectives);
-        let mut responses = objectives.filter_map(|objective| objective.aim.response());
+        let mut responses = objectives.filter_map(|objective| objective.response.as_deref());
         if let Some(first) = responses.next()
             && !self.curves.shows(first)
         {
@@ -329,7 +329,7 @@ fn taken_over(model: &Model, from: &Model, best: &Model) -> Result<Model, String
     let mut changed = model.clone();
     let variables = from.tune.iter().flat_map(|tune| &tune.variables);
     for pattern in variables.flat_map(|variable| &variable.paths) {
-        let found = path::numbers(best, pattern).map_err(|fault| fault.message)?;
+        let found = path::numbers_of(best, pattern).map_err(|fault| fault.message)?;
         for (id, value) in found {
             // Names lead from one model to another, which may have changed since the search began.
             edit::set_unchecked(&mut changed, &path::text(best, id), Value::Number(value))

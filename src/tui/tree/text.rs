@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use super::{Node, tuning};
 use crate::model::edit::Value;
-use crate::model::schema::{self, ElasticKey};
+use crate::model::schema::{self, ElasticKey, Wording};
 use crate::model::{
     BeamMotion, Family, Group, Model, Parameter, Place, Quantity, Restraint, Study, Supports,
     Sweep, Target, Unit, counted, grouped,
@@ -43,12 +43,7 @@ fn group_label(model: &Model, group: Group) -> Cow<'_, str> {
         Group::Variable(i) => tuning::variable_at(model, i)
             .map_or_else(String::new, tuning::variable_label)
             .into(),
-        Group::Objective(i) => tuning::objective_at(model, i)
-            .map_or("", |objective| tuning::objective_label(&objective.aim))
-            .into(),
-        Group::Limit(i) => tuning::limit_at(model, i)
-            .map_or("", tuning::limit_label)
-            .into(),
+        Group::Objective(_) | Group::Limit(_) => worded(model, group, |of| of.label).into(),
     }
 }
 
@@ -128,11 +123,21 @@ fn group_value(model: &Model, group: Group) -> String {
             .map_or_else(String::new, tuning::combination),
         Group::Variable(i) => tuning::variable_at(model, i)
             .map_or_else(String::new, |variable| words::bounds(model, variable)),
-        Group::Objective(i) => tuning::objective_at(model, i)
-            .map_or_else(String::new, |one| tuning::objective_value(model, one)),
-        Group::Limit(i) => tuning::limit_at(model, i)
-            .map_or_else(String::new, |limit| tuning::limit_value(model, limit)),
+        Group::Objective(_) | Group::Limit(_) => worded(model, group, |of| of.value),
     }
+}
+
+/// A wording of an objective or a limit.
+fn worded(model: &Model, group: Group, wording: fn(&Wording) -> &'static str) -> String {
+    let text = match group {
+        Group::Objective(i) => tuning::objective_at(model, i)
+            .map(|objective| words::of_objective(model, objective, wording)),
+        Group::Limit(i) => {
+            tuning::limit_at(model, i).map(|limit| words::of_limit(model, limit, wording))
+        }
+        _ => None,
+    };
+    text.unwrap_or_default()
 }
 
 fn supports(supports: &Supports) -> String {
@@ -218,7 +223,7 @@ fn study_line(study: &Study, line: usize) -> (String, String) {
             let values: Vec<String> = values.iter().map(f64::to_string).collect();
             (operation.key().to_owned(), values.join(" "))
         }
-        Family::Vary { paths, .. } => (paths[line - 1].clone(), String::new()),
+        Family::Vary { paths, .. } => (paths[line - 1].to_string(), String::new()),
         Family::Cases(cases) => {
             let case = &cases[line];
             let set = match case.set.len() {

@@ -40,9 +40,9 @@ pub(super) fn of(model: &Model, node: Node, keys: &KeyMap) -> String {
             .map_or_else(String::new, |variable| words::variable(model, variable)),
         Group::Objective(i) => tree::objective_at(model, i)
             .map_or_else(String::new, |objective| words::objective(model, objective)),
-        Group::Limit(i) => {
-            tree::limit_at(model, i).map_or_else(String::new, |limit| words::limit(model, limit))
-        }
+        Group::Limit(i) => tree::limit_at(model, i).map_or_else(String::new, |limit| {
+            words::of_limit(model, limit, |of| of.whole)
+        }),
         _ => String::new(),
     }
 }

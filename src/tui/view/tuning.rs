@@ -7,7 +7,8 @@ use ratatui::layout::Rect;
 
 use super::table::{self, Column, Content};
 use super::text::{cut, significant, width};
-use crate::model::{Group, Model, Parameter, Unit, counted, grouped, path};
+use crate::model::path::{self, Pattern};
+use crate::model::{Group, Model, Parameter, Unit, counted, grouped};
 use crate::tui::app::{App, Progress, Rows, Run};
 use crate::tui::keys::Command;
 use crate::tui::theme::Theme;
@@ -111,8 +112,8 @@ fn variables(run: &Run) -> Vec<Row> {
 }
 
 /// Paths in words: `* y left stiffness`.
-fn words(paths: &[String]) -> String {
-    let words = |path: &String| {
+fn words(paths: &[Pattern]) -> String {
+    let words = |path: &Pattern| {
         let path = path.strip_prefix("subsystems.").unwrap_or(path);
         path.replace(['.', '_'], " ")
     };
@@ -120,8 +121,8 @@ fn words(paths: &[String]) -> String {
 }
 
 /// The value of the first parameter of a pattern, and its unit.
-fn first(model: &Model, pattern: &str) -> Option<(f64, Unit)> {
-    let (id, value) = path::numbers(model, pattern).ok()?.into_iter().next()?;
+fn first(model: &Model, pattern: &Pattern) -> Option<(f64, Unit)> {
+    let (id, value) = path::numbers_of(model, pattern).ok()?.into_iter().next()?;
     Some((value, Parameter::of(model, id).ok()?.unit))
 }
 

@@ -57,20 +57,20 @@ impl Figure {
     ) -> Result<Self, Fault> {
         let band = [objective.from, objective.to];
         Ok(match &objective.aim {
-            Aim::Peak { .. } => Self::Peak(Peak { response, band }),
-            Aim::MeanSquare { .. } | Aim::Energy => Self::MeanSquare(MeanSquare { response, band }),
-            Aim::Width { below, .. } => Self::Width(Width {
+            Aim::Peak => Self::Peak(Peak { response, band }),
+            Aim::MeanSquare | Aim::Energy => Self::MeanSquare(MeanSquare { response, band }),
+            Aim::Width { below } => Self::Width(Width {
                 response,
                 band,
                 below: *below,
             }),
-            Aim::AntiResonance { at, .. } => Self::AntiResonance(AntiResonance {
+            Aim::AntiResonance { at } => Self::AntiResonance(AntiResonance {
                 response,
                 band,
                 at: *at,
             }),
-            aim @ Aim::Match { .. } => {
-                Self::Matching(target::matching(model, aim, response, band, folder)?)
+            Aim::Match { .. } => {
+                Self::Matching(target::matching(model, objective, response, folder)?)
             }
         })
     }

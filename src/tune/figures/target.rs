@@ -4,10 +4,9 @@ use std::path::Path;
 
 use num_complex::Complex64;
 
-use super::Band;
 use super::matching::Matching;
 use crate::measured::{self, Curve, Hint, Inspection, Layout, Opened};
-use crate::model::{Aim, Compare, Fault, Model};
+use crate::model::{Aim, Compare, Fault, Model, Objective};
 use crate::solve::Reference;
 use crate::unit::Kind;
 
@@ -17,21 +16,21 @@ use crate::unit::Kind;
 /// The file cannot be read, has no such curve, is of another quantity, or leaves nothing to compare.
 pub(super) fn matching(
     model: &Model,
-    aim: &Aim,
+    objective: &Objective,
     response: usize,
-    band: Band,
     folder: &Path,
 ) -> Result<Matching, Fault> {
     let Aim::Match {
-        response: name,
         file,
         curve,
         columns,
         compare,
-    } = aim
+    } = &objective.aim
     else {
         return Err(Fault::new("tune", "asks for no measured curve"));
     };
+    let band = [objective.from, objective.to];
+    let name = objective.response.as_deref().unwrap_or_default();
     let about = |fault: Fault| Fault::new(format!("tune: {file}"), fault.to_string());
     let all = read(&folder.join(file), file, columns.as_deref()).map_err(about)?;
     let one = choose(&all, curve.as_deref(), name)

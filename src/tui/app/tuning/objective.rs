@@ -8,8 +8,8 @@ use crate::tui::app::{App, Effect, Overlay, Purpose, Question};
 /// What was typed.
 #[derive(Debug, PartialEq)]
 enum Typed {
-    /// An objective, and whether it stands beside the others.
-    Objective { aim: Aim, weight: f64, beside: bool },
+    /// An objective, and whether it is added to the others.
+    Objective { objective: Objective, added: bool },
     /// How several are one.
     Combine(Combine),
     /// Something that must hold.
@@ -47,18 +47,13 @@ impl App {
         band: [f64; 2],
         text: &str,
     ) -> Option<Effect> {
-        let Ok(Typed::Objective { aim, weight, .. }) = read_objective(text, response, band) else {
+        let Ok(Typed::Objective { objective, .. }) = read_objective(text, response, band) else {
             return None;
         };
-        let is_match = matches!(aim, Aim::Match { .. });
+        let is_match = matches!(objective.aim, Aim::Match { .. });
         is_match.then(|| Effect::CheckMatch {
             model: Arc::clone(self.model()),
-            objective: Box::new(Objective {
-                aim,
-                from: band[0],
-                to: band[1],
-                weight,
-            }),
+            objective: Box::new(objective),
             folder: self.folder(),
         })
     }
@@ -97,19 +92,8 @@ impl App {
         let mut changed = Model::clone(self.model());
         let tune = changed.tune.as_mut().ok_or("nothing may move yet")?;
         let words = match typed {
-            Typed::Objective {
-                aim,
-                weight,
-                beside,
-            } => {
-                let [from, to] = band;
-                let objective = Objective {
-                    aim,
-                    from,
-                    to,
-                    weight,
-                };
-                if !beside {
+            Typed::Objective { objective, added } => {
+                if !added {
                     tune.objectives.clear();
                 }
                 tune.objectives.push(objective);
@@ -173,7 +157,7 @@ fn read_objective(text: &str, response: &str, band: [f64; 2]) -> Result<Typed, S
     if let Some(limit) = text.strip_prefix("limit ") {
         return read_limit(limit.trim(), response, band).map(Typed::Limit);
     }
-    let (beside, text) = match text.strip_prefix('+') {
+    let (added, text) = match text.strip_prefix('+') {
         Some(rest) => (true, rest.trim()),
         None => (false, text),
     };
@@ -181,33 +165,33 @@ fn read_objective(text: &str, response: &str, band: [f64; 2]) -> Result<Typed, S
         Some((what, weight)) => (what.trim(), number(weight)?),
         None => (text, 1.0),
     };
-    let response = response.to_owned();
     let (word, rest) = what.split_once(' ').unwrap_or((what, ""));
     let rest = rest.trim();
     let aim = match (word, rest) {
-        ("peak", "") => Aim::Peak { response },
-        ("mean", "square") | ("mean_square", "") => Aim::MeanSquare { response },
+        ("peak", "") => Aim::Peak,
+        ("mean", "square") | ("mean_square", "") => Aim::MeanSquare,
         ("energy", "") => Aim::Energy,
         ("width", level) if !level.is_empty() => Aim::Width {
-            response,
             below: number(level)?,
         },
         ("anti-resonance", at) if !at.is_empty() => Aim::AntiResonance {
-            response,
             at: number(at.trim_end_matches("Hz"))?,
         },
-        ("match", rest) if !rest.is_empty() => matched(response, rest),
+        ("match", rest) if !rest.is_empty() => matched(rest),
         _ => return Err(FORM.to_owned()),
     };
-    Ok(Typed::Objective {
+    let objective = Objective {
+        response: (aim != Aim::Energy).then(|| response.to_owned()),
         aim,
+        from: band[0],
+        to: band[1],
         weight,
-        beside,
-    })
+    };
+    Ok(Typed::Objective { objective, added })
 }
 
 /// A match of a file, perhaps with what its columns are.
-fn matched(response: String, text: &str) -> Aim {
+fn matched(text: &str) -> Aim {
     let (file, columns) = match text.split_once(" columns ") {
         Some((file, columns)) => (file, Some(columns)),
         None => (text, None),
@@ -222,7 +206,6 @@ fn matched(response: String, text: &str) -> Aim {
             .to_owned()
     };
     Aim::Match {
-        response,
         file: file.trim().to_owned(),
         curve: None,
         columns: columns.map(bare),
@@ -258,66 +241,54 @@ mod tests {
         read_objective(text, "tip", [10.0, 20.0])
     }
 
-    fn objective(aim: Aim) -> Typed {
-        Typed::Objective {
+    /// What is typed for an aim: of the response and the band of [`read`].
+    fn objective(aim: Aim) -> Objective {
+        Objective {
+            response: (aim != Aim::Energy).then(|| "tip".to_owned()),
             aim,
+            from: 10.0,
+            to: 20.0,
             weight: 1.0,
-            beside: false,
+        }
+    }
+
+    fn alone(aim: Aim) -> Typed {
+        Typed::Objective {
+            objective: objective(aim),
+            added: false,
         }
     }
 
     #[test]
     fn objectives_are_read_from_words() {
-        let response = || "tip".to_owned();
         let aims = [
-            (
-                "peak",
-                Aim::Peak {
-                    response: response(),
-                },
-            ),
-            (
-                "mean square",
-                Aim::MeanSquare {
-                    response: response(),
-                },
-            ),
+            ("peak", Aim::Peak),
+            ("mean square", Aim::MeanSquare),
             ("energy", Aim::Energy),
-            (
-                "width 1e-7",
-                Aim::Width {
-                    response: response(),
-                    below: 1e-7,
-                },
-            ),
-            (
-                "anti-resonance 15 Hz",
-                Aim::AntiResonance {
-                    response: response(),
-                    at: 15.0,
-                },
-            ),
+            ("width 1e-7", Aim::Width { below: 1e-7 }),
+            ("anti-resonance 15 Hz", Aim::AntiResonance { at: 15.0 }),
         ];
         for (text, aim) in aims {
-            assert_eq!(read(text), Ok(objective(aim)), "{text}");
+            assert_eq!(read(text), Ok(alone(aim)), "{text}");
         }
         for text in [
             "match run 7.csv columns hz 1; re 8; im 9; m/N",
             "match run 7.csv columns = \"hz 1; re 8; im 9; m/N\"",
         ] {
             let matched = Aim::Match {
-                response: response(),
                 file: "run 7.csv".to_owned(),
                 curve: None,
                 columns: Some("hz 1; re 8; im 9; m/N".to_owned()),
                 compare: Compare::LogMagnitude,
             };
-            assert_eq!(read(text), Ok(objective(matched)), "{text}");
+            assert_eq!(read(text), Ok(alone(matched)), "{text}");
         }
         let added = Typed::Objective {
-            aim: Aim::Energy,
-            weight: 2.5,
-            beside: true,
+            objective: Objective {
+                weight: 2.5,
+                ..objective(Aim::Energy)
+            },
+            added: true,
         };
         assert_eq!(read("+ energy x 2.5"), Ok(added));
         assert_eq!(read("worst"), Ok(Typed::Combine(Combine::Worst)));

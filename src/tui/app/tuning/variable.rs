@@ -4,10 +4,11 @@ use std::collections::HashSet;
 use std::sync::Arc;
 
 use crate::model::edit;
+use crate::model::path::{self, Pattern};
 use crate::model::schema::SubsystemKey;
 use crate::model::{
     Aim, Combine, Group, Hold, Model, Objective, Parameter, ParameterId, Spacing, Tune, Unit,
-    Variable, entry, path,
+    Variable, entry,
 };
 use crate::tui::app::{App, Question};
 use crate::tui::tree::{self, Node};
@@ -39,7 +40,7 @@ impl Moving {
             return;
         };
         let patterns = tune.variables.iter().flat_map(|variable| &variable.paths);
-        let found = patterns.filter_map(|pattern| path::find(model, pattern).ok());
+        let found = patterns.filter_map(|pattern| pattern.parameters(model).ok());
         self.nodes.extend(found.flatten().map(Node::of));
     }
 }
@@ -69,7 +70,7 @@ impl App {
         }
         let question = Question::Bounds {
             subject: tree::subject(self.model(), node),
-            paths: vec![path::text(self.model(), id)],
+            paths: vec![path::text(self.model(), id).into()],
             unit,
             index: None,
         };
@@ -82,8 +83,10 @@ impl App {
     pub fn variable_of(&self, id: ParameterId) -> Option<usize> {
         let model = self.model();
         let tune = model.tune.as_ref()?;
-        let moves =
-            |pattern: &String| path::find(model, pattern).is_ok_and(|found| found.contains(&id));
+        let moves = |pattern: &Pattern| {
+            let found = pattern.parameters(model);
+            found.is_ok_and(|found| found.contains(&id))
+        };
         tune.variables
             .iter()
             .position(|variable| variable.paths.iter().any(moves))
@@ -122,7 +125,7 @@ impl App {
     /// Why they are not taken, in a line.
     pub(in crate::tui::app) fn take_bounds(
         &mut self,
-        paths: &[String],
+        paths: &[Pattern],
         unit: Unit,
         index: Option<usize>,
         text: &str,
@@ -200,9 +203,8 @@ impl App {
         };
         let [from, to] = self.tuned_band();
         Ok(Objective {
-            aim: Aim::Peak {
-                response: response.clone(),
-            },
+            aim: Aim::Peak,
+            response: Some(response.clone()),
             from,
             to,
             weight: 1.0,

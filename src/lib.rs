@@ -16,7 +16,8 @@
 //! | `table` | numbers and texts as cells of CSV | `escape` |
 //! | `signals` | signals that the program was started to ignore | nothing |
 //! | `rehearsal` | faults on purpose, in debug builds, for tests | nothing |
-//! | [`cli`] | the commands | all above |
+//! | [`guide`] | the guide, a chapter a module | nothing |
+//! | `cli` | the commands; [`run()`] is the whole program | all above |
 //!
 //! # What always holds
 //!
@@ -42,8 +43,9 @@
 //! assert_eq!(frf.columns[0].values.len(), 2);
 //! ```
 
-pub mod cli;
+mod cli;
 mod escape;
+pub mod guide;
 pub mod measured;
 pub mod model;
 pub mod presets;
@@ -54,3 +56,5 @@ mod table;
 pub mod tui;
 pub mod tune;
 pub mod worker;
+
+pub use cli::main as run;

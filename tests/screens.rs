@@ -155,6 +155,17 @@ fn help() {
 }
 
 #[test]
+fn the_guide_is_opened_from_the_palette() {
+    let mut driver = Driver::preset("fig05a");
+    driver.keys(":").typed("guide").keys("Enter");
+    screen!("guide_80x24", driver, 80 x 24);
+    driver.typed("toler").keys("Enter");
+    screen!("guide_tuning_120x40", driver, 120 x 40);
+    driver.keys("q");
+    assert!(driver.app.overlay.is_none());
+}
+
+#[test]
 fn presets() {
     let mut driver = Driver::preset("fig05a");
     driver.keys("p Down Down");

@@ -1,4 +1,4 @@
-//! The one key table. Dispatch, the hint line, help, the palette, the README's table and the man page all come from it.
+//! The one key table. Dispatch, the hint line, help, the palette, the guide's table and the man page all come from it.
 //!
 //! The rows are in [`SECTIONS`]; [`KeyMap`] is the table with the keys that the user's configuration gives to commands.
 

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use tui_input::Input;
 
 use super::{Lost, Palette, Question, Saving};
+use crate::guide::Chapter;
 use crate::model::{Fault, ParameterId, Unit};
 use crate::presets;
 use crate::tui::keys::{Command, Scope};
@@ -21,6 +22,8 @@ pub enum Overlay {
     Presets(List),
     /// Help is read.
     Help(List),
+    /// A chapter of the guide is read.
+    Guide(&'static Chapter, List),
     /// Faults of a file that was not opened are read.
     Faults {
         /// The file.
@@ -221,7 +224,7 @@ impl Overlay {
             Self::Prompt(_) => Scope::Prompt,
             Self::Palette(_) => Scope::Palette,
             Self::Presets(_) => Scope::Picker,
-            Self::Help(_) | Self::Faults { .. } => Scope::Reader,
+            Self::Help(_) | Self::Guide(..) | Self::Faults { .. } => Scope::Reader,
             Self::Unsaved { .. } => Scope::Unsaved,
             Self::Replace { .. } => Scope::Replace,
             Self::Recovery { .. } => Scope::Recovery,
@@ -232,7 +235,7 @@ impl Overlay {
     /// The list that shows, of entries or of lines.
     pub(super) fn list(&mut self) -> Option<&mut List> {
         match self {
-            Self::Help(list) | Self::Faults { list, .. } => Some(list),
+            Self::Help(list) | Self::Guide(_, list) | Self::Faults { list, .. } => Some(list),
             _ => self.choices(),
         }
     }

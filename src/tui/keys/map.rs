@@ -209,7 +209,10 @@ impl KeyMap {
                 heading = row.section.title;
                 let _ = writeln!(table, "| **{heading}** | | `{}` |", row.section.scope.key());
             }
-            let code = |key: &Key| format!("`{}`", key.name());
+            let code = |key: &Key| match key.name().as_str() {
+                "`" => "`` ` ``".to_owned(),
+                name => format!("`{}`", name.replace('|', "\\|")),
+            };
             let keys: Vec<String> = row.keys.iter().map(code).collect();
             let (help, name) = (row.binding.help, row.binding.name);
             let _ = writeln!(table, "| {} | {help} | `{name}` |", keys.join(" "));

@@ -27,10 +27,16 @@ pub struct Chapter {
 }
 
 impl Chapter {
-    /// The title, one line: the subject, a colon and what the chapter explains.
+    /// The title, one line: the subject, a colon and the summary.
     pub fn title(&self) -> &'static str {
         let first = self.markdown.lines().next().unwrap_or(self.name);
         first.trim_start_matches("# ")
+    }
+
+    /// What the chapter explains, one line.
+    pub fn summary(&self) -> &'static str {
+        let title = self.title();
+        title.split_once(": ").map_or(title, |(_, summary)| summary)
     }
 }
 
@@ -39,11 +45,11 @@ pub fn find(name: &str) -> Option<&'static Chapter> {
     CHAPTERS.iter().find(|chapter| chapter.name == name)
 }
 
-/// The list of chapters: a line each, name and title.
+/// The list of chapters: a line each, name and summary.
 pub fn contents() -> String {
     let widest = CHAPTERS.iter().map(|chapter| chapter.name.len()).max();
     let width = widest.unwrap_or(0);
-    let line = |chapter: &Chapter| format!("{:<width$}  {}\n", chapter.name, chapter.title());
+    let line = |chapter: &Chapter| format!("{:<width$}  {}\n", chapter.name, chapter.summary());
     CHAPTERS.iter().map(line).collect()
 }
 

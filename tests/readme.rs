@@ -92,7 +92,7 @@ fn the_chapters_are_those_of_the_program() {
         let _ = writeln!(
             table,
             "| [`{name}`](src/guide/{name}.md) | {} |",
-            chapter.title()
+            chapter.summary()
         );
     }
     let start = "<!-- chapters: the list of the program; a test holds them equal -->\n";
@@ -143,23 +143,23 @@ fn accepted(key: &schema::Key) -> String {
 fn key_rows(table: &mut String, name: &str, keys: &[schema::Key]) {
     let dot = if name.is_empty() { "" } else { "." };
     for key in keys {
-        let default = key
-            .default
-            .map_or_else(String::new, |value| value.to_string());
-        let (own, meaning, symbol) = (key.key, key.meaning, key.symbol);
-        let accepted = accepted(key);
+        let default = key.default.map(|value| format!("; {value} by default"));
+        let symbol = match key.symbol {
+            "" => String::new(),
+            symbol => format!(" ({symbol})"),
+        };
+        let (own, meaning) = (key.key, key.meaning);
+        let accepted = accepted(key) + &default.unwrap_or_default();
         let _ = writeln!(
             table,
-            "| `{name}{dot}{own}` | {meaning} | {symbol} | {accepted} | {default} |"
+            "| `{name}{dot}{own}` | {meaning}{symbol} | {accepted} |"
         );
     }
 }
 
 #[test]
 fn the_keys_of_the_model_file_are_those_of_the_schema() {
-    let mut table = String::from(
-        "| key | meaning | symbol | accepted | default |\n| --- | --- | --- | --- | --- |\n",
-    );
+    let mut table = String::from("| key | meaning (symbol) | accepted |\n| --- | --- | --- |\n");
     for (name, keys) in [
         ("", schema::MODEL.keys),
         ("beam", schema::BEAM.keys),

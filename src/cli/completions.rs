@@ -84,7 +84,7 @@ fn fish(command: Command) -> String {
         .to_vec();
     let chapters: Vec<(&str, String)> = guide::CHAPTERS
         .iter()
-        .map(|chapter| (chapter.name, chapter.title().to_owned()))
+        .map(|chapter| (chapter.name, chapter.summary().to_owned()))
         .collect();
     let added = [
         fish_words("__fish_beamtune_needs_command", "", &presets),
@@ -183,7 +183,7 @@ mod tests {
             "using_subcommand check frf modes sensitivities spread tune validate\" -a cantilever -d 'Cantilever with",
             "using_subcommand show\" -f -a fig08 -d 'Fig. 8: ",
             "using_subcommand completions\" -f -a zsh -d ''",
-            "using_subcommand guide\" -f -a tuning -d 'Tuning: which",
+            "using_subcommand guide\" -f -a tuning -d 'which",
         ] {
             assert!(script.contains(line), "{line}");
         }

@@ -22,7 +22,7 @@ pub(super) struct Arguments {
 }
 
 fn chapters() -> impl TypedValueParser<Value = &'static Chapter> {
-    let value = |chapter: &Chapter| PossibleValue::new(chapter.name).help(chapter.title());
+    let value = |chapter: &Chapter| PossibleValue::new(chapter.name).help(chapter.summary());
     let names = PossibleValuesParser::new(CHAPTERS.iter().map(value));
     names.try_map(|name| guide::find(&name).ok_or("there is no such chapter"))
 }

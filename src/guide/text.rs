@@ -5,8 +5,6 @@ use std::str::Lines;
 
 /// Columns between two cells of a table.
 const GAP: usize = 2;
-/// A column of a table gets no narrower than its longest word, up to this many columns.
-const NARROWEST: usize = 20;
 
 /// What a line is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -148,7 +146,8 @@ fn table(rows: &[Vec<String>], columns: usize) -> Vec<String> {
     lines
 }
 
-/// The widths of a table's columns: as wide as their cells, the widest narrowed until all fit.
+/// The widths of a table's columns: as wide as their cells, the widest narrowed until all fit. No column gets narrower
+/// than its longest word.
 fn widths(rows: &[Vec<String>], columns: usize) -> Vec<usize> {
     let count = rows.iter().map(Vec::len).max().unwrap_or(0);
     let of_column = |measure: fn(&str) -> usize| -> Vec<usize> {
@@ -164,7 +163,7 @@ fn widths(rows: &[Vec<String>], columns: usize) -> Vec<usize> {
     };
     let least = of_column(|cell| {
         let words = cell.split(' ').map(width);
-        words.max().unwrap_or(0).min(NARROWEST)
+        words.max().unwrap_or(0)
     });
     let mut widths = of_column(width);
     while widths.iter().sum::<usize>() + GAP * count.saturating_sub(1) > columns {

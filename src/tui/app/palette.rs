@@ -38,7 +38,7 @@ pub struct Entry {
     pub found: Found,
     /// The name of the command or chapter, or the row's full name.
     pub name: String,
-    /// What a command does, or the title of a chapter; empty for a row.
+    /// What a command does or a chapter explains; empty for a row.
     pub help: &'static str,
     /// The command's keys; empty for others.
     pub keys: String,
@@ -138,7 +138,7 @@ impl App {
         let entry = |chapter: &'static Chapter| Entry {
             found: Found::Chapter(chapter),
             name: chapter.name.to_owned(),
-            help: chapter.title(),
+            help: chapter.summary(),
             keys: String::new(),
         };
         let entries = CHAPTERS.iter().map(entry).collect();

@@ -16,7 +16,7 @@ pub(super) fn lines(keys: &KeyMap, theme: Theme, columns: usize) -> Vec<Line<'st
         .unwrap_or(0);
     let room = columns.saturating_sub(widest + 3);
     let guide = format!(
-        "More in the guide: {} lists its chapters.",
+        "The guide explains more: `{}` lists its chapters.",
         keys.key_of(Command::Guide)
     );
     let guide = wrapped(&guide, columns).into_iter().map(Line::raw);

@@ -63,7 +63,7 @@ pub(super) fn draw(
     Rows { area: rest, first }
 }
 
-/// A command with what it does and its keys, a chapter with its title, or a row of the tree with its value.
+/// A command with what it does and its keys, a chapter with its summary, or a row of the tree with its value.
 fn entry_line(entry: &Entry, model: &Model, theme: Theme, columns: usize) -> Line<'static> {
     let (beside, right) = match entry.found {
         Found::Command(_) | Found::Chapter(_) => (entry.help, entry.keys.clone()),

@@ -10,8 +10,8 @@
 //! | [`solve`] | the exact solver: waves, subsystems, a recursion of reflections; [modes](solve::modes) and [peaks](solve::peaks) from it; [exact derivatives](solve::sensitivity); two witnesses, [finite elements](solve::fem) and [the paper's chain](solve::chain) | `model` |
 //! | [`measured`] | measured curves from CSV and universal files (UFF 58), how well a model fits them; universal files out | `model`, `solve::form` |
 //! | [`tune`] | what `[tune]` asks for: variables, objectives, limits, tolerances; [the search](tune::search) for it | `model`, `solve`, `measured` |
-//! | [`worker`] | the background threads: newest request wins | `model`, `solve`, `tune` |
-//! | [`tui`] | the designer: state and commands ([`tui::app`]), keys, views, the chart, the terminal and its bytes ([`tui::backend`]), what is kept for the user ([`tui::user`]) | all above |
+//! | `worker` | the background threads: newest request wins | `model`, `solve`, `tune` |
+//! | `tui` | the designer: state and commands (`tui::app`), keys, views, the chart, the terminal and its bytes (`tui::backend`), files of the user (`tui::user`) | all above |
 //! | `escape` | text from outside as a person or a terminal may read it | nothing |
 //! | `table` | numbers and texts as cells of CSV | `escape` |
 //! | `signals` | signals that the program was started to ignore | nothing |
@@ -53,8 +53,18 @@ mod rehearsal;
 mod signals;
 pub mod solve;
 mod table;
+#[cfg(fuzzing)]
 pub mod tui;
+#[cfg(not(fuzzing))]
+mod tui;
 pub mod tune;
-pub mod worker;
+mod worker;
 
 pub use cli::main as run;
+
+// The designer's tests name the crate as other tests do.
+#[cfg(test)]
+extern crate self as beamtune;
+#[cfg(test)]
+#[path = "../tests/designer/mod.rs"]
+mod designer;

@@ -17,7 +17,7 @@ mod tuning;
 
 pub use command::Command;
 pub use key::Key;
-pub use map::{Bound, Conflict, KeyMap, names};
+pub use map::{Conflict, KeyMap, names};
 pub use table::SECTIONS;
 
 use key::{control, key, shifted, special};

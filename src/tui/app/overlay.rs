@@ -9,7 +9,6 @@ use crate::guide::Chapter;
 use crate::model::{Fault, ParameterId, Unit};
 use crate::presets;
 use crate::tui::keys::{Command, Scope};
-use crate::tui::tree::Node;
 
 /// A box over the designer.
 #[derive(Debug)]
@@ -127,8 +126,6 @@ pub enum Purpose {
 /// A parameter whose value is asked for.
 #[derive(Debug, Clone)]
 pub struct Asked {
-    /// Its row.
-    pub node: Node,
     /// The parameter in words.
     pub subject: String,
     /// Which one it is.

@@ -172,7 +172,6 @@ impl App {
             });
         };
         let asked = Asked {
-            node,
             subject: format!("{} name", tree::subject(self.model(), node)),
             id: parameter.id,
             range: parameter.range,

@@ -1,7 +1,5 @@
 //! The key table with the keys that the user gave to commands.
 
-use std::fmt::Write as _;
-
 use crossterm::event::KeyEvent;
 
 use super::{Binding, Command, Hint, Key, RowKind, SECTIONS, Scope, Section};
@@ -201,7 +199,9 @@ impl KeyMap {
     }
 
     /// The key table as GitHub-flavoured Markdown.
+    #[cfg(test)]
     pub fn markdown_table(&self) -> String {
+        use std::fmt::Write as _;
         let mut table = String::from("| Keys | What they do | Name |\n| --- | --- | --- |\n");
         let mut heading = "";
         for row in self.rows() {

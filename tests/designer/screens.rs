@@ -3,24 +3,18 @@
 
 #[path = "screens/changed.rs"]
 mod changed;
-#[path = "fuzz/dice.rs"]
-#[allow(dead_code)]
-mod dice;
-#[allow(dead_code)] // The driver serves other tests too.
-#[path = "screens/driver.rs"]
-mod driver;
 #[path = "screens/random.rs"]
 mod random;
 
 use std::sync::Arc;
 use std::time::Duration;
 
+use super::driver::Driver;
 use beamtune::model::{Model, Restraint, Unit};
 use beamtune::solve::modes::{Completeness, Gap};
 use beamtune::tui::Source;
 use beamtune::tui::app::{Lost, Outside, Reply};
 use beamtune::worker::Stage;
-use driver::Driver;
 
 /// A snapshot of the screen after some keys.
 macro_rules! screen {

@@ -13,11 +13,7 @@ use beamtune::tui::app::{OpenedMeasured, Reply};
 use beamtune::tui::keys::{KeyMap, Scope};
 use beamtune::tui::user::config;
 
-#[path = "screens/driver.rs"]
-#[allow(dead_code, clippy::expect_used)]
-mod driver;
-
-use driver::Driver;
+use super::driver::Driver;
 
 /// The text between two marks, with what stands before and after it.
 fn split<'a>(text: &'a str, start: &str, end: &str) -> [&'a str; 3] {

@@ -13,11 +13,7 @@ use beamtune::tui::plot::Level;
 use beamtune::tui::scene::{self, ChartView, CurveKind, FrequencyUnit, Scene};
 use num_complex::Complex64;
 
-#[path = "screens/driver.rs"]
-#[allow(dead_code)]
-mod driver;
-
-use driver::Driver;
+use super::driver::Driver;
 
 /// The solver's own answer.
 fn solved(model: &Model, frequencies: &[f64]) -> Frf {

@@ -63,6 +63,8 @@ macro_rules! chapters {
         }),+];
         $(
             #[doc = include_str!(concat!("guide/", stringify!($name), ".md"))]
+            // Tables of symbols and units are prose here.
+            #[allow(clippy::doc_markdown)]
             pub mod $name {}
         )+
     };

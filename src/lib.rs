@@ -55,6 +55,12 @@ pub mod solve;
 mod table;
 #[cfg(fuzzing)]
 pub mod tui;
+// A theme and a view keep one way of being called, whether or not a method reads them.
+#[allow(
+    clippy::struct_field_names,
+    clippy::trivially_copy_pass_by_ref,
+    clippy::unused_self
+)]
 #[cfg(not(fuzzing))]
 mod tui;
 pub mod tune;

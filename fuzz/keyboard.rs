@@ -1,4 +1,4 @@
-//! What holds for whatever comes from a terminal. Shared by the fuzz targets and `tests/fuzz.rs`; a panic is a failure.
+//! What holds for whatever comes from a terminal. Shared by the fuzz target and `tests/designer/keyboard.rs`; a panic is a failure.
 
 use std::time::{Duration, Instant};
 

@@ -8,18 +8,19 @@
 //! | [`unit`] | units: of parameters and their typed numbers, of responses (what moves, its measure, per which load), of frequencies and phases; symbols, prefixes, factors to SI | `words` |
 //! | [`model`] | what the engineer edits: plain types in SI, TOML in and out, rules, parameter paths | `unit`, `words` |
 //! | [`presets`] | the figures of the paper and more, embedded | `model` |
-//! | [`files`] | files of models and of the user: opened, saved atomically, where they are, what a model was opened from | `model`, `presets`, `escape` |
+//! | `files` | files of models and of the user: opened, saved atomically, where they are, what a model was opened from | `model`, `presets`, `escape` |
 //! | [`solve`] | the exact solver: waves, subsystems, a recursion of reflections; [modes](solve::modes) and [peaks](solve::peaks) from it; [exact derivatives](solve::sensitivity); two witnesses, [finite elements](solve::fem) and [the paper's chain](solve::chain) | `model`, `unit` |
 //! | [`measured`] | measured curves from CSV and universal files (UFF 58), how well a model fits them; universal files out | `model`, `unit`, `files` |
 //! | [`tune`] | what `[tune]` asks for: variables, objectives, limits, tolerances; [the search](tune::search) for it | `model`, `unit`, `solve`, `measured` |
-//! | [`worker`] | the background threads: newest request wins | `model`, `solve`, `tune` |
-//! | [`tui`] | the designer: state and commands ([`tui::app`]), keys, views, the chart, the terminal and its bytes ([`tui::backend`]), what is kept for the user ([`tui::user`]) | all above |
+//! | `worker` | the background threads: newest request wins | `model`, `solve`, `tune` |
+//! | `tui` | the designer: state and commands (`tui::app`), keys, views, the chart, the terminal and its bytes (`tui::backend`), what is kept for the user (`tui::user`) | all above |
 //! | `words` | enums whose values have words in files | nothing |
 //! | `escape` | text from outside as a person or a terminal may read it | nothing |
 //! | `table` | numbers and texts as cells of CSV | `escape` |
 //! | `signals` | signals that the program was started to ignore | nothing |
 //! | `rehearsal` | faults on purpose, in debug builds, for tests | nothing |
-//! | [`cli`] | the commands | all above |
+//! | [`guide`] | the guide, a chapter a module | nothing |
+//! | `cli` | the commands; [`run()`] is the whole program | all above |
 //!
 //! # What always holds
 //!
@@ -45,9 +46,10 @@
 //! assert_eq!(frf.columns[0].values.len(), 2);
 //! ```
 
-pub mod cli;
+mod cli;
 mod escape;
-pub mod files;
+mod files;
+pub mod guide;
 pub mod measured;
 pub mod model;
 pub mod presets;
@@ -55,8 +57,26 @@ mod rehearsal;
 mod signals;
 pub mod solve;
 mod table;
+#[cfg(fuzzing)]
 pub mod tui;
+// A theme and a view keep one way of being called, whether or not a method reads them.
+#[allow(
+    clippy::struct_field_names,
+    clippy::trivially_copy_pass_by_ref,
+    clippy::unused_self
+)]
+#[cfg(not(fuzzing))]
+mod tui;
 pub mod tune;
 pub mod unit;
 mod words;
-pub mod worker;
+mod worker;
+
+pub use cli::main as run;
+
+// The designer's tests name the crate as other tests do.
+#[cfg(test)]
+extern crate self as beamtune;
+#[cfg(test)]
+#[path = "../tests/designer/mod.rs"]
+mod designer;

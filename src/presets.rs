@@ -3,6 +3,18 @@
 //! Each is a file of `presets/`, written to be read as an example of the format. Its `notes` name the source, say
 //! what the source leaves open and what was assumed, and where the curves depart from what the source says of them.
 //! The figures are those of Chen & Liu, *Mathematics* 2022, 10(16), 2849; `tests/presets.rs` asserts what they show.
+//!
+//! # Example
+//!
+//! ```
+//! use beamtune::{model, presets};
+//!
+//! for preset in presets::ALL {
+//!     println!("{:24} {}", preset.name, preset.title());
+//! }
+//! let preset = presets::find("fig08").expect("an embedded preset");
+//! assert_eq!(model::read(preset.text).expect("a possible model").subsystems.len(), 3);
+//! ```
 
 /// An embedded model file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -5,7 +5,7 @@
 use std::path::Path;
 
 use assert_cmd::Command;
-use beamtune::presets;
+use beamtune::{guide, presets};
 
 #[path = "commands/measured.rs"]
 mod measured;
@@ -50,6 +50,39 @@ fn presets_are_listed_and_shown() {
         );
         assert_eq!(output(&["show", preset.name]), preset.text);
         assert_eq!(output(&["check", preset.name]), "");
+    }
+}
+
+#[test]
+fn the_guide_lists_its_chapters_and_shows_one() {
+    let list = output(&["guide"]);
+    assert_eq!(list.lines().count(), guide::CHAPTERS.len());
+    for (line, chapter) in list.lines().zip(guide::CHAPTERS) {
+        assert!(line.starts_with(chapter.name), "{line}");
+        assert!(line.ends_with(chapter.summary()), "{line}");
+        let text = output(&["guide", chapter.name]);
+        assert!(
+            text.starts_with(&format!("# {}", &chapter.title()[..20])),
+            "{text}"
+        );
+        assert!(!text.contains("<!--") && !text.contains("```"), "{text}");
+        assert!(
+            text.lines().all(|line| line.chars().count() <= 80),
+            "{text}"
+        );
+    }
+}
+
+#[test]
+fn an_unknown_chapter_is_answered_by_the_nearest_and_all() {
+    let (code, message) = failure(&["guide", "tunning"]);
+    assert_eq!(code, 2);
+    assert!(
+        message.contains("a similar value exists: 'tuning'"),
+        "{message}"
+    );
+    for chapter in guide::CHAPTERS {
+        assert!(message.contains(chapter.name), "{message}");
     }
 }
 

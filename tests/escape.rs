@@ -15,17 +15,14 @@ use beamtune::{model, presets};
 #[path = "fuzz/dice.rs"]
 #[allow(dead_code)]
 mod dice;
-#[path = "screens/driver.rs"]
-#[allow(dead_code, clippy::expect_used)]
-mod driver;
 #[path = "common/hidden.rs"]
 mod hidden;
+#[path = "common/hostile.rs"]
+mod hostile;
 
-use beamtune::files::Source;
-use beamtune::tui::theme::Theme;
 use dice::Dice;
-use driver::Driver;
-use hidden::{HIDDEN, assert_safe, controls, in_toml};
+use hidden::{assert_safe, controls, in_toml};
+use hostile::{hostile, hostile_model};
 
 const BEAMTUNE: &str = env!("CARGO_BIN_EXE_beamtune");
 
@@ -47,32 +44,6 @@ fn code(output: &Output) -> i32 {
 
 fn errors(output: &Output) -> String {
     String::from_utf8(output.stderr.clone()).unwrap()
-}
-
-/// Letters with hidden characters between them; no controls where it is to be a name.
-fn hostile(dice: &mut Dice, controls: &[char]) -> String {
-    let mut text = String::from("x");
-    for _ in 0..6 {
-        let all = HIDDEN.len() + controls.len();
-        let index = dice.roll(all);
-        text.push(*HIDDEN.iter().chain(controls).nth(index).unwrap());
-        text.push(char::from(b'a' + dice.roll(26) as u8));
-    }
-    text
-}
-
-/// The cantilever with other names, a title of controls too, and tolerances.
-fn hostile_model(name: &str, title: &str) -> String {
-    let text = presets::find("cantilever").unwrap().text;
-    text.replace("Damper", &in_toml(name))
-        .replace("tip ", &in_toml(&format!("=tip{name}")))
-        .replace("tip,", "end,")
-        .replace(
-            "title = \"Cantilever",
-            &format!("title = \"{}", in_toml(title)),
-        )
-        .replace("points = 2000", "points = 12")
-        .replace("max = 2000.0 }", "max = 2000.0, tolerance = 5.0 }")
 }
 
 #[test]
@@ -144,35 +115,6 @@ fn a_hostile_model_is_escaped_by_every_command_and_stays_what_it_is() {
 
 /// Every view of the designer measures and shows names escaped: nothing is left to the last look at the cells, which
 /// puts a replacement character.
-#[test]
-fn every_view_shows_names_escaped() {
-    const KEYS: &str = "E PgDn PgDn PgDn PgDn g B B B O O O O O O O O O M m P \" _ ~ ~ ~ ~ ~ t t t f b b b b b Q r Esc Esc : d \
-                        Esc / d Esc r Esc S Esc o Esc ? Esc Ctrl-e Esc Ctrl-o Esc ^ Esc w Ctrl-k G $ Esc x u D u";
-    let mut dice = Dice(5);
-    for ascii in [false, true] {
-        let (name, title) = (hostile(&mut dice, &[]), hostile(&mut dice, &controls()));
-        let text = hostile_model(&name, &title);
-        let file = OsString::from_vec([b"m\x1b\xff", name.as_bytes(), b".toml"].concat());
-        let source = Source::File(file.into());
-        let mut driver = Driver::opened(model::read(&text).unwrap(), text, source);
-        if ascii {
-            driver.app.theme = Theme::new(false);
-        }
-        let start = driver.screen(120, 40);
-        assert!(start.contains("m\\u{1b}\\xffx\\u{"), "{start}");
-        assert!(start.contains("=tipx\\u{"), "{start}");
-        for key in KEYS.split_whitespace() {
-            driver.keys(key);
-            for (columns, rows) in [(80, 24), (120, 40)] {
-                let screen = driver.screen(columns, rows);
-                assert_safe(key, screen.as_bytes());
-                let let_through = screen.contains(char::REPLACEMENT_CHARACTER);
-                assert!(!let_through, "{key}: {screen}");
-            }
-        }
-    }
-}
-
 #[test]
 fn hostile_arguments_are_refused_escaped() {
     let mut dice = Dice(11);

@@ -3,7 +3,7 @@
 //! A case states a model and either printed numbers, with the tolerance that the print supports, or the name of a
 //! frequency equation, which is solved here by code that shares nothing with the solver but the model. In both, the list
 //! is compared as a whole, so a mode too many or too few fails. A source's sentences without numbers are held by tests
-//! elsewhere, which its file names. The README's table is made here, one row a source, and a test holds it equal.
+//! elsewhere, which its file names. The table of the guide (`src/guide/validation.md`) is made here, one row a source, and a test holds it equal.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
@@ -192,7 +192,7 @@ fn rounded(value: f64) -> String {
     digits.to_string()
 }
 
-/// A source's row of the README's table; its faults go to the list.
+/// A source's row of the guide's table; its faults go to the list.
 fn row(source: &Source, faults: &mut Vec<String>) -> String {
     let name = format!("{} {}", source.authors, source.year);
     if source.cases.is_empty() {
@@ -236,7 +236,7 @@ fn row(source: &Source, faults: &mut Vec<String>) -> String {
 }
 
 #[test]
-fn every_source_is_met_and_the_readme_says_so() {
+fn every_source_is_met_and_the_guide_says_so() {
     let mut table = String::from("| case | source | published | ours | relative difference |\n");
     table.push_str("| --- | --- | --- | --- | --- |\n");
     let mut faults = Vec::new();
@@ -245,14 +245,14 @@ fn every_source_is_met_and_the_readme_says_so() {
         table.push_str(&row(&source, &mut faults));
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
-    let readme = std::fs::read_to_string("README.md").unwrap();
-    let (_, rest) = readme.split_once("<!-- literature: ").unwrap();
+    let chapter = std::fs::read_to_string("src/guide/validation.md").unwrap();
+    let (_, rest) = chapter.split_once("<!-- literature: ").unwrap();
     let (_, rest) = rest.split_once("-->\n").unwrap();
     let (shown, _) = rest.split_once("<!-- end of literature -->").unwrap();
     assert_eq!(
         shown.trim(),
         table.trim(),
-        "copy the table on the right into the README"
+        "copy the table on the right into src/guide/validation.md"
     );
 }
 

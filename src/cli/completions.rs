@@ -6,6 +6,7 @@ use clap::builder::PossibleValuesParser;
 use clap::{Args, Command, ValueEnum};
 
 use super::Failure;
+use crate::guide;
 use crate::presets;
 
 /// The arguments of `beamtune completions`.
@@ -81,11 +82,16 @@ fn fish(command: Command) -> String {
     let shells: Vec<(&str, String)> = ["bash", "zsh", "fish"]
         .map(|shell| (shell, String::new()))
         .to_vec();
+    let chapters: Vec<(&str, String)> = guide::CHAPTERS
+        .iter()
+        .map(|chapter| (chapter.name, chapter.summary().to_owned()))
+        .collect();
     let added = [
         fish_words("__fish_beamtune_needs_command", "", &presets),
         fish_words(&with("model"), "", &presets),
         fish_words(&with("preset"), " -f", &presets),
         fish_words(&with("shell"), " -f", &shells),
+        fish_words(&with("chapter"), " -f", &chapters),
     ];
     generate(clap_complete::Shell::Fish, command) + &added.concat()
 }
@@ -177,6 +183,7 @@ mod tests {
             "using_subcommand check frf modes sensitivities spread tune validate\" -a cantilever -d 'Cantilever with",
             "using_subcommand show\" -f -a fig08 -d 'Fig. 8: ",
             "using_subcommand completions\" -f -a zsh -d ''",
+            "using_subcommand guide\" -f -a tuning -d 'which",
         ] {
             assert!(script.contains(line), "{line}");
         }

@@ -92,6 +92,10 @@ const EXIT_STATUS: Terms = &[
 const EXAMPLES: Terms = &[
     ("beamtune fig08", "The designer on a preset."),
     (
+        "beamtune guide tuning | less",
+        "A chapter of the guide; without a name, the list of chapters.",
+    ),
+    (
         "beamtune show fig05a > mine.toml",
         "A commented start of a model of your own.",
     ),

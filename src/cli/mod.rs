@@ -3,6 +3,7 @@
 mod completions;
 mod csv;
 mod frf;
+mod guide;
 mod man;
 mod measured;
 mod modes;
@@ -68,6 +69,8 @@ struct Sets {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    /// Prints the guide: the list of its chapters, or one chapter.
+    Guide(guide::Arguments),
     /// Lists the presets: name and title.
     Presets,
     /// Prints a preset's model file.
@@ -166,6 +169,7 @@ fn say(what: &str) {
 fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
     match arguments.command {
         None => return design(&arguments.designer),
+        Some(Command::Guide(arguments)) => guide::run(&arguments)?,
         Some(Command::Presets) => print(&list_presets())?,
         Some(Command::Show { preset }) => print(source::preset(&preset)?.text)?,
         Some(Command::Check { model }) => drop(source::open(&model, &[])?),

@@ -41,6 +41,7 @@ impl Folders {
     }
 
     /// Any two folders, for tests.
+    #[cfg(test)]
     pub fn at(config: impl Into<PathBuf>, state: impl Into<PathBuf>) -> Self {
         Self {
             config: config.into(),

@@ -3,6 +3,23 @@
 //! [`read()`] gives the curves of a file in SI. What a table does not say of itself, a [`Layout`] does; [`inspect()`] tells
 //! what is in a file and what has to be asked, and [`open()`] reads it where nothing has to be. [`write_uff()`] writes data
 //! set 58, [`fit()`] compares a model's values with a curve. Nothing here computes a response.
+//!
+//! # Example
+//!
+//! ```
+//! use beamtune::measured::{Hint, fit, read};
+//! use beamtune::{model, presets, solve};
+//!
+//! let text = "Frequency [Hz],Tip magnitude [um],Tip phase [deg]\n10,12.0,-1\n20,18.5,-3\n30,95.0,-80\n";
+//! let curves = read(text.as_bytes(), &Hint::default()).expect("a table whose header says its units");
+//! assert!((curves[0].values[0].norm() - 12.0e-6).abs() < 1e-18);
+//!
+//! let beam = model::read(presets::find("cantilever").expect("an embedded preset").text).expect("a possible model");
+//! let frf = solve::sweep_alone(&beam, &curves[0].frequencies);
+//! let fit = fit(&curves[0], &frf.columns[0].values, None).expect("points in common");
+//! assert!((0.0..=1.0).contains(&fit.frac));
+//! println!("FRAC {:.3}, mean difference {:+.1} dB", fit.frac, fit.mean_decibels);
+//! ```
 
 mod curve;
 mod fit;

@@ -4,6 +4,21 @@
 //! a [`Model`] or into all of its faults at once; [`write()`] merges a model back into that text; [`check()`] says
 //! whether a model is physically possible; [`schema`] says which keys there are, a [`ParameterId`] stands for one of
 //! them, [`path`] finds it by name and [`edit`] changes it.
+//!
+//! # Example
+//!
+//! ```
+//! use beamtune::model::{self, edit};
+//! use beamtune::presets;
+//!
+//! let text = presets::find("cantilever").expect("an embedded preset").text;
+//! let mut beam = model::read(text).expect("a possible model");
+//! edit::set(&mut beam, "subsystems.*.mass", edit::Value::Number(6.0)).expect("a heavier damper");
+//! let changed = model::write(&beam, text);
+//! // Only the changed value differs: comments and order stay.
+//! assert!(changed.contains("mass = 6.0                             # kg"));
+//! assert_eq!(changed.lines().count(), text.lines().count());
+//! ```
 
 mod check;
 mod delta;

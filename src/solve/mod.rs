@@ -15,6 +15,28 @@
 //!
 //! Two witnesses of it share none of its formulas: [`fem`], finite elements, and [`chain`], the paper's own product.
 //! `layout` lays a model out for both, [`compare`] says how far they are from the exact responses.
+//!
+//! # Example
+//!
+//! ```
+//! use std::sync::atomic::AtomicBool;
+//! use beamtune::{model, presets, solve};
+//!
+//! let cancel = AtomicBool::new(false);
+//! let text = presets::find("cantilever").expect("an embedded preset").text;
+//! let beam = model::read(text).expect("a possible model");
+//! let frf = solve::sweep(&beam, &[25.0, 35.0], &cancel).expect("nothing cancels it");
+//! let tip = &frf.columns[0];
+//! assert_eq!((tip.name.as_str(), tip.unit), ("tip w", "m"));
+//! // Complex values, zero to peak, one per frequency; a mode lies at 36.8 Hz.
+//! assert!(tip.values[1].norm() > tip.values[0].norm());
+//!
+//! let found = solve::modes::modes(&beam, 60.0, &cancel).expect("nothing cancels it");
+//! for mode in &found.modes {
+//!     println!("{:8.3} Hz  {:.2e}", mode.frequency(), mode.damping_ratio());
+//! }
+//! assert_eq!(found.completeness, solve::modes::Completeness::Certain);
+//! ```
 
 mod attachment;
 pub mod band;

@@ -46,7 +46,7 @@ mod zoom;
 use std::sync::Arc;
 
 pub use ask::Question;
-pub use band::{Band, BandLevels, MemberLevels, ResponseLevel};
+pub use band::{Band, MemberLevels, ResponseLevel};
 pub use beside::{Beside, Reference};
 pub use curves::{Compared, Curves, Member, Picture, Shown, Trace};
 pub use detail::{Detail, DetailPicture};
@@ -54,21 +54,21 @@ pub use display::{Display, MOTION};
 pub use document::{Base, Document};
 pub use effect::{Effect, Guard, Lost, Reply};
 pub use export::{Export, Saving};
-pub use look::{Look, Looking, Moment};
-pub use measured::{Fitted, Measured, OpenedMeasured};
-pub use modal::{Completeness, Modal, ModeKind, ModeList, ModeRow, Shares};
+pub use look::{Look, Looking};
+pub use measured::{Measured, OpenedMeasured};
+pub use modal::{Completeness, Modal, ModeKind, ModeList, ModeRow};
 pub use outside::Outside;
 pub use overlay::{Asked, AskedKind, List, Next, Overlay, Prompt, Purpose, ReplaceReason};
 pub use palette::{Entry, Found, Palette};
-pub use reading::{AgainstReference, Read, Reading, Value, nearest};
+pub use reading::{Reading, Value, nearest};
 pub use screen::{Levels, Plot, Rows, Screen};
 pub use search::Search;
 pub use selection::Selection;
-pub use sensitivity::{Effects, Sensed, Sensitivities, Weighed};
+pub use sensitivity::{Effects, Sensed, Sensitivities};
 pub use shape::Shape;
 pub use tables::{Anchor, Table, Tables};
-pub use tuning::{Progress, Run, Tolerances, Tuning};
-pub use witness::{Witness, WitnessCurves, WitnessPicture};
+pub use tuning::{Progress, Run, Tuning};
+pub use witness::{Witness, WitnessPicture};
 
 pub use crate::worker::Stage;
 

@@ -43,6 +43,7 @@ impl<W: Write> Wire<W> {
     }
 
     /// The writer.
+    #[cfg(test)]
     pub fn writer_mut(&mut self) -> &mut W {
         &mut self.writer
     }

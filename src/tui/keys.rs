@@ -1,4 +1,4 @@
-//! The one key table. Dispatch, the hint line, help, the palette, the README's table and the man page all come from it.
+//! The one key table. Dispatch, the hint line, help, the palette, the guide's table and the man page all come from it.
 //!
 //! The rows are in [`SECTIONS`]; [`KeyMap`] is the table with the keys that the user's configuration gives to commands.
 
@@ -17,7 +17,7 @@ mod tuning;
 
 pub use command::Command;
 pub use key::Key;
-pub use map::{Bound, Conflict, KeyMap, names};
+pub use map::{Conflict, KeyMap, names};
 pub use table::SECTIONS;
 
 use key::{control, key, shifted, special};

@@ -28,6 +28,7 @@ use super::backend::Wire;
 pub use self::input::events;
 pub use self::jobs::can_suspend;
 pub use self::panic::set_panic_sink;
+#[cfg(any(test, fuzzing))]
 pub use self::parser::Parser;
 
 /// Presses and the wheel, dragging, and places in decimals: modes 1000, 1002 and 1006 of xterm. Moves without a button

@@ -6,6 +6,25 @@
 //! it says. [`spread()`] tells what tolerances make of the curves.
 //!
 //! Nothing here knows a clock or a terminal. The same seed gives the same result on any number of threads.
+//!
+//! # Example
+//!
+//! ```
+//! use std::path::Path;
+//! use std::sync::atomic::AtomicBool;
+//! use beamtune::tune::{Options, Problem, run};
+//! use beamtune::{model, presets};
+//!
+//! let text = presets::find("cantilever").expect("an embedded preset").text;
+//! let beam = model::read(text).expect("a possible model");
+//! // Measured files that [tune] names are read from this folder.
+//! let problem = Problem::new(&beam, Path::new(".")).expect("a possible [tune]");
+//! let options = Options { seed: 1, budget: Some(60) };
+//! let tuned = run(&problem, &options, &AtomicBool::new(false), &mut |_| {}).expect("a finite objective");
+//! assert!(tuned.after[0].figure < tuned.before[0].figure);
+//! let better = model::write(&tuned.model, text);
+//! assert!(model::read(&better).is_ok());
+//! ```
 
 mod coordinates;
 mod figures;

@@ -10,7 +10,7 @@ use serde::Deserialize;
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Source {
-    /// What is compared, a few words for the README's table.
+    /// What is compared, a few words for the guide's table.
     pub subject: String,
     pub authors: String,
     pub year: u16,

@@ -3,9 +3,7 @@
 
 use std::fs;
 
-use beamtune::model;
-use beamtune::tui::keys::{Key, KeyMap};
-use crossterm::event::{KeyCode, KeyModifiers};
+use beamtune::{guide, model};
 
 use super::dice::Dice;
 use super::harness::{ESCAPE, Home, Program};
@@ -61,36 +59,54 @@ const STRANGE: [&str; 8] = [
     "\u{1b}[1;5C",
 ];
 
-/// What a terminal sends for a key.
-fn bytes(key: Key) -> String {
-    let number = match key.code {
-        KeyCode::Char(c) if key.modifiers.contains(KeyModifiers::CONTROL) => {
-            return char::from(c as u8 & 0x1f).to_string();
-        }
-        KeyCode::Char(c) => return c.to_string(),
-        KeyCode::Enter => return "\r".to_owned(),
-        KeyCode::Tab => return "\t".to_owned(),
-        KeyCode::Backspace => return "\u{7f}".to_owned(),
-        KeyCode::Esc => return ESCAPE.to_owned(),
-        KeyCode::BackTab => return "\u{1b}[Z".to_owned(),
-        KeyCode::F(1) => return "\u{1b}OP".to_owned(),
-        KeyCode::Up => "A",
-        KeyCode::Down => "B",
-        KeyCode::Right => "C",
-        KeyCode::Left => "D",
-        KeyCode::Home => "H",
-        KeyCode::End => "F",
-        KeyCode::Delete => "3~",
-        KeyCode::PageUp => "5~",
-        KeyCode::PageDown => "6~",
-        other => panic!("a key that is not sent here: {other:?}"),
+/// What a terminal sends for a key of this name.
+fn bytes(key: &str) -> String {
+    let number = match key {
+        "Enter" => return "\r".to_owned(),
+        "Tab" => return "\t".to_owned(),
+        "Space" => return " ".to_owned(),
+        "Backspace" => return "\u{7f}".to_owned(),
+        "Esc" => return ESCAPE.to_owned(),
+        "Shift-Tab" => return "\u{1b}[Z".to_owned(),
+        "F1" => return "\u{1b}OP".to_owned(),
+        "Up" => "A",
+        "Down" => "B",
+        "Right" => "C",
+        "Left" => "D",
+        "Shift-Up" => "1;2A",
+        "Shift-Down" => "1;2B",
+        "Shift-Right" => "1;2C",
+        "Shift-Left" => "1;2D",
+        "Home" => "H",
+        "End" => "F",
+        "Del" => "3~",
+        "PgUp" => "5~",
+        "PgDn" => "6~",
+        other => match other.strip_prefix("Ctrl-") {
+            Some(letter) => return char::from(letter.as_bytes()[0] & 0x1f).to_string(),
+            None if other.chars().count() == 1 => return other.to_owned(),
+            None => panic!("a key that is not sent here: {other}"),
+        },
     };
-    let held = if key.modifiers.contains(KeyModifiers::SHIFT) {
-        "1;2"
-    } else {
-        ""
-    };
-    format!("\u{1b}[{held}{number}")
+    format!("\u{1b}[{number}")
+}
+
+/// Every key of the guide's key table but those of some commands, as a terminal sends it.
+fn keys_without(left_out: &[&str]) -> Vec<String> {
+    let chapter = guide::find("keys").unwrap();
+    let rows = chapter.markdown.lines().filter_map(|line| {
+        let mut cells = line.strip_prefix("| `")?.split(" | ");
+        Some((cells.next()?, cells.last()?))
+    });
+    let rows = rows.filter(|(_, name)| {
+        !left_out
+            .iter()
+            .any(|out| name.contains(&format!("`{out}`")))
+    });
+    let names = rows.flat_map(|(keys, _)| keys.split(['`', ' ']).filter(|name| !name.is_empty()));
+    // A bar is written as \| in a table, and a backtick cannot be told from the marks of code.
+    let keys = names.map(|name| bytes(if name == "\\|" { "|" } else { name }));
+    keys.chain(["`".to_owned()]).collect()
 }
 
 /// Some key, or what else comes from a keyboard and a mouse.
@@ -163,16 +179,9 @@ fn play(seed: u64, keys: &[String]) {
 
 /// Four lots of five seeds, side by side.
 fn play_lot(lot: u64) {
-    let map = KeyMap::default();
-    let left_out = [
+    let keys = keys_without(&[
         "suspend", "end", "quit", "save", "save-as", "open", "presets", "palette",
-    ];
-    let rows = map
-        .rows()
-        .filter(|row| !left_out.contains(&row.binding.name));
-    let keys: Vec<String> = rows
-        .flat_map(|row| row.keys.iter().map(|key| bytes(*key)))
-        .collect();
+    ]);
     for seed in lot * 5..lot * 5 + 5 {
         play(seed, &keys);
     }

@@ -101,6 +101,7 @@ impl App {
             Command::Reload => return self.reload(),
             Command::Presets => self.overlay = Some(Overlay::presets(self.preset_row())),
             Command::Help => self.overlay = Some(Overlay::Help(List::default())),
+            Command::Guide => self.open_chapters(),
             Command::Palette => self.open_palette(),
             Command::Search => self.start_search(),
             Command::CopyValue => return self.copy_value(),

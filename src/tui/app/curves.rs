@@ -27,18 +27,6 @@ pub struct Trace {
     pub peaks: Vec<Peak>,
 }
 
-impl Trace {
-    /// The magnitude at one of the frequencies; of an energy the energy.
-    pub fn magnitude(&self, index: usize) -> f64 {
-        let value = self.values[index];
-        if self.dimension.is_none() {
-            value.re
-        } else {
-            value.norm()
-        }
-    }
-}
-
 /// The responses of the model, or of one member of a study.
 #[derive(Debug, Clone)]
 pub struct Member {

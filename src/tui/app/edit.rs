@@ -88,7 +88,6 @@ impl App {
             _ => AskedKind::Text,
         };
         Asked {
-            node,
             subject: tree::subject(self.model(), node),
             id: parameter.id,
             range: parameter.range,

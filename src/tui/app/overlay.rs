@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use tui_input::Input;
 
 use super::{Lost, Palette, Question, Saving};
+use crate::guide::Chapter;
 use crate::model::{Fault, ParameterId, Unit};
 use crate::presets;
 use crate::tui::keys::{Command, Scope};
-use crate::tui::tree::Node;
 
 /// A box over the designer.
 #[derive(Debug)]
@@ -21,6 +21,8 @@ pub enum Overlay {
     Presets(List),
     /// Help is read.
     Help(List),
+    /// A chapter of the guide is read.
+    Guide(&'static Chapter, List),
     /// Faults of a file that was not opened are read.
     Faults {
         /// The file.
@@ -124,8 +126,6 @@ pub enum Purpose {
 /// A parameter whose value is asked for.
 #[derive(Debug, Clone)]
 pub struct Asked {
-    /// Its row.
-    pub node: Node,
     /// The parameter in words.
     pub subject: String,
     /// Which one it is.
@@ -221,7 +221,7 @@ impl Overlay {
             Self::Prompt(_) => Scope::Prompt,
             Self::Palette(_) => Scope::Palette,
             Self::Presets(_) => Scope::Picker,
-            Self::Help(_) | Self::Faults { .. } => Scope::Reader,
+            Self::Help(_) | Self::Guide(..) | Self::Faults { .. } => Scope::Reader,
             Self::Unsaved { .. } => Scope::Unsaved,
             Self::Replace { .. } => Scope::Replace,
             Self::Recovery { .. } => Scope::Recovery,
@@ -232,7 +232,7 @@ impl Overlay {
     /// The list that shows, of entries or of lines.
     pub(super) fn list(&mut self) -> Option<&mut List> {
         match self {
-            Self::Help(list) | Self::Faults { list, .. } => Some(list),
+            Self::Help(list) | Self::Guide(_, list) | Self::Faults { list, .. } => Some(list),
             _ => self.choices(),
         }
     }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use tui_input::Input;
 
 use super::{App, Effect, List, Overlay};
+use crate::guide::{CHAPTERS, Chapter};
 use crate::tui::fuzzy;
 use crate::tui::keys::{Command, Scope};
 use crate::tui::tree::{self, Node};
@@ -26,6 +27,8 @@ pub enum Found {
     Command(Command),
     /// A row of the tree is selected, and edited where it is typed.
     Row(Node),
+    /// A chapter of the guide is shown.
+    Chapter(&'static Chapter),
 }
 
 /// A line of the palette.
@@ -33,17 +36,19 @@ pub enum Found {
 pub struct Entry {
     /// What it leads to.
     pub found: Found,
-    /// The command's name, or the row's full name.
+    /// The name of the command or chapter, or the row's full name.
     pub name: String,
-    /// What a command does; empty for a row.
+    /// What a command does or a chapter explains; empty for a row.
     pub help: &'static str,
-    /// The command's keys; empty for a row, whose value is said in their place.
+    /// The command's keys; empty for others.
     pub keys: String,
 }
 
 /// The palette's state.
 #[derive(Debug)]
 pub struct Palette {
+    /// What its entries are, for the heading.
+    pub subject: &'static str,
     /// What is typed.
     pub input: Input,
     /// The list of what was found.
@@ -54,9 +59,10 @@ pub struct Palette {
 }
 
 impl Palette {
-    /// All entries, commands first.
-    fn new(entries: Vec<Entry>) -> Self {
+    /// A palette of these entries.
+    fn new(subject: &'static str, entries: Vec<Entry>) -> Self {
         let mut palette = Self {
+            subject,
             input: Input::default(),
             list: List::default(),
             entries,
@@ -123,7 +129,23 @@ impl App {
             help: "",
             keys: String::new(),
         }));
-        self.overlay = Some(Overlay::Palette(Palette::new(entries)));
+        let palette = Palette::new("Commands and parameters", entries);
+        self.overlay = Some(Overlay::Palette(palette));
+    }
+
+    /// The palette of the chapters of the guide.
+    pub(super) fn open_chapters(&mut self) {
+        let entry = |chapter: &'static Chapter| Entry {
+            found: Found::Chapter(chapter),
+            name: chapter.name.to_owned(),
+            help: chapter.summary(),
+            keys: String::new(),
+        };
+        let entries = CHAPTERS.iter().map(entry).collect();
+        self.overlay = Some(Overlay::Palette(Palette::new(
+            "Chapters of the guide",
+            entries,
+        )));
     }
 
     pub(super) fn palette_command(&mut self, command: Command) -> Vec<Effect> {
@@ -142,6 +164,10 @@ impl App {
             (Command::Accept, Some(Found::Command(command))) => self.command(command),
             (Command::Accept, Some(Found::Row(node))) => {
                 self.go_to(node);
+                Vec::new()
+            }
+            (Command::Accept, Some(Found::Chapter(chapter))) => {
+                self.overlay = Some(Overlay::Guide(chapter, List::default()));
                 Vec::new()
             }
             _ => Vec::new(),

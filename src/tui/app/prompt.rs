@@ -172,7 +172,6 @@ impl App {
             });
         };
         let asked = Asked {
-            node,
             subject: format!("{} name", tree::subject(self.model(), node)),
             id: parameter.id,
             range: parameter.range,
@@ -186,9 +185,7 @@ impl App {
     }
 
     pub(super) fn list_command(&mut self, command: Command) -> Vec<Effect> {
-        let Some(Overlay::Presets(list) | Overlay::Help(list) | Overlay::Faults { list, .. }) =
-            &mut self.overlay
-        else {
+        let Some(list) = self.overlay.as_mut().and_then(Overlay::list) else {
             return Vec::new();
         };
         if list.obey(command) {

@@ -43,8 +43,6 @@ pub struct Read<'a> {
     /// The response at the frequencies that were asked for.
     trace: &'a Trace,
     index: usize,
-    /// Hz.
-    pub frequency: f64,
 }
 
 impl Read<'_> {
@@ -117,7 +115,6 @@ fn read<'a>(member: &'a Member, response: &str, frequency: f64) -> Option<Read<'
     Some(Read {
         trace: member.trace(response)?,
         index,
-        frequency,
     })
 }
 

@@ -4,7 +4,7 @@ mod effects;
 
 use std::sync::Arc;
 
-pub use effects::{Effects, Weighed};
+pub use effects::Effects;
 
 use super::{Anchor, App, Shown, Table};
 use crate::model::{Model, Moves};

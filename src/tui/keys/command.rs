@@ -185,6 +185,8 @@ pub enum Command {
     Mouse,
     /// Show every key.
     Help,
+    /// Choose a chapter of the guide.
+    Guide,
     /// Draw the screen anew.
     Redraw,
     /// Stop, until the shell goes on with it.

@@ -51,6 +51,7 @@ impl Key {
     }
 
     /// The event of the key.
+    #[cfg(test)]
     pub fn event(self) -> KeyEvent {
         KeyEvent::new(self.code, self.modifiers)
     }

@@ -1,7 +1,5 @@
 //! The key table with the keys that the user gave to commands.
 
-use std::fmt::Write as _;
-
 use crossterm::event::KeyEvent;
 
 use super::{Binding, Command, Hint, Key, RowKind, SECTIONS, Scope, Section};
@@ -201,7 +199,9 @@ impl KeyMap {
     }
 
     /// The key table as GitHub-flavoured Markdown.
+    #[cfg(test)]
     pub fn markdown_table(&self) -> String {
+        use std::fmt::Write as _;
         let mut table = String::from("| Keys | What they do | Name |\n| --- | --- | --- |\n");
         let mut heading = "";
         for row in self.rows() {
@@ -209,7 +209,10 @@ impl KeyMap {
                 heading = row.section.title;
                 let _ = writeln!(table, "| **{heading}** | | `{}` |", row.section.scope.key());
             }
-            let code = |key: &Key| format!("`{}`", key.name());
+            let code = |key: &Key| match key.name().as_str() {
+                "`" => "`` ` ``".to_owned(),
+                name => format!("`{}`", name.replace('|', "\\|")),
+            };
             let keys: Vec<String> = row.keys.iter().map(code).collect();
             let (help, name) = (row.binding.help, row.binding.name);
             let _ = writeln!(table, "| {} | {help} | `{name}` |", keys.join(" "));

@@ -84,6 +84,13 @@ pub(super) const FILES: &[Binding] = &[
         "this help",
     ),
     bind(
+        "guide",
+        &[],
+        Command::Guide,
+        Hint::Never,
+        "read a chapter of the guide",
+    ),
+    bind(
         "quit",
         &[key('q')],
         Command::Quit,

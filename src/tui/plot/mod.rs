@@ -32,8 +32,10 @@ mod render;
 mod ticks;
 mod trace;
 
-pub use axis::{Axis, Notation, Scale};
-pub use cells::{CellRuler, RoundTick, dotted};
+#[cfg(test)]
+pub use axis::Notation;
+pub use axis::{Axis, Scale};
+pub use cells::{CellRuler, dotted};
 pub use chart::{Chart, ChartStyles, Legend, Marks, Spot};
 pub use curve::{Curve, LineStyle};
 pub use glyphs::Glyphs;

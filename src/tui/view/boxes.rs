@@ -16,6 +16,10 @@ use crate::tui::theme::Theme;
 
 /// Columns of a box at most.
 const WIDEST: u16 = 72;
+/// Columns of its border and of the blanks beside it.
+const FRAME: u16 = 4;
+/// Columns of the widest picture of the guide.
+const PICTURE: usize = 80;
 
 pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, panels: &Panels) {
     app.screen.list = None;
@@ -48,6 +52,12 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, panels: &
             let lines = help::lines(&app.keys, theme, usize::from(boxed_width(area)));
             draw_reader(frame, " Keys ", lines, list, theme);
         }
+        Some(Overlay::Guide(chapter, list)) => {
+            let columns = usize::from(area.width.saturating_sub(FRAME)).min(PICTURE);
+            let lines = help::chapter(chapter, theme, columns);
+            let title = format!(" Guide: {} ", chapter.name);
+            draw_reader(frame, &title, lines, list, theme);
+        }
         Some(Overlay::Faults { path, faults, list }) => {
             let title = format!(" {}: not opened ", shown_path(path));
             let lines = fault_lines(faults, theme, usize::from(boxed_width(area)));
@@ -66,7 +76,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, panels: &
 
 /// Columns of text in a centred box.
 pub(super) fn boxed_width(area: Rect) -> u16 {
-    area.width.min(WIDEST).saturating_sub(4)
+    area.width.min(WIDEST).saturating_sub(FRAME)
 }
 
 /// Clears a place and draws a border around it; what is inside.
@@ -86,10 +96,14 @@ pub(super) fn open_box(frame: &mut Frame<'_>, area: Rect, title: &str, theme: Th
 
 /// A box in the middle for so many lines of text.
 pub(super) fn middle(area: Rect, lines: usize) -> Rect {
+    middle_of_width(area, lines, WIDEST)
+}
+
+fn middle_of_width(area: Rect, lines: usize, widest: u16) -> Rect {
     let height = (lines as u16)
         .saturating_add(2)
         .min(area.height.saturating_sub(2));
-    let width = area.width.min(WIDEST);
+    let width = area.width.min(widest);
     Rect::new(
         (area.width - width) / 2,
         (area.height - height) / 2,
@@ -140,7 +154,8 @@ fn draw_reader(
     list: &mut List,
     theme: Theme,
 ) {
-    let place = middle(frame.area(), lines.len());
+    let widest = lines.iter().map(Line::width).max().unwrap_or(0) as u16;
+    let place = middle_of_width(frame.area(), lines.len(), WIDEST.max(widest + FRAME));
     list.height = usize::from(place.height.saturating_sub(2)).max(1);
     list.rows = lines.len().saturating_sub(list.height) + 1;
     list.row = list.row.min(list.rows - 1);

@@ -1,9 +1,10 @@
-//! The help screen, made from the key table.
+//! What is read: every key, from the key table, and the chapters of the guide.
 
 use ratatui::text::{Line, Span};
 
 use super::text::{width, wrapped};
-use crate::tui::keys::KeyMap;
+use crate::guide::{self, Chapter, Kind};
+use crate::tui::keys::{Command, KeyMap};
 use crate::tui::theme::Theme;
 
 /// Every key and what it does, in lines of at most so many columns.
@@ -14,11 +15,16 @@ pub(super) fn lines(keys: &KeyMap, theme: Theme, columns: usize) -> Vec<Line<'st
         .max()
         .unwrap_or(0);
     let room = columns.saturating_sub(widest + 3);
-    let mut lines = Vec::new();
+    let guide = format!(
+        "The guide explains more: `{}` lists its chapters.",
+        keys.key_of(Command::Guide)
+    );
+    let guide = wrapped(&guide, columns).into_iter().map(Line::raw);
+    let mut lines: Vec<Line<'_>> = guide.chain([Line::default()]).collect();
     let mut heading = "";
     for row in keys.rows() {
         if row.section.title != heading {
-            if !lines.is_empty() {
+            if !heading.is_empty() {
                 lines.push(Line::default());
             }
             heading = row.section.title;
@@ -35,4 +41,17 @@ pub(super) fn lines(keys: &KeyMap, theme: Theme, columns: usize) -> Vec<Line<'st
         }
     }
     lines
+}
+
+/// A chapter of the guide in lines of at most so many columns; a picture may be wider.
+pub(super) fn chapter(chapter: &Chapter, theme: Theme, columns: usize) -> Vec<Line<'static>> {
+    let styled = |line: guide::Line| match line.kind {
+        Kind::Heading => {
+            let title = line.text.trim_start_matches(['#', ' ']).to_owned();
+            Line::styled(title, theme.accent())
+        }
+        Kind::Text | Kind::Code => Line::raw(line.text),
+    };
+    let lines = guide::lines(chapter.markdown, columns);
+    lines.into_iter().map(styled).collect()
 }

@@ -25,10 +25,11 @@ pub(super) fn draw(
     theme: Theme,
 ) -> Rows {
     let count = palette.list.rows;
+    let subject = palette.subject;
     let title = match count {
-        0 => " Commands and parameters: none found ".to_owned(),
+        0 => format!(" {subject}: none found "),
         _ => format!(
-            " Commands and parameters  {} of {} ",
+            " {subject}  {} of {} ",
             palette.list.row + 1,
             grouped(count)
         ),
@@ -62,10 +63,10 @@ pub(super) fn draw(
     Rows { area: rest, first }
 }
 
-/// A command with what it does and its keys, or a row of the tree with its value.
+/// A command with what it does and its keys, a chapter with its summary, or a row of the tree with its value.
 fn entry_line(entry: &Entry, model: &Model, theme: Theme, columns: usize) -> Line<'static> {
     let (beside, right) = match entry.found {
-        Found::Command(_) => (entry.help, entry.keys.clone()),
+        Found::Command(_) | Found::Chapter(_) => (entry.help, entry.keys.clone()),
         Found::Row(node) => ("", tree::value(model, node)),
     };
     let right = cut(&right, columns / 2);

@@ -3,24 +3,18 @@
 
 #[path = "screens/changed.rs"]
 mod changed;
-#[path = "fuzz/dice.rs"]
-#[allow(dead_code)]
-mod dice;
-#[allow(dead_code)] // The driver serves other tests too.
-#[path = "screens/driver.rs"]
-mod driver;
 #[path = "screens/random.rs"]
 mod random;
 
 use std::sync::Arc;
 use std::time::Duration;
 
+use super::driver::Driver;
 use beamtune::files::Source;
 use beamtune::model::{Model, Restraint, Unit};
 use beamtune::solve::modes::{Completeness, Gap};
 use beamtune::tui::app::{Lost, Outside, Reply};
 use beamtune::worker::Stage;
-use driver::Driver;
 
 /// A snapshot of the screen after some keys.
 macro_rules! screen {
@@ -152,6 +146,17 @@ fn help() {
     driver.keys("?");
     screen!("help_80x24", driver, 80 x 24);
     screen!("help_120x40", driver, 120 x 40);
+}
+
+#[test]
+fn the_guide_is_opened_from_the_palette() {
+    let mut driver = Driver::preset("fig05a");
+    driver.keys(":").typed("guide").keys("Enter");
+    screen!("guide_80x24", driver, 80 x 24);
+    driver.typed("toler").keys("Enter");
+    screen!("guide_tuning_120x40", driver, 120 x 40);
+    driver.keys("q");
+    assert!(driver.app.overlay.is_none());
 }
 
 #[test]

@@ -12,11 +12,7 @@ use beamtune::tui::event::Event;
 use beamtune::tui::scene;
 use beamtune::worker::Request;
 
-#[path = "screens/driver.rs"]
-#[allow(dead_code)]
-mod driver;
-
-use driver::Driver;
+use super::driver::Driver;
 
 /// The highest magnitude of the first response in the band of the cantilever's objective.
 fn peak(model: &Model) -> f64 {

@@ -7,8 +7,8 @@ use beamtune::tui::event::Event;
 use beamtune::tui::keys::{Key, SECTIONS};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
 
-use super::dice::Dice;
-use super::driver::Driver;
+use crate::designer::dice::Dice;
+use crate::designer::driver::Driver;
 
 /// Keys pressed with each seed.
 const KEYS: usize = 10_000;

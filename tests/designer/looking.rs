@@ -1,13 +1,9 @@
 //! The drawings of the structure and of the cross-section on the designer's screen.
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
-#[allow(dead_code)] // The driver serves other tests too.
-#[path = "screens/driver.rs"]
-mod driver;
-
+use super::driver::Driver;
 use beamtune::tui::options::{Environment, Options};
 use beamtune::tui::theme::Theme;
-use driver::Driver;
 
 const SIZES: [(u16, u16); 3] = [(60, 18), (80, 24), (120, 40)];
 

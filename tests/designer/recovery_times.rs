@@ -1,9 +1,8 @@
-//! From an edit to its place in the recovery file: run with `cargo bench --bench recovery`.
+//! From an edit to its place in the recovery file: run with
+//! `cargo test --release --lib recovery_times -- --ignored --nocapture`.
 //!
 //! Models of 1, 1,000 and 10,000 subsystems while a key that turns a parameter is held: 30 edits a second, each of the
 //! mass of one subsystem, and then each of all of them.
-
-#![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
 
 use std::path::Path;
 use std::sync::Arc;
@@ -89,7 +88,9 @@ fn hold(state: &mut Kept, edit: impl Fn(&mut Model)) -> Vec<f64> {
     times
 }
 
-fn main() {
+#[test]
+#[ignore = "measures times"]
+fn an_edit_is_on_disk_soon() {
     for count in [1, 1000, 10_000] {
         let mut state = state(count);
         println!("{count} subsystems, {} bytes", state.base.len());

@@ -5,8 +5,8 @@ use beamtune::model::{self, Model};
 use beamtune::presets;
 use beamtune::tui::tree;
 
-use super::dice::Dice;
-use super::driver::Driver;
+use crate::designer::dice::Dice;
+use crate::designer::driver::Driver;
 
 /// What adds, deletes and changes rows, and what shows rows of a model that was solved. Twice what is to be frequent.
 const KEYS: [&str; 44] = [

@@ -13,11 +13,7 @@ use beamtune::solve::{frequencies, sweep};
 use beamtune::tui::app::{Effects, Message, Sensed, Table};
 use beamtune::tui::tree;
 
-#[path = "screens/driver.rs"]
-#[allow(dead_code)]
-mod driver;
-
-use driver::Driver;
+use super::driver::Driver;
 
 /// The derivative of `figure` by the logarithm of a parameter: central differences of fourth order, whose error is about
 /// 1e-9 of it at this step.

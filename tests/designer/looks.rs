@@ -1,17 +1,13 @@
 //! The looks of the designer: ASCII, other markers, and how many bytes a change takes.
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
-#[allow(dead_code)] // The driver serves other tests too.
-#[path = "screens/driver.rs"]
-mod driver;
-
 use std::io;
 
+use super::driver::Driver;
 use beamtune::tui::backend::Wire;
 use beamtune::tui::options::{Environment, Marker, Options};
 use beamtune::tui::theme::Theme;
 use beamtune::tui::{tree, view};
-use driver::Driver;
 use ratatui::Terminal;
 use ratatui::layout::{Rect, Size};
 

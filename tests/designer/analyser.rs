@@ -14,11 +14,7 @@ use beamtune::unit::Form;
 use beamtune::unit::FrequencyUnit;
 use num_complex::Complex64;
 
-#[path = "screens/driver.rs"]
-#[allow(dead_code)]
-mod driver;
-
-use driver::Driver;
+use super::driver::Driver;
 
 /// The solver's own answer.
 fn solved(model: &Model, frequencies: &[f64]) -> Frf {

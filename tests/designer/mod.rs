@@ -1,0 +1,22 @@
+//! The designer as a user sees it, driven from inside, where its modules are private: keys in, screens out.
+#![allow(clippy::expect_used)] // The driver's functions are no tests themselves.
+
+mod analyser;
+#[path = "../fuzz/dice.rs"]
+#[allow(dead_code)]
+mod dice;
+mod driver;
+#[cfg(unix)]
+mod escape;
+#[path = "../common/hidden.rs"]
+mod hidden;
+#[path = "../common/hostile.rs"]
+mod hostile;
+mod keyboard;
+mod looking;
+mod looks;
+mod readme;
+mod recovery_times;
+mod screens;
+mod sensitivities_shown;
+mod tuning_shown;

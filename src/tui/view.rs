@@ -38,7 +38,7 @@ use ratatui::{Frame, Terminal};
 
 use super::app::{App, Look, Rows, Screen, Table};
 use super::ascii;
-use super::keys::{Command, Scope};
+use super::keys::AnywhereCommand;
 use super::theme::Theme;
 use crate::rehearsal;
 
@@ -184,7 +184,7 @@ fn draw_panels(frame: &mut Frame<'_>, app: &mut App, theme: Theme) {
     };
     let Some(panels) = panels(frame.area(), wanted) else {
         app.unseen = true;
-        let key = app.keys.key_of_in(Scope::Any, Command::Quit);
+        let key = app.keys.key_of(AnywhereCommand::End);
         return too_small(frame, &key);
     };
     app.unseen = false;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::{App, ModeKind};
 use crate::model::Model;
 use crate::solve::operating::Operating;
-use crate::tui::keys::Command;
+use crate::tui::keys::LookCommand;
 use crate::worker::{OperatingAnswer, OperatingRequest, Request};
 
 /// Frames of a period.
@@ -113,34 +113,24 @@ impl Look {
 }
 
 impl App {
-    /// Changes what is looked at; false where the command is another one.
-    pub(super) fn look_command(&mut self, command: Command) -> bool {
-        match command {
-            Command::Shape => {
-                let shows = self.looking.look == Some(Look::Mode);
-                self.look_at((!shows).then_some(Look::Mode));
-            }
-            Command::Animate => self.animate(),
-            Command::Operating => self.next_operating(),
-            Command::Structure => self.next_drawing(),
-            Command::PhaseStep => self.step_phase(),
-            _ => return false,
-        }
-        true
+    /// Shows or hides the shape of the selected mode.
+    pub(super) fn toggle_shape(&mut self) {
+        let shows = self.looking.look == Some(Look::Mode);
+        self.look_at((!shows).then_some(Look::Mode));
     }
 
-    fn next_operating(&mut self) {
+    pub(super) fn next_operating(&mut self) {
         let place = Look::OPERATING
             .iter()
             .position(|look| Some(*look) == self.looking.look);
         let next = place.map_or(0, |place| place + 1);
         if place.is_none() && self.curves.cursor.is_none() {
-            self.move_cursor(1);
+            self.move_cursor(1.0);
         }
         self.look_at(Look::OPERATING.get(next).copied());
     }
 
-    fn next_drawing(&mut self) {
+    pub(super) fn next_drawing(&mut self) {
         self.look_at(match self.looking.look {
             Some(Look::Structure) => Some(Look::Section),
             Some(Look::Section) => None,
@@ -157,7 +147,7 @@ impl App {
     }
 
     /// Lets what shows move, or stand still; the selected mode where nothing that moves shows.
-    fn animate(&mut self) {
+    pub(super) fn animate(&mut self) {
         if std::mem::take(&mut self.looking.moment.runs) {
             return;
         }
@@ -175,7 +165,7 @@ impl App {
         self.looking.moment.runs = true;
     }
 
-    fn step_phase(&mut self) {
+    pub(super) fn step_phase(&mut self) {
         if !self.looking.look.is_some_and(Look::moves) {
             return self.refuse("nothing that moves shows");
         }
@@ -194,7 +184,7 @@ impl App {
     /// What moves by itself stands still, because the line carries too few frames.
     pub fn stop_moving(&mut self) {
         if std::mem::take(&mut self.looking.moment.runs) {
-            let key = self.keys.key_of(Command::PhaseStep);
+            let key = self.keys.key_of(LookCommand::PhaseStep);
             self.refuse(format!(
                 "the line is too slow for what moves: {key} goes a step further"
             ));

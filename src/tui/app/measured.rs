@@ -10,7 +10,7 @@ use crate::escape::shown_path;
 use crate::measured::{self, Curve, Fit, Inspection, Kind, ValueUnit, fit};
 use crate::model::{Fault, counted};
 use crate::solve::form::{Dimension, Form, Reference};
-use crate::tui::keys::Command;
+use crate::tui::keys::CompareCommand;
 use crate::tui::scene::ChartView;
 use crate::worker::{Request, SampleAnswer, SampleRequest, Sampling};
 
@@ -211,7 +211,7 @@ impl App {
         self.overlay = None;
         let room = MOST_CURVES.saturating_sub(self.beside.measured.len());
         if room == 0 {
-            let list = self.keys.key_of(Command::Beside);
+            let list = self.keys.key_of(CompareCommand::Beside);
             return self.refuse(format!(
                 "{MOST_CURVES} measured curves are the most: {list} lists them, to drop some"
             ));

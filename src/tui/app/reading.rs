@@ -4,7 +4,7 @@ use num_complex::Complex64;
 
 use super::curves::Member;
 use super::{App, Compared, Trace};
-use crate::tui::keys::Command;
+use crate::tui::keys::ReadingCommand;
 use crate::tui::scene;
 use crate::worker::{Request, SampleAnswer, SampleRequest, Sampling};
 
@@ -245,18 +245,8 @@ impl App {
             .collect()
     }
 
-    /// Changes the second cursor and the harmonics; false where the command is another one.
-    pub(super) fn reading_command(&mut self, command: Command) -> bool {
-        match command {
-            Command::SecondCursor => self.turn_second(),
-            Command::Harmonics => self.turn_harmonics(),
-            _ => return false,
-        }
-        true
-    }
-
     /// Puts the second cursor where the cursor is, or takes it away.
-    fn turn_second(&mut self) {
+    pub(super) fn turn_second(&mut self) {
         match (self.reading.second.take(), self.curves.cursor) {
             (Some(second), Some(cursor)) if second != cursor => {
                 self.reading.second = Some(cursor);
@@ -268,15 +258,15 @@ impl App {
                 self.done("second cursor here: differences are counted from it");
             }
             (None, None) => {
-                let key = self.keys.key_of(Command::Cursor(1));
+                let key = self.keys.key_of(ReadingCommand::CursorRight);
                 self.refuse(format!("there is no cursor: {key} puts one on the chart"));
             }
         }
     }
 
-    fn turn_harmonics(&mut self) {
+    pub(super) fn turn_harmonics(&mut self) {
         if self.curves.cursor.is_none() {
-            let key = self.keys.key_of(Command::Cursor(1));
+            let key = self.keys.key_of(ReadingCommand::CursorRight);
             return self.refuse(format!("there is no cursor: {key} puts one on the chart"));
         }
         self.reading.harmonics = !self.reading.harmonics;

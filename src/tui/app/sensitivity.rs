@@ -9,7 +9,7 @@ pub use effects::{Effects, Weighed};
 use super::{Anchor, App, Shown, Table};
 use crate::model::{Model, Moves};
 use crate::solve::sensitivity::{Figure, Sensitivity};
-use crate::tui::keys::Command;
+use crate::tui::keys::ReadingCommand;
 use crate::worker::{Request, SensitivityAnswer, SensitivityRequest};
 
 /// What the sensitivities are of.
@@ -73,9 +73,9 @@ impl App {
         let comes = |sensed| sensed == Sensed::Peak && self.awaits_peaks();
         let next = rest.find(|one| self.sensitivity_key(*one).is_some() || comes(*one));
         if next.is_none() && self.sensitivities.sensed.is_none() {
-            let (cursor, peak) = (Command::Cursor(1), Command::NextPeak);
+            let (cursor, peak) = (ReadingCommand::CursorRight, ReadingCommand::NextPeak);
             let [cursor, peak, band] =
-                [cursor, peak, Command::Band].map(|command| self.keys.key_of(command));
+                [cursor, peak, ReadingCommand::Band].map(|command| self.keys.key_of(command));
             return self.refuse(format!(
                 "sensitivities are of the cursor ({cursor}), a peak ({peak}), a mode or a band ({band})"
             ));

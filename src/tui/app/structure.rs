@@ -11,7 +11,7 @@ use crate::model::schema::Kind;
 use crate::model::{
     self, BeamMotion, Force, Group, Measure, Model, Place, Quantity, Response, Target,
 };
-use crate::tui::keys::Command;
+use crate::tui::keys::{Command, CompareCommand, TuneCommand};
 use crate::tui::tree::{self, Node};
 
 impl App {
@@ -54,11 +54,11 @@ impl App {
     /// Says what is added here by other keys, or where this one adds something.
     fn refuse_to_add(&mut self, group: Option<Group>) {
         let [study, variable, objective] = [
-            Command::MakeStudy,
-            Command::TuneVariable,
-            Command::TuneObjective,
+            CompareCommand::MakeStudy.into(),
+            TuneCommand::TuneVariable.into(),
+            TuneCommand::TuneObjective.into(),
         ]
-        .map(|command| self.keys.key_of(command));
+        .map(|command: Command| self.keys.key_of(command));
         self.refuse(match group {
             Some(Group::Studies) => {
                 format!("{study} on a number of the model adds a study of it; others are added in the file")

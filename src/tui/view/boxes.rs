@@ -11,7 +11,7 @@ use crate::escape::shown_path;
 use crate::model::{Fault, MOST_SHOWN};
 use crate::presets;
 use crate::tui::app::{App, List, Overlay, Rows};
-use crate::tui::keys::{Command, RowKind, Scope};
+use crate::tui::keys::{PromptCommand, RowKind, Scope};
 use crate::tui::theme::Theme;
 
 /// Columns of a box at most.
@@ -25,7 +25,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, panels: &
     let area = frame.area();
     let source = app.document.source().name();
     let below = prompt::row_below(app, panels);
-    let complete = app.keys.key_of_in(Scope::Prompt, Command::Complete);
+    let complete = app.keys.key_of(PromptCommand::Complete);
     if matches!(app.overlay, Some(Overlay::Beside(_))) {
         let (list, rows) = beside::draw(frame, app, theme);
         app.overlay = Some(Overlay::Beside(list));

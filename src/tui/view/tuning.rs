@@ -9,7 +9,7 @@ use super::table::{self, Column, Content};
 use super::text::{cut, significant, width};
 use crate::model::{Group, Model, Parameter, Unit, counted, grouped, path};
 use crate::tui::app::{App, Progress, Rows, Run};
-use crate::tui::keys::Command;
+use crate::tui::keys::TuneCommand;
 use crate::tui::theme::Theme;
 use crate::tui::tree::{self, Node};
 use crate::tune::Achieved;
@@ -129,8 +129,12 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
     let mut list = app.tables.tuning;
     let rows = rows(app);
     let columns = &*columns(&rows, area.width);
-    let [go, accept, discard] = [Command::Tune, Command::TuneAccept, Command::TuneDiscard]
-        .map(|command| app.keys.key_of(command));
+    let [go, accept, discard] = [
+        TuneCommand::Tune,
+        TuneCommand::TuneAccept,
+        TuneCommand::TuneDiscard,
+    ]
+    .map(|command| app.keys.key_of(command));
     let run = app.tuning.run.as_ref();
     let failed = run.is_some_and(|run| matches!(run.progress, Progress::Failed(_)));
     let content = Content {

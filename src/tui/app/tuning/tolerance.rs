@@ -24,7 +24,7 @@ pub struct Tolerances {
 
 impl App {
     /// Shows what tolerances make of the curves, or does not.
-    pub(super) fn turn_tolerances(&mut self) {
+    pub(in crate::tui::app) fn turn_tolerances(&mut self) {
         let tolerances = &mut self.tuning.tolerances;
         tolerances.shown = !tolerances.shown;
         if !tolerances.shown {

@@ -51,7 +51,7 @@ fn of_subject(
 }
 
 /// The resolved curves of a model to compare with.
-pub(super) fn reference(subject: Subject, cancel: &AtomicBool) -> Option<ReferenceAnswer> {
+pub(super) fn reference(subject: &Subject, cancel: &AtomicBool) -> Option<ReferenceAnswer> {
     let serial = subject.generation;
     let (sender, failures) = channel();
     // What comes before the resolved curves does not show; a failure does.
@@ -61,7 +61,7 @@ pub(super) fn reference(subject: Subject, cancel: &AtomicBool) -> Option<Referen
         }
     };
     let result: Result<Curves, String> =
-        match curves::answer(subject, &Memory::default(), cancel, &notify) {
+        match curves::answer(subject.clone(), &Memory::default(), cancel, &notify) {
             Some(unresolved) => match counted(&unresolved, cancel) {
                 Some(result) => result,
                 None => unless_cancelled(cancel).transpose()?,

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use super::measured::{Asked, FitKey, Fitted, Measured, Sample};
+use super::measured::{FitKey, Fitted, Measured, Sample, SampleKey};
+use super::request::LastRequest;
 use super::{App, List, Overlay, Picture, Question, Shown, Stage};
 use crate::model::Model;
 use crate::tui::Opened;
@@ -49,7 +50,7 @@ pub struct Beside {
     pub measured: Vec<Measured>,
     /// The reference that is being solved.
     asked: Option<u64>,
-    pub(super) measured_asked: Option<Asked>,
+    pub(super) measured_asked: LastRequest<SampleKey>,
     pub(super) sample: Option<Sample>,
     /// How well the model fits the measured curves.
     pub fits: Vec<Fitted>,

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
+use super::request::LastRequest;
 use super::{App, ModeKind};
 use crate::model::Model;
 use crate::solve::operating::Operating;
@@ -57,24 +58,19 @@ pub struct Looking {
     pub generation: u64,
     /// Why nothing is known, where the last question failed.
     pub failure: Option<String>,
-    asked: Option<AskedOperating>,
+    /// With the model that it is about.
+    asked: LastRequest<(OperatingKey, Arc<Model>)>,
 }
 
-/// The question asked last, with the model that it is about.
-#[derive(Debug)]
-struct AskedOperating {
-    serial: u64,
-    generation: u64,
-    frequency: f64,
-    model: Arc<Model>,
-}
+/// What was requested: the model's generation, and the frequency, Hz.
+type OperatingKey = (u64, f64);
 
 impl Looking {
     /// Another model was opened: what is known says nothing of it.
     pub(super) fn forget(&mut self) {
         self.operating = None;
         self.failure = None;
-        self.asked = None;
+        self.asked.forget();
     }
 }
 
@@ -226,20 +222,14 @@ impl App {
     /// Asks what the beam does at the cursor, if that shows.
     pub(super) fn want_operating(&mut self) -> Option<Request> {
         self.looking.look.filter(|look| look.is_operating())?;
-        let (generation, frequency) = (self.curves.generation, self.curves.cursor?);
-        if let Some(asked) = &self.looking.asked
-            && asked.generation == generation
-            && asked.frequency == frequency
-        {
+        let frequency = self.curves.cursor?;
+        let key = (self.curves.generation, frequency);
+        if self.looking.asked.is(|(asked, _)| *asked == key) {
             return None;
         }
         let (serial, model) = (self.next_serial(), Arc::clone(self.document.model()));
-        self.looking.asked = Some(AskedOperating {
-            serial,
-            generation,
-            frequency,
-            model: Arc::clone(&model),
-        });
+        let asked = (key, Arc::clone(&model));
+        self.looking.asked.sent(serial, asked);
         Some(Request::Operating(OperatingRequest {
             serial,
             model,
@@ -249,14 +239,13 @@ impl App {
 
     /// Takes what was asked last.
     pub(super) fn take_operating(&mut self, answer: OperatingAnswer) {
-        if let Some(asked) = &self.looking.asked
-            && asked.serial == answer.serial
-        {
-            (self.looking.operating, self.looking.failure) = match answer.result {
-                Ok(operating) => (Some((Arc::clone(&asked.model), operating)), None),
-                Err(reason) => (None, Some(reason)),
-            };
-            self.looking.generation = asked.generation;
-        }
+        let Some(((generation, _), model)) = self.looking.asked.answered(answer.serial) else {
+            return;
+        };
+        self.looking.generation = *generation;
+        (self.looking.operating, self.looking.failure) = match answer.result {
+            Ok(operating) => (Some((Arc::clone(model), operating)), None),
+            Err(reason) => (None, Some(reason)),
+        };
     }
 }

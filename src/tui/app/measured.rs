@@ -64,13 +64,8 @@ pub(super) struct FitKey {
     visible: Vec<String>,
 }
 
-/// What was asked for last.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Asked {
-    serial: u64,
-    generation: u64,
-    ids: Vec<u64>,
-}
+/// What the model was solved for: its generation, and the numbers of the measured curves.
+pub(super) type SampleKey = (u64, Vec<u64>);
 
 /// What came of opening a measured file.
 #[derive(Debug)]
@@ -271,12 +266,12 @@ impl App {
         let shown = || self.beside.measured.iter().filter(|one| one.shown);
         let ids: Vec<u64> = shown().map(|one| one.id).collect();
         let generation = self.curves.generation;
-        let known = self.beside.measured_asked.as_ref();
         if ids.is_empty() {
             self.forget_sample();
             return None;
         }
-        if known.is_some_and(|asked| asked.generation == generation && asked.ids == ids) {
+        let key = (generation, ids);
+        if self.beside.measured_asked.is(|asked| *asked == key) {
             return None;
         }
         let mut frequencies: Vec<f64> = shown()
@@ -288,11 +283,7 @@ impl App {
         frequencies.sort_by(f64::total_cmp);
         frequencies.dedup();
         let serial = self.next_serial();
-        self.beside.measured_asked = Some(Asked {
-            serial,
-            generation,
-            ids,
-        });
+        self.beside.measured_asked.sent(serial, key);
         let mut subject = self.subject();
         subject.study = None;
         Some(Request::Sample(SampleRequest {
@@ -305,11 +296,9 @@ impl App {
 
     /// Takes the model at the frequencies of the measured curves.
     pub(super) fn take_measured_sample(&mut self, answer: SampleAnswer) -> Result<(), String> {
-        let asked = self.beside.measured_asked.as_ref();
-        let Some(asked) = asked.filter(|asked| asked.serial == answer.serial) else {
+        let Some(&(generation, _)) = self.beside.measured_asked.answered(answer.serial) else {
             return Ok(());
         };
-        let generation = asked.generation;
         let solved = answer.result?.into_iter().flatten().next();
         self.beside.sample = solved.map(|member| Sample {
             generation,
@@ -334,7 +323,7 @@ impl App {
 
     /// The model at the frequencies of the measured curves is not wanted any more.
     pub(super) fn forget_sample(&mut self) {
-        self.beside.measured_asked = None;
+        self.beside.measured_asked.forget();
         self.beside.sample = None;
         self.beside.fits.clear();
     }
@@ -342,7 +331,7 @@ impl App {
     /// Finds out anew how well the model fits, where that may have changed.
     pub(super) fn refresh_fits(&mut self) {
         let key = FitKey {
-            serial: self.beside.measured_asked.as_ref().map(|one| one.serial),
+            serial: self.beside.measured_asked.serial(),
             solved: self.beside.sample.as_ref().map(|one| one.generation),
             form: self.display.form,
             motion: self.display.motion,

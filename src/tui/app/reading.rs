@@ -3,6 +3,7 @@
 use num_complex::Complex64;
 
 use super::curves::Member;
+use super::request::LastRequest;
 use super::{App, Compared, Trace};
 use crate::tui::keys::ReadingCommand;
 use crate::tui::scene;
@@ -33,7 +34,7 @@ pub struct Reading {
     pub second: Option<f64>,
     /// Whether the harmonics of the cursor are marked.
     pub harmonics: bool,
-    asked: Option<(u64, Key)>,
+    asked: LastRequest<Key>,
     values: Option<Values>,
 }
 
@@ -88,11 +89,7 @@ impl Reading {
     /// # Errors
     /// Why nothing was solved, in a line.
     pub(super) fn take(&mut self, answer: SampleAnswer) -> Result<(), String> {
-        let Some((_, key)) = self
-            .asked
-            .as_ref()
-            .filter(|(serial, _)| *serial == answer.serial)
-        else {
+        let Some(key) = self.asked.answered(answer.serial) else {
             return Ok(());
         };
         self.values = Some(Values {
@@ -292,12 +289,7 @@ impl App {
             references: self.beside.shown_ids(),
             frequencies,
         };
-        if self
-            .reading
-            .asked
-            .as_ref()
-            .is_some_and(|(_, asked)| *asked == key)
-        {
+        if self.reading.asked.is(|asked| *asked == key) {
             return None;
         }
         let serial = self.next_serial();
@@ -307,7 +299,7 @@ impl App {
             subjects: self.compared_subjects(),
             frequencies: key.frequencies.clone(),
         };
-        self.reading.asked = Some((serial, key));
+        self.reading.asked.sent(serial, key);
         Some(Request::Sample(request))
     }
 }

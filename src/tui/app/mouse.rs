@@ -64,7 +64,7 @@ impl App {
     /// A click selects a row; one on the selected row is as Enter.
     fn click_in_tree(&mut self, row: usize) -> Vec<Effect> {
         let model = Arc::clone(self.document.model());
-        let Some(node) = self.selection.rows().0.get(row).map(|row| row.node) else {
+        let Some(node) = self.selection.rows().get(row).map(|row| row.node) else {
             return Vec::new();
         };
         let again = self.selection.node() == node;

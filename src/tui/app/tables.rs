@@ -83,7 +83,7 @@ pub enum Anchor {
 
 impl Tables {
     /// The list of a table.
-    pub(super) fn list_mut(&mut self, table: Table) -> &mut List {
+    pub fn list_mut(&mut self, table: Table) -> &mut List {
         match table {
             Table::Modes => &mut self.modes,
             Table::Peaks => &mut self.peaks,

@@ -8,7 +8,7 @@ use ratatui::layout::Rect;
 use super::table::{self, Column, Content};
 use super::text::{cut, significant, width};
 use crate::model::{Group, Model, Parameter, Unit, counted, grouped, path};
-use crate::tui::app::{App, Progress, Rows, Run};
+use crate::tui::app::{App, List, Progress, Rows, Run};
 use crate::tui::keys::TuneCommand;
 use crate::tui::theme::Theme;
 use crate::tui::tree::{self, Node};
@@ -125,8 +125,13 @@ fn first(model: &Model, pattern: &str) -> Option<(f64, Unit)> {
     Some((value, Parameter::of(model, id).ok()?.unit))
 }
 
-pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rect) -> Rows {
-    let mut list = app.tables.tuning;
+pub(super) fn draw(
+    frame: &mut Frame<'_>,
+    app: &App,
+    list: &mut List,
+    theme: Theme,
+    area: Rect,
+) -> Rows {
     let rows = rows(app);
     let columns = &*columns(&rows, area.width);
     let [go, accept, discard] = [
@@ -153,9 +158,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
         },
         stale: false,
     };
-    let rows = table::draw(frame, &content, &mut list, theme, area);
-    app.tables.tuning = list;
-    rows
+    table::draw(frame, &content, list, theme, area)
 }
 
 /// The columns for some rows in a width of the screen: where a match has uncertainties these are whole.

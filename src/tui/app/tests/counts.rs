@@ -100,7 +100,7 @@ fn a_key_without_meaning_says_where_the_keys_are() {
 
 /// What a command can change, in words.
 fn state(app: &App) -> String {
-    let (rows, _) = app.selection.rows();
+    let rows = app.selection.rows();
     format!(
         "{:?} {} {:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?} {:?}",
         app.selection.node(),
@@ -140,7 +140,7 @@ fn a_command_that_does_nothing_says_why() {
         .map(|binding| binding.command)
         .collect();
     for preset in ["fig05a", "fig06", "fig08"] {
-        let rows = app(preset).selection.rows().0.len();
+        let rows = app(preset).selection.rows().len();
         for row in 0..rows {
             for solved in [false, true] {
                 for command in &commands {

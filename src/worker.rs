@@ -20,6 +20,7 @@ mod tuning;
 mod witness;
 
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
 pub(crate) use background::give_way;
@@ -370,73 +371,24 @@ impl Worker {
             }
         });
         let tell = notify.clone();
-        let shapes = Lane::start(move |request, _| {
-            if let Ok(answer) = shape_of(&request) {
-                tell(Answer::Shape(answer));
-            }
-        });
-        let tell = notify.clone();
-        let witness = Lane::start(move |subject, cancel| {
-            if let Ok(answer) = witness::answer(&subject, cancel) {
-                tell(Answer::Witness(answer));
-            }
-        });
-        let [details, readings, measured] = [(); 3].map(|()| {
-            let tell = notify.clone();
-            Lane::start(move |request, cancel: &_| {
-                if let Ok(answer) = sample::answer(&request, cancel) {
-                    tell(Answer::Sample(answer));
-                }
-            })
-        });
-        let tell = notify.clone();
-        let references = Lane::start(move |subject, cancel| {
-            if let Ok(answer) = sample::reference(subject, cancel) {
-                tell(Answer::Reference(answer));
-            }
-        });
-        let tell = notify.clone();
-        let levels = Lane::start(move |request, cancel| {
-            if let Ok(answer) = levels::answer(&request, cancel) {
-                tell(Answer::Levels(answer));
-            }
-        });
-        let tell = notify.clone();
-        let sensitivities = Lane::start(move |request, cancel| {
-            if let Ok(answer) = sensitivity::answer(&request, cancel) {
-                tell(Answer::Sensitivity(answer));
-            }
-        });
-        let tell = notify.clone();
-        let tuning = Lane::start(move |request, cancel| {
+        let tuning = Lane::start(move |request, cancel: &_| {
             tuning::search(&request, cancel, &|answer| tell(Answer::Tune(answer)));
-        });
-        let tell = notify.clone();
-        let spreads = Lane::start(move |request, cancel| {
-            if let Ok(answer) = tuning::spread(&request, cancel) {
-                tell(Answer::Spread(answer));
-            }
-        });
-        let operating = Lane::start(move |request, _| {
-            if let Ok(answer) = operating_of(&request) {
-                notify(Answer::Operating(answer));
-            }
         });
         Self {
             curves,
             expected,
             resolving,
-            shapes,
-            witness,
-            details,
-            readings,
-            measured,
-            references,
-            levels,
-            operating,
-            sensitivities,
+            shapes: answering(&notify, Answer::Shape, shape_of),
+            witness: answering(&notify, Answer::Witness, witness::answer),
+            details: answering(&notify, Answer::Sample, sample::answer),
+            readings: answering(&notify, Answer::Sample, sample::answer),
+            measured: answering(&notify, Answer::Sample, sample::answer),
+            references: answering(&notify, Answer::Reference, sample::reference),
+            levels: answering(&notify, Answer::Levels, levels::answer),
+            operating: answering(&notify, Answer::Operating, operating_of),
+            sensitivities: answering(&notify, Answer::Sensitivity, sensitivity::answer),
             tuning,
-            spreads,
+            spreads: answering(&notify, Answer::Spread, tuning::spread),
         }
     }
 
@@ -468,6 +420,20 @@ impl Worker {
     }
 }
 
+/// A thread whose requests have one answer each, or none where they were cancelled.
+fn answering<R: Send + 'static, A: 'static>(
+    notify: &(impl Fn(Answer) + Clone + Send + 'static),
+    wrap: fn(A) -> Answer,
+    answer: fn(&R, &AtomicBool) -> Result<A, Cancelled>,
+) -> Lane<R> {
+    let notify = notify.clone();
+    Lane::start(move |request, cancel: &_| {
+        if let Ok(found) = answer(&request, cancel) {
+            notify(wrap(found));
+        }
+    })
+}
+
 /// Finds what lies beside an edit, in threads that give way.
 fn preparation(memory: Memory) -> Lane<ExpectRequest> {
     let pool = background::pool();
@@ -483,7 +449,7 @@ fn preparation(memory: Memory) -> Lane<ExpectRequest> {
     })
 }
 
-fn shape_of(request: &ShapeRequest) -> Result<ShapeAnswer, Cancelled> {
+fn shape_of(request: &ShapeRequest, _: &AtomicBool) -> Result<ShapeAnswer, Cancelled> {
     let ShapeRequest {
         generation,
         model,
@@ -498,7 +464,7 @@ fn shape_of(request: &ShapeRequest) -> Result<ShapeAnswer, Cancelled> {
     })
 }
 
-fn operating_of(request: &OperatingRequest) -> Result<OperatingAnswer, Cancelled> {
+fn operating_of(request: &OperatingRequest, _: &AtomicBool) -> Result<OperatingAnswer, Cancelled> {
     let solve = || operating(&request.model, request.frequency, SHAPE_POINTS);
     Ok(OperatingAnswer {
         serial: request.serial,

@@ -2,23 +2,20 @@
 //!
 //! The rows are in [`SECTIONS`]; [`KeyMap`] is the table with the keys that the user's configuration gives to commands.
 
-mod boxes;
 mod command;
-mod compare;
-mod curves;
 mod key;
 mod map;
-mod model;
-mod modes;
-mod program;
-mod reading;
 mod table;
-mod tuning;
 
-pub use command::Command;
+pub use command::Movement;
 pub use key::Key;
 pub use map::{Conflict, KeyMap, names};
-pub use table::SECTIONS;
+pub use table::{
+    AnywhereCommand, BesideCommand, Command, CompareCommand, CurvesCommand, FileCommand,
+    LookCommand, ModelCommand, ModesCommand, PaletteCommand, PickerCommand, PromptCommand,
+    ReaderCommand, ReadingCommand, RecoveryCommand, ReplaceCommand, SECTIONS, SearchCommand,
+    TableCommand, TreeCommand, TuneCommand, UnsavedCommand,
+};
 
 use key::{control, key, shifted, special};
 
@@ -162,23 +159,6 @@ pub struct Binding {
     pub help: &'static str,
 }
 
-/// Keys, the words on the last line and a line of help for a command.
-const fn bind(
-    name: &'static str,
-    keys: &'static [Key],
-    command: Command,
-    hint: Hint,
-    help: &'static str,
-) -> Binding {
-    Binding {
-        name,
-        keys,
-        command,
-        hint,
-        help,
-    }
-}
-
 /// Bindings that belong together.
 #[derive(Debug)]
 pub struct Section {
@@ -186,6 +166,15 @@ pub struct Section {
     pub title: &'static str,
     /// Where the keys have their meaning.
     pub scope: Scope,
-    /// The bindings, in the order of help and hints.
-    pub bindings: &'static [Binding],
+    /// The rows of movement, which come first.
+    moves: &'static [Binding],
+    /// The other rows.
+    bindings: &'static [Binding],
+}
+
+impl Section {
+    /// The rows, in the order of help and hints.
+    pub fn rows(&self) -> impl Iterator<Item = &'static Binding> + use<> {
+        self.moves.iter().chain(self.bindings)
+    }
 }

@@ -183,7 +183,12 @@ impl Stage<'_> {
     fn draw(&mut self, pace: &mut Pace) -> io::Result<()> {
         let began = Instant::now();
         let app = &mut *self.app;
-        self.session.draw(|frame| view::draw(frame, app))?;
+        let mut drawn = None;
+        self.session
+            .draw(|frame| drawn = Some(view::draw(frame, app)))?;
+        if let Some(screen) = drawn {
+            app.drawn(screen);
+        }
         let ended = Instant::now();
         pace.drew(began, ended);
         if app.moves() && ended - began > SLOWEST_FRAME {

@@ -36,11 +36,12 @@ use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Paragraph, Wrap};
 use ratatui::{Frame, Terminal};
 
-use super::app::{App, Look, Rows, Screen, Table};
+use super::app::{App, List, Look, Rows, Screen, Table};
 use super::ascii;
-use super::keys::{Command, Scope};
+use super::keys::AnywhereCommand;
 use super::theme::Theme;
 use crate::rehearsal;
+use figure::Drawn;
 
 /// The smallest screen that is drawn, columns and rows.
 pub const SMALLEST: (u16, u16) = (60, 18);
@@ -155,72 +156,77 @@ fn stacked(area: Rect, wanted: Beside) -> Panels {
     }
 }
 
-/// Draws everything; tells the state how many rows there is room for.
-pub fn draw(frame: &mut Frame<'_>, app: &mut App) {
+/// Draws everything; where things are then, or none where the screen is too small. [`App::drawn`] stores it.
+pub fn draw(frame: &mut Frame<'_>, app: &App) -> Option<Screen> {
     rehearsal::fault("drawing", &app.model().title);
     let theme = app.theme;
-    draw_panels(frame, app, theme);
+    let screen = draw_panels(frame, app, theme);
     text::show_hidden(frame.buffer_mut());
     if theme.is_ascii() {
         ascii::flatten(frame.buffer_mut());
     }
+    screen
 }
 
-fn draw_panels(frame: &mut Frame<'_>, app: &mut App, theme: Theme) {
-    app.tables.readings.set_rows(readings::count(app));
-    app.tables.band.set_rows(band::rows(app).len());
-    app.tables.tuning.set_rows(tuning::rows(app).len());
-    let list = app.tables.open.map(|table| match table {
-        Table::Modes => app.tables.modes,
-        Table::Peaks => app.tables.peaks,
-        Table::Readings => app.tables.readings,
-        Table::Band => app.tables.band,
-        Table::Sensitivities => app.tables.sensitivities,
-        Table::Tuning => app.tables.tuning,
-    });
+fn draw_panels(frame: &mut Frame<'_>, app: &App, theme: Theme) -> Option<Screen> {
+    let mut tables = app.tables;
+    tables.readings.set_rows(readings::count(app));
+    tables.band.set_rows(band::rows(app).len());
+    tables.tuning.set_rows(tuning::rows(app).len());
+    let list = tables.open.map(|table| *tables.list_mut(table));
     let wanted = Beside {
         table: list.map(|list| (list.rows.max(1) as u16).saturating_add(table::FRAME_ROWS)),
         shape: app.looking.look.is_some(),
     };
     let Some(panels) = panels(frame.area(), wanted) else {
-        app.unseen = true;
-        let key = app.keys.key_of_in(Scope::Any, Command::Quit);
-        return too_small(frame, &key);
+        too_small(frame, &app.keys.key_of(AnywhereCommand::End));
+        return None;
     };
-    app.unseen = false;
     let tree = block_inside(panels.tree);
-    if tree.height > 0 {
-        app.selection.set_height(usize::from(tree.height));
-    }
-    app.screen = Screen {
-        area: frame.area(),
-        tree: Rows {
-            area: tree,
-            first: app.selection.rows().1,
-        },
-        details: panels.details,
-        ..Screen::default()
-    };
     status::draw(frame, app, theme, panels.status);
     tree::draw(frame, app, theme, panels.tree);
     details::draw(frame, app, theme, panels.details);
-    if panels.chart.height > 0 {
-        let drawn = chart::draw(frame, app, theme, panels.chart);
-        (app.screen.plot, app.screen.levels) = (drawn.plot, drawn.levels);
-    }
+    let chart = if panels.chart.height > 0 {
+        chart::draw(frame, app, theme, panels.chart)
+    } else {
+        Drawn::default()
+    };
     if panels.shape.height > 0 {
         draw_look(frame, app, theme, panels.shape);
     }
-    app.screen.table = app.tables.open.map(|table| match table {
-        Table::Modes => modes::draw(frame, app, theme, panels.table),
-        Table::Peaks => peaks::draw(frame, app, theme, panels.table),
-        Table::Readings => readings::draw(frame, app, theme, panels.table),
-        Table::Band => band::draw(frame, app, theme, panels.table),
-        Table::Sensitivities => sensitivity::draw(frame, app, theme, panels.table),
-        Table::Tuning => tuning::draw(frame, app, theme, panels.table),
+    let table = tables.open.map(|open| {
+        let list = tables.list_mut(open);
+        draw_table(frame, app, open, list, panels.table)
     });
     status::draw_hints(frame, app, theme, panels.hints);
-    boxes::draw(frame, app, theme, &panels);
+    let (dialog, list) = boxes::draw(frame, app, theme, &panels);
+    Some(Screen {
+        area: frame.area(),
+        tree: Rows {
+            area: tree,
+            first: app.selection.first_shown(tree.height.into()),
+        },
+        details: panels.details,
+        plot: chart.plot,
+        levels: chart.levels,
+        table,
+        tables,
+        list,
+        dialog,
+    })
+}
+
+/// Draws the table that is open; where its rows are.
+fn draw_table(frame: &mut Frame<'_>, app: &App, open: Table, list: &mut List, area: Rect) -> Rows {
+    let theme = app.theme;
+    match open {
+        Table::Modes => modes::draw(frame, app, list, theme, area),
+        Table::Peaks => peaks::draw(frame, app, list, theme, area),
+        Table::Readings => readings::draw(frame, app, list, theme, area),
+        Table::Band => band::draw(frame, app, list, theme, area),
+        Table::Sensitivities => sensitivity::draw(frame, app, list, theme, area),
+        Table::Tuning => tuning::draw(frame, app, list, theme, area),
+    }
 }
 
 /// What is looked at below the chart.
@@ -239,12 +245,12 @@ fn draw_look(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
 }
 
 /// The screen as text, as it was drawn last: a line a row, without blanks at their ends.
-pub fn text(app: &mut App) -> String {
+pub fn text(app: &App) -> String {
     let size = app.screen.area;
     let backend = TestBackend::new(size.width, size.height);
     // Such a backend has no errors.
     let Ok(mut terminal) = Terminal::new(backend);
-    let _ = terminal.draw(|frame| draw(frame, app));
+    let _ = terminal.draw(|frame| drop(draw(frame, app)));
     let buffer = terminal.backend().buffer();
     let row = |y| (0..size.width).map(move |x| buffer[(x, y)].symbol());
     let lines = (0..size.height).map(|y| row(y).collect::<String>().trim_end().to_owned() + "\n");

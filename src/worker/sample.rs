@@ -45,12 +45,12 @@ fn of_subject(
 
 /// The resolved curves of a model to compare with.
 pub(super) fn reference(
-    subject: Subject,
+    subject: &Subject,
     cancel: &AtomicBool,
 ) -> Result<ReferenceAnswer, Cancelled> {
     let serial = subject.generation;
     // What comes before the resolved curves does not show.
-    let result = match curves::answer(subject, &Memory::default(), cancel, &|_| {})? {
+    let result = match curves::answer(subject.clone(), &Memory::default(), cancel, &|_| {})? {
         Ok(unresolved) => counted(&unresolved, cancel)?,
         Err(reason) => Err(reason),
     };

@@ -508,14 +508,14 @@ fn a_difference_ends_with_its_reference() {
 #[test]
 fn a_study_that_is_made_has_its_row_at_once() {
     let mut driver = Driver::preset("fig08");
-    let rows = driver.app.selection.rows().0.len();
+    let rows = driver.app.selection.rows().len();
     driver.keys("End l");
-    let open = driver.app.selection.rows().0.len();
+    let open = driver.app.selection.rows().len();
     assert!(open > rows, "the studies are open");
     driver.select("subsystems.S1.mass");
-    let before = driver.app.selection.rows().0.len();
+    let before = driver.app.selection.rows().len();
     driver.keys("Ctrl-t").typed("0.5 2").keys("Enter");
-    assert_eq!(driver.app.selection.rows().0.len(), before + 1);
+    assert_eq!(driver.app.selection.rows().len(), before + 1);
 }
 
 #[test]

@@ -244,9 +244,11 @@ impl Driver {
     /// The screen: its symbols, then a letter for each cell's style, then what the letters mean.
     pub fn screen(&mut self, width: u16, height: u16) -> String {
         let mut terminal = Terminal::new(TestBackend::new(width, height)).expect("a screen");
+        let mut drawn = None;
         terminal
-            .draw(|frame| view::draw(frame, &mut self.app))
+            .draw(|frame| drawn = view::draw(frame, &self.app))
             .expect("a frame");
+        self.app.drawn(drawn);
         in_words(terminal.backend().buffer())
     }
 }

@@ -3,8 +3,8 @@
 use std::ffi::OsString;
 use std::os::unix::ffi::OsStringExt as _;
 
-use beamtune::model;
 use beamtune::files::Source;
+use beamtune::model;
 use beamtune::tui::theme::Theme;
 
 use super::dice::Dice;

@@ -125,7 +125,11 @@ impl Counter {
     /// Draws what has changed; the number of bytes.
     fn draw(&mut self) -> usize {
         let app = &mut self.driver.app;
-        self.terminal.draw(|frame| view::draw(frame, app)).unwrap();
+        let mut drawn = None;
+        self.terminal
+            .draw(|frame| drawn = view::draw(frame, app))
+            .unwrap();
+        app.drawn(drawn);
         std::mem::take(self.terminal.backend_mut().writer_mut()).len()
     }
 

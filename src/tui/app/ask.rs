@@ -9,7 +9,6 @@ use crate::measured::Curve;
 use crate::model::edit::{self, Value};
 use crate::model::path::{self, Pattern};
 use crate::model::{Family, Model, Operation, Parameter, ParameterId, Study, Unit, entry};
-use crate::tui::keys::Command;
 use crate::tui::scene::ChartView;
 use crate::tui::tree;
 use crate::unit::{FrequencyUnit, ValueUnit};
@@ -154,23 +153,6 @@ impl Question {
 }
 
 impl App {
-    /// Opens a box for something that is no parameter; false where the command is another one.
-    pub(super) fn ask_command(&mut self, command: Command) -> bool {
-        match command {
-            Command::GoTo => {
-                let unit = self.display.unit;
-                self.ask_question(Question::Frequency(unit), String::new());
-            }
-            Command::DecibelReference => self.ask_decibel_reference(),
-            Command::MakeStudy => self.ask_factors(),
-            Command::Beside => self.open_beside(),
-            Command::AddMeasured => self.ask_question(Question::MeasuredFile, String::new()),
-            Command::Export => self.ask_question(Question::Export, self.export_name()),
-            _ => return false,
-        }
-        true
-    }
-
     pub(super) fn ask_question(&mut self, question: Question, text: String) {
         self.overlay = Some(Overlay::Prompt(Prompt::new(Purpose::Ask(question), text)));
     }
@@ -233,7 +215,7 @@ impl App {
         Ok(())
     }
 
-    fn ask_decibel_reference(&mut self) {
+    pub(super) fn ask_decibel_reference(&mut self) {
         if self.display.view == ChartView::Difference {
             return self.refuse("a difference in dB has no reference value");
         }
@@ -260,7 +242,7 @@ impl App {
         Ok(())
     }
 
-    fn ask_factors(&mut self) {
+    pub(super) fn ask_factors(&mut self) {
         let node = self.selection.node();
         let parameter = node
             .parameter()

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::request::LastRequest;
 use super::{App, Table};
 use crate::model::{Model, Quantity};
 use crate::solve::Reference;
@@ -59,7 +60,7 @@ pub struct Band {
     pub levels: Option<BandLevels>,
     /// Why there are none, where the last question failed.
     pub failure: Option<String>,
-    asked: Option<(u64, Key)>,
+    asked: LastRequest<Key>,
 }
 
 impl App {
@@ -100,12 +101,7 @@ impl App {
             form: self.band_form(),
             motion: self.display.motion,
         };
-        if self
-            .band
-            .asked
-            .as_ref()
-            .is_some_and(|(_, asked)| *asked == key)
-        {
+        if self.band.asked.is(|asked| *asked == key) {
             return None;
         }
         let serial = self.next_serial();
@@ -121,14 +117,13 @@ impl App {
             subjects: self.compared_subjects().into_iter().map(brought).collect(),
             band: key.span,
         };
-        self.band.asked = Some((serial, key));
+        self.band.asked.sent(serial, key);
         Some(Request::Levels(request))
     }
 
     /// Takes the levels that were asked for last.
     pub(super) fn take_levels(&mut self, answer: LevelsAnswer) {
-        let asked = self.band.asked.as_ref();
-        let Some((_, key)) = asked.filter(|(serial, _)| *serial == answer.serial) else {
+        let Some(key) = self.band.asked.answered(answer.serial) else {
             return;
         };
         let solved = match answer.result {

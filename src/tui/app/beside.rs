@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
-use super::measured::{Asked, FitKey, Fitted, Measured, Sample};
-use super::{App, Effect, List, Overlay, Picture, Question, Shown, Stage};
+use super::measured::{FitKey, Fitted, Measured, Sample, SampleKey};
+use super::request::LastRequest;
+use super::{App, List, Overlay, Picture, Question, Shown, Stage};
 use crate::files::Opened;
 use crate::model::Model;
-use crate::tui::keys::Command;
+use crate::tui::keys::{BesideCommand, CompareCommand, CurvesCommand};
 use crate::worker::{ReferenceAnswer, Request, Subject};
 
 /// More references than these cannot be told apart.
@@ -49,7 +50,7 @@ pub struct Beside {
     pub measured: Vec<Measured>,
     /// The reference that is being solved.
     asked: Option<u64>,
-    pub(super) measured_asked: Option<Asked>,
+    pub(super) measured_asked: LastRequest<SampleKey>,
     pub(super) sample: Option<Sample>,
     /// How well the model fits the measured curves.
     pub fits: Vec<Fitted>,
@@ -148,8 +149,8 @@ impl App {
         let model = Arc::clone(self.document.model());
         if let Some(name) = self.add_reference("before", model, self.curves.study, Some(picture)) {
             self.document.seal();
-            let key = self.keys.key_of(Command::Unfreeze);
-            let list = self.keys.key_of(Command::Beside);
+            let key = self.keys.key_of(CurvesCommand::Unfreeze);
+            let list = self.keys.key_of(CompareCommand::Beside);
             self.done(format!(
                 "curves frozen as {name}; {key} drops it, {list} lists all"
             ));
@@ -165,7 +166,7 @@ impl App {
         picture: Option<Arc<Picture>>,
     ) -> Option<String> {
         if self.beside.references.len() == MOST_REFERENCES {
-            let list = self.keys.key_of(Command::Beside);
+            let list = self.keys.key_of(CompareCommand::Beside);
             self.refuse(format!(
                 "{MOST_REFERENCES} references are the most: {list} lists them, to drop some"
             ));
@@ -191,7 +192,7 @@ impl App {
         if let Some(dropped) = self.beside.references.pop() {
             self.done(format!("reference {} dropped", dropped.name));
         } else {
-            let key = self.keys.key_of(Command::Freeze);
+            let key = self.keys.key_of(CurvesCommand::Freeze);
             self.refuse(format!("no reference is frozen; {key} freezes one"));
         }
     }
@@ -238,28 +239,28 @@ impl App {
     }
 
     /// Does what a key asks for in the list.
-    pub(super) fn beside_command(&mut self, command: Command) -> Vec<Effect> {
-        let Some(Overlay::Beside(list)) = &mut self.overlay else {
-            return Vec::new();
+    pub(super) fn beside_command(&mut self, command: BesideCommand) {
+        let Some(Overlay::Beside(list)) = &self.overlay else {
+            return;
         };
-        if list.obey(command) {
-            return Vec::new();
-        }
         let row = list.row;
+        let listed = row < self.beside_rows();
         match command {
-            Command::Cancel => self.overlay = None,
-            Command::AddReference => self.ask_question(Question::ReferenceFile, String::new()),
-            Command::AddMeasured => self.ask_question(Question::MeasuredFile, String::new()),
-            _ if row >= self.beside_rows() => self.refuse("nothing is listed yet"),
-            Command::Accept => self.turn_beside(row),
-            Command::Rename => {
+            BesideCommand::Cancel => self.overlay = None,
+            BesideCommand::AddReference => {
+                self.ask_question(Question::ReferenceFile, String::new());
+            }
+            BesideCommand::AddMeasured => self.ask_question(Question::MeasuredFile, String::new()),
+            BesideCommand::Accept | BesideCommand::Rename | BesideCommand::Delete if !listed => {
+                self.refuse("nothing is listed yet");
+            }
+            BesideCommand::Accept => self.turn_beside(row),
+            BesideCommand::Rename => {
                 let name = self.beside_name(row).cloned().unwrap_or_default();
                 self.ask_question(Question::Name(name.clone()), name);
             }
-            Command::Delete => self.drop_beside(row),
-            _ => {}
+            BesideCommand::Delete => self.drop_beside(row),
         }
-        Vec::new()
     }
 
     /// Shows or hides an entry of the list.

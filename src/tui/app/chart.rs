@@ -4,53 +4,21 @@ use std::sync::Arc;
 
 use super::{Anchor, App};
 use crate::model::{Group, Model};
-use crate::tui::keys::Command;
+use crate::tui::keys::ModelCommand;
 
 /// Steps of the cursor from one end of the axis to the other, where nothing has been drawn yet.
 const USUAL_COLUMNS: f64 = 100.0;
 
 impl App {
-    /// Changes what the chart shows; false where the command is another one.
-    pub(super) fn change_chart(&mut self, command: Command) -> bool {
-        match command {
-            Command::Show => self.show_response(),
-            Command::Solo => self.solo_response(),
-            Command::Study => self.next_study(),
-            Command::Decibels => {
-                self.curves.decibels = !self.curves.decibels;
-                self.turned.decibels = Some(self.curves.decibels);
-            }
-            Command::LogFrequency => self.curves.log_frequency = !self.curves.log_frequency,
-            Command::Freeze => self.freeze(),
-            Command::Unfreeze => self.unfreeze(),
-            Command::Cursor(steps) => self.move_cursor(steps),
-            Command::NextPeak => self.seek(Turn::Peak, true),
-            Command::PreviousPeak => self.seek(Turn::Peak, false),
-            Command::NextDip => self.seek(Turn::Dip, true),
-            Command::PreviousDip => self.seek(Turn::Dip, false),
-            Command::Cancel => self.take_away(),
-            _ => return false,
+    /// Closes the table, ends the search of the tree, or takes the cursor off the chart.
+    pub(super) fn take_away(&mut self) {
+        if self.tables.open.take().is_some() {
+            return;
         }
-        if matches!(
-            command,
-            Command::Cursor(_)
-                | Command::NextPeak
-                | Command::PreviousPeak
-                | Command::NextDip
-                | Command::PreviousDip
-                | Command::Cancel
-        ) {
-            self.anchor = Anchor::Frequency;
-            self.reveal_cursor();
-        }
-        true
-    }
-
-    /// Ends the search of the tree, or takes the cursor off the chart.
-    fn take_away(&mut self) {
         if self.search.take().is_none() && self.curves.cursor.take().is_none() {
             self.refuse("there is no count, search or cursor to take away");
         }
+        self.free_cursor();
     }
 
     /// The response of the selected row, if it can be drawn.
@@ -62,14 +30,14 @@ impl App {
         let response = &self.model().responses[i];
         let name = response.name.clone();
         if !response.enabled {
-            let key = self.keys.key_of(Command::Enable);
+            let key = self.keys.key_of(ModelCommand::Enable);
             self.refuse(format!("{name} is disabled: {key} enables it"));
             return None;
         }
         Some(name)
     }
 
-    fn show_response(&mut self) {
+    pub(super) fn show_response(&mut self) {
         if let Some(name) = self.response() {
             let shows = self.curves.toggle(&name);
             self.done(format!(
@@ -79,7 +47,7 @@ impl App {
         }
     }
 
-    fn solo_response(&mut self) {
+    pub(super) fn solo_response(&mut self) {
         if let Some(name) = self.response() {
             let model = Arc::clone(self.document.model());
             let alone = self.curves.solo(&model, &name);
@@ -91,7 +59,7 @@ impl App {
         }
     }
 
-    fn next_study(&mut self) {
+    pub(super) fn next_study(&mut self) {
         let model = Arc::clone(self.document.model());
         if model.studies.is_empty() {
             self.refuse("the model has no studies");
@@ -109,8 +77,14 @@ impl App {
         });
     }
 
+    /// Moves the cursor by columns of the chart.
+    pub(super) fn step_cursor(&mut self, steps: f64) {
+        self.move_cursor(steps);
+        self.free_cursor();
+    }
+
     /// Moves the cursor along the frequency axis by columns of the chart; it first appears in the middle.
-    pub(super) fn move_cursor(&mut self, steps: i32) {
+    pub(super) fn move_cursor(&mut self, steps: f64) {
         let sweep = self.model().sweep;
         let before = self.curves.cursor;
         let shown = self.shown_frequencies();
@@ -120,7 +94,7 @@ impl App {
         let columns = self.screen.plot.as_ref().map(|plot| plot.frequencies.len());
         let columns = columns.map_or(USUAL_COLUMNS, |columns| columns.max(2) as f64 - 1.0);
         let new = match self.curves.cursor {
-            Some(old) => place(old) + f64::from(steps) * (high - low) / columns,
+            Some(old) => place(old) + steps * (high - low) / columns,
             None => f64::midpoint(low, high),
         };
         let new = if log { new.exp() } else { new };
@@ -133,14 +107,31 @@ impl App {
     /// Puts the cursor at a frequency, Hz.
     pub(super) fn put_cursor(&mut self, frequency: f64) {
         self.curves.cursor = Some(frequency);
+        self.free_cursor();
+    }
+
+    /// The cursor stays at its frequency, and shows.
+    fn free_cursor(&mut self) {
         self.anchor = Anchor::Frequency;
         self.reveal_cursor();
     }
 
     /// Moves the cursor to the next peak or anti-resonance of the first curve, as it is shown.
-    fn seek(&mut self, turn: Turn, forward: bool) {
+    pub(super) fn seek(&mut self, turn: Turn, forward: bool) {
+        match self.next_turn(turn, forward) {
+            Ok(frequency) => self.curves.cursor = Some(frequency),
+            Err(refusal) => self.refuse(refusal),
+        }
+        self.free_cursor();
+    }
+
+    /// The frequency of the next peak or anti-resonance, Hz.
+    ///
+    /// # Errors
+    /// Why there is none, in a line.
+    fn next_turn(&self, turn: Turn, forward: bool) -> Result<f64, &'static str> {
         let Some((member, trace)) = self.curves.first_trace() else {
-            return self.refuse("no curve shows");
+            return Err("no curve shows");
         };
         let shown = |i: usize| {
             let frequency = member.frequencies[i];
@@ -168,19 +159,18 @@ impl App {
                 inner.rfind(|i| turns(i) && from.is_none_or(|from| frequency(*i) < from))
             }
         };
-        match found.map(frequency) {
-            Some(frequency) => self.curves.cursor = Some(frequency),
-            None => self.refuse(match turn {
-                Turn::Peak => "the first curve has no further peak there",
-                Turn::Dip => "the first curve has no further anti-resonance there",
-            }),
-        }
+        found.map(frequency).ok_or(match turn {
+            Turn::Peak => "the first curve has no further peak there",
+            Turn::Dip => "the first curve has no further anti-resonance there",
+        })
     }
 }
 
 /// Where a curve turns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Turn {
+pub(super) enum Turn {
+    /// A maximum of the magnitude.
     Peak,
+    /// A minimum.
     Dip,
 }

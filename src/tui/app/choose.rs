@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::measured::MOST_CURVES;
 use super::{App, Question};
 use crate::measured::Curve;
-use crate::tui::keys::Command;
+use crate::tui::keys::CompareCommand;
 
 /// Names that are listed in the box.
 const MOST_LISTED: usize = 60;
@@ -31,7 +31,7 @@ impl App {
         let chosen = chosen(text, &names)?;
         let room = MOST_CURVES.saturating_sub(self.beside.measured.len());
         if chosen.len() > room {
-            let list = self.keys.key_of(Command::Beside);
+            let list = self.keys.key_of(CompareCommand::Beside);
             let some: Vec<&str> = chosen.iter().take(3).map(|i| names[*i]).collect();
             return Err(format!(
                 "{} curves ({}, ..) are chosen, and there is room for {room}: {MOST_CURVES} are the most, {list} lists \

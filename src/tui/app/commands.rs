@@ -4,9 +4,14 @@ use std::sync::Arc;
 
 use crossterm::event::{KeyCode, KeyEvent};
 
-use super::{App, Effect, List, Next, Overlay};
-use crate::model::counted;
-use crate::tui::keys::{Command, Key, Scope};
+use super::chart::Turn;
+use super::{App, Effect, List, Next, Overlay, Question, Selection, Table};
+use crate::model::{Model, counted};
+use crate::tui::keys::{
+    AnywhereCommand, Command, CompareCommand, CurvesCommand, FileCommand, Key, LookCommand,
+    ModelCommand, ModesCommand, Movement, ReaderCommand, ReadingCommand, Scope, TableCommand,
+    TreeCommand, TuneCommand,
+};
 use crate::tui::tree;
 
 /// The largest count before a command.
@@ -31,7 +36,7 @@ impl App {
     /// question, so the program is left with what is not saved kept.
     pub(super) fn key_unseen(&mut self, key: &KeyEvent) -> Vec<Effect> {
         match self.keys.command_in(Scope::Any, key) {
-            Some(Command::Quit) => {
+            Some(Command::Anywhere(AnywhereCommand::End)) => {
                 self.keeps = true;
                 vec![Effect::Quit(None)]
             }
@@ -51,7 +56,7 @@ impl App {
             (Some(digit), Some(count)) => self.count = Some((count * 10 + digit).min(MOST_TIMES)),
             _ => {
                 self.count = None;
-                let help = self.keys.key_of(Command::Help);
+                let help = self.keys.key_of(FileCommand::Help);
                 self.refuse(format!(
                     "{} has no meaning here: {help} shows every key",
                     key.name()
@@ -63,130 +68,249 @@ impl App {
     /// Does what a key asks for; what is to be done outside then.
     pub fn command(&mut self, command: Command) -> Vec<Effect> {
         let count = self.count.take();
-        match command {
-            Command::Redraw => return vec![Effect::Redraw],
-            Command::Suspend => return vec![Effect::Suspend],
-            Command::Quit => return self.leave(Next::Quit),
-            Command::Cancel if count.is_some() => return Vec::new(),
-            Command::Tune => self.limit_search(count),
-            _ => {
-                if let Some(count) = count.filter(|_| !command.counts()) {
-                    let name = self.keys.name_of(command);
-                    self.refuse(format!(
-                        "{name} takes no count: nothing is done {}",
-                        counted(count as usize, "time", "times")
-                    ));
-                    return Vec::new();
-                }
+        match (command, count) {
+            (Command::Tune(TuneCommand::Tune), _) => self.limit_search(count),
+            // They only drop a count.
+            (
+                Command::Reading(ReadingCommand::CursorOff) | Command::Table(TableCommand::Close),
+                Some(_),
+            ) => return Vec::new(),
+            (Command::Anywhere(_) | Command::File(FileCommand::Quit), _) => {}
+            (_, Some(count)) if !command.counts() => {
+                let name = self.keys.name_of(command);
+                self.refuse(format!(
+                    "{name} takes no count: nothing is done {}",
+                    counted(count as usize, "time", "times")
+                ));
+                return Vec::new();
             }
+            _ => {}
         }
-        match self.scope() {
-            Scope::Table if self.table_commands(command, count.unwrap_or(1)) => Vec::new(),
-            Scope::Main | Scope::Any | Scope::Table => self.repeated(command, count.unwrap_or(1)),
-            Scope::Prompt => self.prompt_command(command),
-            Scope::Palette => self.palette_command(command),
-            Scope::Search => self.search_command(command),
-            Scope::Picker | Scope::Reader => self.list_command(command),
-            Scope::Unsaved | Scope::Replace => self.answer_question(command),
-            Scope::Recovery => self.recovery_command(command),
-            Scope::Beside => self.beside_command(command),
-        }
+        self.repeated(command, count.unwrap_or(1))
     }
 
-    pub(super) fn main_command(&mut self, command: Command) -> Vec<Effect> {
+    /// Runs a command once. A count is that of commands that take it as one step.
+    pub(super) fn dispatch(&mut self, command: Command, count: u32) -> Vec<Effect> {
         match command {
-            Command::Save => return self.save(),
-            Command::SaveAs => self.ask_save_path(),
-            Command::Open => return self.leave(Next::AskPath),
-            Command::Reload => return self.reload(),
-            Command::Presets => self.overlay = Some(Overlay::presets(self.preset_row())),
-            Command::Help => self.overlay = Some(Overlay::Help(List::default())),
-            Command::Guide => self.open_chapters(),
-            Command::Palette => self.open_palette(),
-            Command::Search => self.start_search(),
-            Command::CopyValue => return self.copy_value(),
-            Command::CopyModel => return self.copy_model(),
-            Command::Mouse => return self.toggle_mouse(),
-            Command::Theme => self.next_theme(),
-            _ if self.move_selection(command)
-                || self.zoom_command(command)
-                || self.display_command(command)
-                || self.reading_command(command)
-                || self.ask_command(command)
-                || self.look_command(command)
-                || self.tuning_command(command)
-                || self.change_chart(command)
-                || self.change_modes(command) => {}
-            _ => self.change_model(command),
+            Command::Move(movement) => self.move_rows(movement),
+            Command::Tree(command) => self.tree_command(command, count),
+            Command::Model(command) => self.model_command(command, count),
+            Command::Curves(command) => self.curves_command(command),
+            Command::Reading(command) => self.reading_command(command),
+            Command::Compare(command) => self.compare_command(command),
+            Command::Look(command) => self.look_command(command),
+            Command::Modes(command) => self.modes_command(command),
+            Command::Tune(command) => self.tune_command(command),
+            Command::File(command) => return self.file_command(command),
+            Command::Anywhere(AnywhereCommand::Redraw) => return vec![Effect::Redraw],
+            Command::Anywhere(AnywhereCommand::Suspend) => return vec![Effect::Suspend],
+            Command::Anywhere(AnywhereCommand::End) => return self.leave(Next::Quit),
+            Command::Table(TableCommand::Close) => self.tables.open = None,
+            Command::Prompt(command) => return self.prompt_command(command),
+            Command::Palette(command) => return self.palette_command(command),
+            Command::Search(command) => self.search_command(command),
+            Command::Picker(command) => return self.picker_command(command),
+            Command::Beside(command) => self.beside_command(command),
+            Command::Reader(ReaderCommand::Cancel) => self.overlay = None,
+            Command::Unsaved(answer) => return self.answer_unsaved(answer),
+            Command::Replace(answer) => return self.answer_replace(answer),
+            Command::Recovery(command) => return self.recovery_command(command),
         }
         Vec::new()
     }
 
-    /// Moves in the tree; false where the command is another one.
-    fn move_selection(&mut self, command: Command) -> bool {
-        let model = Arc::clone(self.document.model());
-        let before = self.selection.state();
-        let selection = &mut self.selection;
-        match command {
-            Command::Up => selection.step(-1),
-            Command::Down => selection.step(1),
-            Command::PageUp => selection.page(false),
-            Command::PageDown => selection.page(true),
-            Command::First => selection.first(),
-            Command::Last => selection.last(),
-            Command::Collapse => selection.collapse(&model),
-            Command::Expand => selection.expand(&model),
-            Command::ExpandAll => selection.expand_all(&model),
-            Command::CollapseAll => selection.collapse_all(&model),
-            Command::NextAlike => self.go_alike(true),
-            Command::PreviousAlike => self.go_alike(false),
-            _ => return false,
-        }
-        if self.selection.state() == before && self.message.is_none() {
-            self.refuse(match command {
-                Command::Up | Command::PageUp | Command::First => "this is the first row",
-                Command::Down | Command::PageDown | Command::Last => "this is the last row",
-                Command::Expand => "this row holds no others",
-                Command::Collapse => "no group holds this row",
-                Command::ExpandAll => "every group is open",
-                _ => "every group is closed",
+    /// Moves in the rows that have the keys: of a dialog, of a search, of the table, of the tree.
+    fn move_rows(&mut self, movement: Movement) {
+        if let Some(list) = self.overlay.as_mut().and_then(Overlay::list) {
+            list.go(movement);
+        } else if self.is_searching() {
+            self.seek_found(movement.is_forward());
+        } else if let Some(table) = self.tables.open {
+            self.move_in_table(table, movement);
+        } else {
+            self.change_selection(movement.at_end(), |selection, _| match movement {
+                Movement::Up => selection.step(-1),
+                Movement::Down => selection.step(1),
+                Movement::PageUp => selection.page(false),
+                Movement::PageDown => selection.page(true),
+                Movement::First => selection.first(),
+                Movement::Last => selection.last(),
             });
         }
-        true
     }
 
-    /// Goes to the parameter so many further, as far as there are any.
-    pub(super) fn seek_parameter(&mut self, forward: bool, times: u32) {
+    fn tree_command(&mut self, command: TreeCommand, count: u32) {
+        match command {
+            TreeCommand::Expand => {
+                self.change_selection("this row holds no others", Selection::expand);
+            }
+            TreeCommand::Collapse => {
+                self.change_selection("no group holds this row", Selection::collapse);
+            }
+            TreeCommand::ExpandAll => {
+                self.change_selection("every group is open", Selection::expand_all);
+            }
+            TreeCommand::CollapseAll => {
+                self.change_selection("every group is closed", Selection::collapse_all);
+            }
+            // Not through the whole tree for each of a count.
+            TreeCommand::NextParameter => {
+                self.change_selection("there is no further parameter", |selection, model| {
+                    selection.next_parameter(model, true, count as usize);
+                });
+            }
+            TreeCommand::PreviousParameter => {
+                self.change_selection("there is no parameter before", |selection, model| {
+                    selection.next_parameter(model, false, count as usize);
+                });
+            }
+            TreeCommand::NextAlike => self.go_alike(true),
+            TreeCommand::PreviousAlike => self.go_alike(false),
+            TreeCommand::Search => self.start_search(),
+        }
+    }
+
+    /// Changes which row is selected or which groups are open; says why nothing changed.
+    fn change_selection(&mut self, unchanged: &str, change: impl FnOnce(&mut Selection, &Model)) {
         let model = Arc::clone(self.document.model());
         let before = self.selection.state();
-        self.selection
-            .next_parameter(&model, forward, times as usize);
+        change(&mut self.selection, &model);
         if self.selection.state() == before {
-            self.refuse(if forward {
-                "there is no further parameter"
-            } else {
-                "there is no parameter before"
-            });
+            self.refuse(unchanged);
         }
     }
 
     /// Changes the model, or takes a change back.
-    fn change_model(&mut self, command: Command) {
+    fn model_command(&mut self, command: ModelCommand, count: u32) {
         match command {
-            Command::Undo => self.travel(true),
-            Command::Redo => self.travel(false),
-            Command::Edit => self.edit(),
-            Command::Cycle => self.cycle_or_toggle(),
-            Command::Repeat => self.repeat(),
-            Command::Nudge(thousandths) => self.nudge(thousandths, 1),
-            Command::Revert => self.revert(),
-            Command::Add => self.add(),
-            Command::Duplicate => self.duplicate(),
-            Command::Rename => self.ask_name(),
-            Command::Delete => self.delete(),
-            Command::Enable => self.switch(),
-            _ => {}
+            ModelCommand::Edit => self.edit(),
+            ModelCommand::NudgeUp => self.nudge(10, count),
+            ModelCommand::NudgeDown => self.nudge(-10, count),
+            ModelCommand::NudgeUpCoarse => self.nudge(100, count),
+            ModelCommand::NudgeDownCoarse => self.nudge(-100, count),
+            ModelCommand::NudgeUpFine => self.nudge(1, count),
+            ModelCommand::NudgeDownFine => self.nudge(-1, count),
+            ModelCommand::Cycle => self.cycle_or_toggle(),
+            ModelCommand::Repeat => self.repeat(),
+            ModelCommand::Revert => self.revert(),
+            ModelCommand::Add => self.add(),
+            ModelCommand::Duplicate => self.duplicate(),
+            ModelCommand::Rename => self.ask_name(),
+            ModelCommand::Enable => self.switch(),
+            ModelCommand::Delete => self.delete(),
+            ModelCommand::Undo => self.travel(true),
+            ModelCommand::Redo => self.travel(false),
         }
+    }
+
+    fn curves_command(&mut self, command: CurvesCommand) {
+        match command {
+            CurvesCommand::Show => self.show_response(),
+            CurvesCommand::Solo => self.solo_response(),
+            CurvesCommand::Freeze => self.freeze(),
+            CurvesCommand::Unfreeze => self.unfreeze(),
+            CurvesCommand::Study => self.next_study(),
+            CurvesCommand::ZoomIn => self.zoom(0.5, self.curves.cursor),
+            CurvesCommand::ZoomOut => self.zoom(2.0, self.curves.cursor),
+            CurvesCommand::ZoomWhole => self.show_whole(),
+            CurvesCommand::PanUp => self.pan(1.0),
+            CurvesCommand::PanDown => self.pan(-1.0),
+            CurvesCommand::LogFrequency => self.curves.log_frequency = !self.curves.log_frequency,
+            CurvesCommand::LevelIn => self.zoom_levels(0.5),
+            CurvesCommand::LevelOut => self.zoom_levels(2.0),
+            CurvesCommand::LevelUp => self.pan_levels(1.0),
+            CurvesCommand::LevelDown => self.pan_levels(-1.0),
+            CurvesCommand::LevelFix => self.fix_levels(),
+        }
+    }
+
+    fn reading_command(&mut self, command: ReadingCommand) {
+        match command {
+            ReadingCommand::NextView => self.next_view(),
+            ReadingCommand::NextForm => self.turn_form(true),
+            ReadingCommand::PreviousForm => self.turn_form(false),
+            ReadingCommand::Decibels => self.toggle_decibels(),
+            ReadingCommand::DecibelReference => self.ask_decibel_reference(),
+            ReadingCommand::FrequencyUnit => self.next_frequency_unit(),
+            ReadingCommand::Unwrap => self.toggle_unwrapping(),
+            ReadingCommand::CursorRight => self.step_cursor(1.0),
+            ReadingCommand::CursorLeft => self.step_cursor(-1.0),
+            ReadingCommand::CursorOff => self.take_away(),
+            ReadingCommand::NextPeak => self.seek(Turn::Peak, true),
+            ReadingCommand::PreviousPeak => self.seek(Turn::Peak, false),
+            ReadingCommand::NextDip => self.seek(Turn::Dip, true),
+            ReadingCommand::PreviousDip => self.seek(Turn::Dip, false),
+            ReadingCommand::GoTo => {
+                let unit = self.display.unit;
+                self.ask_question(Question::Frequency(unit), String::new());
+            }
+            ReadingCommand::Readings => self.toggle_table(Table::Readings),
+            ReadingCommand::SecondCursor => self.turn_second(),
+            ReadingCommand::Harmonics => self.turn_harmonics(),
+            ReadingCommand::Band => self.turn_band(),
+        }
+    }
+
+    fn compare_command(&mut self, command: CompareCommand) {
+        match command {
+            CompareCommand::Beside => self.open_beside(),
+            CompareCommand::AddMeasured => {
+                self.ask_question(Question::MeasuredFile, String::new());
+            }
+            CompareCommand::MakeStudy => self.ask_factors(),
+            CompareCommand::Export => self.ask_question(Question::Export, self.export_name()),
+        }
+    }
+
+    fn look_command(&mut self, command: LookCommand) {
+        match command {
+            LookCommand::Operating => self.next_operating(),
+            LookCommand::PhaseStep => self.step_phase(),
+            LookCommand::Structure => self.next_drawing(),
+        }
+    }
+
+    fn modes_command(&mut self, command: ModesCommand) {
+        match command {
+            ModesCommand::ModeTable => self.toggle_table(Table::Modes),
+            ModesCommand::PeakTable => self.toggle_table(Table::Peaks),
+            ModesCommand::NextMode => self.seek_mode(true),
+            ModesCommand::PreviousMode => self.seek_mode(false),
+            ModesCommand::Shape => self.toggle_shape(),
+            ModesCommand::Animate => self.animate(),
+            ModesCommand::FiniteElements => self.toggle_witness(),
+        }
+    }
+
+    fn tune_command(&mut self, command: TuneCommand) {
+        match command {
+            TuneCommand::Sensitivities => self.next_sensitivities(),
+            TuneCommand::TuneVariable => self.turn_variable(),
+            TuneCommand::TuneObjective => self.ask_objective(),
+            TuneCommand::Tune => self.go_on_tuning(),
+            TuneCommand::TuneAccept => self.accept_tuning(),
+            TuneCommand::TuneDiscard => self.discard_tuning(),
+            TuneCommand::Tolerances => self.turn_tolerances(),
+        }
+    }
+
+    fn file_command(&mut self, command: FileCommand) -> Vec<Effect> {
+        match command {
+            FileCommand::Save => return self.save(),
+            FileCommand::SaveAs => self.ask_save_path(),
+            FileCommand::Reload => return self.reload(),
+            FileCommand::Open => return self.leave(Next::AskPath),
+            FileCommand::Presets => self.overlay = Some(Overlay::presets(self.preset_row())),
+            FileCommand::Palette => self.open_palette(),
+            FileCommand::CopyValue => return self.copy_value(),
+            FileCommand::CopyModel => return self.copy_model(),
+            FileCommand::Theme => self.next_theme(),
+            FileCommand::Mouse => return self.toggle_mouse(),
+            FileCommand::Help => self.overlay = Some(Overlay::Help(List::default())),
+            FileCommand::Guide => self.open_chapters(),
+            FileCommand::Quit => return self.leave(Next::Quit),
+        }
+        Vec::new()
     }
 
     /// Goes to the same row of the neighbouring subsystem, force, response or support.

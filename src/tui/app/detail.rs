@@ -6,6 +6,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::curves::Member;
+use super::request::LastRequest;
 use super::{App, Compared, Stage};
 use crate::tui::scene::ChartView;
 use crate::worker::{Request, SampleAnswer, SampleRequest, Sampling};
@@ -52,7 +53,7 @@ pub struct DetailPicture {
 /// The band that shows.
 #[derive(Debug, Default)]
 pub struct Detail {
-    asked: Option<(u64, Key)>,
+    asked: LastRequest<Key>,
     shown: Option<DetailPicture>,
 }
 
@@ -69,11 +70,7 @@ impl Detail {
     /// # Errors
     /// Why the band was not solved, in a line.
     pub(super) fn take(&mut self, answer: SampleAnswer) -> Result<(), String> {
-        let Some((_, key)) = self
-            .asked
-            .as_ref()
-            .filter(|(serial, _)| *serial == answer.serial)
-        else {
+        let Some(key) = self.asked.answered(answer.serial) else {
             return Ok(());
         };
         self.shown = Some(DetailPicture {
@@ -123,12 +120,7 @@ impl App {
             points: PER_COLUMN * columns.max(1),
             loops: view == ChartView::Nyquist,
         };
-        if self
-            .detail
-            .asked
-            .as_ref()
-            .is_some_and(|(_, asked)| *asked == key)
-        {
+        if self.detail.asked.is(|asked| *asked == key) {
             return None;
         }
         let serial = self.next_serial();
@@ -138,7 +130,7 @@ impl App {
             subjects: self.compared_subjects(),
             frequencies: self.detail_frequencies(&key, &picture.members),
         };
-        self.detail.asked = Some((serial, key));
+        self.detail.asked.sent(serial, key);
         Some(Request::Sample(request))
     }
 

@@ -6,7 +6,7 @@ use num_complex::Complex64;
 
 use super::{App, Trace};
 use crate::model::Unit;
-use crate::tui::keys::Command;
+use crate::tui::keys::CurvesCommand;
 use crate::tui::scene::{self, ChartView, Scale};
 use crate::unit::{Dimension, Form, FrequencyUnit, Kind};
 
@@ -122,32 +122,22 @@ impl Display {
 }
 
 impl App {
-    /// Changes how values are shown; false where the command is another one.
-    pub(super) fn display_command(&mut self, command: Command) -> bool {
-        match command {
-            Command::NextForm => self.turn_form(true),
-            Command::PreviousForm => self.turn_form(false),
-            Command::NextView => self.next_view(),
-            Command::Unwrap => {
-                self.display.unwrapped = !self.display.unwrapped;
-                self.done(if self.display.unwrapped {
-                    "phase runs on"
-                } else {
-                    "phase within half a turn"
-                });
-            }
-            Command::FrequencyUnit => self.next_frequency_unit(),
-            Command::LevelIn => self.zoom_levels(0.5),
-            Command::LevelOut => self.zoom_levels(2.0),
-            Command::LevelPan(quarters) => self.pan_levels(quarters),
-            Command::LevelFix => self.fix_levels(),
-            _ => return false,
-        }
-        true
+    pub(super) fn toggle_unwrapping(&mut self) {
+        self.display.unwrapped = !self.display.unwrapped;
+        self.done(if self.display.unwrapped {
+            "phase runs on"
+        } else {
+            "phase within half a turn"
+        });
+    }
+
+    pub(super) fn toggle_decibels(&mut self) {
+        self.curves.decibels = !self.curves.decibels;
+        self.turned.decibels = Some(self.curves.decibels);
     }
 
     /// The next form that the responses that show have, or each as the model asks for it.
-    fn turn_form(&mut self, forward: bool) {
+    pub(super) fn turn_form(&mut self, forward: bool) {
         let shown = self.shown_traces();
         let dimensions: Vec<Dimension> = shown.filter_map(|trace| trace.dimension).collect();
         if dimensions.is_empty() {
@@ -214,7 +204,7 @@ impl App {
         units
     }
 
-    fn next_view(&mut self) {
+    pub(super) fn next_view(&mut self) {
         let all: Vec<ChartView> = ChartView::ALL
             .into_iter()
             .filter(|view| *view != ChartView::Difference || self.beside.first_shown().is_some())
@@ -225,7 +215,7 @@ impl App {
         self.done(self.display.view.name());
     }
 
-    fn next_frequency_unit(&mut self) {
+    pub(super) fn next_frequency_unit(&mut self) {
         let all = FrequencyUnit::SHOWN;
         let place = all.iter().position(|unit| *unit == self.display.unit);
         self.display.unit = all[(place.unwrap_or(0) + 1) % all.len()];
@@ -234,7 +224,7 @@ impl App {
     }
 
     /// Makes the range of levels narrower or wider about its middle; it is fixed then.
-    fn zoom_levels(&mut self, factor: f64) {
+    pub(super) fn zoom_levels(&mut self, factor: f64) {
         self.change_levels(|[low, high]| {
             let middle = f64::midpoint(low, high);
             [
@@ -244,22 +234,22 @@ impl App {
         });
     }
 
-    fn pan_levels(&mut self, quarters: i32) {
+    pub(super) fn pan_levels(&mut self, quarters: f64) {
         self.change_levels(|[low, high]| {
-            let by = f64::from(quarters) * (high - low) / 4.0;
+            let by = quarters * (high - low) / 4.0;
             [low + by, high + by]
         });
     }
 
     /// Keeps the levels that show, or lets them follow the curves again.
-    fn fix_levels(&mut self) {
+    pub(super) fn fix_levels(&mut self) {
         if self.display.levels.take().is_some() {
             return self.done("levels follow the curves");
         }
         match self.screen.levels {
             Some(levels) => {
                 self.set_levels(levels.bounds);
-                let key = self.keys.key_of(Command::LevelFix);
+                let key = self.keys.key_of(CurvesCommand::LevelFix);
                 self.done(format!("levels fixed; {key} lets them follow the curves"));
             }
             None => self.refuse("no value axis shows"),

@@ -8,7 +8,7 @@ use crate::model::edit::{self, Value};
 use crate::model::names::segment;
 use crate::model::schema::Kind;
 use crate::model::{Fault, Group, Model, Parameter, ParameterId, entry, path};
-use crate::tui::keys::Command;
+use crate::tui::keys::{ModelCommand, TreeCommand};
 use crate::tui::tree::{self, Node};
 
 /// Digits kept by a nudge.
@@ -143,7 +143,7 @@ impl App {
             Some(Ok(parameter)) => parameter,
             Some(Err(fault)) => return self.refuse(faults_in_words(&[fault], "", "")),
             None => {
-                let tab = self.keys.key_of(Command::NextParameter);
+                let tab = self.keys.key_of(TreeCommand::NextParameter);
                 return self.refuse(format!(
                     "a nudge changes a number: select one, {tab} goes to the next"
                 ));
@@ -153,7 +153,7 @@ impl App {
         let factor = 1.0 + f64::from(thousandths) / 1000.0;
         let value = match parameter.value {
             Value::Number(0.0) => {
-                let enter = self.keys.key_of(Command::Edit);
+                let enter = self.keys.key_of(ModelCommand::Edit);
                 return self.refuse(format!(
                     "{subject} is 0, of which no percentage is more: {enter} types a value"
                 ));
@@ -165,7 +165,7 @@ impl App {
                 Value::Count((0..times).fold(old, |count, _| nudged_count(count, factor)))
             }
             _ => {
-                let enter = self.keys.key_of(Command::Edit);
+                let enter = self.keys.key_of(ModelCommand::Edit);
                 return self.refuse(format!("{subject} is not a number: {enter} changes it"));
             }
         };

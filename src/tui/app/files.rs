@@ -10,7 +10,7 @@ use crate::escape::{path_text, shown_path};
 use crate::files::{Opened, Source};
 use crate::model;
 use crate::presets;
-use crate::tui::keys::Command;
+use crate::tui::keys::{ReplaceCommand, UnsavedCommand};
 
 impl App {
     /// Goes on to something that drops the model: asks first when it is not saved.
@@ -127,22 +127,36 @@ impl App {
         }
     }
 
-    /// Answers the question that is asked.
-    pub(super) fn answer_question(&mut self, command: Command) -> Vec<Effect> {
-        match (self.overlay.take(), command) {
-            (Some(Overlay::Unsaved { next, .. }), Command::Save) => {
+    /// Answers what becomes of unsaved changes.
+    pub(super) fn answer_unsaved(&mut self, answer: UnsavedCommand) -> Vec<Effect> {
+        let asked = |overlay: &mut Overlay| matches!(overlay, Overlay::Unsaved { .. });
+        let Some(Overlay::Unsaved { next, beneath }) = self.overlay.take_if(asked) else {
+            return Vec::new();
+        };
+        match answer {
+            UnsavedCommand::Save => {
                 self.after_save = Some(next);
                 self.save()
             }
-            (Some(Overlay::Unsaved { next, .. }), Command::Discard) => self.go_on(next),
-            (Some(Overlay::Unsaved { beneath, .. }), Command::Cancel) => {
+            UnsavedCommand::Discard => self.go_on(next),
+            UnsavedCommand::Cancel => {
                 if beneath.is_none() {
                     self.after_save = None;
                 }
                 self.overlay = beneath.map(|beneath| *beneath);
                 Vec::new()
             }
-            (Some(Overlay::Replace { path, what, reason }), Command::Replace) => {
+        }
+    }
+
+    /// Answers whether a file is replaced.
+    pub(super) fn answer_replace(&mut self, answer: ReplaceCommand) -> Vec<Effect> {
+        let asked = |overlay: &mut Overlay| matches!(overlay, Overlay::Replace { .. });
+        let Some(Overlay::Replace { path, what, reason }) = self.overlay.take_if(asked) else {
+            return Vec::new();
+        };
+        match answer {
+            ReplaceCommand::Replace => {
                 let guard = match reason {
                     ReplaceReason::Exists | ReplaceReason::ChangedOutside => Guard::Anything,
                     ReplaceReason::Loses(_) => Guard::Losing,
@@ -152,16 +166,12 @@ impl App {
                     Saving::Screen(kind) => Effect::Export { path, kind, guard },
                 }]
             }
-            (Some(Overlay::Replace { what, .. }), Command::Cancel) => {
+            ReplaceCommand::Cancel => {
                 self.after_save = None;
                 self.refuse(match what {
                     Saving::Model => "not saved",
                     Saving::Screen(_) => "not written",
                 });
-                Vec::new()
-            }
-            (overlay, _) => {
-                self.overlay = overlay;
                 Vec::new()
             }
         }

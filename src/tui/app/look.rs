@@ -3,10 +3,11 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
+use super::request::LastRequest;
 use super::{App, ModeKind};
 use crate::model::Model;
 use crate::solve::operating::Operating;
-use crate::tui::keys::Command;
+use crate::tui::keys::LookCommand;
 use crate::worker::{OperatingAnswer, OperatingRequest, Request};
 
 /// Frames of a period.
@@ -57,24 +58,19 @@ pub struct Looking {
     pub generation: u64,
     /// Why nothing is known, where the last question failed.
     pub failure: Option<String>,
-    asked: Option<AskedOperating>,
+    /// With the model that it is about.
+    asked: LastRequest<(OperatingKey, Arc<Model>)>,
 }
 
-/// The question asked last, with the model that it is about.
-#[derive(Debug)]
-struct AskedOperating {
-    serial: u64,
-    generation: u64,
-    frequency: f64,
-    model: Arc<Model>,
-}
+/// What was requested: the model's generation, and the frequency, Hz.
+type OperatingKey = (u64, f64);
 
 impl Looking {
     /// Another model was opened: what is known says nothing of it.
     pub(super) fn forget(&mut self) {
         self.operating = None;
         self.failure = None;
-        self.asked = None;
+        self.asked.forget();
     }
 }
 
@@ -113,34 +109,24 @@ impl Look {
 }
 
 impl App {
-    /// Changes what is looked at; false where the command is another one.
-    pub(super) fn look_command(&mut self, command: Command) -> bool {
-        match command {
-            Command::Shape => {
-                let shows = self.looking.look == Some(Look::Mode);
-                self.look_at((!shows).then_some(Look::Mode));
-            }
-            Command::Animate => self.animate(),
-            Command::Operating => self.next_operating(),
-            Command::Structure => self.next_drawing(),
-            Command::PhaseStep => self.step_phase(),
-            _ => return false,
-        }
-        true
+    /// Shows or hides the shape of the selected mode.
+    pub(super) fn toggle_shape(&mut self) {
+        let shows = self.looking.look == Some(Look::Mode);
+        self.look_at((!shows).then_some(Look::Mode));
     }
 
-    fn next_operating(&mut self) {
+    pub(super) fn next_operating(&mut self) {
         let place = Look::OPERATING
             .iter()
             .position(|look| Some(*look) == self.looking.look);
         let next = place.map_or(0, |place| place + 1);
         if place.is_none() && self.curves.cursor.is_none() {
-            self.move_cursor(1);
+            self.move_cursor(1.0);
         }
         self.look_at(Look::OPERATING.get(next).copied());
     }
 
-    fn next_drawing(&mut self) {
+    pub(super) fn next_drawing(&mut self) {
         self.look_at(match self.looking.look {
             Some(Look::Structure) => Some(Look::Section),
             Some(Look::Section) => None,
@@ -157,7 +143,7 @@ impl App {
     }
 
     /// Lets what shows move, or stand still; the selected mode where nothing that moves shows.
-    fn animate(&mut self) {
+    pub(super) fn animate(&mut self) {
         if std::mem::take(&mut self.looking.moment.runs) {
             return;
         }
@@ -175,7 +161,7 @@ impl App {
         self.looking.moment.runs = true;
     }
 
-    fn step_phase(&mut self) {
+    pub(super) fn step_phase(&mut self) {
         if !self.looking.look.is_some_and(Look::moves) {
             return self.refuse("nothing that moves shows");
         }
@@ -194,7 +180,7 @@ impl App {
     /// What moves by itself stands still, because the line carries too few frames.
     pub fn stop_moving(&mut self) {
         if std::mem::take(&mut self.looking.moment.runs) {
-            let key = self.keys.key_of(Command::PhaseStep);
+            let key = self.keys.key_of(LookCommand::PhaseStep);
             self.refuse(format!(
                 "the line is too slow for what moves: {key} goes a step further"
             ));
@@ -236,20 +222,14 @@ impl App {
     /// Asks what the beam does at the cursor, if that shows.
     pub(super) fn want_operating(&mut self) -> Option<Request> {
         self.looking.look.filter(|look| look.is_operating())?;
-        let (generation, frequency) = (self.curves.generation, self.curves.cursor?);
-        if let Some(asked) = &self.looking.asked
-            && asked.generation == generation
-            && asked.frequency == frequency
-        {
+        let frequency = self.curves.cursor?;
+        let key = (self.curves.generation, frequency);
+        if self.looking.asked.is(|(asked, _)| *asked == key) {
             return None;
         }
         let (serial, model) = (self.next_serial(), Arc::clone(self.document.model()));
-        self.looking.asked = Some(AskedOperating {
-            serial,
-            generation,
-            frequency,
-            model: Arc::clone(&model),
-        });
+        let asked = (key, Arc::clone(&model));
+        self.looking.asked.sent(serial, asked);
         Some(Request::Operating(OperatingRequest {
             serial,
             model,
@@ -259,14 +239,13 @@ impl App {
 
     /// Takes what was asked last.
     pub(super) fn take_operating(&mut self, answer: OperatingAnswer) {
-        if let Some(asked) = &self.looking.asked
-            && asked.serial == answer.serial
-        {
-            (self.looking.operating, self.looking.failure) = match answer.result {
-                Ok(operating) => (Some((Arc::clone(&asked.model), operating)), None),
-                Err(reason) => (None, Some(reason)),
-            };
-            self.looking.generation = asked.generation;
-        }
+        let Some(((generation, _), model)) = self.looking.asked.answered(answer.serial) else {
+            return;
+        };
+        self.looking.generation = *generation;
+        (self.looking.operating, self.looking.failure) = match answer.result {
+            Ok(operating) => (Some((Arc::clone(model), operating)), None),
+            Err(reason) => (None, Some(reason)),
+        };
     }
 }

@@ -10,7 +10,7 @@ use crate::escape::shown_path;
 use crate::measured::{self, Curve, Fit, Inspection, fit};
 use crate::model::{Fault, counted};
 use crate::solve::Reference;
-use crate::tui::keys::Command;
+use crate::tui::keys::CompareCommand;
 use crate::tui::scene::ChartView;
 use crate::unit::{Dimension, Form, Kind, ValueUnit};
 use crate::worker::{Request, SampleAnswer, SampleRequest, Sampling};
@@ -65,13 +65,8 @@ pub(super) struct FitKey {
     visible: Vec<String>,
 }
 
-/// What was asked for last.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Asked {
-    serial: u64,
-    generation: u64,
-    ids: Vec<u64>,
-}
+/// What the model was solved for: its generation, and the numbers of the measured curves.
+pub(super) type SampleKey = (u64, Vec<u64>);
 
 /// What came of opening a measured file.
 #[derive(Debug)]
@@ -206,7 +201,7 @@ impl App {
         self.overlay = None;
         let room = MOST_CURVES.saturating_sub(self.beside.measured.len());
         if room == 0 {
-            let list = self.keys.key_of(Command::Beside);
+            let list = self.keys.key_of(CompareCommand::Beside);
             return self.refuse(format!(
                 "{MOST_CURVES} measured curves are the most: {list} lists them, to drop some"
             ));
@@ -266,12 +261,12 @@ impl App {
         let shown = || self.beside.measured.iter().filter(|one| one.shown);
         let ids: Vec<u64> = shown().map(|one| one.id).collect();
         let generation = self.curves.generation;
-        let known = self.beside.measured_asked.as_ref();
         if ids.is_empty() {
             self.forget_sample();
             return None;
         }
-        if known.is_some_and(|asked| asked.generation == generation && asked.ids == ids) {
+        let key = (generation, ids);
+        if self.beside.measured_asked.is(|asked| *asked == key) {
             return None;
         }
         let mut frequencies: Vec<f64> = shown()
@@ -283,11 +278,7 @@ impl App {
         frequencies.sort_by(f64::total_cmp);
         frequencies.dedup();
         let serial = self.next_serial();
-        self.beside.measured_asked = Some(Asked {
-            serial,
-            generation,
-            ids,
-        });
+        self.beside.measured_asked.sent(serial, key);
         let mut subject = self.subject();
         subject.study = None;
         Some(Request::Sample(SampleRequest {
@@ -300,11 +291,9 @@ impl App {
 
     /// Takes the model at the frequencies of the measured curves.
     pub(super) fn take_measured_sample(&mut self, answer: SampleAnswer) -> Result<(), String> {
-        let asked = self.beside.measured_asked.as_ref();
-        let Some(asked) = asked.filter(|asked| asked.serial == answer.serial) else {
+        let Some(&(generation, _)) = self.beside.measured_asked.answered(answer.serial) else {
             return Ok(());
         };
-        let generation = asked.generation;
         let solved = answer.result?.into_iter().flatten().next();
         self.beside.sample = solved.map(|member| Sample {
             generation,
@@ -329,7 +318,7 @@ impl App {
 
     /// The model at the frequencies of the measured curves is not wanted any more.
     pub(super) fn forget_sample(&mut self) {
-        self.beside.measured_asked = None;
+        self.beside.measured_asked.forget();
         self.beside.sample = None;
         self.beside.fits.clear();
     }
@@ -337,7 +326,7 @@ impl App {
     /// Finds out anew how well the model fits, where that may have changed.
     pub(super) fn refresh_fits(&mut self) {
         let key = FitKey {
-            serial: self.beside.measured_asked.as_ref().map(|one| one.serial),
+            serial: self.beside.measured_asked.serial(),
             solved: self.beside.sample.as_ref().map(|one| one.generation),
             form: self.display.form,
             motion: self.display.motion,

@@ -6,18 +6,16 @@ use crossterm::event::{KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
 use ratatui::layout::Position;
 
 use super::{Anchor, App, Effect, Overlay, Table};
-use crate::tui::keys::{Command, Scope};
+use crate::tui::keys::{FileCommand, ModelCommand, Movement};
 
 /// Rows that a list moves by a notch of the wheel.
 const NOTCH: isize = 3;
-/// Thousandths by which a notch turns a value, and by which one with Control does.
-const TURN: [i32; 2] = [10, 100];
 
 impl App {
     pub(super) fn toggle_mouse(&mut self) -> Vec<Effect> {
         self.mouse = !self.mouse;
         self.turned.mouse = Some(self.mouse);
-        let key = self.keys.key_of(Command::Mouse);
+        let key = self.keys.key_of(FileCommand::Mouse);
         self.done(if self.mouse {
             format!("the mouse is the designer's; with Shift it selects text, {key} leaves it to the terminal")
         } else {
@@ -50,7 +48,7 @@ impl App {
             return self.click_in_box(place);
         }
         if self.is_searching() {
-            self.search_command(Command::Accept);
+            self.accept_search();
         }
         if let Some(row) = self.screen.tree.at(place) {
             return self.click_in_tree(row);
@@ -66,14 +64,14 @@ impl App {
     /// A click selects a row; one on the selected row is as Enter.
     fn click_in_tree(&mut self, row: usize) -> Vec<Effect> {
         let model = Arc::clone(self.document.model());
-        let Some(node) = self.selection.rows().0.get(row).map(|row| row.node) else {
+        let Some(node) = self.selection.rows().get(row).map(|row| row.node) else {
             return Vec::new();
         };
         let again = self.selection.node() == node;
         self.selection.select(&model, node);
         self.held = Some(node);
         if again {
-            return self.repeated(Command::Edit, 1);
+            return self.repeated(ModelCommand::Edit.into(), 1);
         }
         Vec::new()
     }
@@ -96,10 +94,11 @@ impl App {
         if let (Some(row), Some(list)) = (row, list)
             && row < list.rows
         {
-            if list.row == row {
-                return self.command(Command::Accept);
+            if list.row != row {
+                list.row = row;
+            } else if let Some(accept) = self.overlay.as_ref().and_then(Overlay::accept) {
+                return self.command(accept);
             }
-            list.row = row;
         }
         Vec::new()
     }
@@ -125,7 +124,13 @@ impl App {
             return Vec::new();
         }
         if self.is_held(place) {
-            return self.repeated(Command::Nudge(up * TURN[usize::from(coarse)]), 1);
+            let nudge = match (up > 0, coarse) {
+                (true, false) => ModelCommand::NudgeUp,
+                (true, true) => ModelCommand::NudgeUpCoarse,
+                (false, false) => ModelCommand::NudgeDown,
+                (false, true) => ModelCommand::NudgeDownCoarse,
+            };
+            return self.repeated(nudge.into(), 1);
         }
         self.held = None;
         let frequency = self
@@ -137,14 +142,11 @@ impl App {
             self.zoom(if up > 0 { 0.8 } else { 1.25 }, Some(frequency));
         } else if self.screen.tree.area.contains(place) {
             self.selection.step(rows);
-        } else if self.scope() == Scope::Table
-            && self
-                .screen
-                .table
-                .is_some_and(|rows| rows.area.contains(place))
+        } else if let (Some(table), Some(rows)) = (self.tables.open, self.screen.table)
+            && rows.area.contains(place)
+            && !self.is_searching()
         {
-            let command = if up > 0 { Command::Up } else { Command::Down };
-            self.table_command(command);
+            self.move_in_table(table, if up > 0 { Movement::Up } else { Movement::Down });
         }
         Vec::new()
     }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::{App, Effect, Next};
 use crate::files::Opened;
 use crate::model::grouped;
-use crate::tui::keys::Command;
+use crate::tui::keys::{FileCommand, ModelCommand};
 
 /// The longest text that is sent to a clipboard, bytes; terminals drop longer ones without a word.
 const MOST_COPIED: usize = 74_000;
@@ -38,7 +38,7 @@ impl App {
         let text = self.document.text();
         let size = text.len();
         if size > MOST_COPIED {
-            let save = self.keys.key_of(Command::SaveAs);
+            let save = self.keys.key_of(FileCommand::SaveAs);
             self.refuse(format!(
                 "the text has {} bytes, of which terminals take {} at most: {save} saves it to a file",
                 grouped(size),
@@ -74,7 +74,7 @@ impl App {
         match outside {
             Outside::Same => self.done(format!("{name} is again as it was")),
             Outside::Changed => {
-                let key = self.keys.key_of(Command::Reload);
+                let key = self.keys.key_of(FileCommand::Reload);
                 self.refuse(format!(
                     "{name} was changed on disk by another program: {key} reads it again"
                 ));
@@ -108,7 +108,7 @@ impl App {
         let before = Arc::clone(self.document.model());
         self.document.reload(opened.model, opened.text);
         self.follow(&before);
-        let undo = self.keys.key_of(Command::Undo);
+        let undo = self.keys.key_of(ModelCommand::Undo);
         self.done(format!(
             "read the file again; {undo} brings back what was here"
         ));

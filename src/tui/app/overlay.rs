@@ -8,7 +8,9 @@ use super::{Lost, Palette, Question, Saving};
 use crate::guide::Chapter;
 use crate::model::{Fault, ParameterId, Unit};
 use crate::presets;
-use crate::tui::keys::{Command, Scope};
+use crate::tui::keys::{
+    BesideCommand, Command, Movement, PaletteCommand, PickerCommand, RecoveryCommand, Scope,
+};
 
 /// A box over the designer.
 #[derive(Debug)]
@@ -186,18 +188,16 @@ impl List {
         self.step(if forward { rows } else { -rows });
     }
 
-    /// Moves as a key asks; false where the command is no movement.
-    pub fn obey(&mut self, command: Command) -> bool {
-        match command {
-            Command::Up => self.step(-1),
-            Command::Down => self.step(1),
-            Command::PageUp => self.page(false),
-            Command::PageDown => self.page(true),
-            Command::First => self.step(isize::MIN),
-            Command::Last => self.step(isize::MAX),
-            _ => return false,
+    /// Moves as a key asks.
+    pub fn go(&mut self, movement: Movement) {
+        match movement {
+            Movement::Up => self.step(-1),
+            Movement::Down => self.step(1),
+            Movement::PageUp => self.page(false),
+            Movement::PageDown => self.page(true),
+            Movement::First => self.step(isize::MIN),
+            Movement::Last => self.step(isize::MAX),
         }
-        true
     }
 
     /// Moves by rows; stops at the ends.
@@ -242,6 +242,17 @@ impl Overlay {
         match self {
             Self::Presets(list) | Self::Beside(list) | Self::Recovery { list, .. } => Some(list),
             Self::Palette(palette) => Some(&mut palette.list),
+            _ => None,
+        }
+    }
+
+    /// The command that takes the selected entry of such a list.
+    pub(super) fn accept(&self) -> Option<Command> {
+        match self {
+            Self::Presets(_) => Some(PickerCommand::Accept.into()),
+            Self::Beside(_) => Some(BesideCommand::Accept.into()),
+            Self::Recovery { .. } => Some(RecoveryCommand::Accept.into()),
+            Self::Palette(_) => Some(PaletteCommand::Accept.into()),
             _ => None,
         }
     }

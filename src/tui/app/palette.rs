@@ -8,16 +8,18 @@ use tui_input::Input;
 use super::{App, Effect, List, Overlay};
 use crate::guide::{CHAPTERS, Chapter};
 use crate::tui::fuzzy;
-use crate::tui::keys::{Command, Scope};
+use crate::tui::keys::{AnywhereCommand, Command, FileCommand, PaletteCommand, Scope};
 use crate::tui::tree::{self, Node};
 
 /// What people type by habit, and the command that they mean.
-const HABITS: [(&str, Command); 5] = [
-    ("w", Command::Save),
-    ("write", Command::Save),
-    ("q", Command::Quit),
-    ("exit", Command::Quit),
-    ("e", Command::Open),
+const HABITS: [(&str, Command); 7] = [
+    ("w", Command::File(FileCommand::Save)),
+    ("write", Command::File(FileCommand::Save)),
+    ("q", Command::File(FileCommand::Quit)),
+    ("q", Command::Anywhere(AnywhereCommand::End)),
+    ("exit", Command::File(FileCommand::Quit)),
+    ("exit", Command::Anywhere(AnywhereCommand::End)),
+    ("e", Command::File(FileCommand::Open)),
 ];
 
 /// What an entry leads to.
@@ -89,14 +91,16 @@ impl Palette {
     fn rank(&mut self) {
         let query = fuzzy::Query::new(self.input.value());
         let typed = self.input.value().trim();
-        let habit = HABITS.iter().find(|(habit, _)| *habit == typed);
-        let meant = habit.map(|(_, command)| Found::Command(*command));
+        let is_meant = |found: Found| {
+            let mut habits = HABITS.iter().filter(|(habit, _)| *habit == typed);
+            habits.any(|(_, command)| found == Found::Command(*command))
+        };
         let scored = self
             .entries
             .iter()
             .enumerate()
             .filter_map(|(index, entry)| {
-                let is_meant = meant == Some(entry.found);
+                let is_meant = is_meant(entry.found);
                 let score = query.score(&entry.name).max(query.score_beside(entry.help));
                 // Equal ones stay in the order of the table and the tree.
                 let rank = (!is_meant, Reverse(score), index);
@@ -114,7 +118,7 @@ impl App {
     pub(super) fn open_palette(&mut self) {
         let commands = self.keys.of(Scope::Main).chain(self.keys.of(Scope::Any));
         let mut entries: Vec<Entry> = commands
-            .filter(|row| row.binding.command != Command::Palette)
+            .filter(|row| row.binding.command != FileCommand::Palette.into())
             .map(|row| Entry {
                 found: Found::Command(row.binding.command),
                 name: row.binding.name.replace('-', " "),
@@ -148,30 +152,27 @@ impl App {
         )));
     }
 
-    pub(super) fn palette_command(&mut self, command: Command) -> Vec<Effect> {
-        let Some(Overlay::Palette(palette)) = &mut self.overlay else {
+    pub(super) fn palette_command(&mut self, command: PaletteCommand) -> Vec<Effect> {
+        let Some(Overlay::Palette(palette)) = &self.overlay else {
             return Vec::new();
         };
-        if palette.list.obey(command) {
-            return Vec::new();
-        }
         let chosen = palette.found().nth(palette.list.row).map(|one| one.found);
-        if command == Command::Accept && chosen.is_none() {
-            return Vec::new();
-        }
-        self.overlay = None;
         match (command, chosen) {
-            (Command::Accept, Some(Found::Command(command))) => self.command(command),
-            (Command::Accept, Some(Found::Row(node))) => {
+            (PaletteCommand::Cancel, _) => self.overlay = None,
+            (PaletteCommand::Accept, None) => {}
+            (PaletteCommand::Accept, Some(Found::Command(command))) => {
+                self.overlay = None;
+                return self.command(command);
+            }
+            (PaletteCommand::Accept, Some(Found::Row(node))) => {
+                self.overlay = None;
                 self.go_to(node);
-                Vec::new()
             }
-            (Command::Accept, Some(Found::Chapter(chapter))) => {
+            (PaletteCommand::Accept, Some(Found::Chapter(chapter))) => {
                 self.overlay = Some(Overlay::Guide(chapter, List::default()));
-                Vec::new()
             }
-            _ => Vec::new(),
         }
+        Vec::new()
     }
 
     /// Selects a row, and asks for its value where that is typed.

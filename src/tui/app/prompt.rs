@@ -11,7 +11,7 @@ use crate::escape::path_of_text;
 use crate::model::edit::Value;
 use crate::model::{Group, Parameter};
 use crate::presets;
-use crate::tui::keys::{Command, Key};
+use crate::tui::keys::{Key, ModelCommand, PickerCommand, PromptCommand};
 use crate::tui::tree::{self, Node};
 
 /// The longest line that is typed or pasted, in bytes.
@@ -37,7 +37,7 @@ impl App {
     /// What is pasted is typed, where something is typed.
     pub(super) fn paste(&mut self, text: &str) -> Vec<Effect> {
         if !self.scope().is_typing() {
-            let edit = self.keys.key_of(Command::Edit);
+            let edit = self.keys.key_of(ModelCommand::Edit);
             self.refuse(format!(
                 "nothing is typed here: {edit} opens a value to paste into"
             ));
@@ -84,17 +84,17 @@ impl App {
         taken
     }
 
-    pub(super) fn prompt_command(&mut self, command: Command) -> Vec<Effect> {
+    pub(super) fn prompt_command(&mut self, command: PromptCommand) -> Vec<Effect> {
         let Some(Overlay::Prompt(prompt)) = &mut self.overlay else {
             return Vec::new();
         };
         match command {
-            Command::Cancel => {
+            PromptCommand::Cancel => {
                 self.overlay = None;
                 self.after_save = None;
                 Vec::new()
             }
-            Command::Complete => {
+            PromptCommand::Complete => {
                 let is_path = match &prompt.purpose {
                     Purpose::Open | Purpose::SaveAs => true,
                     Purpose::Ask(question) => question.is_path(),
@@ -106,7 +106,7 @@ impl App {
                     .into_iter()
                     .collect()
             }
-            _ => self.accept(),
+            PromptCommand::Accept => self.accept(),
         }
     }
 
@@ -184,18 +184,14 @@ impl App {
         self.overlay = Some(Overlay::Prompt(Prompt::new(Purpose::Value(asked), name)));
     }
 
-    pub(super) fn list_command(&mut self, command: Command) -> Vec<Effect> {
-        let Some(list) = self.overlay.as_mut().and_then(Overlay::list) else {
+    pub(super) fn picker_command(&mut self, command: PickerCommand) -> Vec<Effect> {
+        let presets = |overlay: &mut Overlay| matches!(overlay, Overlay::Presets(_));
+        let Some(Overlay::Presets(list)) = self.overlay.take_if(presets) else {
             return Vec::new();
         };
-        if list.obey(command) {
-            return Vec::new();
-        }
-        let row = list.row;
-        self.overlay = None;
         match command {
-            Command::Accept => self.leave(Next::Preset(row)),
-            _ => Vec::new(),
+            PickerCommand::Accept => self.leave(Next::Preset(list.row)),
+            PickerCommand::Cancel => Vec::new(),
         }
     }
 

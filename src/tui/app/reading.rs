@@ -3,8 +3,9 @@
 use num_complex::Complex64;
 
 use super::curves::Member;
+use super::request::LastRequest;
 use super::{App, Compared, Trace};
-use crate::tui::keys::Command;
+use crate::tui::keys::ReadingCommand;
 use crate::tui::scene;
 use crate::worker::{Request, SampleAnswer, SampleRequest, Sampling};
 
@@ -33,7 +34,7 @@ pub struct Reading {
     pub second: Option<f64>,
     /// Whether the harmonics of the cursor are marked.
     pub harmonics: bool,
-    asked: Option<(u64, Key)>,
+    asked: LastRequest<Key>,
     values: Option<Values>,
 }
 
@@ -86,11 +87,7 @@ impl Reading {
     /// # Errors
     /// Why nothing was solved, in a line.
     pub(super) fn take(&mut self, answer: SampleAnswer) -> Result<(), String> {
-        let Some((_, key)) = self
-            .asked
-            .as_ref()
-            .filter(|(serial, _)| *serial == answer.serial)
-        else {
+        let Some(key) = self.asked.answered(answer.serial) else {
             return Ok(());
         };
         self.values = Some(Values {
@@ -242,18 +239,8 @@ impl App {
             .collect()
     }
 
-    /// Changes the second cursor and the harmonics; false where the command is another one.
-    pub(super) fn reading_command(&mut self, command: Command) -> bool {
-        match command {
-            Command::SecondCursor => self.turn_second(),
-            Command::Harmonics => self.turn_harmonics(),
-            _ => return false,
-        }
-        true
-    }
-
     /// Puts the second cursor where the cursor is, or takes it away.
-    fn turn_second(&mut self) {
+    pub(super) fn turn_second(&mut self) {
         match (self.reading.second.take(), self.curves.cursor) {
             (Some(second), Some(cursor)) if second != cursor => {
                 self.reading.second = Some(cursor);
@@ -265,15 +252,15 @@ impl App {
                 self.done("second cursor here: differences are counted from it");
             }
             (None, None) => {
-                let key = self.keys.key_of(Command::Cursor(1));
+                let key = self.keys.key_of(ReadingCommand::CursorRight);
                 self.refuse(format!("there is no cursor: {key} puts one on the chart"));
             }
         }
     }
 
-    fn turn_harmonics(&mut self) {
+    pub(super) fn turn_harmonics(&mut self) {
         if self.curves.cursor.is_none() {
-            let key = self.keys.key_of(Command::Cursor(1));
+            let key = self.keys.key_of(ReadingCommand::CursorRight);
             return self.refuse(format!("there is no cursor: {key} puts one on the chart"));
         }
         self.reading.harmonics = !self.reading.harmonics;
@@ -299,12 +286,7 @@ impl App {
             references: self.beside.shown_ids(),
             frequencies,
         };
-        if self
-            .reading
-            .asked
-            .as_ref()
-            .is_some_and(|(_, asked)| *asked == key)
-        {
+        if self.reading.asked.is(|asked| *asked == key) {
             return None;
         }
         let serial = self.next_serial();
@@ -314,7 +296,7 @@ impl App {
             subjects: self.compared_subjects(),
             frequencies: key.frequencies.clone(),
         };
-        self.reading.asked = Some((serial, key));
+        self.reading.asked.sent(serial, key);
         Some(Request::Sample(request))
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::{App, Base, Document, Effect, List, Lost, Next, Overlay};
 use crate::files::Opened;
 use crate::model::counted;
-use crate::tui::keys::Command;
+use crate::tui::keys::{FileCommand, ModelCommand, RecoveryCommand};
 
 impl App {
     /// Keeps what is not saved, when that has changed.
@@ -33,17 +33,14 @@ impl App {
         }
     }
 
-    pub(super) fn recovery_command(&mut self, command: Command) -> Vec<Effect> {
+    pub(super) fn recovery_command(&mut self, command: RecoveryCommand) -> Vec<Effect> {
         let Some(Overlay::Recovery { lost, list }) = &mut self.overlay else {
             return Vec::new();
         };
-        if list.obey(command) {
-            return Vec::new();
-        }
         let number = list.row;
         match command {
-            Command::Accept => self.leave(Next::Recover(number)),
-            Command::Discard => {
+            RecoveryCommand::Accept => self.leave(Next::Recover(number)),
+            RecoveryCommand::Discard => {
                 let name = lost.remove(number).name;
                 list.set_rows(lost.len());
                 if lost.is_empty() {
@@ -52,7 +49,7 @@ impl App {
                 self.done(format!("unsaved changes to {name} discarded"));
                 vec![Effect::Discard(number)]
             }
-            _ => {
+            RecoveryCommand::Cancel => {
                 self.overlay = None;
                 self.done("unsaved changes are kept; the next start offers them again");
                 Vec::new()
@@ -63,8 +60,8 @@ impl App {
     pub(super) fn recovered(&mut self, opened: Opened, base: Base, others: usize) {
         self.open_document(Document::recovered(opened, base));
         let (save, undo) = (
-            self.keys.key_of(Command::Save),
-            self.keys.key_of(Command::Undo),
+            self.keys.key_of(FileCommand::Save),
+            self.keys.key_of(ModelCommand::Undo),
         );
         let mut words = vec![format!("unsaved changes recovered: {save} saves them")];
         if base != Base::Missing {

@@ -18,24 +18,20 @@ impl App {
     pub(super) fn repeated(&mut self, command: Command, times: u32) -> Vec<Effect> {
         let before = self.document.model().clone();
         let mut effects = Vec::new();
-        match command {
-            // One step, however many percent.
-            Command::Nudge(thousandths) => self.nudge(thousandths, times),
-            // Not through the whole tree each time.
-            Command::NextParameter => self.seek_parameter(true, times),
-            Command::PreviousParameter => self.seek_parameter(false, times),
-            _ if command.counts() => {
-                for done in 0..times {
-                    let before = self.message.take();
-                    effects.extend(self.main_command(command));
-                    if self.is_refused() {
-                        self.add_to(before, done);
-                        break;
-                    }
+        if command.takes_count() {
+            effects = self.dispatch(command, times);
+        } else if command.counts() {
+            for done in 0..times {
+                let before = self.message.take();
+                effects.extend(self.dispatch(command, 1));
+                if self.is_refused() {
+                    self.add_to(before, done);
+                    break;
                 }
-                self.add_times(command, times);
             }
-            _ => effects = self.main_command(command),
+            self.add_times(command, times);
+        } else {
+            effects = self.dispatch(command, 1);
         }
         if command.repeats() && !std::sync::Arc::ptr_eq(&before, self.document.model()) {
             self.last_change = Some(LastChange::Command(command, times));

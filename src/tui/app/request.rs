@@ -6,6 +6,44 @@ use super::{App, Effect, Look, Witness};
 use crate::model::edit::{self, Value};
 use crate::worker::{Answer, CurvesAnswer, ExpectRequest, Request, Sampling, Subject};
 
+/// The last request of one kind: its serial number, and what it was for.
+#[derive(Debug)]
+pub(super) struct LastRequest<K>(Option<(u64, K)>);
+
+impl<K> Default for LastRequest<K> {
+    fn default() -> Self {
+        Self(None)
+    }
+}
+
+impl<K> LastRequest<K> {
+    /// Whether it was for the same.
+    pub(super) fn is(&self, same: impl FnOnce(&K) -> bool) -> bool {
+        self.0.as_ref().is_some_and(|(_, key)| same(key))
+    }
+
+    /// Stores a request that is sent.
+    pub(super) fn sent(&mut self, serial: u64, key: K) {
+        self.0 = Some((serial, key));
+    }
+
+    /// What the answer with a serial number is for; none where another request was sent since.
+    pub(super) fn answered(&self, serial: u64) -> Option<&K> {
+        let (last, key) = self.0.as_ref()?;
+        (*last == serial).then_some(key)
+    }
+
+    /// The serial number, if there is a request.
+    pub(super) fn serial(&self) -> Option<u64> {
+        self.0.as_ref().map(|(serial, _)| *serial)
+    }
+
+    /// Forgets it: an answer is not taken, and the same can be requested again.
+    pub(super) fn forget(&mut self) {
+        self.0 = None;
+    }
+}
+
 impl App {
     /// Takes what the worker has found.
     pub(super) fn take(&mut self, answer: Answer) {

@@ -1,6 +1,8 @@
-//! Where things are on the screen, for the mouse.
+//! Where things are on the screen: for the mouse, and for all that depends on how much of a list shows.
 
 use ratatui::layout::{Position, Rect};
+
+use super::{App, List, Overlay, Tables};
 
 /// Rows of a list on the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -46,8 +48,8 @@ pub struct Levels {
     pub log: bool,
 }
 
-/// Where things are on the screen, as it was drawn last.
-#[derive(Debug, Clone, PartialEq, Default)]
+/// Where things are on the screen, as it was drawn last. Drawing returns it.
+#[derive(Debug, Clone, Default)]
 pub struct Screen {
     /// All of it.
     pub area: Rect,
@@ -61,6 +63,30 @@ pub struct Screen {
     pub levels: Option<Levels>,
     /// The table below the chart.
     pub table: Option<Rows>,
-    /// The list of the box over all.
+    /// The tables' lists: how many rows they have and there is room for.
+    pub tables: Tables,
+    /// The rows of the open dialog that can be clicked.
     pub list: Option<Rows>,
+    /// The list of the open dialog: how many rows it has and there is room for.
+    pub dialog: Option<List>,
+}
+
+impl App {
+    /// Stores where things are on a screen that was drawn; none where it is too small to show anything.
+    pub fn drawn(&mut self, screen: Option<Screen>) {
+        self.unseen = screen.is_none();
+        let Some(screen) = screen else {
+            return;
+        };
+        if screen.tree.area.height > 0 {
+            self.selection.set_height(screen.tree.area.height.into());
+        }
+        self.tables = screen.tables;
+        if let (Some(list), Some(drawn)) =
+            (self.overlay.as_mut().and_then(Overlay::list), screen.dialog)
+        {
+            *list = drawn;
+        }
+        self.screen = screen;
+    }
 }

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use tui_input::Input;
 
-use super::{App, Effect};
+use super::App;
 use crate::model::{Model, Moves, counted};
 use crate::tui::fuzzy::Query;
-use crate::tui::keys::Command;
+use crate::tui::keys::{ReadingCommand, SearchCommand, TreeCommand};
 use crate::tui::tree::{self, Node};
 
 /// A search of the tree.
@@ -89,35 +89,32 @@ impl App {
         self.selection.select(&model, found.unwrap_or(origin));
     }
 
-    pub(super) fn search_command(&mut self, command: Command) -> Vec<Effect> {
+    pub(super) fn search_command(&mut self, command: SearchCommand) {
         match command {
-            Command::Down => self.seek_found(true),
-            Command::Up => self.seek_found(false),
-            Command::Cancel => {
+            SearchCommand::Accept => self.accept_search(),
+            SearchCommand::Cancel => {
                 let model = Arc::clone(self.document.model());
                 if let Some(search) = self.search.take() {
                     self.selection.select(&model, search.origin);
                 }
             }
-            _ => self.accept_search(),
         }
-        Vec::new()
     }
 
-    fn accept_search(&mut self) {
+    pub(super) fn accept_search(&mut self) {
         let Some(search) = &mut self.search else {
             return;
         };
         search.typing = false;
         let (sought, count) = (search.input.value().to_owned(), search.found.len());
-        let next = self.keys.key_of(Command::NextAlike);
+        let next = self.keys.key_of(TreeCommand::NextAlike);
         if sought.trim().is_empty() {
             self.search = None;
         } else if count == 0 {
             self.search = None;
             self.refuse(format!("no row has `{sought}` in its name"));
         } else {
-            let end = self.keys.key_of(Command::Cancel);
+            let end = self.keys.key_of(ReadingCommand::CursorOff);
             self.done(format!(
                 "`{sought}`: {}; {next} goes to the next, {end} ends the search",
                 counted(count, "row", "rows")

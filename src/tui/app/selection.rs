@@ -47,9 +47,18 @@ impl Selection {
             .map_or(Node::TITLE, |row| row.node)
     }
 
-    /// All rows, and how many of them lie above the screen.
-    pub fn rows(&self) -> (&[Row], usize) {
-        (&self.rows, self.offset)
+    /// All rows.
+    pub fn rows(&self) -> &[Row] {
+        &self.rows
+    }
+
+    /// The first row on a screen with room for so many: no further from the last one than needed to show the selected
+    /// row.
+    pub fn first_shown(&self, height: usize) -> usize {
+        let height = height.max(1);
+        let last = self.rows.len().saturating_sub(height);
+        let lowest = (self.cursor + 1).saturating_sub(height);
+        self.offset.max(lowest).min(self.cursor).min(last)
     }
 
     /// The selected row's number.
@@ -222,10 +231,7 @@ impl Selection {
         self.scroll();
     }
 
-    /// Moves the screen's part of the tree no further than needed to show the selected row.
     fn scroll(&mut self) {
-        let last = self.rows.len().saturating_sub(self.height);
-        let lowest = (self.cursor + 1).saturating_sub(self.height);
-        self.offset = self.offset.max(lowest).min(self.cursor).min(last);
+        self.offset = self.first_shown(self.height);
     }
 }

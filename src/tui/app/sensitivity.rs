@@ -6,10 +6,11 @@ use std::sync::Arc;
 
 pub use effects::Effects;
 
+use super::request::LastRequest;
 use super::{Anchor, App, Shown, Table};
 use crate::model::{Model, Moves};
 use crate::solve::sensitivity::{Figure, Sensitivity};
-use crate::tui::keys::Command;
+use crate::tui::keys::ReadingCommand;
 use crate::worker::{Request, SensitivityAnswer, SensitivityRequest};
 
 /// What the sensitivities are of.
@@ -44,21 +45,15 @@ pub struct Sensitivities {
     pub effects: Option<Effects>,
     /// Why there are none, where the last question failed.
     pub failure: Option<String>,
-    asked: Option<Asked>,
-}
-
-/// The question asked last, with the model that it is about.
-#[derive(Debug)]
-struct Asked {
-    serial: u64,
-    key: Key,
-    model: Arc<Model>,
+    /// With the model that it is about.
+    asked: LastRequest<(Key, Arc<Model>)>,
 }
 
 impl Sensitivities {
     /// Another model was opened: what is known says nothing of it.
     pub(super) fn forget(&mut self) {
-        (self.effects, self.failure, self.asked) = (None, None, None);
+        (self.effects, self.failure) = (None, None);
+        self.asked.forget();
     }
 }
 
@@ -73,9 +68,9 @@ impl App {
         let comes = |sensed| sensed == Sensed::Peak && self.awaits_peaks();
         let next = rest.find(|one| self.sensitivity_key(*one).is_some() || comes(*one));
         if next.is_none() && self.sensitivities.sensed.is_none() {
-            let (cursor, peak) = (Command::Cursor(1), Command::NextPeak);
+            let (cursor, peak) = (ReadingCommand::CursorRight, ReadingCommand::NextPeak);
             let [cursor, peak, band] =
-                [cursor, peak, Command::Band].map(|command| self.keys.key_of(command));
+                [cursor, peak, ReadingCommand::Band].map(|command| self.keys.key_of(command));
             return self.refuse(format!(
                 "sensitivities are of the cursor ({cursor}), a peak ({peak}), a mode or a band ({band})"
             ));
@@ -173,8 +168,7 @@ impl App {
             return None;
         }
         let key = self.sensitivity_key(sensed)?;
-        let asked = self.sensitivities.asked.as_ref();
-        if asked.is_some_and(|asked| asked.key == key) {
+        if self.sensitivities.asked.is(|(asked, _)| *asked == key) {
             return None;
         }
         let model = Arc::clone(self.document.model());
@@ -206,11 +200,8 @@ impl App {
             },
         };
         let serial = self.next_serial();
-        self.sensitivities.asked = Some(Asked {
-            serial,
-            key,
-            model: Arc::clone(&model),
-        });
+        let asked = (key, Arc::clone(&model));
+        self.sensitivities.asked.sent(serial, asked);
         Some(Request::Sensitivity(SensitivityRequest {
             serial,
             model,
@@ -220,8 +211,7 @@ impl App {
 
     /// Takes the sensitivities that were asked for last.
     pub(super) fn take_sensitivities(&mut self, answer: SensitivityAnswer) {
-        let asked = self.sensitivities.asked.as_ref();
-        let Some(asked) = asked.filter(|asked| asked.serial == answer.serial) else {
+        let Some((key, model)) = self.sensitivities.asked.answered(answer.serial) else {
             return;
         };
         let found = match answer.result {
@@ -237,9 +227,9 @@ impl App {
             (self.sensitivities.effects, self.sensitivities.failure) = (None, answer.lack);
             return;
         }
-        let mut effects = Effects::new(&asked.key, &asked.model, found);
+        let mut effects = Effects::new(key, model, found);
         effects.lack = answer.lack;
-        effects.follow(&Moves::new(&asked.model, self.document.model()));
+        effects.follow(&Moves::new(model, self.document.model()));
         self.tables.sensitivities.set_rows(effects.rows.len());
         // The row stays with the parameter that is being turned.
         if let Some(place) = effects.places.get(&self.selection.node()) {

@@ -8,7 +8,7 @@ use super::fresh::{free_name, new_subsystem, response_names, subsystem_names};
 use crate::model::edit::{self, Value};
 use crate::model::schema::Kind;
 use crate::model::{BeamMotion, Force, Group, Measure, Model, Place, Quantity, Response, Target};
-use crate::tui::keys::Command;
+use crate::tui::keys::{Command, CompareCommand, TuneCommand};
 use crate::tui::tree::{self, Node};
 
 impl App {
@@ -51,11 +51,11 @@ impl App {
     /// Says what is added here by other keys, or where this one adds something.
     fn refuse_to_add(&mut self, group: Option<Group>) {
         let [study, variable, objective] = [
-            Command::MakeStudy,
-            Command::TuneVariable,
-            Command::TuneObjective,
+            CompareCommand::MakeStudy.into(),
+            TuneCommand::TuneVariable.into(),
+            TuneCommand::TuneObjective.into(),
         ]
-        .map(|command| self.keys.key_of(command));
+        .map(|command: Command| self.keys.key_of(command));
         self.refuse(match group {
             Some(Group::Studies) => {
                 format!("{study} on a number of the model adds a study of it; others are added in the file")

@@ -7,7 +7,7 @@ use selected::{Chosen, Place, follow};
 
 use super::{App, List};
 use crate::solve::peaks::Peak;
-use crate::tui::keys::Command;
+use crate::tui::keys::{ModesCommand, Movement};
 
 /// A table below the chart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -83,7 +83,7 @@ pub enum Anchor {
 
 impl Tables {
     /// The list of a table.
-    pub(super) fn list_mut(&mut self, table: Table) -> &mut List {
+    pub fn list_mut(&mut self, table: Table) -> &mut List {
         match table {
             Table::Modes => &mut self.modes,
             Table::Peaks => &mut self.peaks,
@@ -107,25 +107,13 @@ impl Anchor {
 }
 
 impl App {
-    /// Does what a key asks for while a table is open; false where it is no matter of the table's.
-    pub(super) fn table_command(&mut self, command: Command) -> bool {
-        let Some(table) = self.tables.open else {
-            return false;
-        };
-        if command == Command::Cancel {
-            self.tables.open = None;
-            return true;
-        }
+    /// Moves in the table that is open.
+    pub(super) fn move_in_table(&mut self, table: Table, movement: Movement) {
         let list = self.tables.list_mut(table);
         let before = list.row;
-        if !list.obey(command) {
-            return false;
-        }
+        list.go(movement);
         if list.row == before {
-            self.refuse(match command {
-                Command::Up | Command::PageUp | Command::First => "this is the first row",
-                _ => "this is the last row",
-            });
+            self.refuse(movement.at_end());
         }
         if let Some(anchor) = Anchor::of(table) {
             self.anchor = anchor;
@@ -134,36 +122,14 @@ impl App {
         if table == Table::Sensitivities {
             self.follow_sensitivity();
         }
-        true
     }
 
-    /// Does it so many times, as far as it goes.
-    pub(super) fn table_commands(&mut self, command: Command, times: u32) -> bool {
-        let times = if command.counts() { times } else { 1 };
-        (0..times).all(|_| self.table_command(command) && !self.is_refused()) || self.is_refused()
-    }
-
-    /// Commands of modes and peaks; false where the command is another one.
-    pub(super) fn change_modes(&mut self, command: Command) -> bool {
-        match command {
-            Command::ModeTable => self.toggle_table(Table::Modes),
-            Command::PeakTable => self.toggle_table(Table::Peaks),
-            Command::Readings => self.toggle_table(Table::Readings),
-            Command::Band => self.turn_band(),
-            Command::NextMode => self.seek_mode(true),
-            Command::PreviousMode => self.seek_mode(false),
-            Command::Witness => self.toggle_witness(),
-            _ => return false,
-        }
-        true
-    }
-
-    fn toggle_table(&mut self, table: Table) {
+    pub(super) fn toggle_table(&mut self, table: Table) {
         self.tables.open = (self.tables.open != Some(table)).then_some(table);
     }
 
     /// Selects the next mode that is on the axis, from where the cursor stands.
-    fn seek_mode(&mut self, forward: bool) {
+    pub(super) fn seek_mode(&mut self, forward: bool) {
         let sweep = self.model().sweep;
         let Some(list) = &self.modal.list else {
             return self.refuse("the modes are not solved yet");
@@ -211,10 +177,10 @@ impl App {
         self.done(format!("mode {number} of {all}: {frequency}"));
     }
 
-    fn toggle_witness(&mut self) {
+    pub(super) fn toggle_witness(&mut self) {
         if self.witness.toggle() {
             self.witnessed = None;
-            let key = self.keys.key_of(Command::Witness);
+            let key = self.keys.key_of(ModesCommand::FiniteElements);
             self.done(format!(
                 "finite elements as points; {key} leaves them out again"
             ));

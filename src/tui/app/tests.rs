@@ -249,7 +249,7 @@ fn open_rows_follow_their_subsystem() {
     go(&mut app, position(2));
     go(&mut app, Node::Group(Group::Subsystem(0)));
     keys(&mut app, "x");
-    let (rows, _) = app.selection.rows();
+    let rows = app.selection.rows();
     assert!(rows.iter().any(|row| row.node == position(1)));
     assert!(!rows.iter().any(|row| row.node == position(0)));
     assert_eq!(app.selection.node(), Node::Group(Group::Subsystem(0)));

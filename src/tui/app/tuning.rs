@@ -14,7 +14,7 @@ pub use variable::Moving;
 use super::{App, Table};
 use crate::model::edit::{self, Value};
 use crate::model::{Group, Model, path};
-use crate::tui::keys::Command;
+use crate::tui::keys::{ModelCommand, TuneCommand};
 use crate::tui::tree::{self, Node};
 use crate::tune::{Status, Tuned};
 use crate::worker::{Pause, Request, TuneAnswer, TuneRequest, TuneStage};
@@ -95,25 +95,14 @@ impl App {
         self.tuning.budget = evaluations.map(|count| count as usize);
     }
 
-    /// Commands of tuning; false where the command is another one.
-    pub(super) fn tuning_command(&mut self, command: Command) -> bool {
-        match command {
-            Command::Sensitivities => self.next_sensitivities(),
-            Command::TuneVariable => self.turn_variable(),
-            Command::TuneObjective => self.ask_objective(),
-            Command::Tune => self.go_on_tuning(),
-            Command::TuneAccept => self.accept_tuning(),
-            Command::TuneDiscard => self.discard_tuning(),
-            Command::Tolerances => self.turn_tolerances(),
-            _ => return false,
-        }
-        true
-    }
-
     /// Starts a search, holds it up, or lets it go on.
-    fn go_on_tuning(&mut self) {
-        let [go, accept, discard] = [Command::Tune, Command::TuneAccept, Command::TuneDiscard]
-            .map(|command| self.keys.key_of(command));
+    pub(super) fn go_on_tuning(&mut self) {
+        let [go, accept, discard] = [
+            TuneCommand::Tune,
+            TuneCommand::TuneAccept,
+            TuneCommand::TuneDiscard,
+        ]
+        .map(|command| self.keys.key_of(command));
         let Some(run) = &mut self.tuning.run else {
             return self.start_tuning();
         };
@@ -143,8 +132,8 @@ impl App {
     }
 
     fn start_tuning(&mut self) {
-        let [variable, objective] =
-            [Command::TuneVariable, Command::TuneObjective].map(|one| self.keys.key_of(one));
+        let [variable, objective] = [TuneCommand::TuneVariable, TuneCommand::TuneObjective]
+            .map(|one| self.keys.key_of(one));
         if self.model().tune.is_none() {
             return self.refuse(format!(
                 "nothing may move yet: {variable} lets the selected parameter, {objective} says what for"
@@ -167,8 +156,12 @@ impl App {
         });
         self.tuning.starts = true;
         self.tables.open = Some(Table::Tuning);
-        let [go, accept, discard] = [Command::Tune, Command::TuneAccept, Command::TuneDiscard]
-            .map(|command| self.keys.key_of(command));
+        let [go, accept, discard] = [
+            TuneCommand::Tune,
+            TuneCommand::TuneAccept,
+            TuneCommand::TuneDiscard,
+        ]
+        .map(|command| self.keys.key_of(command));
         self.done(format!(
             "searching: {go} pauses, {accept} takes the best so far, {discard} drops it"
         ));
@@ -240,7 +233,7 @@ impl App {
                 let best = Arc::new(tuned.model.clone());
                 let stop = tuned.stop;
                 run.progress = Progress::Found(tuned);
-                let [accept, discard] = [Command::TuneAccept, Command::TuneDiscard]
+                let [accept, discard] = [TuneCommand::TuneAccept, TuneCommand::TuneDiscard]
                     .map(|command| self.keys.key_of(command));
                 self.done(format!(
                     "{stop}: {accept} takes what was found, {discard} drops it"
@@ -273,9 +266,9 @@ impl App {
     }
 
     /// Puts the best so far into the model, as one step.
-    fn accept_tuning(&mut self) {
+    pub(super) fn accept_tuning(&mut self) {
         let Some(run) = &self.tuning.run else {
-            let go = self.keys.key_of(Command::Tune);
+            let go = self.keys.key_of(TuneCommand::Tune);
             return self.refuse(format!("nothing was sought: {go} starts a search"));
         };
         let Some(best) = run.best() else {
@@ -293,14 +286,14 @@ impl App {
         self.end_run();
         self.document.replace(words, changed);
         self.follow(&before);
-        let undo = self.keys.key_of(Command::Undo);
+        let undo = self.keys.key_of(ModelCommand::Undo);
         self.done(format!(
             "the tuned parameters are in the model; {undo} takes them back"
         ));
     }
 
     /// Drops a search and what it has found.
-    fn discard_tuning(&mut self) {
+    pub(super) fn discard_tuning(&mut self) {
         if self.tuning.run.is_none() {
             return self.refuse("nothing was sought");
         }

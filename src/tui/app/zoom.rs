@@ -2,7 +2,6 @@
 
 use super::App;
 use crate::model::Sweep;
-use crate::tui::keys::Command;
 
 /// The narrowest band that shows, as a share of the sweep.
 const NARROWEST: f64 = 1e-6;
@@ -66,22 +65,13 @@ impl App {
         shown(self.curves.window, &self.model().sweep)
     }
 
-    /// Changes which frequencies show; false where the command is another one.
-    pub(super) fn zoom_command(&mut self, command: Command) -> bool {
-        match command {
-            Command::ZoomIn => self.zoom(0.5, self.curves.cursor),
-            Command::ZoomOut => self.zoom(2.0, self.curves.cursor),
-            Command::ZoomWhole => {
-                let window = self.curves.window.take().is_some();
-                let levels = self.display.levels.take().is_some();
-                if !window && !levels {
-                    self.refuse("the whole sweep shows already");
-                }
-            }
-            Command::Pan(quarters) => self.pan(quarters),
-            _ => return false,
+    /// Shows the whole sweep, and levels that follow the curves.
+    pub(super) fn show_whole(&mut self) {
+        let window = self.curves.window.take().is_some();
+        let levels = self.display.levels.take().is_some();
+        if !window && !levels {
+            self.refuse("the whole sweep shows already");
         }
-        true
     }
 
     /// Makes the band that shows wider or narrower by a factor; a frequency (Hz), else the middle, stays in its place.
@@ -105,9 +95,9 @@ impl App {
         }
     }
 
-    fn pan(&mut self, quarters: i32) {
+    pub(super) fn pan(&mut self, quarters: f64) {
         let (shown, whole) = self.bands();
-        let by = f64::from(quarters) * shown.width() / 4.0;
+        let by = quarters * shown.width() / 4.0;
         let moved = Band {
             low: shown.low + by,
             high: shown.high + by,

@@ -175,12 +175,12 @@ pub(super) const fn special(code: KeyCode) -> Key {
 
 #[cfg(test)]
 mod tests {
-    use super::super::SECTIONS;
+    use super::super::{SECTIONS, Section};
     use super::*;
 
     #[test]
     fn the_names_of_the_table_are_read_back() {
-        let bindings = SECTIONS.iter().flat_map(|section| section.bindings);
+        let bindings = SECTIONS.iter().flat_map(Section::rows);
         for key in bindings.flat_map(|binding| binding.keys) {
             assert_eq!(Key::parse(&key.name()), Some(*key), "{}", key.name());
         }

@@ -2,7 +2,7 @@
 
 use crossterm::event::KeyEvent;
 
-use super::{Binding, Command, Hint, Key, RowKind, SECTIONS, Scope, Section};
+use super::{Binding, Command, FileCommand, Hint, Key, RowKind, SECTIONS, Scope, Section};
 
 /// Which keys each row of the table has.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -45,7 +45,7 @@ pub struct Conflict {
 impl Default for KeyMap {
     fn default() -> Self {
         let section = |section: &Section| {
-            let rows = section.bindings.iter();
+            let rows = section.rows();
             rows.map(|binding| binding.keys.to_vec()).collect()
         };
         Self {
@@ -58,7 +58,7 @@ impl KeyMap {
     /// The rows of the table, in its order.
     pub fn rows(&self) -> impl Iterator<Item = Bound<'_>> {
         SECTIONS.iter().zip(&self.keys).flat_map(|(section, keys)| {
-            let rows = section.bindings.iter().zip(keys);
+            let rows = section.rows().zip(keys);
             rows.map(move |(binding, keys)| Bound {
                 section,
                 binding,
@@ -76,7 +76,7 @@ impl KeyMap {
     pub fn rebind(&mut self, scope: Scope, name: &str, keys: &[Key]) -> bool {
         let mut found = false;
         for (section, rows) in SECTIONS.iter().zip(&mut self.keys) {
-            for (binding, own) in section.bindings.iter().zip(rows) {
+            for (binding, own) in section.rows().zip(rows) {
                 if section.scope == scope && binding.name == name {
                     *own = keys.to_vec();
                     found = true;
@@ -135,32 +135,28 @@ impl KeyMap {
             .map(|row| row.binding.command)
     }
 
-    /// The first key of a command of the designer, by name; where it has none, how the palette finds it.
-    pub fn key_of(&self, wanted: Command) -> String {
-        self.key_of_in(Scope::Main, wanted)
+    /// The first key of a command, by name; where it has none, how the palette finds it.
+    pub fn key_of(&self, wanted: impl Into<Command>) -> String {
+        let Some(row) = self.row(wanted.into()) else {
+            return String::new();
+        };
+        let first = |row: Bound<'_>| row.keys.first().map(|key| key.name());
+        let palette = || self.row(FileCommand::Palette.into()).and_then(first);
+        let name = row.binding.name;
+        first(row).unwrap_or_else(|| match palette() {
+            Some(palette) => format!("{palette} {name}"),
+            None => format!("`{name}`"),
+        })
     }
 
-    /// The first key of a command in a scope, by name; where it has none, how the palette finds it.
-    pub fn key_of_in(&self, scope: Scope, wanted: Command) -> String {
-        let key_of = |scope: Scope, wanted| {
-            let row = self.of(scope).find(|row| row.binding.command == wanted)?;
-            Some((row.keys.first().map(|key| key.name()), row.binding.name))
-        };
-        let palette = || key_of(Scope::Main, Command::Palette)?.0;
-        match key_of(scope, wanted) {
-            Some((Some(key), _)) => key,
-            Some((None, name)) => match palette() {
-                Some(palette) => format!("{palette} {name}"),
-                None => format!("`{name}`"),
-            },
-            None => String::new(),
-        }
+    /// The first row with a command.
+    fn row(&self, wanted: Command) -> Option<Bound<'_>> {
+        self.rows().find(|row| row.binding.command == wanted)
     }
 
     /// The name of a command as the palette has it: `next view`.
     pub fn name_of(&self, wanted: Command) -> String {
-        let mut rows = self.rows();
-        let row = rows.find(|row| row.binding.command == wanted);
+        let row = self.row(wanted);
         row.map_or_else(String::new, |row| row.binding.name.replace('-', " "))
     }
 
@@ -188,7 +184,7 @@ impl KeyMap {
             .collect();
         // What does not fit is cut off at the end, and help and the palette lead to it.
         shown.sort_by_key(|(binding, ..)| match (binding.hint, binding.command) {
-            (Hint::Always(_), Command::Help | Command::Palette) => 1,
+            (Hint::Always(_), Command::File(FileCommand::Help | FileCommand::Palette)) => 1,
             (Hint::Always(_), _) => 2,
             _ => 0,
         });
@@ -226,12 +222,13 @@ pub fn names(scope: Scope) -> impl Iterator<Item = &'static str> {
     SECTIONS
         .iter()
         .filter(move |section| section.scope == scope)
-        .flat_map(|section| section.bindings)
+        .flat_map(Section::rows)
         .map(|binding| binding.name)
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::ModelCommand;
     use super::*;
 
     #[test]
@@ -282,10 +279,10 @@ mod tests {
         assert!(map.rebind(Scope::Main, "redo", &[]));
         assert!(!map.rebind(Scope::Table, "undo", &[]));
         let command = |name| map.command(Scope::Main, &key(name).event());
-        assert_eq!(command("Q"), Some(Command::Undo));
+        assert_eq!(command("Q"), Some(ModelCommand::Undo.into()));
         assert_eq!(command("u"), None);
-        assert_eq!(map.key_of(Command::Undo), "Ctrl-y");
-        assert_eq!(map.key_of(Command::Redo), ": redo");
+        assert_eq!(map.key_of(ModelCommand::Undo), "Ctrl-y");
+        assert_eq!(map.key_of(ModelCommand::Redo), ": redo");
     }
 
     #[test]
@@ -317,7 +314,7 @@ mod tests {
     fn markdown_has_a_row_for_every_binding() {
         let rows: usize = SECTIONS
             .iter()
-            .map(|section| section.bindings.len() + 1)
+            .map(|section| section.rows().count() + 1)
             .sum();
         let table = KeyMap::default().markdown_table();
         assert_eq!(table.lines().count(), rows + 2);

@@ -1,126 +1,319 @@
-//! The sections of the key table, and keys that several of them share.
+//! The rows of the key table, and the commands that they stand for: a row is a command.
 
-use crossterm::event::KeyCode;
+use crossterm::event::KeyCode::{
+    BackTab, Backspace, Delete, Down, End, Enter, Esc, F, Home, Left, PageDown, PageUp, Right, Tab,
+    Up,
+};
 
-use super::boxes::{PALETTE, PICKER, PROMPT, READER, RECOVERY, REPLACE, SEARCH, UNSAVED};
-use super::compare::{BESIDE, COMPARE, LOOK};
-use super::curves::CURVES;
-use super::model::{CHANGE, MOVE};
-use super::modes::{MODES, TABLE};
-use super::program::{ANYWHERE, FILES};
-use super::reading::READING;
-use super::tuning::TUNING;
-use super::{Key, Scope, Section, control, key, special};
+use super::Hint::{Always, Choice, Group, Item, List, Never, Number, Table, Value};
+use super::{Binding, Key, Movement, Scope, Section, control, key, shifted, special};
 
-/// Every binding, in the order of help.
-pub const SECTIONS: &[Section] = &[
-    Section {
-        title: "Move in the model",
-        scope: Scope::Main,
-        bindings: MOVE,
-    },
-    Section {
-        title: "Change the model",
-        scope: Scope::Main,
-        bindings: CHANGE,
-    },
-    Section {
-        title: "Curves",
-        scope: Scope::Main,
-        bindings: CURVES,
-    },
-    Section {
-        title: "Read the curves",
-        scope: Scope::Main,
-        bindings: READING,
-    },
-    Section {
-        title: "Compare",
-        scope: Scope::Main,
-        bindings: COMPARE,
-    },
-    Section {
-        title: "Look at the beam",
-        scope: Scope::Main,
-        bindings: LOOK,
-    },
-    Section {
-        title: "Modes, peaks and finite elements",
-        scope: Scope::Main,
-        bindings: MODES,
-    },
-    Section {
-        title: "Tune",
-        scope: Scope::Main,
-        bindings: TUNING,
-    },
-    Section {
-        title: "Files and program",
-        scope: Scope::Main,
-        bindings: FILES,
-    },
-    Section {
-        title: "Everywhere",
-        scope: Scope::Any,
-        bindings: ANYWHERE,
-    },
-    Section {
-        title: "In a table below the chart (all other keys as without it)",
-        scope: Scope::Table,
-        bindings: TABLE,
-    },
-    Section {
-        title: "While typing",
-        scope: Scope::Prompt,
-        bindings: PROMPT,
-    },
-    Section {
-        title: "In the palette",
-        scope: Scope::Palette,
-        bindings: PALETTE,
-    },
-    Section {
-        title: "While searching the tree",
-        scope: Scope::Search,
-        bindings: SEARCH,
-    },
-    Section {
-        title: "List of presets",
-        scope: Scope::Picker,
-        bindings: PICKER,
-    },
-    Section {
-        title: "References and measured curves",
-        scope: Scope::Beside,
-        bindings: BESIDE,
-    },
-    Section {
-        title: "Help and lists of faults",
-        scope: Scope::Reader,
-        bindings: READER,
-    },
-    Section {
-        title: "Asked about unsaved changes",
-        scope: Scope::Unsaved,
-        bindings: UNSAVED,
-    },
-    Section {
-        title: "Asked before a file is replaced",
-        scope: Scope::Replace,
-        bindings: REPLACE,
-    },
-    Section {
-        title: "Unsaved changes that were found",
-        scope: Scope::Recovery,
-        bindings: RECOVERY,
-    },
-];
+/// The whole table. A section is an enum of commands, a scope, a title and rows of movement; each of its other rows
+/// has a command, a name, keys, a hint, and a line of help, which documents the command.
+macro_rules! key_table {
+    ($(
+        $(#[$doc:meta])*
+        $group:ident($commands:ident) in $scope:ident, $title:literal, $moves:expr => {
+            $($command:ident $name:literal $keys:expr, $hint:expr, $help:literal;)*
+        }
+    )*) => {
+        /// What a key asks for.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        pub enum Command {
+            /// Move in the rows that have the keys: of a dialog, of a table or of the tree.
+            Move(Movement),
+            $($(#[$doc])* $group($commands),)*
+        }
 
-pub(super) const UP: &[Key] = &[special(KeyCode::Up), key('k')];
-pub(super) const DOWN: &[Key] = &[special(KeyCode::Down), key('j')];
-pub(super) const PAGE_UP: &[Key] = &[special(KeyCode::PageUp), control('u')];
-pub(super) const PAGE_DOWN: &[Key] = &[special(KeyCode::PageDown), control('d')];
-pub(super) const FIRST: &[Key] = &[special(KeyCode::Home), key('g')];
-pub(super) const LAST: &[Key] = &[special(KeyCode::End), key('G')];
-pub(super) const ENTER: &[Key] = &[special(KeyCode::Enter)];
-pub(super) const ESCAPE: &[Key] = &[special(KeyCode::Esc)];
+        $(
+            $(#[$doc])*
+            #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+            pub enum $commands {
+                $(#[doc = $help] $command,)*
+            }
+
+            impl From<$commands> for Command {
+                fn from(command: $commands) -> Self {
+                    Self::$group(command)
+                }
+            }
+        )*
+
+        /// Every binding, in the order of help.
+        pub const SECTIONS: &[Section] = &[$(Section {
+            title: $title,
+            scope: Scope::$scope,
+            moves: $moves,
+            bindings: &[$(Binding {
+                name: $name,
+                keys: &$keys,
+                command: Command::$group($commands::$command),
+                hint: $hint,
+                help: $help,
+            },)*],
+        },)*];
+    };
+}
+
+/// Rows of movement: a movement, its keys, a hint and a line of help.
+macro_rules! moves {
+    ($($movement:ident $keys:expr, $hint:expr, $help:expr;)*) => {
+        &[$(Binding {
+            name: Movement::$movement.name(),
+            keys: &$keys,
+            command: Command::Move(Movement::$movement),
+            hint: $hint,
+            help: $help,
+        },)*]
+    };
+}
+
+/// The rows of movement in a list: what its rows are, and perhaps the hint and the help of the key down.
+macro_rules! list {
+    ($row:literal) => {
+        list!($row, Never, concat!($row, " below"))
+    };
+    ($row:literal, $hint:expr, $below:expr) => {
+        moves! {
+            Up UP, Never, concat!($row, " above");
+            Down DOWN, $hint, $below;
+            PageUp PAGE_UP, Never, "one screen up";
+            PageDown PAGE_DOWN, Never, "one screen down";
+            First FIRST, Never, concat!("first ", $row);
+            Last LAST, Never, concat!("last ", $row);
+        }
+    };
+}
+
+const UP: [Key; 2] = [special(Up), key('k')];
+const DOWN: [Key; 2] = [special(Down), key('j')];
+const PAGE_UP: [Key; 2] = [special(PageUp), control('u')];
+const PAGE_DOWN: [Key; 2] = [special(PageDown), control('d')];
+const FIRST: [Key; 2] = [special(Home), key('g')];
+const LAST: [Key; 2] = [special(End), key('G')];
+/// Up and down where characters are typed.
+const LINE_UP: [Key; 3] = [special(Up), control('p'), special(BackTab)];
+const LINE_DOWN: [Key; 3] = [special(Down), control('n'), special(Tab)];
+
+key_table! {
+    /// Move in the tree, and open and close its groups.
+    Tree(TreeCommand) in Main, "Move in the model", list!("row") => {
+        Expand "expand" [special(Right), key('l')], Group("open"), "open the group, or go into it";
+        Collapse "collapse" [special(Left), key('h')], Never, "close the group, or go to the one that holds the row";
+        ExpandAll "expand-all" [key('E')], Never, "open every group, but for the springs of free motions";
+        CollapseAll "collapse-all" [key('C')], Never, "close every group";
+        NextParameter "next-parameter" [special(Tab)], Group("next value"), "next parameter, opening the group that holds it";
+        PreviousParameter "previous-parameter" [special(BackTab)], Never, "parameter before";
+        NextAlike "next-alike" [key('n')], Never, "same parameter of the next subsystem, support, force or response; after a search its next row";
+        PreviousAlike "previous-alike" [key('N')], Never, "same parameter of the one before; after a search the row before";
+        Search "search" [key('/')], Group("search"), "search the tree";
+    }
+
+    /// Change the model.
+    Model(ModelCommand) in Main, "Change the model", &[] => {
+        Edit "edit" [special(Enter)], Value("edit"), "type a value (4e7, 40M, 40 MN/m, *1.1, /2, +5%), next choice, or open and close";
+        NudgeUp "nudge-up" [key('+'), key('=')], Number("1 % more"), "1 % more";
+        NudgeDown "nudge-down" [key('-')], Number("less"), "1 % less";
+        NudgeUpCoarse "nudge-up-coarse" [key('>')], Number("10 % more"), "10 % more";
+        NudgeDownCoarse "nudge-down-coarse" [key('<')], Number("less"), "10 % less";
+        NudgeUpFine "nudge-up-fine" [key('.')], Never, "0.1 % more";
+        NudgeDownFine "nudge-down-fine" [key(',')], Never, "0.1 % less";
+        Cycle "cycle" [key(' ')], Choice("next choice"), "next choice (support, spacing, measure, direction, place), or open and close";
+        Repeat "repeat" [key(';')], Never, "the last change again (a typed one too), on the selected row";
+        Revert "revert" [special(Backspace)], Never, "put the file's value back";
+        Add "add" [key('a')], List("add"), "add a subsystem, force or response";
+        Duplicate "duplicate" [key('D')], Item("duplicate"), "duplicate the subsystem, force or response";
+        Rename "rename" [key('r')], Item("rename"), "rename the subsystem, response or study";
+        Enable "enable" [key('e')], Item("on/off"), "enable or disable the subsystem, force or response";
+        Delete "delete" [key('x'), special(Delete)], Item("delete"), "delete the subsystem, force, response or study";
+        Undo "undo" [key('u')], Always("undo"), "undo";
+        Redo "redo" [key('U'), control('r')], Never, "redo";
+    }
+
+    /// Choose what the chart shows: curves, frequencies and levels.
+    Curves(CurvesCommand) in Main, "Curves", &[] => {
+        Show "show" [key('v')], Item("show"), "show or hide the response's curve";
+        Solo "solo" [key('V')], Never, "show only this response; again: all of its unit";
+        Freeze "freeze" [key('f')], Always("freeze"), "keep the curves as a reference, dotted";
+        Unfreeze "unfreeze" [key('F')], Never, "drop the newest reference";
+        Study "study" [key('t')], Always("study"), "next study, or none";
+        ZoomIn "zoom-in" [key('z')], Never, "half of the frequencies, about the cursor";
+        ZoomOut "zoom-out" [key('Z')], Never, "twice the frequencies";
+        ZoomWhole "zoom-whole" [key('W')], Never, "the whole sweep, levels that follow the curves";
+        PanUp "pan-up" [key('K'), shifted(Right)], Never, "higher frequencies, by a quarter of those that show";
+        PanDown "pan-down" [key('J'), shifted(Left)], Never, "lower frequencies";
+        LogFrequency "log-frequency" [key('L')], Never, "frequency axis logarithmic or linear";
+        LevelIn "level-in" [key('*')], Never, "half of the levels, about the middle; they are fixed then";
+        LevelOut "level-out" [key('&')], Never, "twice the levels";
+        LevelUp "level-up" [shifted(Up)], Never, "higher levels, by a quarter of those that show";
+        LevelDown "level-down" [shifted(Down)], Never, "lower levels";
+        LevelFix "level-fix" [key('!')], Never, "keep the levels that show, or let them follow the curves";
+    }
+
+    /// Read values off the chart: views, units and cursors.
+    Reading(ReadingCommand) in Main, "Read the curves", &[] => {
+        NextView "next-view" [key('b')], Never, "next view: magnitude, with phase, real and imaginary, Nyquist, difference to the reference";
+        NextForm "next-form" [key('i')], Never, "next form: as asked for, receptance, mobility, accelerance, their inverses, motion under the force as it is";
+        PreviousForm "previous-form" [key('I')], Never, "form before";
+        Decibels "decibels" [key('d')], Never, "magnitude in powers of ten or in decibels";
+        DecibelReference "decibel-reference" [key('%')], Never, "type the value of 0 dB";
+        FrequencyUnit "frequency-unit" [key('#')], Never, "frequencies in Hz, rad/s or rpm";
+        Unwrap "unwrap" [key('\'')], Never, "phase runs on, or stays within half a turn";
+        CursorRight "cursor-right" [key(']')], Never, "cursor a column to the right";
+        CursorLeft "cursor-left" [key('[')], Never, "cursor a column to the left";
+        CursorOff "cursor-off" [special(Esc)], Never, "drop a count that was typed, end a search, or take the cursor off the chart";
+        NextPeak "next-peak" [key('}')], Never, "cursor to the next peak of the first curve";
+        PreviousPeak "previous-peak" [key('{')], Never, "cursor to the peak before";
+        NextDip "next-dip" [key('\\')], Never, "cursor to the next anti-resonance of the first curve";
+        PreviousDip "previous-dip" [key('|')], Never, "cursor to the anti-resonance before";
+        GoTo "go-to" [key('@')], Never, "cursor to a frequency that is typed";
+        Readings "readings" [key('"')], Never, "table of what every curve is at the cursors, or close it";
+        SecondCursor "second-cursor" [key('c')], Never, "second cursor here, from which differences are counted; again: without";
+        Harmonics "harmonics" [key('H')], Never, "mark the harmonics of the cursor, or not";
+        Band "band" [key('_')], Never, "mark the band between the cursors, or that shows, and tell its levels; again: without";
+    }
+
+    /// Compare with references and measured curves, and export.
+    Compare(CompareCommand) in Main, "Compare", &[] => {
+        Beside "beside" [key('Q')], Never, "references and measured curves: show, name, drop, load";
+        AddMeasured "add-measured" [control('o')], Never, "open a measured curve: CSV or universal file (UFF 58)";
+        MakeStudy "make-study" [control('t')], Never, "sweep the selected parameter: a study of it with factors or values that are typed";
+        Export "export" [control('e')], Never, "write what is on the screen: .csv, .svg or .txt";
+    }
+
+    /// Look at the beam: what it does and what it is.
+    Look(LookCommand) in Main, "Look at the beam", &[] => {
+        Operating "operating" [key('O')], Never, "operating deflection at the cursor, then internal forces, then power; again: nothing";
+        PhaseStep "phase-step" [key('`')], Never, "a step further in the period of what moves";
+        Structure "structure" [key('B')], Never, "drawing of the beam, then of its cross-section; again: nothing";
+    }
+
+    /// Modes, peaks and finite elements.
+    Modes(ModesCommand) in Main, "Modes, peaks and finite elements", &[] => {
+        ModeTable "mode-table" [key('m')], Always("modes"), "table of modes, or close it";
+        PeakTable "peak-table" [key('P')], Table("peaks"), "table of the first curve's peaks, or close it";
+        NextMode "next-mode" [key(')')], Never, "select the next mode; the cursor goes to it";
+        PreviousMode "previous-mode" [key('(')], Never, "select the mode before";
+        Shape "shape" [key('M')], Table("shape"), "shape of the selected mode, or hide it";
+        Animate "animate" [key('A')], Table("move it"), "let the shape move, or stand still";
+        FiniteElements "finite-elements" [key('w')], Never, "finite-element curve beside the exact one, as points, or without";
+    }
+
+    /// Sensitivities and the search for better parameters.
+    Tune(TuneCommand) in Main, "Tune", &[] => {
+        Sensitivities "sensitivities" [key('~')], Table("sensitivities"), "which parameter matters: bars and a table for the cursor, then the peak, the mode, the band; again: without";
+        TuneVariable "tune-variable" [key('$')], Never, "let a search move the selected parameter, within bounds that are typed; again: keep it";
+        TuneObjective "tune-objective" [key('^')], Never, "say what is sought of the first curve in the marked band, or the one that shows";
+        Tune "tune" [control('g')], Never, "search; again: pause, go on; a count before it is the most evaluations it may take";
+        TuneAccept "tune-accept" [control('y')], Never, "put the best found so far into the model, as one step";
+        TuneDiscard "tune-discard" [control('x')], Never, "drop the search and what it has found";
+        Tolerances "tolerances" [control('k')], Never, "band in which nine of ten curves lie when the variables are off by their tolerances, or without";
+    }
+
+    /// Files and the program.
+    File(FileCommand) in Main, "Files and program", &[] => {
+        Save "save" [key('s'), control('s')], Always("save"), "save";
+        SaveAs "save-as" [key('S')], Never, "save to another file";
+        Reload "reload" [key('R')], Never, "read the file again; asks when something is not saved";
+        Open "open" [key('o')], Never, "open a file";
+        Presets "presets" [key('p')], Always("presets"), "choose a preset";
+        Palette "palette" [key(':')], Always("commands"), "search every command and every parameter";
+        CopyValue "copy-value" [key('y')], Never, "send the value to the terminal's clipboard (OSC 52)";
+        CopyModel "copy-model" [key('Y')], Never, "send the model's text to the terminal's clipboard";
+        Theme "theme" [key('T')], Never, "next theme: the terminal's colours, for a dark ground, for a light one, none";
+        Mouse "mouse" [key('X')], Never, "take the mouse, or leave it to the terminal (to select text)";
+        Help "help" [key('?'), special(F(1))], Always("help"), "this help";
+        Guide "guide" [], Never, "read a chapter of the guide";
+        Quit "quit" [key('q')], Always("quit"), "quit; asks when something is not saved";
+    }
+
+    /// In every scope.
+    Anywhere(AnywhereCommand) in Any, "Everywhere", &[] => {
+        Redraw "redraw" [control('l')], Never, "draw the screen anew";
+        Suspend "suspend" [control('z')], Never, "stop; `fg` in the shell goes on";
+        End "end" [control('c')], Never, "quit; asks when something is not saved";
+    }
+
+    /// In a table below the chart.
+    Table(TableCommand) in Table, "In a table below the chart (all other keys as without it)", list!("row", Always("next row"), "row below; the cursor goes to it") => {
+        Close "close" [special(Esc)], Always("close"), "close the table";
+    }
+
+    /// In a prompt.
+    Prompt(PromptCommand) in Prompt, "While typing", &[] => {
+        Accept "accept" [special(Enter)], Always("take it"), "take what is typed";
+        Cancel "cancel" [special(Esc)], Always("leave as it was"), "close the box, changing nothing";
+        Complete "complete" [special(Tab)], Never, "complete a file's path";
+    }
+
+    /// In the palette.
+    Palette(PaletteCommand) in Palette, "In the palette", moves! {
+        Up LINE_UP, Never, "entry above";
+        Down LINE_DOWN, Always("next"), "entry below";
+        PageUp [special(PageUp)], Never, "one screen up";
+        PageDown [special(PageDown)], Never, "one screen down";
+    } => {
+        Accept "accept" [special(Enter)], Always("do or edit it"), "do the command, or go to the parameter and edit it";
+        Cancel "cancel" [special(Esc)], Always("close"), "close the palette";
+    }
+
+    /// While the tree is searched.
+    Search(SearchCommand) in Search, "While searching the tree", moves! {
+        Up LINE_UP, Never, "found row above";
+        Down LINE_DOWN, Always("next"), "found row below";
+    } => {
+        Accept "accept" [special(Enter)], Always("stay there"), "stay on the row";
+        Cancel "cancel" [special(Esc)], Always("go back"), "go back to the row where the search began";
+    }
+
+    /// In the list of presets.
+    Picker(PickerCommand) in Picker, "List of presets", list!("preset") => {
+        Accept "accept" [special(Enter)], Always("open"), "open the preset";
+        Cancel "cancel" [special(Esc), key('q'), key('p')], Always("close"), "close the list";
+    }
+
+    /// In the list of references and measured curves.
+    Beside(BesideCommand) in Beside, "References and measured curves", list!("entry") => {
+        Accept "accept" [special(Enter)], Always("show or hide"), "show it, or hide it";
+        AddReference "add-reference" [key('a')], Always("load a model"), "load a model as a reference";
+        AddMeasured "add-measured" [key('m')], Always("load a measured curve"), "load a measured curve";
+        Rename "rename" [key('r')], Always("rename"), "give it another name";
+        Delete "delete" [key('x'), special(Delete)], Always("drop"), "drop it";
+        Cancel "cancel" [special(Esc), key('q'), key('Q')], Always("close"), "close the list";
+    }
+
+    /// In help and lists of faults.
+    Reader(ReaderCommand) in Reader, "Help and lists of faults", moves! {
+        Up UP, Never, "one line up";
+        Down DOWN, Always("scroll"), "one line down";
+        PageUp PAGE_UP, Never, "one screen up";
+        PageDown [special(PageDown), control('d'), key(' ')], Always("page"), "one screen down";
+        First FIRST, Never, "the top";
+        Last LAST, Never, "the end";
+    } => {
+        Cancel "cancel" [special(Esc), key('q'), key('?'), special(Enter)], Always("close"), "close";
+    }
+
+    /// When asked about unsaved changes.
+    Unsaved(UnsavedCommand) in Unsaved, "Asked about unsaved changes", &[] => {
+        Save "save" [key('s'), key('y')], Always("save first"), "save, then go on";
+        Discard "discard" [key('d'), key('n')], Always("discard the changes"), "go on without saving";
+        Cancel "cancel" [special(Esc)], Always("stay"), "stay, as if nothing had been asked";
+    }
+
+    /// When asked before a file is replaced.
+    Replace(ReplaceCommand) in Replace, "Asked before a file is replaced", &[] => {
+        Replace "replace" [key('y')], Always("replace it"), "replace the file";
+        Cancel "cancel" [special(Esc), key('n')], Always("keep it"), "keep the file; nothing is saved";
+    }
+
+    /// In the list of unsaved changes that were found.
+    Recovery(RecoveryCommand) in Recovery, "Unsaved changes that were found", moves! {
+        Up UP, Never, "changes above";
+        Down DOWN, Never, "changes below";
+    } => {
+        Accept "accept" [special(Enter)], Always("take them"), "take the changes: the model is as it was when they were lost";
+        Discard "discard" [key('x'), key('d'), special(Delete)], Always("discard"), "discard the changes for good";
+        Cancel "cancel" [special(Esc), key('q')], Always("later"), "leave them for the next start";
+    }
+}

@@ -262,7 +262,7 @@ fn refuse(conflict: &Conflict, given: &[Given], reader: &mut Reader) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tui::keys::Command;
+    use crate::tui::keys::{Command, FileCommand, ModelCommand, PickerCommand};
     use std::fmt::Write as _;
 
     fn faults(text: &str) -> Vec<String> {
@@ -310,11 +310,20 @@ mod tests {
             mouse: Some(true),
         };
         assert_eq!(config.options, expected);
-        assert_eq!(command(&config, Scope::Main, "Alt-u"), Some(Command::Undo));
+        assert_eq!(
+            command(&config, Scope::Main, "Alt-u"),
+            Some(ModelCommand::Undo.into())
+        );
         assert_eq!(command(&config, Scope::Main, "U"), None);
-        assert_eq!(command(&config, Scope::Picker, "x"), Some(Command::Cancel));
+        assert_eq!(
+            command(&config, Scope::Picker, "x"),
+            Some(PickerCommand::Cancel.into())
+        );
         assert_eq!(command(&config, Scope::Picker, "q"), None);
-        assert_eq!(command(&config, Scope::Main, "s"), Some(Command::Save));
+        assert_eq!(
+            command(&config, Scope::Main, "s"),
+            Some(FileCommand::Save.into())
+        );
     }
 
     #[test]
@@ -419,8 +428,14 @@ mod tests {
     #[test]
     fn a_swap_of_two_keys_is_no_conflict() {
         let config = read("[keys.model]\nundo = [\"s\"]\nsave = [\"u\"]\n").unwrap();
-        assert_eq!(command(&config, Scope::Main, "s"), Some(Command::Undo));
-        assert_eq!(command(&config, Scope::Main, "u"), Some(Command::Save));
+        assert_eq!(
+            command(&config, Scope::Main, "s"),
+            Some(ModelCommand::Undo.into())
+        );
+        assert_eq!(
+            command(&config, Scope::Main, "u"),
+            Some(FileCommand::Save.into())
+        );
     }
 
     #[test]

@@ -8,7 +8,7 @@ use super::text::significant;
 use crate::measured::Fit;
 use crate::model::counted;
 use crate::solve::band::Level;
-use crate::tui::app::{App, MemberLevels, ResponseLevel, Rows};
+use crate::tui::app::{App, List, MemberLevels, ResponseLevel, Rows};
 use crate::tui::theme::Theme;
 use crate::unit::Kind;
 
@@ -124,9 +124,14 @@ fn level_of<'a>(member: &'a MemberLevels, response: &str) -> Option<&'a Response
     member.levels.iter().find(|one| one.response == response)
 }
 
-pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rect) -> Rows {
+pub(super) fn draw(
+    frame: &mut Frame<'_>,
+    app: &App,
+    list: &mut List,
+    theme: Theme,
+    area: Rect,
+) -> Rows {
     let rows = rows(app);
-    let mut list = app.tables.band;
     let title = match app.band.span {
         Some([low, high]) => format!(
             "Band {} to {}",
@@ -154,9 +159,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
         },
         stale: levels.is_some_and(|levels| levels.generation != app.curves.generation),
     };
-    let rows = table::draw(frame, &content, &mut list, theme, area);
-    app.tables.band = list;
-    rows
+    table::draw(frame, &content, list, theme, area)
 }
 
 /// The units of the levels that show.

@@ -8,7 +8,7 @@ use super::band::fit_words;
 use super::boxes::{middle, open_box};
 use super::text::{cut, width};
 use crate::model::counted;
-use crate::tui::app::{App, List, MOTION, Measured, Overlay, Reference, Rows};
+use crate::tui::app::{App, List, MOTION, Measured, Reference, Rows};
 use crate::tui::keys::{RowKind, Scope};
 use crate::tui::theme::Theme;
 use crate::unit::Kind;
@@ -16,12 +16,9 @@ use crate::unit::Kind;
 /// An entry: whether it shows, its name, and what it is.
 type Entry = (bool, String, String);
 
-pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme) -> (List, Rows) {
+/// Draws the list; with how many entries it has and there is room for, and where they are.
+pub(super) fn draw(frame: &mut Frame<'_>, app: &App, mut list: List, theme: Theme) -> (List, Rows) {
     let entries = entries(app);
-    let mut list = match &app.overlay {
-        Some(Overlay::Beside(list)) => *list,
-        _ => List::default(),
-    };
     let place = middle(frame.area(), entries.len().max(3) + 1);
     let inside = open_box(frame, place, " Beside the model ", theme);
     let [above, below] =

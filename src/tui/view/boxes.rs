@@ -11,7 +11,7 @@ use crate::escape::shown_path;
 use crate::model::{Fault, MOST_SHOWN};
 use crate::presets;
 use crate::tui::app::{App, List, Overlay, Rows};
-use crate::tui::keys::{Command, RowKind, Scope};
+use crate::tui::keys::{PromptCommand, RowKind, Scope};
 use crate::tui::theme::Theme;
 
 /// Columns of a box at most.
@@ -21,57 +21,60 @@ const FRAME: u16 = 4;
 /// Columns of the widest picture of the guide.
 const PICTURE: usize = 80;
 
-pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, panels: &Panels) {
-    app.screen.list = None;
-    if app.overlay.is_none() {
-        return;
-    }
-    let area = frame.area();
-    let source = app.document.source().name();
-    let below = prompt::row_below(app, panels);
-    let complete = app.keys.key_of_in(Scope::Prompt, Command::Complete);
-    if matches!(app.overlay, Some(Overlay::Beside(_))) {
-        let (list, rows) = beside::draw(frame, app, theme);
-        app.overlay = Some(Overlay::Beside(list));
-        app.screen.list = Some(rows);
-        return;
-    }
-    match &mut app.overlay {
-        None | Some(Overlay::Beside(_)) => {}
-        Some(Overlay::Prompt(prompt)) => prompt::draw(frame, prompt, &complete, theme, below),
-        Some(Overlay::Palette(palette)) => {
-            let model = app.document.model();
-            app.screen.list = Some(palette::draw(frame, palette, model, theme));
+/// Draws the open dialog; its list, and the rows of it that can be clicked.
+pub(super) fn draw(
+    frame: &mut Frame<'_>,
+    app: &App,
+    theme: Theme,
+    panels: &Panels,
+) -> (Option<List>, Option<Rows>) {
+    let Some(overlay) = &app.overlay else {
+        return (None, None);
+    };
+    let columns = usize::from(boxed_width(frame.area()));
+    let answers = |scope| app.keys.hints(scope, RowKind::Group);
+    let (list, rows) = match overlay {
+        Overlay::Prompt(prompt) => {
+            let complete = app.keys.key_of(PromptCommand::Complete);
+            let below = prompt::row_below(app, panels);
+            prompt::draw(frame, prompt, &complete, theme, below);
+            return (None, None);
         }
-        Some(Overlay::Presets(list)) => app.screen.list = Some(draw_presets(frame, list, theme)),
-        Some(Overlay::Recovery { lost, list }) => {
-            let answers = app.keys.hints(Scope::Recovery, RowKind::Group);
-            app.screen.list = Some(questions::draw_recovery(frame, lost, list, answers, theme));
+        Overlay::Unsaved { next, .. } => {
+            let source = app.document.source().name();
+            questions::draw_unsaved(frame, *next, &source, answers(Scope::Unsaved), theme);
+            return (None, None);
         }
-        Some(Overlay::Help(list)) => {
-            let lines = help::lines(&app.keys, theme, usize::from(boxed_width(area)));
-            draw_reader(frame, " Keys ", lines, list, theme);
+        Overlay::Replace { path, reason, .. } => {
+            questions::draw_replace(frame, reason, path, answers(Scope::Replace), theme);
+            return (None, None);
         }
-        Some(Overlay::Guide(chapter, list)) => {
-            let columns = usize::from(area.width.saturating_sub(FRAME)).min(PICTURE);
-            let lines = help::chapter(chapter, theme, columns);
+        Overlay::Help(list) => {
+            let lines = help::lines(&app.keys, theme, columns);
+            return (
+                Some(draw_reader(frame, " Keys ", lines, *list, theme)),
+                None,
+            );
+        }
+        Overlay::Guide(chapter, list) => {
+            let columns = frame.area().width.saturating_sub(FRAME);
+            let lines = help::chapter(chapter, theme, usize::from(columns).min(PICTURE));
             let title = format!(" Guide: {} ", chapter.name);
-            draw_reader(frame, &title, lines, list, theme);
+            return (Some(draw_reader(frame, &title, lines, *list, theme)), None);
         }
-        Some(Overlay::Faults { path, faults, list }) => {
+        Overlay::Faults { path, faults, list } => {
             let title = format!(" {}: not opened ", shown_path(path));
-            let lines = fault_lines(faults, theme, usize::from(boxed_width(area)));
-            draw_reader(frame, &title, lines, list, theme);
+            let lines = fault_lines(faults, theme, columns);
+            return (Some(draw_reader(frame, &title, lines, *list, theme)), None);
         }
-        Some(Overlay::Unsaved { next, .. }) => {
-            let answers = app.keys.hints(Scope::Unsaved, RowKind::Group);
-            questions::draw_unsaved(frame, *next, &source, answers, theme);
+        Overlay::Beside(list) => beside::draw(frame, app, *list, theme),
+        Overlay::Palette(palette) => palette::draw(frame, palette, app.document.model(), theme),
+        Overlay::Presets(list) => draw_presets(frame, *list, theme),
+        Overlay::Recovery { lost, list } => {
+            questions::draw_recovery(frame, lost, *list, answers(Scope::Recovery), theme)
         }
-        Some(Overlay::Replace { path, reason, .. }) => {
-            let answers = app.keys.hints(Scope::Replace, RowKind::Group);
-            questions::draw_replace(frame, reason, path, answers, theme);
-        }
-    }
+    };
+    (Some(list), Some(rows))
 }
 
 /// Columns of text in a centred box.
@@ -112,7 +115,7 @@ fn middle_of_width(area: Rect, lines: usize, widest: u16) -> Rect {
     )
 }
 
-fn draw_presets(frame: &mut Frame<'_>, list: &mut List, theme: Theme) -> Rows {
+fn draw_presets(frame: &mut Frame<'_>, mut list: List, theme: Theme) -> (List, Rows) {
     let place = middle(frame.area(), presets::ALL.len());
     let title = format!(" Presets  {} of {} ", list.row + 1, list.rows);
     let inside = open_box(frame, place, &title, theme);
@@ -140,20 +143,18 @@ fn draw_presets(frame: &mut Frame<'_>, list: &mut List, theme: Theme) -> Rows {
             frame.buffer_mut().set_style(line, theme.selection());
         }
     }
-    Rows {
-        area: inside,
-        first,
-    }
+    let area = inside;
+    (list, Rows { area, first })
 }
 
-/// Lines that are read and scrolled.
+/// Draws lines that are read and scrolled; how many of them there are and there is room for.
 fn draw_reader(
     frame: &mut Frame<'_>,
     title: &str,
     lines: Vec<Line<'_>>,
-    list: &mut List,
+    mut list: List,
     theme: Theme,
-) {
+) -> List {
     let widest = lines.iter().map(Line::width).max().unwrap_or(0) as u16;
     let place = middle_of_width(frame.area(), lines.len(), WIDEST.max(widest + FRAME));
     list.height = usize::from(place.height.saturating_sub(2)).max(1);
@@ -173,6 +174,7 @@ fn draw_reader(
         frame.render_widget(Line::styled(text, theme.dim()).right_aligned(), bottom);
     }
     frame.render_widget(Paragraph::new(lines).scroll((list.row as u16, 0)), inside);
+    list
 }
 
 fn fault_lines(faults: &[Fault], theme: Theme, columns: usize) -> Vec<Line<'static>> {

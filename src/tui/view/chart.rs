@@ -10,7 +10,7 @@ use super::figure::{self, Drawn};
 use super::readout;
 use super::text::{cut, width};
 use crate::tui::app::{App, Shown};
-use crate::tui::keys::Command;
+use crate::tui::keys::{CurvesCommand, ModelCommand};
 use crate::tui::scene;
 use crate::tui::theme::Theme;
 
@@ -55,12 +55,12 @@ fn why_empty(app: &App) -> String {
         {
             format!(
                 " no response is asked for: {} on Responses adds one",
-                app.keys.key_of(Command::Add)
+                app.keys.key_of(ModelCommand::Add)
             )
         }
         _ if app.curves.visible.is_empty() => format!(
             " no response shows: select one, then {}",
-            app.keys.key_of(Command::Show)
+            app.keys.key_of(CurvesCommand::Show)
         ),
         Shown::Failed(reason, _) => format!(" no curves: {reason}"),
         Shown::Nothing => " solving".to_owned(),

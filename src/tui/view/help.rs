@@ -4,7 +4,7 @@ use ratatui::text::{Line, Span};
 
 use super::text::{width, wrapped};
 use crate::guide::{self, Chapter, Kind};
-use crate::tui::keys::{Command, KeyMap};
+use crate::tui::keys::{FileCommand, KeyMap};
 use crate::tui::theme::Theme;
 
 /// Every key and what it does, in lines of at most so many columns.
@@ -17,7 +17,7 @@ pub(super) fn lines(keys: &KeyMap, theme: Theme, columns: usize) -> Vec<Line<'st
     let room = columns.saturating_sub(widest + 3);
     let guide = format!(
         "The guide explains more: `{}` lists its chapters.",
-        keys.key_of(Command::Guide)
+        keys.key_of(FileCommand::Guide)
     );
     let guide = wrapped(&guide, columns).into_iter().map(Line::raw);
     let mut lines: Vec<Line<'_>> = guide.chain([Line::default()]).collect();

@@ -7,7 +7,7 @@ use super::table::{self, Column, Content, FREQUENCY};
 use super::text::{significant, width};
 use crate::model::counted;
 use crate::solve::modes::{Gap, MOST_MODES};
-use crate::tui::app::{App, Completeness, ModeKind, ModeList, ModeRow, Rows};
+use crate::tui::app::{App, Completeness, List, ModeKind, ModeList, ModeRow, Rows};
 use crate::tui::theme::Theme;
 
 /// The columns, in what there is room for.
@@ -42,11 +42,17 @@ const LAYOUTS: [&[Column]; 3] = [
     ],
 ];
 
-pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rect) -> Rows {
+pub(super) fn draw(
+    frame: &mut Frame<'_>,
+    app: &App,
+    list: &mut List,
+    theme: Theme,
+    area: Rect,
+) -> Rows {
     let columns = table::fitting(&LAYOUTS, area.width);
-    let list = app.modal.list.as_ref();
-    let rows = list.map_or(&[][..], |list| &list.rows);
-    let empty = match list {
+    let modes = app.modal.list.as_ref();
+    let rows = modes.map_or(&[][..], |modes| &modes.rows);
+    let empty = match modes {
         None => "solving the modes".to_owned(),
         Some(list) if list.completeness == Completeness::TooMany => {
             format!("none is listed: at most {MOST_MODES} are; a lower end of the sweep has fewer")
@@ -54,14 +60,14 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
         Some(list) => format!("no mode below {}", app.display.frequency_text(list.to)),
     };
     let content = Content {
-        title: list.map_or("Modes".to_owned(), |list| title(app, list, area.width)),
-        warns: list.is_some_and(|list| match list.completeness {
+        title: modes.map_or("Modes".to_owned(), |list| title(app, list, area.width)),
+        warns: modes.is_some_and(|list| match list.completeness {
             // The count comes in a moment.
             Completeness::Certain | Completeness::Uncounted => false,
             Completeness::Open(_) | Completeness::TooMany => true,
         }),
         frequency_unit: app.display.unit,
-        note: match list.map(|list| &list.completeness) {
+        note: match modes.map(|list| &list.completeness) {
             Some(Completeness::Open(_)) => "? in an open range".to_owned(),
             _ => "shares of kinetic energy".to_owned(),
         },
@@ -69,7 +75,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
         row: &|row| {
             rows.get(row).map_or(Vec::new(), |mode| {
                 let frequency = app.display.frequency_digits(mode.frequency);
-                let is_open = list.is_some_and(|list| list.is_open_at(mode));
+                let is_open = modes.is_some_and(|list| list.is_open_at(mode));
                 let number = format!("{}{}", if is_open { "?" } else { "" }, row + 1);
                 cells(
                     number,
@@ -80,12 +86,9 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
             })
         },
         empty: &empty,
-        stale: list.is_some_and(|list| list.generation != app.curves.generation),
+        stale: modes.is_some_and(|list| list.generation != app.curves.generation),
     };
-    let mut list = app.tables.modes;
-    let rows = table::draw(frame, &content, &mut list, theme, area);
-    app.tables.modes = list;
-    rows
+    table::draw(frame, &content, list, theme, area)
 }
 
 /// How many there are, and whether these are all; open ranges as far as there is room for.

@@ -8,7 +8,7 @@ use super::boxes::{middle, open_box};
 use super::prompt::draw_input;
 use super::text::{cut, width};
 use crate::model::{Model, grouped};
-use crate::tui::app::{Entry, Found, Palette, Rows};
+use crate::tui::app::{Entry, Found, List, Palette, Rows};
 use crate::tui::theme::Theme;
 use crate::tui::tree;
 
@@ -17,22 +17,18 @@ const NAMES: usize = 19;
 /// Lines of what was found, at most.
 const MOST_LINES: usize = 16;
 
-/// Draws the palette; tells it how many lines there is room for, and where they are.
+/// Draws the palette; its list with how many lines there is room for, and where they are.
 pub(super) fn draw(
     frame: &mut Frame<'_>,
-    palette: &mut Palette,
+    palette: &Palette,
     model: &Model,
     theme: Theme,
-) -> Rows {
-    let count = palette.list.rows;
-    let subject = palette.subject;
+) -> (List, Rows) {
+    let mut list = palette.list;
+    let (count, subject) = (list.rows, palette.subject);
     let title = match count {
         0 => format!(" {subject}: none found "),
-        _ => format!(
-            " {subject}  {} of {} ",
-            palette.list.row + 1,
-            grouped(count)
-        ),
+        _ => format!(" {subject}  {} of {} ", list.row + 1, grouped(count)),
     };
     let place = middle(frame.area(), MOST_LINES + 1);
     let inside = open_box(frame, place, &title, theme);
@@ -48,19 +44,19 @@ pub(super) fn draw(
         ..line
     };
     draw_input(frame, &palette.input, typed);
-    palette.list.height = usize::from(rest.height).max(1);
-    let first = palette.list.first();
+    list.height = usize::from(rest.height).max(1);
+    let first = list.first();
     let entries = palette.found().enumerate().skip(first);
     for (area, (row, entry)) in rest.rows().zip(entries) {
         frame.render_widget(
             entry_line(entry, model, theme, usize::from(area.width)),
             area,
         );
-        if row == palette.list.row {
+        if row == list.row {
             frame.buffer_mut().set_style(area, theme.selection());
         }
     }
-    Rows { area: rest, first }
+    (list, Rows { area: rest, first })
 }
 
 /// A command with what it does and its keys, a chapter with its summary, or a row of the tree with its value.

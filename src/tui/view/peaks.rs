@@ -7,7 +7,7 @@ use ratatui::layout::Rect;
 use super::table::{self, Column, Content, FREQUENCY};
 use super::text::significant;
 use crate::solve::peaks::Peak;
-use crate::tui::app::{App, ModeList, Rows};
+use crate::tui::app::{App, List, ModeList, Rows};
 use crate::tui::plot::Level;
 use crate::tui::scene;
 use crate::tui::theme::Theme;
@@ -32,8 +32,13 @@ const LAYOUTS: [&[Column]; 2] = [
     ],
 ];
 
-pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rect) -> Rows {
-    let mut list = app.tables.peaks;
+pub(super) fn draw(
+    frame: &mut Frame<'_>,
+    app: &App,
+    list: &mut List,
+    theme: Theme,
+    area: Rect,
+) -> Rows {
     let scale = scene::scale(app);
     let resolved = app.curves.first_resolved();
     let title = match resolved {
@@ -67,9 +72,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
         },
         stale: !app.curves.is_resolved(),
     };
-    let rows = table::draw(frame, &content, &mut list, theme, area);
-    app.tables.peaks = list;
-    rows
+    table::draw(frame, &content, list, theme, area)
 }
 
 fn cells(app: &App, row: usize, level: Level) -> Vec<String> {

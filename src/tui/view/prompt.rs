@@ -26,9 +26,10 @@ pub(super) fn row_below(app: &App, panels: &Panels) -> u16 {
     if panels.tree.height == 0 {
         return 0;
     }
-    let (rows, offset) = app.selection.rows();
-    let row = app.selection.cursor().saturating_sub(offset);
-    panels.tree.y + 2 + row.min(rows.len()) as u16
+    let height = super::block_inside(panels.tree).height;
+    let first = app.selection.first_shown(height.into());
+    let row = app.selection.cursor().saturating_sub(first);
+    panels.tree.y + 2 + row.min(app.selection.rows().len()) as u16
 }
 
 /// Draws the box under the selected row.

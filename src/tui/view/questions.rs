@@ -75,14 +75,14 @@ fn replace_words(reason: &ReplaceReason, path: &Path) -> String {
     }
 }
 
-/// Unsaved changes of programs that were killed, a line each, and the keys that answer.
+/// Draws unsaved changes of programs that were killed, a line each, and the keys that answer; the list, and where it is.
 pub(super) fn draw_recovery(
     frame: &mut Frame<'_>,
     lost: &[Lost],
-    list: &mut List,
+    mut list: List,
     answers: Answers<'_>,
     theme: Theme,
-) -> Rows {
+) -> (List, Rows) {
     const WORDS: &str = "A designer ended without saving. Its changes were kept:";
     let words = wrapped(WORDS, usize::from(boxed_width(frame.area())));
     let place = middle(frame.area(), words.len() + lost.len() + 3);
@@ -112,7 +112,7 @@ pub(super) fn draw_recovery(
     }
     let answers = Paragraph::new(vec![Line::default(), answer_line(answers, theme)]);
     frame.render_widget(answers, foot);
-    Rows { area: rows, first }
+    (list, Rows { area: rows, first })
 }
 
 /// How long ago something was, as precisely as one would say it.

@@ -5,7 +5,7 @@ use ratatui::Frame;
 use ratatui::layout::Rect;
 
 use super::table::{self, Column, Content};
-use crate::tui::app::{App, Rows, Trace, Value};
+use crate::tui::app::{App, List, Rows, Trace, Value};
 use crate::tui::scene::{self, ChartView};
 use crate::tui::theme::Theme;
 
@@ -215,7 +215,13 @@ fn harmonics(app: &App) -> Vec<Row> {
         .collect()
 }
 
-pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rect) -> Rows {
+pub(super) fn draw(
+    frame: &mut Frame<'_>,
+    app: &App,
+    list: &mut List,
+    theme: Theme,
+    area: Rect,
+) -> Rows {
     let difference = app.display.view == ChartView::Difference;
     let (title, note) = words(app);
     let columns = if difference {
@@ -243,7 +249,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
         },
         stale: app.curves.is_stale(),
     };
-    table::draw(frame, &content, &mut app.tables.readings, theme, area)
+    table::draw(frame, &content, list, theme, area)
 }
 
 /// The title and the note of the table.

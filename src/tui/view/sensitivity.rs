@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 
 use super::table::{self, Column, Content};
 use super::text::{cut, significant, width};
-use crate::tui::app::{App, Effects, Rows, Sensed};
+use crate::tui::app::{App, Effects, List, Rows, Sensed};
 use crate::tui::theme::Theme;
 use crate::tui::tree::Node;
 
@@ -45,8 +45,13 @@ const MODE: [&[Column]; 2] = [
     &[("parameter", 17), ("", 8), ("shift", 9), ("damp %", 8)],
 ];
 
-pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rect) -> Rows {
-    let mut list = app.tables.sensitivities;
+pub(super) fn draw(
+    frame: &mut Frame<'_>,
+    app: &App,
+    list: &mut List,
+    theme: Theme,
+    area: Rect,
+) -> Rows {
     let effects = app.sensitivities.effects.as_ref();
     let sensed = effects
         .map(|effects| effects.sensed)
@@ -86,9 +91,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
         empty,
         stale: effects.is_some_and(|effects| effects.generation != app.curves.generation),
     };
-    let rows = table::draw(frame, &content, &mut list, theme, area);
-    app.tables.sensitivities = list;
-    rows
+    table::draw(frame, &content, list, theme, area)
 }
 
 /// What the sensitivities are of.

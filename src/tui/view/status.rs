@@ -12,7 +12,7 @@ use crate::solve::modes::Completeness;
 use crate::tui::app::{
     App, Message, Outside, Picture, Progress, Search, Shown, Stage, Witness, WitnessPicture,
 };
-use crate::tui::keys::{Command, RowKind, Scope};
+use crate::tui::keys::{ReadingCommand, RowKind, Scope, SearchCommand, TuneCommand};
 use crate::tui::theme::Theme;
 use crate::tui::tree::Node;
 
@@ -189,7 +189,7 @@ pub(super) fn draw_hints(frame: &mut Frame<'_>, app: &App, theme: Theme, area: R
 /// The count that was typed, and what it is for.
 fn count_line(app: &App, theme: Theme, columns: usize) -> Line<'static> {
     let count = app.count.unwrap_or(1).to_string();
-    let escape = app.keys.key_of(Command::Cancel);
+    let escape = app.keys.key_of(ReadingCommand::CursorOff);
     let words = format!(" times the next key; {escape} drops the count");
     let words = cut(&words, columns.saturating_sub(width(&count)));
     Line::from(vec![
@@ -204,8 +204,8 @@ fn draw_search(frame: &mut Frame<'_>, app: &App, search: &Search, theme: Theme, 
     let found = match (search.input.value().trim(), place) {
         ("", _) => format!(
             "parts of a name; {} stays there, {} goes back",
-            app.keys.key_of_in(Scope::Search, Command::Accept),
-            app.keys.key_of_in(Scope::Search, Command::Cancel)
+            app.keys.key_of(SearchCommand::Accept),
+            app.keys.key_of(SearchCommand::Cancel)
         ),
         (_, None) if search.found.is_empty() => "none found".to_owned(),
         (_, place) => format!(
@@ -256,10 +256,10 @@ fn search_hints(app: &App) -> Vec<(String, &'static str)> {
         Progress::Paused => Some("go on"),
         Progress::Found(_) | Progress::Failed(_) => None,
     };
-    let hold = hold.map(|words| (Command::Tune, words));
+    let hold = hold.map(|words| (TuneCommand::Tune, words));
     let hints = [
-        (Command::TuneAccept, "take the best"),
-        (Command::TuneDiscard, "drop it"),
+        (TuneCommand::TuneAccept, "take the best"),
+        (TuneCommand::TuneDiscard, "drop it"),
     ];
     let hints = hold.into_iter().chain(hints);
     hints

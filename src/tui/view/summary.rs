@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use crate::model::{Beam, Group, Material, Model, Section, Subsystem, Unit, counted};
-use crate::tui::keys::{Command, KeyMap};
+use crate::tui::keys::{CurvesCommand, KeyMap, ModelCommand, TuneCommand};
 use crate::tui::tree::{self, Node};
 use crate::tune::words;
 
@@ -20,7 +20,7 @@ pub(super) fn of(model: &Model, node: Node, keys: &KeyMap) -> String {
         Group::Section => section(&model.beam.section),
         Group::Supports => format!(
             "what holds the two ends; {} on an end takes the next kind",
-            keys.key_of(Command::Cycle)
+            keys.key_of(ModelCommand::Cycle)
         ),
         Group::Subsystems => enabled_of(model.subsystems.iter().map(|one| one.enabled), keys),
         Group::Forces => enabled_of(model.forces.iter().map(|one| one.enabled), keys),
@@ -29,12 +29,15 @@ pub(super) fn of(model: &Model, node: Node, keys: &KeyMap) -> String {
         Group::Force(_) | Group::Response(_) => tree::value(model, node),
         Group::Sweep => counted(model.sweep.points, "frequency", "frequencies"),
         Group::Studies | Group::Study(_) => {
-            let (edit, study) = (keys.key_of(Command::Edit), keys.key_of(Command::Study));
+            let (edit, study) = (
+                keys.key_of(ModelCommand::Edit),
+                keys.key_of(CurvesCommand::Study),
+            );
             format!("{edit} shows a study's curves, {study} the next study's")
         }
         Group::Tune => format!(
             "what a search may move, and what for; {} starts it",
-            keys.key_of(Command::Tune)
+            keys.key_of(TuneCommand::Tune)
         ),
         Group::Variable(i) => tree::variable_at(model, i)
             .map_or_else(String::new, |variable| words::variable(model, variable)),
@@ -85,7 +88,7 @@ fn enabled_of(enabled: impl ExactSizeIterator<Item = bool>, keys: &KeyMap) -> St
     let all = enabled.len();
     let enabled = enabled.filter(|enabled| *enabled).count();
     match all {
-        0 => format!("none; {} adds one", keys.key_of(Command::Add)),
+        0 => format!("none; {} adds one", keys.key_of(ModelCommand::Add)),
         _ if enabled == all => format!("{all}, all enabled"),
         _ => format!("{all}, of which {enabled} enabled"),
     }

@@ -68,7 +68,7 @@ pub(super) fn title_room(columns: u16) -> usize {
     usize::from(columns).saturating_sub(4)
 }
 
-/// Draws a table; tells the list how many rows there is room for, and where they are.
+/// Draws a table and sets how many rows of its list there is room for; where they are.
 pub(super) fn draw(
     frame: &mut Frame<'_>,
     content: &Content<'_>,

@@ -12,8 +12,9 @@ use crate::tui::theme::Theme;
 use crate::tui::tree::{self, Node, Row};
 
 pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
-    let (rows, offset) = app.selection.rows();
+    let rows = app.selection.rows();
     let inside = super::block_inside(area);
+    let offset = app.selection.first_shown(inside.height.into());
     let below = rows
         .len()
         .saturating_sub(offset + usize::from(inside.height));

@@ -9,8 +9,8 @@ use super::table::{self, Column, Content};
 use super::text::{cut, significant, width};
 use crate::model::path::{self, Pattern};
 use crate::model::{Group, Model, Parameter, Unit, counted, grouped};
-use crate::tui::app::{App, Progress, Rows, Run};
-use crate::tui::keys::Command;
+use crate::tui::app::{App, List, Progress, Rows, Run};
+use crate::tui::keys::TuneCommand;
 use crate::tui::theme::Theme;
 use crate::tui::tree::{self, Node};
 use crate::tune::Achieved;
@@ -126,12 +126,21 @@ fn first(model: &Model, pattern: &Pattern) -> Option<(f64, Unit)> {
     Some((value, Parameter::of(model, id).ok()?.unit))
 }
 
-pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rect) -> Rows {
-    let mut list = app.tables.tuning;
+pub(super) fn draw(
+    frame: &mut Frame<'_>,
+    app: &App,
+    list: &mut List,
+    theme: Theme,
+    area: Rect,
+) -> Rows {
     let rows = rows(app);
     let columns = &*columns(&rows, area.width);
-    let [go, accept, discard] = [Command::Tune, Command::TuneAccept, Command::TuneDiscard]
-        .map(|command| app.keys.key_of(command));
+    let [go, accept, discard] = [
+        TuneCommand::Tune,
+        TuneCommand::TuneAccept,
+        TuneCommand::TuneDiscard,
+    ]
+    .map(|command| app.keys.key_of(command));
     let run = app.tuning.run.as_ref();
     let failed = run.is_some_and(|run| matches!(run.progress, Progress::Failed(_)));
     let content = Content {
@@ -150,9 +159,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &mut App, theme: Theme, area: Rec
         },
         stale: false,
     };
-    let rows = table::draw(frame, &content, &mut list, theme, area);
-    app.tables.tuning = list;
-    rows
+    table::draw(frame, &content, list, theme, area)
 }
 
 /// The columns for some rows in a width of the screen: where a match has uncertainties these are whole.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use beamtune::model::{self, Model};
 use beamtune::tui::event::Event;
-use beamtune::tui::keys::{Key, SECTIONS};
+use beamtune::tui::keys::{Key, SECTIONS, Section};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
 
 use crate::designer::dice::Dice;
@@ -51,7 +51,7 @@ impl Player {
     fn new(seed: u64) -> Self {
         let preset = ["fig05a", "fig08", "fig13", "fig06", "fig07a", "fig16"][seed as usize % 6];
         let driver = Driver::preset(preset).without_answers_at_all();
-        let bindings = SECTIONS.iter().flat_map(|section| section.bindings);
+        let bindings = SECTIONS.iter().flat_map(Section::rows);
         Self {
             dice: Dice(seed),
             checked: driver.app.model().clone(),

@@ -9,7 +9,11 @@ use crate::tui::view;
 
 fn draw(app: &mut App) -> Vec<String> {
     let mut terminal = Terminal::new(TestBackend::new(120, 40)).unwrap();
-    terminal.draw(|frame| view::draw(frame, app)).unwrap();
+    let mut drawn = None;
+    terminal
+        .draw(|frame| drawn = view::draw(frame, app))
+        .unwrap();
+    app.drawn(drawn);
     let buffer = terminal.backend().buffer();
     let row = |y| (0..120).map(|x| buffer[(x, y)].symbol()).collect();
     (0..40).map(row).collect()

@@ -13,7 +13,7 @@ fn a_model_is_looked_at_as_it_was_left() {
     let mut second = app("fig08");
     second.recall(memory);
     assert_eq!(second.selection.node(), first.selection.node());
-    assert_eq!(second.selection.rows().0, first.selection.rows().0);
+    assert_eq!(second.selection.rows(), first.selection.rows());
     assert_eq!(second.curves.visible, first.curves.visible);
     assert_eq!(second.curves.study, Some(0));
     assert_eq!(second.curves.window, first.curves.window);

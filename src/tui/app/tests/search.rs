@@ -82,7 +82,7 @@ fn the_palette_does_every_command() {
     };
     for section in crate::tui::keys::SECTIONS {
         let there = matches!(section.scope, Scope::Main | Scope::Any);
-        for binding in section.bindings.iter().filter(|_| there) {
+        for binding in section.rows().filter(|_| there) {
             let found = Found::Command(binding.command);
             let listed = palette.found().any(|entry| entry.found == found);
             assert_eq!(listed, binding.name != "palette", "{}", binding.name);

@@ -20,9 +20,11 @@ enum Typed {
 
 impl App {
     /// Asks what is sought of the first curve in the marked band.
-    pub(super) fn ask_objective(&mut self) {
+    pub(in crate::tui::app) fn ask_objective(&mut self) {
         if self.model().tune.is_none() {
-            let key = self.keys.key_of(crate::tui::keys::Command::TuneVariable);
+            let key = self
+                .keys
+                .key_of(crate::tui::keys::TuneCommand::TuneVariable);
             return self.refuse(format!(
                 "nothing may move yet: {key} lets the selected parameter"
             ));
@@ -122,7 +124,9 @@ impl App {
             return;
         };
         if tune.objectives.len() == 1 {
-            let key = self.keys.key_of(crate::tui::keys::Command::TuneObjective);
+            let key = self
+                .keys
+                .key_of(crate::tui::keys::TuneCommand::TuneObjective);
             return self.refuse(format!("one objective is needed: {key} says another one"));
         }
         tune.objectives.remove(index);

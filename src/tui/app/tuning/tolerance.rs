@@ -5,6 +5,7 @@ use std::sync::Arc;
 use num_complex::Complex64;
 
 use crate::solve::Reference;
+use crate::tui::app::request::LastRequest;
 use crate::tui::app::{App, Member, Trace};
 use crate::worker::{Request, SpreadAnswer, SpreadRequest};
 
@@ -19,17 +20,18 @@ pub struct Tolerances {
     /// The curves that one of twenty lies below, half of them, and one of twenty above; of the model with this
     /// generation.
     pub curves: Option<(u64, [Member; 3])>,
-    asked: Option<(u64, u64)>,
+    /// For the model of a generation.
+    asked: LastRequest<u64>,
 }
 
 impl App {
     /// Shows what tolerances make of the curves, or does not.
-    pub(super) fn turn_tolerances(&mut self) {
+    pub(in crate::tui::app) fn turn_tolerances(&mut self) {
         let tolerances = &mut self.tuning.tolerances;
         tolerances.shown = !tolerances.shown;
         if !tolerances.shown {
             tolerances.curves = None;
-            tolerances.asked = None;
+            tolerances.asked.forget();
             return self.done("without the band of tolerances");
         }
         if !has_tolerances(self) {
@@ -44,8 +46,8 @@ impl App {
     /// Asks for the band, once the curves are resolved.
     pub(super) fn want_tolerances(&mut self) -> Option<Request> {
         let generation = self.curves.generation;
-        let asked = self.tuning.tolerances.asked;
-        let known = asked.is_some_and(|(_, asked)| asked == generation);
+        let asked = &self.tuning.tolerances.asked;
+        let known = asked.is(|asked| *asked == generation);
         if !self.tuning.tolerances.shown
             || known
             || !self.curves.is_resolved()
@@ -57,7 +59,7 @@ impl App {
         let stride = frequencies.len().div_ceil(POINTS).max(1);
         let frequencies = frequencies.iter().copied().step_by(stride).collect();
         let serial = self.next_serial();
-        self.tuning.tolerances.asked = Some((serial, generation));
+        self.tuning.tolerances.asked.sent(serial, generation);
         Some(Request::Spread(SpreadRequest {
             serial,
             model: Arc::clone(self.document.model()),
@@ -68,10 +70,7 @@ impl App {
     /// Takes the band that was asked for last.
     pub(in crate::tui::app) fn take_tolerances(&mut self, answer: SpreadAnswer) {
         let tolerances = &mut self.tuning.tolerances;
-        let asked = tolerances
-            .asked
-            .filter(|(serial, _)| *serial == answer.serial);
-        let Some((_, generation)) = asked else {
+        let Some(&generation) = tolerances.asked.answered(answer.serial) else {
             return;
         };
         // Responses and forces are those of the model as it is.

@@ -53,7 +53,7 @@ impl App {
     }
 
     /// Lets the selected parameter move within bounds that are typed, or keeps it as it is.
-    pub(super) fn turn_variable(&mut self) {
+    pub(in crate::tui::app) fn turn_variable(&mut self) {
         let node = self.selection.node();
         if let Node::Group(Group::Variable(index)) = node {
             return self.ask_bounds_of(index);

@@ -40,7 +40,7 @@ use super::app::{App, Look, Rows, Screen, Table};
 use super::ascii;
 use super::keys::{Command, Scope};
 use super::theme::Theme;
-use crate::rehearsal;
+use crate::fault_injection;
 
 /// The smallest screen that is drawn, columns and rows.
 pub const SMALLEST: (u16, u16) = (60, 18);
@@ -157,7 +157,7 @@ fn stacked(area: Rect, wanted: Beside) -> Panels {
 
 /// Draws everything; tells the state how many rows there is room for.
 pub fn draw(frame: &mut Frame<'_>, app: &mut App) {
-    rehearsal::fault("drawing", &app.model().title);
+    fault_injection::inject("drawing", &app.model().title);
     let theme = app.theme;
     draw_panels(frame, app, theme);
     text::show_hidden(frame.buffer_mut());

@@ -9,7 +9,7 @@ use super::chart::Chart;
 use super::dots::Dots;
 use super::glyphs::{Glyphs, rulers};
 use super::layout::ChartLayout;
-use super::legend::LegendPlace;
+use super::legend::LegendPosition;
 use super::level::Level;
 use super::trace::pole_cells;
 
@@ -30,7 +30,7 @@ struct Background {
 pub(super) fn curves(chart: &Chart<'_>, layout: &ChartLayout, dots: &Dots, buffer: &mut Buffer) {
     let colour = |index: usize| chart.curves[index].dimmed_style().fg.unwrap_or_default();
     dots.render(layout.plot, buffer, |index| chart.grid_of(index), colour);
-    if let LegendPlace::Inside(legend) = layout.legend {
+    if let LegendPosition::Inside(legend) = layout.legend {
         Clear.render(legend, buffer);
     }
 }
@@ -76,7 +76,7 @@ pub(super) fn paint(chart: &Chart<'_>, layout: &ChartLayout, dots: &Dots, buffer
 }
 
 fn in_legend(layout: &ChartLayout, position: Position) -> bool {
-    matches!(layout.legend, LegendPlace::Inside(legend) if legend.contains(position))
+    matches!(layout.legend, LegendPosition::Inside(legend) if legend.contains(position))
 }
 
 /// Writes the number of each harmonic at the top of its line, where the cells are free.

@@ -48,7 +48,7 @@ pub struct Curve<'a> {
     pub shares_entry: bool,
     /// Colour and modifiers of the line, of its markers and of its sample in the legend.
     pub style: Style,
-    /// A character one column wide, drawn on the curve at a few places and in the legend.
+    /// A character one column wide, drawn on the curve at a few points and in the legend.
     pub marker: Option<char>,
     /// How the line is drawn.
     pub line: LineStyle,

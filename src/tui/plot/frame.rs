@@ -9,7 +9,7 @@ use ratatui::style::Style;
 use super::chart::{Below, Chart};
 use super::glyphs::{Glyphs, put, width};
 use super::layout::ChartLayout;
-use super::ticks::place;
+use super::ticks::label_span;
 
 /// The characters of the axes.
 struct AxisLines {
@@ -228,7 +228,7 @@ fn placed_labels(layout: &ChartLayout) -> Vec<(u16, &str)> {
         let Some(label) = tick.label.as_deref() else {
             continue;
         };
-        let (offset, columns) = place(label, tick.cell);
+        let (offset, columns) = label_span(label, tick.cell);
         let columns = i32::from(columns);
         // At the ends a label may shift as long as it stays below its tick.
         let start = (i32::from(layout.plot.x) + offset)
@@ -247,19 +247,19 @@ fn placed_labels(layout: &ChartLayout) -> Vec<(u16, &str)> {
 /// The column of the unit: after the last label, before it (as in DIN 461), or instead of it.
 fn unit_column(area: Rect, unit: u16, labels: &mut Vec<(u16, &str)>) -> u16 {
     let end = |(x, label): &(u16, &str)| x + label.len() as u16;
-    let behind = area.right() - unit;
+    let at_end = area.right() - unit;
     let [.., before, last] = labels.as_slice() else {
-        labels.retain(|label| end(label) < behind);
-        return behind;
+        labels.retain(|label| end(label) < at_end);
+        return at_end;
     };
-    if end(last) < behind {
-        return behind;
+    if end(last) < at_end {
+        return at_end;
     }
     if end(before) + 1 + unit < last.0 {
         return end(before).midpoint(last.0 - unit);
     }
-    labels.retain(|label| end(label) < behind);
-    behind
+    labels.retain(|label| end(label) < at_end);
+    at_end
 }
 
 fn set(buffer: &mut Buffer, x: u16, y: u16, glyph: char, style: Style) {

@@ -4,7 +4,7 @@ use ratatui::layout::Rect;
 
 use super::chart::{Below, Chart};
 use super::glyphs::rulers;
-use super::legend::{self, LegendPlace};
+use super::legend::{self, LegendPosition};
 use super::ticks::{Tick, ticks};
 
 /// Fewest columns of a plot with value labels.
@@ -20,7 +20,7 @@ pub(super) struct ChartLayout {
     pub(super) area: Rect,
     /// The row of the value axis's unit and the title.
     pub(super) heading: Option<Rect>,
-    pub(super) legend: LegendPlace,
+    pub(super) legend: LegendPosition,
     pub(super) plot: Rect,
     /// The column of the value axis.
     pub(super) value_axis: Option<u16>,
@@ -45,8 +45,8 @@ impl ChartLayout {
         };
         rest.height -= rows_below;
         let mut label_columns = label_columns(chart, rest);
-        let legend = legend::place(chart, right_of_axis(rest, label_columns).1, rest);
-        if matches!(legend, LegendPlace::Line(_)) {
+        let legend = legend::position(chart, right_of_axis(rest, label_columns).1, rest);
+        if matches!(legend, LegendPosition::Line(_)) {
             take_top(&mut rest);
             label_columns = self::label_columns(chart, rest);
         }

@@ -25,7 +25,7 @@ const MOST_COVERED: u32 = 40;
 
 /// The position of the legend.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum LegendPlace {
+pub(super) enum LegendPosition {
     Nowhere,
     Inside(Rect),
     Line(Rect),
@@ -80,10 +80,10 @@ fn entry(chart: &Chart<'_>, index: usize, curve: &Curve<'_>) -> LegendEntry {
 }
 
 /// Finds the position of the legend: inside `plot`, or in the top row of `around`, the plot with its axis.
-pub(super) fn place(chart: &Chart<'_>, plot: Rect, around: Rect) -> LegendPlace {
+pub(super) fn position(chart: &Chart<'_>, plot: Rect, around: Rect) -> LegendPosition {
     let entries = entries(chart);
     if entries.is_empty() || chart.legend == Legend::Hidden {
-        return LegendPlace::Nowhere;
+        return LegendPosition::Nowhere;
     }
     let widest = entries
         .iter()
@@ -98,7 +98,7 @@ pub(super) fn place(chart: &Chart<'_>, plot: Rect, around: Rect) -> LegendPlace 
         && rows <= plot.height
         && covered <= plot.area() * MOST_COVERED;
     if fits && chart.legend == Legend::Inside {
-        return LegendPlace::Inside(Rect {
+        return LegendPosition::Inside(Rect {
             x: plot.right() - columns,
             width: columns,
             height: rows,
@@ -108,20 +108,20 @@ pub(super) fn place(chart: &Chart<'_>, plot: Rect, around: Rect) -> LegendPlace 
     if around.height > SHORTEST_PLOT
         && longest_label(&entries, around.width) >= widest.min(SHORTEST)
     {
-        return LegendPlace::Line(Rect {
+        return LegendPosition::Line(Rect {
             height: 1,
             ..around
         });
     }
-    LegendPlace::Nowhere
+    LegendPosition::Nowhere
 }
 
 /// Draws the legend at its position.
-pub(super) fn draw(chart: &Chart<'_>, place: LegendPlace, buffer: &mut Buffer) {
+pub(super) fn draw(chart: &Chart<'_>, position: LegendPosition, buffer: &mut Buffer) {
     let entries = entries(chart);
-    match place {
-        LegendPlace::Nowhere => {}
-        LegendPlace::Inside(area) => {
+    match position {
+        LegendPosition::Nowhere => {}
+        LegendPosition::Inside(area) => {
             for (entry, row) in entries.iter().zip(area.rows()) {
                 let row = Rect {
                     x: row.x + 1,
@@ -131,7 +131,7 @@ pub(super) fn draw(chart: &Chart<'_>, place: LegendPlace, buffer: &mut Buffer) {
                 draw_entry(chart, entry, row, buffer);
             }
         }
-        LegendPlace::Line(row) => draw_line(chart, &entries, row, buffer),
+        LegendPosition::Line(row) => draw_line(chart, &entries, row, buffer),
     }
 }
 

@@ -215,7 +215,7 @@ fn text(value: f64, notation: Notation) -> String {
 }
 
 /// The first column and the width of a label centred on its tick; the column may be negative.
-pub(super) fn place(label: &str, cell: u16) -> (i32, u16) {
+pub(super) fn label_span(label: &str, cell: u16) -> (i32, u16) {
     let width = label.len() as u16;
     (
         i32::from(cell) - i32::from(width.saturating_sub(1) / 2),
@@ -229,7 +229,7 @@ fn fit(ticks: &[Tick], direction: Direction) -> bool {
         Direction::Up => pair[0].cell >= pair[1].cell.saturating_add(LABEL_ROWS),
         Direction::Right => {
             let [first, second] = [&pair[0], &pair[1]]
-                .map(|tick| place(tick.label.as_deref().unwrap_or_default(), tick.cell));
+                .map(|tick| label_span(tick.label.as_deref().unwrap_or_default(), tick.cell));
             first.0 + i32::from(first.1 + LABEL_GAP) <= second.0
         }
     })

@@ -1,4 +1,4 @@
-//! A measured curve, and how it is made of the points of a file.
+//! Measured curves, built from the points of a file.
 
 use num_complex::Complex64;
 
@@ -8,26 +8,26 @@ use super::unit::{Kind, ValueUnit};
 /// A curve from a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
-    /// What the file calls it, or the file's own name.
+    /// The name in the file, or the file's name.
     pub name: String,
-    /// Hz, above 0, rising, each once.
+    /// Hz, positive, strictly ascending.
     pub frequencies: Vec<f64>,
-    /// As many as frequencies, finite, in the SI unit of `kind`; as they stand in the file where the kind is not known.
-    /// Without a phase the imaginary parts are 0 and the real parts are magnitudes.
+    /// One finite value per frequency, in the SI unit of `kind`, or in the unit of the file if the kind is unknown.
+    /// Without a phase the real parts are magnitudes and the imaginary parts are 0.
     pub values: Vec<Complex64>,
-    /// Whether phases are known; false: only magnitudes are.
+    /// Whether phases are known; false for magnitudes only.
     pub phase_known: bool,
-    /// What the values are; none where neither the file nor a layout says it.
+    /// The quantity of the values; none if neither the file nor a layout gives it.
     pub kind: Option<Kind>,
-    /// The words for units that are not understood, each with what it leaves to be asked. Frequencies or values stand as
-    /// in the file, and are not to be taken for SI.
+    /// Unknown unit words, each with the open question. The frequencies or values are then in the unit of the file, not
+    /// in SI.
     pub unknown: Vec<(Question, String)>,
-    /// What was left out, turned or taken for granted in reading, a sentence each.
+    /// Skipped points, changed signs and assumptions made during reading, one sentence each.
     pub notes: Vec<String>,
 }
 
 impl Curve {
-    /// The word that leaves a question open.
+    /// The unknown word of an open question.
     pub fn unknown_word(&self, question: Question) -> Option<&str> {
         let mut unknown = self.unknown.iter();
         let found = unknown.find(|(asked, _)| *asked == question)?;
@@ -35,7 +35,7 @@ impl Curve {
     }
 }
 
-/// The points of a curve as they come from a file.
+/// The points of a curve, in the order of the file.
 #[derive(Debug, Default)]
 pub(super) struct Points {
     usable: Vec<(f64, Complex64)>,
@@ -44,7 +44,7 @@ pub(super) struct Points {
 }
 
 impl Points {
-    /// Takes a point, frequency in Hz; one without a finite value or with a frequency of 0 or below is only counted.
+    /// Adds a point, frequency in Hz; a non-finite point or a frequency of 0 or below is only counted.
     pub(super) fn push(&mut self, frequency: f64, value: Complex64) {
         if !(frequency.is_finite() && value.is_finite()) {
             self.not_finite += 1;
@@ -55,12 +55,12 @@ impl Points {
         }
     }
 
-    /// Brings values to SI, before they are counted as finite or not.
+    /// Converts the value to SI, then adds the point.
     pub(super) fn push_in(&mut self, unit: Option<&ValueUnit>, frequency: f64, value: Complex64) {
         self.push(frequency, unit.map_or(value, |unit| unit.to_si(value)));
     }
 
-    /// The curve of the points; none where no point is left.
+    /// The curve of the points; none without usable points.
     pub(super) fn curve(
         mut self,
         name: String,
@@ -116,7 +116,7 @@ fn note(notes: &mut Vec<String>, count: usize, what: &str) {
     }
 }
 
-/// Gives curves of the same name numbers: `H`, `H (2)`.
+/// Numbers curves of the same name: `H`, `H (2)`.
 pub(super) fn distinguish(curves: &mut [Curve]) {
     let mut seen = std::collections::HashMap::<String, usize>::new();
     let mut taken: std::collections::HashSet<String> =
@@ -149,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn points_become_a_rising_curve_and_what_was_done_is_said() {
+    fn points_become_an_ascending_curve_with_notes() {
         let points = [
             (3.0, 1.0),
             (0.0, 5.0),

@@ -8,6 +8,6 @@ pub(crate) fn inject(place: &str, title: &str) {
         && title == "panic now"
         && std::env::var_os("BEAMTUNE_FAULT").is_some_and(is_named)
     {
-        panic!("a rehearsed fault: {place}");
+        panic!("injected fault: {place}");
     }
 }

@@ -35,15 +35,15 @@ impl Curve {
     }
 }
 
-/// The points of a curve, in the order of the file.
+/// Builds a curve from the points of a file.
 #[derive(Debug, Default)]
-pub(super) struct Points {
+pub(super) struct CurveBuilder {
     usable: Vec<(f64, Complex64)>,
     not_positive: usize,
     not_finite: usize,
 }
 
-impl Points {
+impl CurveBuilder {
     /// Adds a point, frequency in Hz; a non-finite point or a frequency of 0 or below is only counted.
     pub(super) fn push(&mut self, frequency: f64, value: Complex64) {
         if !(frequency.is_finite() && value.is_finite()) {
@@ -68,29 +68,29 @@ impl Points {
         kind: Option<Kind>,
     ) -> Option<Curve> {
         let mut notes = Vec::new();
-        note(&mut notes, self.not_positive, "at 0 Hz or below left out");
+        note(&mut notes, self.not_positive, "at 0 Hz or below skipped");
         note(
             &mut notes,
             self.not_finite,
-            "without a finite number left out",
+            "without a finite number skipped",
         );
         if self.usable.windows(2).any(|pair| pair[0].0 > pair[1].0) {
             self.usable.sort_by(|a, b| a.0.total_cmp(&b.0));
-            notes.push("frequencies put in rising order".to_owned());
+            notes.push("frequencies sorted in ascending order".to_owned());
         }
         let before = self.usable.len();
         self.usable.dedup_by(|later, first| later.0 == first.0);
         note(
             &mut notes,
             before - self.usable.len(),
-            "at a frequency that was there already left out",
+            "with a repeated frequency skipped",
         );
         if !phase_known {
             let negative = self.usable.iter().filter(|point| point.1.re < 0.0).count();
             note(
                 &mut notes,
                 negative,
-                "taken without the sign: only magnitudes are known",
+                "with the sign removed: only magnitudes are known",
             );
             for point in &mut self.usable {
                 point.1 = point.1.norm().into();
@@ -141,7 +141,7 @@ mod tests {
     use super::*;
 
     fn curve(points: &[(f64, f64)], phase_known: bool) -> Option<Curve> {
-        let mut of = Points::default();
+        let mut of = CurveBuilder::default();
         for &(frequency, value) in points {
             of.push(frequency, value.into());
         }
@@ -164,11 +164,11 @@ mod tests {
         assert_eq!(
             made.notes,
             [
-                "2 points at 0 Hz or below left out",
-                "1 point without a finite number left out",
-                "frequencies put in rising order",
-                "1 point at a frequency that was there already left out",
-                "1 point taken without the sign: only magnitudes are known"
+                "2 points at 0 Hz or below skipped",
+                "1 point without a finite number skipped",
+                "frequencies sorted in ascending order",
+                "1 point with a repeated frequency skipped",
+                "1 point with the sign removed: only magnitudes are known"
             ]
         );
         let made = curve(&[(2.0, -4.0), (3.0, 6.0)], true).unwrap();

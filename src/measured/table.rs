@@ -18,7 +18,7 @@ use std::collections::HashMap;
 
 use num_complex::Complex64;
 
-use super::curve::{Curve, Points};
+use super::curve::{Curve, CurveBuilder};
 use super::{Fault, Hint, MOST_VALUES, fault_at, text_of, too_many};
 use crate::table::unquoted;
 use columns::ColumnGroup;
@@ -54,7 +54,7 @@ pub(super) fn read(bytes: &[u8], hint: &Hint) -> Result<Vec<Curve>, Fault> {
             "rows"
         };
         notes.push(format!(
-            "what stands behind the columns in {rows_with_extra_cells} {rows} left out"
+            "extra cells after the columns in {rows_with_extra_cells} {rows} skipped"
         ));
     }
     let mut curves = curve_points.curves(&plan);
@@ -103,11 +103,11 @@ impl TableEnd {
             Self::Lines { count, start, .. } => {
                 let lines = if count == 1 { "line" } else { "lines" };
                 Ok(Some(format!(
-                    "{count} {lines} behind the numbers left out, from {start:?} on"
+                    "{count} {lines} after the numbers skipped, from {start:?} on"
                 )))
             }
             Self::CutRow(_) if !text.ends_with(b"\n") => Ok(Some(
-                "the file is cut off in its last row, which is left out".to_owned(),
+                "the file is truncated in its last row, which is skipped".to_owned(),
             )),
             Self::CutRow(fault) => Err(fault),
         }
@@ -173,7 +173,7 @@ struct CurvePoints {
     keys: Vec<String>,
     index: HashMap<Vec<u8>, usize>,
     /// One list per key, with one entry per group.
-    points: Vec<Vec<Points>>,
+    points: Vec<Vec<CurveBuilder>>,
     taken: usize,
 }
 
@@ -207,7 +207,7 @@ impl CurvePoints {
         self.index.insert(key.to_vec(), index);
         self.keys.push(unquoted(text_of(key).trim()).to_owned());
         self.points
-            .push((0..groups).map(|_| Points::default()).collect());
+            .push((0..groups).map(|_| CurveBuilder::default()).collect());
         index
     }
 

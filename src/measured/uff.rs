@@ -14,14 +14,14 @@ use std::collections::BTreeMap;
 
 use num_complex::Complex64;
 
-use super::curve::{Curve, Points};
+use super::curve::{Curve, CurveBuilder};
 use super::layout::FrequencyUnit;
 use super::{Fault, Hint, MOST_VALUES, Question, ValueUnit, fault_at, too_many};
 use crate::model::counted;
 use data::Numbers;
 use header::FunctionHeader;
 use lines::{Start, UffLines};
-use quantity::{FileUnits, Quantity};
+use quantity::{FileUnits, FunctionQuantity};
 
 /// The frequency responses of a universal file, without those with an unknown frequency unit.
 pub(super) fn read(bytes: &[u8], hint: &Hint) -> Result<Vec<Curve>, Fault> {
@@ -39,7 +39,7 @@ pub(super) fn read(bytes: &[u8], hint: &Hint) -> Result<Vec<Curve>, Fault> {
         return Err(fault_at("", 1, 1, message));
     };
     let curves_are = counted(others.len(), "curve", "curves");
-    let note = format!("{curves_are} over frequencies in {word:?} left out: no unit that is known");
+    let note = format!("{curves_are} over frequencies in {word:?} skipped: unknown unit");
     first.notes.insert(0, note);
     Ok(curves)
 }
@@ -92,7 +92,7 @@ impl FoundCurves {
         hint: &Hint,
     ) -> Result<(), Fault> {
         let header = FunctionHeader::read(lines, number)?;
-        let quantity = match Quantity::of(&header, units) {
+        let quantity = match FunctionQuantity::of(&header, units) {
             Ok(quantity) => quantity,
             Err(why) => {
                 *self.skipped.entry(why).or_default() += 1;
@@ -125,7 +125,7 @@ impl FoundCurves {
         &mut self,
         header: &FunctionHeader,
         numbers: &[f64],
-        mut quantity: Quantity,
+        mut quantity: FunctionQuantity,
         hint: &Hint,
     ) {
         quantity.complete(hint.layout.as_ref());
@@ -152,7 +152,7 @@ impl FoundCurves {
     fn truncated(&mut self, number: usize, fault: Fault) {
         let why = fault.message.split(": ").next().unwrap_or_default();
         self.truncated
-            .push(format!("data set {number} left out: {why}"));
+            .push(format!("data set {number} skipped: {why}"));
         self.fault.get_or_insert(fault);
     }
 
@@ -160,7 +160,7 @@ impl FoundCurves {
     fn curves(mut self, sets: usize) -> Result<Vec<Curve>, Fault> {
         let notes = self.skipped.iter().map(|(why, count)| {
             let functions = if *count == 1 { "function" } else { "functions" };
-            format!("{count} {functions} {why} left out")
+            format!("{count} {functions} {why} skipped")
         });
         let notes: Vec<String> = notes.collect();
         if let (true, Some(fault)) = (self.curves.is_empty(), self.fault) {
@@ -193,9 +193,9 @@ impl FoundCurves {
 }
 
 /// The points of a function, in Hz and in its unit.
-fn points(header: &FunctionHeader, numbers: &[f64], quantity: &Quantity) -> Points {
+fn points(header: &FunctionHeader, numbers: &[f64], quantity: &FunctionQuantity) -> CurveBuilder {
     let hertz = quantity.frequency.unwrap_or(FrequencyUnit::Hertz).hertz();
-    let mut points = Points::default();
+    let mut points = CurveBuilder::default();
     for (index, numbers) in numbers.chunks_exact(header.format.numbers()).enumerate() {
         let (at, value) = numbers.split_at(usize::from(!header.format.even));
         let on_grid = header.first + index as f64 * header.step;

@@ -205,7 +205,9 @@ impl Performer {
                 "unsaved changes are in {}; it is a model file",
                 shown_path(&path)
             )),
-            Err(error) if nothing => Some(format!("what was kept is not removed: {}", why(&error))),
+            Err(error) if nothing => {
+                Some(format!("the recovery file is not removed: {}", why(&error)))
+            }
             Err(error) => Some(format!("unsaved changes are lost: {}", why(&error))),
         }
     }

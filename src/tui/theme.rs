@@ -105,9 +105,9 @@ impl Theme {
         match self.scheme {
             Scheme::Monochrome => "no colours",
             Scheme::Terminal => "the terminal's colours",
-            Scheme::Neutral => "colours for any ground",
-            Scheme::Dark => "colours for a dark ground",
-            Scheme::Light => "colours for a light ground",
+            Scheme::Neutral => "colours for any background",
+            Scheme::Dark => "colours for a dark background",
+            Scheme::Light => "colours for a light background",
         }
     }
 

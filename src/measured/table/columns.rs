@@ -2,7 +2,7 @@
 
 use super::column_title::{ColumnTitle, Role};
 use super::dialect::Dialect;
-use super::sample::ColumnKind;
+use super::sample::ColumnContent;
 use crate::measured::layout::{PhaseUnit, Values};
 use crate::measured::unit::{Kind, ValueUnit};
 
@@ -141,7 +141,7 @@ impl TableColumns<'_> {
     }
 
     pub(super) fn is_complex(&self, index: usize) -> bool {
-        self.dialect.columns.get(index) == Some(&ColumnKind::Complex)
+        self.dialect.columns.get(index) == Some(&ColumnContent::Complex)
     }
 
     pub(super) fn role(&self, index: usize) -> Role {
@@ -155,7 +155,7 @@ impl TableColumns<'_> {
         let dialect = self.dialect;
         let is_free = |index: &usize| {
             *index != frequency
-                && dialect.columns[*index] != ColumnKind::Text
+                && dialect.columns[*index] != ColumnContent::Text
                 && self.role(*index) != Role::Other
         };
         let first = usize::from(dialect.has_curves);

@@ -2,7 +2,7 @@
 
 use super::header::{Header, HeaderShape};
 use super::records::{Separator, is_comment, line_at, row_start};
-use super::sample::{ColumnKind, SAMPLE, Sample};
+use super::sample::{ColumnContent, SAMPLE, TableSample};
 use crate::measured::{Fault, fault_at, number, text_of};
 
 /// The format of a table.
@@ -18,7 +18,7 @@ pub(in crate::measured) struct Dialect {
     /// Whether the header follows the first row of numbers in the same line.
     pub(super) is_after_data: bool,
     /// The kind of each column.
-    pub(in crate::measured) columns: Vec<ColumnKind>,
+    pub(in crate::measured) columns: Vec<ColumnContent>,
     /// Whether the first column names curves.
     pub(super) has_curves: bool,
     /// The first rows of numbers, as text.
@@ -34,9 +34,9 @@ impl Dialect {
         let body = body(text);
         let found = Separator::ALL
             .into_iter()
-            .map(|separator| Sample::of(text, body, separator));
+            .map(|separator| TableSample::of(text, body, separator));
         // On a tie the first separator wins: tabs are also blanks.
-        let best = found.rev().max_by_key(Sample::merit);
+        let best = found.rev().max_by_key(TableSample::merit);
         let best = best.and_then(|sample| Some((sample.start()?, sample)));
         let Some((start, sample)) = best else {
             return Err(fault_at(
@@ -53,7 +53,7 @@ impl Dialect {
         Ok(Self::new(text, start, sample))
     }
 
-    fn new(text: &[u8], start: usize, sample: Sample) -> Self {
+    fn new(text: &[u8], start: usize, sample: TableSample) -> Self {
         let first = row_start(text, start);
         let above = String::from_utf8_lossy(&text[first.saturating_sub(SAMPLE)..first]);
         let below = &text[first..text.len().min(first + SAMPLE)];

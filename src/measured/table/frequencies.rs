@@ -3,7 +3,7 @@
 use super::column_title::Role;
 use super::columns::TableColumns;
 use super::dialect::Dialect;
-use super::sample::ColumnKind;
+use super::sample::ColumnContent;
 use crate::measured::layout::{FrequencyUnit, Layout};
 use crate::measured::{Fault, fault_at};
 
@@ -20,10 +20,10 @@ pub(super) fn frequencies(
     if let Some(number) = layout.and_then(|layout| layout.places.frequency) {
         let index = number - 1;
         return match dialect.columns.get(index) {
-            Some(ColumnKind::Real) => Ok((index, unit(index))),
+            Some(ColumnContent::Real) => Ok((index, unit(index))),
             Some(_) => Err(wrong_column(
                 number,
-                "holds no real numbers: another one would be accepted",
+                "has no real numbers: another one would be accepted",
             )),
             None => Err(too_few(number, dialect)),
         };
@@ -39,7 +39,7 @@ pub(super) fn frequencies(
     });
     let first = usize::from(dialect.has_curves);
     let is_open =
-        |index: &usize| dialect.columns[*index] == ColumnKind::Real && !chosen.contains(index);
+        |index: &usize| dialect.columns[*index] == ColumnContent::Real && !chosen.contains(index);
     let open: Vec<usize> = (first..dialect.width()).filter(is_open).collect();
     let named = |index: &&usize| matches!(table.role(**index), Role::Frequency(_));
     let is_unknown = |index: &&usize| table.role(**index) == Role::Unknown;

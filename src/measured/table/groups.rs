@@ -3,7 +3,7 @@
 use super::column_title::{ColumnTitle, Role};
 use super::columns::{ColumnGroup, Columns, TableColumns};
 use super::frequencies::{too_few, wrong_column};
-use super::sample::ColumnKind;
+use super::sample::ColumnContent;
 use crate::measured::layout::{Layout, PhaseUnit, Values};
 use crate::measured::{Fault, fault_at};
 
@@ -178,20 +178,18 @@ pub(super) fn by_number(table: &TableColumns, layout: &Layout) -> Result<Vec<Col
         let in_one = first == second && layout.values == Values::Complex;
         for number in numbers {
             match dialect.columns.get(number - 1) {
-                Some(ColumnKind::Real) => {}
-                Some(ColumnKind::Complex) if in_one => {}
-                Some(ColumnKind::Complex) => {
+                Some(ColumnContent::Real) => {}
+                Some(ColumnContent::Complex) if in_one => {}
+                Some(ColumnContent::Complex) => {
                     return Err(wrong_column(
                         *number,
-                        &format!(
-                            "holds complex numbers: re {number}; im {number} would be accepted"
-                        ),
+                        &format!("has complex numbers: re {number}; im {number} would be accepted"),
                     ));
                 }
-                Some(ColumnKind::Text) => {
+                Some(ColumnContent::Text) => {
                     return Err(wrong_column(
                         *number,
-                        "holds no numbers: another one would be accepted",
+                        "has no numbers: another one would be accepted",
                     ));
                 }
                 None => return Err(too_few(*number, dialect)),
@@ -200,7 +198,7 @@ pub(super) fn by_number(table: &TableColumns, layout: &Layout) -> Result<Vec<Col
         if in_one && !table.is_complex(first) {
             return Err(wrong_column(
                 numbers[0],
-                "holds no complex numbers: another column for the imaginary part would be accepted",
+                "has no complex numbers: another column for the imaginary part would be accepted",
             ));
         }
         let mut one = group(table, Columns::of(layout.values, first, second));
@@ -217,7 +215,7 @@ pub(super) fn consecutive(table: &TableColumns, values: Values) -> Result<Vec<Co
     let size = values.columns();
     if free.is_empty() || !free.len().is_multiple_of(size) {
         let message = format!(
-            "{} columns besides the frequencies are not \"{values}\" of one curve or of several: {size} or a multiple \
+            "{} columns next to the frequencies are not \"{values}\" of one or more curves: {size} or a multiple \
              would be accepted, or the numbers of the columns, as {}",
             free.len(),
             by_example(values)

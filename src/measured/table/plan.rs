@@ -5,7 +5,7 @@ use super::columns::{ColumnGroup, Columns, TableColumns};
 use super::dialect::Dialect;
 use super::frequencies::frequencies;
 use super::groups::{by_number, consecutive, guess, magnitude, one_unit, titled};
-use super::sample::ColumnKind;
+use super::sample::ColumnContent;
 use crate::measured::layout::{FrequencyUnit, Layout, Question, Values};
 use crate::measured::{Fault, Hint, fault_at};
 
@@ -67,7 +67,7 @@ impl Plan {
         if frequency_unit.is_none() {
             plan.missing.push(Question::Frequency);
             plan.notes
-                .push("the unit of the frequencies is not said: Hz is taken".to_owned());
+                .push("the frequency unit is not given: Hz assumed".to_owned());
         }
         plan.group(&table, layout)?;
         plan.note_texts(&table);
@@ -143,7 +143,7 @@ impl Plan {
                     format!("{} and {}", table.title(first), table.title(second))
                 };
                 self.notes.push(format!(
-                    "{columns} left out: {}, which is not what was asked for",
+                    "{columns} skipped: {}, which was not requested",
                     group.columns.values()
                 ));
             }
@@ -162,7 +162,7 @@ impl Plan {
             {
                 group.columns = Columns::Magnitude { size, decibels };
                 self.notes.push(format!(
-                    "column {} left out: only magnitudes were asked for",
+                    "column {} skipped: only magnitudes were requested",
                     phase + 1
                 ));
             }
@@ -179,7 +179,7 @@ impl Plan {
                     self.groups.push(magnitude(title, index));
                 }
                 _ => self.notes.push(format!(
-                    "column {} left out: it is not said what it is",
+                    "column {} skipped: its quantity is not given",
                     index + 1
                 )),
             }
@@ -203,12 +203,10 @@ impl Plan {
     /// Adds a note for each text column.
     fn note_texts(&mut self, table: &TableColumns) {
         let kinds = table.dialect.columns.iter().enumerate();
-        for (index, _) in kinds.filter(|(_, kind)| **kind == ColumnKind::Text) {
+        for (index, _) in kinds.filter(|(_, kind)| **kind == ColumnContent::Text) {
             if self.curve != Some(index) {
-                self.notes.push(format!(
-                    "column {} left out: it holds no numbers",
-                    index + 1
-                ));
+                self.notes
+                    .push(format!("column {} skipped: it has no numbers", index + 1));
             }
         }
     }
@@ -236,7 +234,7 @@ impl Plan {
         if open && !self.missing.contains(&Question::Values) {
             self.missing.push(Question::Phase);
             self.notes
-                .push("the unit of the phases is not said: degrees are taken".to_owned());
+                .push("the phase unit is not given: degrees assumed".to_owned());
         }
     }
 
@@ -282,7 +280,7 @@ fn doubts(table: &TableColumns) -> Vec<String> {
     {
         if !unknown.contains(&unit) {
             unknown.push(unit);
-            doubts.push(format!("its unit {unit:?} is not known"));
+            doubts.push(format!("its unit {unit:?} is unknown"));
         }
     }
     doubts

@@ -102,7 +102,7 @@ impl TableRow<'_> {
     fn not_a_number(&self, index: usize, accepted: &str) -> Fault {
         let text: String = text_of(self.cell(index)).chars().take(30).collect();
         let message =
-            format!("{text:?} is no number: accepted is such as {accepted} or an empty cell");
+            format!("{text:?} is not a number: accepted are {accepted}, or an empty cell");
         self.fault(index, message)
     }
 

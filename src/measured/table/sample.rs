@@ -11,7 +11,7 @@ const MOST_ROWS: usize = 400;
 
 /// The kind of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::measured) enum ColumnKind {
+pub(in crate::measured) enum ColumnContent {
     /// Real numbers.
     Real,
     /// Complex numbers.
@@ -37,17 +37,17 @@ struct SampleRow {
 }
 
 /// The first rows of a table, split by one separator.
-pub(super) struct Sample {
+pub(super) struct TableSample {
     pub(super) separator: Separator,
     rows: Vec<SampleRow>,
     /// Index of the first row of numbers.
     first: usize,
     pub(super) has_curves: bool,
     /// The kinds of the columns.
-    pub(super) columns: Vec<ColumnKind>,
+    pub(super) columns: Vec<ColumnContent>,
 }
 
-impl Sample {
+impl TableSample {
     pub(super) fn of(bytes: &[u8], body: usize, separator: Separator) -> Self {
         let rows = rows(bytes, body, separator);
         let names = rows.iter().position(|row| {
@@ -91,7 +91,7 @@ impl Sample {
         let mut numbers = 0;
         for (cell, column) in cells {
             match (cell, column) {
-                (_, ColumnKind::Text) | (CellKind::Empty, _) => {}
+                (_, ColumnContent::Text) | (CellKind::Empty, _) => {}
                 (CellKind::Text, _) => return false,
                 (CellKind::Real | CellKind::Complex, _) => numbers += 1,
             }
@@ -104,7 +104,7 @@ impl Sample {
         let texts = self
             .columns
             .iter()
-            .filter(|kind| **kind == ColumnKind::Text);
+            .filter(|kind| **kind == ColumnContent::Text);
         let texts = texts.count();
         (
             self.numbers().count(),
@@ -194,7 +194,7 @@ fn kind_of(cell: &[u8], comma: bool) -> CellKind {
 }
 
 /// The kinds of the columns in most rows with at least two numbers. A column that is missing in most rows is ignored.
-fn columns(rows: &[SampleRow], skipped: usize) -> Vec<ColumnKind> {
+fn columns(rows: &[SampleRow], skipped: usize) -> Vec<ColumnContent> {
     let is_number = |kind: &CellKind| matches!(kind, CellKind::Real | CellKind::Complex);
     let two = |row: &&SampleRow| {
         row.kinds
@@ -217,9 +217,9 @@ fn columns(rows: &[SampleRow], skipped: usize) -> Vec<ColumnKind> {
         let (complex, texts) = (count(CellKind::Complex), count(CellKind::Text));
         let numbers = count(CellKind::Real) + complex;
         columns.push(match () {
-            () if texts > numbers => ColumnKind::Text,
-            () if complex > 0 => ColumnKind::Complex,
-            () => ColumnKind::Real,
+            () if texts > numbers => ColumnContent::Text,
+            () if complex > 0 => ColumnContent::Complex,
+            () => ColumnContent::Real,
         });
         if numbers + texts > 0 {
             filled = index + 1;

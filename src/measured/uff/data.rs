@@ -118,7 +118,7 @@ fn by_columns(line: &[u8], widths: &[usize], most: usize) -> Result<Vec<f64>, (u
         let Some(number) = number::parse(field, false) else {
             let found = text_of(field);
             let message = format!(
-                "{:?} is no number: one would be accepted in {width} columns",
+                "{:?} is not a number: one would be accepted in {width} columns",
                 found.trim()
             );
             return Err((column, message));
@@ -212,7 +212,7 @@ fn binary_layout(
     };
     if field(13, 19) != Some(2) {
         return fault(
-            "another floating-point format than 2, IEEE 754, which would be accepted".to_owned(),
+            "a floating-point format other than 2 (IEEE 754), which would be accepted".to_owned(),
         );
     }
     let sizes = if header.format.double {
@@ -227,7 +227,7 @@ fn binary_layout(
     let ends = |length: usize| lines.rest().get(length..).is_some_and(starts_with_end);
     let Some(sizes) = sizes.into_iter().find(|sizes| ends(length(*sizes))) else {
         let bytes = sizes.map(|sizes| length(sizes).to_string()).join(" or ");
-        return fault(format!("does not end behind {bytes} bytes of data"));
+        return fault(format!("does not end after {bytes} bytes of data"));
     };
     Ok(BinaryLayout {
         little,

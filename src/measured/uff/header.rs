@@ -90,7 +90,9 @@ impl FunctionHeader {
         let [response, reference] = record.dofs(lines)?;
         let mut notes = Vec::new();
         if response.is_none() || reference.is_none() {
-            notes.push("points and directions are not in their columns: none are taken".to_owned());
+            notes.push(
+                "points and directions are not in their columns: they are ignored".to_owned(),
+            );
         }
         record.next(lines)?;
         let [kind, count, spacing, first, step, _] = record.fields([10, 10, 10, 13, 13, 13]);
@@ -107,7 +109,7 @@ impl FunctionHeader {
         let (first, step) = (record.real(lines, first)?, record.real(lines, step)?);
         if format.even && points > 1 && !(first.is_finite() && step.is_finite() && step != 0.0) {
             let message = format!(
-                "even abscissae from {first} with a step of {step}: finite numbers and another step than 0 would be accepted"
+                "even abscissae from {first} with a step of {step}: finite numbers and a step other than 0 would be accepted"
             );
             return Err(record.fault(lines, column, message));
         }

@@ -39,8 +39,7 @@ impl FileUnits {
             let factor =
                 number::parse(field, false).filter(|factor| factor.is_normal() && *factor > 0.0);
             factor.ok_or_else(|| {
-                let message =
-                    "no factor of a unit: a number above 0 would be accepted in 25 columns";
+                let message = "no unit factor: a number above 0 would be accepted in 25 columns";
                 lines.fault(set, 2, column + 1, message)
             })
         };
@@ -73,7 +72,7 @@ impl FileUnits {
 
 /// The quantity of a function.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Quantity {
+pub(super) struct FunctionQuantity {
     /// Unit of the abscissa; none if its label is unknown.
     pub(super) frequency: Option<FrequencyUnit>,
     /// Unit of the values; none if it is not given or unknown.
@@ -97,7 +96,7 @@ enum RatioSide {
     Unknown(String),
 }
 
-impl Quantity {
+impl FunctionQuantity {
     /// The quantity of a function.
     ///
     /// # Errors
@@ -116,7 +115,7 @@ impl Quantity {
             && !directed
             && header.ordinate.unit.is_empty()
         {
-            notes.push("the direction is not said: a translation is taken".to_owned());
+            notes.push("the direction is not given: translation assumed".to_owned());
         }
         let unit = match (numerator, denominator) {
             (RatioSide::Whole(kind, scale, inverse), _) => {
@@ -153,7 +152,7 @@ impl Quantity {
         });
         for (_, word) in &self.unknown {
             self.notes.push(format!(
-                "{word:?} is no unit that is known: numbers stand as in the file"
+                "{word:?} is no unit that is known: numbers are as in the file"
             ));
         }
     }
@@ -181,7 +180,9 @@ fn ratio(numerator: &RatioSide, denominator: &RatioSide) -> Result<Option<ValueU
             Some(ValueUnit::scaled(kind, load_one / one, true))
         }
         (RatioSide::Motion(..), _) => return Err("of a motion over a motion".to_owned()),
-        (RatioSide::Load(..), _) => return Err("of a load over no motion".to_owned()),
+        (RatioSide::Load(..), _) => {
+            return Err("of a load over something other than a motion".to_owned());
+        }
         (RatioSide::Whole(..) | RatioSide::NotGiven | RatioSide::Unknown(_), _) => None,
     })
 }
@@ -198,10 +199,9 @@ fn frequency(
     match header.abscissa.kind {
         18 if response => {}
         0 | 1 if matches!(header.function, 4 | 12) => {
-            notes
-                .push("the abscissa is not said to be a frequency: it is taken for one".to_owned());
+            notes.push("the abscissa type is not given: frequency assumed".to_owned());
         }
-        _ if response => return Err("over something else than frequency".to_owned()),
+        _ if response => return Err("over something other than frequency".to_owned()),
         _ => {
             return Err(format!(
                 "of type {} ({})",
@@ -303,7 +303,7 @@ fn sign(header: &FunctionHeader, notes: &mut Vec<String>) -> f64 {
     let against = ends.iter().filter(|end| end.direction < 0).count();
     if against == 1 {
         notes.push(format!(
-            "the sign is turned: {} looks against its axis",
+            "the sign is inverted: {} is opposite to its axis",
             header.dof_names()
         ));
         return -1.0;

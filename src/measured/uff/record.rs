@@ -87,7 +87,7 @@ impl<'a> HeaderRecord<'a> {
         let found = text_of(self.field(columns.clone()));
         let (from, to) = (columns.start + 1, columns.end);
         let message =
-            format!("{found:?} is no {what}: one would be accepted in columns {from} to {to}");
+            format!("{found:?} is not a {what}: one would be accepted in columns {from} to {to}");
         self.fault(lines, columns.start, message)
     }
 
@@ -162,7 +162,7 @@ impl<'a> HeaderRecord<'a> {
         Err(self.fault(
             lines,
             column + 10,
-            format!("{direction} is no direction: -6 to 6 would be accepted"),
+            format!("{direction} is not a direction: -6 to 6 would be accepted"),
         ))
     }
 
@@ -182,7 +182,7 @@ impl<'a> HeaderRecord<'a> {
                 return Err(self.fault(
                     lines,
                     kind.start,
-                    format!("{other} is no ordinate data type: {accepted}"),
+                    format!("{other} is not an ordinate data type: {accepted}"),
                 ));
             }
         };
@@ -191,7 +191,7 @@ impl<'a> HeaderRecord<'a> {
             1 => true,
             other => {
                 let message = format!(
-                    "{other} is no abscissa spacing: 0 (uneven) or 1 (even) would be accepted"
+                    "{other} is not an abscissa spacing: 0 (uneven) or 1 (even) would be accepted"
                 );
                 return Err(self.fault(lines, spacing.start, message));
             }

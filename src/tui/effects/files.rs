@@ -50,7 +50,7 @@ pub(super) fn export(path: PathBuf, text: &str, kind: Export, guard: &Guard) -> 
 fn write(path: &Path, text: &str, guard: &Guard, what: Saving) -> Result<(), Reply> {
     let path = path.to_owned();
     if path.is_dir() {
-        let reason = "it is a folder; a file's name is wanted".to_owned();
+        let reason = "it is a folder; enter a file name".to_owned();
         return Err(Reply::NotSaved(path, reason));
     }
     let question = match guard {

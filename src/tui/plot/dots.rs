@@ -11,7 +11,7 @@ use super::axis::Ruler;
 
 /// The curve in one cell.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Cell {
+pub(super) struct DotCell {
     /// The curve that drew here last; it gives the cell its style.
     pub(super) curve: Option<usize>,
     /// Whether the cell shows the curve's marker instead of dots.
@@ -33,7 +33,7 @@ pub(super) struct Dots {
     pub(super) down: Ruler,
     /// In the order in which they are drawn.
     dots: Vec<Dot>,
-    cells: Vec<Cell>,
+    cells: Vec<DotCell>,
 }
 
 /// Dots of one curve and their colour, as a shape for the canvas.
@@ -54,7 +54,7 @@ impl Dots {
             across,
             down,
             dots: Vec::new(),
-            cells: vec![Cell::default(); cells],
+            cells: vec![DotCell::default(); cells],
         }
     }
 
@@ -75,7 +75,7 @@ impl Dots {
         cell.marked = true;
     }
 
-    pub(super) fn cell(&self, column: u16, row: u16) -> Cell {
+    pub(super) fn cell(&self, column: u16, row: u16) -> DotCell {
         self.cells[self.index(column, row)]
     }
 
@@ -108,7 +108,7 @@ impl Dots {
         Canvas::default().paint(paint).render(area, buffer);
     }
 
-    fn cell_mut(&mut self, column: u16, row: u16) -> &mut Cell {
+    fn cell_mut(&mut self, column: u16, row: u16) -> &mut DotCell {
         let index = self.index(column, row);
         &mut self.cells[index]
     }

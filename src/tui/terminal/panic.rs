@@ -60,10 +60,10 @@ fn describe(panic: &PanicHookInfo<'_>) -> String {
         .unwrap_or("without a message");
     let message = message.split_whitespace().collect::<Vec<_>>().join(" ");
     let location = panic.location().map_or_else(
-        || "an unknown place".to_owned(),
+        || "an unknown location".to_owned(),
         |at| format!("{}:{}", at.file(), at.line()),
     );
-    format!("a fault of its own at {location}: {message}")
+    format!("internal error at {location}: {message}")
 }
 
 fn line(description: &str, log_file: Option<&Path>) -> String {
@@ -80,7 +80,7 @@ mod tests {
 
     #[test]
     fn the_report_is_one_line() {
-        let description = "a fault of its own at src/x.rs:1: why";
+        let description = "internal error at src/x.rs:1: why";
         assert_eq!(line(description, None), format!("beamtune: {description}"));
         assert_eq!(
             line(description, Some(Path::new("/a/b.log"))),

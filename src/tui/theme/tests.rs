@@ -65,7 +65,7 @@ fn bytes(colour: Color) -> [u8; 3] {
     }
 }
 
-/// Linear RGB from sRGB bytes (IEC 61966-2-1).
+/// Linear RGB from gamma-encoded bytes (IEC 61966-2-1).
 fn linear(bytes: [u8; 3]) -> [f64; 3] {
     bytes.map(|byte| {
         let x = f64::from(byte) / 255.0;

@@ -32,7 +32,7 @@ pub(super) struct Dots {
     pub(super) across: Ruler,
     pub(super) down: Ruler,
     /// In the order in which they are drawn.
-    dots: Vec<Dot>,
+    drawn: Vec<Dot>,
     cells: Vec<DotCell>,
 }
 
@@ -53,14 +53,14 @@ impl Dots {
         Self {
             across,
             down,
-            dots: Vec::new(),
+            drawn: Vec::new(),
             cells: vec![DotCell::default(); cells],
         }
     }
 
     /// Draws a dot of `curve`; the dot must lie on the grid.
     pub(super) fn draw(&mut self, column: u16, row: u16, curve: usize) {
-        self.dots.push(Dot { column, row, curve });
+        self.drawn.push(Dot { column, row, curve });
         let cell = [
             column / self.across.dots_per_cell,
             row / self.down.dots_per_cell,
@@ -96,7 +96,7 @@ impl Dots {
     ) {
         let paint = |context: &mut ratatui::widgets::canvas::Context<'_>| {
             let mut last = None;
-            for run in self.dots.chunk_by(|dot, next| dot.curve == next.curve) {
+            for run in self.drawn.chunk_by(|dot, next| dot.curve == next.curve) {
                 let curve = run[0].curve;
                 let marker = marker(curve);
                 if last.replace(marker) != Some(marker) {

@@ -1,20 +1,19 @@
-//! Text from outside (names, keys, paths, arguments, what files say) as a person or a terminal may read it.
+//! Escapes text from outside (names, keys, paths, arguments, file contents) for people and terminals.
 //!
-//! Characters that a terminal obeys or that are invisible are written as Rust writes them in quotes: `\u{1b}`, `\n`. An
-//! escaped text has none of them, so escaping it again changes nothing: every output escapes what it is given, and
-//! whatever measures a text measures it escaped.
+//! Control characters and invisible characters are written as Rust escapes: `\u{1b}`, `\n`. Escaping is idempotent:
+//! every output escapes its text, and the width of a text is that of the escaped text.
 //!
-//! File names are bytes. As text each byte that is no UTF-8 is a private character, which is shown as `\xff` and
-//! becomes that byte again.
+//! File names are bytes. In text, a byte that is not UTF-8 is a private-use character, which is shown as `\xff` and
+//! converts back to that byte.
 
 use std::borrow::Cow;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-/// A byte of a file name that is no UTF-8 is this character plus its value: the end of the last private use area.
+/// A byte of a file name that is not UTF-8 is this character plus its value: the end of the last private use area.
 const BYTES: u32 = 0x0010_ff00;
 
-/// Whether a character acts on what shows it, or shows nothing: controls (Unicode 16 category Cc), format characters
+/// Whether a character controls a terminal or is invisible: controls (Unicode 16 category Cc), format characters
 /// (Cf: bidirectional marks, zero-width characters, tags), separators of lines and paragraphs (Zl, Zp), and those that
 /// are ignored by default (`Default_Ignorable_Code_Point`: fillers, variation selectors).
 pub(crate) fn is_hidden(letter: char) -> bool {
@@ -49,14 +48,14 @@ pub(crate) fn is_hidden(letter: char) -> bool {
         )
 }
 
-/// The byte of a file name that a character stands for.
+/// The file name byte that a character encodes.
 fn byte_of(letter: char) -> Option<u8> {
     u8::try_from(u32::from(letter).checked_sub(BYTES)?)
         .ok()
         .filter(|byte| !byte.is_ascii())
 }
 
-/// The character that stands for a byte of a file name.
+/// The character that encodes a file name byte.
 fn letter_of(byte: u8) -> char {
     char::from_u32(BYTES + u32::from(byte)).unwrap_or(char::REPLACEMENT_CHARACTER)
 }
@@ -83,25 +82,25 @@ pub(crate) fn escape(text: &str) -> Cow<'_, str> {
     Cow::Owned(safe)
 }
 
-/// The same for a text of several lines: line feeds stay.
+/// The same for a text of several lines: keeps line feeds.
 pub(crate) fn escape_lines(text: &str) -> String {
     let lines: Vec<Cow<str>> = text.split('\n').map(escape).collect();
     lines.join("\n")
 }
 
-/// A path as it is shown.
+/// A path for display.
 pub(crate) fn shown_path(path: &Path) -> String {
     escape(&path_text(path)).into_owned()
 }
 
-/// A path as text that [`path_of_text`] turns into the same path again, whatever its bytes are.
+/// A path as text that [`path_of_text`] converts back to the same path, for any bytes.
 pub(crate) fn path_text(path: &Path) -> String {
     let mut text = String::new();
     for chunk in path.as_os_str().as_encoded_bytes().utf8_chunks() {
         for letter in chunk.valid().chars() {
             match byte_of(letter) {
                 None => text.push(letter),
-                // What would read back as a byte is taken byte by byte itself.
+                // A character that would convert back to a byte is itself encoded byte by byte.
                 Some(_) => text.extend(letter.to_string().bytes().map(letter_of)),
             }
         }
@@ -110,7 +109,7 @@ pub(crate) fn path_text(path: &Path) -> String {
     text
 }
 
-/// The path of a text that was typed, or made by [`path_text`].
+/// The path of a typed text or of a text from [`path_text`].
 pub(crate) fn path_of_text(text: &str) -> PathBuf {
     use std::os::unix::ffi::OsStringExt as _;
     let mut bytes = Vec::with_capacity(text.len());
@@ -155,12 +154,12 @@ mod tests {
         assert_eq!(escape_lines("a\u{7}\nb"), "a\\u{7}\nb");
     }
 
-    /// Debug of the standard library escapes controls, format characters and separators by its own tables of Unicode.
+    /// `Debug` of the standard library escapes controls, format characters and separators by its own Unicode tables.
     #[test]
-    fn what_values_show_escaped_is_escaped_and_letters_are_not() {
+    fn characters_that_debug_escapes_are_escaped_and_letters_are_not() {
         for letter in '\0'..=char::MAX {
             let quoted = format!("{letter:?}") != format!("'{letter}'");
-            // What is hidden, but a letter or a mark for Debug: the Hangul fillers.
+            // Hidden, but letters or marks for `Debug`: the Hangul fillers.
             let filler = matches!(letter, '\u{115f}'..='\u{1160}' | '\u{3164}' | '\u{ffa0}');
             if is_hidden(letter) {
                 assert!(quoted || filler, "{:x}", u32::from(letter));
@@ -191,7 +190,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn an_escaped_text_is_safe_and_stays(text in any::<String>()) {
+        fn escaping_is_safe_and_idempotent(text in any::<String>()) {
             let safe = escape(&text).into_owned();
             prop_assert!(!safe.contains(is_hidden));
             prop_assert_eq!(&escape(&safe), &safe);

@@ -15,10 +15,10 @@
 //! | `worker` | the background threads: newest request wins | `model`, `solve`, `tune` |
 //! | `tui` | the designer: state and commands (`tui::app`), keys, views, the chart, the terminal and its bytes (`tui::backend`), what is kept for the user (`tui::user`) | all above |
 //! | `words` | enums whose values have words in files | nothing |
-//! | `escape` | text from outside as a person or a terminal may read it | nothing |
-//! | `table` | numbers and texts as cells of CSV | `escape` |
-//! | `signals` | signals that the program was started to ignore | nothing |
-//! | `rehearsal` | faults on purpose, in debug builds, for tests | nothing |
+//! | `escape` | text from outside, escaped for terminals and files | nothing |
+//! | `table` | numbers and texts as CSV cells | `escape` |
+//! | `signals` | signals that the parent process set to be ignored | nothing |
+//! | `fault_injection` | panics for tests, in debug builds | nothing |
 //! | [`guide`] | the guide, a chapter a module | nothing |
 //! | `cli` | the commands; [`run()`] is the whole program | all above |
 //!
@@ -48,12 +48,12 @@
 
 mod cli;
 mod escape;
+mod fault_injection;
 mod files;
 pub mod guide;
 pub mod measured;
 pub mod model;
 pub mod presets;
-mod rehearsal;
 mod signals;
 pub mod solve;
 mod table;

@@ -1,17 +1,17 @@
-//! Signals that the program was started to ignore, as by `nohup`: they stay ignored.
+//! Signals that the parent process set to be ignored, as `nohup` does: they stay ignored.
 
 use std::fs;
 
-/// Those of some signals that are to be heard.
+/// Filters out the ignored signals.
 pub(crate) fn not_ignored(signals: impl IntoIterator<Item = i32>) -> Vec<i32> {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
-    // Where the system does not say, none is ignored.
+    // If the system does not report it, none is ignored.
     let ignored = ignored(&status).unwrap_or(0);
-    let is_heard = |signal: &i32| (ignored >> (signal - 1)) & 1 == 0;
-    signals.into_iter().filter(is_heard).collect()
+    let is_handled = |signal: &i32| (ignored >> (signal - 1)) & 1 == 0;
+    signals.into_iter().filter(is_handled).collect()
 }
 
-/// A bit for each signal that is ignored, the lowest for signal 1 (Linux, proc(5), /proc/PID/status).
+/// The mask of ignored signals; the lowest bit is signal 1 (Linux, proc(5), /proc/PID/status).
 fn ignored(status: &str) -> Option<u64> {
     let mask = status
         .lines()

@@ -1,8 +1,8 @@
-//! Numbers and texts as cells of a CSV table.
+//! Numbers and texts as CSV cells.
 
 use crate::escape::escape;
 
-/// The shortest text that reads back to the same number; `nan` where there is no finite answer.
+/// The shortest text that parses to the same number; `nan` if it is not finite.
 pub(crate) fn number(value: f64) -> String {
     if value.is_finite() {
         format!("{value:?}")
@@ -13,8 +13,8 @@ pub(crate) fn number(value: f64) -> String {
 
 /// A text as a CSV cell (RFC 4180), hidden characters escaped.
 ///
-/// A spreadsheet takes what begins with `=`, `+`, `-` or `@` for a formula: a text that does, and is no number, gets a
-/// quote mark before it, which a spreadsheet takes as the sign of a text and [`unquoted`] takes away.
+/// A spreadsheet reads a cell that starts with `=`, `+`, `-` or `@` as a formula. Such a text, unless it is a number,
+/// gets a leading quote mark, which marks a text in a spreadsheet and which [`unquoted`] removes.
 pub(crate) fn cell(text: &str) -> String {
     let mut text = escape(text);
     if text.starts_with(FORMULA) && text.parse::<f64>().is_err() {
@@ -27,10 +27,10 @@ pub(crate) fn cell(text: &str) -> String {
     }
 }
 
-/// What a spreadsheet begins a formula with.
+/// The characters that start a formula in a spreadsheet.
 const FORMULA: [char; 4] = ['=', '+', '-', '@'];
 
-/// A text that was read from a cell, without the quote mark that [`cell`] gave it.
+/// The text of a cell without the quote mark of [`cell`].
 pub(crate) fn unquoted(text: &str) -> &str {
     match text.strip_prefix('\'') {
         Some(rest) if rest.starts_with(FORMULA) => rest,
@@ -43,7 +43,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_text_is_no_formula_nor_a_command() {
+    fn a_text_is_neither_a_formula_nor_a_control_sequence() {
         for plain in ["P5 w.re", "1e6", "+0.3", "-5", "a=b", "'a", "x 0.5"] {
             assert_eq!(cell(plain), plain);
             assert_eq!(unquoted(plain), plain);

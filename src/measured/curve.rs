@@ -1,4 +1,4 @@
-//! A measured curve, and how it is made of the points of a file.
+//! Measured curves, built from the points of a file.
 
 use num_complex::Complex64;
 
@@ -8,26 +8,26 @@ use crate::unit::{Kind, ValueUnit};
 /// A curve from a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
-    /// What the file calls it, or the file's own name.
+    /// The name in the file, or the file's name.
     pub name: String,
-    /// Hz, above 0, rising, each once.
+    /// Hz, positive, strictly ascending.
     pub frequencies: Vec<f64>,
-    /// As many as frequencies, finite, in the SI unit of `kind`; as they stand in the file where the kind is not known.
-    /// Without a phase the imaginary parts are 0 and the real parts are magnitudes.
+    /// One finite value per frequency, in the SI unit of `kind`, or in the unit of the file if the kind is unknown.
+    /// Without a phase the real parts are magnitudes and the imaginary parts are 0.
     pub values: Vec<Complex64>,
-    /// Whether phases are known; false: only magnitudes are.
+    /// Whether phases are known; false for magnitudes only.
     pub phase_known: bool,
-    /// What the values are; none where neither the file nor a layout says it.
+    /// The quantity of the values; none if neither the file nor a layout gives it.
     pub kind: Option<Kind>,
-    /// The words for units that are not understood, each with what it leaves to be asked. Frequencies or values stand as
-    /// in the file, and are not to be taken for SI.
+    /// Unknown unit words, each with the open question. The frequencies or values are then in the unit of the file, not
+    /// in SI.
     pub unknown: Vec<(Question, String)>,
-    /// What was left out, turned or taken for granted in reading, a sentence each.
+    /// Skipped points, changed signs and assumptions made during reading, one sentence each.
     pub notes: Vec<String>,
 }
 
 impl Curve {
-    /// The word that leaves a question open.
+    /// The unknown word of an open question.
     pub fn unknown_word(&self, question: Question) -> Option<&str> {
         let mut unknown = self.unknown.iter();
         let found = unknown.find(|(asked, _)| *asked == question)?;
@@ -35,16 +35,16 @@ impl Curve {
     }
 }
 
-/// The points of a curve as they come from a file.
+/// Builds a curve from the points of a file.
 #[derive(Debug, Default)]
-pub(super) struct Points {
+pub(super) struct CurveBuilder {
     usable: Vec<(f64, Complex64)>,
     not_positive: usize,
     not_finite: usize,
 }
 
-impl Points {
-    /// Takes a point, frequency in Hz; one without a finite value or with a frequency of 0 or below is only counted.
+impl CurveBuilder {
+    /// Adds a point, frequency in Hz; a non-finite point or a frequency of 0 or below is only counted.
     pub(super) fn push(&mut self, frequency: f64, value: Complex64) {
         if !(frequency.is_finite() && value.is_finite()) {
             self.not_finite += 1;
@@ -55,12 +55,12 @@ impl Points {
         }
     }
 
-    /// Brings values to SI, before they are counted as finite or not.
+    /// Converts the value to SI, then adds the point.
     pub(super) fn push_in(&mut self, unit: Option<&ValueUnit>, frequency: f64, value: Complex64) {
         self.push(frequency, unit.map_or(value, |unit| unit.to_si(value)));
     }
 
-    /// The curve of the points; none where no point is left.
+    /// The curve of the points; none without usable points.
     pub(super) fn curve(
         mut self,
         name: String,
@@ -68,29 +68,29 @@ impl Points {
         kind: Option<Kind>,
     ) -> Option<Curve> {
         let mut notes = Vec::new();
-        note(&mut notes, self.not_positive, "at 0 Hz or below left out");
+        note(&mut notes, self.not_positive, "at 0 Hz or below skipped");
         note(
             &mut notes,
             self.not_finite,
-            "without a finite number left out",
+            "without a finite number skipped",
         );
         if self.usable.windows(2).any(|pair| pair[0].0 > pair[1].0) {
             self.usable.sort_by(|a, b| a.0.total_cmp(&b.0));
-            notes.push("frequencies put in rising order".to_owned());
+            notes.push("frequencies sorted in ascending order".to_owned());
         }
         let before = self.usable.len();
         self.usable.dedup_by(|later, first| later.0 == first.0);
         note(
             &mut notes,
             before - self.usable.len(),
-            "at a frequency that was there already left out",
+            "with a repeated frequency skipped",
         );
         if !phase_known {
             let negative = self.usable.iter().filter(|point| point.1.re < 0.0).count();
             note(
                 &mut notes,
                 negative,
-                "taken without the sign: only magnitudes are known",
+                "with the sign removed: only magnitudes are known",
             );
             for point in &mut self.usable {
                 point.1 = point.1.norm().into();
@@ -116,7 +116,7 @@ fn note(notes: &mut Vec<String>, count: usize, what: &str) {
     }
 }
 
-/// Gives curves of the same name numbers: `H`, `H (2)`.
+/// Numbers curves of the same name: `H`, `H (2)`.
 pub(super) fn distinguish(curves: &mut [Curve]) {
     let mut seen = std::collections::HashMap::<String, usize>::new();
     let mut taken: std::collections::HashSet<String> =
@@ -141,7 +141,7 @@ mod tests {
     use super::*;
 
     fn curve(points: &[(f64, f64)], phase_known: bool) -> Option<Curve> {
-        let mut of = Points::default();
+        let mut of = CurveBuilder::default();
         for &(frequency, value) in points {
             of.push(frequency, value.into());
         }
@@ -149,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn points_become_a_rising_curve_and_what_was_done_is_said() {
+    fn points_become_an_ascending_curve_with_notes() {
         let points = [
             (3.0, 1.0),
             (0.0, 5.0),
@@ -164,11 +164,11 @@ mod tests {
         assert_eq!(
             made.notes,
             [
-                "2 points at 0 Hz or below left out",
-                "1 point without a finite number left out",
-                "frequencies put in rising order",
-                "1 point at a frequency that was there already left out",
-                "1 point taken without the sign: only magnitudes are known"
+                "2 points at 0 Hz or below skipped",
+                "1 point without a finite number skipped",
+                "frequencies sorted in ascending order",
+                "1 point with a repeated frequency skipped",
+                "1 point with the sign removed: only magnitudes are known"
             ]
         );
         let made = curve(&[(2.0, -4.0), (3.0, 6.0)], true).unwrap();

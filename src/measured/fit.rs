@@ -1,19 +1,19 @@
-//! How well a model fits a measured curve.
+//! The fit of a model to a measured curve.
 
 use num_complex::Complex64;
 
 use super::curve::Curve;
 use crate::unit::Kind;
 
-/// How close two curves are in a band.
+/// The agreement of two curves in a band.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fit {
-    /// Frequency response assurance criterion, 0 to 1 (Heylen & Lammens, 1996): 1 where one curve is a constant times the
-    /// other. Of the magnitudes alone where the measured curve has no phase.
+    /// Frequency response assurance criterion, 0 to 1 (Heylen & Lammens, 1996): 1 if one curve is a constant times the
+    /// other. From magnitudes only if the measured curve has no phase.
     pub frac: f64,
-    /// Whether `frac` is that of the magnitudes.
+    /// Whether `frac` uses magnitudes only.
     pub of_magnitudes: bool,
-    /// Mean over the points of the model's level less the measured one, dB.
+    /// Mean level difference, model minus measured, dB.
     pub mean_decibels: f64,
     /// Root mean square of that difference, dB.
     pub rms_decibels: f64,
@@ -21,15 +21,15 @@ pub struct Fit {
     pub points: usize,
 }
 
-/// Holds a model's values beside a measured curve. The values are at the curve's frequencies and in its unit; a band is
-/// from and to in Hz, both included.
+/// Compares a model's values with a measured curve. The values are at the curve's frequencies and in its unit; `band` is
+/// in Hz, with both ends included.
 ///
 /// FRAC = |sum Hm conj(Ha)|^2 / (sum |Hm|^2 sum |Ha|^2), Hm measured and Ha of the model (Heylen & Lammens, FRAC: a
 /// consistent way of comparing frequency response functions, Identification in Engineering Systems, Swansea 1996). Levels
-/// are 20 log10, of an energy 10 log10. A point where one of the curves is 0 has no level and does not count in the
-/// differences; one where a value is not finite does not count at all.
+/// are 20 log10, for an energy 10 log10. A point at which a curve is 0 has no level and is not in the differences; a point
+/// with a non-finite value is ignored.
 ///
-/// None where the numbers of values differ, or no point in the band has a level on both curves.
+/// None if the numbers of values differ, or if no point in the band has a level on both curves.
 pub fn fit(measured: &Curve, model: &[Complex64], band: Option<[f64; 2]>) -> Option<Fit> {
     if measured.frequencies.len() != model.len() {
         return None;
@@ -61,7 +61,7 @@ pub fn fit(measured: &Curve, model: &[Complex64], band: Option<[f64; 2]>) -> Opt
 }
 
 fn frac(pairs: &[(Complex64, Complex64)], phase_known: bool) -> Option<f64> {
-    // Divided by the largest, squares stay within the range of the arithmetic.
+    // Scaled by the largest value, so that squares do not overflow.
     let largest = |of: fn(&(Complex64, Complex64)) -> f64| pairs.iter().map(of).fold(0.0, f64::max);
     let (first, second) = (largest(|pair| pair.0.norm()), largest(|pair| pair.1.norm()));
     if first == 0.0 || second == 0.0 {
@@ -79,11 +79,11 @@ fn frac(pairs: &[(Complex64, Complex64)], phase_known: bool) -> Option<f64> {
         model += a.norm_sqr();
     }
     let frac = cross.norm_sqr() / (measured * model);
-    // Rounding may pass 1 by a few units of the last place.
+    // Rounding may exceed 1 by a few units in the last place.
     frac.is_finite().then(|| frac.min(1.0))
 }
 
-/// Mean and root mean square of the differences of level, dB; none where there is no level.
+/// Mean and root mean square of the level differences, dB; none without levels.
 fn differences(pairs: &[(Complex64, Complex64)], factor: f64) -> Option<(f64, f64)> {
     let levels = pairs.iter().filter_map(|(measured, model)| {
         let difference = factor * (model.norm().log10() - measured.norm().log10());
@@ -127,7 +127,7 @@ mod tests {
 
     /// Expected: closed form.
     #[test]
-    fn a_constant_factor_changes_the_level_alone() {
+    fn a_constant_factor_changes_only_the_level() {
         let same = fit(&measured(&CURVE), &CURVE, None).unwrap();
         near(same.frac, 1.0);
         assert_eq!(
@@ -148,7 +148,7 @@ mod tests {
 
     /// Expected: closed form. (1, 1) and (1, -1) are orthogonal; (1, 0) and (1, 1) have |1|^2 / (1 x 2).
     #[test]
-    fn shapes_that_differ_have_less() {
+    fn different_shapes_have_a_lower_frac() {
         let one = Complex64::ONE;
         near(
             fit(&measured(&[one, one]), &[one, -one], None)
@@ -175,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn only_the_band_counts_and_its_ends_belong_to_it() {
+    fn only_points_in_the_closed_band_count() {
         let mut other = CURVE;
         other[0] *= -5.0;
         let found = fit(&measured(&CURVE), &other, Some([2.0, 3.0])).unwrap();
@@ -189,7 +189,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_level_does_not_spoil_the_rest() {
+    fn points_without_a_level_are_ignored() {
         let mut model = CURVE;
         model[1] = Complex64::ZERO;
         model[2] = Complex64::new(f64::NAN, 0.0);

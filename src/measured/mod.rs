@@ -1,7 +1,7 @@
 //! Measured curves from files: tables (CSV) and universal files (UFF, data set 58), and how well a model fits them.
 //!
-//! [`read()`] gives the curves of a file in SI. What a table does not say of itself, a [`Layout`] does; [`inspect()`] tells
-//! what is in a file and what has to be asked, and [`open()`] reads it where nothing has to be. [`write_uff()`] writes data
+//! [`read()`] returns the curves of a file in SI. A [`Layout`] gives what a table does not specify; [`inspect()`] reports the
+//! content of a file and the missing information, and [`open()`] reads it if nothing is missing. [`write_uff()`] writes data
 //! set 58, [`fit()`] compares a model's values with a curve. Nothing here computes a response.
 //!
 //! # Example
@@ -39,26 +39,26 @@ pub use inspect::{Inspection, Opened, inspect, open, open_in_si};
 pub use layout::{Layout, Places, Question, Values};
 pub use uff::write::{Node, Record, Written, write_uff};
 
-/// Largest file that is read, bytes: 256 MiB.
+/// Largest accepted file, bytes: 256 MiB.
 pub const MOST_BYTES: usize = 256 << 20;
 
-/// Most values that are read from a file, over all its curves.
+/// Most values of a file, over all its curves.
 pub const MOST_VALUES: usize = 5_000_000;
 
-/// What stands in front of UTF-8 of some programs.
+/// The UTF-8 byte order mark that some programs write.
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
-/// What is known of a file besides its contents.
+/// Information about a file in addition to its content.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Hint {
-    /// The file's name, with or without folders and ending; curves without a name are named after it.
+    /// The file's name, with or without folders and extension; the name of curves without a name.
     pub name: String,
-    /// What a person says of a table. It holds over the words of the file. Of a universal file, only its units are used,
-    /// where the file gives none or gives words that are not understood.
+    /// The user's description of a table, which overrides the file. For a universal file only its units are used, if the
+    /// file gives none or gives unknown ones.
     pub layout: Option<Layout>,
 }
 
-/// What kind of file it is.
+/// A file format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
     /// A table of numbers as text.
@@ -68,9 +68,9 @@ pub enum Format {
 }
 
 impl Format {
-    /// The format by the contents; by the ending of the name (`uff`, `unv`, `u58`, `bunv`) where they do not tell.
+    /// The format by the content, else by the extension (`uff`, `unv`, `u58`, `bunv`).
     ///
-    /// A universal file starts with a line that is `-1` alone.
+    /// A universal file starts with a line `-1`.
     pub fn of(bytes: &[u8], name: &str) -> Self {
         let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
         let mut lines = bytes
@@ -93,7 +93,7 @@ impl Format {
 }
 
 impl Hint {
-    /// The file's name without folders and ending.
+    /// The file's name without folders and extension.
     fn stem(&self) -> String {
         let stem = Path::new(&self.name).file_stem();
         stem.map_or_else(
@@ -103,10 +103,10 @@ impl Hint {
     }
 }
 
-/// The contents of a file.
+/// Reads the content of a file.
 ///
 /// # Errors
-/// Says what is wrong: it cannot be read, is no regular file, or is larger than [`MOST_BYTES`].
+/// The file cannot be read, is not a regular file, or is larger than [`MOST_BYTES`].
 pub fn load(path: &Path) -> Result<Vec<u8>, Fault> {
     let mut bytes = Vec::new();
     let read = crate::files::open(path)
@@ -122,9 +122,9 @@ pub fn load(path: &Path) -> Result<Vec<u8>, Fault> {
 /// Time and memory are linear in the size of the file.
 ///
 /// # Errors
-/// What is wrong with it and what would be accepted, with line and column (of a table: line and number of the cell);
-/// the path is the data set and record of a universal file. A table that needs a [`Layout`] to be understood, and is
-/// given none, is a fault too: [`inspect()`] says what is missing.
+/// What is wrong and what is accepted, with line and column (in a table: line and cell number); the path is the data set
+/// and record of a universal file. A table that needs a [`Layout`] and has none is also an error: [`inspect()`] reports
+/// what is missing.
 pub fn read(bytes: &[u8], hint: &Hint) -> Result<Vec<Curve>, Fault> {
     of_possible_size(bytes)?;
     let mut curves = match Format::of(bytes, &hint.name) {
@@ -143,7 +143,7 @@ fn of_possible_size(bytes: &[u8]) -> Result<(), Fault> {
     Ok(())
 }
 
-/// Bytes as text, UTF-8 and Latin-1 where they are not, with blanks for what cannot be shown: a terminal would obey it.
+/// Bytes as text in UTF-8, else Latin-1; control characters, which could control a terminal, become blanks.
 fn text_of(bytes: &[u8]) -> String {
     let visible = |letter: char| if letter.is_control() { ' ' } else { letter };
     match std::str::from_utf8(bytes) {
@@ -152,7 +152,7 @@ fn text_of(bytes: &[u8]) -> String {
     }
 }
 
-/// A fault at a place of a text, line and column from 1.
+/// A fault at a position of a text, line and column from 1.
 fn fault_at(path: &str, line: usize, column: usize, message: impl Into<String>) -> Fault {
     Fault {
         line: Some(line),
@@ -161,7 +161,7 @@ fn fault_at(path: &str, line: usize, column: usize, message: impl Into<String>) 
     }
 }
 
-/// That a file holds more values than are read.
+/// The message for too many values.
 fn too_many() -> String {
     format!("more than {MOST_VALUES} values; fewer points or fewer curves would be accepted")
 }

@@ -1,12 +1,12 @@
-//! Numbers as instruments, Fortran programs, and numpy and MATLAB write them.
+//! Parses numbers as written by instruments, Fortran programs, numpy and MATLAB.
 
 use num_complex::Complex64;
 
-/// Longest text of a number, bytes.
+/// Longest number, bytes.
 const LONGEST: usize = 64;
 
-/// A number: `1.5`, `1.5e-3`, `1.5D-03`, `1.5+100` (an exponent of three digits), with `comma` also `1,5`. Blanks around
-/// it do not matter; `nan` and `inf` are numbers that are not finite, and so is what is beyond the range.
+/// Parses a number: `1.5`, `1.5e-3`, `1.5D-03`, `1.5+100` (an exponent of three digits), with `comma` also `1,5`.
+/// Surrounding blanks are ignored. `nan`, `inf` and values beyond the range are non-finite numbers.
 pub(super) fn parse(text: &[u8], comma: bool) -> Option<f64> {
     let text = std::str::from_utf8(text.trim_ascii()).ok()?;
     if text.is_empty() || text.len() > LONGEST {
@@ -20,7 +20,7 @@ pub(super) fn parse(text: &[u8], comma: bool) -> Option<f64> {
         && !plain.contains('.')
         && let Some((whole, rest)) = plain.split_once(',')
     {
-        // A comma that ends a cell parts cells.
+        // A trailing comma is a separator.
         if !rest.starts_with(|digit: char| digit.is_ascii_digit()) {
             return None;
         }
@@ -31,18 +31,18 @@ pub(super) fn parse(text: &[u8], comma: bool) -> Option<f64> {
     }
     let sign = plain.rfind(['+', '-']).filter(|&at| at > 0)?;
     let (mantissa, exponent) = plain.split_at(sign);
-    let ends_well = mantissa.ends_with(|end: char| end.is_ascii_digit() || end == '.');
-    if !ends_well {
+    let is_mantissa = mantissa.ends_with(|end: char| end.is_ascii_digit() || end == '.');
+    if !is_mantissa {
         return None;
     }
     format!("{mantissa}e{exponent}").parse().ok()
 }
 
-/// A complex number in one text: `(1e-6-2e-7j)`, `1e-6 - 2e-7i`, `1+i*2`, `1 + 2*I`, `1 + 2im`, `2i`, `(1+-2j)`, `(1, 2)`.
-/// A real number alone is none.
+/// Parses a complex number: `(1e-6-2e-7j)`, `1e-6 - 2e-7i`, `1+i*2`, `1 + 2*I`, `1 + 2im`, `2i`, `(1+-2j)`, `(1, 2)`.
+/// A real number is not accepted.
 pub(super) fn complex(text: &[u8], comma: bool) -> Option<Complex64> {
     let text = std::str::from_utf8(text.trim_ascii()).ok()?;
-    // Most cells are none, and are seen at a glance.
+    // Fast path: most cells are not complex.
     if text.len() > 2 * LONGEST || !text.contains(['i', 'j', 'I', 'J', '(']) {
         return None;
     }
@@ -55,9 +55,13 @@ pub(super) fn complex(text: &[u8], comma: bool) -> Option<Complex64> {
             parse(im.as_bytes(), comma)?,
         ));
     }
-    let kept = |letter: &char| !letter.is_whitespace() && *letter != '*';
-    let plain: String = inside.unwrap_or(text).chars().filter(kept).collect();
-    // The sign in front of the imaginary part: not that of an exponent, and the first of 1+-2i and 1+i*-2.
+    let is_significant = |letter: &char| !letter.is_whitespace() && *letter != '*';
+    let plain: String = inside
+        .unwrap_or(text)
+        .chars()
+        .filter(is_significant)
+        .collect();
+    // The sign before the imaginary part: not that of an exponent, and the first one of 1+-2i and 1+i*-2.
     let no_split = ['e', 'E', 'd', 'D', '+', 'i', 'j'];
     let signs = plain.char_indices().rev();
     let split = signs
@@ -74,14 +78,14 @@ pub(super) fn complex(text: &[u8], comma: bool) -> Option<Complex64> {
     Some(Complex64::new(re, imaginary(im, comma)?))
 }
 
-/// An imaginary number: `-2e-7i`, `+j2`, `+-2j`, `2im`.
+/// Parses an imaginary number: `-2e-7i`, `+j2`, `+-2j`, `2im`.
 fn imaginary(text: &str, comma: bool) -> Option<f64> {
     let (sign, size) = match text.strip_prefix('-') {
         Some(size) => (-1.0, size),
         None => (1.0, text.strip_prefix('+').unwrap_or(text)),
     };
     let number = |text: &str| {
-        // Of two signs the first is a plus.
+        // Of two signs the first must be a plus.
         let twice = text.starts_with('+') || (sign < 0.0 && text.starts_with('-'));
         let starts = text
             .starts_with(|letter: char| letter == '-' || letter == '.' || letter.is_ascii_digit());
@@ -91,9 +95,9 @@ fn imaginary(text: &str, comma: bool) -> Option<f64> {
             .flatten()
     };
     let units = ["im", "i", "j", "I", "J"];
-    let behind = units.iter().find_map(|unit| size.strip_suffix(unit));
+    let after = units.iter().find_map(|unit| size.strip_suffix(unit));
     let before = || units[1..].iter().find_map(|unit| size.strip_prefix(unit));
-    let size = behind
+    let size = after
         .and_then(number)
         .or_else(|| before().and_then(number))?;
     Some(sign * size)
@@ -104,7 +108,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_of_all_spellings_are_read() {
+    fn all_notations_of_numbers_are_parsed() {
         for (text, number) in [
             ("1.5", 1.5),
             (" -1.5E-3 ", -1.5e-3),
@@ -124,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_is_none() {
+    fn invalid_numbers_are_none() {
         for text in [
             "", " ", "1 2", "1,5", "*****", "e", "1e", "+", "1.0e+5+5", "1+", "0x10", "1_0",
         ] {
@@ -137,9 +141,9 @@ mod tests {
         assert_eq!(parse(b"\xff", false), None);
     }
 
-    /// Expected: what numpy, pandas, MATLAB, Maple and C++ mean by what they print.
+    /// Expected: the values that numpy, pandas, MATLAB, Maple and C++ print in these notations.
     #[test]
-    fn complex_numbers_of_all_spellings_are_read() {
+    fn all_notations_of_complex_numbers_are_parsed() {
         for (text, re, im) in [
             ("(6.93e-06-1.2e-07j)", 6.93e-6, -1.2e-7),
             ("6.93e-06-1.2e-07i", 6.93e-6, -1.2e-7),

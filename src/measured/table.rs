@@ -1,10 +1,10 @@
-//! Tables of numbers as text: comma-, semicolon-, tab- or blank-separated.
+//! Tables of numbers as text, separated by commas, semicolons, tabs or blanks.
 
+mod column_title;
 mod columns;
 mod dialect;
 mod frequencies;
 mod groups;
-mod head;
 mod header;
 mod plan;
 mod records;
@@ -12,21 +12,21 @@ mod rows;
 mod sample;
 mod text;
 mod tokens;
-mod words;
+mod vocabulary;
 
 use std::collections::HashMap;
 
 use num_complex::Complex64;
 
-use super::curve::{Curve, Points};
+use super::curve::{Curve, CurveBuilder};
 use super::{Fault, Hint, MOST_VALUES, fault_at, text_of, too_many};
 use crate::table::unquoted;
 use crate::unit::ValueUnit;
+use columns::ColumnGroup;
 pub(super) use columns::Columns;
-use columns::Group;
 pub(super) use dialect::Dialect;
 pub(super) use plan::Plan;
-use rows::{Row, for_each_row};
+use rows::{TableRow, for_each_row};
 pub(super) use text::decoded;
 
 /// The curves of a table.
@@ -38,23 +38,27 @@ pub(super) fn read(bytes: &[u8], hint: &Hint) -> Result<Vec<Curve>, Fault> {
         let message = format!("the table does not say {question}");
         return Err(fault_at("", dialect.first_line(&text), 1, message));
     }
-    let mut reader = Reader::new(&plan, dialect.width());
+    let mut reader = TableReader::new(&plan, dialect.width());
     for_each_row(&text, &dialect, |row| reader.take(&row))?;
-    let Reader {
-        tables,
+    let TableReader {
+        curve_points,
         end,
-        words_behind,
+        rows_with_extra_cells,
         ..
     } = reader;
     let mut notes = plan.notes.clone();
     notes.extend(end.note(&text)?);
-    if words_behind > usize::from(dialect.is_behind) {
-        let rows = if words_behind == 1 { "row" } else { "rows" };
+    if rows_with_extra_cells > usize::from(dialect.is_after_data) {
+        let rows = if rows_with_extra_cells == 1 {
+            "row"
+        } else {
+            "rows"
+        };
         notes.push(format!(
-            "what stands behind the columns in {words_behind} {rows} left out"
+            "extra cells after the columns in {rows_with_extra_cells} {rows} skipped"
         ));
     }
-    let mut curves = tables.curves(&plan);
+    let mut curves = curve_points.curves(&plan);
     let Some(first) = curves.first_mut() else {
         let message = "no row has a frequency above 0 and a finite value";
         return Err(fault_at("", dialect.first_line(&text), 1, message));
@@ -63,84 +67,84 @@ pub(super) fn read(bytes: &[u8], hint: &Hint) -> Result<Vec<Curve>, Fault> {
     Ok(curves)
 }
 
-/// Reads the rows of a table one after the other.
-struct Reader<'a> {
+/// Reads the rows of a table in sequence.
+struct TableReader<'a> {
     plan: &'a Plan,
     width: usize,
-    tables: Tables,
-    end: End,
-    /// Rows with words behind the columns.
-    words_behind: usize,
+    curve_points: CurvePoints,
+    end: TableEnd,
+    /// Rows with cells after the last column.
+    rows_with_extra_cells: usize,
 }
 
-/// What may be the end of a table, as long as no row of numbers follows.
+/// A possible end of the table, as long as no row of numbers follows.
 #[derive(Default)]
-enum End {
-    /// The last row was one of numbers.
+enum TableEnd {
+    /// The last row has numbers.
     #[default]
     None,
-    /// Lines of something else.
+    /// Other lines.
     Lines {
         count: usize,
         start: String,
         fault: Fault,
     },
-    /// A row that is cut off or wrong.
+    /// A truncated or invalid row.
     CutRow(Fault),
 }
 
-impl End {
-    /// What to say of the end of the table.
+impl TableEnd {
+    /// A note on the end of the table.
     ///
     /// # Errors
-    /// The last row is wrong, and not because the file is cut off in it.
+    /// The last row is invalid, and the file is not truncated in it.
     fn note(self, text: &[u8]) -> Result<Option<String>, Fault> {
         match self {
             Self::None => Ok(None),
             Self::Lines { count, start, .. } => {
                 let lines = if count == 1 { "line" } else { "lines" };
                 Ok(Some(format!(
-                    "{count} {lines} behind the numbers left out, from {start:?} on"
+                    "{count} {lines} after the numbers skipped, from {start:?} on"
                 )))
             }
             Self::CutRow(_) if !text.ends_with(b"\n") => Ok(Some(
-                "the file is cut off in its last row, which is left out".to_owned(),
+                "the file is truncated in its last row, which is skipped".to_owned(),
             )),
             Self::CutRow(fault) => Err(fault),
         }
     }
 }
 
-impl<'a> Reader<'a> {
+impl<'a> TableReader<'a> {
     fn new(plan: &'a Plan, width: usize) -> Self {
         Self {
             plan,
             width,
-            tables: Tables::default(),
-            end: End::None,
-            words_behind: 0,
+            curve_points: CurvePoints::default(),
+            end: TableEnd::None,
+            rows_with_extra_cells: 0,
         }
     }
 
-    fn take(&mut self, row: &Row) -> Result<(), Fault> {
-        if let End::CutRow(fault) = &self.end {
+    fn take(&mut self, row: &TableRow) -> Result<(), Fault> {
+        if let TableEnd::CutRow(fault) = &self.end {
             return Err(fault.clone());
         }
         let plan = self.plan;
         let values = || plan.groups.iter().flat_map(|group| group.columns.both());
         match values_of(row, plan) {
             Ok((frequency, values)) => {
-                if let End::Lines { fault, .. } = &self.end {
+                if let TableEnd::Lines { fault, .. } = &self.end {
                     return Err(fault.clone());
                 }
-                self.words_behind += usize::from(row.has_from(self.width));
-                self.tables.push(row, plan, frequency, &values)
+                self.rows_with_extra_cells += usize::from(row.has_from(self.width));
+                self.curve_points.push(row, plan, frequency, &values)
             }
-            Err(fault) if row.is_no_row(plan.frequency.0, values()) => {
+            Err(fault) if row.is_not_data(plan.frequency.0, values()) => {
                 match &mut self.end {
-                    End::Lines { count, .. } => *count += 1,
+                    TableEnd::Lines { count, .. } => *count += 1,
                     _ => {
-                        self.end = End::Lines {
+                        self.end = TableEnd::Lines {
                             count: 1,
                             start: row.start(),
                             fault,
@@ -151,34 +155,34 @@ impl<'a> Reader<'a> {
             }
             Err(fault) => {
                 let column = fault.column.unwrap_or(1) - 1;
-                if let End::Lines { fault, .. } = &self.end {
+                if let TableEnd::Lines { fault, .. } = &self.end {
                     return Err(fault.clone());
                 }
                 if !row.ends_by(column) {
                     return Err(fault);
                 }
-                self.end = End::CutRow(fault);
+                self.end = TableEnd::CutRow(fault);
                 Ok(())
             }
         }
     }
 }
 
-/// The points of each group of columns, for each word in the column `curve`.
+/// The points of each column group, for each name in the column `curve`.
 #[derive(Debug, Default)]
-struct Tables {
+struct CurvePoints {
     keys: Vec<String>,
     index: HashMap<Vec<u8>, usize>,
-    /// A list a key, an entry a group.
-    points: Vec<Vec<Points>>,
+    /// One list per key, with one entry per group.
+    points: Vec<Vec<CurveBuilder>>,
     taken: usize,
 }
 
-impl Tables {
-    /// Takes the points of a row.
+impl CurvePoints {
+    /// Adds the points of a row.
     fn push(
         &mut self,
-        row: &Row,
+        row: &TableRow,
         plan: &Plan,
         frequency: f64,
         values: &[Complex64],
@@ -204,7 +208,7 @@ impl Tables {
         self.index.insert(key.to_vec(), index);
         self.keys.push(unquoted(text_of(key).trim()).to_owned());
         self.points
-            .push((0..groups).map(|_| Points::default()).collect());
+            .push((0..groups).map(|_| CurveBuilder::default()).collect());
         index
     }
 
@@ -225,21 +229,21 @@ impl Tables {
     }
 }
 
-/// The frequency of a row, Hz, and its values in the units of the file.
-fn values_of(row: &Row, plan: &Plan) -> Result<(f64, Vec<Complex64>), Fault> {
+/// The frequency of a row, Hz, and its values in file units.
+fn values_of(row: &TableRow, plan: &Plan) -> Result<(f64, Vec<Complex64>), Fault> {
     let (column, unit) = plan.frequency;
     let frequency = row.number(column)? * unit.hertz();
     let values = plan.groups.iter().map(|group| value(row, group));
     Ok((frequency, values.collect::<Result<_, _>>()?))
 }
 
-/// The value of a group of columns in a row, in the file's unit.
-fn value(row: &Row, group: &Group) -> Result<Complex64, Fault> {
+/// The value of a column group in a row, in file units.
+fn value(row: &TableRow, group: &ColumnGroup) -> Result<Complex64, Fault> {
     let signed = |which: usize, column| Ok(group.signed(which, row.number(column)?));
     let magnitude = |column, decibels| {
         let magnitude = signed(0, column)?;
         Ok(if decibels {
-            10_f64.powf(magnitude / group.decibels_a_decade())
+            10_f64.powf(magnitude / group.decibels_per_decade())
         } else {
             magnitude
         })

@@ -1,12 +1,11 @@
-//! The bytes that go to the terminal, as few as they can be: ratatui's backend for a slow line.
+//! A ratatui backend that writes few bytes, for slow connections.
 //!
-//! A frame is gathered and goes out in one write, between the marks of a synchronised update; a frame in which nothing
-//! changed writes nothing. Against crossterm's backend it goes from cell to cell by the shortest way, lets blanks be of
-//! whatever colour comes before them, and writes the sixteen colours by their own codes. Nothing is asked of the
-//! terminal; its size is the system's to tell.
+//! A frame is buffered and written at once, as a synchronised update; an unchanged frame writes nothing. Unlike
+//! crossterm's backend it moves the cursor by the shortest sequence, lets blanks keep the previous text colour, and writes
+//! the sixteen colours by their short codes. It never queries the terminal; the size comes from the system.
 
+mod cursor;
 mod sgr;
-mod travel;
 
 use std::io::{self, Write};
 
@@ -14,25 +13,25 @@ use ratatui::backend::{Backend, ClearType, WindowSize};
 use ratatui::buffer::Cell;
 use ratatui::layout::{Position, Size};
 
-use self::sgr::Look;
-use self::travel::travel;
+use self::cursor::move_cursor;
+use self::sgr::CellStyle;
 
 const BEGIN_UPDATE: &[u8] = b"\x1b[?2026h";
 const END_UPDATE: &[u8] = b"\x1b[?2026l";
 
-/// A terminal of the ECMA-48 kind behind a writer.
+/// An ECMA-48 terminal behind a writer.
 #[derive(Debug)]
-pub struct Wire<W: Write> {
+pub struct CompactBackend<W: Write> {
     writer: W,
-    /// What the next flush writes.
+    /// The bytes of the next flush.
     frame: Vec<u8>,
-    /// Whether the terminal's cursor shows, where that is known.
+    /// Whether the cursor is visible; none if unknown.
     cursor: Option<bool>,
     size: fn() -> io::Result<Size>,
 }
 
-impl<W: Write> Wire<W> {
-    /// A terminal behind `writer`, of the size that `size` tells.
+impl<W: Write> CompactBackend<W> {
+    /// A terminal behind `writer`; `size` returns its size.
     pub fn new(writer: W, size: fn() -> io::Result<Size>) -> Self {
         Self {
             writer,
@@ -48,7 +47,7 @@ impl<W: Write> Wire<W> {
         &mut self.writer
     }
 
-    /// Forgets what is known of the terminal, which has been somebody else's.
+    /// Discards the known terminal state, after another program used the terminal.
     pub fn forget(&mut self) {
         self.frame.clear();
         self.cursor = None;
@@ -62,7 +61,7 @@ impl<W: Write> Wire<W> {
     }
 }
 
-impl<W: Write> Backend for Wire<W> {
+impl<W: Write> Backend for CompactBackend<W> {
     type Error = io::Error;
 
     fn draw<'a, I>(&mut self, content: I) -> io::Result<()>
@@ -70,18 +69,18 @@ impl<W: Write> Backend for Wire<W> {
         I: Iterator<Item = (u16, u16, &'a Cell)>,
     {
         let columns = (self.size)()?.width;
-        // Styles are put back at the end of a frame, and the place of the cursor is forgotten: whatever else is written
-        // to the terminal finds it in order.
-        let (mut look, mut at) = (Look::PLAIN, None);
+        // The style is reset at the end of a frame and the cursor position is not kept, so that other output to the
+        // terminal starts from a defined state.
+        let (mut style, mut at) = (CellStyle::DEFAULT, None);
         for (x, y, cell) in content {
-            travel(at, (x, y), &mut self.frame);
-            if !look.suits(cell) {
-                look.turn(Look::of(cell), &mut self.frame);
+            move_cursor(at, (x, y), &mut self.frame);
+            if !style.shows(cell) {
+                style.change_to(CellStyle::of(cell), &mut self.frame);
             }
             self.frame.extend_from_slice(cell.symbol().as_bytes());
-            at = behind((x, y), cell, columns);
+            at = cursor_after((x, y), cell, columns);
         }
-        look.turn(Look::PLAIN, &mut self.frame);
+        style.change_to(CellStyle::DEFAULT, &mut self.frame);
         Ok(())
     }
 
@@ -95,14 +94,14 @@ impl<W: Write> Backend for Wire<W> {
         Ok(())
     }
 
-    /// Never asked for: the answer would have to be fished out of the keys.
+    /// Not supported: the answer would arrive among the keys.
     fn get_cursor_position(&mut self) -> io::Result<Position> {
         Err(io::ErrorKind::Unsupported.into())
     }
 
     fn set_cursor_position<P: Into<Position>>(&mut self, position: P) -> io::Result<()> {
         let Position { x, y } = position.into();
-        travel(None, (x, y), &mut self.frame);
+        move_cursor(None, (x, y), &mut self.frame);
         Ok(())
     }
 
@@ -146,17 +145,16 @@ impl<W: Write> Backend for Wire<W> {
     }
 }
 
-/// Where the cursor is once a cell has been written: in the next column, or not known where terminals do not agree, at
-/// the end of a row and behind what may be wider than one column.
-fn behind((x, y): (u16, u16), cell: &Cell, columns: u16) -> Option<(u16, u16)> {
+/// The cursor position after a cell: the next column; unknown where terminals differ, at the end of a row and after a
+/// symbol that may be wider than one column.
+fn cursor_after((x, y): (u16, u16), cell: &Cell, columns: u16) -> Option<(u16, u16)> {
     let mut letters = cell.symbol().chars();
-    let alone = letters.next().filter(|_| letters.next().is_none());
-    let narrow = alone.is_some_and(|letter| letter.is_ascii() || is_drawn(letter));
+    let single = letters.next().filter(|_| letters.next().is_none());
+    let narrow = single.is_some_and(|letter| letter.is_ascii() || is_drawn(letter));
     (narrow && x + 1 < columns).then_some((x + 1, y))
 }
 
-/// Whether a letter is one of those that charts are drawn with, one column wide everywhere: box drawing, blocks and
-/// braille.
+/// Whether a letter is a chart character that is one column wide in every terminal: box drawing, blocks, braille.
 fn is_drawn(letter: char) -> bool {
     matches!(letter, '\u{2500}'..='\u{259f}' | '\u{2800}'..='\u{28ff}')
 }

@@ -1,4 +1,4 @@
-//! Does what the state asks for: solving, files, what is kept for the user.
+//! Performs the effects that the state requests: solving, files, recovery.
 
 mod files;
 
@@ -16,42 +16,42 @@ use crate::model;
 use crate::worker::Worker;
 use files::{check_match, compare, complete, export, open, open_measured, save};
 
-/// Does what the state asks for.
+/// Performs the effects that the state requests.
 #[derive(Debug)]
 pub struct Performer {
     worker: Worker,
     watch: Watch,
-    /// None where the user has no folder for it.
+    /// None without a folder for recovery files.
     keeper: Option<Keeper>,
-    /// Unsaved changes that were found, in the order in which they are offered.
+    /// Unsaved changes found at the start, in the order in which they are offered.
     found: Vec<Found>,
 }
 
-/// What is left to the caller.
+/// An action for the caller.
 #[derive(Debug, PartialEq, Eq)]
 pub enum Outcome {
     /// Nothing.
     Done,
-    /// The whole screen is to be drawn anew.
+    /// Redraw the whole screen.
     Redraw,
-    /// The terminal is to be given back until the shell goes on with the program.
+    /// Restore the terminal until the shell continues the program.
     Suspend,
-    /// The terminal is to be taken again.
+    /// Set up the terminal again.
     Resume,
-    /// The mouse is to be taken, or left to the terminal.
+    /// Switch mouse reporting on or off.
     Mouse(bool),
-    /// A text goes to the terminal's clipboard.
+    /// Copy a text to the terminal's clipboard.
     Copy(String),
-    /// The program ends, by this signal if there is one.
+    /// End the program, by this signal if there is one.
     Quit(Option<u8>),
 }
 
 impl Performer {
-    /// A performer whose worker answers on this channel, and which keeps unsaved changes in this folder.
+    /// A performer with a worker that answers on `events`, and with a folder for recovery files.
     pub fn new(events: &Sender<Event>, recovery: Option<PathBuf>) -> Self {
         let found = recovery.as_deref().map(recovery::found);
         let answers = events.clone();
-        // An answer that comes when the designer is gone is of no use.
+        // An answer after the designer has ended is dropped.
         let notify = move |answer| drop(answers.send(Event::Answer(answer)));
         let troubles = events.clone();
         let report = move |sentence| drop(troubles.send(Event::Trouble(sentence)));
@@ -63,7 +63,7 @@ impl Performer {
         }
     }
 
-    /// The unsaved changes that were found: those of this file; where no file is opened all, those of this source first.
+    /// The unsaved changes found at the start: those of the opened file; without a file, all, those of this source first.
     pub fn lost(&mut self, source: &Source) -> Vec<Lost> {
         let own = source.absolute();
         self.found
@@ -79,12 +79,12 @@ impl Performer {
         lost.collect()
     }
 
-    /// Looks from time to time whether this is changed by other programs.
+    /// Watches the file of this source for changes by other programs.
     pub fn watch(&self, source: &Source) {
         self.watch.set(source.path());
     }
 
-    /// Performs an effect, and those that follow from what came of it.
+    /// Performs an effect, and the effects that follow from its result.
     pub fn perform(&mut self, effect: Effect, app: &mut App) -> Outcome {
         let reply = match effect {
             Effect::Solve(request) => {
@@ -137,7 +137,7 @@ impl Performer {
         Outcome::Done
     }
 
-    /// The changes with this number as a model, beside the text of the file or preset that they belong to.
+    /// Recovers the changes with this number: a model, and the text of the file or preset that they belong to.
     fn recover(&mut self, number: usize) -> Reply {
         let found = self.found.remove(number);
         let model = match found.model() {
@@ -177,7 +177,7 @@ impl Performer {
         Outcome::Done
     }
 
-    /// Ends: keeps what is not saved, if it is given, or nothing. A sentence on where it is, or why it is lost.
+    /// Ends: stores unsaved changes, if any, for recovery. Returns a sentence on where they are, or why they are lost.
     pub fn finish(self, unsaved: Option<Kept>) -> Option<String> {
         let nothing = unsaved.is_none();
         let left = match (self.keeper, unsaved) {
@@ -196,7 +196,7 @@ impl Performer {
                 shown_path(&path)
             )),
             Err(error) if nothing => Some(format!(
-                "what was kept is not removed: {}",
+                "the recovery file is not removed: {}",
                 error_text(&error)
             )),
             Err(error) => Some(format!("unsaved changes are lost: {}", error_text(&error))),
@@ -204,10 +204,10 @@ impl Performer {
     }
 }
 
-/// What is on the screen, as it is written.
+/// The text of an export.
 fn exported(app: &mut App, kind: Export) -> String {
     match kind {
-        // The box that asked for the file is not what is meant.
+        // Without the dialog that asked for the file.
         Export::Text => {
             let asked = app.overlay.take();
             let text = view::text(app);
@@ -219,7 +219,7 @@ fn exported(app: &mut App, kind: Export) -> String {
     }
 }
 
-/// Whether the file of a model was written after what is kept of it.
+/// Whether the file of a model is newer than its recovery file.
 fn is_newer(source: &Source, kept: &Path) -> bool {
     let written = |path: &Path| std::fs::metadata(path).ok()?.modified().ok();
     let (file, kept) = (source.path().and_then(written), written(kept));

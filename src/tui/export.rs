@@ -1,4 +1,4 @@
-//! What is on the chart as files: numbers as CSV, a drawing as SVG. Both say where they come from.
+//! Exports the chart: numbers as CSV, a drawing as SVG, both with their provenance.
 
 mod csv;
 mod svg;
@@ -11,7 +11,7 @@ use sha2::{Digest, Sha256};
 use super::app::{App, ModeList};
 use super::scene::{CurveKind, Scene};
 
-/// Where curves come from.
+/// The origin of exported curves.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Provenance {
     /// The program and its version, "beamtune 0.1.0".
@@ -24,11 +24,11 @@ pub struct Provenance {
     pub hash: String,
     /// How the curves were solved.
     pub method: String,
-    /// What else is to be known, a line each.
+    /// Notes and warnings, one line each.
     pub notes: Vec<String>,
 }
 
-/// Where the curves on the chart come from.
+/// The provenance of the curves on the chart.
 pub fn provenance(app: &App) -> Provenance {
     let document = &app.document;
     let mut notes = Vec::new();
@@ -63,7 +63,7 @@ fn hexadecimal(bytes: &[u8]) -> String {
     digits.collect::<Vec<_>>().concat()
 }
 
-/// The curves' names: their labels, or what they are where they have none; each one once.
+/// Unique names of the curves: their labels, or their kind if they have none.
 fn names(scene: &Scene) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for curve in &scene.curves {
@@ -86,7 +86,7 @@ fn names(scene: &Scene) -> Vec<String> {
     names
 }
 
-/// A frequency in the unit that shows, for people: six digits and the unit.
+/// A frequency in the displayed unit, with six digits and the unit.
 fn frequency(scene: &Scene, hertz: f64) -> String {
     let unit = scene.frequency.unit;
     let value = hertz * unit.per_hertz();
@@ -100,7 +100,7 @@ fn frequency(scene: &Scene, hertz: f64) -> String {
     format!("{short} {}", unit.symbol())
 }
 
-/// What is marked on the frequency axis, in words.
+/// The marks on the frequency axis, in words.
 fn marks(scene: &Scene) -> Vec<String> {
     let marked = &scene.marks;
     let mut words = Vec::new();

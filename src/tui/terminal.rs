@@ -1,7 +1,7 @@
-//! The terminal: taken at the start, given back as it was found on every way out and on every pause.
+//! The terminal: set up at the start, restored on every exit and suspension.
 
 mod input;
-mod jobs;
+mod job_control;
 mod panic;
 mod parser;
 mod sequence;
@@ -23,145 +23,146 @@ use crossterm::{cursor, execute};
 use ratatui::layout::Size;
 use ratatui::{Frame, Terminal};
 
-use super::backend::Wire;
+use super::backend::CompactBackend;
 
 pub use self::input::events;
-pub use self::jobs::can_suspend;
+pub use self::job_control::can_suspend;
 pub use self::panic::set_panic_sink;
 #[cfg(any(test, fuzzing))]
 pub use self::parser::Parser;
 
-/// Presses and the wheel, dragging, and places in decimals: modes 1000, 1002 and 1006 of xterm. Moves without a button
-/// (1003) would be sent for nothing.
-const TAKE_MOUSE: &str = "\x1b[?1000h\x1b[?1002h\x1b[?1006h";
-/// The same in reverse.
-const LEAVE_MOUSE: &str = "\x1b[?1006l\x1b[?1002l\x1b[?1000l";
+/// Buttons and wheel, dragging, and decimal coordinates: xterm modes 1000, 1002 and 1006. Movements without a button
+/// (1003) are not needed.
+const ENABLE_MOUSE: &str = "\x1b[?1000h\x1b[?1002h\x1b[?1006h";
+/// Disables these modes in reverse order.
+const DISABLE_MOUSE: &str = "\x1b[?1006l\x1b[?1002l\x1b[?1000l";
 
-/// Clears the screen, in no colours: where there is no alternate screen, the shell's old text is still there.
+/// Resets colours and clears the screen: without an alternate screen the shell's text would remain.
 const CLEAR: &str = "\x1b[m\x1b[2J";
-/// Below the picture, for what comes after it on such a screen. The alternate screen forgets the cursor's place.
-const BELOW: &str = "\x1b[999;1H\n";
+/// Moves the cursor below the content, for later output without an alternate screen. Leaving the alternate screen
+/// discards this position.
+const BELOW_CONTENT: &str = "\x1b[999;1H\n";
 
-/// True while the terminal is ours.
-static TAKEN: AtomicBool = AtomicBool::new(false);
-/// True while its mouse is, too.
-static MOUSE: AtomicBool = AtomicBool::new(false);
+/// Whether the terminal is set up.
+static ACTIVE: AtomicBool = AtomicBool::new(false);
+/// Whether mouse reporting is on.
+static MOUSE_ACTIVE: AtomicBool = AtomicBool::new(false);
 
-/// The terminal in raw mode on its alternate screen. Dropping it gives the terminal back.
+/// The terminal in raw mode on its alternate screen. Dropping it restores the terminal.
 #[derive(Debug)]
 pub struct Session {
-    terminal: Terminal<Wire<File>>,
-    /// The mouse is wanted.
+    terminal: Terminal<CompactBackend<File>>,
+    /// Whether the user wants mouse reporting.
     mouse: bool,
-    /// The terminal was taken again after a pause of which the signal thread is still to tell.
-    resumed: bool,
-    /// The program goes on behind another one, to which the terminal listens.
-    behind: bool,
+    /// The terminal is set up again, but the signal thread has not reported the resume yet.
+    resume_pending: bool,
+    /// The program runs in the background: another job controls the terminal.
+    in_background: bool,
 }
 
 impl Session {
-    /// Takes the terminal, and its mouse where that is wanted.
+    /// Sets up the terminal, with mouse reporting if `mouse`.
     ///
     /// # Errors
-    /// Where it cannot be put into raw mode or written to; it is then given back.
+    /// The terminal cannot be set to raw mode or written to; it is then restored.
     pub fn start(mouse: bool) -> io::Result<Self> {
         panic::install_hook();
-        // Standard output itself would split a frame into lines.
+        // Line-buffered standard output would split a frame.
         let writer = File::from(io::stdout().as_fd().try_clone_to_owned()?);
-        let started = take(mouse).and_then(|()| Terminal::new(Wire::new(writer, size)));
+        let started = set_up(mouse).and_then(|()| Terminal::new(CompactBackend::new(writer, size)));
         match started {
             Ok(terminal) => Ok(Self {
                 terminal,
                 mouse,
-                resumed: false,
-                behind: false,
+                resume_pending: false,
+                in_background: false,
             }),
             Err(error) => {
-                give_back();
+                restore();
                 Err(error)
             }
         }
     }
 
-    /// Draws a frame in one synchronised update; nothing while another program has the terminal.
+    /// Draws a frame as one synchronised update; does nothing in the background.
     ///
     /// # Errors
-    /// Where the terminal cannot be written to.
+    /// The terminal cannot be written to.
     pub fn draw(&mut self, render: impl FnOnce(&mut Frame)) -> io::Result<()> {
-        if !self.behind {
+        if !self.in_background {
             self.terminal.draw(render)?;
         }
         Ok(())
     }
 
-    /// Paints everything anew at the next draw, without asking the terminal for anything.
+    /// Makes the next draw repaint the whole screen, without querying the terminal.
     ///
     /// # Errors
-    /// Where the terminal cannot be written to.
+    /// The terminal cannot be written to.
     pub fn repaint(&mut self) -> io::Result<()> {
         let size = self.terminal.size()?;
         self.terminal.resize(size.into())
     }
 
-    /// Takes the mouse, or leaves it to the terminal.
+    /// Switches mouse reporting on or off.
     ///
     /// # Errors
-    /// Where the terminal cannot be written to.
+    /// The terminal cannot be written to.
     pub fn set_mouse(&mut self, mouse: bool) -> io::Result<()> {
         self.mouse = mouse;
-        if MOUSE.swap(mouse, Ordering::SeqCst) == mouse {
+        if MOUSE_ACTIVE.swap(mouse, Ordering::SeqCst) == mouse {
             return Ok(());
         }
-        let modes = if mouse { TAKE_MOUSE } else { LEAVE_MOUSE };
+        let modes = if mouse { ENABLE_MOUSE } else { DISABLE_MOUSE };
         execute!(io::stdout(), Print(modes))
     }
 
-    /// Sends a text to the clipboard of the terminal (OSC 52). Whether it takes it there is no way to know.
+    /// Sends a text to the clipboard of the terminal (OSC 52). The terminal does not report success.
     ///
     /// # Errors
-    /// Where the terminal cannot be written to.
+    /// The terminal cannot be written to.
     pub fn copy(&mut self, text: &str) -> io::Result<()> {
         execute!(io::stdout(), CopyToClipboard::to_clipboard_from(text))
     }
 
-    /// Gives the terminal back and stops until the shell goes on with the program; takes it again then. There must be
-    /// a shell that can, see [`can_suspend`].
+    /// Restores the terminal, stops until the shell continues the program, then sets it up again. Requires a shell with
+    /// job control, see [`can_suspend`].
     ///
     /// # Errors
-    /// Where the terminal cannot be taken again.
+    /// The terminal cannot be set up again.
     pub fn suspend(&mut self) -> io::Result<()> {
-        give_back();
-        jobs::stop()?;
-        self.resumed = true;
-        self.take_again()
+        restore();
+        job_control::stop()?;
+        self.resume_pending = true;
+        self.set_up_again()
     }
 
-    /// Takes the terminal again after the program was stopped from outside and goes on.
+    /// Sets up the terminal again after another process stopped and continued the program.
     ///
     /// # Errors
-    /// Where the terminal cannot be taken again.
+    /// The terminal cannot be set up again.
     pub fn resume(&mut self) -> io::Result<()> {
-        if std::mem::take(&mut self.resumed) && !self.behind {
+        if std::mem::take(&mut self.resume_pending) && !self.in_background {
             return Ok(());
         }
-        // The shell has changed the modes since; those from before are put back, so that they are kept for the end.
-        give_back();
-        self.take_again()
+        // The shell has changed the modes: restore first, so that the original modes remain for the exit.
+        restore();
+        self.set_up_again()
     }
 
-    fn take_again(&mut self) -> io::Result<()> {
-        // Whoever changes the modes from behind is stopped.
-        self.behind = !jobs::is_in_front();
-        if self.behind {
+    fn set_up_again(&mut self) -> io::Result<()> {
+        // The system stops a background job that changes the modes.
+        self.in_background = !job_control::is_in_foreground();
+        if self.in_background {
             return Ok(());
         }
-        take(self.mouse)?;
+        set_up(self.mouse)?;
         self.terminal.backend_mut().forget();
         self.repaint()
     }
 }
 
-/// Whether the terminal has gone: a line that dropped, a window that was closed.
+/// Whether the terminal is lost: a dropped connection, a closed window.
 pub fn is_gone() -> bool {
     !io::stdout().is_terminal()
 }
@@ -173,14 +174,14 @@ fn size() -> io::Result<Size> {
 
 impl Drop for Session {
     fn drop(&mut self) {
-        give_back();
+        restore();
     }
 }
 
-/// Puts the terminal into raw mode, onto its alternate screen, without a cursor.
-fn take(mouse: bool) -> io::Result<()> {
+/// Sets raw mode, the alternate screen and a hidden cursor.
+fn set_up(mouse: bool) -> io::Result<()> {
     enable_raw_mode()?;
-    TAKEN.store(true, Ordering::SeqCst);
+    ACTIVE.store(true, Ordering::SeqCst);
     let mut out = io::stdout();
     execute!(
         out,
@@ -189,24 +190,24 @@ fn take(mouse: bool) -> io::Result<()> {
         EnableBracketedPaste,
         cursor::Hide
     )?;
-    MOUSE.store(mouse, Ordering::SeqCst);
+    MOUSE_ACTIVE.store(mouse, Ordering::SeqCst);
     if mouse {
-        execute!(out, Print(TAKE_MOUSE))?;
+        execute!(out, Print(ENABLE_MOUSE))?;
     }
     Ok(())
 }
 
-/// Undoes what [`take`] did, once, in reverse order. Failures leave nothing more to try.
-fn give_back() {
-    if TAKEN.swap(false, Ordering::SeqCst) {
-        let mouse = MOUSE.swap(false, Ordering::SeqCst);
+/// Reverts [`set_up`] once, in reverse order. Errors are ignored: there is no further recovery.
+fn restore() {
+    if ACTIVE.swap(false, Ordering::SeqCst) {
+        let mouse = MOUSE_ACTIVE.swap(false, Ordering::SeqCst);
         let _ = execute!(
             io::stdout(),
             EndSynchronizedUpdate,
-            Print(if mouse { LEAVE_MOUSE } else { "" }),
+            Print(if mouse { DISABLE_MOUSE } else { "" }),
             cursor::Show,
             DisableBracketedPaste,
-            Print(BELOW),
+            Print(BELOW_CONTENT),
             LeaveAlternateScreen
         );
         let _ = disable_raw_mode();

@@ -1,21 +1,21 @@
-//! Colours and characters: of the sixteen colours of every terminal over whatever ground it has, of a palette where
-//! the ground is known, or none.
+//! Colours and characters: the sixteen terminal colours on any background, a palette for a known background, or no
+//! colours.
 //!
-//! Nothing is said by colour alone: curves have markers or line styles beside it, a change its mark or its words, a
-//! refusal its sentence, and what is selected is reversed or underlined.
+//! Colour is never the only sign: curves also have markers or line styles, changes a mark or words, refusals a sentence,
+//! and the selection is reversed or underlined.
 
 mod palette;
 
 use ratatui::style::{Color, Modifier, Style};
 
-use self::palette::Palette;
+use self::palette::ColourPalette;
 use super::options::{Colours, Environment, Ground, Marker, Options};
 use super::plot::{ChartStyles, Glyphs};
 
-/// Markers of curves, in their order: no colour is needed to tell curves apart.
+/// Markers of curves, in order: they distinguish curves without colour.
 const MARKERS: [char; 12] = ['o', 'x', '+', '*', '#', '@', '%', '&', 'a', 'b', 'c', 'd'];
 
-/// How finely the terminal mixes colours.
+/// The colour depth of the terminal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Depth {
     Sixteen,
@@ -23,18 +23,18 @@ enum Depth {
     Truecolor,
 }
 
-/// Which colours are used of those that the terminal has.
+/// The colour scheme.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Scheme {
-    /// None: bold, dim, underlined and reversed instead.
-    Plain,
-    /// Its own sixteen, over whatever ground.
+    /// No colours: bold, dim, underlined and reversed instead.
+    Monochrome,
+    /// The sixteen colours of the terminal, on any background.
     Terminal,
-    /// Fixed ones that can be read on a dark and on a light ground.
-    Between,
-    /// Those for a dark ground.
+    /// Fixed colours that are readable on dark and light backgrounds.
+    Neutral,
+    /// Colours for a dark background.
     Dark,
-    /// Those for a light ground.
+    /// Colours for a light background.
     Light,
 }
 
@@ -48,10 +48,10 @@ pub struct Theme {
 }
 
 impl Theme {
-    /// The theme that is asked for, on the terminal that the environment tells of.
+    /// The theme for the options and the terminal of the environment.
     ///
-    /// The fixed palettes need a ground: that of the options, else that of `COLORFGBG`. Where it is not known, a depth
-    /// that was asked for gets colours that can be read on both.
+    /// Palettes for a dark or light background need to know it: from the options, else from `COLORFGBG`. If it is
+    /// unknown, a requested depth gets colours that are readable on both.
     pub fn resolve(options: &Options, environment: &Environment) -> Self {
         let colours = options.colours.unwrap_or(Colours::Auto);
         let ascii = options.ascii.unwrap_or(!environment.is_unicode());
@@ -70,12 +70,12 @@ impl Theme {
             Colours::Auto | Colours::Always | Colours::Never => depth_of(environment),
         };
         let asked = matches!(colours, Colours::TwoFiftySix | Colours::Truecolor);
-        let scheme = match (colours, ground(options.ground, environment)) {
-            (Colours::Never, _) => Scheme::Plain,
-            (Colours::Auto, _) if environment.no_color => Scheme::Plain,
+        let scheme = match (colours, background(options.ground, environment)) {
+            (Colours::Never, _) => Scheme::Monochrome,
+            (Colours::Auto, _) if environment.no_color => Scheme::Monochrome,
             (_, Some(Ground::Dark)) => Scheme::Dark,
             (_, Some(Ground::Light)) => Scheme::Light,
-            _ if asked => Scheme::Between,
+            _ if asked => Scheme::Neutral,
             _ => Scheme::Terminal,
         };
         Self {
@@ -86,90 +86,95 @@ impl Theme {
         }
     }
 
-    /// The terminal's own colours or none, in Unicode.
+    /// The terminal's colours or none, in Unicode.
     pub const fn new(colour: bool) -> Self {
         Self {
             depth: Depth::Sixteen,
             scheme: if colour {
                 Scheme::Terminal
             } else {
-                Scheme::Plain
+                Scheme::Monochrome
             },
             glyphs: Glyphs::Braille,
             ascii: false,
         }
     }
 
-    /// What its colours are, in words.
+    /// The name of the colour scheme for people.
     pub const fn name(self) -> &'static str {
         match self.scheme {
-            Scheme::Plain => "no colours",
+            Scheme::Monochrome => "no colours",
             Scheme::Terminal => "the terminal's colours",
-            Scheme::Between => "colours for any ground",
-            Scheme::Dark => "colours for a dark ground",
-            Scheme::Light => "colours for a light ground",
+            Scheme::Neutral => "colours for any background",
+            Scheme::Dark => "colours for a dark background",
+            Scheme::Light => "colours for a light background",
         }
     }
 
-    /// The word by which its colours are remembered.
+    /// The key under which the colour scheme is stored.
     pub const fn word(self) -> &'static str {
         match self.scheme {
-            Scheme::Plain => "none",
-            Scheme::Terminal | Scheme::Between => "terminal",
+            Scheme::Monochrome => "none",
+            Scheme::Terminal | Scheme::Neutral => "terminal",
             Scheme::Dark => "dark",
             Scheme::Light => "light",
         }
     }
 
-    /// The theme with the colours that are remembered by this word; as it is where there is none.
+    /// The theme with the stored colour scheme; unchanged without one.
     #[must_use]
     pub fn recalled(self, word: Option<&str>) -> Self {
-        let schemes = [Scheme::Plain, Scheme::Terminal, Scheme::Dark, Scheme::Light];
+        let schemes = [
+            Scheme::Monochrome,
+            Scheme::Terminal,
+            Scheme::Dark,
+            Scheme::Light,
+        ];
         let mut themes = schemes.into_iter().map(|scheme| Self { scheme, ..self });
         let found = themes.find(|theme| Some(theme.word()) == word);
         found.unwrap_or(self)
     }
 
-    /// The theme with the next colours: the terminal's, for a dark ground, for a light ground, none.
+    /// The theme with the next colours: the terminal's, for a dark background, for a light background, none.
     #[must_use]
     pub const fn next(self) -> Self {
         let scheme = match self.scheme {
-            Scheme::Plain => Scheme::Terminal,
-            Scheme::Terminal | Scheme::Between => Scheme::Dark,
+            Scheme::Monochrome => Scheme::Terminal,
+            Scheme::Terminal | Scheme::Neutral => Scheme::Dark,
             Scheme::Dark => Scheme::Light,
-            Scheme::Light => Scheme::Plain,
+            Scheme::Light => Scheme::Monochrome,
         };
         Self { scheme, ..self }
     }
 
-    /// Nothing but ASCII is to be drawn.
+    /// Whether only ASCII is drawn.
     pub const fn is_ascii(self) -> bool {
         self.ascii
     }
 
-    /// The characters of which charts are made.
+    /// The character set of charts.
     pub const fn glyphs(self) -> Glyphs {
         self.glyphs
     }
 
-    const fn palette(self) -> Option<&'static Palette> {
+    const fn palette(self) -> Option<&'static ColourPalette> {
         use {Depth as D, Scheme as S};
         Some(match (self.scheme, self.depth) {
-            (S::Plain, _) => return None,
-            (S::Terminal, _) | (S::Between, D::Sixteen) => &palette::SIXTEEN,
-            (S::Between, D::TwoFiftySix) => &palette::FIXED,
-            (S::Between, D::Truecolor) => &palette::FREE,
+            (S::Monochrome, _) => return None,
+            (S::Terminal, _) | (S::Neutral, D::Sixteen) => &palette::SIXTEEN,
+            (S::Neutral, D::TwoFiftySix) => &palette::INDEXED,
+            (S::Neutral, D::Truecolor) => &palette::RGB,
             (S::Dark, D::Sixteen) => &palette::SIXTEEN_DARK,
-            (S::Dark, D::TwoFiftySix) => &palette::FIXED_DARK,
-            (S::Dark, D::Truecolor) => &palette::FREE_DARK,
+            (S::Dark, D::TwoFiftySix) => &palette::INDEXED_DARK,
+            (S::Dark, D::Truecolor) => &palette::RGB_DARK,
             (S::Light, D::Sixteen) => &palette::SIXTEEN_LIGHT,
-            (S::Light, D::TwoFiftySix) => &palette::FIXED_LIGHT,
-            (S::Light, D::Truecolor) => &palette::FREE_LIGHT,
+            (S::Light, D::TwoFiftySix) => &palette::INDEXED_LIGHT,
+            (S::Light, D::Truecolor) => &palette::RGB_LIGHT,
         })
     }
 
-    fn bold(self, colour: impl FnOnce(&Palette) -> Color) -> Style {
-        // Over something dim it is to stand out all the same.
+    fn bold(self, colour: impl FnOnce(&ColourPalette) -> Color) -> Style {
+        // It must stand out on dim text, too.
         let style = Style::new()
             .add_modifier(Modifier::BOLD)
             .remove_modifier(Modifier::DIM);
@@ -179,7 +184,7 @@ impl Theme {
         }
     }
 
-    /// Headings and open boxes.
+    /// Headings and open dialogs.
     pub fn accent(self) -> Style {
         self.bold(|palette| palette.accent)
     }
@@ -189,17 +194,17 @@ impl Theme {
         Style::new().add_modifier(Modifier::REVERSED)
     }
 
-    /// The selected row while the arrows are another panel's.
+    /// The selected row of a panel without focus.
     pub fn selection_aside(self) -> Style {
         Style::new().add_modifier(Modifier::BOLD | Modifier::UNDERLINED)
     }
 
-    /// What a search has found.
+    /// Search matches.
     pub fn found(self) -> Style {
         Style::new().add_modifier(Modifier::UNDERLINED)
     }
 
-    /// What is secondary.
+    /// Secondary text.
     pub fn dim(self) -> Style {
         match self.palette().and_then(|palette| palette.muted) {
             Some(muted) => Style::new().fg(muted),
@@ -207,47 +212,47 @@ impl Theme {
         }
     }
 
-    /// What differs from the file.
+    /// Values that differ from the file.
     pub fn changed(self) -> Style {
         self.bold(|palette| palette.changed)
     }
 
-    /// A refusal.
+    /// Refusals.
     pub fn refusal(self) -> Style {
         self.bold(|palette| palette.refusal)
     }
 
-    /// A key in hints and help.
+    /// Keys in hints and help.
     pub fn key(self) -> Style {
-        // Over something muted it takes the terminal's own colour.
+        // On muted text it takes the terminal's default colour.
         match self.palette().and_then(|palette| palette.muted) {
             Some(_) => self.bold(|_| Color::Reset),
             None => Style::new().add_modifier(Modifier::BOLD),
         }
     }
 
-    /// The curve with this number.
+    /// The style of a curve by its number.
     pub fn curve(self, number: usize) -> Style {
         match self.palette() {
-            Some(Palette { curves, .. }) => Style::new().fg(curves[number % curves.len()]),
+            Some(ColourPalette { curves, .. }) => Style::new().fg(curves[number % curves.len()]),
             None => Style::new(),
         }
     }
 
-    /// The points of a finite-element curve beside the curve with this number.
+    /// The style of the finite-element points that belong to the curve with this number.
     pub fn witness(self, number: usize) -> Style {
         match self.palette() {
-            Some(Palette { curves, .. }) => self.curve(number + curves.len() / 2),
+            Some(ColourPalette { curves, .. }) => self.curve(number + curves.len() / 2),
             None => self.key(),
         }
     }
 
-    /// The marker of the curve with this number.
+    /// The marker of a curve by its number.
     pub const fn marker(self, number: usize) -> char {
         MARKERS[number % MARKERS.len()]
     }
 
-    /// The marker of finite-element points: none of the curves', nor of what lines are made.
+    /// The marker of finite-element points: different from curve markers and line characters.
     pub const fn point(self) -> char {
         match self.glyphs {
             Glyphs::Braille | Glyphs::Octant | Glyphs::Block => '•',
@@ -256,7 +261,7 @@ impl Theme {
         }
     }
 
-    /// The marker of the measured curve with this number: none of the curves', nor that of finite elements.
+    /// The marker of a measured curve by its number: different from curve and finite-element markers.
     pub const fn sample(self, number: usize) -> char {
         let samples = match self.glyphs {
             Glyphs::Braille | Glyphs::Octant | Glyphs::Block | Glyphs::Dot => ['◇', '□', '▽', '☆'],
@@ -265,7 +270,7 @@ impl Theme {
         samples[number % samples.len()]
     }
 
-    /// The chart's own parts.
+    /// The styles of the chart's parts.
     pub fn chart(self) -> ChartStyles {
         ChartStyles {
             axis: self.dim(),
@@ -278,7 +283,7 @@ impl Theme {
     }
 }
 
-/// How finely the terminal says that it mixes colours.
+/// The colour depth that the environment reports.
 fn depth_of(environment: &Environment) -> Depth {
     let term = environment.term.as_deref().unwrap_or_default();
     match environment.colorterm.as_deref() {
@@ -289,12 +294,12 @@ fn depth_of(environment: &Environment) -> Depth {
     }
 }
 
-/// The ground, dark or light, if it is known.
-fn ground(asked: Option<Ground>, environment: &Environment) -> Option<Ground> {
+/// The background, dark or light, if it is known.
+fn background(asked: Option<Ground>, environment: &Environment) -> Option<Ground> {
     match asked {
         Some(ground @ (Ground::Dark | Ground::Light)) => Some(ground),
         Some(Ground::Auto) | None => {
-            // The last number is the ground's, by rxvt's convention: 7 and those from 9 on are light.
+            // By rxvt's convention the last number is the background: 7 and those from 9 on are light.
             let last = environment.colorfgbg.as_deref()?.rsplit(';').next()?;
             match last.parse::<u8>().ok()? {
                 0..=6 | 8 => Some(Ground::Dark),

@@ -40,7 +40,7 @@ use super::app::{App, List, Look, Rows, Screen, Table};
 use super::ascii;
 use super::keys::AnywhereCommand;
 use super::theme::Theme;
-use crate::rehearsal;
+use crate::fault_injection;
 use figure::Drawn;
 
 /// The smallest screen that is drawn, columns and rows.
@@ -158,7 +158,7 @@ fn stacked(area: Rect, wanted: Beside) -> Panels {
 
 /// Draws everything; where things are then, or none where the screen is too small. [`App::drawn`] stores it.
 pub fn draw(frame: &mut Frame<'_>, app: &App) -> Option<Screen> {
-    rehearsal::fault("drawing", &app.model().title);
+    fault_injection::inject("drawing", &app.model().title);
     let theme = app.theme;
     let screen = draw_panels(frame, app, theme);
     text::show_hidden(frame.buffer_mut());

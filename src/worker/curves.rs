@@ -9,8 +9,8 @@ use super::members::{Labelled, members};
 use super::memory::Memory;
 use super::resolve::Unresolved;
 use super::{Curves, CurvesAnswer, Member, PROMPT, Stage, Subject};
+use crate::fault_injection;
 use crate::model::Model;
-use crate::rehearsal;
 use crate::solve::{Cancelled, Frf, frequencies, sweep, sweep_alone};
 
 /// Frequencies of the timing sample, spread over the whole range.
@@ -42,7 +42,7 @@ pub(super) fn answer(
         });
     };
     let solved = guarded(|| {
-        rehearsal::fault("worker", &subject.model.title);
+        fault_injection::inject("worker", &subject.model.title);
         let members = members(&subject, cancel)?;
         // Where that is cancelled a coarse curve comes all the same.
         let few = |place, model: &Arc<Model>| memory.few(place, model, cancel).ok().flatten();

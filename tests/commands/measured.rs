@@ -20,7 +20,7 @@ fn what_is_read_is_a_row_a_curve_with_notes() {
     assert_eq!(
         output(&["measured", &file("status.csv")]),
         format!(
-            "{header}status,complex,receptance,m/N,39,10.0,200.0,column 4 left out: it holds no numbers\n"
+            "{header}status,complex,receptance,m/N,39,10.0,200.0,column 4 skipped: it has no numbers\n"
         )
     );
     assert_eq!(

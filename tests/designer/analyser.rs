@@ -445,7 +445,7 @@ fn columns_are_asked_for_with_a_preview_and_notes_are_told() {
     assert_eq!(
         driver.app.message,
         Some(Message::Done(
-            "1 measured curve; column 4 left out: it holds no numbers; 1 line behind the numbers left out, from \"saved \
+            "1 measured curve; column 4 skipped: it has no numbers; 1 line after the numbers skipped, from \"saved \
              today\" on"
                 .to_owned()
         ))

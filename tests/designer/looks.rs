@@ -4,7 +4,7 @@
 use std::io;
 
 use super::driver::Driver;
-use beamtune::tui::backend::Wire;
+use beamtune::tui::backend::CompactBackend;
 use beamtune::tui::options::{Environment, Marker, Options};
 use beamtune::tui::theme::Theme;
 use beamtune::tui::{tree, view};
@@ -109,14 +109,14 @@ fn size() -> io::Result<Size> {
 /// A designer before a terminal that counts bytes.
 struct Counter {
     driver: Driver,
-    terminal: Terminal<Wire<Vec<u8>>>,
+    terminal: Terminal<CompactBackend<Vec<u8>>>,
 }
 
 impl Counter {
     fn new(preset: &str) -> Self {
         let mut counter = Self {
             driver: Driver::preset(preset),
-            terminal: Terminal::new(Wire::new(Vec::new(), size)).unwrap(),
+            terminal: Terminal::new(CompactBackend::new(Vec::new(), size)).unwrap(),
         };
         counter.draw();
         counter

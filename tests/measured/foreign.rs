@@ -78,13 +78,13 @@ fn what_is_left_out_of_a_table_is_said() {
             "status.csv",
             "status",
             1e-5,
-            "column 4 left out: it holds no numbers",
+            "column 4 skipped: it has no numbers",
         ),
         (
             "footer.txt",
             "H",
             1e-5,
-            "2 lines behind the numbers left out, from \"saved 2024-05-05 10:10\" on",
+            "2 lines after the numbers skipped, from \"saved 2024-05-05 10:10\" on",
         ),
         (
             "minus_im.csv",
@@ -153,9 +153,9 @@ fn columns_are_chosen_by_number() {
             "column 6 is not there: the table has 5 columns",
         ),
         ("hz 9; re 3; im 4; m/N", "column 9 is not there"),
-        ("hz 2; re 3; im 5; m/N", "column 5 holds no numbers"),
-        ("hz 5; re 3; im 4; m/N", "column 5 holds no real numbers"),
-        ("hz 2; re 3; im 3; m/N", "column 3 holds no complex numbers"),
+        ("hz 2; re 3; im 5; m/N", "column 5 has no numbers"),
+        ("hz 5; re 3; im 4; m/N", "column 5 has no real numbers"),
+        ("hz 2; re 3; im 3; m/N", "column 3 has no complex numbers"),
         ("hz; re im; m/N", "as hz 1; re 2; im 3"),
     ] {
         let fault = read(bare.as_bytes(), &hint("run 7.csv", Some(layout))).unwrap_err();
@@ -409,20 +409,20 @@ fn what_stands_behind_the_numbers_is_left_out_with_a_note() {
     for (behind, note) in [
         (
             "\n\nsaved 2024-05-05\npeak 31.8 Hz\n",
-            "2 lines behind the numbers left out, from \"saved 2024-05-05\" on",
+            "2 lines after the numbers skipped, from \"saved 2024-05-05\" on",
         ),
-        ("end", "1 line behind the numbers left out, from \"end\" on"),
+        ("end", "1 line after the numbers skipped, from \"end\" on"),
         (
             "3 points read\n",
-            "1 line behind the numbers left out, from \"3 points read\" on",
+            "1 line after the numbers skipped, from \"3 points read\" on",
         ),
         (
             "25 1.6e-5 -1.6e-",
-            "the file is cut off in its last row, which is left out",
+            "the file is truncated in its last row, which is skipped",
         ),
         (
             "25 1.6e-5",
-            "the file is cut off in its last row, which is left out",
+            "the file is truncated in its last row, which is skipped",
         ),
     ] {
         let curve = are_three(format!("{header}{parts}{behind}"), "run 7");
@@ -432,7 +432,7 @@ fn what_stands_behind_the_numbers_is_left_out_with_a_note() {
     let curve = are_three(format!("{header}{words}"), "run 7");
     assert_eq!(
         curve.notes,
-        ["what stands behind the columns in 1 row left out"]
+        ["extra cells after the columns in 1 row skipped"]
     );
 }
 
@@ -475,9 +475,7 @@ fn an_answer_wins_over_the_header() {
     assert_eq!(found[0].values[1], Complex64::new(4.0, 5.0));
     assert_eq!(
         found[0].notes,
-        [
-            "column 2 (U mag) and column 3 (U phase [deg]) left out: mag deg, which is not what was asked for"
-        ]
+        ["column 2 (U mag) and column 3 (U phase [deg]) skipped: mag deg, which was not requested"]
     );
     // A magnitude alone is that of the header, and its phase is none.
     let table = "f [Hz],Mag [m/N],Phase [deg]\n1,2,-90\n2,3,-170\n";
@@ -485,7 +483,7 @@ fn an_answer_wins_over_the_header() {
     assert_eq!((found.len(), found[0].phase_known), (1, false));
     assert_eq!(
         found[0].notes,
-        ["column 3 left out: only magnitudes were asked for"]
+        ["column 3 skipped: only magnitudes were requested"]
     );
     near(found[0].values[0], 2e-3.into(), 1e-15);
     // Its unit is the unit, whatever the header says, also where that is none.
@@ -494,7 +492,7 @@ fn an_answer_wins_over_the_header() {
     assert_eq!(seen.missing, [Question::Unit]);
     assert!(
         seen.recognised
-            .contains(&"its unit \"furlong\" is not known".to_owned()),
+            .contains(&"its unit \"furlong\" is unknown".to_owned()),
         "{seen:?}"
     );
     let found = curves(table, Some("khz; re im; mm/N"));

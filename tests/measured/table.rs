@@ -203,22 +203,19 @@ fn what_is_left_out_is_said() {
     assert_eq!(
         curve.notes,
         [
-            "1 point at 0 Hz or below left out",
-            "2 points without a finite number left out",
-            "frequencies put in rising order",
-            "1 point at a frequency that was there already left out"
+            "1 point at 0 Hz or below skipped",
+            "2 points without a finite number skipped",
+            "frequencies sorted in ascending order",
+            "1 point with a repeated frequency skipped"
         ]
     );
     let curve = &curves("frequency,Re [m],Im [m]\n1,1,0\n2,1,1\n", None)[0];
-    assert_eq!(
-        curve.notes,
-        ["the unit of the frequencies is not said: Hz is taken"]
-    );
+    assert_eq!(curve.notes, ["the frequency unit is not given: Hz assumed"]);
     let found = curves("f [Hz],Re [m],Im [m],Force [N]\n1,1,0,7\n2,1,1,8\n", None);
     assert_eq!(found.len(), 1);
     assert_eq!(
         found[0].notes,
-        ["column 4 left out: it is not said what it is"]
+        ["column 4 skipped: its quantity is not given"]
     );
 }
 
@@ -237,7 +234,7 @@ fn what_is_wrong_with_a_table_has_its_place() {
             b"f [Hz],re,im\n1,2,3\n2,3,4\n\n# hm\n3,x,5\n",
             6,
             2,
-            "\"x\" is no number",
+            "\"x\" is not a number",
         ),
         (
             b"f [Hz],re,im\r\n1,2,3\r\n2,3,4\r\n3,4\r\n",
@@ -249,14 +246,19 @@ fn what_is_wrong_with_a_table_has_its_place() {
             b"f [Hz];re;im\n1;2;3\n2;3;4\n3;4.000,5;5\n",
             4,
             2,
-            "is no number",
+            "is not a number",
         ),
-        (b"f re im\n1 2 3\n2 3 4\nend\n3 4 5\n", 4, 1, "is no number"),
+        (
+            b"f re im\n1 2 3\n2 3 4\nend\n3 4 5\n",
+            4,
+            1,
+            "is not a number",
+        ),
         (
             b"f [Hz],re,im\r1,2,3\r2,3,4\r3,x,5\r",
             4,
             2,
-            "\"x\" is no number",
+            "\"x\" is not a number",
         ),
         (
             b"Re [m/N],Im [m/N]\n1,2\n2,3\n",
@@ -333,7 +335,7 @@ fn names_are_of_visible_letters() {
     assert_eq!(curves(table, None)[0].name, "[2JGröße");
     let found = fault(b"f [Hz],re,im\n1,2,3\n2,3,4\n3,\x1b[2J,4\n");
     assert!(
-        found.message.starts_with("\" [2J\" is no number"),
+        found.message.starts_with("\" [2J\" is not a number"),
         "{found}"
     );
 }

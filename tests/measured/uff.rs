@@ -101,10 +101,10 @@ fn other_data_sets_are_passed_over_and_units_and_senses_turned() {
         near(found[1].values[index], -1e6 * oscillator(f), 1e-11);
         near(found[2].values[index], oscillator(f), 1e-11);
     }
-    let turned = "the sign is turned: 3:+Z / 1:-Y looks against its axis";
+    let inverted = "the sign is inverted: 3:+Z / 1:-Y is opposite to its axis";
     assert_eq!(
         found[0].notes,
-        [turned, "1 function of type 6 (coherence) left out"]
+        [inverted, "1 function of type 6 (coherence) skipped"]
     );
     // What is not said is asked.
     let seen = inspect(&data("several.uff"), &hint("", None)).unwrap();
@@ -365,7 +365,7 @@ fn what_is_wrong_with_a_universal_file_has_its_record() {
             row,
             "  1.000000000000E+00  what               ",
             12,
-            "\"what\" is no number",
+            "\"what\" is not a number",
         ),
         (
             "         6         2",
@@ -435,7 +435,7 @@ fn a_file_without_frequency_responses_says_what_it_has() {
         (
             "        18",
             "        17",
-            "over something else than frequency",
+            "over something other than frequency",
         ),
         ("    4   ", "    6   ", "of type 6 (coherence)"),
         ("        13", "        12", "of a motion over a motion"),

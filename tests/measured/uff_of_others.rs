@@ -128,7 +128,7 @@ fn words_for_frequencies_that_are_not_known_are_asked_for() {
     assert_eq!(found.len(), 1);
     is_true(&found[0], Measure::Acceleration);
     assert!(
-        found[0].notes[0].contains("\"order\" left out"),
+        found[0].notes[0].contains("\"order\" skipped"),
         "{:?}",
         found[0].notes
     );
@@ -197,7 +197,7 @@ fn a_curve_that_is_cut_off_does_not_take_the_others_with_it() {
     }
     assert_eq!(
         found[0].notes,
-        ["data set 3 left out: ends after 24 of 39 values"]
+        ["data set 3 skipped: ends after 24 of 39 values"]
     );
     let sets: Vec<usize> = (0..bytes.len())
         .filter(|at| bytes[*at..].starts_with(b"    -1\n    58"))
@@ -223,7 +223,7 @@ fn a_curve_that_is_cut_off_does_not_take_the_others_with_it() {
     let short = text.replacen("        39", "        40", 1);
     let found = curves(short, None);
     assert_eq!(found.len(), 1);
-    assert!(found[0].notes[0].starts_with("data set 1 left out: ends after 39 of 40"));
+    assert!(found[0].notes[0].starts_with("data set 1 skipped: ends after 39 of 40"));
 }
 
 /// What surrounds the numbers does not matter. Expected: the file as it is, which is held to the closed form above.
@@ -308,7 +308,7 @@ fn what_is_not_finite_is_left_out_or_refused() {
     for nan in ["NaN", "nan", "Inf", "-Infinity"] {
         let found = &curves(text.replace(" -7.27044E-03", &format!("{nan:>13}")), None)[0];
         assert_eq!((found.frequencies[1], found.frequencies.len()), (20.0, 38));
-        assert_eq!(found.notes, ["1 point without a finite number left out"]);
+        assert_eq!(found.notes, ["1 point without a finite number skipped"]);
         for field in ["  1.00000E+01", "  5.00000E+00"] {
             let refused = fault(text.replace(field, &format!("{nan:>13}")));
             assert_eq!(refused.path, "data set 1, record 7", "{refused}");

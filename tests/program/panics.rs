@@ -1,5 +1,4 @@
-//! Faults of the program itself, which a debug build rehearses where it is asked to: with `BEAMTUNE_FAULT` in its
-//! environment it panics there once the model's title is `panic now`.
+//! Injected faults: with `BEAMTUNE_FAULT` in its environment, a debug build panics at that place once the model's title is `panic now`.
 
 #![cfg(debug_assertions)]
 
@@ -14,9 +13,9 @@ fn retitle(program: &mut Program, title: &str) {
     program.press(&format!("\u{15}{title}\r"));
 }
 
-/// A panic in the worker is told; the designer goes on, and the next edit is solved again.
+/// A panic in the worker is reported; the designer continues, and the next edit is solved again.
 #[test]
-fn a_fault_of_the_worker_is_told_and_survived() {
+fn a_fault_of_the_worker_is_reported_and_the_designer_continues() {
     let home = Home::new();
     let mut program = Program::with(&home, &["fig08"], &[("BEAMTUNE_FAULT", "worker")]);
     program.wait_for("modes,");
@@ -39,7 +38,7 @@ fn a_fault_of_the_worker_is_told_and_survived() {
     program.press("d");
     assert_eq!(program.end(), 0);
     let log = fs::read_to_string(home.state("beamtune.log")).unwrap();
-    assert!(log.contains("a rehearsed fault: worker"), "{log}");
+    assert!(log.contains("injected fault: worker"), "{log}");
 }
 
 /// A panic while drawing ends the program: the terminal is given back, a line says why, and what was not saved is
@@ -54,18 +53,14 @@ fn a_fault_in_drawing_gives_the_terminal_back_and_loses_nothing() {
     assert_eq!(code, 101);
     // Lines longer than the terminal go on in the next row.
     let said = said.replace('\n', "");
-    assert_eq!(
-        said.matches("a rehearsed fault: drawing").count(),
-        1,
-        "{said}"
-    );
+    assert_eq!(said.matches("injected fault: drawing").count(), 1, "{said}");
     assert_eq!(said.matches("unsaved changes are in").count(), 1, "{said}");
     assert!(
         !said.contains("stack backtrace") && !said.contains("RUST_BACKTRACE"),
         "{said}"
     );
     let log = fs::read_to_string(home.state("beamtune.log")).unwrap();
-    assert!(log.contains("a rehearsed fault: drawing"), "{log}");
+    assert!(log.contains("injected fault: drawing"), "{log}");
     let mut program = Program::start(&home, &["fig08"]);
     program.wait_for("Unsaved changes");
     program.press("\r");

@@ -1,22 +1,22 @@
-//! The columns of a table and those of one curve.
+//! The columns of a table and of a curve.
 
+use super::column_title::{ColumnTitle, Role};
 use super::dialect::Dialect;
-use super::head::{Head, Role};
-use super::sample::ColumnKind;
+use super::sample::ColumnContent;
 use crate::measured::layout::Values;
 use crate::unit::{Kind, PhaseUnit, ValueUnit};
 
 /// The columns of one curve.
 #[derive(Debug, Clone, PartialEq)]
-pub(in crate::measured) struct Group {
+pub(in crate::measured) struct ColumnGroup {
     pub(in crate::measured) name: String,
     pub(in crate::measured) columns: Columns,
     pub(in crate::measured) unit: Option<ValueUnit>,
-    /// Whether the first and the second column hold the opposite.
+    /// Whether the first and the second column have the opposite sign.
     pub(super) minus: [bool; 2],
 }
 
-/// Columns by their index. Real and imaginary part in one column are complex numbers in its cells.
+/// Columns by index. Equal indices of real and imaginary part: one column of complex numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::measured) enum Columns {
     Complex {
@@ -40,7 +40,7 @@ impl Columns {
         !matches!(self, Self::Magnitude { .. })
     }
 
-    /// What a layout calls them.
+    /// The corresponding values of a layout.
     pub(in crate::measured) const fn values(self) -> Values {
         match self {
             Self::Complex { .. } => Values::Complex,
@@ -53,7 +53,7 @@ impl Columns {
         }
     }
 
-    /// The columns of a layout; of one, both are the same.
+    /// Columns for the values of a layout; one column is given twice.
     pub(super) const fn of(values: Values, first: usize, second: usize) -> Self {
         match values {
             Values::Complex => Self::Complex {
@@ -76,7 +76,7 @@ impl Columns {
         }
     }
 
-    /// Both columns; of one, it twice.
+    /// Both columns; a single column twice.
     pub(super) const fn both(self) -> [usize; 2] {
         match self {
             Self::Complex { re, im } => [re, im],
@@ -85,7 +85,7 @@ impl Columns {
         }
     }
 
-    /// These columns, in the units of a layout.
+    /// These columns with the units of a layout.
     pub(super) const fn in_units_of(self, values: Values) -> Self {
         match (self, values) {
             (
@@ -108,14 +108,14 @@ impl Columns {
     }
 }
 
-impl Group {
-    /// The number in the first or second column with its sign.
+impl ColumnGroup {
+    /// The number of the first or second column with the sign applied.
     pub(super) fn signed(&self, which: usize, number: f64) -> f64 {
         if self.minus[which] { -number } else { number }
     }
 
-    /// Decibels that are a factor of ten: 20, of an energy 10.
-    pub(super) fn decibels_a_decade(&self) -> f64 {
+    /// Decibels per factor of ten: 20, for an energy 10.
+    pub(super) fn decibels_per_decade(&self) -> f64 {
         match self.unit.as_ref().map(ValueUnit::kind) {
             Some(Kind::Energy) => 10.0,
             _ => 20.0,
@@ -123,16 +123,16 @@ impl Group {
     }
 }
 
-/// What is known of the columns.
-pub(super) struct Table<'a> {
+/// All columns with their titles.
+pub(super) struct TableColumns<'a> {
     pub(super) dialect: &'a Dialect,
-    pub(super) heads: Vec<Head>,
-    /// The columns of numbers besides the frequencies.
+    pub(super) titles: Vec<ColumnTitle>,
+    /// The value columns, without the frequencies.
     pub(super) free: Vec<usize>,
 }
 
-impl Table<'_> {
-    /// The number of a column and its header as it stands.
+impl TableColumns<'_> {
+    /// The number of a column and its original title.
     pub(super) fn title(&self, index: usize) -> String {
         match self.dialect.header.get(index).map(|word| word.trim()) {
             Some(word) if !word.is_empty() => format!("column {} ({word})", index + 1),
@@ -141,19 +141,21 @@ impl Table<'_> {
     }
 
     pub(super) fn is_complex(&self, index: usize) -> bool {
-        self.dialect.columns.get(index) == Some(&ColumnKind::Complex)
+        self.dialect.columns.get(index) == Some(&ColumnContent::Complex)
     }
 
     pub(super) fn role(&self, index: usize) -> Role {
-        self.heads.get(index).map_or(Role::Unsaid, |head| head.role)
+        self.titles
+            .get(index)
+            .map_or(Role::Unknown, |title| title.role)
     }
 
-    /// The columns of numbers besides the frequencies that may be values.
-    pub(super) fn besides(&self, frequency: usize) -> Vec<usize> {
+    /// The number columns, except the frequencies, that may be values.
+    pub(super) fn value_columns(&self, frequency: usize) -> Vec<usize> {
         let dialect = self.dialect;
         let is_free = |index: &usize| {
             *index != frequency
-                && dialect.columns[*index] != ColumnKind::Text
+                && dialect.columns[*index] != ColumnContent::Text
                 && self.role(*index) != Role::Other
         };
         let first = usize::from(dialect.has_curves);

@@ -1,42 +1,42 @@
-//! How a table is written: what parts its cells, where its numbers start, and what stands above them.
+//! The format of a table: separator, first row of numbers, and header.
 
-use super::header::{Header, Shape};
+use super::header::{Header, HeaderShape};
 use super::records::{Separator, is_comment, line_at, row_start};
-use super::sample::{ColumnKind, SAMPLE, Sample};
+use super::sample::{ColumnContent, SAMPLE, TableSample};
 use crate::measured::{Fault, fault_at, number, text_of};
 
-/// How a table is written.
+/// The format of a table.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::measured) struct Dialect {
     pub(in crate::measured) separator: Separator,
-    /// Offset at or before the first row of numbers, and behind the header.
+    /// An offset after the header, at or before the first row of numbers.
     pub(super) start: usize,
-    /// The words above the columns; as many as columns, or none.
+    /// The titles of the columns; one per column, or none.
     pub(in crate::measured) header: Vec<String>,
-    /// The words of a header that does not fit the columns.
+    /// The words of a header that does not match the columns.
     pub(in crate::measured) misfit: Vec<String>,
-    /// Whether the header stands behind the first row of numbers.
-    pub(super) is_behind: bool,
-    /// What each column holds.
-    pub(in crate::measured) columns: Vec<ColumnKind>,
+    /// Whether the header follows the first row of numbers in the same line.
+    pub(super) is_after_data: bool,
+    /// The kind of each column.
+    pub(in crate::measured) columns: Vec<ColumnContent>,
     /// Whether the first column names curves.
     pub(super) has_curves: bool,
-    /// The first rows of numbers, as they stand.
+    /// The first rows of numbers, as text.
     pub(in crate::measured) rows: Vec<Vec<String>>,
 }
 
 impl Dialect {
-    /// Finds it in the first part of a text in UTF-8.
+    /// Detects the format from the start of a UTF-8 text.
     ///
     /// # Errors
-    /// No row of numbers is there.
+    /// There is no row of numbers.
     pub(in crate::measured) fn of(text: &[u8]) -> Result<Self, Fault> {
         let body = body(text);
         let found = Separator::ALL
             .into_iter()
-            .map(|separator| Sample::of(text, body, separator));
-        // Of equals the first: tabs are blanks, too.
-        let best = found.rev().max_by_key(Sample::merit);
+            .map(|separator| TableSample::of(text, body, separator));
+        // On a tie the first separator wins: tabs are also blanks.
+        let best = found.rev().max_by_key(TableSample::merit);
         let best = best.and_then(|sample| Some((sample.start()?, sample)));
         let Some((start, sample)) = best else {
             return Err(fault_at(
@@ -53,21 +53,21 @@ impl Dialect {
         Ok(Self::new(text, start, sample))
     }
 
-    fn new(text: &[u8], start: usize, sample: Sample) -> Self {
+    fn new(text: &[u8], start: usize, sample: TableSample) -> Self {
         let first = row_start(text, start);
         let above = String::from_utf8_lossy(&text[first.saturating_sub(SAMPLE)..first]);
         let below = &text[first..text.len().min(first + SAMPLE)];
         let below = String::from_utf8_lossy(below);
         let lines: Vec<&str> = below.lines().take(5).collect();
-        let shape = Shape {
+        let shape = HeaderShape {
             separator: sample.separator,
             width: sample.columns.len(),
             cells: sample.usual_cells(),
             lines: &lines,
         };
         let mut header = Header::find(above.lines().rev(), shape);
-        let is_behind = header.cells.is_empty() && header.misfit.is_empty() && {
-            header = Header::behind(sample.behind_first(), shape);
+        let is_after_data = header.cells.is_empty() && header.misfit.is_empty() && {
+            header = Header::after_data(sample.extra_cells(), shape);
             !header.cells.is_empty()
         };
         let visible =
@@ -77,7 +77,7 @@ impl Dialect {
             start,
             header: visible(header.cells),
             misfit: visible(header.misfit),
-            is_behind,
+            is_after_data,
             has_curves: sample.has_curves,
             rows: sample.number_rows(),
             columns: sample.columns,
@@ -89,12 +89,12 @@ impl Dialect {
         self.columns.len()
     }
 
-    /// The line of the first row of numbers.
+    /// The line number of the first row of numbers.
     pub(super) fn first_line(&self, text: &[u8]) -> usize {
         line_at(text, self.start)
     }
 
-    /// The largest magnitude in a column of the first rows.
+    /// The largest magnitude of a column in the first rows.
     pub(super) fn largest(&self, column: usize) -> f64 {
         let comma = self.separator.allows_decimal_comma();
         let cells = self.rows.iter().filter_map(|row| row.get(column));
@@ -104,7 +104,7 @@ impl Dialect {
     }
 }
 
-/// Where the first line starts that is neither empty nor a comment.
+/// The start of the first line that is neither empty nor a comment.
 fn body(text: &[u8]) -> usize {
     let mut at = 0;
     for line in text.split_inclusive(|&byte| byte == b'\n') {

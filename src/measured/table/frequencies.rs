@@ -1,16 +1,16 @@
-//! Which column of a table holds the frequencies.
+//! Finds the frequency column of a table.
 
-use super::columns::Table;
+use super::column_title::Role;
+use super::columns::TableColumns;
 use super::dialect::Dialect;
-use super::head::Role;
-use super::sample::ColumnKind;
+use super::sample::ColumnContent;
 use crate::measured::layout::Layout;
 use crate::measured::{Fault, fault_at};
 use crate::unit::FrequencyUnit;
 
-/// The column of frequencies, and their unit as far as the header says it.
+/// The frequency column, and its unit if the header gives it.
 pub(super) fn frequencies(
-    table: &Table,
+    table: &TableColumns,
     layout: Option<&Layout>,
 ) -> Result<(usize, Option<FrequencyUnit>), Fault> {
     let dialect = table.dialect;
@@ -18,15 +18,15 @@ pub(super) fn frequencies(
         Role::Frequency(unit) => unit,
         _ => None,
     };
-    if let Some(place) = layout.and_then(|layout| layout.places.frequency) {
-        let index = place - 1;
+    if let Some(number) = layout.and_then(|layout| layout.places.frequency) {
+        let index = number - 1;
         return match dialect.columns.get(index) {
-            Some(ColumnKind::Real) => Ok((index, unit(index))),
+            Some(ColumnContent::Real) => Ok((index, unit(index))),
             Some(_) => Err(wrong_column(
-                place,
-                "holds no real numbers: another one would be accepted",
+                number,
+                "has no real numbers: another one would be accepted",
             )),
-            None => Err(too_few(place, dialect)),
+            None => Err(too_few(number, dialect)),
         };
     }
     let chosen: Vec<usize> = layout.map_or_else(Vec::new, |layout| {
@@ -35,16 +35,19 @@ pub(super) fn frequencies(
             .curves
             .iter()
             .flatten()
-            .map(|place| place - 1)
+            .map(|number| number - 1)
             .collect()
     });
     let first = usize::from(dialect.has_curves);
     let is_open =
-        |index: &usize| dialect.columns[*index] == ColumnKind::Real && !chosen.contains(index);
+        |index: &usize| dialect.columns[*index] == ColumnContent::Real && !chosen.contains(index);
     let open: Vec<usize> = (first..dialect.width()).filter(is_open).collect();
     let named = |index: &&usize| matches!(table.role(**index), Role::Frequency(_));
-    let unsaid = |index: &&usize| table.role(**index) == Role::Unsaid;
-    let found = open.iter().find(named).or_else(|| open.iter().find(unsaid));
+    let is_unknown = |index: &&usize| table.role(**index) == Role::Unknown;
+    let found = open
+        .iter()
+        .find(named)
+        .or_else(|| open.iter().find(is_unknown));
     match found {
         Some(&index) => Ok((index, unit(index))),
         None => Err(fault_at(
@@ -56,15 +59,15 @@ pub(super) fn frequencies(
     }
 }
 
-/// That a column chosen by number is none.
-pub(super) fn too_few(place: usize, dialect: &Dialect) -> Fault {
+/// The fault for a column number beyond the last column.
+pub(super) fn too_few(number: usize, dialect: &Dialect) -> Fault {
     let width = dialect.width();
     wrong_column(
-        place,
+        number,
         &format!("is not there: the table has {width} columns"),
     )
 }
 
-pub(super) fn wrong_column(place: usize, why: &str) -> Fault {
-    fault_at("", 1, 1, format!("column {place} {why}"))
+pub(super) fn wrong_column(number: usize, why: &str) -> Fault {
+    fault_at("", 1, 1, format!("column {number} {why}"))
 }

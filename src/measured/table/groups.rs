@@ -1,35 +1,35 @@
-//! The columns of a table put together to curves: as the header says, by number, or one after the other.
+//! Groups the columns of a table to curves: by titles, by number, or consecutively.
 
-use super::columns::{Columns, Group, Table};
+use super::column_title::{ColumnTitle, Role};
+use super::columns::{ColumnGroup, Columns, TableColumns};
 use super::frequencies::{too_few, wrong_column};
-use super::head::{Head, Role};
-use super::sample::ColumnKind;
+use super::sample::ColumnContent;
 use crate::measured::layout::{Layout, Values};
 use crate::measured::{Fault, fault_at};
 use crate::unit::PhaseUnit;
 
-/// A column that is a magnitude.
-pub(super) fn magnitude(head: &Head, index: usize) -> Group {
-    Group {
-        name: head.name.clone(),
+/// A group of one magnitude column.
+pub(super) fn magnitude(title: &ColumnTitle, index: usize) -> ColumnGroup {
+    ColumnGroup {
+        name: title.name.clone(),
         columns: Columns::Magnitude {
             size: index,
             decibels: false,
         },
-        unit: head.unit.clone(),
+        unit: title.unit.clone(),
         minus: [false; 2],
     }
 }
 
-/// What columns that do not say it are likely to be, by the words that are there.
-pub(super) fn guess(table: &Table) -> Values {
-    let misfit: Vec<Head> = table
+/// The most likely values of columns without titles, from the available words.
+pub(super) fn guess(table: &TableColumns) -> Values {
+    let misfit: Vec<ColumnTitle> = table
         .dialect
         .misfit
         .iter()
-        .map(|word| Head::new(word))
+        .map(|word| ColumnTitle::new(word))
         .collect();
-    let roles = || table.heads.iter().chain(&misfit).map(|head| head.role);
+    let roles = || table.titles.iter().chain(&misfit).map(|title| title.role);
     let decibels = roles().any(|role| role == Role::Magnitude { decibels: true });
     let phase = roles().find_map(|role| match role {
         Role::Phase(unit) => Some(unit.unwrap_or(PhaseUnit::Degree)),
@@ -47,8 +47,8 @@ pub(super) fn guess(table: &Table) -> Values {
     }
 }
 
-/// The groups whose columns say what they are, and the columns that are left.
-pub(super) fn said(table: &Table) -> (Vec<Group>, Vec<usize>) {
+/// The groups of columns with known titles, and the remaining columns.
+pub(super) fn titled(table: &TableColumns) -> (Vec<ColumnGroup>, Vec<usize>) {
     let mut groups = Vec::new();
     let mut left: Vec<usize> = table.free.clone();
     for &index in &table.free {
@@ -64,23 +64,23 @@ pub(super) fn said(table: &Table) -> (Vec<Group>, Vec<usize>) {
     (groups, left)
 }
 
-/// The columns of a curve that starts with complex numbers, a real part or a magnitude; degrees where a phase's unit is
-/// not said.
-fn columns_of(table: &Table, index: usize, left: &[usize]) -> Option<Columns> {
+/// The columns of a curve whose first column has complex numbers, a real part or a magnitude; a phase without a unit is
+/// in degrees.
+fn columns_of(table: &TableColumns, index: usize, left: &[usize]) -> Option<Columns> {
     if table.is_complex(index) {
         return Some(Columns::Complex {
             re: index,
             im: index,
         });
     }
-    let head = table.heads.get(index)?;
+    let title = table.titles.get(index)?;
     let partner = |is: fn(Role) -> bool| {
-        let role = |other: usize| table.heads.get(other).filter(|one| is(one.role));
-        let same = |other: &usize| role(*other).is_some_and(|one| one.name == head.name);
-        // Of two neighbours one may have no name: H [dB], Phase.
+        let role = |other: usize| table.titles.get(other).filter(|one| is(one.role));
+        let same = |other: &usize| role(*other).is_some_and(|one| one.name == title.name);
+        // One of two adjacent columns may have no name: H [dB], Phase.
         let next = |other: &usize| {
             *other == index + 1
-                && role(*other).is_some_and(|one| one.name.is_empty() || head.name.is_empty())
+                && role(*other).is_some_and(|one| one.name.is_empty() || title.name.is_empty())
         };
         let mut others = left
             .iter()
@@ -89,7 +89,7 @@ fn columns_of(table: &Table, index: usize, left: &[usize]) -> Option<Columns> {
         others.clone().find(same).or_else(|| others.find(next))
     };
     let phase = || partner(|role| matches!(role, Role::Phase(_)));
-    match head.role {
+    match title.role {
         Role::Real => {
             let im = partner(|role| role == Role::Imaginary)?;
             Some(Columns::Complex { re: index, im })
@@ -101,13 +101,13 @@ fn columns_of(table: &Table, index: usize, left: &[usize]) -> Option<Columns> {
                 decibels,
             },
         }),
-        // What has a unit and a phase is a magnitude: H [m/N], Phase.
-        Role::Unsaid if head.unit.is_some() => Some(polar(table, index, false, phase()?)),
+        // A column with a unit and a phase column is a magnitude: H [m/N], Phase.
+        Role::Unknown if title.unit.is_some() => Some(polar(table, index, false, phase()?)),
         _ => None,
     }
 }
 
-fn polar(table: &Table, size: usize, decibels: bool, phase: usize) -> Columns {
+fn polar(table: &TableColumns, size: usize, decibels: bool, phase: usize) -> Columns {
     Columns::Polar {
         size,
         decibels,
@@ -119,14 +119,16 @@ fn polar(table: &Table, size: usize, decibels: bool, phase: usize) -> Columns {
     }
 }
 
-/// Some columns as a group, with what their headers say.
-fn group(table: &Table, columns: Columns) -> Group {
+/// Columns as a group, with name, unit and sign of their titles.
+fn group(table: &TableColumns, columns: Columns) -> ColumnGroup {
     let both = columns.both();
-    let heads = || both.iter().filter_map(|column| table.heads.get(*column));
-    let name = heads().map(|head| &head.name).find(|name| !name.is_empty());
-    let unit = heads().find_map(|head| head.unit.clone());
-    let minus = |column: usize| table.heads.get(column).is_some_and(|head| head.minus);
-    Group {
+    let titles = || both.iter().filter_map(|column| table.titles.get(*column));
+    let name = titles()
+        .map(|title| &title.name)
+        .find(|name| !name.is_empty());
+    let unit = titles().find_map(|title| title.unit.clone());
+    let minus = |column: usize| table.titles.get(column).is_some_and(|title| title.minus);
+    ColumnGroup {
         name: name.cloned().unwrap_or_default(),
         columns,
         unit,
@@ -141,15 +143,20 @@ fn group(table: &Table, columns: Columns) -> Group {
     }
 }
 
-/// That real and imaginary part are in the same unit.
+/// Checks that real and imaginary part have the same unit.
 ///
 /// # Errors
-/// They are not.
-pub(super) fn one_unit(table: &Table, group: &Group) -> Result<(), Fault> {
+/// The units differ.
+pub(super) fn one_unit(table: &TableColumns, group: &ColumnGroup) -> Result<(), Fault> {
     let Columns::Complex { re, im } = group.columns else {
         return Ok(());
     };
-    let unit = |column: usize| table.heads.get(column).and_then(|head| head.unit.as_ref());
+    let unit = |column: usize| {
+        table
+            .titles
+            .get(column)
+            .and_then(|title| title.unit.as_ref())
+    };
     match (unit(re), unit(im)) {
         (Some(a), Some(b)) if (a.kind(), a.ratio()) != (b.kind(), b.ratio()) => {
             let message = format!(
@@ -163,36 +170,36 @@ pub(super) fn one_unit(table: &Table, group: &Group) -> Result<(), Fault> {
     }
 }
 
-/// The columns that a person chooses by number.
-pub(super) fn by_number(table: &Table, layout: &Layout) -> Result<Vec<Group>, Fault> {
+/// The groups that the user gives by column number.
+pub(super) fn by_number(table: &TableColumns, layout: &Layout) -> Result<Vec<ColumnGroup>, Fault> {
     let dialect = table.dialect;
     let mut groups = Vec::new();
-    for places in &layout.places.curves {
-        let [first, second] = places.map(|place| place - 1);
+    for numbers in &layout.places.curves {
+        let [first, second] = numbers.map(|number| number - 1);
         let in_one = first == second && layout.values == Values::Complex;
-        for place in places {
-            match dialect.columns.get(place - 1) {
-                Some(ColumnKind::Real) => {}
-                Some(ColumnKind::Complex) if in_one => {}
-                Some(ColumnKind::Complex) => {
+        for number in numbers {
+            match dialect.columns.get(number - 1) {
+                Some(ColumnContent::Real) => {}
+                Some(ColumnContent::Complex) if in_one => {}
+                Some(ColumnContent::Complex) => {
                     return Err(wrong_column(
-                        *place,
-                        &format!("holds complex numbers: re {place}; im {place} would be accepted"),
+                        *number,
+                        &format!("has complex numbers: re {number}; im {number} would be accepted"),
                     ));
                 }
-                Some(ColumnKind::Text) => {
+                Some(ColumnContent::Text) => {
                     return Err(wrong_column(
-                        *place,
-                        "holds no numbers: another one would be accepted",
+                        *number,
+                        "has no numbers: another one would be accepted",
                     ));
                 }
-                None => return Err(too_few(*place, dialect)),
+                None => return Err(too_few(*number, dialect)),
             }
         }
         if in_one && !table.is_complex(first) {
             return Err(wrong_column(
-                places[0],
-                "holds no complex numbers: another column for the imaginary part would be accepted",
+                numbers[0],
+                "has no complex numbers: another column for the imaginary part would be accepted",
             ));
         }
         let mut one = group(table, Columns::of(layout.values, first, second));
@@ -203,13 +210,13 @@ pub(super) fn by_number(table: &Table, layout: &Layout) -> Result<Vec<Group>, Fa
     Ok(groups)
 }
 
-/// Groups of columns one after the other, whatever their words.
-pub(super) fn in_turn(table: &Table, values: Values) -> Result<Vec<Group>, Fault> {
+/// Consecutive columns as groups, without regard to their titles.
+pub(super) fn consecutive(table: &TableColumns, values: Values) -> Result<Vec<ColumnGroup>, Fault> {
     let free = &table.free;
     let size = values.columns();
     if free.is_empty() || !free.len().is_multiple_of(size) {
         let message = format!(
-            "{} columns besides the frequencies are not \"{values}\" of one curve or of several: {size} or a multiple \
+            "{} columns next to the frequencies are not \"{values}\" of one or more curves: {size} or a multiple \
              would be accepted, or the numbers of the columns, as {}",
             free.len(),
             by_example(values)
@@ -218,19 +225,19 @@ pub(super) fn in_turn(table: &Table, values: Values) -> Result<Vec<Group>, Fault
     }
     let chunks = free.chunks(size);
     let groups = chunks.map(|columns| {
-        let head = table.heads.get(columns[0]);
-        let minus = |column: usize| table.heads.get(column).is_some_and(|head| head.minus);
-        Group {
-            name: head.map_or_else(String::new, |head| head.name.clone()),
+        let title = table.titles.get(columns[0]);
+        let minus = |column: usize| table.titles.get(column).is_some_and(|title| title.minus);
+        ColumnGroup {
+            name: title.map_or_else(String::new, |title| title.name.clone()),
             columns: Columns::of(values, columns[0], columns[size - 1]),
-            unit: head.and_then(|head| head.unit.clone()),
+            unit: title.and_then(|title| title.unit.clone()),
             minus: [false, size == 2 && minus(columns[size - 1])],
         }
     });
     Ok(groups.collect())
 }
 
-/// The columns of a curve by number.
+/// An example of columns by number, for messages.
 fn by_example(values: Values) -> String {
     let words = values.to_string();
     let numbered = words

@@ -1,38 +1,38 @@
-//! The words above the columns: found in the lines above the numbers, and matched to the columns by place and count.
+//! Finds the header in the lines above the numbers, and assigns its words to columns by position and count.
 
-use super::head::{Head, Role};
+use super::column_title::{ColumnTitle, Role};
 use super::records::Separator;
 use super::tokens::{Token, grouped, joined, placed, split, tokens, with_units};
 use crate::unit::ValueUnit;
 use crate::unit::{FrequencyUnit, PhaseUnit};
 
-/// Lines above the numbers that are looked at.
+/// Most lines above the numbers that are inspected.
 const MOST_LINES: usize = 12;
 
-/// The columns that a header has to fit.
+/// The columns that a header must match.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Shape<'a> {
+pub(super) struct HeaderShape<'a> {
     pub(super) separator: Separator,
     /// Number of columns.
     pub(super) width: usize,
-    /// Number of cells of most rows: empty ones at the end are no columns.
+    /// Number of cells in most rows; empty cells at the end are not columns.
     pub(super) cells: usize,
-    /// The first rows of numbers as they stand.
+    /// The first rows of numbers, as text.
     pub(super) lines: &'a [&'a str],
 }
 
-/// What was found of a header.
+/// A header.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Header {
-    /// A text a column; none where there is no header.
+    /// One text per column; empty without a header.
     pub(super) cells: Vec<String>,
-    /// The words of a header that does not fit the columns.
+    /// The words of a header that does not match the columns.
     pub(super) misfit: Vec<String>,
 }
 
 impl Header {
-    /// In the lines above the numbers, the nearest first.
-    pub(super) fn find<'a>(above: impl Iterator<Item = &'a str>, shape: Shape) -> Self {
+    /// Finds the header in the lines above the numbers, nearest first.
+    pub(super) fn find<'a>(above: impl Iterator<Item = &'a str>, shape: HeaderShape) -> Self {
         let lines = above.filter(|line| line.contains(char::is_alphanumeric) || line.contains('|'));
         let mut units: Option<Vec<String>> = None;
         let mut is_next = true;
@@ -68,8 +68,8 @@ impl Header {
         }
     }
 
-    /// In the words behind the first row of numbers: a name and perhaps a unit for each column.
-    pub(super) fn behind(words: &[String], shape: Shape) -> Self {
+    /// Finds the header in the cells after the first row of numbers: a name and optionally a unit per column.
+    pub(super) fn after_data(words: &[String], shape: HeaderShape) -> Self {
         let filled = words.iter().rposition(|word| !word.trim().is_empty());
         let words = &words[..filled.map_or(0, |last| last + 1)];
         let pairs = words.chunks(2).map(|pair| {
@@ -77,7 +77,7 @@ impl Header {
             with_unit((&pair[0], unit))
         });
         let line = words.join(" ");
-        let blanks = Shape {
+        let blanks = HeaderShape {
             separator: Separator::Blanks,
             ..shape
         };
@@ -93,25 +93,25 @@ impl Header {
     }
 }
 
-/// A line without the signs that make it a comment.
+/// A line without its comment characters.
 fn bare_line(line: &str) -> &str {
     let signs = ['#', '%', '!', '*', '/', '\'', '\u{feff}'];
     let start = line.trim_start();
     if !start.starts_with(signs) {
         return line.trim_end_matches(['\r', '\n']);
     }
-    // A tab behind the sign may be the end of an empty cell or nothing.
+    // A tab after the comment character may end an empty cell or have no meaning.
     let rest = start.trim_start_matches(signs).trim_start();
     rest.trim_end_matches(['\r', '\n'])
 }
 
-/// The cells of a line that fit the columns, by the first way of splitting it that does.
-fn fitted(line: &str, shape: Shape, is_next: bool) -> Option<Vec<String>> {
+/// Splits a line into one cell per column, by the first method that fits.
+fn fitted(line: &str, shape: HeaderShape, is_next: bool) -> Option<Vec<String>> {
     let own = split(line, shape.separator);
     if let Some(cells) = resized(&own, shape) {
         let is_blank = shape.separator == Separator::Blanks;
-        // Names alone: only right above the numbers, and not the words of a sentence.
-        let names = is_next && !is_blank && !cells.iter().any(|cell| is_no_name(cell));
+        // Names only: directly above the numbers, and not the words of a sentence.
+        let names = is_next && !is_blank && !cells.iter().any(|cell| is_not_a_name(cell));
         if known(&cells) >= 1 || names {
             return Some(cells);
         }
@@ -138,7 +138,7 @@ fn texts(tokens: Vec<Token>) -> Vec<String> {
     tokens.into_iter().map(|token| token.text).collect()
 }
 
-/// The cells of a line with two blanks or more between them.
+/// Splits a line at two or more blanks.
 fn wide(line: &str) -> Vec<String> {
     let cells = line.trim().split("  ").map(str::trim);
     cells
@@ -147,7 +147,7 @@ fn wide(line: &str) -> Vec<String> {
         .collect()
 }
 
-/// The words of a line in as many groups as there are columns, each with one known word.
+/// Groups the words of a line, one group with one known word per column.
 fn by_words(words: &[Token], width: usize) -> Option<Vec<String>> {
     let words = with_units(words.to_vec(), is_unit);
     let is_known: Vec<bool> = words.iter().map(|word| is_role(&word.text)).collect();
@@ -155,8 +155,8 @@ fn by_words(words: &[Token], width: usize) -> Option<Vec<String>> {
     (count == width).then(|| grouped(&words, &is_known))
 }
 
-/// The words of a line by the columns above which they stand, where each column has some and no two known ones.
-fn by_place(words: &[Token], shape: Shape) -> Option<Vec<String>> {
+/// Groups the words of a line by the columns below them; each column needs words, and at most one known word.
+fn by_place(words: &[Token], shape: HeaderShape) -> Option<Vec<String>> {
     if shape.separator != Separator::Blanks {
         return None;
     }
@@ -168,8 +168,8 @@ fn by_place(words: &[Token], shape: Shape) -> Option<Vec<String>> {
         .then(|| groups.iter().map(|group| group.join(" ")).collect())
 }
 
-/// As many cells as columns; none where the line has another number of them.
-fn resized(cells: &[String], shape: Shape) -> Option<Vec<String>> {
+/// One cell per column; none if the number of cells does not match.
+fn resized(cells: &[String], shape: HeaderShape) -> Option<Vec<String>> {
     let filled = cells.iter().filter(|cell| !cell.is_empty()).count();
     let last = cells
         .iter()
@@ -181,13 +181,13 @@ fn resized(cells: &[String], shape: Shape) -> Option<Vec<String>> {
     if last <= shape.width || last <= shape.cells {
         return Some(cells[..shape.width].to_vec());
     }
-    // The sign of a comment may be a cell of its own.
-    let is_sign = cells[0].is_empty() && last == shape.width + 1;
-    is_sign.then(|| cells[1..last].to_vec())
+    // The comment character may be a separate cell.
+    let is_comment = cells[0].is_empty() && last == shape.width + 1;
+    is_comment.then(|| cells[1..last].to_vec())
 }
 
-/// A row of nothing but units.
-fn row_of_units(line: &str, shape: Shape) -> Option<Vec<String>> {
+/// The cells of a row that contains only units.
+fn row_of_units(line: &str, shape: HeaderShape) -> Option<Vec<String>> {
     let others = Separator::ALL.into_iter().map(|other| split(line, other));
     let ways = std::iter::once(split(line, shape.separator))
         .chain(others)
@@ -213,25 +213,25 @@ fn with_unit((word, unit): (&String, String)) -> String {
     }
 }
 
-/// How many cells are known words or have known units.
+/// The number of cells with known words or units.
 fn known(cells: &[String]) -> usize {
     cells
         .iter()
-        .filter(|cell| Head::new(cell).is_known())
+        .filter(|cell| ColumnTitle::new(cell).is_known())
         .count()
 }
 
-/// Whether a word says what is in a column.
+/// Whether a word gives the role of a column.
 fn is_role(word: &str) -> bool {
-    Head::new(word).role != Role::Unsaid
+    ColumnTitle::new(word).role != Role::Unknown
 }
 
-/// Whether a cell is no name of a column: a number, or a sentence of a preamble.
-fn is_no_name(cell: &str) -> bool {
+/// Whether a cell cannot be a column name: a number, or a sentence of a preamble.
+fn is_not_a_name(cell: &str) -> bool {
     cell.contains(':') || cell.parse::<f64>().is_ok()
 }
 
-/// Whether a cell is a unit and nothing else.
+/// Whether a cell contains only a unit.
 fn is_unit(cell: &str) -> bool {
     let word = bare(cell);
     word.eq_ignore_ascii_case("db")
@@ -240,12 +240,12 @@ fn is_unit(cell: &str) -> bool {
         || ValueUnit::parse(word).is_ok()
 }
 
-/// A word without brackets around it.
+/// A word without surrounding brackets.
 fn bare(word: &str) -> &str {
     let word = word.trim();
     let inside = |open: char, close: char| {
         let inside = word.strip_prefix(open)?.strip_suffix(close)?;
-        // Of (m)/(N) the first bracket does not end at the last.
+        // In (m)/(N) the first and the last bracket are not a pair.
         (!inside.contains([open, close])).then_some(inside)
     };
     inside('[', ']').or(inside('(', ')')).unwrap_or(word).trim()

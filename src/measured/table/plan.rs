@@ -1,11 +1,11 @@
-//! Which columns of a table make which curves.
+//! Assigns the columns of a table to curves.
 
-use super::columns::{Columns, Group, Table};
+use super::column_title::{ColumnTitle, Role};
+use super::columns::{ColumnGroup, Columns, TableColumns};
 use super::dialect::Dialect;
 use super::frequencies::frequencies;
-use super::groups::{by_number, guess, in_turn, magnitude, one_unit, said};
-use super::head::{Head, Role};
-use super::sample::ColumnKind;
+use super::groups::{by_number, consecutive, guess, magnitude, one_unit, titled};
+use super::sample::ColumnContent;
 use crate::measured::layout::{Layout, Question, Values};
 use crate::measured::{Fault, Hint, fault_at};
 use crate::unit::FrequencyUnit;
@@ -13,44 +13,48 @@ use crate::unit::FrequencyUnit;
 /// Most columns of a table.
 const MOST_COLUMNS: usize = 1000;
 
-/// A phase beyond this is in degrees: in rad it would be nearly ten turns.
+/// A larger phase is in degrees: in rad it would be almost ten turns.
 const SURELY_DEGREES: f64 = 60.0;
 
-/// Which columns of a table make which curves.
+/// The assignment of the columns of a table to curves.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::measured) struct Plan {
-    /// The column of frequencies and its unit.
+    /// The frequency column and its unit.
     pub(in crate::measured) frequency: (usize, FrequencyUnit),
-    /// The column whose words name curves.
+    /// The column of curve names.
     pub(super) curve: Option<usize>,
-    pub(in crate::measured) groups: Vec<Group>,
+    pub(in crate::measured) groups: Vec<ColumnGroup>,
     pub(in crate::measured) missing: Vec<Question>,
-    /// What was left out or taken for granted.
+    /// Skipped columns and assumptions, one sentence each.
     pub(super) notes: Vec<String>,
-    /// What is in the header and not understood, a sentence each.
+    /// The parts of the header that are not understood, one sentence each.
     pub(in crate::measured) doubts: Vec<String>,
-    /// Whether the header is the one that the program writes.
+    /// Whether this program wrote the header.
     pub(in crate::measured) is_own: bool,
 }
 
 impl Plan {
-    /// By the header, and by the layout where there is one.
+    /// Assigns columns by the header and, if given, by the layout.
     ///
     /// # Errors
-    /// There are no columns of values, too many, or a number of them that does not fit the layout.
+    /// There are no value columns, too many, or their number does not match the layout.
     pub(in crate::measured) fn new(dialect: &Dialect, hint: &Hint) -> Result<Self, Fault> {
         of_possible_width(dialect)?;
         let layout = hint.layout.as_ref();
-        let mut table = Table {
+        let mut table = TableColumns {
             dialect,
-            heads: dialect.header.iter().map(|cell| Head::new(cell)).collect(),
+            titles: dialect
+                .header
+                .iter()
+                .map(|cell| ColumnTitle::new(cell))
+                .collect(),
             free: Vec::new(),
         };
         let (column, unit) = frequencies(&table, layout)?;
-        table.free = table.besides(column);
-        let told = layout.map(|layout| layout.frequency).or(unit);
+        table.free = table.value_columns(column);
+        let frequency_unit = layout.map(|layout| layout.frequency).or(unit);
         let mut plan = Self {
-            frequency: (column, told.unwrap_or(FrequencyUnit::Hertz)),
+            frequency: (column, frequency_unit.unwrap_or(FrequencyUnit::Hertz)),
             curve: dialect.has_curves.then_some(0),
             groups: Vec::new(),
             missing: Vec::new(),
@@ -61,17 +65,17 @@ impl Plan {
                 .get(column)
                 .is_some_and(|cell| cell == "frequency_hz"),
         };
-        if told.is_none() {
+        if frequency_unit.is_none() {
             plan.missing.push(Question::Frequency);
             plan.notes
-                .push("the unit of the frequencies is not said: Hz is taken".to_owned());
+                .push("the frequency unit is not given: Hz assumed".to_owned());
         }
         plan.group(&table, layout)?;
         plan.note_texts(&table);
         plan.note_minus(&table);
         plan.name(&hint.stem());
         if layout.is_none() {
-            plan.ask_of_phases(&table);
+            plan.ask_phase_unit(&table);
             if plan.groups.iter().any(|group| group.unit.is_none()) {
                 plan.missing.push(Question::Unit);
             }
@@ -79,22 +83,22 @@ impl Plan {
         Ok(plan)
     }
 
-    /// Makes the groups of the free columns.
-    fn group(&mut self, table: &Table, layout: Option<&Layout>) -> Result<(), Fault> {
+    /// Groups the value columns.
+    fn group(&mut self, table: &TableColumns, layout: Option<&Layout>) -> Result<(), Fault> {
         if let Some(layout) = layout.filter(|layout| !layout.places.curves.is_empty()) {
             self.groups = by_number(table, layout)?;
             return Ok(());
         }
-        let (mut said, rest) = said(table);
+        let (mut groups, rest) = titled(table);
         if layout.is_some_and(|layout| matches!(layout.values, Values::Magnitude { .. })) {
-            self.leave_out_phases(&mut said);
+            self.leave_out_phases(&mut groups);
         }
-        let fits = |group: &Group| {
+        let fits = |group: &ColumnGroup| {
             layout.is_none_or(|layout| layout.values.is_like(group.columns.values()))
         };
-        let own = self.is_own && layout.is_none() && !table.free.is_empty();
-        if said.iter().any(fits) || own {
-            self.take_said(table, said, fits);
+        let is_own_table = self.is_own && layout.is_none() && !table.free.is_empty();
+        if groups.iter().any(fits) || is_own_table {
+            self.take_titled(table, groups, fits);
             self.leave_out(table, rest);
             self.groups
                 .sort_by_key(|group| group.columns.both().into_iter().min());
@@ -103,7 +107,7 @@ impl Plan {
             if layout.is_none() {
                 self.missing.push(Question::Values);
             }
-            self.groups = in_turn(table, values)?;
+            self.groups = consecutive(table, values)?;
         }
         if let Some(layout) = layout {
             for group in self.groups.iter_mut().filter(|group| fits(group)) {
@@ -112,7 +116,7 @@ impl Plan {
                 group.minus[1] |= layout.minus;
             }
         }
-        self.ask_of_order(table, layout);
+        self.ask_columns(table, layout);
         if layout.is_none_or(|layout| layout.unit.is_none()) {
             return self
                 .groups
@@ -122,9 +126,14 @@ impl Plan {
         Ok(())
     }
 
-    /// Takes the groups that fit what a person says, and those that say themselves in which unit they are.
-    fn take_said(&mut self, table: &Table, said: Vec<Group>, fits: impl Fn(&Group) -> bool) {
-        for group in said {
+    /// Takes the groups that match the user's description, and those with a unit.
+    fn take_titled(
+        &mut self,
+        table: &TableColumns,
+        groups: Vec<ColumnGroup>,
+        fits: impl Fn(&ColumnGroup) -> bool,
+    ) {
+        for group in groups {
             if fits(&group) || group.unit.is_some() || self.is_own {
                 self.groups.push(group);
             } else {
@@ -135,15 +144,15 @@ impl Plan {
                     format!("{} and {}", table.title(first), table.title(second))
                 };
                 self.notes.push(format!(
-                    "{columns} left out: {}, which is not what was asked for",
+                    "{columns} skipped: {}, which was not requested",
                     group.columns.values()
                 ));
             }
         }
     }
 
-    /// Keeps the magnitudes alone where only these are asked for.
-    fn leave_out_phases(&mut self, groups: &mut [Group]) {
+    /// Keeps only the magnitudes.
+    fn leave_out_phases(&mut self, groups: &mut [ColumnGroup]) {
         for group in groups {
             if let Columns::Polar {
                 size,
@@ -154,30 +163,32 @@ impl Plan {
             {
                 group.columns = Columns::Magnitude { size, decibels };
                 self.notes.push(format!(
-                    "column {} left out: only magnitudes were asked for",
+                    "column {} skipped: only magnitudes were requested",
                     phase + 1
                 ));
             }
         }
     }
 
-    fn leave_out(&mut self, table: &Table, rest: Vec<usize>) {
+    fn leave_out(&mut self, table: &TableColumns, rest: Vec<usize>) {
         for index in rest {
-            match table.heads.get(index) {
-                // An energy in a table of the program.
-                Some(head) if self.is_own && head.role == Role::Unsaid && !head.name.is_empty() => {
-                    self.groups.push(magnitude(head, index));
+            match table.titles.get(index) {
+                // An energy in a table of this program.
+                Some(title)
+                    if self.is_own && title.role == Role::Unknown && !title.name.is_empty() =>
+                {
+                    self.groups.push(magnitude(title, index));
                 }
                 _ => self.notes.push(format!(
-                    "column {} left out: it is not said what it is",
+                    "column {} skipped: its quantity is not given",
                     index + 1
                 )),
             }
         }
     }
 
-    /// Asks which of several columns holds the frequencies of complex numbers.
-    fn ask_of_order(&mut self, table: &Table, layout: Option<&Layout>) {
+    /// Asks for the values if the frequency column has no title and value columns are unused.
+    fn ask_columns(&mut self, table: &TableColumns, layout: Option<&Layout>) {
         let is_said = matches!(table.role(self.frequency.0), Role::Frequency(_));
         let is_used = |index: usize| {
             let mut groups = self.groups.iter();
@@ -190,21 +201,19 @@ impl Plan {
         }
     }
 
-    /// Says which columns are no numbers.
-    fn note_texts(&mut self, table: &Table) {
+    /// Adds a note for each text column.
+    fn note_texts(&mut self, table: &TableColumns) {
         let kinds = table.dialect.columns.iter().enumerate();
-        for (index, _) in kinds.filter(|(_, kind)| **kind == ColumnKind::Text) {
+        for (index, _) in kinds.filter(|(_, kind)| **kind == ColumnContent::Text) {
             if self.curve != Some(index) {
-                self.notes.push(format!(
-                    "column {} left out: it holds no numbers",
-                    index + 1
-                ));
+                self.notes
+                    .push(format!("column {} skipped: it has no numbers", index + 1));
             }
         }
     }
 
-    /// Says where a minus of the header is undone.
-    fn note_minus(&mut self, table: &Table) {
+    /// Adds a note for each column with an inverted sign.
+    fn note_minus(&mut self, table: &TableColumns) {
         let columns = self.groups.iter().flat_map(|group| {
             let both = group.columns.both().into_iter().zip(group.minus);
             both.filter(|(_, minus)| *minus).map(|(column, _)| column)
@@ -214,8 +223,8 @@ impl Plan {
         self.notes.extend(notes.collect::<Vec<_>>());
     }
 
-    /// Asks for the unit of phases where neither the header nor their size says it.
-    fn ask_of_phases(&mut self, table: &Table) {
+    /// Asks for the unit of phases if neither the header nor their size gives it.
+    fn ask_phase_unit(&mut self, table: &TableColumns) {
         let open = self.groups.iter().any(|group| match group.columns {
             Columns::Polar { phase, .. } => {
                 table.role(phase) == Role::Phase(None)
@@ -226,11 +235,11 @@ impl Plan {
         if open && !self.missing.contains(&Question::Values) {
             self.missing.push(Question::Phase);
             self.notes
-                .push("the unit of the phases is not said: degrees are taken".to_owned());
+                .push("the phase unit is not given: degrees assumed".to_owned());
         }
     }
 
-    /// Names the groups that have no name after the file; the words of a column `curve` are names enough.
+    /// Names unnamed groups after the file, unless a column `curve` names the only group.
     fn name(&mut self, stem: &str) {
         if self.curve.is_some() && self.groups.len() == 1 {
             return;
@@ -252,8 +261,8 @@ fn of_possible_width(dialect: &Dialect) -> Result<(), Fault> {
     Ok(())
 }
 
-/// What is in the header and not understood.
-fn doubts(table: &Table) -> Vec<String> {
+/// The parts of the header that are not understood.
+fn doubts(table: &TableColumns) -> Vec<String> {
     let dialect = table.dialect;
     let mut doubts = Vec::new();
     if !dialect.misfit.is_empty() {
@@ -265,10 +274,14 @@ fn doubts(table: &Table) -> Vec<String> {
         ));
     }
     let mut unknown: Vec<&String> = Vec::new();
-    for unit in table.heads.iter().filter_map(|head| head.unknown.as_ref()) {
+    for unit in table
+        .titles
+        .iter()
+        .filter_map(|title| title.unknown.as_ref())
+    {
         if !unknown.contains(&unit) {
             unknown.push(unit);
-            doubts.push(format!("its unit {unit:?} is not known"));
+            doubts.push(format!("its unit {unit:?} is unknown"));
         }
     }
     doubts

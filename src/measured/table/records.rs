@@ -1,15 +1,15 @@
-//! The rows of a text as one separator parts them, without empty lines and comments.
+//! Splits a text into rows by one separator, without empty lines and comments.
 
 use csv::{ByteRecord, ReaderBuilder};
 
 use crate::measured::{Fault, number};
 
-/// What parts the cells.
+/// The separator of cells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::measured) enum Separator {
     /// A comma, a semicolon or a tab.
     Byte(u8),
-    /// Blanks, any number of them.
+    /// One or more blanks.
     Blanks,
 }
 
@@ -21,12 +21,12 @@ impl Separator {
         Self::Blanks,
     ];
 
-    /// Whether a comma may part the decimals.
+    /// Whether numbers may have a decimal comma.
     pub(super) fn allows_decimal_comma(self) -> bool {
         self != Self::Byte(b',')
     }
 
-    /// Its name.
+    /// The plural name, for messages.
     pub(in crate::measured) const fn name(self) -> &'static str {
         match self {
             Self::Byte(b'\t') => "tabs",
@@ -37,13 +37,13 @@ impl Separator {
     }
 }
 
-/// The line, from 1, of the first line from an offset on that is neither empty nor a comment.
+/// The line number, from 1, of the first line from an offset on that is neither empty nor a comment.
 pub(super) fn line_at(text: &[u8], offset: usize) -> usize {
     let before = text.iter().take(row_start(text, offset));
     before.filter(|&&byte| byte == b'\n').count() + 1
 }
 
-/// Where the first line from an offset on starts that is neither empty nor a comment; the offset where there is none.
+/// The start of the first line from an offset on that is neither empty nor a comment; the offset if there is none.
 pub(super) fn row_start(text: &[u8], offset: usize) -> usize {
     let rest = text.get(offset..).unwrap_or_default();
     let mut start = offset;
@@ -57,7 +57,7 @@ pub(super) fn row_start(text: &[u8], offset: usize) -> usize {
     offset
 }
 
-/// Whether a line that starts so is a comment.
+/// Whether a line with this first byte is a comment.
 pub(super) const fn is_comment(first: u8) -> bool {
     matches!(first, b'#' | b'%' | b'!')
 }
@@ -82,13 +82,13 @@ pub(super) fn for_each_record(
         }
     };
     match separator {
-        Separator::Byte(byte) => parted(part, byte, take),
-        Separator::Blanks => blank_parted(part, take),
+        Separator::Byte(byte) => for_each_delimited(part, byte, take),
+        Separator::Blanks => for_each_blank_separated(part, take),
     }
 }
 
-/// Calls `take` with each row and a place at or before it.
-fn parted(
+/// Calls `take` with each row and an offset at or before it.
+fn for_each_delimited(
     part: &[u8],
     separator: u8,
     mut take: impl FnMut(usize, &ByteRecord) -> Result<(), Fault>,
@@ -108,8 +108,8 @@ fn parted(
     Ok(())
 }
 
-/// Calls `take` with each line and its place.
-fn blank_parted(
+/// Calls `take` with each line and its offset.
+fn for_each_blank_separated(
     part: &[u8],
     mut take: impl FnMut(usize, &ByteRecord) -> Result<(), Fault>,
 ) -> Result<(), Fault> {
@@ -126,10 +126,9 @@ fn blank_parted(
     Ok(())
 }
 
-/// The cells of a line with blanks between them. What belongs to a complex number stays in one: `1e-6 - 2e-7i`,
-/// `1e-6 -2e-7i`, `(1e-6, -2e-7)`.
+/// Splits a line at blanks. A complex number stays in one cell: `1e-6 - 2e-7i`, `1e-6 -2e-7i`, `(1e-6, -2e-7)`.
 fn blank_cells(line: &[u8]) -> Vec<&[u8]> {
-    // Where the cells start and end.
+    // Start and end of each cell.
     let mut cells: Vec<(usize, usize)> = Vec::new();
     let mut at = 0;
     for word in line.split(u8::is_ascii_whitespace) {
@@ -139,21 +138,22 @@ fn blank_cells(line: &[u8]) -> Vec<&[u8]> {
             continue;
         }
         match cells.last_mut() {
-            Some(last) if goes_on(&line[last.0..last.1], word) => last.1 = to,
+            Some(last) if continues_number(&line[last.0..last.1], word) => last.1 = to,
             _ => cells.push((from, to)),
         }
     }
-    // Some programs put names of rows into quotes.
-    let bare = |cell: &[u8]| cell.len() > 2 && cell.starts_with(b"\"") && cell.ends_with(b"\"");
+    // Some programs quote row names.
+    let is_quoted =
+        |cell: &[u8]| cell.len() > 2 && cell.starts_with(b"\"") && cell.ends_with(b"\"");
     let cells = cells.into_iter().map(|(from, to)| match &line[from..to] {
-        cell if bare(cell) => &cell[1..cell.len() - 1],
+        cell if is_quoted(cell) => &cell[1..cell.len() - 1],
         cell => cell,
     });
     cells.collect()
 }
 
-/// Whether a word goes on with the complex number in a cell.
-fn goes_on(cell: &[u8], word: &[u8]) -> bool {
+/// Whether a word continues the complex number in a cell.
+fn continues_number(cell: &[u8], word: &[u8]) -> bool {
     let is_sign = |word: &[u8]| matches!(word, b"+" | b"-");
     let ends_in_sign = cell.ends_with(b" +") || cell.ends_with(b" -");
     let is_open = cell.starts_with(b"(") && !cell.contains(&b')');
@@ -168,7 +168,7 @@ fn goes_on(cell: &[u8], word: &[u8]) -> bool {
         || is_imaginary()
 }
 
-/// The sign by which the first comment of a text starts. A quote in a comment must not swallow the lines behind it.
+/// The character that starts the first comment of a text. A quote in a comment must not include the following lines.
 fn first_comment(part: &[u8]) -> Option<u8> {
     const SAMPLE: usize = 1 << 16;
     let sample = &part[..part.len().min(SAMPLE)];

@@ -1,4 +1,4 @@
-//! The rows of a table, one after the other.
+//! The rows of a table.
 
 use csv::ByteRecord;
 
@@ -8,40 +8,40 @@ use super::dialect::Dialect;
 use super::records::{for_each_record, line_at};
 use crate::measured::{Fault, fault_at, number, text_of};
 
-/// A row and where it is.
+/// A row and its position.
 #[derive(Debug)]
-pub(super) struct Row<'a> {
+pub(super) struct TableRow<'a> {
     /// The whole file.
     bytes: &'a [u8],
-    /// A place in the file from which on the row is the first that has something in it.
+    /// An offset in the file; the row is the first non-empty row from there on.
     offset: usize,
     comma: bool,
     cells: &'a ByteRecord,
 }
 
-impl Row<'_> {
-    /// A cell by its index; empty where the row is too short.
+impl TableRow<'_> {
+    /// A cell by its index; empty if the row is too short.
     pub(super) fn cell(&self, index: usize) -> &[u8] {
         self.cells.get(index).unwrap_or_default()
     }
 
-    /// A cell as a number; NaN where it is there and empty.
+    /// A cell as a number; NaN for an empty cell.
     pub(super) fn number(&self, index: usize) -> Result<f64, Fault> {
-        let cell = self.there(index)?;
+        let cell = self.present(index)?;
         self.real(cell)
-            .ok_or_else(|| self.no_number(index, "1.5, -2e-7"))
+            .ok_or_else(|| self.not_a_number(index, "1.5, -2e-7"))
     }
 
-    /// A cell as a complex number, or as a real one; NaN where it is there and empty.
+    /// A cell as a complex or real number; NaN for an empty cell.
     pub(super) fn complex(&self, index: usize) -> Result<Complex64, Fault> {
-        let cell = self.there(index)?;
+        let cell = self.present(index)?;
         let complex = || number::complex(cell, self.comma);
         let found = self.real(cell).map(Complex64::from).or_else(complex);
-        found.ok_or_else(|| self.no_number(index, "1e-6-2e-7i, (1e-6-2e-7j)"))
+        found.ok_or_else(|| self.not_a_number(index, "1e-6-2e-7i, (1e-6-2e-7j)"))
     }
 
-    /// Whether there is no number in one column, or in none of the others: then the row is no row of the table.
-    pub(super) fn is_no_row(
+    /// Whether the frequency or all values are missing: then the row is not part of the table.
+    pub(super) fn is_not_data(
         &self,
         frequency: usize,
         mut values: impl Iterator<Item = usize>,
@@ -55,18 +55,18 @@ impl Row<'_> {
         !has(frequency) || !values.any(has)
     }
 
-    /// Whether the row ends in or before a cell.
+    /// Whether the row ends at or before a cell.
     pub(super) fn ends_by(&self, index: usize) -> bool {
         self.cells.len() <= index + 1
     }
 
-    /// Whether there are words from a cell on.
+    /// Whether the row has non-empty cells from an index on.
     pub(super) fn has_from(&self, index: usize) -> bool {
-        let mut behind = self.cells.iter().skip(index);
-        behind.any(|cell| !cell.trim_ascii().is_empty())
+        let mut extra = self.cells.iter().skip(index);
+        extra.any(|cell| !cell.trim_ascii().is_empty())
     }
 
-    /// The first words of the row.
+    /// The first words of the row, for messages.
     pub(super) fn start(&self) -> String {
         let cells: Vec<String> = self.cells.iter().map(text_of).collect();
         let words = cells.join(" ");
@@ -79,8 +79,8 @@ impl Row<'_> {
             .collect()
     }
 
-    /// A cell, which the row must have.
-    fn there(&self, index: usize) -> Result<&[u8], Fault> {
+    /// A cell that the row must have.
+    fn present(&self, index: usize) -> Result<&[u8], Fault> {
         self.cells.get(index).ok_or_else(|| {
             let (found, wanted) = (self.cells.len(), index + 1);
             self.fault(
@@ -90,7 +90,7 @@ impl Row<'_> {
         })
     }
 
-    /// A cell as a real number, also where it is written as a complex one; NaN where it is empty.
+    /// A cell as a real number, also from a complex number without imaginary part; NaN if it is empty.
     fn real(&self, cell: &[u8]) -> Option<f64> {
         if cell.trim_ascii().is_empty() {
             return Some(f64::NAN);
@@ -99,14 +99,14 @@ impl Row<'_> {
         number::parse(cell, self.comma).or_else(|| complex().map(|value| value.re))
     }
 
-    fn no_number(&self, index: usize, accepted: &str) -> Fault {
+    fn not_a_number(&self, index: usize, accepted: &str) -> Fault {
         let text: String = text_of(self.cell(index)).chars().take(30).collect();
         let message =
-            format!("{text:?} is no number: accepted is such as {accepted} or an empty cell");
+            format!("{text:?} is not a number: accepted are {accepted}, or an empty cell");
         self.fault(index, message)
     }
 
-    /// A fault in a cell.
+    /// A fault at a cell.
     pub(super) fn fault(&self, index: usize, message: impl Into<String>) -> Fault {
         fault_at("", line_at(self.bytes, self.offset), index + 1, message)
     }
@@ -116,7 +116,7 @@ impl Row<'_> {
 pub(super) fn for_each_row(
     bytes: &[u8],
     dialect: &Dialect,
-    mut take: impl FnMut(Row) -> Result<(), Fault>,
+    mut take: impl FnMut(TableRow) -> Result<(), Fault>,
 ) -> Result<(), Fault> {
     for_each_record(
         bytes,
@@ -125,7 +125,7 @@ pub(super) fn for_each_row(
         dialect.separator,
         |offset, cells| {
             let comma = dialect.separator.allows_decimal_comma();
-            take(Row {
+            take(TableRow {
                 bytes,
                 offset,
                 comma,

@@ -1,26 +1,26 @@
-//! The first rows of a table as one separator parts them: where its numbers start, and what its columns hold.
+//! The first rows of a table, split by one separator: start of the numbers and kinds of the columns.
 
 use super::records::{Separator, for_each_record};
 use crate::measured::{Fault, number, text_of};
 
-/// How far into a table its first numbers are looked for, bytes.
+/// Bytes in which the first numbers of a table are searched.
 pub(super) const SAMPLE: usize = 1 << 16;
 
-/// Rows that are looked at.
+/// Most rows of a sample.
 const MOST_ROWS: usize = 400;
 
-/// What a column holds.
+/// The kind of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::measured) enum ColumnKind {
+pub(in crate::measured) enum ColumnContent {
     /// Real numbers.
     Real,
     /// Complex numbers.
     Complex,
-    /// Something else.
+    /// Text.
     Text,
 }
 
-/// What a cell holds.
+/// The kind of a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum CellKind {
     Empty,
@@ -36,18 +36,18 @@ struct SampleRow {
     kinds: Vec<CellKind>,
 }
 
-/// The first rows of a table as one separator parts them.
-pub(super) struct Sample {
+/// The first rows of a table, split by one separator.
+pub(super) struct TableSample {
     pub(super) separator: Separator,
     rows: Vec<SampleRow>,
     /// Index of the first row of numbers.
     first: usize,
     pub(super) has_curves: bool,
-    /// What the columns hold.
-    pub(super) columns: Vec<ColumnKind>,
+    /// The kinds of the columns.
+    pub(super) columns: Vec<ColumnContent>,
 }
 
-impl Sample {
+impl TableSample {
     pub(super) fn of(bytes: &[u8], body: usize, separator: Separator) -> Self {
         let rows = rows(bytes, body, separator);
         let names = rows.iter().position(|row| {
@@ -65,7 +65,7 @@ impl Sample {
             sample.first = sample.first_row(&rows);
             sample
         };
-        // The column of names has its word right above the numbers.
+        // The title of a name column is directly above the numbers.
         let named = names
             .map(|names| (names, new(true)))
             .filter(|(names, sample)| sample.first == names + 1);
@@ -73,7 +73,7 @@ impl Sample {
         Self { rows, ..sample }
     }
 
-    /// The index of the first row of numbers that another one follows; of the first at all where there is no such.
+    /// The index of the first of two adjacent rows of numbers; of the first row of numbers if there are none.
     fn first_row(&self, rows: &[SampleRow]) -> usize {
         let is_numbers = |index: &usize| rows.get(*index).is_some_and(|row| self.is_numbers(row));
         let pair = (0..rows.len()).find(|index| {
@@ -84,14 +84,14 @@ impl Sample {
         pair.or_else(single).unwrap_or(rows.len())
     }
 
-    /// Whether a row has two or more numbers, and nothing else in the columns of numbers.
+    /// Whether a row has at least two numbers, and no text in number columns.
     fn is_numbers(&self, row: &SampleRow) -> bool {
         let skipped = usize::from(self.has_curves);
         let cells = row.kinds.iter().zip(&self.columns).skip(skipped);
         let mut numbers = 0;
         for (cell, column) in cells {
             match (cell, column) {
-                (_, ColumnKind::Text) | (CellKind::Empty, _) => {}
+                (_, ColumnContent::Text) | (CellKind::Empty, _) => {}
                 (CellKind::Text, _) => return false,
                 (CellKind::Real | CellKind::Complex, _) => numbers += 1,
             }
@@ -99,12 +99,12 @@ impl Sample {
         numbers >= 2
     }
 
-    /// How well the separator fits: how many rows are of numbers, how few columns of text, how many columns.
+    /// How well the separator fits: rows of numbers, then few text columns, then number columns.
     pub(super) fn merit(&self) -> (usize, isize, usize) {
         let texts = self
             .columns
             .iter()
-            .filter(|kind| **kind == ColumnKind::Text);
+            .filter(|kind| **kind == ColumnContent::Text);
         let texts = texts.count();
         (
             self.numbers().count(),
@@ -119,7 +119,7 @@ impl Sample {
         rows.filter(|row| self.is_numbers(row))
     }
 
-    /// The rows of numbers as they stand, without what is behind the columns.
+    /// The rows of numbers as text, without cells after the last column.
     pub(super) fn number_rows(&self) -> Vec<Vec<String>> {
         let cut = |row: &SampleRow| {
             let cells = row.cells.iter().take(self.columns.len());
@@ -133,7 +133,7 @@ impl Sample {
         self.rows.get(self.first).map(|row| row.offset)
     }
 
-    /// The number of cells that most rows of numbers have.
+    /// The number of cells of most rows of numbers.
     pub(super) fn usual_cells(&self) -> usize {
         let mut counts = std::collections::BTreeMap::<usize, usize>::new();
         for row in self.numbers() {
@@ -143,8 +143,8 @@ impl Sample {
         most.map_or(0, |(cells, _)| cells)
     }
 
-    /// What stands behind the columns in the first row of numbers.
-    pub(super) fn behind_first(&self) -> &[String] {
+    /// The cells after the last column in the first row of numbers.
+    pub(super) fn extra_cells(&self) -> &[String] {
         let cells = self.rows.get(self.first).map(|row| row.cells.as_slice());
         let cells = cells.unwrap_or_default();
         cells.get(self.columns.len()..).unwrap_or_default()
@@ -153,7 +153,7 @@ impl Sample {
 
 fn rows(bytes: &[u8], body: usize, separator: Separator) -> Vec<SampleRow> {
     let mut rows = Vec::new();
-    // The last row may be cut off.
+    // The last row may be truncated.
     let end = match body + SAMPLE {
         end if end >= bytes.len() => bytes.len(),
         end => match bytes[body..end].iter().rposition(|&byte| byte == b'\n') {
@@ -162,7 +162,7 @@ fn rows(bytes: &[u8], body: usize, separator: Separator) -> Vec<SampleRow> {
         },
     };
     let comma = separator.allows_decimal_comma();
-    // A failure ends the sample, and nothing else fails here.
+    // The only error here is the one that ends the sample.
     let _ = for_each_record(bytes, body, end, separator, |offset, record| {
         rows.push(SampleRow {
             offset,
@@ -186,15 +186,15 @@ fn kind_of(cell: &[u8], comma: bool) -> CellKind {
         return CellKind::Real;
     }
     match number::complex(cell, comma) {
-        // A program that writes all its numbers as complex ones writes its frequencies so, too.
+        // Some programs write all numbers as complex, also frequencies.
         Some(value) if value.im == 0.0 => CellKind::Real,
         Some(_) => CellKind::Complex,
         None => CellKind::Text,
     }
 }
 
-/// What the columns hold in most rows that have two numbers or more. A column that most rows do not have is none.
-fn columns(rows: &[SampleRow], skipped: usize) -> Vec<ColumnKind> {
+/// The kinds of the columns in most rows with at least two numbers. A column that is missing in most rows is ignored.
+fn columns(rows: &[SampleRow], skipped: usize) -> Vec<ColumnContent> {
     let is_number = |kind: &CellKind| matches!(kind, CellKind::Real | CellKind::Complex);
     let two = |row: &&SampleRow| {
         row.kinds
@@ -217,9 +217,9 @@ fn columns(rows: &[SampleRow], skipped: usize) -> Vec<ColumnKind> {
         let (complex, texts) = (count(CellKind::Complex), count(CellKind::Text));
         let numbers = count(CellKind::Real) + complex;
         columns.push(match () {
-            () if texts > numbers => ColumnKind::Text,
-            () if complex > 0 => ColumnKind::Complex,
-            () => ColumnKind::Real,
+            () if texts > numbers => ColumnContent::Text,
+            () if complex > 0 => ColumnContent::Complex,
+            () => ColumnContent::Real,
         });
         if numbers + texts > 0 {
             filled = index + 1;

@@ -1,20 +1,20 @@
-//! The bytes of a file as text: encodings and line ends.
+//! Decodes a file to text: encodings and line ends.
 
 use std::borrow::Cow;
 
-/// How much of a file tells its encoding, bytes.
+/// Bytes of a file that are inspected for its encoding.
 const SAMPLE: usize = 1 << 12;
 
-/// What Windows-1252 has where Latin-1 has control characters, from 0x80 on.
+/// Windows-1252 characters from 0x80 on, where Latin-1 has control characters.
 const WINDOWS_1252: [char; 32] = [
     '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}',
     '\u{90}', '‘', '’', '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
 ];
 
-/// A file as UTF-8 with lines that end in a line feed, and without a byte order mark.
+/// Decodes a file to UTF-8 with line feeds and without a byte order mark.
 ///
-/// UTF-16 is known by its mark, or by the zeros in ASCII text. A line that is not UTF-8 is Windows-1252. A carriage return
-/// alone ends a line. Lines keep their numbers.
+/// UTF-16 is detected by its mark, or by zero bytes in ASCII text. A line that is not UTF-8 is Windows-1252. A single
+/// carriage return ends a line. Line numbers do not change.
 pub(in crate::measured) fn decoded(bytes: &[u8]) -> Cow<'_, [u8]> {
     let bare = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let text = match (utf16(bytes), std::str::from_utf8(bare)) {
@@ -25,7 +25,7 @@ pub(in crate::measured) fn decoded(bytes: &[u8]) -> Cow<'_, [u8]> {
     with_line_feeds(text)
 }
 
-/// How two bytes make a unit of UTF-16, where the file is in UTF-16.
+/// The byte order of a UTF-16 file, as a conversion; none for other files.
 fn utf16(bytes: &[u8]) -> Option<fn([u8; 2]) -> u16> {
     let little: fn([u8; 2]) -> u16 = u16::from_le_bytes;
     let big: fn([u8; 2]) -> u16 = u16::from_be_bytes;
@@ -43,7 +43,7 @@ fn utf16(bytes: &[u8]) -> Option<fn([u8; 2]) -> u16> {
         first += usize::from(pair[0] == 0);
         second += usize::from(pair[1] == 0);
     }
-    // Nearly every letter of a table is ASCII.
+    // Most characters of a table are ASCII.
     let most = |zeros: usize| all > 0 && zeros * 10 > all * 8;
     match (most(second), most(first)) {
         (true, false) => Some(little),
@@ -74,15 +74,15 @@ fn from_windows(bytes: &[u8]) -> Vec<u8> {
     text.into_bytes()
 }
 
-/// The text with a line feed where a carriage return stands alone.
+/// Replaces single carriage returns by line feeds.
 fn with_line_feeds(text: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
-    let is_alone = |at: usize| text[at] == b'\r' && text.get(at + 1) != Some(&b'\n');
-    let alone: Vec<usize> = (0..text.len()).filter(|at| is_alone(*at)).collect();
-    if alone.is_empty() {
+    let is_single = |at: usize| text[at] == b'\r' && text.get(at + 1) != Some(&b'\n');
+    let single: Vec<usize> = (0..text.len()).filter(|at| is_single(*at)).collect();
+    if single.is_empty() {
         return text;
     }
     let mut text = text.into_owned();
-    for at in alone {
+    for at in single {
         text[at] = b'\n';
     }
     Cow::Owned(text)
@@ -93,7 +93,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn encodings_become_utf_8_and_line_ends_line_feeds() {
+    fn encodings_become_utf_8_and_line_ends_become_line_feeds() {
         let text = "f [Hz],Phase [°]\n1,2\n";
         let utf16 =
             |unit: fn(u16) -> [u8; 2]| text.encode_utf16().flat_map(unit).collect::<Vec<u8>>();
@@ -112,7 +112,7 @@ mod tests {
             assert_eq!(decoded(&bytes), text.as_bytes(), "{bytes:?}");
         }
         assert_eq!(*decoded(b"1\r\n2\r\n"), *b"1\r\n2\r\n");
-        // A line that is UTF-8 stays so, whatever the others are.
+        // A UTF-8 line is kept, also among lines in another encoding.
         let mixed = decoded(b"\xc2\xb5m\n\xb5m \x80\n");
         assert_eq!(*mixed, *"µm\nµm €\n".as_bytes());
         for bytes in [

@@ -1,10 +1,10 @@
-//! The words of a header line, and how they are put together to the cells above columns.
+//! Splits a header line into words and combines them to column titles.
 
 use csv::ReaderBuilder;
 
 use super::records::Separator;
 
-/// A word of a line and where it stands, in letters from the left.
+/// A word of a line and its position, in letters from the left.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Token {
     pub(super) text: String,
@@ -12,7 +12,7 @@ pub(super) struct Token {
     pub(super) to: usize,
 }
 
-/// The cells of a line as a separator parts them; units belong to the word before them where blanks do.
+/// Splits a line by a separator; with blanks, a unit belongs to the word before it.
 pub(super) fn split(line: &str, separator: Separator) -> Vec<String> {
     let Separator::Byte(byte) = separator else {
         return joined(tokens(line))
@@ -36,7 +36,7 @@ pub(super) fn split(line: &str, separator: Separator) -> Vec<String> {
         .collect()
 }
 
-/// The words of a line with blanks between them.
+/// Splits a line into words at blanks.
 pub(super) fn tokens(line: &str) -> Vec<Token> {
     let mut tokens: Vec<Token> = Vec::new();
     let mut is_inside = false;
@@ -61,8 +61,7 @@ pub(super) fn tokens(line: &str) -> Vec<Token> {
     tokens
 }
 
-/// Words with what stands in brackets behind them, or behind `in` or a slash, and with what follows inside of an open
-/// bracket or quote.
+/// Joins words with following text in brackets, after `in` or a slash, or inside an open bracket or quote.
 pub(super) fn joined(tokens: Vec<Token>) -> Vec<Token> {
     let mut joined: Vec<Token> = Vec::new();
     for token in tokens {
@@ -80,7 +79,7 @@ pub(super) fn joined(tokens: Vec<Token>) -> Vec<Token> {
     joined
 }
 
-/// Words with the bare units behind them, in brackets.
+/// Joins words with following bare units, which get brackets.
 pub(super) fn with_units(tokens: Vec<Token>, is_unit: fn(&str) -> bool) -> Vec<Token> {
     let mut all: Vec<Token> = Vec::new();
     for token in tokens {
@@ -95,8 +94,8 @@ pub(super) fn with_units(tokens: Vec<Token>, is_unit: fn(&str) -> bool) -> Vec<T
     all
 }
 
-/// One group of words for each known word. A word that is not known belongs to the next known one, or to the one before
-/// where the line does not end in a known one.
+/// Groups words, one group per known word. An unknown word belongs to the next known word, or to the previous one if the
+/// line does not end with a known word.
 pub(super) fn grouped(tokens: &[Token], is_known: &[bool]) -> Vec<String> {
     let to_next = is_known.last().is_some_and(|known| *known);
     let mut groups: Vec<String> = Vec::new();
@@ -122,7 +121,7 @@ pub(super) fn grouped(tokens: &[Token], is_known: &[bool]) -> Vec<String> {
     groups
 }
 
-/// The words above each column of some lines of numbers, none where a column has none.
+/// The words above each column of some lines of numbers; none if a column has no words.
 pub(super) fn placed(words: &[Token], lines: &[&str], width: usize) -> Option<Vec<Vec<String>>> {
     let rows = lines.iter().map(|line| tokens(line));
     let rows: Vec<Vec<Token>> = rows.filter(|row| row.len() == width).collect();
@@ -132,14 +131,14 @@ pub(super) fn placed(words: &[Token], lines: &[&str], width: usize) -> Option<Ve
         Some((from, to))
     });
     let ends: Vec<(usize, usize)> = ends.collect::<Option<_>>()?;
-    // Columns must not overlap to be aligned.
+    // Aligned columns do not overlap.
     if ends.windows(2).any(|pair| pair[0].1 >= pair[1].0) {
         return None;
     }
     let mut groups = vec![Vec::new(); width];
     for word in words {
-        let apart = |(from, to): &(usize, usize)| (from + to).abs_diff(word.from + word.to);
-        let nearest = (0..width).min_by_key(|column| apart(&ends[*column]))?;
+        let distance = |(from, to): &(usize, usize)| (from + to).abs_diff(word.from + word.to);
+        let nearest = (0..width).min_by_key(|column| distance(&ends[*column]))?;
         groups[nearest].push(word.text.clone());
     }
     groups
@@ -154,7 +153,7 @@ fn append(last: &mut Token, token: &Token) {
     last.to = token.to;
 }
 
-/// Whether a bracket or a quote is open at the end of a text, or its unit is to follow.
+/// Whether a bracket or quote is open at the end of a text, or a unit must follow.
 fn is_open(text: &str) -> bool {
     let count = |letter: char| text.matches(letter).count();
     text.ends_with(" in")

@@ -1,12 +1,12 @@
-//! Record 12 of data set 58: the numbers, as text or binary.
+//! Record 12 of data set 58: the numbers, in text or binary format.
 
-use super::head::{Form, Head};
-use super::lines::{Lines, ends_here};
+use super::header::{DataFormat, FunctionHeader};
+use super::lines::{UffLines, starts_with_end};
 use crate::measured::{Fault, number, text_of};
 
-/// Widths of the fields of a line: `6E13.5`, `4E20.12`, `2(E13.5,E20.12)` or `E13.5,2E20.12`.
-const fn widths(form: Form) -> &'static [usize] {
-    match (form.double, form.even, form.complex) {
+/// Field widths of a line: `6E13.5`, `4E20.12`, `2(E13.5,E20.12)` or `E13.5,2E20.12`.
+const fn widths(format: DataFormat) -> &'static [usize] {
+    match (format.double, format.even, format.complex) {
         (false, ..) => &[13; 6],
         (true, true, _) => &[20; 4],
         (true, false, false) => &[13, 20, 13, 20],
@@ -17,18 +17,18 @@ const fn widths(form: Form) -> &'static [usize] {
 /// The numbers of a function, in the order of the file.
 #[derive(Debug)]
 pub(super) enum Numbers {
-    All(Vec<f64>),
-    /// The data set ends before the last of them.
-    CutOff(Fault),
+    Complete(Vec<f64>),
+    /// The data set ends before the last number.
+    Truncated(Fault),
 }
 
-/// The numbers of a function that is text; what does not fit its field is a fault.
-pub(super) fn text(lines: &mut Lines, head: &Head) -> Result<Numbers, Fault> {
-    let wanted = head.points * head.form.numbers();
-    // A number is two bytes at least; the head may promise more than there is.
+/// Reads the numbers of a text function; a number that does not fit its field is a fault.
+pub(super) fn text(lines: &mut UffLines, header: &FunctionHeader) -> Result<Numbers, Fault> {
+    let wanted = header.points * header.format.numbers();
+    // A number has at least two bytes; the header may announce more numbers than there are.
     let mut numbers = Vec::with_capacity(wanted.min(lines.rest().len() / 2));
-    let widths = widths(head.form);
-    // Numbers and length of the line before.
+    let widths = widths(header.format);
+    // Count of numbers and length of the previous line.
     let mut usual = (0, 0);
     while numbers.len() < wanted {
         let Some(line) = lines.record() else {
@@ -43,42 +43,46 @@ pub(super) fn text(lines: &mut Lines, head: &Head) -> Result<Numbers, Fault> {
             _ => 0,
         };
         usual = (count, line.len());
-        // Of the last number of a file that is cut off, the last digits may be missing.
+        // In a truncated file the last digits of the last number may be missing.
         let short = line.len() < end;
         match found {
-            _ if lines.is_cut() && (short || found.is_err()) => break,
+            _ if lines.is_truncated() && (short || found.is_err()) => break,
             Ok(found) => numbers.extend(found),
             Err((column, message)) => {
-                return Err(lines.fault(head.set, 12, column + 1, message));
+                return Err(lines.fault(header.set, 12, column + 1, message));
             }
         }
     }
     let found = if numbers.len() == wanted {
-        Numbers::All(numbers)
+        Numbers::Complete(numbers)
     } else {
-        Numbers::CutOff(too_few(lines, head, numbers.len() / head.form.numbers()))
+        Numbers::Truncated(too_few(
+            lines,
+            header,
+            numbers.len() / header.format.numbers(),
+        ))
     };
     lines.end_set();
     Ok(found)
 }
 
-fn too_few(lines: &Lines, head: &Head, values: usize) -> Fault {
+fn too_few(lines: &UffLines, header: &FunctionHeader, values: usize) -> Fault {
     let message = format!(
         "ends after {values} of {} values: all would be accepted, or their number in record 7",
-        head.points
+        header.points
     );
-    lines.fault(head.set, 12, 1, message)
+    lines.fault(header.set, 12, 1, message)
 }
 
-/// The last column of this many fields.
+/// The end column of `count` fields.
 fn end_of(widths: &[usize], count: usize) -> usize {
     widths.iter().take(count).sum()
 }
 
-/// Up to `most` numbers of a line, or the column from 0 of what is none and what would be accepted.
+/// Up to `most` numbers of a line; else the column, from 0, of the invalid field and what is accepted.
 ///
-/// Where as many numbers stand as there are fields, they are those, in whatever columns: programs write abscissae in 20
-/// columns, too. Else they are in the columns of the standard, and where these part a number, between blanks.
+/// If the line has as many numbers as fields, columns are ignored: some programs write abscissae in 20 columns. Else the
+/// numbers are in the columns of the standard, or between blanks if these columns would split a number.
 fn of_line(line: &[u8], widths: &[usize], most: usize) -> Result<Vec<f64>, (usize, String)> {
     let words = line.split(u8::is_ascii_whitespace);
     let words = words.filter(|word| !word.is_empty());
@@ -86,13 +90,13 @@ fn of_line(line: &[u8], widths: &[usize], most: usize) -> Result<Vec<f64>, (usiz
     let by_words = by_words.filter(|found| found.len() <= most);
     let fields = widths.len().min(most);
     match by_words {
-        Some(found) if found.len() == fields || parts_a_number(line, widths) => Ok(found),
+        Some(found) if found.len() == fields || splits_a_number(line, widths) => Ok(found),
         _ => by_columns(line, widths, most),
     }
 }
 
-/// Whether the end of a field lies within a number: only a sign stands there without a blank in front.
-fn parts_a_number(line: &[u8], widths: &[usize]) -> bool {
+/// Whether a field ends within a number: adjacent numbers without a blank start with a sign.
+fn splits_a_number(line: &[u8], widths: &[usize]) -> bool {
     let mut end = 0;
     widths.iter().any(|width| {
         end += width;
@@ -114,7 +118,7 @@ fn by_columns(line: &[u8], widths: &[usize], most: usize) -> Result<Vec<f64>, (u
         let Some(number) = number::parse(field, false) else {
             let found = text_of(field);
             let message = format!(
-                "{:?} is no number: one would be accepted in {width} columns",
+                "{:?} is not a number: one would be accepted in {width} columns",
                 found.trim()
             );
             return Err((column, message));
@@ -125,58 +129,70 @@ fn by_columns(line: &[u8], widths: &[usize], most: usize) -> Result<Vec<f64>, (u
     Ok(numbers)
 }
 
-/// How the numbers of a function lie in a binary data set.
+/// The layout of the numbers in a binary data set.
 #[derive(Debug, Clone, Copy)]
-struct Packing {
+struct BinaryLayout {
     little: bool,
-    /// Bytes of an abscissa, and of a part of a value.
+    /// Bytes of an abscissa, and of a real or imaginary part.
     sizes: (usize, usize),
-    /// Bytes of all.
+    /// Total bytes.
     length: usize,
 }
 
-/// The numbers of a function that is binary. `start` is the line with the number of the data set.
-pub(super) fn binary(lines: &mut Lines, head: &Head, start: &[u8]) -> Result<Numbers, Fault> {
-    let Packing {
+/// Reads the numbers of a binary function. `start` is the line with the number of the data set.
+pub(super) fn binary(
+    lines: &mut UffLines,
+    header: &FunctionHeader,
+    start: &[u8],
+) -> Result<Numbers, Fault> {
+    let BinaryLayout {
         little,
         sizes,
         length,
-    } = match packing(lines, head, start) {
-        Ok(packing) => packing,
-        Err(fault) if lines.rest().len() < head.form.least_bytes(head.points) => {
-            lines.pass(lines.rest().len());
-            return Ok(Numbers::CutOff(fault));
+    } = match binary_layout(lines, header, start) {
+        Ok(binary_layout) => binary_layout,
+        Err(fault) if lines.rest().len() < header.format.least_bytes(header.points) => {
+            lines.skip(lines.rest().len());
+            return Ok(Numbers::Truncated(fault));
         }
         Err(fault) => return Err(fault),
     };
     let mut data = &lines.rest()[..length];
-    let mut numbers = Vec::with_capacity(head.points * head.form.numbers());
-    for _ in 0..head.points {
-        if !head.form.even {
+    let mut numbers = Vec::with_capacity(header.points * header.format.numbers());
+    for _ in 0..header.points {
+        if !header.format.even {
             numbers.extend(take(&mut data, sizes.0, little));
         }
-        for _ in 0..=usize::from(head.form.complex) {
+        for _ in 0..=usize::from(header.format.complex) {
             numbers.extend(take(&mut data, sizes.1, little));
         }
     }
-    lines.pass(length);
+    lines.skip(length);
     lines.end_set();
-    Ok(Numbers::All(numbers))
+    Ok(Numbers::Complete(numbers))
 }
 
-/// Passes over the numbers of a function.
-pub(super) fn pass(lines: &mut Lines, head: &Head, start: Option<&[u8]>) -> Result<(), Fault> {
+/// Skips the numbers of a function.
+pub(super) fn skip(
+    lines: &mut UffLines,
+    header: &FunctionHeader,
+    start: Option<&[u8]>,
+) -> Result<(), Fault> {
     if let Some(start) = start {
-        binary(lines, head, start)?;
+        binary(lines, header, start)?;
     } else {
         lines.end_set();
     }
     Ok(())
 }
 
-/// By the standard abscissae are in single precision and the ordinates as record 7 says. Programs also write all in
-/// double precision and give another number of bytes in the first line, so what counts is where the data set ends.
-fn packing(lines: &Lines, head: &Head, start: &[u8]) -> Result<Packing, Fault> {
+/// The standard has abscissae in single precision and ordinates as in record 7. Some programs write all in double
+/// precision and a wrong byte count in the first line, so the end of the data set decides.
+fn binary_layout(
+    lines: &UffLines,
+    header: &FunctionHeader,
+    start: &[u8],
+) -> Result<BinaryLayout, Fault> {
     let field = |from: usize, to: usize| {
         let field = start.get(from..to.min(start.len())).unwrap_or_default();
         std::str::from_utf8(field.trim_ascii())
@@ -184,7 +200,7 @@ fn packing(lines: &Lines, head: &Head, start: &[u8]) -> Result<Packing, Fault> {
             .parse::<usize>()
             .ok()
     };
-    let fault = |message: String| Err(lines.fault(head.set, 12, 1, message));
+    let fault = |message: String| Err(lines.fault(header.set, 12, 1, message));
     let little = match field(7, 13) {
         Some(1) => true,
         Some(2) => false,
@@ -196,24 +212,24 @@ fn packing(lines: &Lines, head: &Head, start: &[u8]) -> Result<Packing, Fault> {
     };
     if field(13, 19) != Some(2) {
         return fault(
-            "another floating-point format than 2, IEEE 754, which would be accepted".to_owned(),
+            "a floating-point format other than 2 (IEEE 754), which would be accepted".to_owned(),
         );
     }
-    let sizes = if head.form.double {
+    let sizes = if header.format.double {
         [(4, 8), (8, 8)]
     } else {
         [(4, 4), (8, 8)]
     };
     let length = |(at, value): (usize, usize)| {
-        let abscissa = if head.form.even { 0 } else { at };
-        head.points * (abscissa + value * (1 + usize::from(head.form.complex)))
+        let abscissa = if header.format.even { 0 } else { at };
+        header.points * (abscissa + value * (1 + usize::from(header.format.complex)))
     };
-    let ends = |length: usize| lines.rest().get(length..).is_some_and(ends_here);
+    let ends = |length: usize| lines.rest().get(length..).is_some_and(starts_with_end);
     let Some(sizes) = sizes.into_iter().find(|sizes| ends(length(*sizes))) else {
         let bytes = sizes.map(|sizes| length(sizes).to_string()).join(" or ");
-        return fault(format!("does not end behind {bytes} bytes of data"));
+        return fault(format!("does not end after {bytes} bytes of data"));
     };
-    Ok(Packing {
+    Ok(BinaryLayout {
         little,
         sizes,
         length: length(sizes),

@@ -1,30 +1,30 @@
-//! The lines of a universal file and its data sets.
+//! The lines and data sets of a universal file.
 
 use crate::measured::{BYTE_ORDER_MARK, Fault, fault_at};
 
-/// The lines of a universal file, one after the other.
+/// A line reader for universal files.
 #[derive(Debug)]
-pub(super) struct Lines<'a> {
+pub(super) struct UffLines<'a> {
     bytes: &'a [u8],
     at: usize,
-    /// Number of the line that was read last, from 1.
+    /// Number of the last line read, from 1.
     number: usize,
-    /// What ends a line: a carriage return where no line feed does.
+    /// The line end: a line feed, or a carriage return in a file without line feeds.
     end: u8,
-    /// The last column of a `-1` that is a delimiter: 6, or that of the first one.
+    /// The last possible column of a delimiter `-1`: 6, or that of the first delimiter.
     widest: usize,
 }
 
-/// How a data set starts.
+/// The start of a data set.
 #[derive(Debug)]
 pub(super) enum Start {
-    /// All of it is text; its kind.
+    /// A text data set and its type number.
     Text(u32),
-    /// Its data are binary; its kind and its first line.
+    /// A binary data set, its type number and its first line.
     Binary(u32, Vec<u8>),
 }
 
-impl<'a> Lines<'a> {
+impl<'a> UffLines<'a> {
     pub(super) fn new(bytes: &'a [u8]) -> Self {
         let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
         let is_end = |byte: &u8| matches!(byte, b'\n' | b'\r');
@@ -49,29 +49,29 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// Whether the line that was read last is the file's last one and has no end: the file may be cut off in it.
-    pub(super) fn is_cut(&self) -> bool {
+    /// Whether the last line read has no line end: the file may be truncated.
+    pub(super) fn is_truncated(&self) -> bool {
         self.at > self.bytes.len()
     }
 
-    /// Number of the line that was read last, from 1.
+    /// Number of the last line read, from 1.
     pub(super) fn number(&self) -> usize {
         self.number
     }
 
-    /// What is not read yet.
+    /// The unread bytes.
     pub(super) fn rest(&self) -> &'a [u8] {
         self.bytes.get(self.at..).unwrap_or_default()
     }
 
-    /// Passes over bytes that are no text.
-    pub(super) fn pass(&mut self, count: usize) {
-        let passed = &self.rest()[..count.min(self.rest().len())];
-        self.number += passed.split(|&byte| byte == self.end).count() - 1;
-        self.at += passed.len();
+    /// Skips binary bytes.
+    pub(super) fn skip(&mut self, count: usize) {
+        let skipped = &self.rest()[..count.min(self.rest().len())];
+        self.number += skipped.split(|&byte| byte == self.end).count() - 1;
+        self.at += skipped.len();
     }
 
-    /// The next line, without its end; none at the end of the file.
+    /// The next line, without its line end; none at the end of the file.
     fn line(&mut self) -> Option<&'a [u8]> {
         let rest = self.rest();
         if rest.is_empty() {
@@ -90,7 +90,7 @@ impl<'a> Lines<'a> {
         Some(line)
     }
 
-    /// The next line of a data set; none at its end, and before the line that ends it.
+    /// The next line of a data set; none at its end. Does not consume the delimiter.
     pub(super) fn record(&mut self) -> Option<&'a [u8]> {
         let (at, number) = (self.at, self.number);
         let line = self.line()?;
@@ -101,13 +101,13 @@ impl<'a> Lines<'a> {
         Some(line)
     }
 
-    /// Goes to the next data set, over what is left of the one before.
+    /// Skips to the next data set.
     pub(super) fn next_set(&mut self) -> Option<Start> {
         let mut inside = false;
         loop {
             let line = self.line()?;
             if is_delimiter(line, self.widest) {
-                // A line that is too much is taken for a start.
+                // An extra delimiter counts as a start.
                 inside = true;
             } else if inside && !line.trim_ascii().is_empty() {
                 return Some(start(line));
@@ -115,7 +115,7 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// The end of a data set: the line that ends it and belongs to it.
+    /// Skips to the end of a data set, with its delimiter.
     pub(super) fn end_set(&mut self) {
         while let Some(line) = self.line() {
             if is_delimiter(line, self.widest) {
@@ -124,7 +124,7 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// A fault of a record: in the line that was read last.
+    /// A fault of a record, in the last line read.
     pub(super) fn fault(
         &self,
         set: usize,
@@ -141,16 +141,16 @@ impl<'a> Lines<'a> {
     }
 }
 
-/// Whether a line is `-1` up to a column.
+/// Whether a line is `-1` that ends at or before a column.
 fn is_delimiter(line: &[u8], widest: usize) -> bool {
     line.trim_ascii() == b"-1" && line.trim_ascii_end().len() <= widest
 }
 
-/// Whether the end of a data set follows, if need be behind an end of line.
-pub(super) fn ends_here(rest: &[u8]) -> bool {
+/// Whether the end of a data set follows, possibly after a line end.
+pub(super) fn starts_with_end(rest: &[u8]) -> bool {
     let rest = rest.strip_prefix(b"\r").unwrap_or(rest);
     let rest = rest.strip_prefix(b"\n").unwrap_or(rest);
-    // Without the blanks a byte more of the data would be taken for the first of them.
+    // The blanks are required: a last data byte could otherwise count as one of them.
     rest.is_empty() || rest.starts_with(b"    -1")
 }
 

@@ -1,22 +1,22 @@
-//! A record of data set 58: its fields, by their columns, or by their words where they are not in them.
+//! A record of data set 58 and its fields, by columns or, if a program does not keep the columns, by words.
 
 use std::borrow::Cow;
 use std::ops::Range;
 
-use super::head::{Axis, End, Form};
-use super::lines::Lines;
+use super::header::{AxisInfo, DataFormat, Dof};
+use super::lines::UffLines;
 use crate::measured::{Fault, number, text_of};
 
 /// A record and its number.
-pub(super) struct Record<'a> {
+pub(super) struct HeaderRecord<'a> {
     set: usize,
     number: usize,
-    /// Without tabs.
+    /// Tabs expanded.
     line: Cow<'a, [u8]>,
 }
 
-impl<'a> Record<'a> {
-    /// Before the first record of a data set.
+impl<'a> HeaderRecord<'a> {
+    /// The position before the first record of a data set.
     pub(super) const fn new(set: usize) -> Self {
         Self {
             set,
@@ -25,8 +25,8 @@ impl<'a> Record<'a> {
         }
     }
 
-    /// Goes to the next record.
-    pub(super) fn next(&mut self, lines: &mut Lines<'a>) -> Result<(), Fault> {
+    /// Reads the next record.
+    pub(super) fn next(&mut self, lines: &mut UffLines<'a>) -> Result<(), Fault> {
         self.number += 1;
         let Some(line) = lines.record() else {
             let message = format!("ends before record {}: there are twelve", self.number);
@@ -36,7 +36,12 @@ impl<'a> Record<'a> {
         Ok(())
     }
 
-    pub(super) fn fault(&self, lines: &Lines, column: usize, message: impl Into<String>) -> Fault {
+    pub(super) fn fault(
+        &self,
+        lines: &UffLines,
+        column: usize,
+        message: impl Into<String>,
+    ) -> Fault {
         lines.fault(self.set, self.number, column + 1, message)
     }
 
@@ -58,8 +63,8 @@ impl<'a> Record<'a> {
         }
     }
 
-    /// A whole number; blanks are 0.
-    pub(super) fn integer(&self, lines: &Lines, columns: Range<usize>) -> Result<i64, Fault> {
+    /// An integer; blanks are 0.
+    pub(super) fn integer(&self, lines: &UffLines, columns: Range<usize>) -> Result<i64, Fault> {
         let field = self.field(columns.clone());
         let text = std::str::from_utf8(field).ok();
         match text.map(|text| if text.is_empty() { Ok(0) } else { text.parse() }) {
@@ -69,7 +74,7 @@ impl<'a> Record<'a> {
     }
 
     /// A number; blanks are 0.
-    pub(super) fn real(&self, lines: &Lines, columns: Range<usize>) -> Result<f64, Fault> {
+    pub(super) fn real(&self, lines: &UffLines, columns: Range<usize>) -> Result<f64, Fault> {
         match self.field(columns.clone()) {
             [] => Ok(0.0),
             field => {
@@ -78,16 +83,15 @@ impl<'a> Record<'a> {
         }
     }
 
-    fn not_a(&self, lines: &Lines, what: &str, columns: &Range<usize>) -> Fault {
+    fn not_a(&self, lines: &UffLines, what: &str, columns: &Range<usize>) -> Fault {
         let found = text_of(self.field(columns.clone()));
         let (from, to) = (columns.start + 1, columns.end);
         let message =
-            format!("{found:?} is no {what}: one would be accepted in columns {from} to {to}");
+            format!("{found:?} is not a {what}: one would be accepted in columns {from} to {to}");
         self.fault(lines, columns.start, message)
     }
 
-    /// The columns of numbers that should have these widths: where as many numbers stand as there are fields, they are
-    /// those, in whatever columns.
+    /// The columns of numbers with these widths; if the record has as many numbers as fields, their actual columns.
     pub(super) fn fields<const N: usize>(&self, widths: [usize; N]) -> [Range<usize>; N] {
         let words = words(&self.line);
         let is_number =
@@ -104,10 +108,10 @@ impl<'a> Record<'a> {
         })
     }
 
-    /// Nodes and directions of record 6; none where they are neither in their columns nor found by their words.
-    pub(super) fn ends(&self, lines: &Lines) -> Result<[Option<End>; 2], Fault> {
-        // Numbers end with their columns. A name that is too long moves what follows.
-        let in_place = |columns: Range<usize>| {
+    /// Response and reference of record 6; none if neither columns nor words give them.
+    pub(super) fn dofs(&self, lines: &UffLines) -> Result<[Option<Dof>; 2], Fault> {
+        // Numbers are right-aligned. A name that is too long shifts the following fields.
+        let in_columns = |columns: Range<usize>| {
             let field = self
                 .line
                 .get(columns.start..self.line.len().min(columns.end));
@@ -117,16 +121,16 @@ impl<'a> Record<'a> {
         };
         let rest = self.line.get(80..).unwrap_or_default();
         let columns = [41..51, 51..55, 66..76, 76..80];
-        if columns.into_iter().all(in_place) && rest.trim_ascii().is_empty() {
-            return Ok([Some(self.end(lines, 41)?), Some(self.end(lines, 66)?)]);
+        if columns.into_iter().all(in_columns) && rest.trim_ascii().is_empty() {
+            return Ok([Some(self.dof(lines, 41)?), Some(self.dof(lines, 66)?)]);
         }
         Ok(self
-            .ends_by_words()
+            .dofs_by_words()
             .map_or([None; 2], |ends| ends.map(Some)))
     }
 
-    /// Nodes and directions behind the two names, if there is one way to read them.
-    fn ends_by_words(&self) -> Option<[End; 2]> {
+    /// Response and reference after the two names, if the words are unambiguous.
+    fn dofs_by_words(&self) -> Option<[Dof; 2]> {
         let words: Vec<Option<i64>> = words(&self.line)
             .into_iter()
             .map(|word| std::str::from_utf8(&self.line[word]).ok()?.parse().ok())
@@ -135,11 +139,11 @@ impl<'a> Record<'a> {
         let (named, last) = rest.split_at_checked(rest.len().checked_sub(2)?)?;
         let end = |pair: &[Option<i64>]| match *pair {
             [Some(node), Some(direction)] if (-6..=6).contains(&direction) => {
-                Some(End { node, direction })
+                Some(Dof { node, direction })
             }
             _ => None,
         };
-        // The first word is a name, where there are names.
+        // The first word is a name, if there are names.
         let names = usize::from(named.len() > 2);
         let mut found = named.get(names..)?.windows(2).filter_map(end);
         let response = found
@@ -148,26 +152,26 @@ impl<'a> Record<'a> {
         found.next().is_none().then_some([response, end(last)?])
     }
 
-    /// Node and direction from a column on.
-    fn end(&self, lines: &Lines, column: usize) -> Result<End, Fault> {
+    /// The node and direction that start at a column.
+    fn dof(&self, lines: &UffLines, column: usize) -> Result<Dof, Fault> {
         let node = self.integer(lines, column..column + 10)?;
         let direction = self.integer(lines, column + 10..column + 14)?;
         if (-6..=6).contains(&direction) {
-            return Ok(End { node, direction });
+            return Ok(Dof { node, direction });
         }
         Err(self.fault(
             lines,
             column + 10,
-            format!("{direction} is no direction: -6 to 6 would be accepted"),
+            format!("{direction} is not a direction: -6 to 6 would be accepted"),
         ))
     }
 
-    pub(super) fn form(
+    pub(super) fn format(
         &self,
-        lines: &Lines,
+        lines: &UffLines,
         kind: Range<usize>,
         spacing: Range<usize>,
-    ) -> Result<Form, Fault> {
+    ) -> Result<DataFormat, Fault> {
         let (complex, double) = match self.integer(lines, kind.clone())? {
             2 => (false, false),
             4 => (false, true),
@@ -178,7 +182,7 @@ impl<'a> Record<'a> {
                 return Err(self.fault(
                     lines,
                     kind.start,
-                    format!("{other} is no ordinate data type: {accepted}"),
+                    format!("{other} is not an ordinate data type: {accepted}"),
                 ));
             }
         };
@@ -187,22 +191,22 @@ impl<'a> Record<'a> {
             1 => true,
             other => {
                 let message = format!(
-                    "{other} is no abscissa spacing: 0 (uneven) or 1 (even) would be accepted"
+                    "{other} is not an abscissa spacing: 0 (uneven) or 1 (even) would be accepted"
                 );
                 return Err(self.fault(lines, spacing.start, message));
             }
         };
-        Ok(Form {
+        Ok(DataFormat {
             complex,
             double,
             even,
         })
     }
 
-    /// The next record, which describes an axis.
-    pub(super) fn axis(&mut self, lines: &mut Lines<'a>) -> Result<Axis, Fault> {
+    /// Reads the next record, which describes an axis.
+    pub(super) fn axis(&mut self, lines: &mut UffLines<'a>) -> Result<AxisInfo, Fault> {
         self.next(lines)?;
-        // Two words in the first field: tabs part what should be in columns.
+        // Two words in the first field: the record is separated by tabs instead of columns.
         let columns = match &words(&self.line)[..] {
             [kind, length, _, _, _, unit, ..] if length.start < 10 => {
                 [kind.clone(), length.clone(), unit.start..self.line.len()]
@@ -210,7 +214,7 @@ impl<'a> Record<'a> {
             _ => [0..10, 10..15, 47..67],
         };
         let [kind, length, unit] = columns;
-        Ok(Axis {
+        Ok(AxisInfo {
             kind: self.integer(lines, kind)?,
             length: self.integer(lines, length)?,
             unit: self.text(unit),
@@ -218,7 +222,7 @@ impl<'a> Record<'a> {
     }
 }
 
-/// The places of the words of a line.
+/// The positions of the words of a line.
 fn words(line: &[u8]) -> Vec<Range<usize>> {
     let mut words: Vec<Range<usize>> = Vec::new();
     for (at, byte) in line.iter().enumerate() {
@@ -231,7 +235,7 @@ fn words(line: &[u8]) -> Vec<Range<usize>> {
     words
 }
 
-/// A line with blanks up to every eighth column for tabs.
+/// Expands tabs to every eighth column.
 fn without_tabs(line: &[u8]) -> Cow<'_, [u8]> {
     if !line.contains(&b'\t') {
         return Cow::Borrowed(line);

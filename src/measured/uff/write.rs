@@ -1,4 +1,4 @@
-//! Writes data set 58, in the double precision of its text form.
+//! Writes data set 58 in text format with double precision.
 
 use std::io::{self, Write};
 
@@ -16,47 +16,47 @@ pub struct Record<'a> {
     pub title: &'a str,
     /// What the values are.
     pub kind: Kind,
-    /// Where the response is; none for an energy.
+    /// The point of the response; none for an energy.
     pub response: Option<Node>,
-    /// Where the one load is by which the values are divided.
+    /// The point of the single load by which the values are divided.
     pub reference: Option<Node>,
     /// Hz.
     pub frequencies: &'a [f64],
-    /// As many, in the SI unit of `kind`; an energy has no imaginary part.
+    /// One value per frequency, in the SI unit of `kind`; an energy has no imaginary part.
     pub values: &'a [Complex64],
 }
 
-/// A place and a direction.
+/// A point and a direction.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Node {
     /// Its name, up to ten characters of ASCII.
     pub name: String,
     /// Its number.
     pub number: u32,
-    /// 1 to 3 translations along x, y, z; 4 to 6 rotations about them; 0 a scalar.
+    /// 1 to 3 translations along x, y, z; 4 to 6 rotations about them; 0 scalar.
     pub direction: i8,
 }
 
-/// What was lost in writing.
+/// Losses in writing.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Written {
-    /// Largest difference between a frequency and what the file says of it, Hz.
+    /// Largest error of a frequency in the file, Hz.
     pub frequency_error: f64,
-    /// Values left out because their frequency is that of a neighbour in six digits, over all responses.
+    /// Values skipped because their frequency equals that of a neighbour in six digits, over all responses.
     pub repeated: usize,
-    /// Values left out because they or their frequency are not finite, over all responses.
+    /// Values skipped because they or their frequency are not finite, over all responses.
     pub not_finite: usize,
 }
 
 /// Writes data set 164 (SI) and a data set 58 for each response: complex double precision, an energy real.
 ///
-/// Values have 13 digits. Frequencies rise; they are even where they are to 1e-9 of their step, else uneven. Of both, the
-/// format gives six digits of a number: of each frequency, or of the first and the step. What that loses is returned. Of
-/// frequencies that are one number in six digits, the nearest to it is written. No date is written. What is not finite is
-/// left out, and so is a response without a finite value.
+/// Values have 13 digits. Frequencies are ascending; they are written as even if they are within 1e-9 of their step, else
+/// as uneven. The format has six digits for each frequency, or for the first one and the step; the returned value gives
+/// the losses. Of frequencies that are equal in six digits, only the nearest one is written. Non-finite values and
+/// responses without a finite value are skipped. No date is written.
 ///
 /// # Errors
-/// Those of the writer.
+/// Errors of the writer.
 pub fn write_uff(out: &mut dyn Write, records: &[Record]) -> io::Result<Written> {
     writeln!(out, "{:>6}\n{:>6}", -1, 164)?;
     writeln!(out, "{:>10}{:<20}{:>10}", 1, "SI: metre, newton", 2)?;
@@ -71,14 +71,14 @@ pub fn write_uff(out: &mut dyn Write, records: &[Record]) -> io::Result<Written>
     for record in records {
         let mut points = finite(record);
         written.not_finite += record.values.len() - points.len();
-        let grid = Grid::of(&points);
+        let grid = FrequencyGrid::of(&points);
         if !grid.even {
             let before = points.len();
             points = without_repeated(&points);
             written.repeated += before - points.len();
         }
         for (index, (frequency, _)) in points.iter().enumerate() {
-            let error = (grid.said(index, *frequency) - frequency).abs();
+            let error = (grid.as_written(index, *frequency) - frequency).abs();
             written.frequency_error = written.frequency_error.max(error);
         }
         if !points.is_empty() {
@@ -89,38 +89,38 @@ pub fn write_uff(out: &mut dyn Write, records: &[Record]) -> io::Result<Written>
 }
 
 /// A frequency, Hz, and the value there.
-type Point = (f64, Complex64);
+type FrequencyValue = (f64, Complex64);
 
-/// The points of a record that are finite, in the order of their frequencies.
-fn finite(record: &Record) -> Vec<Point> {
+/// The finite points of a record, sorted by frequency.
+fn finite(record: &Record) -> Vec<FrequencyValue> {
     let points = record.frequencies.iter().zip(record.values);
     let points = points.map(|(frequency, value)| (*frequency, *value));
-    let mut points: Vec<Point> = points
+    let mut points: Vec<FrequencyValue> = points
         .filter(|(frequency, value)| frequency.is_finite() && value.is_finite())
         .collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     points
 }
 
-/// One point, the nearest, of those whose frequencies are the same number in the file.
-fn without_repeated(points: &[Point]) -> Vec<Point> {
+/// Removes points with equal frequencies in the file, except the nearest one.
+fn without_repeated(points: &[FrequencyValue]) -> Vec<FrequencyValue> {
     let same = points.chunk_by(|a, b| single(a.0) == single(b.0));
-    let error = |point: &&Point| (as_read(point.0) - point.0).abs();
+    let error = |point: &&FrequencyValue| (as_read(point.0) - point.0).abs();
     same.filter_map(|points| points.iter().min_by(|a, b| error(a).total_cmp(&error(b))))
         .copied()
         .collect()
 }
 
-/// Frequencies as the file says them.
-struct Grid {
+/// Frequencies as written in the file.
+struct FrequencyGrid {
     even: bool,
-    /// First frequency and step, Hz; 0 where they are not even.
+    /// First frequency and step, Hz; 0 if they are not even.
     first: f64,
     step: f64,
 }
 
-impl Grid {
-    fn of(points: &[Point]) -> Self {
+impl FrequencyGrid {
+    fn of(points: &[FrequencyValue]) -> Self {
         let uneven = Self {
             even: false,
             first: 0.0,
@@ -130,7 +130,7 @@ impl Grid {
             return uneven;
         };
         let step = (last - first) / (points.len() - 1) as f64;
-        let on_grid = |(index, (frequency, _)): (usize, &Point)| {
+        let on_grid = |(index, (frequency, _)): (usize, &FrequencyValue)| {
             (frequency - (first + index as f64 * step)).abs() <= 1e-9 * step
         };
         if step > 0.0 && step.is_finite() && points.iter().enumerate().all(on_grid) {
@@ -143,8 +143,8 @@ impl Grid {
         uneven
     }
 
-    /// A frequency when it is read back, Hz.
-    fn said(&self, index: usize, frequency: f64) -> f64 {
+    /// A frequency as parsed from the file, Hz.
+    fn as_written(&self, index: usize, frequency: f64) -> f64 {
         if self.even {
             as_read(self.first) + index as f64 * as_read(self.step)
         } else {
@@ -156,8 +156,8 @@ impl Grid {
 fn write_record(
     out: &mut dyn Write,
     record: &Record,
-    points: &[Point],
-    grid: &Grid,
+    points: &[FrequencyValue],
+    grid: &FrequencyGrid,
 ) -> io::Result<()> {
     writeln!(out, "{:>6}\n{:>6}{:74}", -1, 58, "")?;
     for text in [record.name, record.title, "NONE", "NONE", "NONE"] {
@@ -204,7 +204,7 @@ fn write_ordinate(out: &mut dyn Write, kind: Kind) -> io::Result<()> {
         write_axis(out, 1, [1, 1], "Energy", &kind.unit())?;
         return write_axis(out, 0, [0, 0], "NONE", "NONE");
     };
-    let above = Kind::Motion(Dimension {
+    let numerator = Kind::Motion(Dimension {
         per: None,
         ..dimension
     })
@@ -215,8 +215,8 @@ fn write_ordinate(out: &mut dyn Write, kind: Kind) -> io::Result<()> {
         Measure::Acceleration => (12, "Acceleration"),
     };
     match dimension.moves {
-        Moves::Length | Moves::Angle => write_axis(out, code, [0, 0], label, &above)?,
-        Moves::TwistRate => write_axis(out, 1, [-1, 0], "Rate of twist", &above)?,
+        Moves::Length | Moves::Angle => write_axis(out, code, [0, 0], label, &numerator)?,
+        Moves::TwistRate => write_axis(out, 1, [-1, 0], "Rate of twist", &numerator)?,
     }
     let Some(load) = dimension.per else {
         return write_axis(out, 0, [0, 0], "NONE", "NONE");
@@ -247,12 +247,12 @@ fn write_axis(
 
 fn write_data(
     out: &mut dyn Write,
-    points: &[Point],
+    points: &[FrequencyValue],
     is_energy: bool,
     even: bool,
 ) -> io::Result<()> {
-    // Values a line: 4E20.12, 2(E13.5,E20.12) or E13.5,2E20.12.
-    let a_line = match (is_energy, even) {
+    // Values per line: 4E20.12, 2(E13.5,E20.12) or E13.5,2E20.12.
+    let per_line = match (is_energy, even) {
         (true, true) => 4,
         (false, true) | (true, false) => 2,
         (false, false) => 1,
@@ -266,7 +266,7 @@ fn write_data(
         if !is_energy {
             write!(out, "{:>20}", exponential(value.im, 12))?;
         }
-        if (index + 1) % a_line == 0 || index + 1 == last {
+        if (index + 1) % per_line == 0 || index + 1 == last {
             writeln!(out)?;
         }
     }
@@ -278,12 +278,12 @@ fn single(number: f64) -> String {
     exponential(number, 5)
 }
 
-/// A number as it is read back from [`single`].
+/// A number as parsed from [`single`].
 fn as_read(number: f64) -> f64 {
     single(number).parse().unwrap_or(number)
 }
 
-/// A finite number as Fortran and C write it, `-1.234568E+00`; two digits in the exponent, or three where they are needed.
+/// A finite number in the notation of Fortran and C, `-1.234568E+00`; the exponent has two digits, or three if needed.
 fn exponential(number: f64, decimals: usize) -> String {
     let text = format!("{number:.decimals$E}");
     match text.split_once('E') {
@@ -298,7 +298,7 @@ fn exponential(number: f64, decimals: usize) -> String {
     }
 }
 
-/// A text as ASCII of some length that is never empty nor the end of a data set; hidden characters are escaped.
+/// A text in ASCII of at most `length` characters, never empty or a delimiter; hidden characters are escaped.
 fn plain(text: &str, length: usize) -> String {
     let text = escape(text.trim());
     let letters = text.chars().map(|letter| match letter {

@@ -1,17 +1,17 @@
-//! Styles as the terminal is told them (ECMA-48, 8.3.117, select graphic rendition).
+//! Styles as escape sequences (ECMA-48, 8.3.117, select graphic rendition).
 
 use ratatui::buffer::Cell;
 use ratatui::style::{Color, Modifier};
 
-/// The style of letters.
+/// The style of a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Look {
-    letters: Color,
-    ground: Color,
+pub(super) struct CellStyle {
+    foreground: Color,
+    background: Color,
     modifier: Modifier,
 }
 
-/// Modifiers with the codes that set and unset them; a code that unsets two of them is with both.
+/// Modifiers with the codes that set and unset them; some share the unset code.
 const MODIFIERS: [(Modifier, &str, &str); 9] = [
     (Modifier::BOLD, "1", "22"),
     (Modifier::DIM, "2", "22"),
@@ -24,53 +24,53 @@ const MODIFIERS: [(Modifier, &str, &str); 9] = [
     (Modifier::CROSSED_OUT, "9", "29"),
 ];
 
-/// Modifiers that show on blanks.
+/// Modifiers that are visible on blanks.
 const ON_BLANKS: Modifier = Modifier::REVERSED
     .union(Modifier::UNDERLINED)
     .union(Modifier::SLOW_BLINK)
     .union(Modifier::RAPID_BLINK)
     .union(Modifier::CROSSED_OUT);
 
-impl Look {
-    /// That of a terminal that was told nothing.
-    pub(super) const PLAIN: Self = Self {
-        letters: Color::Reset,
-        ground: Color::Reset,
+impl CellStyle {
+    /// The style after a reset.
+    pub(super) const DEFAULT: Self = Self {
+        foreground: Color::Reset,
+        background: Color::Reset,
         modifier: Modifier::empty(),
     };
 
-    /// That of a cell.
+    /// The style of a cell.
     pub(super) fn of(cell: &Cell) -> Self {
         Self {
-            letters: cell.fg,
-            ground: cell.bg,
+            foreground: cell.fg,
+            background: cell.bg,
             modifier: cell.modifier,
         }
     }
 
-    /// Whether a cell written in this look is as it should be: a blank shows nothing of its letters' colour.
-    pub(super) fn suits(self, cell: &Cell) -> bool {
+    /// Whether a cell shows correctly in this style: the foreground of a blank is invisible.
+    pub(super) fn shows(self, cell: &Cell) -> bool {
         let modifiers = self.modifier | cell.modifier;
         let blank = cell.symbol() == " " && !modifiers.intersects(ON_BLANKS);
-        self == Self::of(cell) || blank && self.ground == cell.bg
+        self == Self::of(cell) || blank && self.background == cell.bg
     }
 
-    /// Tells the terminal to go on in the look `next`, in as few bytes as that takes.
-    pub(super) fn turn(&mut self, next: Self, out: &mut Vec<u8>) {
+    /// Writes the shortest sequence that changes to the style `next`.
+    pub(super) fn change_to(&mut self, next: Self, out: &mut Vec<u8>) {
         if *self == next {
             return;
         }
-        let mut changed = String::new();
-        self.change(next, &mut changed);
-        let mut anew = String::new();
-        if next != Self::PLAIN {
-            anew.push('0');
-            Self::PLAIN.change(next, &mut anew);
+        let mut from_current = String::new();
+        self.codes(next, &mut from_current);
+        let mut from_reset = String::new();
+        if next != Self::DEFAULT {
+            from_reset.push('0');
+            Self::DEFAULT.codes(next, &mut from_reset);
         }
-        let codes = if anew.len() < changed.len() {
-            anew
+        let codes = if from_reset.len() < from_current.len() {
+            from_reset
         } else {
-            changed
+            from_current
         };
         out.extend_from_slice(b"\x1b[");
         out.extend_from_slice(codes.as_bytes());
@@ -78,37 +78,37 @@ impl Look {
         *self = next;
     }
 
-    /// The codes from this look to another.
-    fn change(self, next: Self, codes: &mut String) {
+    /// Appends the codes that change this style to `next`.
+    fn codes(self, next: Self, codes: &mut String) {
         let mut push = |code: &str| {
             if !codes.is_empty() {
                 codes.push(';');
             }
             codes.push_str(code);
         };
-        let mut kept = self.modifier;
+        let mut current = self.modifier;
         for (modifier, _, unset) in MODIFIERS {
-            if kept.contains(modifier) && !next.modifier.contains(modifier) {
+            if current.contains(modifier) && !next.modifier.contains(modifier) {
                 push(unset);
                 let same = MODIFIERS.iter().filter(|other| other.2 == unset);
-                same.for_each(|other| kept.remove(other.0));
+                same.for_each(|other| current.remove(other.0));
             }
         }
         for (modifier, set, _) in MODIFIERS {
-            if next.modifier.contains(modifier) && !kept.contains(modifier) {
+            if next.modifier.contains(modifier) && !current.contains(modifier) {
                 push(set);
             }
         }
-        if self.letters != next.letters {
-            push(&colour(next.letters, 30));
+        if self.foreground != next.foreground {
+            push(&colour(next.foreground, 30));
         }
-        if self.ground != next.ground {
-            push(&colour(next.ground, 40));
+        if self.background != next.background {
+            push(&colour(next.background, 40));
         }
     }
 }
 
-/// The code of a colour: of letters from 30 on, of the ground from 40 on; 60 more for the bright ones.
+/// The code of a colour: foreground from 30, background from 40, 60 more for bright colours.
 fn colour(colour: Color, from: u8) -> String {
     let number = match colour {
         Color::Reset => 9,
@@ -138,53 +138,59 @@ fn colour(colour: Color, from: u8) -> String {
 mod tests {
     use super::*;
 
-    fn look(letters: Color, modifier: Modifier) -> Look {
-        Look {
-            letters,
+    fn style(foreground: Color, modifier: Modifier) -> CellStyle {
+        CellStyle {
+            foreground,
             modifier,
-            ..Look::PLAIN
+            ..CellStyle::DEFAULT
         }
     }
 
-    /// What is written from one look to another.
-    fn turn(from: Look, to: Look) -> String {
-        let (mut look, mut out) = (from, Vec::new());
-        look.turn(to, &mut out);
-        assert_eq!(look, to);
+    /// The bytes that change one style to another.
+    fn change(from: CellStyle, to: CellStyle) -> String {
+        let (mut style, mut out) = (from, Vec::new());
+        style.change_to(to, &mut out);
+        assert_eq!(style, to);
         String::from_utf8(out).unwrap()
     }
 
     #[test]
     fn the_sixteen_colours_have_codes_of_their_own() {
         let plain = Modifier::empty();
-        assert_eq!(turn(Look::PLAIN, look(Color::Cyan, plain)), "\x1b[36m");
-        assert_eq!(turn(Look::PLAIN, look(Color::LightRed, plain)), "\x1b[91m");
-        let fixed = look(Color::Indexed(214), plain);
-        assert_eq!(turn(Look::PLAIN, fixed), "\x1b[38;5;214m");
-        let free = look(Color::Rgb(1, 20, 255), plain);
-        assert_eq!(turn(Look::PLAIN, free), "\x1b[38;2;1;20;255m");
-        let ground = Look {
-            ground: Color::Blue,
-            ..Look::PLAIN
+        assert_eq!(
+            change(CellStyle::DEFAULT, style(Color::Cyan, plain)),
+            "\x1b[36m"
+        );
+        assert_eq!(
+            change(CellStyle::DEFAULT, style(Color::LightRed, plain)),
+            "\x1b[91m"
+        );
+        let fixed = style(Color::Indexed(214), plain);
+        assert_eq!(change(CellStyle::DEFAULT, fixed), "\x1b[38;5;214m");
+        let free = style(Color::Rgb(1, 20, 255), plain);
+        assert_eq!(change(CellStyle::DEFAULT, free), "\x1b[38;2;1;20;255m");
+        let background = CellStyle {
+            background: Color::Blue,
+            ..CellStyle::DEFAULT
         };
-        assert_eq!(turn(Look::PLAIN, ground), "\x1b[44m");
+        assert_eq!(change(CellStyle::DEFAULT, background), "\x1b[44m");
     }
 
     #[test]
-    fn the_shorter_way_is_taken() {
-        let red = look(Color::Red, Modifier::empty());
-        let bold = look(Color::Red, Modifier::BOLD);
-        assert_eq!(turn(red, bold), "\x1b[1m");
-        assert_eq!(turn(bold, red), "\x1b[22m");
-        assert_eq!(turn(bold, Look::PLAIN), "\x1b[m");
-        assert_eq!(turn(red, red), "");
+    fn the_shorter_sequence_is_written() {
+        let red = style(Color::Red, Modifier::empty());
+        let bold = style(Color::Red, Modifier::BOLD);
+        assert_eq!(change(red, bold), "\x1b[1m");
+        assert_eq!(change(bold, red), "\x1b[22m");
+        assert_eq!(change(bold, CellStyle::DEFAULT), "\x1b[m");
+        assert_eq!(change(red, red), "");
     }
 
     #[test]
-    fn what_is_unset_together_is_set_again() {
-        let both = look(Color::Red, Modifier::BOLD | Modifier::DIM);
-        let dim = look(Color::Red, Modifier::DIM);
-        assert_eq!(turn(both, dim), "\x1b[22;2m");
-        assert_eq!(turn(dim, both), "\x1b[1m");
+    fn modifiers_with_a_shared_unset_code_are_set_again() {
+        let both = style(Color::Red, Modifier::BOLD | Modifier::DIM);
+        let dim = style(Color::Red, Modifier::DIM);
+        assert_eq!(change(both, dim), "\x1b[22;2m");
+        assert_eq!(change(dim, both), "\x1b[1m");
     }
 }

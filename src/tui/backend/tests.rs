@@ -8,17 +8,20 @@ use super::*;
 const COLUMNS: u16 = 20;
 const ROWS: u16 = 6;
 
-#[allow(clippy::unnecessary_wraps)] // As a terminal's size that may not be told.
+#[allow(clippy::unnecessary_wraps)] // The signature of the system's size function.
 fn size() -> io::Result<Size> {
     Ok(Size::new(COLUMNS, ROWS))
 }
 
-fn terminal() -> Terminal<Wire<Vec<u8>>> {
-    Terminal::new(Wire::new(Vec::new(), size)).unwrap()
+fn terminal() -> Terminal<CompactBackend<Vec<u8>>> {
+    Terminal::new(CompactBackend::new(Vec::new(), size)).unwrap()
 }
 
-/// Draws text at places; what was written for it.
-fn draw(terminal: &mut Terminal<Wire<Vec<u8>>>, text: &[(u16, u16, &str, Style)]) -> String {
+/// Draws texts at positions; returns the written bytes.
+fn draw(
+    terminal: &mut Terminal<CompactBackend<Vec<u8>>>,
+    text: &[(u16, u16, &str, Style)],
+) -> String {
     terminal
         .draw(|frame| {
             for (x, y, text, style) in text {
@@ -31,7 +34,7 @@ fn draw(terminal: &mut Terminal<Wire<Vec<u8>>>, text: &[(u16, u16, &str, Style)]
 }
 
 #[test]
-fn nothing_is_written_where_nothing_changed() {
+fn an_unchanged_frame_writes_nothing() {
     let mut terminal = terminal();
     let text = [(3, 2, "beam", Style::new())];
     let first = draw(&mut terminal, &text);
@@ -49,7 +52,7 @@ fn a_steep_line_is_followed_downwards() {
 }
 
 #[test]
-fn the_last_column_and_wide_letters_leave_the_cursor_nowhere() {
+fn after_the_last_column_and_wide_letters_the_cursor_position_is_unknown() {
     let plain = Style::new();
     let written = draw(
         &mut terminal(),
@@ -61,7 +64,7 @@ fn the_last_column_and_wide_letters_leave_the_cursor_nowhere() {
 }
 
 #[test]
-fn the_cursor_shows_where_a_prompt_wants_it() {
+fn the_cursor_is_shown_at_the_requested_position() {
     let mut terminal = terminal();
     let mut at = |position: Option<(u16, u16)>| {
         terminal
@@ -90,7 +93,7 @@ fn below(random: &mut u64, limit: u64) -> usize {
     ((*random >> 33) % limit) as usize
 }
 
-/// Letters in styles, on so many quarters of the screen.
+/// Random styled letters on `quarters` quarters of the screen.
 fn scattered(random: &mut u64, quarters: usize) -> Vec<Drawn> {
     let mut cells = Vec::new();
     for (x, y) in (0..ROWS).flat_map(|y| (0..COLUMNS).map(move |x| (x, y))) {
@@ -104,7 +107,7 @@ fn scattered(random: &mut u64, quarters: usize) -> Vec<Drawn> {
     cells
 }
 
-/// Whatever is drawn after whatever else, a terminal shows it (the terminal being the vt100 crate).
+/// A terminal (the vt100 crate) shows any sequence of frames correctly.
 #[test]
 fn a_terminal_shows_what_was_drawn() {
     let nonzero = |count| NonZeroU16::new(count).unwrap();
@@ -132,7 +135,7 @@ fn assert_shown(shown: &vt100::Cell, symbol: &str, style: Style) {
     assert_eq!(contents, symbol);
     let reversed = style.add_modifier.contains(Modifier::REVERSED);
     assert_eq!(shown.inverse(), reversed);
-    // A blank that is not reversed shows nothing else.
+    // Other styles are invisible on a blank that is not reversed.
     if symbol == " " && !reversed {
         return;
     }

@@ -1,4 +1,4 @@
-//! Model files: opened, compared and saved; and paths completed while they are typed.
+//! Model files: open, compare, save; and completion of typed paths.
 
 use std::fs;
 use std::io;
@@ -11,7 +11,7 @@ use crate::model::{Fault, Model, Objective};
 use crate::tui::app::{Export, Guard, OpenedMeasured, Outside, Reply, Saving};
 use crate::tune;
 
-/// What became of a file that held this text.
+/// Compares a file with its last known text.
 pub(super) fn compare(path: &Path, text: &str) -> Outside {
     match files::load(path) {
         Ok(found) if found == text => Outside::Same,
@@ -20,7 +20,7 @@ pub(super) fn compare(path: &Path, text: &str) -> Outside {
     }
 }
 
-/// A path as people type it: `~/` is the user's home.
+/// Expands a typed path: `~/` is the user's home.
 fn from_home(path: PathBuf) -> PathBuf {
     match (path.strip_prefix("~"), std::env::home_dir()) {
         (Ok(rest), Some(home)) => home.join(rest),
@@ -36,7 +36,7 @@ pub(super) fn save(path: PathBuf, text: String, guard: &Guard) -> Reply {
     }
 }
 
-/// Writes what is on the screen.
+/// Writes an export.
 pub(super) fn export(path: PathBuf, text: &str, kind: Export, guard: &Guard) -> Reply {
     let path = from_home(path);
     match write(&path, text, guard, Saving::Screen(kind)) {
@@ -45,11 +45,11 @@ pub(super) fn export(path: PathBuf, text: &str, kind: Export, guard: &Guard) -> 
     }
 }
 
-/// Writes a text as the guard allows; else why not.
+/// Writes a text if the guard allows it; else returns the reason.
 fn write(path: &Path, text: &str, guard: &Guard, what: Saving) -> Result<(), Reply> {
     let path = path.to_owned();
     if path.is_dir() {
-        let reason = "it is a folder; a file's name is wanted".to_owned();
+        let reason = "it is a folder; enter a file name".to_owned();
         return Err(Reply::NotSaved(path, reason));
     }
     let question = match guard {
@@ -63,7 +63,7 @@ fn write(path: &Path, text: &str, guard: &Guard, what: Saving) -> Result<(), Rep
         }
         _ => None,
     };
-    // Nothing is asked about a file that could not be replaced.
+    // No question about a file that cannot be replaced.
     match (files::may_save(&path), question) {
         (Err(error), _) => Err(Reply::NotSaved(path, error_text(&error))),
         (Ok(_), Some(question)) => Err(question),
@@ -74,7 +74,7 @@ fn write(path: &Path, text: &str, guard: &Guard, what: Saving) -> Result<(), Rep
     }
 }
 
-/// Opens a file of measured curves, whose columns are what `layout` says where it is said.
+/// Opens a file of measured curves; `layout`, if given, describes its columns.
 pub(super) fn open_measured(path: PathBuf, layout: Option<&str>) -> Reply {
     let path = from_home(path);
     Reply::Measured(match read_measured(&path, layout) {
@@ -84,7 +84,7 @@ pub(super) fn open_measured(path: PathBuf, layout: Option<&str>) -> Reply {
     })
 }
 
-/// The curves of a file, or what has to be asked first.
+/// The curves of a file, or the questions to ask first.
 fn read_measured(path: &Path, layout: Option<&str>) -> Result<measured::Opened, Fault> {
     let layout = layout.map(Layout::parse).transpose();
     let hint = Hint {
@@ -94,12 +94,12 @@ fn read_measured(path: &Path, layout: Option<&str>) -> Result<measured::Opened, 
     measured::open(&measured::load(path)?, &hint)
 }
 
-/// Reads the measured curve that an objective asks for, so that a wrong answer is refused where it is typed.
+/// Reads the measured curve of an objective, so that wrong input is refused in its prompt.
 pub(super) fn check_match(model: &Model, objective: &Objective, folder: &Path) -> Reply {
     Reply::MatchChecked(tune::check_match(model, objective, folder))
 }
 
-/// Whether there is a file, or something that cannot be looked at.
+/// Whether there is a file, or something that cannot be inspected.
 fn is_there(path: &Path) -> bool {
     !matches!(fs::metadata(path), Err(error) if error.kind() == io::ErrorKind::NotFound)
 }
@@ -117,7 +117,7 @@ pub(super) fn open(path: PathBuf, reply: impl FnOnce(Box<Opened>) -> Reply) -> R
     }
 }
 
-/// The path as far as the names in its folder leave no choice.
+/// Completes a path as far as the names in its folder are unambiguous.
 pub(super) fn complete(text: &str) -> String {
     let (folder, start) = match text.rfind('/') {
         Some(slash) => text.split_at(slash + 1),
@@ -151,7 +151,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_path_completes_to_what_is_common() {
+    fn a_path_completes_to_the_common_start() {
         let folder = tempfile::tempdir().unwrap();
         for name in ["beam one.toml", "beam two.toml", "other.toml"] {
             fs::write(folder.path().join(name), "").unwrap();
@@ -164,7 +164,7 @@ mod tests {
 
     #[cfg(target_os = "linux")]
     #[test]
-    fn a_name_that_is_no_text_is_completed_and_found() {
+    fn a_name_that_is_not_utf_8_is_completed_and_found() {
         use std::os::unix::ffi::OsStrExt as _;
         let folder = tempfile::tempdir().unwrap();
         let name = std::ffi::OsStr::from_bytes(b"m\xff.toml");
@@ -175,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn a_place_without_permission_is_refused_and_not_asked_about() {
+    fn a_file_without_permission_is_refused_without_a_question() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("model.toml");
         fs::write(&file, "old").unwrap();
@@ -183,7 +183,7 @@ mod tests {
             Reply::NotSaved(_, reason) => reason,
             other => panic!("{other:?}"),
         };
-        // Also for the superuser, a file is no folder.
+        // Even for the superuser, a file is not a folder.
         let beneath = save(file.join("other.toml"));
         assert!(beneath.contains("directory"), "{beneath}");
         let mut permissions = fs::metadata(&file).unwrap().permissions();

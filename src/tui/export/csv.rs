@@ -1,4 +1,4 @@
-//! The curves as numbers.
+//! The curves as CSV.
 
 use std::fmt::Write as _;
 
@@ -11,9 +11,8 @@ use crate::tui::scene::{ChartView, Scene};
 
 /// The curves on the chart as CSV (RFC 4180, lines end with a line feed), after comment lines that start with `#`.
 ///
-/// Long form: a row for each point within the frequency bounds: the curve's name, the frequency in the unit that shows,
-/// and the value on each panel, in decibels where the panel shows them. Numbers read back to the last bit; `nan` is a
-/// gap.
+/// Long format: one row per point within the frequency bounds, with the curve's name, the frequency in the displayed
+/// unit, and the value on each panel, in decibels if the panel shows them. Numbers parse back exactly; `nan` is a gap.
 pub fn csv(scene: &Scene, provenance: &Provenance) -> String {
     let names = names(scene);
     let mut text = head(scene, provenance, &names);
@@ -44,7 +43,7 @@ pub fn csv(scene: &Scene, provenance: &Provenance) -> String {
     text
 }
 
-/// What the numbers are and where they come from.
+/// The comment lines: quantities, units and provenance.
 fn head(scene: &Scene, provenance: &Provenance, names: &[String]) -> String {
     let mut lines = vec![
         provenance.program.clone(),

@@ -17,7 +17,7 @@ fn provenance() -> Provenance {
     }
 }
 
-/// The oscillator twice as stiff, a study of three, finite elements and a measurement.
+/// A reference, a study of three, finite elements and a measurement.
 fn full(view: ChartView) -> Scene {
     let mut scene = scene(view);
     scene.title = "w at the right end, receptance".to_owned();
@@ -184,7 +184,7 @@ fn drawings_are_well_formed_and_the_same_each_time() {
 }
 
 #[test]
-fn a_drawing_says_where_it_comes_from_and_names_its_axes() {
+fn a_drawing_has_provenance_and_axis_labels() {
     let drawing = svg(&full(ChartView::MagnitudePhase), &provenance());
     let hash = &provenance().hash;
     for words in [
@@ -203,7 +203,7 @@ fn a_drawing_says_where_it_comes_from_and_names_its_axes() {
         assert!(drawing.contains(words), "{words}");
     }
     assert!(drawing.contains("<desc>") && drawing.contains("<title>"));
-    // The frequencies stand beneath the lower plot alone.
+    // The frequency label is below the lower plot only.
     assert_eq!(drawing.matches("frequency, Hz").count(), 1);
 }
 
@@ -255,13 +255,13 @@ fn points(drawing: &str) -> Vec<[f64; 2]> {
 }
 
 #[test]
-fn curves_stand_at_their_values() {
+fn curves_are_at_their_values() {
     let mut scene = scene(ChartView::RealImaginary);
     scene.panels.truncate(1);
     scene.panels[0].bounds = Some([-12.0, 12.0]);
     let drawing = svg(&scene, &provenance());
     let points = points(&drawing);
-    // The frame says where the plot is.
+    // The frame gives the position of the plot.
     let frame = drawing
         .lines()
         .find(|line| line.contains("class=\"frame\""))
@@ -280,7 +280,7 @@ fn curves_stand_at_their_values() {
     for [x, y] in points {
         let hertz = 1.0 + (x - left) / width * 99.0;
         let value = 12.0 - (y - top) / height * 24.0;
-        // Within half a pixel of the curve, to the side where it is steep.
+        // Within half a pixel of the curve, sideways where it is steep.
         let step = 99.0 / width / 2.0;
         let around = [hertz - step, hertz, hertz + step].map(|f| receptance(f).re);
         let low = around.iter().copied().fold(f64::INFINITY, f64::min) - 12.0 / height;
@@ -335,7 +335,7 @@ fn no_scene_breaks_a_drawing() {
 }
 
 #[test]
-fn numbers_read_back() {
+fn numbers_parse_back() {
     let mut scene = full(ChartView::MagnitudePhase);
     scene.frequency.unit = FrequencyUnit::RadianPerSecond;
     scene.curves[1].values[1][30] = f64::NAN;
@@ -395,7 +395,7 @@ fn numbers_read_back() {
 }
 
 #[test]
-fn decibels_are_written_as_they_show() {
+fn decibels_are_written_as_displayed() {
     let mut scene = scene(ChartView::Magnitude);
     scene.panels[0].level = Level::Decibel {
         factor: 20.0,
@@ -463,7 +463,7 @@ fn a_drawing_is_as_it_was() {
 }
 
 #[test]
-fn references_and_measured_curves_never_look_as_another_curve() {
+fn references_and_measured_curves_have_unique_styles() {
     let view = ChartView::Magnitude;
     let marked = |number: usize, label: &str, kind| SceneCurve {
         label: label.to_owned(),
@@ -472,7 +472,7 @@ fn references_and_measured_curves_never_look_as_another_curve() {
         ..curve(view, kind, frequencies())
     };
     let mut scene = scene(view);
-    // As the screen numbers them: a study of four, two references with a member each and one more without a name.
+    // Numbered as on the screen: a study of four, two references, one of them with a second curve without a name.
     scene.curves = vec![
         marked(1, "before", CurveKind::Reference),
         marked(2, "", CurveKind::Reference),
@@ -486,7 +486,7 @@ fn references_and_measured_curves_never_look_as_another_curve() {
         ..marked(1 + i, &format!("measured {i}"), CurveKind::Measured)
     }));
     let text = svg(&scene, &provenance());
-    // The legend is all that is drawn before the frame: a line with its colour, then its marker.
+    // Only the legend is before the frame: a line with its colour, then its marker.
     let mut signs: Vec<(&str, &str)> = Vec::new();
     for (at, _) in text.match_indices("class=\"name\"") {
         let before = &text[..at];

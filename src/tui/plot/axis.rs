@@ -1,11 +1,11 @@
 //! Axes: from a value to a fraction of the axis, and from there to dots and cells.
 
-/// How values are spread along an axis.
+/// The scale of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scale {
     /// Equal differences take equal lengths.
     Linear,
-    /// Equal ratios take equal lengths; only positive values have a place.
+    /// Equal ratios take equal lengths; positive values only.
     Log,
 }
 
@@ -16,16 +16,16 @@ pub enum Notation {
     Plain,
     /// `1e-6`, `2e3`.
     Power,
-    /// `-90`, `360`: as plain, at multiples of 15, 30, 45, 90, 180 and 360.
+    /// `-90`, `360`: like plain, at multiples of 15, 30, 45, 90, 180 and 360.
     Degrees,
 }
 
-/// An axis: scale, bounds, notation of its labels and its unit.
+/// An axis: scale, bounds, label notation and unit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
     pub(super) scale: Scale,
     bounds: [f64; 2],
-    /// The bounds in plot coordinates: the values themselves or their decimal logarithms.
+    /// The bounds as values (linear) or decimal logarithms (log).
     span: [f64; 2],
     pub(super) notation: Notation,
     pub(super) unit: String,
@@ -34,7 +34,7 @@ pub struct Axis {
 impl Axis {
     /// An axis from `bounds[0]` to `bounds[1]`, both in `unit`, with plain labels.
     ///
-    /// Bounds that span nothing are widened, so that every axis can be drawn.
+    /// Empty or invalid bounds are widened or replaced, so that every axis can be drawn.
     pub fn new(scale: Scale, bounds: [f64; 2], unit: impl Into<String>) -> Self {
         let bounds = drawable(scale, bounds);
         Self {
@@ -58,24 +58,24 @@ impl Axis {
         self.bounds
     }
 
-    /// Its unit, with what stands before it.
+    /// The unit, with the quantity name before it if there is one.
     pub fn unit(&self) -> &str {
         &self.unit
     }
 
-    /// Where `value` lies: 0 at the lower bound, 1 at the upper, not finite where the axis has no place.
+    /// The position of `value`: 0 at the lower bound, 1 at the upper; not finite where the axis cannot show it.
     pub fn fraction(&self, value: f64) -> f64 {
         let [low, high] = self.span;
         (coordinate(self.scale, value) - low) / (high - low)
     }
 
-    /// The value at a fraction of the axis; the inverse of [`Axis::fraction`].
+    /// The value at a fraction of the axis, clamped to the bounds; the inverse of [`Axis::fraction`].
     pub fn value(&self, fraction: f64) -> f64 {
         let [low, high] = self.span;
-        let place = low + fraction * (high - low);
+        let coordinate = low + fraction * (high - low);
         let value = match self.scale {
-            Scale::Linear => place,
-            Scale::Log => 10_f64.powf(place),
+            Scale::Linear => coordinate,
+            Scale::Log => 10_f64.powf(coordinate),
         };
         value.clamp(self.bounds[0], self.bounds[1])
     }
@@ -93,12 +93,12 @@ fn coordinate(scale: Scale, value: f64) -> f64 {
     }
 }
 
-/// Whether `fraction` is of the axis; a bound that has gone through a logarithm may miss 0 or 1 by a rounding error.
+/// Whether `fraction` is on the axis; the logarithm of a bound may miss 0 or 1 by a rounding error.
 fn on_axis(fraction: f64) -> bool {
     (-1e-9..=1.0 + 1e-9).contains(&fraction)
 }
 
-/// Bounds in ascending order that span something.
+/// Bounds in ascending order with a positive span.
 fn drawable(scale: Scale, [first, second]: [f64; 2]) -> [f64; 2] {
     let (low, high) = (first.min(second), first.max(second));
     let spans = coordinate(scale, high) - coordinate(scale, low);
@@ -115,7 +115,7 @@ fn drawable(scale: Scale, [first, second]: [f64; 2]) -> [f64; 2] {
     }
 }
 
-/// The way an axis runs on the screen.
+/// The direction of an axis on the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Direction {
     /// The lower bound is at the left.
@@ -138,7 +138,7 @@ impl Ruler {
         self.cells.saturating_mul(self.dots_per_cell)
     }
 
-    /// The place of `fraction` in dots: the bounds lie at the centres of the first and the last dot.
+    /// The position of `fraction` in dots: the bounds are at the centres of the first and the last dot.
     pub(super) fn dot(self, fraction: f64) -> f64 {
         let last = f64::from(self.dots().saturating_sub(1));
         match self.direction {
@@ -147,14 +147,14 @@ impl Ruler {
         }
     }
 
-    /// The fraction in the middle of a cell, for an axis that runs to the right.
+    /// The fraction in the middle of a cell, for an axis to the right.
     pub(super) fn middle(self, cell: u16) -> f64 {
         let last = f64::from(self.dots().saturating_sub(1).max(1));
         let per_cell = f64::from(self.dots_per_cell);
         (f64::from(cell) * per_cell + (per_cell - 1.0) / 2.0) / last
     }
 
-    /// The cell that holds `fraction`, if it lies on the axis.
+    /// The cell that contains `fraction`, if it is on the axis.
     pub(super) fn cell(self, fraction: f64) -> Option<u16> {
         (on_axis(fraction) && self.cells > 0)
             .then(|| self.dot(fraction).round() as u16 / self.dots_per_cell)

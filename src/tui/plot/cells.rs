@@ -1,142 +1,205 @@
-//! Rulers and dots for pictures that are no charts: values and labels on the same cells as a chart would have them.
+//! The content of each cell of the plot: a symbol, a curve, a line at a value, or the grid.
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::{Position, Rect};
-use ratatui::style::Color;
-use ratatui::symbols::Marker;
+use ratatui::layout::Position;
+use ratatui::style::Style;
+use ratatui::widgets::{Clear, Widget};
 
-use super::axis::{Axis, Direction, Ruler};
+use super::chart::Chart;
 use super::dots::Dots;
 use super::glyphs::{Glyphs, rulers};
-use super::ticks::ticks;
+use super::layout::ChartLayout;
+use super::legend::LegendPosition;
+use super::level::Level;
+use super::trace::pole_cells;
 
-/// A round value on a ruler.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct RoundTick {
-    /// Its cell, from the left or from the top.
-    pub cell: u16,
-    /// Its value as text; none on minor ticks.
-    pub label: Option<String>,
+/// A character and its style.
+type StyledChar = (char, Style);
+
+/// The lines behind the curves.
+struct Background {
+    /// Columns with a vertical line; in a column with several, the first wins.
+    columns: Vec<(u16, StyledChar)>,
+    /// The column and the row of 0.
+    zero: [Option<u16>; 2],
+    /// The columns and the rows of the grid.
+    grid: [Vec<u16>; 2],
 }
 
-/// An axis along cells: its bounds lie in the middles of the first and the last one.
-#[derive(Debug, Clone)]
-pub struct CellRuler {
-    axis: Axis,
-    ruler: Ruler,
+/// Draws the curves with ratatui's canvas, then clears the area of the legend.
+pub(super) fn curves(chart: &Chart<'_>, layout: &ChartLayout, dots: &Dots, buffer: &mut Buffer) {
+    let colour = |index: usize| chart.curves[index].dimmed_style().fg.unwrap_or_default();
+    dots.render(layout.plot, buffer, |index| chart.grid_of(index), colour);
+    if let LegendPosition::Inside(legend) = layout.legend {
+        Clear.render(legend, buffer);
+    }
 }
 
-impl CellRuler {
-    /// An axis to the right over so many columns.
-    pub const fn across(axis: Axis, columns: u16) -> Self {
-        Self::new(axis, columns, Direction::Right)
-    }
-
-    /// An axis upward over so many rows.
-    pub const fn up(axis: Axis, rows: u16) -> Self {
-        Self::new(axis, rows, Direction::Up)
-    }
-
-    const fn new(axis: Axis, cells: u16, direction: Direction) -> Self {
-        let ruler = Ruler {
-            direction,
-            cells,
-            dots_per_cell: 1,
+/// Completes the plot cell by cell: styles and markers of the curves, lines behind them, symbols over them.
+pub(super) fn paint(chart: &Chart<'_>, layout: &ChartLayout, dots: &Dots, buffer: &mut Buffer) {
+    let background = Background::new(chart, layout);
+    let poles = pole_cells(chart, dots.across);
+    for position in layout.plot.positions() {
+        if in_legend(layout, position) {
+            continue;
+        }
+        let (column, row) = (position.x - layout.plot.x, position.y - layout.plot.y);
+        let Some(cell) = buffer.cell_mut(position) else {
+            continue;
         };
-        Self { axis, ruler }
+        let drawn = dots.cell(column, row);
+        let pole = poles.iter().find(|pole| row == 0 && pole.0 == column);
+        if let Some((_, index)) = pole {
+            let (glyph, style) = pole_mark(chart, *index);
+            cell.set_char(glyph).set_style(style);
+        } else if let Some(index) = drawn.curve {
+            cell.set_style(chart.curves[index].dimmed_style());
+            if let Some(marker) = chart.marker(index).filter(|_| drawn.marked) {
+                cell.set_char(marker);
+            }
+        } else if let Some((glyph, style)) = background.at(chart, column, row) {
+            cell.set_char(glyph).set_style(style);
+        }
     }
-
-    /// The cell of a value, from the left or from the top; none off the axis.
-    pub fn cell(&self, value: f64) -> Option<u16> {
-        self.ruler.cell(self.axis.fraction(value))
-    }
-
-    /// Where a value lies in cells from the left or from the top; the middle of the first cell is at 0.5.
-    pub fn place(&self, value: f64) -> f64 {
-        self.ruler.dot(self.axis.fraction(value)) + 0.5
-    }
-
-    /// Round values as dense as their labels have room: labelled ones in ascending order, then minor ones.
-    pub fn ticks(&self) -> Vec<RoundTick> {
-        let ticks = ticks(&self.axis, self.ruler).into_iter();
-        ticks
-            .map(|tick| RoundTick {
-                cell: tick.cell,
-                label: tick.label,
-            })
-            .collect()
+    number_harmonics(chart, layout, dots, buffer);
+    for spot in &chart.spots {
+        let column = dots.across.cell(chart.x.fraction(spot.x));
+        let row = dots.down.cell(chart.y.fraction(spot.y));
+        let position = column
+            .zip(row)
+            .map(|(column, row)| Position::new(layout.plot.x + column, layout.plot.y + row));
+        let free = position.filter(|position| !in_legend(layout, *position));
+        if let Some(cell) = free.and_then(|position| buffer.cell_mut(position)) {
+            cell.set_char(spot.sign).set_style(spot.style);
+        }
     }
 }
 
-/// The characters that show points as dots: column, row and character of each cell that has a dot.
-///
-/// Points are (column, row) in cells from the top left corner of `size` cells, the middle of the first cell at
-/// (0.5, 0.5); those outside are left out. In ASCII a dot is a full stop.
-pub fn dotted(
-    points: impl IntoIterator<Item = [f64; 2]>,
-    [columns, rows]: [u16; 2],
-    glyphs: Glyphs,
-) -> Vec<(u16, u16, char)> {
-    let mut dots = Dots::new(rulers(columns, rows, glyphs));
-    for [x, y] in points {
-        let column = x * f64::from(dots.across.dots_per_cell);
-        let row = y * f64::from(dots.down.dots_per_cell);
-        let inside = [(column, dots.across), (row, dots.down)];
-        if inside
-            .iter()
-            .all(|(dot, ruler)| (0.0..f64::from(ruler.dots())).contains(dot))
-        {
-            dots.draw(column as u16, row as u16, 0);
+fn in_legend(layout: &ChartLayout, position: Position) -> bool {
+    matches!(layout.legend, LegendPosition::Inside(legend) if legend.contains(position))
+}
+
+/// Writes the number of each harmonic at the top of its line, where the cells are free.
+fn number_harmonics(chart: &Chart<'_>, layout: &ChartLayout, dots: &Dots, buffer: &mut Buffer) {
+    let plot = layout.plot;
+    let mut free = 0;
+    for (number, value) in (2..).zip(&chart.harmonics) {
+        let text = format!("{number}");
+        let Some(start) = chart.cell(plot, *value) else {
+            continue;
+        };
+        let cells = start..start.saturating_add(text.len() as u16);
+        let blank = |column: u16| {
+            let position = Position::new(plot.x + column, plot.y);
+            column < plot.width
+                && dots.cell(column, 0).curve.is_none()
+                && !in_legend(layout, position)
+        };
+        if plot.height > 1 && start >= free && cells.clone().all(blank) {
+            buffer.set_string(plot.x + start, plot.y, &text, chart.styles.harmonic);
+            free = cells.end + 1;
         }
     }
-    let marker = match glyphs {
-        Glyphs::Braille => Marker::Braille,
-        Glyphs::Octant => Marker::Octant,
-        Glyphs::Block => Marker::Quadrant,
-        Glyphs::Dot => Marker::Custom('·'),
-        Glyphs::Ascii => Marker::Custom('.'),
+}
+
+fn pole_mark(chart: &Chart<'_>, index: usize) -> StyledChar {
+    let glyph = if chart.glyphs == Glyphs::Ascii {
+        '^'
+    } else {
+        '↑'
     };
-    let mut buffer = Buffer::empty(Rect::new(0, 0, columns, rows));
-    dots.render(buffer.area, &mut buffer, |_| marker, |_| Color::Reset);
-    let shown = buffer.area.positions().filter_map(|Position { x, y }| {
-        dots.cell(x, y).curve?;
-        Some((x, y, buffer.cell((x, y))?.symbol().chars().next()?))
-    });
-    shown.collect()
+    (glyph, chart.curves[index].dimmed_style())
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::tui::plot::Scale;
-
-    #[test]
-    fn bounds_are_in_the_middles_of_the_outer_cells() {
-        let ruler = CellRuler::across(Axis::new(Scale::Linear, [0.0, 3.0], "m"), 31);
-        // 30 steps of 0.1 m.
-        assert_eq!(ruler.cell(0.0), Some(0));
-        assert_eq!(ruler.cell(3.0), Some(30));
-        assert_eq!(ruler.cell(1.2), Some(12));
-        assert_eq!(ruler.cell(3.2), None);
-        assert!((ruler.place(1.2) - 12.5).abs() < 1e-12);
-        let labelled: Vec<_> = ruler.ticks().into_iter().filter_map(|t| t.label).collect();
-        assert_eq!(labelled, ["0", "0.5", "1", "1.5", "2", "2.5", "3"]);
-        let upward = CellRuler::up(Axis::new(Scale::Linear, [0.0, 3.0], "m"), 4);
-        assert_eq!(upward.cell(1.0), Some(2));
-    }
-
-    #[test]
-    fn dots_are_where_their_points_are() {
-        // The upper left dot of the second cell: bit 0 of braille, the upper left quarter.
-        let points = [[1.1, 0.1], [-0.1, 0.0], [2.0, 0.0], [f64::NAN, 0.0]];
-        for (glyphs, glyph) in [
-            (Glyphs::Braille, '⠁'),
-            (Glyphs::Octant, '𜺨'),
-            (Glyphs::Block, '▘'),
-            (Glyphs::Dot, '·'),
-            (Glyphs::Ascii, '.'),
-        ] {
-            assert_eq!(dotted(points, [2, 1], glyphs), [(1, 0, glyph)]);
+impl Background {
+    fn new(chart: &Chart<'_>, layout: &ChartLayout) -> Self {
+        let ascii = chart.glyphs == Glyphs::Ascii;
+        let [cursor, second, harmonic, low, high] = if ascii {
+            ['|', ':', '\'', '[', ']']
+        } else {
+            ['│', '┆', '┊', '╎', '╎']
+        };
+        let styles = &chart.styles;
+        let band = chart
+            .band
+            .into_iter()
+            .flat_map(|[from, to]| [(from, (low, styles.band)), (to, (high, styles.band))]);
+        let harmonics = chart.harmonics.iter();
+        let lines = chart
+            .cursor
+            .map(|value| (value, (cursor, styles.cursor)))
+            .into_iter()
+            .chain(chart.second.map(|value| (value, (second, styles.cursor))))
+            .chain(band)
+            .chain(harmonics.map(|value| (*value, (harmonic, styles.harmonic))));
+        let columns = lines
+            .filter_map(|(value, mark)| Some((chart.cell(layout.plot, value)?, mark)))
+            .collect();
+        Self {
+            columns,
+            zero: zero(chart, layout),
+            grid: grid(chart, layout),
         }
     }
+
+    fn at(&self, chart: &Chart<'_>, column: u16, row: u16) -> Option<StyledChar> {
+        let line = self.columns.iter().find(|line| line.0 == column);
+        line.map(|line| line.1)
+            .or_else(|| self.zero_line(chart, column, row))
+            .or_else(|| self.grid_line(chart, column, row))
+    }
+
+    fn zero_line(&self, chart: &Chart<'_>, column: u16, row: u16) -> Option<StyledChar> {
+        let on_line = [self.zero[0] == Some(column), self.zero[1] == Some(row)];
+        let glyph = match (chart.glyphs, on_line) {
+            (_, [false, false]) => None,
+            (Glyphs::Ascii, [true, true]) => Some('+'),
+            (Glyphs::Ascii, [true, false]) => Some(':'),
+            // With gaps, so that it does not look like a curve.
+            (Glyphs::Ascii, [false, true]) => column.is_multiple_of(2).then_some('-'),
+            (_, [true, false]) => Some('┊'),
+            (_, [false, true]) => Some('┈'),
+            (_, [true, true]) => Some('┼'),
+        };
+        glyph.map(|glyph| (glyph, chart.styles.grid))
+    }
+
+    fn grid_line(&self, chart: &Chart<'_>, column: u16, row: u16) -> Option<StyledChar> {
+        // The first column is next to the axis line.
+        let on_grid = [
+            column > 0 && self.grid[0].contains(&column),
+            self.grid[1].contains(&row),
+        ];
+        let glyph = match (chart.glyphs, on_grid) {
+            (_, [false, false]) => None,
+            // Lines of ASCII characters would look like curves.
+            (Glyphs::Ascii, _) => (on_grid == [true, true]).then_some('+'),
+            (_, [true, false]) => Some('┊'),
+            (_, [false, true]) => Some('┈'),
+            (_, [true, true]) => Some('┼'),
+        };
+        glyph.map(|glyph| (glyph, chart.styles.grid))
+    }
+}
+
+/// The column and the row of 0, where 0 is inside an axis of signed values.
+fn zero(chart: &Chart<'_>, layout: &ChartLayout) -> [Option<u16>; 2] {
+    let [across, down] = rulers(layout.plot.width, layout.plot.height, chart.glyphs);
+    let inside = |[low, high]: [f64; 2]| low < 0.0 && high > 0.0;
+    let column = chart.nyquist && inside(chart.x.bounds());
+    let row = chart.level == Level::Signed && inside(chart.y.bounds());
+    [
+        column.then(|| across.cell(chart.x.fraction(0.0))).flatten(),
+        row.then(|| down.cell(chart.y.fraction(0.0))).flatten(),
+    ]
+}
+
+/// The columns and the rows of the grid; none if it is off.
+fn grid(chart: &Chart<'_>, layout: &ChartLayout) -> [Vec<u16>; 2] {
+    [0, 1].map(|axis| {
+        let major = layout.ticks[axis]
+            .iter()
+            .filter(|tick| chart.grid && tick.label.is_some());
+        major.map(|tick| tick.cell).collect()
+    })
 }

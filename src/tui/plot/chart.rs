@@ -1,4 +1,4 @@
-//! What a chart shows, as plain data.
+//! The data of a chart.
 
 use ratatui::layout::Rect;
 use ratatui::style::Style;
@@ -9,19 +9,19 @@ use super::curve::{Curve, LineStyle};
 use super::glyphs::{Glyphs, rulers};
 use super::level::Level;
 
-/// Where the curves are named.
+/// The position of the legend.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Legend {
-    /// Nowhere.
+    /// No legend.
     Hidden,
-    /// At the plot's top right; in a line above the plot where that would hide too much.
+    /// At the top right of the plot; in a line above the plot if it would cover too much.
     #[default]
     Inside,
     /// In a line above the plot.
     Line,
 }
 
-/// The styles of everything but the curves.
+/// The styles of all parts except the curves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct ChartStyles {
     /// The axis lines and their ticks.
@@ -42,86 +42,86 @@ pub struct ChartStyles {
     pub band: Style,
     /// The ticks of [`Marks`].
     pub mark: Style,
-    /// The selected one of them.
+    /// The selected mark.
     pub selected_mark: Style,
-    /// The words in an empty plot.
+    /// The message in an empty plot.
     pub message: Style,
 }
 
-/// Values of the horizontal axis that are ticked in a row of their own beneath its labels.
+/// Values of the horizontal axis with ticks in a separate row below its labels.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Marks {
-    /// What they are, in a word left of the row.
+    /// The label left of the row.
     pub name: &'static str,
-    /// The values; those off the axis are left out.
+    /// The values; those outside the axis are skipped.
     pub values: Vec<f64>,
-    /// The index of the one that stands out.
+    /// The index of the highlighted value.
     pub selected: Option<usize>,
 }
 
-/// A sign at a point of the plot, over the curves.
+/// A symbol at a point of the plot, over the curves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spot {
     /// Its value on the horizontal axis.
     pub x: f64,
     /// Its value on the vertical axis.
     pub y: f64,
-    /// The sign, one column wide.
+    /// The symbol, one column wide.
     pub sign: char,
-    /// How it looks.
+    /// Its style.
     pub style: Style,
 }
 
-/// What stands beneath the plot.
+/// What is below the plot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) enum Below {
     /// The horizontal axis with labels and marks.
     #[default]
     All,
-    /// The axis alone: its labels stand beneath another plot.
+    /// The axis only: its labels are below another plot.
     Axis,
 }
 
 /// Curves over a horizontal axis, in general frequency responses.
 ///
-/// Later curves are drawn over earlier ones, dim ones beneath all others.
+/// Later curves are drawn over earlier ones, dim curves first.
 #[derive(Debug, Clone)]
 pub struct Chart<'a> {
-    /// Words above the plot; the unit of the value axis stands before them.
+    /// The title above the plot, after the unit of the value axis.
     pub title: String,
     /// The horizontal axis.
     pub x: Axis,
-    /// The vertical axis, of values as made by `level`.
+    /// The vertical axis, in the quantity of `level`.
     pub y: Axis,
-    /// What is drawn of the curves' magnitudes.
+    /// The quantity that is drawn of the curves' values.
     pub level: Level,
-    /// The curves.
+    /// The curves, in drawing order.
     pub curves: &'a [Curve<'a>],
-    /// Where the curves are named.
+    /// The position of the legend.
     pub legend: Legend,
-    /// A value of the horizontal axis at which a vertical line stands.
+    /// The cursor: a value of the horizontal axis with a vertical line.
     pub cursor: Option<f64>,
-    /// Another one, at which a dashed line stands.
+    /// The second cursor, with a dashed line.
     pub second: Option<f64>,
-    /// Values of the horizontal axis at which faint lines stand: twice the cursor's, three times, and so on.
+    /// Harmonics of the cursor with faint lines: twice its value, three times, and so on.
     pub harmonics: Vec<f64>,
-    /// A band of the horizontal axis, its lower end first: lines at its ends, and a heavy axis between them.
+    /// A band of the horizontal axis, `[lower, upper]`: lines at its ends and a heavy axis between them.
     pub band: Option<[f64; 2]>,
-    /// Signs over the curves.
+    /// Symbols over the curves.
     pub spots: Vec<Spot>,
-    /// Ticks of their own, if there are any.
+    /// Marked values in a separate row; none hides the row.
     pub marks: Marks,
-    /// Whether faint lines run through the major ticks.
+    /// Whether grid lines are drawn at the major ticks.
     pub grid: bool,
     /// The characters to draw with.
     pub glyphs: Glyphs,
     /// Colours and modifiers.
     pub styles: ChartStyles,
-    /// Whether the curves run in any direction, their points joined in their order.
-    pub(super) free: bool,
-    /// What stands beneath the plot.
+    /// Whether this is a Nyquist plot: the points of a curve are joined in their order, in any direction.
+    pub(super) nyquist: bool,
+    /// What is below the plot.
     pub(super) below: Below,
-    /// The columns that the value labels have at least.
+    /// Fewest columns of the value labels.
     pub(super) label_columns: u16,
 }
 
@@ -144,19 +144,19 @@ impl<'a> Chart<'a> {
             grid: false,
             glyphs: Glyphs::default(),
             styles: ChartStyles::default(),
-            free: false,
+            nyquist: false,
             below: Below::default(),
             label_columns: 0,
         }
     }
 
-    /// A chart of `curves` as loci over the two `axes`: their points are joined in their order, whichever way that
-    /// goes, as in a Nyquist plot of imaginary parts over real parts. Lines run through 0 on both axes.
+    /// A Nyquist plot of imaginary over real parts: points are joined in their order, in any direction, and lines mark
+    /// 0 on both axes.
     ///
-    /// [`Chart::equalised`] makes the axes equal.
-    pub fn locus([x, y]: [Axis; 2], curves: &'a [Curve<'a>]) -> Self {
+    /// [`Chart::equalised`] gives both axes the same scale.
+    pub fn nyquist([x, y]: [Axis; 2], curves: &'a [Curve<'a>]) -> Self {
         Self {
-            free: true,
+            nyquist: true,
             ..Self::new(x, y, Level::Signed, curves)
         }
     }
@@ -167,7 +167,7 @@ impl<'a> Chart<'a> {
         self.x.value(across.middle(cell))
     }
 
-    /// Whether there is something to write above the plot.
+    /// Whether the chart has a row above the plot.
     pub(super) fn has_heading(&self) -> bool {
         !self.title.is_empty() || !self.y.unit.is_empty()
     }
@@ -178,7 +178,7 @@ impl<'a> Chart<'a> {
         across.cell(self.x.fraction(value))
     }
 
-    /// The marker of a curve as it can be shown.
+    /// The marker of a curve, in ASCII if the glyphs are.
     pub(super) fn marker(&self, index: usize) -> Option<char> {
         let marker = self.curves[index].marker?;
         if self.glyphs == Glyphs::Ascii && !marker.is_ascii_graphic() {
@@ -187,7 +187,7 @@ impl<'a> Chart<'a> {
         Some(marker)
     }
 
-    /// The grid in which a curve's line is drawn: dots within a cell, or a character a cell.
+    /// The marker grid of a curve's line: dots within a cell, or one character per cell.
     pub(super) fn grid_of(&self, index: usize) -> Marker {
         let line = self.curves[index].line;
         match (self.glyphs, line) {

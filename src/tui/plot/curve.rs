@@ -1,8 +1,8 @@
-//! What is drawn: curves, and how their lines are drawn.
+//! Curves and their line styles.
 
 use ratatui::style::{Modifier, Style};
 
-/// Relative distance to a pole within which a curve's height is not the axis's concern.
+/// Relative distance to a pole within which the automatic axis ignores a curve.
 const NEAR_POLE: f64 = 1e-3;
 
 /// How a curve's line is drawn.
@@ -11,11 +11,11 @@ pub enum LineStyle {
     /// Every dot.
     #[default]
     Solid,
-    /// Strokes with gaps.
+    /// Dashes with gaps.
     Dashed,
     /// Single dots.
     Dotted,
-    /// No line: the marker at every sample that is at least so many cells right of the last marked one.
+    /// No line: a marker at every sample that is at least `apart` columns right of the last marked one.
     Points {
         /// Columns from one marker to the next; 0 marks every sample.
         apart: u16,
@@ -23,37 +23,38 @@ pub enum LineStyle {
 }
 
 impl LineStyle {
-    /// Whether the dot after `passed` dots along the line is drawn.
-    pub(super) fn draws(self, passed: usize) -> bool {
+    /// Whether the dot at `distance` dots along the line is drawn.
+    pub(super) fn draws(self, distance: usize) -> bool {
         match self {
             Self::Solid => true,
-            Self::Dashed => passed % 9 < 5,
-            Self::Dotted => passed.is_multiple_of(3),
+            Self::Dashed => distance % 9 < 5,
+            Self::Dotted => distance.is_multiple_of(3),
             Self::Points { .. } => false,
         }
     }
 }
 
-/// One curve: values over abscissae, and how it is told from other curves.
+/// One curve: values over abscissae, and its name and style.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve<'a> {
-    /// Abscissae in the unit of the horizontal axis, ascending; in a [locus](super::Chart::locus) in any order.
+    /// Abscissae in the unit of the horizontal axis, ascending; in any order in a
+    /// [Nyquist plot](super::Chart::nyquist).
     pub x: &'a [f64],
-    /// Values at the abscissae, magnitudes linear; a non-finite one is a gap, on a logarithmic axis also a zero.
+    /// Values at the abscissae, magnitudes linear; a non-finite value is a gap, on a logarithmic axis also a zero.
     pub y: &'a [f64],
-    /// The name in the legend; without one the curve has no entry of its own there.
+    /// The name in the legend; a curve without a name has no legend entry.
     pub label: String,
-    /// Without a name, the marker stands in the entry of the curve before.
+    /// Whether a curve without a name shows its marker in the legend entry of the previous curve.
     pub shares_entry: bool,
-    /// Colour and modifiers of the line, its markers and its line in the legend.
+    /// Colour and modifiers of the line, of its markers and of its sample in the legend.
     pub style: Style,
-    /// A character one column wide, drawn on the curve at a few places and in the legend.
+    /// A character one column wide, drawn on the curve at a few points and in the legend.
     pub marker: Option<char>,
     /// How the line is drawn.
     pub line: LineStyle,
-    /// Drawn dim and beneath the others: the curve is stale or only a reference.
+    /// Drawn dim and below the others: the curve is stale or a reference.
     pub dim: bool,
-    /// Abscissae at which the curve is infinite: a line goes up to the top there, with a mark.
+    /// Abscissae at which the curve is infinite: a line to the top with an arrow.
     pub poles: Vec<f64>,
 }
 
@@ -73,8 +74,8 @@ impl<'a> Curve<'a> {
         }
     }
 
-    /// The style with the dimming applied.
-    pub(super) fn ink(&self) -> Style {
+    /// The style, dim if the curve is.
+    pub(super) fn dimmed_style(&self) -> Style {
         if self.dim {
             self.style.add_modifier(Modifier::DIM)
         } else {
@@ -82,7 +83,7 @@ impl<'a> Curve<'a> {
         }
     }
 
-    /// Whether an abscissa is so near to a pole that the curve's height there says nothing but that.
+    /// Whether an abscissa is so near to a pole that the automatic axis ignores the curve there.
     pub(super) fn is_at_pole(&self, abscissa: f64) -> bool {
         let after = self.poles.partition_point(|pole| *pole < abscissa);
         let around = self.poles[after.saturating_sub(1)..].iter().take(2);

@@ -1,4 +1,4 @@
-//! The dots of a plot area and the cells that they lie in; ratatui's canvas draws them.
+//! The dots of a plot area and their cells; ratatui's canvas draws them.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -9,16 +9,16 @@ use ratatui::widgets::canvas::{Canvas, Painter, Shape};
 
 use super::axis::Ruler;
 
-/// What is in one cell.
+/// The curve in one cell.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Cell {
-    /// The curve that drew here last; its style is the cell's.
+pub(super) struct DotCell {
+    /// The curve that drew here last; it gives the cell its style.
     pub(super) curve: Option<usize>,
-    /// Whether the curve's marker is shown instead of dots.
+    /// Whether the cell shows the curve's marker instead of dots.
     pub(super) marked: bool,
 }
 
-/// A dot of a curve, in dots from the top left.
+/// A dot of a curve; column and row count dots from the top left.
 #[derive(Debug, Clone, Copy)]
 struct Dot {
     column: u16,
@@ -26,20 +26,20 @@ struct Dot {
     curve: usize,
 }
 
-/// A grid of cells, each of as many dots as its character can show.
+/// A grid of cells; a cell has as many dots as its character can show.
 #[derive(Debug)]
 pub(super) struct Dots {
     pub(super) across: Ruler,
     pub(super) down: Ruler,
     /// In the order in which they are drawn.
-    dots: Vec<Dot>,
-    cells: Vec<Cell>,
+    drawn: Vec<Dot>,
+    cells: Vec<DotCell>,
 }
 
-/// Dots of one colour as the canvas paints them.
-struct Stroke<'d>(&'d [Dot], Color);
+/// Dots of one curve and their colour, as a shape for the canvas.
+struct CurveDots<'d>(&'d [Dot], Color);
 
-impl Shape for Stroke<'_> {
+impl Shape for CurveDots<'_> {
     fn draw(&self, painter: &mut Painter<'_, '_>) {
         for dot in self.0 {
             painter.paint(usize::from(dot.column), usize::from(dot.row), self.1);
@@ -53,14 +53,14 @@ impl Dots {
         Self {
             across,
             down,
-            dots: Vec::new(),
-            cells: vec![Cell::default(); cells],
+            drawn: Vec::new(),
+            cells: vec![DotCell::default(); cells],
         }
     }
 
     /// Draws a dot of `curve`; the dot must lie on the grid.
     pub(super) fn draw(&mut self, column: u16, row: u16, curve: usize) {
-        self.dots.push(Dot { column, row, curve });
+        self.drawn.push(Dot { column, row, curve });
         let cell = [
             column / self.across.dots_per_cell,
             row / self.down.dots_per_cell,
@@ -75,7 +75,7 @@ impl Dots {
         cell.marked = true;
     }
 
-    pub(super) fn cell(&self, column: u16, row: u16) -> Cell {
+    pub(super) fn cell(&self, column: u16, row: u16) -> DotCell {
         self.cells[self.index(column, row)]
     }
 
@@ -84,9 +84,9 @@ impl Dots {
         self.cells.iter().all(|cell| cell.curve.is_none())
     }
 
-    /// Draws the dots into an area: `marker` gives the grid of a curve's characters, `colour` the curve's colour.
+    /// Draws the dots into an area; `marker` returns a curve's marker grid, `colour` its colour.
     ///
-    /// Curves with the same marker share the dots of a cell; of others the later one covers the earlier one.
+    /// Curves with the same marker grid share the dots of a cell; otherwise the later curve covers the earlier one.
     pub(super) fn render(
         &self,
         area: Rect,
@@ -96,19 +96,19 @@ impl Dots {
     ) {
         let paint = |context: &mut ratatui::widgets::canvas::Context<'_>| {
             let mut last = None;
-            for stroke in self.dots.chunk_by(|dot, next| dot.curve == next.curve) {
-                let curve = stroke[0].curve;
+            for run in self.drawn.chunk_by(|dot, next| dot.curve == next.curve) {
+                let curve = run[0].curve;
                 let marker = marker(curve);
                 if last.replace(marker) != Some(marker) {
                     context.marker(marker);
                 }
-                context.draw(&Stroke(stroke, colour(curve)));
+                context.draw(&CurveDots(run, colour(curve)));
             }
         };
         Canvas::default().paint(paint).render(area, buffer);
     }
 
-    fn cell_mut(&mut self, column: u16, row: u16) -> &mut Cell {
+    fn cell_mut(&mut self, column: u16, row: u16) -> &mut DotCell {
         let index = self.index(column, row);
         &mut self.cells[index]
     }

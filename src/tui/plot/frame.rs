@@ -1,4 +1,4 @@
-//! What surrounds the curves: axes, labels, units and the title.
+//! The frame around the curves: axes, labels, units and the title.
 
 use std::ops::Range;
 
@@ -8,27 +8,28 @@ use ratatui::style::Style;
 
 use super::chart::{Below, Chart};
 use super::glyphs::{Glyphs, put, width};
-use super::layout::Layout;
-use super::ticks::place;
+use super::layout::ChartLayout;
+use super::ticks::label_span;
 
 /// The characters of the axes.
-struct Lines {
+struct AxisLines {
     vertical: char,
     horizontal: char,
     corner: char,
-    /// Major ticks point to their labels, minor ones into the plot.
+    /// Major ticks point to their labels, minor ticks into the plot.
     value_ticks: [char; 2],
     abscissa_ticks: [char; 2],
-    /// The line and its ticks within the band.
+    /// The line, major ticks and minor ticks within the band.
     band: [char; 3],
-    /// The first cursor and the second, where the labels are near and where they are not.
+    /// The first and the second cursor on an axis with labels.
     cursors: [char; 2],
+    /// The same on an axis without labels.
     passing: [char; 2],
-    /// One mark in a column, two, and more.
+    /// One, two, and more marks in a column.
     marks: [char; 3],
 }
 
-const BOX_LINES: Lines = Lines {
+const BOX_LINES: AxisLines = AxisLines {
     vertical: '│',
     horizontal: '─',
     corner: '└',
@@ -40,7 +41,7 @@ const BOX_LINES: Lines = Lines {
     marks: ['╵', '╹', '┃'],
 };
 
-const ASCII_LINES: Lines = Lines {
+const ASCII_LINES: AxisLines = AxisLines {
     vertical: '|',
     horizontal: '-',
     corner: '+',
@@ -52,8 +53,8 @@ const ASCII_LINES: Lines = Lines {
     marks: ['\'', '"', '#'],
 };
 
-/// Draws everything around the plot.
-pub(super) fn draw(chart: &Chart<'_>, layout: &Layout, buffer: &mut Buffer) {
+/// Draws all parts around the plot.
+pub(super) fn draw(chart: &Chart<'_>, layout: &ChartLayout, buffer: &mut Buffer) {
     let lines = if chart.glyphs == Glyphs::Ascii {
         &ASCII_LINES
     } else {
@@ -72,8 +73,8 @@ pub(super) fn draw(chart: &Chart<'_>, layout: &Layout, buffer: &mut Buffer) {
     }
 }
 
-/// The row of marks: a tick each, a heavier one where several share a column.
-fn draw_marks(chart: &Chart<'_>, layout: &Layout, lines: &Lines, buffer: &mut Buffer) {
+/// Draws the row of marks: one tick per mark, a heavier one where several share a column.
+fn draw_marks(chart: &Chart<'_>, layout: &ChartLayout, lines: &AxisLines, buffer: &mut Buffer) {
     let (plot, styles) = (layout.plot, &chart.styles);
     let y = plot.bottom() + 2;
     let name = Rect::new(layout.area.x, y, plot.x - layout.area.x, 1);
@@ -98,7 +99,7 @@ fn draw_marks(chart: &Chart<'_>, layout: &Layout, lines: &Lines, buffer: &mut Bu
     }
 }
 
-fn draw_heading(chart: &Chart<'_>, layout: &Layout, buffer: &mut Buffer) {
+fn draw_heading(chart: &Chart<'_>, layout: &ChartLayout, buffer: &mut Buffer) {
     let Some(row) = layout.heading else {
         return;
     };
@@ -123,7 +124,12 @@ fn draw_heading(chart: &Chart<'_>, layout: &Layout, buffer: &mut Buffer) {
     );
 }
 
-fn draw_value_axis(chart: &Chart<'_>, layout: &Layout, lines: &Lines, buffer: &mut Buffer) {
+fn draw_value_axis(
+    chart: &Chart<'_>,
+    layout: &ChartLayout,
+    lines: &AxisLines,
+    buffer: &mut Buffer,
+) {
     let Some(x) = layout.value_axis else {
         return;
     };
@@ -151,7 +157,12 @@ fn draw_value_axis(chart: &Chart<'_>, layout: &Layout, lines: &Lines, buffer: &m
     }
 }
 
-fn draw_abscissa_axis(chart: &Chart<'_>, layout: &Layout, lines: &Lines, buffer: &mut Buffer) {
+fn draw_abscissa_axis(
+    chart: &Chart<'_>,
+    layout: &ChartLayout,
+    lines: &AxisLines,
+    buffer: &mut Buffer,
+) {
     let (plot, styles) = (layout.plot, &chart.styles);
     let signs = match chart.below {
         Below::All => lines.cursors,
@@ -161,7 +172,7 @@ fn draw_abscissa_axis(chart: &Chart<'_>, layout: &Layout, lines: &Lines, buffer:
     let band = chart.band.map(|band| band_cells(chart, layout, band));
     for column in 0..plot.width {
         let tick = layout.ticks[0].iter().find(|tick| tick.cell == column);
-        // None, a major one or a minor one.
+        // 0: no tick, 1: major, 2: minor.
         let kind = tick.map_or(0, |tick| 1 + usize::from(tick.label.is_none()));
         let cursor = cursors.iter().position(|cell| *cell == Some(column));
         let (glyph, style) = match cursor {
@@ -176,8 +187,8 @@ fn draw_abscissa_axis(chart: &Chart<'_>, layout: &Layout, lines: &Lines, buffer:
     }
 }
 
-/// The columns of the band, as far as it is on the axis.
-fn band_cells(chart: &Chart<'_>, layout: &Layout, [low, high]: [f64; 2]) -> Range<u16> {
+/// The columns of the part of the band on the axis.
+fn band_cells(chart: &Chart<'_>, layout: &ChartLayout, [low, high]: [f64; 2]) -> Range<u16> {
     let [from, to] = chart.x.bounds();
     if high < from || low > to {
         return 0..0;
@@ -186,7 +197,7 @@ fn band_cells(chart: &Chart<'_>, layout: &Layout, [low, high]: [f64; 2]) -> Rang
     cell(low)..cell(high) + 1
 }
 
-fn draw_abscissa_labels(chart: &Chart<'_>, layout: &Layout, buffer: &mut Buffer) {
+fn draw_abscissa_labels(chart: &Chart<'_>, layout: &ChartLayout, buffer: &mut Buffer) {
     let y = layout.plot.bottom() + 1;
     let mut labels = placed_labels(layout);
     let unit = width(&chart.x.unit);
@@ -205,8 +216,8 @@ fn draw_abscissa_labels(chart: &Chart<'_>, layout: &Layout, buffer: &mut Buffer)
     }
 }
 
-/// The columns of the labels beneath the plot; those that would touch an earlier one are left out.
-fn placed_labels(layout: &Layout) -> Vec<(u16, &str)> {
+/// The labels below the plot and their columns, without those that would touch an earlier one.
+fn placed_labels(layout: &ChartLayout) -> Vec<(u16, &str)> {
     let (left, right) = (
         i32::from(layout.area.left()),
         i32::from(layout.area.right()),
@@ -217,15 +228,15 @@ fn placed_labels(layout: &Layout) -> Vec<(u16, &str)> {
         let Some(label) = tick.label.as_deref() else {
             continue;
         };
-        let (offset, columns) = place(label, tick.cell);
+        let (offset, columns) = label_span(label, tick.cell);
         let columns = i32::from(columns);
-        // At the ends a label may move aside as long as it stays beneath its tick.
+        // At the ends a label may shift as long as it stays below its tick.
         let start = (i32::from(layout.plot.x) + offset)
             .min(right - columns)
             .max(left);
         let column = i32::from(layout.plot.x + tick.cell);
-        let beneath = (start..start + columns).contains(&column) && start + columns <= right;
-        if beneath && start >= free {
+        let below = (start..start + columns).contains(&column) && start + columns <= right;
+        if below && start >= free {
             labels.push((start as u16, label));
             free = start + columns + 1;
         }
@@ -233,22 +244,22 @@ fn placed_labels(layout: &Layout) -> Vec<(u16, &str)> {
     labels
 }
 
-/// A column for the unit: behind the last label, before it (as DIN 461 does), or in its stead.
+/// The column of the unit: after the last label, before it (as in DIN 461), or instead of it.
 fn unit_column(area: Rect, unit: u16, labels: &mut Vec<(u16, &str)>) -> u16 {
     let end = |(x, label): &(u16, &str)| x + label.len() as u16;
-    let behind = area.right() - unit;
+    let at_end = area.right() - unit;
     let [.., before, last] = labels.as_slice() else {
-        labels.retain(|label| end(label) < behind);
-        return behind;
+        labels.retain(|label| end(label) < at_end);
+        return at_end;
     };
-    if end(last) < behind {
-        return behind;
+    if end(last) < at_end {
+        return at_end;
     }
     if end(before) + 1 + unit < last.0 {
         return end(before).midpoint(last.0 - unit);
     }
-    labels.retain(|label| end(label) < behind);
-    behind
+    labels.retain(|label| end(label) < at_end);
+    at_end
 }
 
 fn set(buffer: &mut Buffer, x: u16, y: u16, glyph: char, style: Style) {

@@ -1,4 +1,4 @@
-//! The characters of a chart, and how many dots each of them has.
+//! The characters of a chart, and the number of dots in each.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -9,17 +9,17 @@ use super::axis::{Direction, Ruler};
 use crate::escape::escape;
 use crate::tui::ascii;
 
-/// The characters a chart is made of.
+/// The character set of a chart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Glyphs {
-    /// Curves in braille dots, 2 x 4 a cell; axes in box-drawing characters.
+    /// Curves in braille dots, 2 x 4 per cell; axes in box-drawing characters.
     #[default]
     Braille,
-    /// Curves in eighths of cells, 2 x 4 a cell; axes as with braille.
+    /// Curves in eighths of cells, 2 x 4 per cell; axes as with braille.
     Octant,
     /// Curves in quarters of cells; axes as with braille.
     Block,
-    /// Curves of a bullet a cell; axes as with braille.
+    /// Curves of one bullet per cell; axes as with braille.
     Dot,
     /// ASCII only; curves are drawn with their markers.
     Ascii,
@@ -46,12 +46,12 @@ pub(super) fn rulers(columns: u16, rows: u16, glyphs: Glyphs) -> [Ruler; 2] {
     ]
 }
 
-/// The columns a text takes as [`put`] writes it.
+/// The width in columns of a text as [`put`] writes it.
 pub(super) fn width(text: &str) -> u16 {
     Span::raw(escape(text)).width() as u16
 }
 
-/// Writes a text into one row, hidden characters escaped, cut off at its end.
+/// Writes a text into one row, hidden characters escaped, truncated at the end of the row.
 pub(super) fn put(buffer: &mut Buffer, row: Rect, text: &str, (glyphs, style): (Glyphs, Style)) {
     if row.is_empty() {
         return;

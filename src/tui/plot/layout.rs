@@ -1,39 +1,38 @@
-//! Sharing an area among heading, legend, axes and plot.
+//! Divides an area into heading, legend, axes and plot.
 
 use ratatui::layout::Rect;
 
 use super::chart::{Below, Chart};
 use super::glyphs::rulers;
-use super::legend::{self, Place};
+use super::legend::{self, LegendPosition};
 use super::ticks::{Tick, ticks};
 
-/// Fewest columns of the plot beside which values are labelled.
+/// Fewest columns of a plot with value labels.
 const LABELLED_COLUMNS: u16 = 10;
 /// Fewest columns of an area with a value axis.
 const AXIS_COLUMNS: u16 = 4;
-
-/// Fewest rows of plot, axis and labels beneath which marks have a row.
+/// Fewest rows of plot, axis and labels together with which marks get a row.
 const MARKED_ROWS: u16 = 6;
 
-/// Where the parts of a chart go.
+/// The areas of the parts of a chart.
 #[derive(Debug)]
-pub(super) struct Layout {
+pub(super) struct ChartLayout {
     pub(super) area: Rect,
     /// The row of the value axis's unit and the title.
     pub(super) heading: Option<Rect>,
-    pub(super) legend: Place,
+    pub(super) legend: LegendPosition,
     pub(super) plot: Rect,
     /// The column of the value axis.
     pub(super) value_axis: Option<u16>,
     /// Columns for the value labels, left of the axis.
     pub(super) label_columns: u16,
-    /// Rows beneath the plot: none, the axis, the axis and its labels, or these and the marks.
+    /// Rows below the plot: 0, 1 (axis), 2 (axis and labels) or 3 (also marks).
     pub(super) rows_below: u16,
     /// Ticks across and down the plot.
     pub(super) ticks: [Vec<Tick>; 2],
 }
 
-impl Layout {
+impl ChartLayout {
     pub(super) fn new(chart: &Chart<'_>, area: Rect) -> Self {
         let mut rest = area;
         let heading = (chart.has_heading() && rest.height >= 6).then(|| take_top(&mut rest));
@@ -46,8 +45,8 @@ impl Layout {
         };
         rest.height -= rows_below;
         let mut label_columns = label_columns(chart, rest);
-        let legend = legend::place(chart, right_of_axis(rest, label_columns).1, rest);
-        if matches!(legend, Place::Line(_)) {
+        let legend = legend::position(chart, right_of_axis(rest, label_columns).1, rest);
+        if matches!(legend, LegendPosition::Line(_)) {
             take_top(&mut rest);
             label_columns = self::label_columns(chart, rest);
         }
@@ -67,7 +66,7 @@ impl Layout {
     }
 }
 
-/// Takes the topmost row off an area.
+/// Removes the top row from an area and returns it.
 fn take_top(rest: &mut Rect) -> Rect {
     let row = Rect { height: 1, ..*rest };
     rest.y += 1;
@@ -75,7 +74,7 @@ fn take_top(rest: &mut Rect) -> Rect {
     row
 }
 
-/// The columns the value labels need, or none if too few were left for the plot.
+/// The columns of the value labels; 0 if they would leave too few for the plot.
 fn label_columns(chart: &Chart<'_>, rest: Rect) -> u16 {
     let [_, down] = rulers(rest.width, rest.height, chart.glyphs);
     let labels = ticks(&chart.y, down)
@@ -90,7 +89,7 @@ fn label_columns(chart: &Chart<'_>, rest: Rect) -> u16 {
     }
 }
 
-/// The column of the value axis, if there is room for it, and the plot at its right.
+/// The column of the value axis, if there is room for it, and the plot on its right.
 fn right_of_axis(rest: Rect, label_columns: u16) -> (Option<u16>, Rect) {
     if rest.width < AXIS_COLUMNS {
         return (None, rest);

@@ -1,4 +1,4 @@
-//! The legend: which line, marker and label belong together.
+//! The legend: the line sample, marker and label of each curve.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -12,36 +12,36 @@ use crate::escape::escape;
 
 /// Columns of a line sample and the space after it.
 const SAMPLE: u16 = 4;
-/// Columns of the marker of another curve in an entry and the space after it; as many characters.
+/// Columns, and characters, of the marker of another curve in an entry and the space after it.
 const SHARED: usize = 2;
 /// Columns between the entries of a one-line legend.
 const GAP: u16 = 2;
-/// Columns a label is at least shortened to; a legend without room for that is left out.
+/// Fewest columns of a shortened label; without room for them there is no legend.
 const SHORTEST: u16 = 3;
-/// Rows the plot keeps beneath a one-line legend.
+/// Fewest rows of the plot below a one-line legend.
 const SHORTEST_PLOT: u16 = 3;
-/// Most of the plot a legend inside it may cover, in percent.
+/// Largest part of the plot that a legend inside it may cover, in percent.
 const MOST_COVERED: u32 = 40;
 
-/// The place found for a legend.
+/// The position of the legend.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Place {
+pub(super) enum LegendPosition {
     Nowhere,
     Inside(Rect),
     Line(Rect),
 }
 
-struct Entry {
+struct LegendEntry {
     sample: String,
-    /// The markers of curves that share the entry, each with a space behind it, and the name.
+    /// The markers of curves that share the entry, each with a space after it, then the name.
     label: String,
     style: Style,
     /// The styles of those markers.
     shared: Vec<Style>,
 }
 
-fn entries(chart: &Chart<'_>) -> Vec<Entry> {
-    let mut entries: Vec<Entry> = Vec::new();
+fn entries(chart: &Chart<'_>) -> Vec<LegendEntry> {
+    let mut entries: Vec<LegendEntry> = Vec::new();
     for (index, curve) in chart.curves.iter().enumerate() {
         if !curve.label.is_empty() {
             entries.push(entry(chart, index, curve));
@@ -49,16 +49,20 @@ fn entries(chart: &Chart<'_>) -> Vec<Entry> {
             && curve.shares_entry
             && let Some(marker) = chart.marker(index)
         {
-            let at = SHARED * entry.shared.len();
-            let at = entry.label.char_indices().nth(at).map_or(0, |(at, _)| at);
+            let skipped = SHARED * entry.shared.len();
+            let at = entry
+                .label
+                .char_indices()
+                .nth(skipped)
+                .map_or(0, |(at, _)| at);
             entry.label.insert_str(at, &format!("{marker} "));
-            entry.shared.push(curve.ink());
+            entry.shared.push(curve.dimmed_style());
         }
     }
     entries
 }
 
-fn entry(chart: &Chart<'_>, index: usize, curve: &Curve<'_>) -> Entry {
+fn entry(chart: &Chart<'_>, index: usize, curve: &Curve<'_>) -> LegendEntry {
     let body = match (chart.grid_of(index), curve.line) {
         (_, LineStyle::Points { .. }) => ' ',
         (Marker::Custom(body), _) => body,
@@ -67,26 +71,26 @@ fn entry(chart: &Chart<'_>, index: usize, curve: &Curve<'_>) -> Entry {
         (_, LineStyle::Dotted) => '┈',
     };
     let marker = chart.marker(index).unwrap_or(body);
-    Entry {
+    LegendEntry {
         sample: [body, marker, body].iter().collect(),
         label: curve.label.clone(),
-        style: curve.ink(),
+        style: curve.dimmed_style(),
         shared: Vec::new(),
     }
 }
 
-/// Finds a place for the legend: inside `plot`, or in the top row of `around`, the plot with its axis.
-pub(super) fn place(chart: &Chart<'_>, plot: Rect, around: Rect) -> Place {
+/// Finds the position of the legend: inside `plot`, or in the top row of `around`, the plot with its axis.
+pub(super) fn position(chart: &Chart<'_>, plot: Rect, around: Rect) -> LegendPosition {
     let entries = entries(chart);
     if entries.is_empty() || chart.legend == Legend::Hidden {
-        return Place::Nowhere;
+        return LegendPosition::Nowhere;
     }
     let widest = entries
         .iter()
         .map(|entry| width(&entry.label))
         .max()
         .unwrap_or(0);
-    // One blank column keeps the curves off the samples.
+    // One blank column separates the curves from the samples.
     let columns = (1 + SAMPLE + widest).min(plot.width / 2);
     let rows = entries.len() as u16;
     let covered = u32::from(columns) * u32::from(rows) * 100;
@@ -94,7 +98,7 @@ pub(super) fn place(chart: &Chart<'_>, plot: Rect, around: Rect) -> Place {
         && rows <= plot.height
         && covered <= plot.area() * MOST_COVERED;
     if fits && chart.legend == Legend::Inside {
-        return Place::Inside(Rect {
+        return LegendPosition::Inside(Rect {
             x: plot.right() - columns,
             width: columns,
             height: rows,
@@ -104,20 +108,20 @@ pub(super) fn place(chart: &Chart<'_>, plot: Rect, around: Rect) -> Place {
     if around.height > SHORTEST_PLOT
         && longest_label(&entries, around.width) >= widest.min(SHORTEST)
     {
-        return Place::Line(Rect {
+        return LegendPosition::Line(Rect {
             height: 1,
             ..around
         });
     }
-    Place::Nowhere
+    LegendPosition::Nowhere
 }
 
-/// Draws the legend into its place.
-pub(super) fn draw(chart: &Chart<'_>, place: Place, buffer: &mut Buffer) {
+/// Draws the legend at its position.
+pub(super) fn draw(chart: &Chart<'_>, position: LegendPosition, buffer: &mut Buffer) {
     let entries = entries(chart);
-    match place {
-        Place::Nowhere => {}
-        Place::Inside(area) => {
+    match position {
+        LegendPosition::Nowhere => {}
+        LegendPosition::Inside(area) => {
             for (entry, row) in entries.iter().zip(area.rows()) {
                 let row = Rect {
                     x: row.x + 1,
@@ -127,11 +131,11 @@ pub(super) fn draw(chart: &Chart<'_>, place: Place, buffer: &mut Buffer) {
                 draw_entry(chart, entry, row, buffer);
             }
         }
-        Place::Line(row) => draw_line(chart, &entries, row, buffer),
+        LegendPosition::Line(row) => draw_line(chart, &entries, row, buffer),
     }
 }
 
-fn draw_line(chart: &Chart<'_>, entries: &[Entry], row: Rect, buffer: &mut Buffer) {
+fn draw_line(chart: &Chart<'_>, entries: &[LegendEntry], row: Rect, buffer: &mut Buffer) {
     let share = longest_label(entries, row.width);
     let mut x = row.x;
     for entry in entries {
@@ -150,8 +154,8 @@ fn draw_line(chart: &Chart<'_>, entries: &[Entry], row: Rect, buffer: &mut Buffe
     }
 }
 
-/// The longest label all entries can have and still fit into one line, in columns.
-fn longest_label(entries: &[Entry], columns: u16) -> u16 {
+/// The label length, in columns, up to which all entries fit into one line.
+fn longest_label(entries: &[LegendEntry], columns: u16) -> u16 {
     let total = |longest: u16| -> u32 {
         let widths = entries
             .iter()
@@ -165,7 +169,7 @@ fn longest_label(entries: &[Entry], columns: u16) -> u16 {
         .unwrap_or(0)
 }
 
-fn draw_entry(chart: &Chart<'_>, entry: &Entry, row: Rect, buffer: &mut Buffer) {
+fn draw_entry(chart: &Chart<'_>, entry: &LegendEntry, row: Rect, buffer: &mut Buffer) {
     let sample = Rect {
         width: row.width.min(SAMPLE - 1),
         ..row
@@ -188,8 +192,8 @@ fn draw_entry(chart: &Chart<'_>, entry: &Entry, row: Rect, buffer: &mut Buffer) 
     }
 }
 
-impl Entry {
-    /// The label, shortened to so many columns.
+impl LegendEntry {
+    /// The label, shortened to `columns`.
     fn label_in(&self, columns: u16, glyphs: Glyphs) -> String {
         if width(&self.label) <= columns {
             return self.label.clone();

@@ -1,25 +1,25 @@
-//! What is drawn of a curve's values, and the value axis around it.
+//! The quantity on the value axis, and automatic bounds for it.
 
 use super::axis::{Axis, Notation, Scale};
 use super::curve::Curve;
 use super::ticks;
 
-/// Decades below the largest magnitude that automatic bounds reach at most.
+/// Most decades of automatic bounds below the largest magnitude.
 const DEEPEST_DECADES: f64 = 12.0;
-/// Parts of the horizontal axis; a dip that is narrower than one may leave the plot at the bottom.
+/// Parts of the horizontal axis; a dip narrower than one part may leave the plot at the bottom.
 const PARTS: f64 = 100.0;
 /// Automatic bounds in decibels are multiples of this.
 const DECIBEL_STEP: f64 = 10.0;
-/// A linear axis spans at most so many steps between its bounds before it is rounded.
+/// Most steps between the bounds of a linear axis before rounding.
 const STEPS: f64 = 8.0;
-/// The same of an axis of a locus, both of which are shown on the same scale.
+/// The same for the axes of a Nyquist plot, which share one scale.
 pub(super) const FINE_STEPS: f64 = 20.0;
-/// Half a turn, in degrees: a larger jump of a phase from one sample to the next is that of its wrapping.
+/// Half a turn, in degrees; a larger phase jump between two samples is a wrap.
 pub(super) const HALF_TURN: f64 = 180.0;
-/// A wrapped phase may be so much above half a turn, by rounding.
+/// Rounding tolerance of a wrapped phase, in degrees.
 const ROUNDING: f64 = 1e-6;
 
-/// The quantity on the value axis, made from a curve's value.
+/// The quantity on the value axis, computed from a curve's value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Level {
     /// The magnitude itself.
@@ -38,7 +38,7 @@ pub enum Level {
 }
 
 impl Level {
-    /// The value on the axis; not finite where there is none.
+    /// The value on the axis; not finite where it is undefined.
     pub fn value(self, magnitude: f64) -> f64 {
         match self {
             Self::Magnitude | Self::Signed | Self::Degrees => magnitude,
@@ -46,13 +46,12 @@ impl Level {
         }
     }
 
-    /// A value axis around what `curves` show within the bounds of `x`.
+    /// An automatic value axis for the part of `curves` within the bounds of `x`.
     ///
     /// Magnitudes have a logarithmic axis in whole decades, decibels a linear one in tens; both reach at most twelve
-    /// decades below the largest value, and not down to the end of a dip that is narrower than a hundredth of the
-    /// horizontal axis: an anti-resonance without damping has none. Signed values have a linear axis with 0 and round
-    /// bounds. A phase has -180 to 180 degrees, or multiples of 90 where it goes beyond. What is next to a pole does
-    /// not count.
+    /// decades below the largest value. Dips narrower than a hundredth of the horizontal axis do not count, because an
+    /// undamped anti-resonance has no finite depth. Signed values have a linear axis with 0 and round bounds. A phase
+    /// has -180 to 180 degrees, or multiples of 90 if it exceeds them. Samples next to a pole do not count.
     pub fn axis(self, curves: &[Curve<'_>], x: &Axis, unit: impl Into<String>) -> Axis {
         let extents = curves.iter().map(|curve| self.extent(curve, x));
         let [low, high] = extents.fold([f64::INFINITY, f64::NEG_INFINITY], |sum, extent| {
@@ -74,7 +73,7 @@ impl Level {
         }
     }
 
-    /// How far below the largest value automatic bounds reach at most.
+    /// Most distance of automatic bounds below the largest value, on the axis.
     fn depth(self) -> f64 {
         match self {
             Self::Magnitude => DEEPEST_DECADES,
@@ -95,20 +94,20 @@ impl Level {
         }
     }
 
-    /// Whether narrow dips count for the bounds: on these levels a dip is as good as a peak.
+    /// Whether narrow dips count for the bounds: a dip of a signed value or a phase is equivalent to a peak.
     const fn counts_dips(self) -> bool {
         matches!(self, Self::Signed | Self::Degrees)
     }
 
-    /// Whether a curve goes up to the top at a pole.
+    /// Whether a curve rises to the top at a pole.
     pub(super) const fn rises_at_poles(self) -> bool {
         matches!(self, Self::Magnitude | Self::Decibel { .. })
     }
 
-    /// The lowest and the highest place that a curve needs within the bounds of `x`; infinities where it has none.
+    /// The lowest and the highest axis value of a curve within the bounds of `x`; infinities if it has none.
     fn extent(self, curve: &Curve<'_>, x: &Axis) -> (f64, f64) {
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-        // The part of the axis one is in, and the curve's highest place in it.
+        // The current part of the axis, and the curve's highest value in it.
         let mut part = (f64::NAN, f64::INFINITY);
         for (abscissa, magnitude) in curve.samples() {
             let height = self.height(magnitude);
@@ -131,7 +130,7 @@ impl Level {
         (low.min(part.1), high)
     }
 
-    /// The place of a magnitude among others: its decimal logarithm, or its level in dB.
+    /// A magnitude for comparison: its decimal logarithm, or its value on the axis.
     fn height(self, magnitude: f64) -> f64 {
         match self {
             Self::Magnitude => magnitude.log10(),
@@ -140,7 +139,7 @@ impl Level {
     }
 }
 
-/// Bounds at whole steps around what is there, or of one step where there is nothing.
+/// Bounds at multiples of `step` around a range; one step for an empty range.
 fn stepped([low, high]: [f64; 2], step: f64) -> [f64; 2] {
     if low > high {
         [0.0, step]
@@ -149,14 +148,14 @@ fn stepped([low, high]: [f64; 2], step: f64) -> [f64; 2] {
     }
 }
 
-/// A linear axis from a round value to another, around `low` and `high`, which are about so many steps apart.
+/// A linear axis with round bounds around `low` and `high`, which are at most about `steps` steps apart.
 pub(super) fn signed_axis([low, high]: [f64; 2], steps: f64, unit: impl Into<String>) -> Axis {
     if low >= high {
         return linear([-1.0, 1.0], unit);
     }
     let (mantissa, exponent) = ticks::round_step((high - low) / steps);
     let step = ticks::round(mantissa, exponent);
-    // Whole numbers of steps, so that the bounds are correctly rounded.
+    // Integer step counts, so that the bounds are correctly rounded.
     let steps = outwards([low / step, high / step], 1.0);
     let bounds = steps.map(|count| ticks::round((count as i64).saturating_mul(mantissa), exponent));
     linear(bounds, unit)
@@ -173,7 +172,7 @@ fn linear(bounds: [f64; 2], unit: impl Into<String>) -> Axis {
     Axis::new(Scale::Linear, bounds, unit).with_notation(notation)
 }
 
-/// An axis of phases: one turn around 0, or as many quarters or halves as there are.
+/// A phase axis: one turn around 0, or whole quarters or halves of a turn.
 fn phase_axis([low, high]: [f64; 2], unit: impl Into<String>) -> Axis {
     let wrapped = low >= -HALF_TURN - ROUNDING && high <= HALF_TURN + ROUNDING;
     let bounds = if wrapped || low > high {

@@ -1,25 +1,25 @@
-//! Drawing a chart: its parts are placed, then drawn one over the other.
+//! Draws a chart: lays out its parts, then draws them over each other.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::widgets::Widget;
 
+use super::cells;
 use super::chart::Chart;
 use super::curve::Curve;
 use super::dots::Dots;
 use super::frame;
 use super::glyphs::{put, rulers, width};
-use super::ink;
-use super::layout::Layout;
+use super::layout::ChartLayout;
 use super::legend;
 use super::level::Level;
-use super::locus;
+use super::nyquist;
 use super::trace;
 
 impl Chart<'_> {
-    /// The cells of the curves when the chart is drawn into `area`.
+    /// The plot area when the chart is drawn into `area`.
     pub fn plot_area(&self, area: Rect) -> Rect {
-        Layout::new(self, area).plot
+        ChartLayout::new(self, area).plot
     }
 
     /// The screen column of a value of the horizontal axis when the chart is drawn into `area`.
@@ -28,7 +28,7 @@ impl Chart<'_> {
         self.cell(plot, value).map(|cell| plot.x + cell)
     }
 
-    /// Says in the middle of an empty plot why it is empty.
+    /// Writes in the middle of an empty plot why it is empty.
     fn explain(&self, plot: Rect, buffer: &mut Buffer) {
         let finite = |(abscissa, magnitude): (f64, f64)| {
             self.x.fraction(abscissa).is_finite()
@@ -42,7 +42,7 @@ impl Chart<'_> {
         } else if self.curves.iter().flat_map(Curve::samples).any(finite) {
             "no value within the axes"
         } else if self.level == Level::Degrees {
-            // As an energy, and a measurement of magnitudes alone.
+            // For example an energy, or a measurement of magnitudes only.
             "no phase to draw"
         } else {
             "no finite value to draw"
@@ -57,19 +57,19 @@ impl Chart<'_> {
         put(buffer, row, message, (self.glyphs, self.styles.message));
     }
 
-    /// Draws the chart into the places of `layout`.
-    pub(super) fn render_in(&self, layout: &Layout, buffer: &mut Buffer) {
+    /// Draws the chart as laid out by `layout`.
+    pub(super) fn render_in(&self, layout: &ChartLayout, buffer: &mut Buffer) {
         let plot = layout.plot;
         let mut dots = Dots::new(rulers(plot.width, plot.height, self.glyphs));
-        if self.free {
-            locus::trace(self, &mut dots);
+        if self.nyquist {
+            nyquist::trace(self, &mut dots);
         } else {
             trace::trace(self, &mut dots);
         }
-        ink::curves(self, layout, &dots, buffer);
+        cells::curves(self, layout, &dots, buffer);
         frame::draw(self, layout, buffer);
         legend::draw(self, layout.legend, buffer);
-        ink::paint(self, layout, &dots, buffer);
+        cells::paint(self, layout, &dots, buffer);
         if dots.is_blank() {
             self.explain(plot, buffer);
         }
@@ -80,7 +80,7 @@ impl Widget for &Chart<'_> {
     fn render(self, area: Rect, buffer: &mut Buffer) {
         let area = area.intersection(buffer.area);
         if !area.is_empty() {
-            self.render_in(&Layout::new(self, area), buffer);
+            self.render_in(&ChartLayout::new(self, area), buffer);
         }
     }
 }

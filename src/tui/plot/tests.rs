@@ -1,4 +1,4 @@
-//! Tests of the whole chart, as it stands in a buffer.
+//! Tests of the whole chart in a buffer.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -52,7 +52,7 @@ fn dots(chart: &Chart<'_>, buffer: &Buffer) -> Vec<(u16, u16)> {
     dots
 }
 
-/// A chart over 0..10 and 1e-4..1 without anything but the curves.
+/// A chart over 0..10 and 1e-4..1 with curves only.
 fn plain<'a>(curves: &'a [Curve<'a>]) -> Chart<'a> {
     let x = Axis::new(Scale::Linear, [0.0, 10.0], "");
     let y = Axis::new(Scale::Log, [1e-4, 1.0], "").with_notation(Notation::Power);
@@ -143,7 +143,7 @@ fn a_peak_of_one_sample_keeps_its_height() {
 }
 
 #[test]
-fn what_is_no_number_is_a_gap() {
+fn a_value_that_cannot_be_drawn_is_a_gap() {
     let x: Vec<f64> = (0..=10).map(f64::from).collect();
     for hole in [f64::NAN, 0.0, f64::INFINITY, f64::NEG_INFINITY, -1.0] {
         let mut y = vec![1e-2; 11];
@@ -180,7 +180,7 @@ fn a_steep_line_is_connected_and_one_dot_thin() {
 
 #[test]
 fn curves_are_clipped_at_the_bounds() {
-    // The curve comes in at 1e-2 on the left, leaves at x = 2.5 and returns at x = 7.5.
+    // The curve enters at 1e-2 on the left, leaves at x = 2.5 and returns at x = 7.5.
     let curves = [Curve::new(&[-10.0, 5.0, 20.0], &[1e-10, 1e2, 1e-10])];
     let chart = plain(&curves);
     let buffer = render(&chart, 40, 12);
@@ -219,11 +219,11 @@ fn sparse_points_are_joined_by_straight_lines() {
 }
 
 #[test]
-fn labels_stand_beneath_their_ticks() {
+fn labels_are_below_their_ticks() {
     let family = Family::new();
     let curves = family.curves();
     let log = Axis::new(Scale::Log, [1.0, 400.0], "Hz");
-    // Too wide for decades, too narrow for 1, 2 and 5: some labels must give way.
+    // Too wide for decades, too narrow for 1, 2 and 5: some labels are left out.
     let awkward = Axis::new(Scale::Log, [0.02, 0.8], "Hz");
     for (x, widths) in [(log, 12..160), (awkward, 12..40)] {
         let chart = Chart {
@@ -240,9 +240,9 @@ fn labels_stand_beneath_their_ticks() {
                 assert!(matches!(mark, Some('┬' | '▲')), "{width}: {mark:?}");
                 let near =
                     tick.saturating_sub(label.len())..(tick + label.len()).min(lines[15].len());
-                let beneath = lines[15][near].contains(label);
+                let below = lines[15][near].contains(label);
                 assert!(
-                    beneath && lines[15].as_bytes()[tick] != b' ',
+                    below && lines[15].as_bytes()[tick] != b' ',
                     "{width}: {}",
                     lines[15]
                 );
@@ -274,7 +274,7 @@ fn no_size_is_too_small() {
 }
 
 #[test]
-fn odd_curves_are_survived() {
+fn odd_curves_do_not_panic() {
     let odd = [
         Curve::new(&[], &[]),
         Curve::new(&[1.0, 2.0, 3.0], &[0.1]),
@@ -291,9 +291,9 @@ fn odd_curves_are_survived() {
             render(&Chart::new(x.clone(), y, level, &odd), 60, 20);
         }
     }
-    let axes = locus_axes(&odd, [None; 2], [String::new(), String::new()]);
+    let axes = nyquist_axes(&odd, [None; 2], [String::new(), String::new()]);
     let area = Rect::new(0, 0, 60, 20);
-    render(&Chart::locus(axes, &odd).equalised(area), 60, 20);
+    render(&Chart::nyquist(axes, &odd).equalised(area), 60, 20);
 }
 
 #[test]
@@ -359,7 +359,7 @@ fn each_curve_carries_its_marker_and_style() {
 fn the_legend_stays_within_its_share() {
     let family = Family::new();
     let mut curves = family.curves();
-    curves[2].label = "a label much longer than anything that fits beside a curve".to_owned();
+    curves[2].label = "a label much longer than anything that fits next to a curve".to_owned();
     for width in 10..120 {
         for height in 5..30 {
             let chart = full(&curves, Glyphs::Braille);
@@ -395,7 +395,7 @@ fn the_legend_stays_within_its_share() {
 }
 
 #[test]
-fn the_cursor_stands_at_its_frequency() {
+fn the_cursor_is_at_its_frequency() {
     let curves = [Curve::new(&[0.0, 10.0], &[1e-3, 1e-3])];
     let chart = Chart {
         cursor: Some(2.5),
@@ -489,13 +489,13 @@ fn pictures() {
 }
 
 #[test]
-fn marks_stand_at_their_values_below_the_labels() {
+fn marks_are_at_their_values_below_the_labels() {
     let (x, y) = ([0.0, 10.0], [1e-2, 1e-1]);
     let curves = [Curve::new(&x, &y)];
     let mut chart = plain(&curves);
     chart.marks = Marks {
         name: "modes",
-        // Two in one column, three in another, one off the axis.
+        // Two in one column, three in another, one outside the axis.
         values: vec![0.0, 2.0, 2.001, 7.0, 7.001, 7.002, 12.0],
         selected: Some(1),
     };
@@ -512,7 +512,7 @@ fn marks_stand_at_their_values_below_the_labels() {
     );
     let selected = &buffer[(column(2.0) as u16, 11)];
     assert!(selected.modifier.contains(Modifier::REVERSED));
-    // Without room for them the plot has it.
+    // In a low area the plot takes their row.
     assert!(!lines(&render(&chart, 60, 5))[4].contains('╵'));
 }
 
@@ -528,7 +528,7 @@ fn a_pole_reaches_the_top_with_a_mark() {
     let plot = chart.plot_area(buffer.area);
     let column = chart.column(buffer.area, 4.0).unwrap();
     assert_eq!(buffer[(column, plot.y)].symbol(), "↑");
-    // The curve lies three quarters down.
+    // The curve is three quarters down.
     for y in plot.y + 1..plot.y + 3 * plot.height / 4 {
         assert_ne!(buffer[(column, y)].symbol(), " ", "row {y}");
     }

@@ -1,4 +1,4 @@
-//! Round tick values, as dense as their labels have room.
+//! Round tick values, as dense as their labels allow.
 
 use super::axis::{Axis, Direction, Notation, Ruler, Scale};
 
@@ -6,13 +6,12 @@ use super::axis::{Axis, Direction, Notation, Ruler, Scale};
 const LABEL_GAP: u16 = 2;
 /// Rows from one label of a vertical axis to the next.
 const LABEL_ROWS: u16 = 2;
-/// Cells a decade needs before its 2..9 are ticked.
+/// Fewest cells of a decade with ticks at 2..9.
 const DECADE_CELLS: f64 = 8.0;
-
-/// Dots in a letter where there are no cells.
+/// Dots per letter where there are no cells.
 const FINE_DOTS: u16 = 4;
 
-/// A tick on its true cell, counted from the left or from the top.
+/// A tick and its cell, counted from the left or from the top.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Tick {
     pub(super) value: f64,
@@ -21,22 +20,22 @@ pub(super) struct Tick {
     pub(super) label: Option<String>,
 }
 
-/// A round value of an axis, wherever that is drawn.
+/// A round value of an axis, independent of cells.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AxisTick {
-    /// Where it lies: 0 at the lower bound, 1 at the upper.
+    /// Its position: 0 at the lower bound, 1 at the upper.
     pub fraction: f64,
-    /// Its value as text; none on minor ticks.
+    /// Its value as text; none for minor ticks.
     pub label: Option<String>,
 }
 
 impl Axis {
-    /// Round values for an axis to the right that is so many letters long.
+    /// Round values for an axis to the right, `letters` long.
     pub fn ticks_across(&self, letters: u16) -> Vec<AxisTick> {
         self.axis_ticks(letters, Direction::Right)
     }
 
-    /// Round values for an axis upward that is so many lines of text high.
+    /// Round values for an axis upward, `lines` of text high.
     pub fn ticks_up(&self, lines: u16) -> Vec<AxisTick> {
         self.axis_ticks(lines, Direction::Up)
     }
@@ -57,19 +56,19 @@ impl Axis {
     }
 }
 
-/// A rule that makes round values.
+/// A rule that generates round values.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Step {
+enum TickStep {
     /// Multiples of `mantissa * 10^exponent`.
     Linear { mantissa: i32, exponent: i32 },
     /// These multiples of each power of ten.
     Multiples(&'static [i32]),
-    /// Every so many powers of ten.
+    /// Every n-th power of ten.
     Decades(i32),
 }
 
-const ONE_TWO_FIVE: Step = Step::Multiples(&[1, 2, 5]);
-const ALL_NINE: Step = Step::Multiples(&[1, 2, 3, 4, 5, 6, 7, 8, 9]);
+const ONE_TWO_FIVE: TickStep = TickStep::Multiples(&[1, 2, 5]);
+const ALL_NINE: TickStep = TickStep::Multiples(&[1, 2, 3, 4, 5, 6, 7, 8, 9]);
 
 /// The ticks of `axis` along `ruler`: major ones in ascending order of value, then minor ones.
 pub(super) fn ticks(axis: &Axis, ruler: Ruler) -> Vec<Tick> {
@@ -88,9 +87,9 @@ pub(super) fn ticks(axis: &Axis, ruler: Ruler) -> Vec<Tick> {
     ticks
 }
 
-/// The densest labelled ticks that fit; where none fit, the sparsest that are at least two.
-fn major(axis: &Axis, ruler: Ruler) -> (Step, Vec<Tick>) {
-    let mut last = (Step::Decades(1), Vec::new());
+/// The densest labelled ticks that fit; if none fit, the sparsest with at least two.
+fn major(axis: &Axis, ruler: Ruler) -> (TickStep, Vec<Tick>) {
+    let mut last = (TickStep::Decades(1), Vec::new());
     for step in ladder(axis) {
         let Some(values) = values(step, axis, ruler.cells) else {
             continue;
@@ -107,10 +106,10 @@ fn major(axis: &Axis, ruler: Ruler) -> (Step, Vec<Tick>) {
     last
 }
 
-/// Steps of angles, in degrees, from that on which a fraction of a right angle is none of tens.
+/// Steps of angles from 15 degrees up, where decimal steps do not divide a right angle.
 const ANGLES: [i32; 6] = [15, 30, 45, 90, 180, 360];
 
-/// The smallest of 1, 2 and 5 times a power of ten that is not below a positive number: mantissa and exponent.
+/// The smallest of 1, 2 and 5 times a power of ten that is at least `least` (positive): mantissa and exponent.
 pub(super) fn round_step(least: f64) -> (i64, i32) {
     let exponent = least.log10().floor() as i32;
     let steps = [1, 2, 5].map(|mantissa| (mantissa, exponent));
@@ -121,42 +120,42 @@ pub(super) fn round_step(least: f64) -> (i64, i32) {
 }
 
 /// The steps to try, from dense to sparse.
-fn ladder(axis: &Axis) -> Vec<Step> {
+fn ladder(axis: &Axis) -> Vec<TickStep> {
     let [low, high] = axis.bounds();
     let top = (high - low).log10().floor() as i32;
     let linear = (top - 3..=top)
-        .flat_map(|exponent| [1, 2, 5].map(|mantissa| Step::Linear { mantissa, exponent }));
+        .flat_map(|exponent| [1, 2, 5].map(|mantissa| TickStep::Linear { mantissa, exponent }));
     if axis.notation == Notation::Degrees {
         return angles(linear);
     }
     if axis.scale == Scale::Linear {
         return linear.collect();
     }
-    // Within a decade 1, 2 and 5 may be too few, and multiples of one step are read more easily.
+    // Within a decade 1, 2 and 5 may be too few, and multiples of one step are easier to read.
     let few = values(ONE_TWO_FIVE, axis, 3).is_some();
-    let mut steps: Vec<Step> = linear.filter(|_| few).collect();
+    let mut steps: Vec<TickStep> = linear.filter(|_| few).collect();
     steps.push(ONE_TWO_FIVE);
-    steps.extend([1, 2, 3, 5, 10, 20, 50, 100].map(Step::Decades));
+    steps.extend([1, 2, 3, 5, 10, 20, 50, 100].map(TickStep::Decades));
     steps
 }
 
-/// Steps of angles: decimal ones below 15 degrees, then parts of a turn, then turns.
-fn angles(linear: impl Iterator<Item = Step>) -> Vec<Step> {
+/// Steps of angles: decimal below 15 degrees, then parts of a turn, then turns.
+fn angles(linear: impl Iterator<Item = TickStep>) -> Vec<TickStep> {
     let turns = [2, 5, 10, 20, 50, 100].map(|turns| 360 * turns);
     let angles = ANGLES.into_iter().chain(turns);
-    let whole = angles.map(|mantissa| Step::Linear {
+    let whole = angles.map(|mantissa| TickStep::Linear {
         mantissa,
         exponent: 0,
     });
-    let fine = linear.filter(|step| matches!(step, Step::Linear { exponent: ..=0, .. }));
+    let fine = linear.filter(|step| matches!(step, TickStep::Linear { exponent: ..=0, .. }));
     fine.chain(whole).collect()
 }
 
-/// The values of `step` on the axis, unless they are more than `limit`.
-fn values(step: Step, axis: &Axis, limit: u16) -> Option<Vec<f64>> {
+/// The values of `step` on the axis; none if there are more than `limit`.
+fn values(step: TickStep, axis: &Axis, limit: u16) -> Option<Vec<f64>> {
     let [low, high] = axis.bounds();
     let candidates: Vec<f64> = match step {
-        Step::Linear { mantissa, exponent } => {
+        TickStep::Linear { mantissa, exponent } => {
             let (mantissa, size) = (i64::from(mantissa), round(i64::from(mantissa), exponent));
             let (first, last) = ((low / size).floor(), (high / size).ceil());
             if last - first > f64::from(limit) + 2.0 {
@@ -167,10 +166,10 @@ fn values(step: Step, axis: &Axis, limit: u16) -> Option<Vec<f64>> {
                 .map(|k| round(k.saturating_mul(mantissa), exponent))
                 .collect()
         }
-        Step::Multiples(multiples) => decades(low, high, 1)
+        TickStep::Multiples(multiples) => decades(low, high, 1)
             .flat_map(|decade| multiples.iter().map(move |k| round(i64::from(*k), decade)))
             .collect(),
-        Step::Decades(every) => decades(low, high, every)
+        TickStep::Decades(every) => decades(low, high, every)
             .map(|decade| round(1, decade))
             .collect(),
     };
@@ -187,7 +186,7 @@ fn decades(low: f64, high: f64, every: i32) -> impl Iterator<Item = i32> {
     (first..=last).filter(move |exponent| exponent % every == 0)
 }
 
-/// `mantissa * 10^exponent`, correctly rounded, which a product of floating-point numbers is not.
+/// `mantissa * 10^exponent`, correctly rounded (a floating-point product is not).
 pub(super) fn round(mantissa: i64, exponent: i32) -> f64 {
     format!("{mantissa}e{exponent}").parse().unwrap_or(f64::NAN)
 }
@@ -205,7 +204,7 @@ fn labelled(values: &[f64], axis: &Axis, ruler: Ruler) -> Vec<Tick> {
     values.iter().filter_map(tick).collect()
 }
 
-/// A round value as a label.
+/// The label of a round value.
 fn text(value: f64, notation: Notation) -> String {
     let plain = notation != Notation::Power && (1e-4..1e7).contains(&value.abs());
     if plain || value == 0.0 {
@@ -216,7 +215,7 @@ fn text(value: f64, notation: Notation) -> String {
 }
 
 /// The first column and the width of a label centred on its tick; the column may be negative.
-pub(super) fn place(label: &str, cell: u16) -> (i32, u16) {
+pub(super) fn label_span(label: &str, cell: u16) -> (i32, u16) {
     let width = label.len() as u16;
     (
         i32::from(cell) - i32::from(width.saturating_sub(1) / 2),
@@ -224,23 +223,23 @@ pub(super) fn place(label: &str, cell: u16) -> (i32, u16) {
     )
 }
 
-/// Whether the labels stand apart from each other.
+/// Whether the labels do not touch each other.
 fn fit(ticks: &[Tick], direction: Direction) -> bool {
     ticks.windows(2).all(|pair| match direction {
         Direction::Up => pair[0].cell >= pair[1].cell.saturating_add(LABEL_ROWS),
         Direction::Right => {
             let [first, second] = [&pair[0], &pair[1]]
-                .map(|tick| place(tick.label.as_deref().unwrap_or_default(), tick.cell));
+                .map(|tick| label_span(tick.label.as_deref().unwrap_or_default(), tick.cell));
             first.0 + i32::from(first.1 + LABEL_GAP) <= second.0
         }
     })
 }
 
-/// Values for minor ticks between those of `step`.
-fn minor(step: Step, axis: &Axis, ruler: Ruler) -> Vec<f64> {
+/// Values of minor ticks between those of `step`.
+fn minor(step: TickStep, axis: &Axis, ruler: Ruler) -> Vec<f64> {
     let sparse = ruler.cells / 2 + 1;
     match step {
-        Step::Linear { mantissa, exponent } => {
+        TickStep::Linear { mantissa, exponent } => {
             let finer = match mantissa {
                 1 => [(2, exponent - 1), (5, exponent - 1)],
                 2 => [(5, exponent - 1), (1, exponent)],
@@ -252,11 +251,11 @@ fn minor(step: Step, axis: &Axis, ruler: Ruler) -> Vec<f64> {
             };
             finer
                 .into_iter()
-                .map(|(mantissa, exponent)| Step::Linear { mantissa, exponent })
+                .map(|(mantissa, exponent)| TickStep::Linear { mantissa, exponent })
                 .find_map(|finer| values(finer, axis, sparse))
         }
-        Step::Decades(every) if every > 1 => values(Step::Decades(1), axis, sparse),
-        Step::Multiples(_) | Step::Decades(_) => {
+        TickStep::Decades(every) if every > 1 => values(TickStep::Decades(1), axis, sparse),
+        TickStep::Multiples(_) | TickStep::Decades(_) => {
             let [low, high] = axis.bounds();
             let decade = f64::from(ruler.cells) / (high / low).log10();
             (decade >= DECADE_CELLS)
@@ -386,7 +385,7 @@ mod tests {
     }
 
     #[test]
-    fn ticks_stand_at_their_values() {
+    fn ticks_are_at_their_values() {
         for (scale, low, high) in [
             (Scale::Linear, 0.0, 250.0),
             (Scale::Linear, -7.3, 1.9),

@@ -106,7 +106,7 @@ impl Loci {
         let all = points.iter().chain(&spanning);
         let all: Vec<Curve<'_>> = all.map(|[x, y]| Curve::new(x, y)).collect();
         let bounds = [across.bounds, up.bounds];
-        let axes = plot::locus_axes(&all, bounds, [heading(across), heading(up)]);
+        let axes = plot::nyquist_axes(&all, bounds, [heading(across), heading(up)]);
         Some(Self { points, axes })
     }
 }

@@ -1,5 +1,5 @@
-//! Pictures of signs and words: a board of cells on which words never cover what is there, and the signs of mechanics
-//! in Unicode and in ASCII.
+//! Drawings of symbols and words: a board of cells on which words cover nothing, and the symbols of mechanics in Unicode
+//! and ASCII.
 
 mod signs;
 
@@ -12,10 +12,10 @@ use ratatui::text::Span;
 
 use crate::escape::escape;
 
-/// A column and a row of a board, from its top left corner; those outside are drawn nowhere.
+/// Column and row on a board, from its top left corner; cells outside are not drawn.
 pub(super) type Cell = [i32; 2];
 
-/// An area of the screen that knows which of its cells are taken.
+/// An area of the screen that tracks its occupied cells.
 #[derive(Debug)]
 pub(super) struct Board<'b> {
     buffer: &'b mut Buffer,
@@ -24,7 +24,7 @@ pub(super) struct Board<'b> {
 }
 
 impl<'b> Board<'b> {
-    /// A board without anything on it.
+    /// An empty board.
     pub(super) fn new(buffer: &'b mut Buffer, area: Rect) -> Self {
         let area = area.intersection(buffer.area);
         Self {
@@ -47,27 +47,27 @@ impl<'b> Board<'b> {
         inside.then(|| (row * self.columns() + column) as usize)
     }
 
-    /// Whether nothing stands in so many cells from `at` to the right; outside of the board nothing does.
+    /// Whether `columns` cells from a cell to the right are free; cells outside the board are.
     pub(super) fn is_free(&self, [column, row]: Cell, columns: i32) -> bool {
         (column..column + columns)
             .filter_map(|column| self.index([column, row]))
             .all(|index| !self.taken[index])
     }
 
-    /// Puts a sign over whatever is there.
+    /// Draws a symbol over existing content.
     pub(super) fn sign(&mut self, at: Cell, sign: char, style: Style) {
         let Some(index) = self.index(at) else {
             return;
         };
         self.taken[index] = true;
-        // A position inside of the area fits.
-        let place = (self.area.x + at[0] as u16, self.area.y + at[1] as u16);
-        if let Some(cell) = self.buffer.cell_mut(place) {
+        // A position inside the area fits.
+        let position = (self.area.x + at[0] as u16, self.area.y + at[1] as u16);
+        if let Some(cell) = self.buffer.cell_mut(position) {
             cell.set_char(sign).set_style(style);
         }
     }
 
-    /// Puts a sign into a cell of the board that is free; whether it was.
+    /// Draws a symbol into a free cell of the board; returns whether it was free.
     pub(super) fn sign_if_free(&mut self, at: Cell, sign: char, style: Style) -> bool {
         let free = self.index(at).is_some_and(|index| !self.taken[index]);
         if free {
@@ -76,7 +76,7 @@ impl<'b> Board<'b> {
         free
     }
 
-    /// Writes a word over whatever is there; what does not fit is cut off.
+    /// Writes a word over existing content, truncated at the edge.
     pub(super) fn over(&mut self, [column, row]: Cell, word: &str, style: Style) {
         let column = column.max(0);
         let Some(first) = self.index([column, row]) else {
@@ -89,7 +89,7 @@ impl<'b> Board<'b> {
             .set_stringn(x, y, escape(word), room as usize, style);
     }
 
-    /// Writes a word where all of it has room; whether it had.
+    /// Writes a word if all its cells are free; returns whether they were.
     pub(super) fn word(&mut self, at: Cell, word: &str, style: Style) -> bool {
         let columns = width(word);
         let inside = at[0] >= 0 && at[0] + columns <= self.columns();
@@ -100,8 +100,8 @@ impl<'b> Board<'b> {
         fits
     }
 
-    /// Writes a word above or below what it names: in the middle, else from there on, else up to there, else beside
-    /// it. Blanks stay around it. Whether there was room.
+    /// Writes a word above or below the cell it names: centred, else starting there, else ending there, else next to it,
+    /// with blanks around. Returns whether there was room.
     pub(super) fn word_by(&mut self, [column, row]: Cell, word: &str, style: Style) -> bool {
         let columns = width(word);
         let starts = [
@@ -116,15 +116,15 @@ impl<'b> Board<'b> {
             column - columns - 2,
         ];
         let inside = |start: &i32| *start >= 0 && *start + columns <= self.columns();
-        let apart = |start: &i32| self.is_free([*start - 1, row], columns + 2);
+        let is_separate = |start: &i32| self.is_free([*start - 1, row], columns + 2);
         let start = starts.into_iter().filter(inside).find(|start| {
-            apart(start)
-                || (beside(*start, columns, column) && self.is_free([*start, row], columns))
+            is_separate(start)
+                || (is_adjacent(*start, columns, column) && self.is_free([*start, row], columns))
         });
         start.is_some_and(|start| self.word([start, row], word, style))
     }
 
-    /// Writes the first of these words that has room by `at`.
+    /// Writes the first of these words that fits at `at`; returns whether one did.
     pub(super) fn first_by<W: AsRef<str>>(&mut self, at: Cell, words: &[W], style: Style) -> bool {
         words
             .iter()
@@ -132,17 +132,17 @@ impl<'b> Board<'b> {
     }
 }
 
-/// Whether a word stands right beside the column it names, so that no blank is needed there.
-fn beside(start: i32, columns: i32, column: i32) -> bool {
+/// Whether a word is adjacent to the column it names, so that no blank is needed there.
+fn is_adjacent(start: i32, columns: i32, column: i32) -> bool {
     start == column + 1 || start + columns == column
 }
 
-/// Columns that a word takes as it is written, hidden characters escaped.
+/// The width of a word in columns, hidden characters escaped.
 pub(super) fn width(word: &str) -> i32 {
     Span::raw(escape(word)).width() as i32
 }
 
-/// The cells on the straight way from one to another, both included.
+/// The cells of a straight line, both ends included.
 pub(super) fn way(from: Cell, to: Cell) -> Vec<Cell> {
     let steps = (0..2)
         .map(|axis| (to[axis] - from[axis]).abs())
@@ -178,7 +178,7 @@ mod tests {
             assert!(!board.word([0, 2], "abc", plain));
             assert!(!board.sign_if_free([5, 0], '|', plain));
             assert!(!board.sign_if_free([9, 0], '|', plain));
-            // What lies outside is drawn nowhere, and no sign or word fails there.
+            // Content outside the board is not drawn and does not fail.
             board.sign([-1, 0], '?', plain);
             board.over([0, -1], "?", plain);
             board.over([7, 1], "abc", plain);
@@ -187,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn a_word_stands_by_its_column_with_blanks_around() {
+    fn a_word_is_at_its_column_with_blanks_around() {
         let by = |taken: &[i32], column| {
             drawn(11, 1, |board| {
                 for column in taken {
@@ -199,7 +199,7 @@ mod tests {
         assert_eq!(by(&[], 5), Buffer::with_lines(["    abc    "]));
         assert_eq!(by(&[], 0), Buffer::with_lines(["abc        "]));
         assert_eq!(by(&[], 10), Buffer::with_lines(["        abc"]));
-        // Right of a sign in its own column, or left of it, but never touching another's.
+        // Right or left of a symbol in its own column, but never touching another one.
         assert_eq!(by(&[5], 5), Buffer::with_lines(["     |abc  "]));
         assert_eq!(by(&[5, 8], 5), Buffer::with_lines(["  abc|  |  "]));
         assert_eq!(by(&[2, 5, 8], 5), Buffer::with_lines(["  |  |  |  "]));
@@ -216,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn a_way_is_straight_and_has_both_ends() {
+    fn a_line_is_straight_and_has_both_ends() {
         assert_eq!(way([0, 0], [3, 0]), [[0, 0], [1, 0], [2, 0], [3, 0]]);
         assert_eq!(way([3, 1], [0, 0]), [[3, 1], [2, 1], [1, 0], [0, 0]]);
         assert_eq!(way([1, 1], [1, 1]), [[1, 1]]);

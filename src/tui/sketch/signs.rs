@@ -1,60 +1,60 @@
-//! The signs of mechanics.
+//! The symbols of mechanics.
 
 use crate::tui::plot::Glyphs;
 use crate::tui::theme::Theme;
 
-/// The lines around a box: corners at the upper left, upper right, lower left and lower right, then along and down.
+/// The lines of a box: corners upper left, upper right, lower left, lower right; then horizontal and vertical lines.
 #[derive(Debug, PartialEq, Eq)]
 pub(in crate::tui) struct Frame {
     pub(in crate::tui) corners: [char; 4],
     pub(in crate::tui) along: char,
     pub(in crate::tui) down: char,
-    /// Before and behind a name where a box has but one row.
+    /// Before and after the name in a box of one row.
     pub(in crate::tui) ends: [char; 2],
 }
 
-/// What a picture of a structure is made of.
+/// The symbols of a picture of a structure.
 #[derive(Debug, PartialEq, Eq)]
 pub(in crate::tui) struct Signs {
     pub(in crate::tui) beam: char,
-    /// A response that is computed, and one that is not.
+    /// A computed response, and one that is switched off.
     pub(in crate::tui) probe: [char; 2],
     /// A spring, cell by cell.
     pub(in crate::tui) zigzag: [char; 2],
     pub(in crate::tui) damper: char,
-    /// What joins where there is no spring.
+    /// A rigid connection without a spring.
     pub(in crate::tui) rod: char,
-    /// A wall that holds an end.
+    /// A clamped end.
     pub(in crate::tui) wall: char,
     /// A hinge.
     pub(in crate::tui) pin: char,
     pub(in crate::tui) ground: char,
-    /// A mass at an end, or a centre of mass.
+    /// A tip mass, or a centre of mass.
     pub(in crate::tui) mass: char,
-    /// Forces up and down, out of the picture and into it.
+    /// Forces up, down, out of the picture and into it.
     pub(in crate::tui) up: char,
     pub(in crate::tui) down: char,
     pub(in crate::tui) out: char,
     pub(in crate::tui) into: char,
-    /// A moment about an axis across the beam.
+    /// A moment about a transverse axis.
     pub(in crate::tui) moment: char,
-    /// Subsystems too many for boxes: attached, and not.
+    /// Subsystems without room for boxes: attached, and detached.
     pub(in crate::tui) ticks: [char; 2],
-    /// The selected one of them.
+    /// The selected one of these.
     pub(in crate::tui) selected_tick: char,
     pub(in crate::tui) frame: Frame,
-    /// Of what is not attached.
+    /// The box of a detached subsystem.
     pub(in crate::tui) dashed: Frame,
-    /// Of what is selected.
+    /// The box of the selection.
     pub(in crate::tui) double: Frame,
     /// A ruler: its line, labelled and minor ticks.
     pub(in crate::tui) ruler: [char; 3],
-    /// A ruler that stands upright.
+    /// A vertical ruler.
     pub(in crate::tui) upright: [char; 3],
     pub(in crate::tui) corner: char,
-    /// A rigid bar between its arms, and beyond.
+    /// A rigid bar between its arms, and beyond them.
     pub(in crate::tui) bar: [char; 2],
-    /// A place where a spring meets the beam.
+    /// The point where a spring meets the beam.
     pub(in crate::tui) mount: char,
     pub(in crate::tui) shear_centre: char,
     pub(in crate::tui) centroid: char,
@@ -66,9 +66,9 @@ pub(in crate::tui) struct Signs {
 pub(in crate::tui) const TORQUE: char = 'T';
 /// A bimoment.
 pub(in crate::tui) const BIMOMENT: char = 'B';
-/// Stands before what is selected.
+/// Before the selection.
 pub(in crate::tui) const POINTER: char = '>';
-/// Stands behind it where there is no room before.
+/// After the selection, without room before it.
 pub(in crate::tui) const POINTER_BACK: char = '<';
 
 const UNICODE: Signs = Signs {
@@ -164,7 +164,7 @@ const ASCII: Signs = Signs {
 };
 
 impl Signs {
-    /// Those that a theme can show.
+    /// The symbols that a theme can show.
     pub(in crate::tui) fn of(theme: Theme) -> &'static Self {
         if theme.is_ascii() || theme.glyphs() == Glyphs::Ascii {
             &ASCII

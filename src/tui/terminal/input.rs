@@ -1,4 +1,4 @@
-//! The threads that send what comes from outside: keys and mouse, signals, and the loss of the terminal.
+//! Threads that send external events: keys and mouse, signals, and the loss of the terminal.
 
 use std::fs::File;
 use std::io::{self, IsTerminal as _, Read as _};
@@ -14,19 +14,19 @@ use super::parser::Parser;
 use super::{is_gone, signals};
 use crate::tui::event::Event;
 
-/// How often it is looked whether the terminal is still there, where the hang-up signal is ignored.
-const LOOK_EVERY: Duration = Duration::from_millis(400);
+/// Interval of the check for a lost terminal, needed if the hang-up signal is ignored.
+const CHECK_INTERVAL: Duration = Duration::from_millis(400);
 
-/// How long the program has to end by itself once its terminal is gone.
-const GRACE: Duration = Duration::from_millis(350);
+/// Time for a normal exit after the terminal is lost.
+const EXIT_TIMEOUT: Duration = Duration::from_millis(350);
 
-/// As many bytes as a terminal gives at once.
-const READ: usize = 4096;
+/// Most bytes of one read from a terminal.
+const BUFFER_SIZE: usize = 4096;
 
 /// Starts the threads.
 ///
 /// # Errors
-/// Where signals cannot be caught, or the terminal cannot be read.
+/// Signals cannot be caught, or the terminal cannot be read.
 pub fn events(sender: &Sender<Event>) -> io::Result<()> {
     signals::start(sender.clone())?;
     let terminal = open()?;
@@ -37,7 +37,7 @@ pub fn events(sender: &Sender<Event>) -> io::Result<()> {
     Ok(())
 }
 
-/// The terminal that keys come from: standard input, else the one that the process belongs to.
+/// The terminal for keys: standard input, else the controlling terminal.
 fn open() -> io::Result<File> {
     let input = io::stdin();
     if input.is_terminal() {
@@ -49,14 +49,14 @@ fn open() -> io::Result<File> {
 
 fn forward_input(mut terminal: File, to: &Sender<Event>) {
     let mut parser = Parser::new(Instant::now());
-    let mut bytes = [0; READ];
+    let mut bytes = [0; BUFFER_SIZE];
     loop {
         let events = match read(&mut terminal, &mut bytes, parser.deadline()) {
             Ok(Some(count)) => parser.feed(&bytes[..count], Instant::now()),
             Ok(None) => parser.expire(),
-            Err(error) if is_passing(&error) => continue,
+            Err(error) if is_transient(&error) => continue,
             Err(_) => {
-                // Without a receiver the program ends already.
+                // Without a receiver the program is already exiting.
                 let _ = to.send(Event::Quit(SIGHUP));
                 return;
             }
@@ -69,37 +69,41 @@ fn forward_input(mut terminal: File, to: &Sender<Event>) {
     }
 }
 
-/// Reads what the terminal sends, as a count of bytes; None where nothing has come until the deadline.
+/// Reads from the terminal and returns the number of bytes; none if the deadline passes first.
 fn read(
     terminal: &mut File,
     bytes: &mut [u8],
     deadline: Option<Instant>,
 ) -> io::Result<Option<usize>> {
-    let left = deadline.map(|deadline| deadline.saturating_duration_since(Instant::now()));
-    let left = left.and_then(|left| Timespec::try_from(left).ok());
-    if poll(&mut [PollFd::new(&*terminal, PollFlags::IN)], left.as_ref())? == 0 {
+    let timeout = deadline.map(|deadline| deadline.saturating_duration_since(Instant::now()));
+    let timeout = timeout.and_then(|timeout| Timespec::try_from(timeout).ok());
+    if poll(
+        &mut [PollFd::new(&*terminal, PollFlags::IN)],
+        timeout.as_ref(),
+    )? == 0
+    {
         return Ok(None);
     }
     match terminal.read(bytes)? {
-        // The end of a line that dropped; a terminal that is still there has sent an empty line.
+        // End of file of a lost terminal; an existing terminal has sent an empty line.
         0 if !terminal.is_terminal() => Err(io::ErrorKind::UnexpectedEof.into()),
         count => Ok(Some(count)),
     }
 }
 
-/// Whether reading can go on after this error.
-fn is_passing(error: &io::Error) -> bool {
+/// Whether reading can continue after this error.
+fn is_transient(error: &io::Error) -> bool {
     matches!(
         error.kind(),
         io::ErrorKind::Interrupted | io::ErrorKind::WouldBlock
     )
 }
 
-/// Ends the program once its terminal is gone, also where the hang-up signal is ignored and reading would spin.
+/// Ends the program when its terminal is lost, also if the hang-up signal is ignored and reading would spin.
 fn watch_terminal(to: &Sender<Event>) {
     while !is_gone() {
-        thread::sleep(LOOK_EVERY);
+        thread::sleep(CHECK_INTERVAL);
     }
     let _ = to.send(Event::Quit(SIGHUP));
-    signals::insist(SIGHUP, GRACE);
+    signals::force_exit(SIGHUP, EXIT_TIMEOUT);
 }

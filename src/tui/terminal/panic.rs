@@ -1,4 +1,4 @@
-//! What a panic does: it gives the terminal back before it is reported, in one line; the rest goes to the log.
+//! The panic hook: restores the terminal, reports the panic in one line, and writes the backtrace to the log.
 
 use std::backtrace::Backtrace;
 use std::io::{self, Write as _};
@@ -7,47 +7,51 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::thread::{self, ThreadId};
 
-use super::give_back;
+use super::restore;
 use crate::escape::{escape, shown_path};
 use crate::tui::user::log;
 
-/// The thread whose panic ends the program.
-static OWNER: OnceLock<ThreadId> = OnceLock::new();
+/// The user-interface thread; its panic ends the program.
+static UI_THREAD: OnceLock<ThreadId> = OnceLock::new();
 
-/// The log file that takes the report of a panic.
-static SINK: OnceLock<PathBuf> = OnceLock::new();
+/// The log file for panic reports.
+static LOG_FILE: OnceLock<PathBuf> = OnceLock::new();
 
-/// Panics of any thread are reported in this log file from now on; the first file that is told remains.
+/// Sets the log file for panic reports of all threads; later calls have no effect.
 pub fn set_panic_sink(log_file: Option<PathBuf>) {
     if let Some(file) = log_file {
-        SINK.get_or_init(|| file);
+        LOG_FILE.get_or_init(|| file);
     }
 }
 
-/// A panic of this thread gives the terminal back before it is reported. One of another thread comes as an
-/// answer's error and must not write over the screen.
+/// Installs the hook. A panic of this thread restores the terminal before the report. A panic of another thread becomes
+/// the error of its answer and must not write to the screen.
 pub(super) fn install_hook() {
-    if OWNER.set(thread::current().id()).is_ok() {
+    if UI_THREAD.set(thread::current().id()).is_ok() {
         std::panic::set_hook(Box::new(report));
     }
 }
 
 fn report(panic: &PanicHookInfo<'_>) {
-    let fault = fault(panic);
-    let sink = SINK.get();
-    if OWNER.get() == Some(&thread::current().id()) {
-        give_back();
-        // Standard error may be gone with the terminal.
-        let _ = writeln!(io::stderr(), "{}", line(&fault, sink.map(PathBuf::as_path)));
+    let description = describe(panic);
+    let log_file = LOG_FILE.get();
+    if UI_THREAD.get() == Some(&thread::current().id()) {
+        restore();
+        // Standard error may be lost with the terminal.
+        let _ = writeln!(
+            io::stderr(),
+            "{}",
+            line(&description, log_file.map(PathBuf::as_path))
+        );
     }
-    if let Some(file) = sink {
-        let way = Backtrace::force_capture();
-        log::append(file, &format!("{fault}\n{way}"));
+    if let Some(file) = log_file {
+        let backtrace = Backtrace::force_capture();
+        log::append(file, &format!("{description}\n{backtrace}"));
     }
 }
 
-/// What went wrong and where, in one line.
-fn fault(panic: &PanicHookInfo<'_>) -> String {
+/// Message and location of a panic, in one line.
+fn describe(panic: &PanicHookInfo<'_>) -> String {
     let payload = panic.payload();
     let message = payload
         .downcast_ref::<&str>()
@@ -55,18 +59,18 @@ fn fault(panic: &PanicHookInfo<'_>) -> String {
         .or_else(|| payload.downcast_ref::<String>().map(String::as_str))
         .unwrap_or("without a message");
     let message = message.split_whitespace().collect::<Vec<_>>().join(" ");
-    let place = panic.location().map_or_else(
-        || "an unknown place".to_owned(),
+    let location = panic.location().map_or_else(
+        || "an unknown location".to_owned(),
         |at| format!("{}:{}", at.file(), at.line()),
     );
-    format!("a fault of its own at {place}: {message}")
+    format!("internal error at {location}: {message}")
 }
 
-fn line(fault: &str, log_file: Option<&Path>) -> String {
-    let fault = escape(fault);
+fn line(description: &str, log_file: Option<&Path>) -> String {
+    let description = escape(description);
     match log_file {
-        Some(file) => format!("beamtune: {fault}; report in {}", shown_path(file)),
-        None => format!("beamtune: {fault}"),
+        Some(file) => format!("beamtune: {description}; report in {}", shown_path(file)),
+        None => format!("beamtune: {description}"),
     }
 }
 
@@ -76,11 +80,11 @@ mod tests {
 
     #[test]
     fn the_report_is_one_line() {
-        let fault = "a fault of its own at src/x.rs:1: why";
-        assert_eq!(line(fault, None), format!("beamtune: {fault}"));
+        let description = "internal error at src/x.rs:1: why";
+        assert_eq!(line(description, None), format!("beamtune: {description}"));
         assert_eq!(
-            line(fault, Some(Path::new("/a/b.log"))),
-            format!("beamtune: {fault}; report in /a/b.log")
+            line(description, Some(Path::new("/a/b.log"))),
+            format!("beamtune: {description}; report in /a/b.log")
         );
     }
 }

@@ -1,7 +1,7 @@
-//! Keys, mouse and pasted text from the bytes of a terminal.
+//! Parses the bytes of a terminal into keys, mouse events and pasted text.
 //!
-//! The parser has no clock: the caller gives the time of the bytes, and calls [`Parser::expire`] when
-//! [`Parser::deadline`] passes without any. So what stays unfinished never holds up the keys that follow.
+//! The parser has no clock: the caller passes the time of the bytes, and calls [`Parser::expire`] when
+//! [`Parser::deadline`] passes without more bytes. So an incomplete sequence never blocks the following keys.
 
 use std::time::{Duration, Instant};
 
@@ -10,24 +10,23 @@ use crossterm::event::KeyModifiers;
 use super::sequence;
 use crate::tui::event::Event;
 
-/// After this much silence an unfinished sequence is taken as keys. The parts of a sequence follow each other faster,
-/// also on a slow line; a person types slower.
-const SILENCE: Duration = Duration::from_millis(80);
+/// After this pause an incomplete sequence becomes keys. The bytes of a sequence follow each other faster, also on a slow
+/// line; a person types slower.
+const SEQUENCE_TIMEOUT: Duration = Duration::from_millis(80);
 
-/// After this time it is taken as keys without silence too: a key that repeats could keep it going.
-const LONGEST: Duration = Duration::from_secs(1);
+/// After this time it becomes keys even without a pause: a repeating key could extend it forever.
+const SEQUENCE_LIMIT: Duration = Duration::from_secs(1);
 
-/// After this much silence a paste ends without its end mark: the mark was lost, or there never was a paste.
-const PASTE_SILENCE: Duration = Duration::from_millis(800);
+/// After this pause a paste ends without its end mark: the mark was lost, or there was no paste.
+const PASTE_TIMEOUT: Duration = Duration::from_millis(800);
 
-/// The same for a long paste: it is no slip of the fingers, and a slow line holds it up for longer.
-const LONG_PASTE_SILENCE: Duration = Duration::from_secs(2);
+/// The same for a long paste: it is certainly a paste, and a slow line may stall longer.
+const LONG_PASTE_TIMEOUT: Duration = Duration::from_secs(2);
 
-/// A longer paste is a long one, bytes.
+/// Bytes above which a paste is long.
 const LONG_PASTE: usize = 4096;
 
-/// Bytes that come in smaller pieces than this, after longer pauses than [`TYPING_PAUSE`], are typed: they keep no paste
-/// open.
+/// Bytes in smaller pieces than this, after longer pauses than [`TYPING_PAUSE`], are typed: they do not extend a paste.
 const TYPED_PIECE: usize = 8;
 
 /// See [`TYPED_PIECE`].
@@ -38,56 +37,56 @@ const BELL: u8 = 7;
 const ESCAPE: u8 = 0x1b;
 const PASTE_END: &[u8] = b"\x1b[201~";
 
-/// What the bytes so far are the beginning of.
+/// The kind of the incomplete input.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum State {
-    /// Nothing: the next byte begins something.
+enum ParserState {
+    /// None: the next byte starts a new input.
     Ground,
     /// `ESC`.
     Escape,
-    /// A letter in UTF-8, perhaps behind `ESC`.
+    /// A UTF-8 character, possibly after `ESC`.
     Letter,
-    /// `ESC [`, up to a last letter.
+    /// `ESC [`, up to a final letter.
     Csi,
-    /// `ESC O`, up to a last letter.
+    /// `ESC O`, up to a final letter.
     Ss3,
-    /// `ESC [ M` and three bytes: the mouse of old terminals.
+    /// `ESC [ M` and three bytes: the mouse protocol of old terminals.
     PlainMouse,
-    /// `ESC ]`, `ESC P` or `ESC _`: a report in words, up to `BEL` or `ESC \`.
+    /// `ESC ]`, `ESC P` or `ESC _`: a string, up to `BEL` or `ESC \`.
     Report,
-    /// Text behind `ESC [ 200 ~`.
+    /// Text after `ESC [ 200 ~`.
     Paste,
 }
 
 /// Turns bytes into events.
 #[derive(Debug)]
 pub struct Parser {
-    state: State,
-    /// The bytes of what is unfinished, or the text of the paste.
+    state: ParserState,
+    /// The bytes of the incomplete input, or the text of the paste.
     pending: Vec<u8>,
-    /// When what is unfinished began.
-    began: Instant,
-    /// When the last bytes came.
+    /// Start time of the incomplete input.
+    started: Instant,
+    /// Time of the last bytes.
     last: Instant,
-    /// When the last bytes came that were not typed.
+    /// Time of the last bytes that were not typed.
     last_untyped: Instant,
     events: Vec<Event>,
 }
 
 impl Parser {
-    /// A parser without bytes so far.
+    /// A parser without input.
     pub fn new(now: Instant) -> Self {
         Self {
-            state: State::Ground,
+            state: ParserState::Ground,
             pending: Vec::new(),
-            began: now,
+            started: now,
             last: now,
             last_untyped: now,
             events: Vec::new(),
         }
     }
 
-    /// Takes the bytes of one read; what they complete.
+    /// Parses the bytes of one read; returns the events they complete.
     pub fn feed(&mut self, bytes: &[u8], now: Instant) -> Vec<Event> {
         let pause = now.saturating_duration_since(self.last);
         if bytes.len() >= TYPED_PIECE || pause < TYPING_PAUSE {
@@ -98,48 +97,48 @@ impl Parser {
             if *byte == CONTROL_C {
                 self.interrupt(index + 1 == bytes.len());
             } else {
-                self.take(*byte);
+                self.accept(*byte);
             }
         }
         std::mem::take(&mut self.events)
     }
 
-    /// When to call [`Parser::expire`] if no byte comes before; none where nothing is unfinished.
+    /// When to call [`Parser::expire`] if no byte arrives before; none without incomplete input.
     pub fn deadline(&self) -> Option<Instant> {
         match self.state {
-            State::Ground => None,
-            State::Paste if self.pending.len() > LONG_PASTE => {
-                Some(self.last_untyped + LONG_PASTE_SILENCE)
+            ParserState::Ground => None,
+            ParserState::Paste if self.pending.len() > LONG_PASTE => {
+                Some(self.last_untyped + LONG_PASTE_TIMEOUT)
             }
-            State::Paste => Some(self.last_untyped + PASTE_SILENCE),
-            _ => Some((self.last + SILENCE).min(self.began + LONGEST)),
+            ParserState::Paste => Some(self.last_untyped + PASTE_TIMEOUT),
+            _ => Some((self.last + SEQUENCE_TIMEOUT).min(self.started + SEQUENCE_LIMIT)),
         }
     }
 
-    /// Ends what is unfinished: a paste is its text so far, a sequence is the keys that it is made of.
+    /// Ends the incomplete input: a paste becomes its text so far, a sequence becomes the keys of its bytes.
     pub fn expire(&mut self) -> Vec<Event> {
         self.release();
         std::mem::take(&mut self.events)
     }
 
-    fn take(&mut self, byte: u8) {
+    fn accept(&mut self, byte: u8) {
         match self.state {
-            State::Ground => self.begin(byte),
-            State::Escape => self.escaped(byte),
-            State::Letter => self.letter(byte),
-            State::Csi | State::Ss3 => self.sequence(byte),
-            State::PlainMouse => self.plain_mouse(byte),
-            State::Report => self.report(byte),
-            State::Paste => self.paste(byte),
+            ParserState::Ground => self.begin(byte),
+            ParserState::Escape => self.escaped(byte),
+            ParserState::Letter => self.letter(byte),
+            ParserState::Csi | ParserState::Ss3 => self.sequence(byte),
+            ParserState::PlainMouse => self.plain_mouse(byte),
+            ParserState::Report => self.report(byte),
+            ParserState::Paste => self.paste(byte),
         }
     }
 
     fn begin(&mut self, byte: u8) {
-        self.began = self.last;
+        self.started = self.last;
         match byte {
-            ESCAPE => self.go_on(State::Escape, byte),
-            0xc2..=0xf4 => self.go_on(State::Letter, byte),
-            // No letter begins with these.
+            ESCAPE => self.advance(ParserState::Escape, byte),
+            0xc2..=0xf4 => self.advance(ParserState::Letter, byte),
+            // No UTF-8 character starts with these.
             0x80.. => {}
             _ => self.press(char::from(byte), KeyModifiers::NONE),
         }
@@ -147,13 +146,13 @@ impl Parser {
 
     fn escaped(&mut self, byte: u8) {
         match byte {
-            b'[' => self.go_on(State::Csi, byte),
-            b'O' => self.go_on(State::Ss3, byte),
-            b']' | b'P' | b'_' => self.go_on(State::Report, byte),
-            0xc2..=0xf4 => self.go_on(State::Letter, byte),
-            ESCAPE | 0x80.. => self.break_off(byte),
+            b'[' => self.advance(ParserState::Csi, byte),
+            b'O' => self.advance(ParserState::Ss3, byte),
+            b']' | b'P' | b'_' => self.advance(ParserState::Report, byte),
+            0xc2..=0xf4 => self.advance(ParserState::Letter, byte),
+            ESCAPE | 0x80.. => self.restart_with(byte),
             _ => {
-                self.close();
+                self.reset();
                 self.press(char::from(byte), KeyModifiers::ALT);
             }
         }
@@ -161,7 +160,7 @@ impl Parser {
 
     fn letter(&mut self, byte: u8) {
         if !matches!(byte, 0x80..=0xbf) {
-            return self.break_off(byte);
+            return self.restart_with(byte);
         }
         self.pending.push(byte);
         let (held, letter) = match self.pending.strip_prefix(&[ESCAPE]) {
@@ -174,11 +173,11 @@ impl Parser {
             _ => 4,
         };
         if letter.len() == length {
-            // Longer forms than a letter needs, and halves of surrogates, are no letters.
+            // Overlong encodings and surrogates are invalid.
             let letter = str::from_utf8(letter)
                 .ok()
                 .and_then(|text| text.chars().next());
-            self.close();
+            self.reset();
             if let Some(letter) = letter {
                 self.press(letter, held);
             }
@@ -187,58 +186,58 @@ impl Parser {
 
     fn sequence(&mut self, byte: u8) {
         let body = &self.pending[2..];
-        let is_first = body.is_empty() && self.state == State::Csi;
-        // With Shift, rxvt ends the number of a key by a byte that ends nothing elsewhere.
+        let is_first = body.is_empty() && self.state == ParserState::Csi;
+        // With Shift, rxvt ends a key number by `$`, which is not a final byte elsewhere.
         let is_shifted = byte == b'$' && !body.is_empty() && body.iter().all(u8::is_ascii_digit);
         match byte {
-            b'M' if is_first => self.go_on(State::PlainMouse, byte),
-            // The function keys of the Linux console have a second bracket.
+            b'M' if is_first => self.advance(ParserState::PlainMouse, byte),
+            // Function keys of the Linux console have a second bracket.
             b'[' if is_first => self.pending.push(byte),
             0x20..=0x3f if !is_shifted => self.pending.push(byte),
             0x20..=0x7e => {
                 self.pending.push(byte);
                 self.complete();
             }
-            _ => self.break_off(byte),
+            _ => self.restart_with(byte),
         }
     }
 
     fn complete(&mut self) {
         let body = &self.pending[2..];
         let event = match self.state {
-            State::Csi if body == b"200~" => {
-                self.close();
-                self.state = State::Paste;
+            ParserState::Csi if body == b"200~" => {
+                self.reset();
+                self.state = ParserState::Paste;
                 self.last_untyped = self.last;
                 return;
             }
-            State::Csi => sequence::csi(body),
+            ParserState::Csi => sequence::csi(body),
             _ => sequence::ss3(body),
         };
-        self.close();
+        self.reset();
         self.events.extend(event);
     }
 
     fn plain_mouse(&mut self, byte: u8) {
         if byte < 0x20 {
-            return self.break_off(byte);
+            return self.restart_with(byte);
         }
         self.pending.push(byte);
         if let Some(bytes @ [_, _, _]) = self.pending.get(3..) {
             self.events.extend(sequence::plain_mouse(bytes));
-            self.close();
+            self.reset();
         }
     }
 
     fn report(&mut self, byte: u8) {
         let is_escaped = self.pending.last() == Some(&ESCAPE);
         match byte {
-            BELL => self.close(),
-            b'\\' if is_escaped => self.close(),
+            BELL => self.reset(),
+            b'\\' if is_escaped => self.reset(),
             _ if is_escaped => {
                 self.pending.pop();
-                self.break_off(ESCAPE);
-                self.take(byte);
+                self.restart_with(ESCAPE);
+                self.accept(byte);
             }
             _ => self.pending.push(byte),
         }
@@ -252,38 +251,38 @@ impl Parser {
         }
     }
 
-    /// Ctrl-C counts inside of anything. Inside of a paste, the bytes of the same read that follow it are still text: it
-    /// is the last one where a person presses it.
+    /// Handles Ctrl-C in any state. Within a paste, the following bytes of the same read are still text: if a person
+    /// presses it, it is the last byte.
     fn interrupt(&mut self, is_last: bool) {
         let state = self.state;
         self.release();
-        if state == State::Paste && !is_last {
-            self.state = State::Paste;
+        if state == ParserState::Paste && !is_last {
+            self.state = ParserState::Paste;
         }
         self.press(char::from(CONTROL_C), KeyModifiers::NONE);
     }
 
-    fn go_on(&mut self, state: State, byte: u8) {
+    fn advance(&mut self, state: ParserState, byte: u8) {
         self.state = state;
         self.pending.push(byte);
     }
 
-    fn close(&mut self) {
-        self.state = State::Ground;
+    fn reset(&mut self) {
+        self.state = ParserState::Ground;
         self.pending.clear();
     }
 
-    /// The byte does not continue what is unfinished: it begins something new.
-    fn break_off(&mut self, byte: u8) {
+    /// Ends the incomplete input at a byte that does not continue it; the byte starts a new input.
+    fn restart_with(&mut self, byte: u8) {
         self.release();
         self.begin(byte);
     }
 
-    /// Sends the text of a paste, or what is unfinished as the keys that it is made of; half a letter is none.
+    /// Emits the text of a paste, or the bytes of the incomplete input as keys, without incomplete characters.
     fn release(&mut self) {
         let bytes = std::mem::take(&mut self.pending);
-        let state = std::mem::replace(&mut self.state, State::Ground);
-        if state == State::Paste {
+        let state = std::mem::replace(&mut self.state, ParserState::Ground);
+        if state == ParserState::Paste {
             if !bytes.is_empty() {
                 let text = String::from_utf8_lossy(&bytes).into_owned();
                 self.events.push(Event::Paste(text));
@@ -291,9 +290,9 @@ impl Parser {
             return;
         }
         let mut keys = &bytes[..];
-        // A report begins like a letter with Alt, which otherwise is complete. `ESC [` and `ESC O` are no keys of any
-        // terminal: somebody typed Esc and a character.
-        if let (State::Report, [_, letter, rest @ ..]) = (state, keys) {
+        // A string starts like a complete Alt key. No terminal sends `ESC [` or `ESC O` as keys: these are Esc and a
+        // typed character.
+        if let (ParserState::Report, [_, letter, rest @ ..]) = (state, keys) {
             self.press(char::from(*letter), KeyModifiers::ALT);
             keys = rest;
         }

@@ -1,13 +1,13 @@
-//! What the characters and sequences of a terminal stand for: keys, and buttons and wheel of the mouse.
+//! Decodes characters and escape sequences: keys, and buttons and wheel of the mouse.
 //!
-//! The forms are those of xterm (ctlseqs), of CSI u (fixterms, kitty), of rxvt and of the Linux console. A sequence that
-//! stands for nothing the designer knows is None: reports, focus, moves of the mouse, keys that are let go.
+//! Supported encodings: xterm (ctlseqs), CSI u (fixterms, kitty), rxvt and the Linux console. Other sequences are None:
+//! reports, focus, mouse movements, key releases.
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
 
 use crate::tui::event::Event;
 
-/// Keys of the keypad from kitty's code 57399 on.
+/// Keypad keys from kitty's code 57399 on.
 const KEYPAD: [KeyCode; 28] = [
     KeyCode::Char('0'),
     KeyCode::Char('1'),
@@ -39,7 +39,7 @@ const KEYPAD: [KeyCode; 28] = [
     KeyCode::Delete,
 ];
 
-/// The key of a character, with what is held with it; none for the controls of Latin-1.
+/// The key of a character with modifiers; none for Latin-1 control characters.
 pub(super) fn key(c: char, held: KeyModifiers) -> Option<KeyEvent> {
     let (code, own) = match c {
         '\r' => (KeyCode::Enter, KeyModifiers::NONE),
@@ -48,7 +48,7 @@ pub(super) fn key(c: char, held: KeyModifiers) -> Option<KeyEvent> {
         '\x7f' => (KeyCode::Backspace, KeyModifiers::NONE),
         '\0' => (KeyCode::Char(' '), KeyModifiers::CONTROL),
         '\x01'..='\x1f' => {
-            // The code of the letter without the bits of its column in the table of ASCII.
+            // The control character of a letter is its ASCII code without the two high bits.
             let letter = char::from(c as u8 | 0x40).to_ascii_lowercase();
             (KeyCode::Char(letter), KeyModifiers::CONTROL)
         }
@@ -59,13 +59,13 @@ pub(super) fn key(c: char, held: KeyModifiers) -> Option<KeyEvent> {
     Some(KeyEvent::new(code, held | own))
 }
 
-/// What a sequence stands for whose bytes behind `ESC [` are these.
+/// The event of a sequence, from its bytes after `ESC [`.
 pub(super) fn csi(body: &[u8]) -> Option<Event> {
     let (last, parameters) = body.split_last()?;
     let parameters = str::from_utf8(parameters).ok()?;
     let key = match last {
         b'M' | b'm' => return mouse(parameters.strip_prefix('<')?, *last == b'M'),
-        // Reports begin so.
+        // Reports start with these.
         _ if parameters.starts_with(['<', '=', '>', '?']) => None,
         b'~' => numbered(parameters, KeyModifiers::NONE),
         b'$' => numbered(parameters, KeyModifiers::SHIFT),
@@ -76,7 +76,7 @@ pub(super) fn csi(body: &[u8]) -> Option<Event> {
             coded(code, rest.split(';').next()?)
         }
         b'A'..=b'E' if parameters == "[" => Some(KeyEvent::from(KeyCode::F(last - b'A' + 1))),
-        // The place of the cursor, not F3.
+        // A cursor position report, not F3.
         b'R' => None,
         b'a'..=b'd' if parameters.is_empty() => {
             lettered("", last.to_ascii_uppercase(), KeyModifiers::SHIFT)
@@ -86,7 +86,7 @@ pub(super) fn csi(body: &[u8]) -> Option<Event> {
     key.map(Event::Key)
 }
 
-/// The same behind `ESC O`.
+/// The event of a sequence, from its bytes after `ESC O`.
 pub(super) fn ss3(body: &[u8]) -> Option<Event> {
     let (last, parameters) = body.split_last()?;
     let parameters = str::from_utf8(parameters).ok()?;
@@ -99,20 +99,20 @@ pub(super) fn ss3(body: &[u8]) -> Option<Event> {
     key.map(Event::Key)
 }
 
-/// The mouse of terminals that do not know decimals: button, column and row as bytes from 32 on.
+/// A mouse event without decimal coordinates: button, column and row as bytes from 32 on.
 pub(super) fn plain_mouse(bytes: &[u8]) -> Option<Event> {
     let [button, column, row] = *bytes else {
         return None;
     };
-    let place = |byte: u8| byte.checked_sub(33).map(u16::from);
+    let coordinate = |byte: u8| byte.checked_sub(33).map(u16::from);
     clicked(
         u16::from(button.checked_sub(32)?),
-        place(column)?,
-        place(row)?,
+        coordinate(column)?,
+        coordinate(row)?,
     )
 }
 
-/// The mouse with decimals: button, column and row from 1 on.
+/// A mouse event with decimal coordinates: button, column and row from 1 on.
 fn mouse(parameters: &str, pressed: bool) -> Option<Event> {
     let mut numbers = parameters.split(';').map(|text| text.parse::<u16>().ok());
     let mut next = || numbers.next().flatten();
@@ -121,7 +121,7 @@ fn mouse(parameters: &str, pressed: bool) -> Option<Event> {
     event.filter(|_| pressed)
 }
 
-/// A button that is pressed or dragged, or the wheel; the bits are xterm's.
+/// A pressed or dragged button, or the wheel, from xterm's bits.
 fn clicked(button: u16, column: u16, row: u16) -> Option<Event> {
     let dragged = button & 32 != 0;
     let of = |button| {
@@ -153,8 +153,8 @@ fn clicked(button: u16, column: u16, row: u16) -> Option<Event> {
     }))
 }
 
-/// What is held with a key, of `MASK` or `MASK:KIND`, where the mask is 1 more than its bits. None where the key is let
-/// go, or where Super, Hyper or Meta is held: no command has them.
+/// The modifiers of a key from `MASK` or `MASK:KIND`; the mask is its bits plus 1. None for a key release, and for Super,
+/// Hyper and Meta, which no command uses.
 fn held(parameter: &str) -> Option<KeyModifiers> {
     let (mask, kind) = parameter.split_once(':').unwrap_or((parameter, "1"));
     let mask = if mask.is_empty() {
@@ -173,7 +173,7 @@ fn held(parameter: &str) -> Option<KeyModifiers> {
     Some(modifiers)
 }
 
-/// A key that its last letter names: `ESC [ A`, `ESC [ 1 ; 5 A`, `ESC O A`.
+/// A key identified by its final letter: `ESC [ A`, `ESC [ 1 ; 5 A`, `ESC O A`.
 fn lettered(parameters: &str, letter: u8, more: KeyModifiers) -> Option<KeyEvent> {
     let (code, own) = match letter {
         b'A' => (KeyCode::Up, KeyModifiers::NONE),
@@ -190,7 +190,7 @@ fn lettered(parameters: &str, letter: u8, more: KeyModifiers) -> Option<KeyEvent
     Some(KeyEvent::new(code, held | own | more))
 }
 
-/// A key that its first number names: `ESC [ 3 ~`, `ESC [ 3 ; 5 ~`.
+/// A key identified by its first number: `ESC [ 3 ~`, `ESC [ 3 ; 5 ~`.
 fn numbered(parameters: &str, more: KeyModifiers) -> Option<KeyEvent> {
     let mut parameters = parameters.split(';');
     let number: u8 = parameters.next()?.parse().ok()?;
@@ -207,14 +207,14 @@ fn numbered(parameters: &str, more: KeyModifiers) -> Option<KeyEvent> {
         23..=26 => KeyCode::F(number - 12),
         28..=29 => KeyCode::F(number - 15),
         31..=34 => KeyCode::F(number - 17),
-        // Another form of CSI u: xterm's modifyOtherKeys.
+        // Another encoding of CSI u: xterm's modifyOtherKeys.
         27 => return coded(parameters.next()?, modifiers),
         _ => return None,
     };
     Some(KeyEvent::new(code, held(modifiers)? | more))
 }
 
-/// A key by the number of its character, of `CODE` or `CODE:SHIFTED`, or by kitty's number for it.
+/// A key by its character code, `CODE` or `CODE:SHIFTED`, or by its kitty code.
 fn coded(code: &str, modifiers: &str) -> Option<KeyEvent> {
     let mut codes = code.split(':').map(|code| code.parse::<u32>().ok());
     let number = codes.next()??;
@@ -222,7 +222,7 @@ fn coded(code: &str, modifiers: &str) -> Option<KeyEvent> {
     let code = match number {
         57_376..=57_387 => KeyCode::F((number - 57_376) as u8 + 13),
         57_399..=57_426 => KEYPAD[(number - 57_399) as usize],
-        // Its other keys are in this private range of Unicode.
+        // Other kitty keys are in this private Unicode range.
         57_344..=63_743 => return None,
         _ => {
             let plain = char::from_u32(number)?;

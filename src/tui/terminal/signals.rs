@@ -1,4 +1,4 @@
-//! Signals: another size, stopping and going on, and all that end the program.
+//! Signals: resize, stop and continue, and all that end the program.
 
 use std::io;
 use std::sync::mpsc::Sender;
@@ -12,54 +12,54 @@ use signal_hook::consts::{
 };
 use signal_hook::iterator::Signals;
 
-use super::give_back;
+use super::restore;
 use crate::files;
 use crate::signals::not_ignored;
 use crate::tui::event::Event;
 
-/// Those that the program always catches.
-const OWN: [i32; 7] = [SIGTERM, SIGINT, SIGHUP, SIGQUIT, SIGTSTP, SIGCONT, SIGWINCH];
+/// Signals that the program always handles.
+const HANDLED: [i32; 7] = [SIGTERM, SIGINT, SIGHUP, SIGQUIT, SIGTSTP, SIGCONT, SIGWINCH];
 
-/// Others that end a process which does not catch them. Those of its own faults (such as SIGSEGV) remain as they are:
-/// there is no going on after them.
-const ENDING: [i32; 7] = [
+/// More signals that end a process by default. Signals of internal errors (such as SIGSEGV) keep their default action:
+/// the program cannot continue after them.
+const TERMINATING: [i32; 7] = [
     SIGALRM, SIGPROF, SIGUSR1, SIGUSR2, SIGVTALRM, SIGXCPU, SIGXFSZ,
 ];
 
-/// How long the program has to end after a signal; its terminal may be one that takes no more and is waited for.
-const PATIENCE: Duration = Duration::from_secs(3);
+/// Time for a normal exit after a signal; a write to a blocked terminal may take longer.
+const EXIT_TIMEOUT: Duration = Duration::from_secs(3);
 
-/// How long the terminal has to take its last bytes.
-const LAST: Duration = Duration::from_millis(100);
+/// Time to write the restore sequence to the terminal.
+const RESTORE_TIMEOUT: Duration = Duration::from_millis(100);
 
 /// Starts the thread that forwards signals.
 ///
 /// # Errors
-/// Where signals cannot be caught.
+/// Signals cannot be caught.
 pub(super) fn start(to: Sender<Event>) -> io::Result<()> {
-    let signals = Signals::new(OWN)?;
-    for signal in not_ignored(ENDING) {
+    let signals = Signals::new(HANDLED)?;
+    for signal in not_ignored(TERMINATING) {
         signals.add_signal(signal)?;
     }
-    for signal in not_ignored(of_system()) {
-        // The C library keeps the first real-time signals to itself, and refuses them.
+    for signal in not_ignored(system_specific()) {
+        // The C library reserves the first real-time signals and refuses them.
         let _ = signals.add_signal(signal);
     }
     thread::spawn(move || forward(signals, &to));
     Ok(())
 }
 
-/// More signals that end a process on this system: input and output, power, the coprocessor's stack, real time.
+/// More signals that end a process on Linux: I/O, power, coprocessor stack, real-time.
 #[cfg(target_os = "linux")]
-fn of_system() -> impl Iterator<Item = i32> {
+fn system_specific() -> impl Iterator<Item = i32> {
     use rustix::process::Signal;
     let named = [Signal::IO, Signal::POWER, Signal::STKFLT];
     named.into_iter().map(Signal::as_raw).chain(32..=64)
 }
 
-/// Other systems have no more that end a process.
+/// Other systems have no more signals that end a process.
 #[cfg(not(target_os = "linux"))]
-fn of_system() -> impl Iterator<Item = i32> {
+fn system_specific() -> impl Iterator<Item = i32> {
     std::iter::empty()
 }
 
@@ -70,7 +70,7 @@ fn forward(mut signals: Signals, to: &Sender<Event>) {
             SIGCONT => Event::Resume,
             SIGWINCH => Event::Resize,
             other => {
-                thread::spawn(move || insist(other, PATIENCE));
+                thread::spawn(move || force_exit(other, EXIT_TIMEOUT));
                 Event::Quit(other)
             }
         };
@@ -80,12 +80,12 @@ fn forward(mut signals: Signals, to: &Sender<Event>) {
     }
 }
 
-/// Ends the program as by a signal if it is still there after some time: the drawing thread hangs on its terminal.
-pub(super) fn insist(signal: i32, after: Duration) {
+/// Exits as by a signal if the program still runs after some time: the drawing thread is blocked by its terminal.
+pub(super) fn force_exit(signal: i32, after: Duration) {
     thread::sleep(after);
-    // A terminal that takes no more would hold up this thread too; the modes are the system's.
-    thread::spawn(give_back);
-    thread::sleep(LAST);
+    // Writing to a blocked terminal would block this thread too; resetting the modes does not write.
+    thread::spawn(restore);
+    thread::sleep(RESTORE_TIMEOUT);
     let _ = disable_raw_mode();
     files::remove_temporaries();
     std::process::exit(128 + signal);

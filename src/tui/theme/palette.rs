@@ -1,30 +1,30 @@
-//! Tables of colours for what is known of the terminal.
+//! Colour palettes for the kinds of terminals.
 //!
-//! The orders are such that each colour is as far as may be from all before it, to the common eye and to those
-//! without one kind of cones (Machado, Oliveira and Fernandes, A physiologically-based model for simulation of color
-//! vision deficiency, 2009), among the colours with contrast enough against the ground; they start at the sky blue and
-//! the blue of Okabe and Ito (Color Universal Design, 2008).
+//! In each order, a colour is as different as possible from all before it, for normal vision and for vision without one
+//! kind of cones (Machado, Oliveira and Fernandes, A physiologically-based model for simulation of color vision
+//! deficiency, 2009), among the colours with enough contrast to the background. The first colours are the sky blue and the
+//! blue of Okabe and Ito (Color Universal Design, 2008).
 
 use ratatui::style::Color;
 use ratatui::style::Color::{Indexed, Rgb};
 
-/// Colours for one kind of ground.
+/// Colours for one kind of background.
 #[derive(Debug, PartialEq, Eq)]
-pub(super) struct Palette {
-    /// Of curves, in their order.
+pub(super) struct ColourPalette {
+    /// Curves, in order.
     pub(super) curves: &'static [Color],
-    /// Of headings and open boxes.
+    /// Headings and open dialogs.
     pub(super) accent: Color,
-    /// Of what differs from the file.
+    /// Values that differ from the file.
     pub(super) changed: Color,
-    /// Of a refusal.
+    /// Refusals.
     pub(super) refusal: Color,
-    /// Of what is secondary; without one the terminal's own letters are dimmed.
+    /// Secondary text; without it the default colour is dimmed.
     pub(super) muted: Option<Color>,
 }
 
-/// The terminal's sixteen over whatever ground it has: those that vanish on a white or black one are left out.
-pub(super) const SIXTEEN: Palette = Palette {
+/// The sixteen terminal colours on any background, without those that are invisible on white or black.
+pub(super) const SIXTEEN: ColourPalette = ColourPalette {
     curves: &[
         Color::Cyan,
         Color::Magenta,
@@ -43,8 +43,8 @@ pub(super) const SIXTEEN: Palette = Palette {
     muted: None,
 };
 
-/// The brighter ones of the terminal's sixteen.
-pub(super) const SIXTEEN_DARK: Palette = Palette {
+/// The brighter of the sixteen terminal colours.
+pub(super) const SIXTEEN_DARK: ColourPalette = ColourPalette {
     curves: &[
         Color::LightCyan,
         Color::LightYellow,
@@ -61,8 +61,8 @@ pub(super) const SIXTEEN_DARK: Palette = Palette {
     muted: None,
 };
 
-/// The darker ones of the terminal's sixteen.
-pub(super) const SIXTEEN_LIGHT: Palette = Palette {
+/// The darker of the sixteen terminal colours.
+pub(super) const SIXTEEN_LIGHT: ColourPalette = ColourPalette {
     curves: &[
         Color::Blue,
         Color::Red,
@@ -77,8 +77,8 @@ pub(super) const SIXTEEN_LIGHT: Palette = Palette {
     muted: None,
 };
 
-/// Of the fixed 256 those between dark and light.
-pub(super) const FIXED: Palette = Palette {
+/// Of the 256 indexed colours, those between dark and light.
+pub(super) const INDEXED: ColourPalette = ColourPalette {
     curves: &[
         Indexed(32),
         Indexed(196),
@@ -95,8 +95,8 @@ pub(super) const FIXED: Palette = Palette {
     muted: Some(Indexed(243)),
 };
 
-/// Of the fixed 256 those for a dark ground.
-pub(super) const FIXED_DARK: Palette = Palette {
+/// Of the 256 indexed colours, those for a dark background.
+pub(super) const INDEXED_DARK: ColourPalette = ColourPalette {
     curves: &[
         Indexed(74),
         Indexed(202),
@@ -113,8 +113,8 @@ pub(super) const FIXED_DARK: Palette = Palette {
     muted: Some(Indexed(248)),
 };
 
-/// Of the fixed 256 those for a light ground.
-pub(super) const FIXED_LIGHT: Palette = Palette {
+/// Of the 256 indexed colours, those for a light background.
+pub(super) const INDEXED_LIGHT: ColourPalette = ColourPalette {
     curves: &[
         Indexed(25),
         Indexed(160),
@@ -131,8 +131,8 @@ pub(super) const FIXED_LIGHT: Palette = Palette {
     muted: Some(Indexed(241)),
 };
 
-/// Red, green and blue between dark and light.
-pub(super) const FREE: Palette = Palette {
+/// RGB colours between dark and light.
+pub(super) const RGB: ColourPalette = ColourPalette {
     curves: &[
         Rgb(0x00, 0x84, 0xc8),
         Rgb(0xf0, 0x00, 0x00),
@@ -149,8 +149,8 @@ pub(super) const FREE: Palette = Palette {
     muted: Some(Rgb(0x76, 0x76, 0x76)),
 };
 
-/// Red, green and blue for a dark ground.
-pub(super) const FREE_DARK: Palette = Palette {
+/// RGB colours for a dark background.
+pub(super) const RGB_DARK: ColourPalette = ColourPalette {
     curves: &[
         Rgb(0x56, 0xb4, 0xe9),
         Rgb(0xf0, 0xc0, 0x00),
@@ -167,8 +167,8 @@ pub(super) const FREE_DARK: Palette = Palette {
     muted: Some(Rgb(0xa0, 0xa0, 0xa0)),
 };
 
-/// Red, green and blue for a light ground.
-pub(super) const FREE_LIGHT: Palette = Palette {
+/// RGB colours for a light background.
+pub(super) const RGB_LIGHT: ColourPalette = ColourPalette {
     curves: &[
         Rgb(0x00, 0x63, 0xa8),
         Rgb(0xc0, 0x00, 0x00),

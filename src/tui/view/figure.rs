@@ -7,7 +7,7 @@ use ratatui::layout::Rect;
 use ratatui::widgets::Widget;
 
 use crate::tui::app::{Levels, Plot};
-use crate::tui::plot::{Chart, Curve, Level, LineStyle, Marks, Pair};
+use crate::tui::plot::{Chart, Curve, Level, LineStyle, Marks, StackedCharts};
 use crate::tui::scene::axes::{Loci, Ruled, frequency_axis};
 use crate::tui::scene::{ChartView, CurveKind, Scene, SceneCurve};
 use crate::tui::theme::Theme;
@@ -49,7 +49,7 @@ fn draw_panels(
     let log = scene.panels[0].level == Level::Magnitude;
     let (plots, frequencies): ([Rect; 2], Vec<f64>) = if two {
         let lower_curves = curves(&ruled, 1, theme, area.width);
-        let pair = Pair::new(upper, chart(&ruled, 1, theme, &lower_curves));
+        let pair = StackedCharts::new(upper, chart(&ruled, 1, theme, &lower_curves));
         pair.render(area, buffer);
         let plots = pair.plot_areas(area);
         let columns = 0..plots[0].width;

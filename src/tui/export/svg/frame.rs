@@ -1,28 +1,28 @@
-//! What surrounds the curves: grid, axes, ticks and labels, cursors and band.
+//! The frame around the curves: grid, axes, ticks and labels, cursors and band.
 
 use super::page::Page;
 use crate::tui::export::frequency;
 use crate::tui::plot::{Axis, AxisTick};
 use crate::tui::scene::Scene;
 
-/// Px that a label's letter and a line of labels need.
+/// Width of a label's letter and height of a line of labels, px.
 const LETTER: f64 = 8.0;
 const LINE: f64 = 20.0;
 /// The lengths of major and minor ticks, px.
 const TICKS: [f64; 2] = [6.0, 3.0];
-/// Where the words at the axis up stand, px from the left.
+/// Position of the vertical axis label, px from the left.
 const LABEL: f64 = 18.0;
-/// The width of a harmonic's number, px.
+/// Width of a harmonic's number, px.
 const HARMONIC: f64 = 22.0;
-/// The length of a mode's mark above the plot, px.
+/// Length of a mode's mark above the plot, px.
 const MODE: f64 = 5.0;
 
-/// A plot on the page.
+/// A plot on the page: axes, position and size, px.
 #[derive(Debug, Clone)]
-pub(super) struct Field {
-    /// The axis across.
+pub(super) struct PlotFrame {
+    /// The horizontal axis.
     pub(super) x: Axis,
-    /// The axis up.
+    /// The vertical axis.
     pub(super) y: Axis,
     pub(super) left: f64,
     pub(super) top: f64,
@@ -30,31 +30,31 @@ pub(super) struct Field {
     pub(super) height: f64,
 }
 
-/// What stands at the axes.
+/// The axis labels.
 #[derive(Debug)]
 pub(super) struct Labels<'a> {
-    /// Beneath the plot; none where the numbers are beneath another one.
+    /// Below the plot; none if the numbers are below another plot.
     pub(super) across: Option<&'a str>,
     /// Left of the plot.
     pub(super) up: &'a str,
 }
 
-impl Field {
-    /// The place of a point on the page, px; not finite where an axis has no place for it.
-    pub(super) fn place(&self, x: f64, y: f64) -> [f64; 2] {
+impl PlotFrame {
+    /// The position of a point on the page, px; not finite where an axis cannot show it.
+    pub(super) fn position(&self, x: f64, y: f64) -> [f64; 2] {
         [
             self.left + self.x.fraction(x) * self.width,
             self.top + (1.0 - self.y.fraction(y)) * self.height,
         ]
     }
 
-    /// The same where it is in the plot.
+    /// The position of a point inside the plot; none outside.
     pub(super) fn inside(&self, x: f64, y: f64) -> Option<[f64; 2]> {
         let is_inside = |axis: &Axis, value| (0.0..=1.0).contains(&axis.fraction(value));
-        (is_inside(&self.x, x) && is_inside(&self.y, y)).then(|| self.place(x, y))
+        (is_inside(&self.x, x) && is_inside(&self.y, y)).then(|| self.position(x, y))
     }
 
-    /// Where the plot ends.
+    /// The bottom of the plot, px.
     fn bottom(&self) -> f64 {
         self.top + self.height
     }
@@ -74,7 +74,7 @@ impl Field {
         ]
     }
 
-    /// Faint lines through the labelled values, stronger ones through 0.
+    /// Draws grid lines at the labelled values, darker ones at 0.
     pub(super) fn draw_grid(&self, page: &mut Page) {
         let [across, up] = self.ticks();
         let bottom = self.bottom();
@@ -89,7 +89,7 @@ impl Field {
         }
     }
 
-    /// The frame with ticks, numbers and labels.
+    /// Draws the frame with ticks, numbers and labels.
     pub(super) fn draw_axes(&self, page: &mut Page, labels: &Labels<'_>) {
         let size = [self.width, self.height];
         page.rectangle([self.left, self.top], size, "class=\"frame\"");
@@ -120,12 +120,12 @@ impl Field {
         page.upward([LABEL, self.top + self.height / 2.0], labels.up);
     }
 
-    /// The band, as a shade.
+    /// Draws the band as a shaded area.
     pub(super) fn draw_band(&self, page: &mut Page, scene: &Scene) {
         let Some(band) = scene.marks.band else {
             return;
         };
-        let [low, high] = band.map(|hertz| self.of_frequency(scene, hertz).clamp(0.0, 1.0));
+        let [low, high] = band.map(|hertz| self.fraction(scene, hertz).clamp(0.0, 1.0));
         if low < high {
             let corner = [self.across(low), self.top];
             let size = [(high - low) * self.width, self.height];
@@ -133,7 +133,7 @@ impl Field {
         }
     }
 
-    /// The cursors and harmonics; above the topmost plot what they are, and the modes.
+    /// Draws the cursors and harmonics; above the topmost plot also their values and the modes.
     pub(super) fn draw_marks(&self, page: &mut Page, scene: &Scene, topmost: bool) {
         let marked = &scene.marks;
         let mut free = self.left;
@@ -144,12 +144,12 @@ impl Field {
             {
                 free = x + HARMONIC;
                 let text = format!("{number}\u{d7}");
-                let (aside, anchor) = if x + HARMONIC > self.left + self.width {
+                let (shift, anchor) = if x + HARMONIC > self.left + self.width {
                     (-2.0, "class=\"mark\" text-anchor=\"end\"")
                 } else {
                     (2.0, "class=\"mark\"")
                 };
-                page.text([x + aside, self.top + 11.0], &text, anchor);
+                page.text([x + shift, self.top + 11.0], &text, anchor);
             }
         }
         let cursors = [
@@ -170,21 +170,21 @@ impl Field {
             }
         }
         for hertz in marked.modes.iter().filter(|_| topmost) {
-            let fraction = self.of_frequency(scene, *hertz);
+            let fraction = self.fraction(scene, *hertz);
             if (0.0..=1.0).contains(&fraction) {
                 let x = self.across(fraction);
                 page.line([x, self.top - MODE], [x, self.top], "class=\"tick\"");
             }
         }
         if topmost && !marked.modes.is_empty() {
-            let place = [self.left - 9.0, self.top - 9.0];
-            page.text(place, "modes", "class=\"mark\" text-anchor=\"end\"");
+            let position = [self.left - 9.0, self.top - 9.0];
+            page.text(position, "modes", "class=\"mark\" text-anchor=\"end\"");
         }
     }
 
-    /// A line at a frequency; where, if it is on the axis.
+    /// Draws a line at a frequency; returns its position, none outside the axis.
     fn draw_line(&self, page: &mut Page, scene: &Scene, hertz: f64, class: &str) -> Option<f64> {
-        let fraction = self.of_frequency(scene, hertz);
+        let fraction = self.fraction(scene, hertz);
         if !(0.0..=1.0).contains(&fraction) {
             return None;
         }
@@ -193,12 +193,12 @@ impl Field {
         Some(x)
     }
 
-    fn of_frequency(&self, scene: &Scene, hertz: f64) -> f64 {
+    fn fraction(&self, scene: &Scene, hertz: f64) -> f64 {
         self.x.fraction(hertz * scene.frequency.unit.per_hertz())
     }
 }
 
-/// A line of the grid: that of 0 stands out.
+/// The class of a grid line: 0 is darker.
 fn class(tick: &AxisTick) -> &'static str {
     if tick.label.as_deref() == Some("0") {
         "class=\"zero\""
@@ -207,7 +207,7 @@ fn class(tick: &AxisTick) -> &'static str {
     }
 }
 
-/// Of two cursors the left one is named at its left and the right one at its right.
+/// The text anchor of a cursor's value: with two cursors, outward from the pair.
 fn anchored(cursor: Option<f64>, second: Option<f64>, hertz: f64) -> &'static str {
     match (cursor, second) {
         (Some(a), Some(b)) if a != b && hertz == a.min(b) => "class=\"mark\" text-anchor=\"end\"",
@@ -216,7 +216,7 @@ fn anchored(cursor: Option<f64>, second: Option<f64>, hertz: f64) -> &'static st
     }
 }
 
-/// A label with its powers of ten raised: "5e-7" as 5 times ten to the power of -7.
+/// Splits a label into digits and power of ten: "5e-7" becomes "5·10" and "−7".
 fn raised(tick: &AxisTick) -> Option<(String, Option<String>)> {
     let label = tick.label.as_deref()?;
     let minus = |text: &str| text.replace('-', "\u{2212}");

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use crate::escape::escape;
 
-/// What the classes of the elements look like.
+/// The CSS of the element classes.
 const STYLE: &str = "\
 text{font-family:Helvetica,Arial,'Liberation Sans',sans-serif;font-size:12px;fill:#000}\
 .title{font-size:16px;font-weight:bold;text-anchor:middle}\
@@ -22,7 +22,7 @@ text{font-family:Helvetica,Arial,'Liberation Sans',sans-serif;font-size:12px;fil
 .mode{fill:#000;stroke:#000;stroke-width:1}\
 .spot{fill:none;stroke:#000;stroke-width:1.4}";
 
-/// A page that is written from top to bottom.
+/// An SVG page under construction.
 #[derive(Debug)]
 pub(super) struct Page {
     width: f64,
@@ -30,7 +30,7 @@ pub(super) struct Page {
     clips: usize,
 }
 
-/// A number of px with two decimals at most.
+/// A length in px with at most two decimals.
 pub(super) fn px(value: f64) -> String {
     let text = format!("{value:.2}");
     let short = text.trim_end_matches('0').trim_end_matches('.');
@@ -41,7 +41,7 @@ pub(super) fn px(value: f64) -> String {
     }
 }
 
-/// A text as XML 1.0 takes it: hidden characters escaped, marks of its own replaced, what it has none for left out.
+/// A text for XML 1.0: hidden characters escaped, markup characters replaced, invalid characters removed.
 pub(super) fn escaped(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
     for letter in escape(&text.replace(['\n', '\r', '\t'], " ")).chars() {
@@ -66,13 +66,13 @@ impl Page {
         }
     }
 
-    /// Writes an element; a string takes it without errors.
+    /// Writes an element; writing to a string has no errors.
     fn push(&mut self, element: std::fmt::Arguments<'_>) {
         let _ = self.body.write_fmt(element);
         self.body.push('\n');
     }
 
-    /// The title, in the middle.
+    /// The title, centred.
     pub(super) fn heading(&mut self, title: &str, y: f64) {
         self.text([self.width / 2.0, y], title, "class=\"title\"");
     }
@@ -84,7 +84,7 @@ impl Page {
         ));
     }
 
-    /// A text, and a power behind it.
+    /// A text and a superscript power.
     pub(super) fn power(&mut self, [x, y]: [f64; 2], text: (&str, Option<&str>), anchor: &str) {
         let (x, y, digits) = (px(x), px(y), escaped(text.0));
         let power = text.1.map_or_else(String::new, |power| {
@@ -96,7 +96,7 @@ impl Page {
         ));
     }
 
-    /// A text that runs upward, its middle at a point.
+    /// A text rotated upward, centred at a point.
     pub(super) fn upward(&mut self, [x, y]: [f64; 2], text: &str) {
         let (x, y, text) = (px(x), px(y), escaped(text));
         self.push(format_args!(
@@ -129,7 +129,7 @@ impl Page {
         self.push(format_args!("<path d=\"{data}\" {attributes}/>"));
     }
 
-    /// From here on nothing is drawn outside of a rectangle.
+    /// Clips the following elements to a rectangle, until [`Page::end_clip`].
     pub(super) fn begin_clip(&mut self, [left, top]: [f64; 2], [width, height]: [f64; 2]) {
         let id = self.clips;
         self.clips += 1;

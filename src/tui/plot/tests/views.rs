@@ -1,4 +1,4 @@
-//! Signed values and phases, two charts with one ruler, loci, and all that is marked.
+//! Tests of signed values, phases, stacked charts, Nyquist plots and marks.
 
 use super::*;
 
@@ -46,7 +46,7 @@ fn text(widget: impl Widget, [width, height]: [u16; 2]) -> Vec<String> {
 }
 
 #[test]
-fn signed_values_stand_at_their_heights_around_zero() {
+fn signed_values_are_at_their_heights_around_zero() {
     let x: Vec<f64> = (0..=20).map(f64::from).collect();
     let y: Vec<f64> = x.iter().map(|x| 2.0 - 0.3 * x).collect();
     let curves = [Curve::new(&x, &y)];
@@ -99,7 +99,7 @@ fn the_wrapping_of_a_phase_is_no_line() {
     assert_eq!(columns.len(), usize::from(2 * plot.width));
 }
 
-fn pair<'a>(upper: &'a [Curve<'a>], lower: &'a [Curve<'a>], glyphs: Glyphs) -> Pair<'a> {
+fn pair<'a>(upper: &'a [Curve<'a>], lower: &'a [Curve<'a>], glyphs: Glyphs) -> StackedCharts<'a> {
     let upper = Chart {
         cursor: Some(10.0),
         glyphs,
@@ -110,11 +110,11 @@ fn pair<'a>(upper: &'a [Curve<'a>], lower: &'a [Curve<'a>], glyphs: Glyphs) -> P
         },
         ..chart(Level::Magnitude, upper, "m/N, 0-peak")
     };
-    Pair::new(upper, chart(Level::Degrees, lower, "phase, deg"))
+    StackedCharts::new(upper, chart(Level::Degrees, lower, "phase, deg"))
 }
 
 #[test]
-fn two_charts_have_one_ruler() {
+fn stacked_charts_share_the_horizontal_axis() {
     let oscillator = Oscillator::new();
     let upper = [Curve::new(&oscillator.x, &oscillator.magnitude)];
     let lower = [Curve::new(&oscillator.x, &oscillator.phase)];
@@ -138,7 +138,7 @@ fn two_charts_have_one_ruler() {
                 assert!(rows.count() >= 1, "{lines:#?}");
             }
             assert_eq!(at(cursor, bottom.bottom()), foot);
-            // The labels of the frequencies are beneath the lower plot alone.
+            // The frequency labels are below the lower plot only.
             let all = lines.join("\n");
             assert_eq!(all.matches("Hz").count(), 1, "{all}");
             assert!(lines[usize::from(bottom.bottom()) + 1].contains("Hz"));
@@ -163,12 +163,12 @@ fn a_plot_without_a_phase_says_so_and_keeps_the_cursor() {
     let crossed = lower
         .iter()
         .filter(|line| line.chars().nth(cursor) == Some('│'));
-    // All but the row of the words.
+    // All rows except that of the message.
     assert_eq!(crossed.count(), lower.len() - 1);
 }
 
 #[test]
-fn a_low_area_is_the_upper_charts() {
+fn a_low_area_shows_the_upper_chart_only() {
     let oscillator = Oscillator::new();
     let upper = [Curve::new(&oscillator.x, &oscillator.magnitude)];
     let lower = [Curve::new(&oscillator.x, &oscillator.phase)];
@@ -182,11 +182,11 @@ fn a_low_area_is_the_upper_charts() {
 /// A Nyquist plot of all of the curves.
 fn locus<'a>(curves: &'a [Curve<'a>]) -> Chart<'a> {
     let units = ["Re, m/N", "Im, m/N"].map(str::to_owned);
-    Chart::locus(locus_axes(curves, [None; 2], units), curves)
+    Chart::nyquist(nyquist_axes(curves, [None; 2], units), curves)
 }
 
 #[test]
-fn loci_have_equal_axes() {
+fn nyquist_axes_have_equal_scales() {
     let oscillator = Oscillator::new();
     let curves = [Curve::new(&oscillator.real, &oscillator.imaginary)];
     // The sides of a dot, in widths of a cell.
@@ -248,14 +248,14 @@ fn a_circle_is_round() {
 }
 
 #[test]
-fn a_locus_is_clipped_has_gaps_and_is_joined_in_its_order() {
+fn a_nyquist_curve_is_clipped_has_gaps_and_is_joined_in_its_order() {
     // Left along y = 1 from 9 to 1, a gap, then down along x = 0 from far above to far below.
     let x = [9.0, 1.0, f64::NAN, 0.0, 0.0];
     let y = [1.0, 1.0, 1.0, 1e6, -1e6];
     let curves = [Curve::new(&x, &y)];
     let bounds = [Some([-10.0, 10.0]), Some([-4.0, 4.0])];
-    let axes = locus_axes(&curves, bounds, [String::new(), String::new()]);
-    let chart = Chart::locus(axes, &curves);
+    let axes = nyquist_axes(&curves, bounds, [String::new(), String::new()]);
+    let chart = Chart::nyquist(axes, &curves);
     let buffer = render(&chart, 50, 20);
     let plot = chart.plot_area(buffer.area);
     let [across, down] = rulers(plot.width, plot.height, Glyphs::Braille);
@@ -270,13 +270,13 @@ fn a_locus_is_clipped_has_gaps_and_is_joined_in_its_order() {
 }
 
 #[test]
-fn a_spot_stands_at_its_point_over_the_curve() {
+fn a_spot_is_at_its_point_over_the_curve() {
     let oscillator = Oscillator::new();
     let curves = [Curve::new(&oscillator.real, &oscillator.imaginary)];
     let area = Rect::new(0, 0, 60, 24);
     let mut chart = locus(&curves).equalised(area);
     let style = Style::new().add_modifier(Modifier::BOLD);
-    // At the resonance the receptance is -10 i; the other one is off the plot.
+    // At the resonance the receptance is -10 i; the other spot is outside the plot.
     let spot = |x, y| Spot {
         x,
         y,
@@ -297,7 +297,7 @@ fn a_spot_stands_at_its_point_over_the_curve() {
 }
 
 #[test]
-fn cursors_harmonics_and_band_stand_at_their_frequencies() {
+fn cursors_harmonics_and_band_are_at_their_frequencies() {
     let y = [0.5; 2];
     let curves = [Curve::new(&[0.0, 20.0], &y)];
     for (glyphs, signs) in [
@@ -334,7 +334,7 @@ fn cursors_harmonics_and_band_stand_at_their_frequencies() {
         for (value, number) in [(8.0, "2"), (12.0, "3"), (16.0, "4")] {
             assert_eq!(buffer[(column(value), plot.y)].symbol(), number);
         }
-        // Beyond the band the axis is thin; within it heavy, ticks too.
+        // The axis and its ticks are heavy within the band and thin outside it.
         let axis = |value| buffer[(column(value), plot.bottom())].symbol();
         assert_eq!(axis(9.3), heavy);
         assert_eq!(axis(13.7), heavy);

@@ -1,20 +1,20 @@
 use super::*;
 use crate::tui::keys::Key;
 
-/// A parser at the end of a line on which time goes by as the test says.
-struct Line {
+/// A parser at a connection with simulated time.
+struct Connection {
     parser: Parser,
     now: Instant,
-    heard: Vec<String>,
+    received: Vec<String>,
 }
 
-impl Line {
+impl Connection {
     fn new() -> Self {
         let now = Instant::now();
         Self {
             parser: Parser::new(now),
             now,
-            heard: Vec::new(),
+            received: Vec::new(),
         }
     }
 
@@ -26,41 +26,41 @@ impl Line {
             .is_some_and(|deadline| deadline <= end)
         {
             let events = self.parser.expire();
-            self.note(events);
+            self.record(events);
         }
         self.now = end;
     }
 
     fn send(&mut self, bytes: &[u8]) {
         let events = self.parser.feed(bytes, self.now);
-        self.note(events);
+        self.record(events);
     }
 
-    fn note(&mut self, events: Vec<Event>) {
+    fn record(&mut self, events: Vec<Event>) {
         let words = events.into_iter().map(|event| match event {
             Event::Key(key) => Key::of(&key).name(),
             Event::Paste(text) => format!("paste {text}"),
             Event::Mouse(mouse) => format!("{:?} {} {}", mouse.kind, mouse.column, mouse.row),
             other => panic!("{other:?}"),
         });
-        self.heard.extend(words);
+        self.received.extend(words);
     }
 
-    /// What has been heard since the last call, with blanks between.
-    fn heard(&mut self) -> String {
-        std::mem::take(&mut self.heard).join(" ")
+    /// The events since the last call, joined by blanks.
+    fn received(&mut self) -> String {
+        std::mem::take(&mut self.received).join(" ")
     }
 }
 
-/// What is heard of pieces with this pause after each, and a second of silence.
-fn heard(pieces: &[&[u8]], pause: u64) -> String {
-    let mut line = Line::new();
+/// The events of pieces with this pause (ms) after each, and a final second of silence.
+fn received(pieces: &[&[u8]], pause: u64) -> String {
+    let mut connection = Connection::new();
     for piece in pieces {
-        line.send(piece);
-        line.wait(pause);
+        connection.send(piece);
+        connection.wait(pause);
     }
-    line.wait(1000);
-    line.heard()
+    connection.wait(1000);
+    connection.received()
 }
 
 /// One byte at a time.
@@ -69,7 +69,7 @@ fn bytewise(bytes: &[u8]) -> Vec<&[u8]> {
 }
 
 #[test]
-fn an_unfinished_sequence_is_the_keys_that_it_is_made_of() {
+fn an_incomplete_sequence_becomes_the_keys_of_its_bytes() {
     let expected: [(&[u8], &str); 17] = [
         (b"\x1b", "Esc"),
         (b"\x1b\x1b", "Esc Esc"),
@@ -90,22 +90,27 @@ fn an_unfinished_sequence_is_the_keys_that_it_is_made_of() {
         (b"\x1b\xe2\x82", "Esc"),
     ];
     for (bytes, expected) in expected {
-        assert_eq!(heard(&[bytes], 0), expected, "{}", bytes.escape_ascii());
-        let mut line = Line::new();
-        line.send(bytes);
-        line.wait(79);
-        assert!(line.parser.deadline().is_some(), "waits for more");
-        line.wait(1);
-        assert_eq!(line.parser.deadline(), None, "{}", bytes.escape_ascii());
-        line.heard();
-        line.send(b"q");
-        assert_eq!(line.heard(), "q", "{}", bytes.escape_ascii());
+        assert_eq!(received(&[bytes], 0), expected, "{}", bytes.escape_ascii());
+        let mut connection = Connection::new();
+        connection.send(bytes);
+        connection.wait(79);
+        assert!(connection.parser.deadline().is_some(), "waits for more");
+        connection.wait(1);
+        assert_eq!(
+            connection.parser.deadline(),
+            None,
+            "{}",
+            bytes.escape_ascii()
+        );
+        connection.received();
+        connection.send(b"q");
+        assert_eq!(connection.received(), "q", "{}", bytes.escape_ascii());
     }
 }
 
-/// A person presses a key every 0.1 to 0.3 s; the parts of one key follow each other faster on any line.
+/// A person presses a key every 0.1 to 0.3 s; the bytes of one key follow each other faster on any line.
 #[test]
-fn what_is_typed_is_keys_and_what_is_split_is_one() {
+fn typed_bytes_are_keys_and_a_split_sequence_is_one_key() {
     let sequences: [(&[u8], &str, &str); 6] = [
         (b"\x1b[<", "Esc [ <", "Esc [ <"),
         (b"\x1b[A", "Up", "Esc [ A"),
@@ -116,33 +121,33 @@ fn what_is_typed_is_keys_and_what_is_split_is_one() {
     ];
     for (bytes, split, typed) in sequences {
         for pause in [0, 1, 20, 70] {
-            assert_eq!(heard(&bytewise(bytes), pause), split, "{pause} ms");
+            assert_eq!(received(&bytewise(bytes), pause), split, "{pause} ms");
         }
         for pause in [100, 200, 300] {
-            assert_eq!(heard(&bytewise(bytes), pause), typed, "{pause} ms");
+            assert_eq!(received(&bytewise(bytes), pause), typed, "{pause} ms");
         }
     }
-    assert_eq!(heard(&bytewise("\u{20ac}".as_bytes()), 70), "\u{20ac}");
+    assert_eq!(received(&bytewise("\u{20ac}".as_bytes()), 70), "\u{20ac}");
     assert_eq!(
-        heard(&[b"\x1b[20", b"0~ab", b"c\x1b[2", b"01~q"], 70),
+        received(&[b"\x1b[20", b"0~ab", b"c\x1b[2", b"01~q"], 70),
         "paste abc q"
     );
 }
 
-/// A key that repeats 30 times a second behind `ESC [` is no sequence for ever.
+/// A key that repeats 30 times a second after `ESC [` does not extend the sequence forever.
 #[test]
-fn a_sequence_that_goes_on_for_a_second_is_keys() {
-    let mut line = Line::new();
-    line.send(b"\x1b[");
+fn a_sequence_of_more_than_a_second_becomes_keys() {
+    let mut connection = Connection::new();
+    connection.send(b"\x1b[");
     for _ in 0..40 {
-        line.wait(33);
-        line.send(b"1");
+        connection.wait(33);
+        connection.send(b"1");
     }
-    assert_eq!(line.heard().split(' ').count(), 2 + 40);
+    assert_eq!(connection.received().split(' ').count(), 2 + 40);
 }
 
 #[test]
-fn control_c_counts_inside_of_anything() {
+fn control_c_works_in_any_state() {
     let expected: [(&[u8], &str); 9] = [
         (b"\x1b\x03", "Esc Ctrl-c"),
         (b"\x1b[\x03", "Esc [ Ctrl-c"),
@@ -155,63 +160,63 @@ fn control_c_counts_inside_of_anything() {
         (b"\x1b[200~\x03", "Ctrl-c"),
     ];
     for (bytes, expected) in expected {
-        let mut line = Line::new();
-        line.send(bytes);
-        // Without any silence, and the next key is one again.
-        assert_eq!(line.heard(), expected, "{}", bytes.escape_ascii());
-        line.send(b"d");
-        assert_eq!(line.heard(), "d", "{}", bytes.escape_ascii());
+        let mut connection = Connection::new();
+        connection.send(bytes);
+        // Without a pause; the next key is a key again.
+        assert_eq!(connection.received(), expected, "{}", bytes.escape_ascii());
+        connection.send(b"d");
+        assert_eq!(connection.received(), "d", "{}", bytes.escape_ascii());
     }
-    // Where it is in the middle of what is pasted, the rest is still no commands.
+    // In the middle of a paste, the rest is still text.
     let pasted = b"\x1b[200~a\x03D\x1b[201~q";
-    assert_eq!(heard(&[pasted], 0), "paste a Ctrl-c paste D q");
+    assert_eq!(received(&[pasted], 0), "paste a Ctrl-c paste D q");
 }
 
 #[test]
 fn a_paste_without_its_end_ends_by_itself() {
-    let mut line = Line::new();
-    line.send(b"\x1b[200~abc");
-    line.wait(799);
-    assert_eq!(line.heard(), "");
-    line.wait(1);
-    assert_eq!(line.heard(), "paste abc");
-    line.send(b"q\x1b[201~");
-    assert_eq!(line.heard(), "q");
-    // Keys that are typed into it do not keep it open.
+    let mut connection = Connection::new();
+    connection.send(b"\x1b[200~abc");
+    connection.wait(799);
+    assert_eq!(connection.received(), "");
+    connection.wait(1);
+    assert_eq!(connection.received(), "paste abc");
+    connection.send(b"q\x1b[201~");
+    assert_eq!(connection.received(), "q");
+    // Typed keys do not extend it.
     for pause in [60, 100, 300] {
-        let mut line = Line::new();
-        line.send(b"\x1b[200~abc");
+        let mut connection = Connection::new();
+        connection.send(b"\x1b[200~abc");
         for _ in 0..=800 / pause {
-            line.wait(pause);
-            line.send(b"q");
+            connection.wait(pause);
+            connection.send(b"q");
         }
-        assert!(line.heard().ends_with("q q"), "{pause} ms");
+        assert!(connection.received().ends_with("q q"), "{pause} ms");
     }
 }
 
-/// A megabyte at 10 kB/s, in pieces as a line brings them, with the stalls of lost packets.
+/// A megabyte at 10 kB/s in pieces, with stalls of lost packets.
 #[test]
 fn a_long_paste_on_a_slow_line_is_one() {
-    let mut line = Line::new();
-    line.send(b"\x1b[200~");
+    let mut connection = Connection::new();
+    connection.send(b"\x1b[200~");
     for piece in 0..1000 {
-        line.wait(if piece % 100 == 99 { 1900 } else { 100 });
-        line.send(&[b'x'; 1000]);
+        connection.wait(if piece % 100 == 99 { 1900 } else { 100 });
+        connection.send(&[b'x'; 1000]);
     }
     // A line of 300 baud brings 30 letters a second.
     for _ in 0..100 {
-        line.wait(33);
-        line.send(b"y");
+        connection.wait(33);
+        connection.send(b"y");
     }
-    line.send(b"\x1b[201~");
+    connection.send(b"\x1b[201~");
     let text = "x".repeat(1_000_000) + &"y".repeat(100);
-    assert_eq!(line.heard(), format!("paste {text}"));
-    line.send(b"\x1b[200~\x1b[201~q");
-    assert_eq!(line.heard(), "q");
+    assert_eq!(connection.received(), format!("paste {text}"));
+    connection.send(b"\x1b[200~\x1b[201~q");
+    assert_eq!(connection.received(), "q");
 }
 
 #[test]
-fn what_does_not_go_on_is_keys_and_what_follows_counts() {
+fn an_interrupted_sequence_becomes_keys_and_the_next_input_is_parsed() {
     let expected: [(&[u8], &str); 12] = [
         (b"\x1b\x1b[A", "Esc Up"),
         (b"\x1b[\x1b[A", "Esc [ Up"),
@@ -223,14 +228,14 @@ fn what_does_not_go_on_is_keys_and_what_follows_counts() {
         (b"\xc3\xc3\xa4", "\u{e4}"),
         (b"\x1b\xc3q", "Esc q"),
         (b"\x80\xff\xc0\xf5q", "q"),
-        // A form that is too long, and half of a surrogate.
+        // An overlong encoding and a surrogate.
         (b"\xe0\x80\x80q\xed\xa0\x80w", "q w"),
         (b"\x1b[\xc3\xa4", "Esc [ \u{e4}"),
     ];
     for (bytes, expected) in expected {
-        assert_eq!(heard(&[bytes], 0), expected, "{}", bytes.escape_ascii());
+        assert_eq!(received(&[bytes], 0), expected, "{}", bytes.escape_ascii());
         assert_eq!(
-            heard(&bytewise(bytes), 10),
+            received(&bytewise(bytes), 10),
             expected,
             "{}",
             bytes.escape_ascii()
@@ -238,10 +243,9 @@ fn what_does_not_go_on_is_keys_and_what_follows_counts() {
     }
 }
 
-/// Focus, attributes, colours, names and keys that the designer does not know: whole sequences, and nothing of them is
-/// a key.
+/// Unknown sequences (focus, attributes, colours, names, keys) are ignored as a whole.
 #[test]
-fn whole_sequences_that_are_not_known_are_ignored() {
+fn unknown_sequences_are_ignored() {
     let ignored: [&[u8]; 12] = [
         b"\x1b[I",
         b"\x1b[O",
@@ -258,9 +262,9 @@ fn whole_sequences_that_are_not_known_are_ignored() {
     ];
     for bytes in ignored {
         let bytes = [bytes, b"q"].concat();
-        assert_eq!(heard(&[&bytes], 0), "q", "{}", bytes.escape_ascii());
+        assert_eq!(received(&[&bytes], 0), "q", "{}", bytes.escape_ascii());
         assert_eq!(
-            heard(&bytewise(&bytes), 10),
+            received(&bytewise(&bytes), 10),
             "q",
             "{}",
             bytes.escape_ascii()
@@ -269,14 +273,14 @@ fn whole_sequences_that_are_not_known_are_ignored() {
 }
 
 #[test]
-fn alt_holds_with_any_character() {
+fn alt_works_with_any_character() {
     let bytes = "\u{1b}h\u{1b}\r\u{1b}\u{7f}\u{1b}H\u{1b}\u{e4}\u{1b}[1;3A".as_bytes();
     let expected = "Alt-h Alt-Enter Alt-Backspace Alt-H Alt-\u{e4} Alt-Up";
-    assert_eq!(heard(&[bytes], 0), expected);
-    assert_eq!(heard(&bytewise(bytes), 10), expected);
+    assert_eq!(received(&[bytes], 0), expected);
+    assert_eq!(received(&bytewise(bytes), 10), expected);
 }
 
 #[test]
 fn rxvt_ends_shifted_keys_by_a_dollar() {
-    assert_eq!(heard(&[b"\x1b[3$q"], 0), "Shift-Del q");
+    assert_eq!(received(&[b"\x1b[3$q"], 0), "Shift-Del q");
 }

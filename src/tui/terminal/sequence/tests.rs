@@ -9,7 +9,7 @@ fn name(event: Option<Event>) -> Option<String> {
     }
 }
 
-/// Bytes behind `ESC [` and the key that sends them: xterm's ctlseqs ("PC-Style Function Keys"), rxvt's and the Linux
+/// Bytes after `ESC [` and the key that sends them: xterm's ctlseqs ("PC-Style Function Keys"), rxvt's and the Linux
 /// console's tables of keys, CSI u of fixterms and kitty.
 const CSI: &[(&str, &str)] = &[
     ("A", "Up"),
@@ -71,7 +71,7 @@ const CSI: &[(&str, &str)] = &[
     ("27;5;99~", "Ctrl-c"),
 ];
 
-/// What is no key, or one that is let go, or has Super held.
+/// Sequences that are not keys, key releases, and keys with Super.
 const NOTHING: &[&str] = &[
     "I",
     "O",
@@ -116,7 +116,7 @@ const NOTHING: &[&str] = &[
 ];
 
 #[test]
-fn keys_of_terminals_are_known() {
+fn keys_of_terminals_are_decoded() {
     for (body, expected) in CSI {
         let found = name(csi(body.as_bytes()));
         assert_eq!(found.as_deref(), Some(*expected), "ESC [ {body}");
@@ -140,7 +140,7 @@ fn keys_of_terminals_are_known() {
 }
 
 #[test]
-fn reports_and_nonsense_are_nothing() {
+fn reports_and_invalid_sequences_are_ignored() {
     for body in NOTHING {
         assert!(csi(body.as_bytes()).is_none(), "ESC [ {body}");
     }
@@ -172,7 +172,7 @@ fn characters_are_keys() {
     for (c, expected) in expected {
         let found = key(c, KeyModifiers::NONE).map(|key| Key::of(&key).name());
         assert_eq!(found.as_deref(), Some(expected), "{c:?}");
-        // The names of the configuration file are those of keys that come.
+        // The key names of the configuration file match decoded keys.
         assert!(Key::parse(expected).is_some() || c == '\n' || c == '\u{8}' || c == '\0');
     }
     assert_eq!(key('\u{9b}', KeyModifiers::NONE), None);
@@ -181,7 +181,7 @@ fn characters_are_keys() {
 /// xterm's ctlseqs, "Mouse Tracking": the button in the low bits, 4 Shift, 8 Alt, 16 Control, 32 dragging, 64 the wheel;
 /// columns and rows from 1.
 #[test]
-fn buttons_and_the_wheel_are_known_in_both_forms() {
+fn buttons_and_the_wheel_are_decoded_in_both_encodings() {
     let mouse = |kind, modifiers| {
         let (column, row) = (4, 6);
         format!(
@@ -210,7 +210,7 @@ fn buttons_and_the_wheel_are_known_in_both_forms() {
             ),
         ),
         (64 + 8, mouse(MouseEventKind::ScrollUp, KeyModifiers::ALT)),
-        // Let go, moved without a button, more buttons than there are names for.
+        // Releases, movements without a button, unknown buttons.
         (3, "None".to_owned()),
         (35, "None".to_owned()),
         (128, "None".to_owned()),

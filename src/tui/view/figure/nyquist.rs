@@ -23,7 +23,7 @@ pub(super) fn draw(scene: &Scene, loci: &Loci, theme: Theme, (area, buffer): (Re
             ..look(index, scene, theme, area.width)
         })
         .collect();
-    let mut chart = Chart::locus(loci.axes.clone(), &curves);
+    let mut chart = Chart::nyquist(loci.axes.clone(), &curves);
     style(&mut chart, scene, theme);
     chart.spots = spots(scene, theme);
     chart.equalised(area).render(area, buffer);

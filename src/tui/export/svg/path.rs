@@ -1,77 +1,77 @@
-//! From a curve to the points of its path on the page.
+//! Converts a curve into the points of its path on the page.
 
-use super::frame::Field;
+use super::frame::PlotFrame;
 use crate::tui::plot::{Curve, Level};
 
-/// A curve has at most about so many points on the page.
+/// Approximate most points of a curve on the page.
 const MOST_POINTS: usize = 4000;
-/// Half a turn, in degrees: a larger jump of a phase is that of its wrapping.
+/// Half a turn, in degrees; a larger phase jump is a wrap.
 const HALF_TURN: f64 = 180.0;
 
 /// A curve on the page, px.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct Run {
-    /// Its parts from one gap to the next.
+pub(super) struct CurvePath {
+    /// The points between two gaps.
     pub(super) parts: Vec<Vec<[f64; 2]>>,
-    /// Where it is infinite: lines up to the top, from a height.
+    /// Poles: each is a line from this point up to the top.
     pub(super) poles: Vec<[f64; 2]>,
-    /// Places of markers in the plot, all of its points.
+    /// All points inside the plot, for markers.
     pub(super) samples: Vec<[f64; 2]>,
 }
 
-/// A curve over frequencies.
-pub(super) fn over_frequency(field: &Field, curve: &Curve<'_>, level: Level) -> Run {
-    let mut run = Run::default();
+/// The path of a curve over frequency.
+pub(super) fn over_frequency(frame: &PlotFrame, curve: &Curve<'_>, level: Level) -> CurvePath {
+    let mut path = CurvePath::default();
     let mut part: Vec<[f64; 2]> = Vec::new();
-    let mut before = f64::NAN;
+    let mut previous = f64::NAN;
     for (x, y) in curve.x.iter().zip(curve.y) {
         let value = level.value(*y);
-        let place = field.place(*x, value);
-        let wraps = level == Level::Degrees && (value - before).abs() > HALF_TURN;
-        before = value;
-        let drawable = place.iter().all(|coordinate| coordinate.is_finite());
+        let position = frame.position(*x, value);
+        let wraps = level == Level::Degrees && (value - previous).abs() > HALF_TURN;
+        previous = value;
+        let drawable = position.iter().all(|coordinate| coordinate.is_finite());
         if wraps || !drawable {
-            run.parts.push(std::mem::take(&mut part));
+            path.parts.push(std::mem::take(&mut part));
         }
         if drawable {
-            part.push(place);
-            run.samples.extend(field.inside(*x, value));
+            part.push(position);
+            path.samples.extend(frame.inside(*x, value));
         }
     }
-    run.parts.push(part);
-    run.parts.retain(|part| !part.is_empty());
+    path.parts.push(part);
+    path.parts.retain(|part| !part.is_empty());
     if matches!(level, Level::Magnitude | Level::Decibel { .. }) {
-        run.poles = poles(field, curve, level);
+        path.poles = poles(frame, curve, level);
     }
-    let points: usize = run.parts.iter().map(Vec::len).sum();
+    let points: usize = path.parts.iter().map(Vec::len).sum();
     if points > MOST_POINTS {
-        // Four points of each column remain.
-        let column = field.width / (MOST_POINTS as f64 / 4.0);
-        run.parts = run
+        // A column keeps four points.
+        let column = frame.width / (MOST_POINTS as f64 / 4.0);
+        path.parts = path
             .parts
             .iter()
             .map(|part| by_columns(part, column))
             .collect();
     }
-    run
+    path
 }
 
-/// Where a curve is infinite, and how high it is beside.
-fn poles(field: &Field, curve: &Curve<'_>, level: Level) -> Vec<[f64; 2]> {
-    let on_axis = |pole: &&f64| (0.0..=1.0).contains(&field.x.fraction(**pole));
-    let beside = |pole: &f64| {
+/// The poles of a curve, each at the height of its lower neighbour sample.
+fn poles(frame: &PlotFrame, curve: &Curve<'_>, level: Level) -> Vec<[f64; 2]> {
+    let on_axis = |pole: &&f64| (0.0..=1.0).contains(&frame.x.fraction(**pole));
+    let neighbour_height = |pole: &f64| {
         let after = curve.x.partition_point(|x| x < pole);
         let around = [after.wrapping_sub(1), after].into_iter();
         let heights =
-            around.filter_map(|i| Some(field.place(*pole, level.value(*curve.y.get(i)?))));
-        let finite = heights.filter(|place| place[1].is_finite());
+            around.filter_map(|i| Some(frame.position(*pole, level.value(*curve.y.get(i)?))));
+        let finite = heights.filter(|position| position[1].is_finite());
         finite.max_by(|a, b| a[1].total_cmp(&b[1]))
     };
     curve
         .poles
         .iter()
         .filter(on_axis)
-        .filter_map(beside)
+        .filter_map(neighbour_height)
         .collect()
 }
 
@@ -79,55 +79,55 @@ fn poles(field: &Field, curve: &Curve<'_>, level: Level) -> Vec<[f64; 2]> {
 fn by_columns(part: &[[f64; 2]], width: f64) -> Vec<[f64; 2]> {
     let number = |point: &[f64; 2]| (point[0] / width).floor();
     let columns = part.chunk_by(|a, b| number(a) == number(b));
-    let mut kept = Vec::new();
+    let mut selected = Vec::new();
     for column in columns {
         let heights = || column.iter().map(|point| point[1]).enumerate();
         let high = heights().min_by(|a, b| a.1.total_cmp(&b.1));
         let low = heights().max_by(|a, b| a.1.total_cmp(&b.1));
-        let mut places = vec![0, column.len() - 1];
-        places.extend(high.into_iter().chain(low).map(|(place, _)| place));
-        places.sort_unstable();
-        places.dedup();
-        kept.extend(places.into_iter().map(|place| column[place]));
+        let mut indices = vec![0, column.len() - 1];
+        indices.extend(high.into_iter().chain(low).map(|(position, _)| position));
+        indices.sort_unstable();
+        indices.dedup();
+        selected.extend(indices.into_iter().map(|position| column[position]));
     }
-    kept
+    selected
 }
 
-/// A curve of abscissae and ordinates.
-pub(super) fn locus(field: &Field, [x, y]: &[Vec<f64>; 2]) -> Run {
-    let mut run = Run::default();
+/// The path of a Nyquist curve.
+pub(super) fn nyquist(frame: &PlotFrame, [x, y]: &[Vec<f64>; 2]) -> CurvePath {
+    let mut path = CurvePath::default();
     let mut part: Vec<[f64; 2]> = Vec::new();
     for (x, y) in x.iter().zip(y) {
-        let place = field.place(*x, *y);
-        if place.iter().all(|coordinate| coordinate.is_finite()) {
-            part.push(place);
-            run.samples.extend(field.inside(*x, *y));
+        let position = frame.position(*x, *y);
+        if position.iter().all(|coordinate| coordinate.is_finite()) {
+            part.push(position);
+            path.samples.extend(frame.inside(*x, *y));
         } else {
-            run.parts.push(std::mem::take(&mut part));
+            path.parts.push(std::mem::take(&mut part));
         }
     }
-    run.parts.push(part);
-    run.parts.retain(|part| !part.is_empty());
+    path.parts.push(part);
+    path.parts.retain(|part| !part.is_empty());
     let mut apart = 0.25;
-    while run.parts.iter().map(Vec::len).sum::<usize>() > MOST_POINTS && apart < field.width {
-        run.parts = run.parts.iter().map(|part| thinned(part, apart)).collect();
+    while path.parts.iter().map(Vec::len).sum::<usize>() > MOST_POINTS && apart < frame.width {
+        path.parts = path.parts.iter().map(|part| thinned(part, apart)).collect();
         apart *= 2.0;
     }
-    run
+    path
 }
 
-/// The points that are so many px from the one kept before, and the last one.
+/// The points at least `apart` px from the previous one, and the last point.
 fn thinned(part: &[[f64; 2]], apart: f64) -> Vec<[f64; 2]> {
-    let mut kept: Vec<[f64; 2]> = Vec::new();
+    let mut selected: Vec<[f64; 2]> = Vec::new();
     for (index, point) in part.iter().enumerate() {
-        let far = kept
+        let far = selected
             .last()
             .is_none_or(|last| (last[0] - point[0]).hypot(last[1] - point[1]) >= apart);
         if far || index + 1 == part.len() {
-            kept.push(*point);
+            selected.push(*point);
         }
     }
-    kept
+    selected
 }
 
 #[cfg(test)]
@@ -135,8 +135,8 @@ mod tests {
     use super::*;
     use crate::tui::plot::{Axis, Scale};
 
-    fn field() -> Field {
-        Field {
+    fn frame() -> PlotFrame {
+        PlotFrame {
             x: Axis::new(Scale::Linear, [0.0, 1.0], ""),
             y: Axis::new(Scale::Linear, [0.0, 100.0], ""),
             left: 0.0,
@@ -154,8 +154,8 @@ mod tests {
             .collect();
         let mut y = vec![50.0; x.len()];
         (y[31_234], y[31_235], y[77_777]) = (99.0, 1.0, 90.0);
-        let run = over_frequency(&field(), &Curve::new(&x, &y), Level::Signed);
-        let points: Vec<[f64; 2]> = run.parts.concat();
+        let path = over_frequency(&frame(), &Curve::new(&x, &y), Level::Signed);
+        let points: Vec<[f64; 2]> = path.parts.concat();
         assert!(points.len() <= MOST_POINTS, "{}", points.len());
         // 4 px a unit, from the top.
         for height in [4.0, 396.0, 40.0] {
@@ -173,7 +173,7 @@ mod tests {
         let angle = |k: u32| f64::from(k) * 1e-5;
         let x: Vec<f64> = (0..600_000).map(|k| 0.5 + 0.4 * angle(k).cos()).collect();
         let y: Vec<f64> = (0..600_000).map(|k| 50.0 + 40.0 * angle(k).sin()).collect();
-        let points = locus(&field(), &[x, y]).parts.concat();
+        let points = nyquist(&frame(), &[x, y]).parts.concat();
         assert!(
             (1000..=MOST_POINTS).contains(&points.len()),
             "{}",
@@ -186,11 +186,11 @@ mod tests {
     }
 
     #[test]
-    fn gaps_and_wrapping_part_a_curve() {
+    fn gaps_and_wraps_split_a_curve() {
         let x = [0.0, 0.2, 0.4, 0.6, 0.8];
         let parts = |y: &[f64], level| {
-            let run = over_frequency(&field(), &Curve::new(&x, y), level);
-            run.parts.iter().map(Vec::len).collect::<Vec<_>>()
+            let path = over_frequency(&frame(), &Curve::new(&x, y), level);
+            path.parts.iter().map(Vec::len).collect::<Vec<_>>()
         };
         assert_eq!(
             parts(&[1.0, 2.0, f64::NAN, 3.0, 4.0], Level::Signed),
@@ -201,7 +201,7 @@ mod tests {
             [2, 3]
         );
         assert_eq!(parts(&[10.0, 175.0, -175.0, 0.0, 1.0], Level::Signed), [5]);
-        let gap = locus(&field(), &[x.to_vec(), vec![1.0, f64::NAN, 2.0, 3.0, 4.0]]);
+        let gap = nyquist(&frame(), &[x.to_vec(), vec![1.0, f64::NAN, 2.0, 3.0, 4.0]]);
         assert_eq!(gap.parts.iter().map(Vec::len).collect::<Vec<_>>(), [1, 3]);
     }
 
@@ -211,10 +211,10 @@ mod tests {
             poles: vec![0.5, 7.0],
             ..Curve::new(&[0.4, 0.6], &[60.0, 20.0])
         };
-        let run = over_frequency(&field(), &curve, Level::Magnitude);
-        assert_eq!(run.poles, [[350.0, 320.0]]);
+        let path = over_frequency(&frame(), &curve, Level::Magnitude);
+        assert_eq!(path.poles, [[350.0, 320.0]]);
         assert!(
-            over_frequency(&field(), &curve, Level::Signed)
+            over_frequency(&frame(), &curve, Level::Signed)
                 .poles
                 .is_empty()
         );

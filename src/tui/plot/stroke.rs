@@ -1,21 +1,22 @@
-//! Drawing a curve's line into dots, column by column.
+//! Draws the line of a curve into dots, column by column.
 
 use super::curve::LineStyle;
 use super::dots::Dots;
 
-/// Rows of dots a curve covers in one dot column, from the top downward, inside the plot.
-pub(super) type Rows = (u16, u16);
+/// The first and last dot row of a curve in one dot column, from the top, inside the plot.
+pub(super) type RowSpan = (u16, u16);
 
-/// A dot column and the heights covered in it, in dots from the top downward.
+/// A dot column and the height range covered in it, in dots from the top.
 #[derive(Debug, Clone, Copy)]
-struct Stroke {
+struct ColumnSpan {
     column: i32,
     top: f64,
     bottom: f64,
 }
 
+/// The finished column on the left: its rows, and the row in which the curve left it.
 #[derive(Debug, Clone, Copy)]
-struct Left {
+struct PreviousColumn {
     column: i32,
     top: i32,
     bottom: i32,
@@ -24,73 +25,72 @@ struct Left {
 
 /// Draws one curve from left to right.
 ///
-/// Each dot column gets all rows from the highest to the lowest sample or interpolated point in it.
-/// Where the rows of neighbours do not touch, each is extended to the row in which the curve crosses
-/// the border between them, so that a steep line is connected and yet one dot thin.
-pub(super) struct Pen<'d> {
+/// Each dot column gets all rows from its highest to its lowest sample or interpolated point.
+/// Where the rows of neighbouring columns do not touch, each is extended to the row in which the curve crosses the
+/// border between them, so that a steep line is connected and one dot thin.
+pub(super) struct StrokePainter<'d> {
     dots: &'d mut Dots,
     curve: usize,
     line: LineStyle,
-    /// Dots passed along the line, drawn or not.
-    passed: usize,
+    /// Dots along the line so far, drawn or not.
+    distance: usize,
     last: Option<(f64, f64)>,
-    stroke: Option<Stroke>,
-    /// The finished stroke to the left: its column, its rows and the row in which the curve left it.
-    left: Option<Left>,
-    covered: Vec<Option<Rows>>,
+    span: Option<ColumnSpan>,
+    previous: Option<PreviousColumn>,
+    covered: Vec<Option<RowSpan>>,
 }
 
-impl<'d> Pen<'d> {
+impl<'d> StrokePainter<'d> {
     pub(super) fn new(dots: &'d mut Dots, curve: usize, line: LineStyle) -> Self {
         let covered = vec![None; usize::from(dots.across.dots())];
         Self {
             dots,
             curve,
             line,
-            passed: 0,
+            distance: 0,
             last: None,
-            stroke: None,
-            left: None,
+            span: None,
+            previous: None,
             covered,
         }
     }
 
     /// Continues the line to a point in dots from the top left; a point that is not finite ends the line.
-    pub(super) fn draw_to(&mut self, x: f64, y: f64) {
+    pub(super) fn line_to(&mut self, x: f64, y: f64) {
         if !(x.is_finite() && y.is_finite()) {
-            self.lift();
+            self.end_line();
             return;
         }
         match self.last {
             Some(last) if last.0 <= x => self.segment(last, (x, y)),
             _ => {
-                self.lift();
+                self.end_line();
                 self.cover(self.column(x), y);
             }
         }
         self.last = Some((x, y));
     }
 
-    /// Ends the curve and tells which rows it covers in each dot column.
-    pub(super) fn finish(mut self) -> Vec<Option<Rows>> {
-        self.lift();
+    /// Ends the curve; returns the rows it covers in each dot column.
+    pub(super) fn finish(mut self) -> Vec<Option<RowSpan>> {
+        self.end_line();
         self.covered
     }
 
-    /// Ends the line: the next point starts another.
-    pub(super) fn lift(&mut self) {
+    /// Ends the line: the next point starts a new one.
+    pub(super) fn end_line(&mut self) {
         self.flush(0.0);
         self.last = None;
-        self.left = None;
+        self.previous = None;
     }
 
     fn segment(&mut self, (x0, y0): (f64, f64), (x1, y1): (f64, f64)) {
-        // Most samples stay in their column; they are recognised without rounding.
-        if let Some(stroke) = &mut self.stroke
-            && x1 < f64::from(stroke.column) + 0.5
+        // Fast path: most samples stay in their column and need no rounding.
+        if let Some(span) = &mut self.span
+            && x1 < f64::from(span.column) + 0.5
         {
-            stroke.top = stroke.top.min(y1);
-            stroke.bottom = stroke.bottom.max(y1);
+            span.top = span.top.min(y1);
+            span.bottom = span.bottom.max(y1);
             return;
         }
         let (first, last) = (self.column(x0), self.column(x1));
@@ -106,7 +106,7 @@ impl<'d> Pen<'d> {
         }
     }
 
-    /// The dot column of `x`; all columns outside the plot are as good as the first one outside.
+    /// The dot column of `x`; columns outside the plot become the first one outside.
     fn column(&self, x: f64) -> i32 {
         x.round().clamp(-1.0, f64::from(self.dots.across.dots())) as i32
     }
@@ -118,40 +118,40 @@ impl<'d> Pen<'d> {
 
     fn cover(&mut self, column: i32, y: f64) {
         let (top, bottom) = self
-            .stroke
-            .map_or((y, y), |stroke| (stroke.top.min(y), stroke.bottom.max(y)));
-        self.stroke = Some(Stroke {
+            .span
+            .map_or((y, y), |span| (span.top.min(y), span.bottom.max(y)));
+        self.span = Some(ColumnSpan {
             column,
             top,
             bottom,
         });
     }
 
-    /// Draws the stroke and its connection to the one on its left; the curve goes on at height `crossing`.
+    /// Draws the span and connects it to the one on its left; the curve leaves it at height `crossing`.
     fn flush(&mut self, crossing: f64) {
-        let Some(stroke) = self.stroke.take() else {
+        let Some(span) = self.span.take() else {
             return;
         };
-        let (mut top, mut bottom) = (self.row(stroke.top), self.row(stroke.bottom));
+        let (mut top, mut bottom) = (self.row(span.top), self.row(span.bottom));
         let crossing = self.row(crossing);
-        let next = Left {
-            column: stroke.column,
+        let next = PreviousColumn {
+            column: span.column,
             top,
             bottom,
             crossing,
         };
-        if let Some(left) = self.left.replace(next) {
-            if top > left.bottom {
-                let border = left.crossing.clamp(left.bottom, top - 1);
-                self.fill(left.column, left.bottom + 1, border);
+        if let Some(previous) = self.previous.replace(next) {
+            if top > previous.bottom {
+                let border = previous.crossing.clamp(previous.bottom, top - 1);
+                self.fill(previous.column, previous.bottom + 1, border);
                 top = border + 1;
-            } else if bottom < left.top {
-                let border = left.crossing.clamp(bottom + 1, left.top);
-                self.fill(left.column, border, left.top - 1);
+            } else if bottom < previous.top {
+                let border = previous.crossing.clamp(bottom + 1, previous.top);
+                self.fill(previous.column, border, previous.top - 1);
                 bottom = border - 1;
             }
         }
-        self.fill(stroke.column, top, bottom);
+        self.fill(span.column, top, bottom);
     }
 
     /// Draws the rows from `top` to `bottom` that are inside the plot.
@@ -166,10 +166,10 @@ impl<'d> Pen<'d> {
             (top.min(start), bottom.max(end))
         }));
         for row in start..=end {
-            if self.line.draws(self.passed) {
+            if self.line.draws(self.distance) {
                 self.dots.draw(column as u16, row, self.curve);
             }
-            self.passed += 1;
+            self.distance += 1;
         }
     }
 }

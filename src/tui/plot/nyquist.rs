@@ -1,4 +1,4 @@
-//! Curves that run in any direction, and axes on which equal differences have equal lengths both ways.
+//! Nyquist plots: curves in any direction over axes of equal scale.
 
 use ratatui::layout::Rect;
 
@@ -7,27 +7,27 @@ use super::chart::Chart;
 use super::curve::{Curve, LineStyle};
 use super::dots::Dots;
 use super::glyphs::{Glyphs, rulers};
-use super::layout::Layout;
+use super::layout::ChartLayout;
 use super::level::{FINE_STEPS, Level, signed_axis};
 use super::trace::order;
 
-/// Markers along a locus.
+/// Markers along a curve.
 const MARKERS: usize = 3;
-/// How many times the layout is sought anew: labels change with the bounds, and the plot with the labels.
+/// Most iterations of the layout: labels depend on the bounds, and the plot size on the labels.
 const TRIES: usize = 6;
-/// Room beyond a locus on each side, as a part of what it spans.
+/// Margin on each side of a curve, as a fraction of its extent.
 const MARGIN: f64 = 0.03;
-/// A cell is so many times as high as it is wide.
+/// Height of a cell in widths of a cell.
 const CELL_HEIGHT: f64 = 2.0;
 
-/// A range with room at its ends.
+/// A range with a margin at both ends.
 fn with_margin([low, high]: [f64; 2]) -> [f64; 2] {
     let margin = MARGIN * (high - low);
     [low - margin, high + margin]
 }
 
-/// Axes for loci, in `units` across and up: between `bounds`, or around the finite points of the curves and 0.
-pub fn locus_axes(
+/// Axes for Nyquist curves, with `units` for x and y: between `bounds`, or around the finite points of the curves and 0.
+pub fn nyquist_axes(
     curves: &[Curve<'_>],
     bounds: [Option<[f64; 2]>; 2],
     units: [String; 2],
@@ -49,18 +49,18 @@ pub fn locus_axes(
 }
 
 impl Chart<'_> {
-    /// The same chart with axes on which equal differences have equal lengths both ways when it is drawn into `area`:
-    /// one of the axes spans more than before, with the same middle.
+    /// The same chart with axes of equal scale when it is drawn into `area`: the span of one axis grows about its
+    /// middle.
     #[must_use]
     pub fn equalised(mut self, area: Rect) -> Self {
         let bounds = [self.x.bounds(), self.y.bounds()];
         for _ in 0..TRIES {
-            let layout = Layout::new(&self, area);
+            let layout = ChartLayout::new(&self, area);
             let [x, y] = equal(bounds, layout.plot, self.glyphs);
             let settled = self.x.bounds() == x && self.y.bounds() == y;
             self.label_columns = self.label_columns.max(layout.label_columns);
-            self.x = respanned(&self.x, x);
-            self.y = respanned(&self.y, y);
+            self.x = with_bounds(&self.x, x);
+            self.y = with_bounds(&self.y, y);
             if settled {
                 break;
             }
@@ -70,11 +70,11 @@ impl Chart<'_> {
 }
 
 /// The axis with other bounds.
-fn respanned(axis: &Axis, bounds: [f64; 2]) -> Axis {
+fn with_bounds(axis: &Axis, bounds: [f64; 2]) -> Axis {
     Level::Signed.axis_between(bounds, axis.unit.clone())
 }
 
-/// The bounds, one pair of them widened about its middle so that both axes have the same scale on `plot`.
+/// The bounds, one pair widened about its middle so that both axes have the same scale on `plot`.
 fn equal(bounds: [[f64; 2]; 2], plot: Rect, glyphs: Glyphs) -> [[f64; 2]; 2] {
     let [across, down] = rulers(plot.width, plot.height, glyphs);
     // Between the centres of the outermost dots, in widths of a cell.
@@ -84,15 +84,14 @@ fn equal(bounds: [[f64; 2]; 2], plot: Rect, glyphs: Glyphs) -> [[f64; 2]; 2] {
     equal_spans(bounds, [length(across, 1.0), length(down, CELL_HEIGHT)])
 }
 
-/// The bounds of two axes with these lengths, one pair of them widened about its middle so that equal differences have
-/// equal lengths on both.
+/// The bounds of two axes with these lengths, one pair widened about its middle so that both have the same scale.
 pub fn equal_spans(bounds: [[f64; 2]; 2], lengths: [f64; 2]) -> [[f64; 2]; 2] {
     let spans = bounds.map(|[low, high]| high - low);
     let scale = (spans[0] / lengths[0]).max(spans[1] / lengths[1]);
     [0, 1].map(|i| {
         let middle = f64::midpoint(bounds[i][0], bounds[i][1]);
-        let reach = scale * lengths[i] / 2.0;
-        [middle - reach, middle + reach]
+        let half = scale * lengths[i] / 2.0;
+        [middle - half, middle + half]
     })
 }
 
@@ -111,8 +110,8 @@ pub(super) fn trace(chart: &Chart<'_>, dots: &mut Dots) {
     }
 }
 
-/// The place of each sample in dots from the top left.
-fn places(chart: &Chart<'_>, index: usize, dots: &Dots) -> impl Iterator<Item = [f64; 2]> {
+/// The position of each sample, in dots from the top left.
+fn positions(chart: &Chart<'_>, index: usize, dots: &Dots) -> impl Iterator<Item = [f64; 2]> {
     let (across, down) = (dots.across, dots.down);
     let samples = chart.curves[index].samples();
     samples.map(move |(x, y)| {
@@ -123,7 +122,7 @@ fn places(chart: &Chart<'_>, index: usize, dots: &Dots) -> impl Iterator<Item = 
     })
 }
 
-/// Joins the samples of a curve; the cells it goes through, in their order.
+/// Joins the samples of a curve; returns the cells it passes through, in their order.
 fn draw(chart: &Chart<'_>, index: usize, dots: &mut Dots) -> Vec<(u16, u16)> {
     let line = chart.curves[index].line;
     let (size, per_cell) = (
@@ -132,14 +131,14 @@ fn draw(chart: &Chart<'_>, index: usize, dots: &mut Dots) -> Vec<(u16, u16)> {
     );
     let within = size.map(|dots| [-0.5, f64::from(dots) - 0.5]);
     let mut cells: Vec<(u16, u16)> = Vec::new();
-    let (mut last, mut before, mut passed) = (None, None, 0);
-    for place in places(chart, index, dots).collect::<Vec<_>>() {
-        if !place.iter().all(|coordinate| coordinate.is_finite()) {
+    let (mut last, mut before, mut distance) = (None, None, 0);
+    for position in positions(chart, index, dots).collect::<Vec<_>>() {
+        if !position.iter().all(|coordinate| coordinate.is_finite()) {
             (last, before) = (None, None);
             continue;
         }
-        let segment = clipped(last.unwrap_or(place), place, within);
-        last = Some(place);
+        let segment = clipped(last.unwrap_or(position), position, within);
+        last = Some(position);
         for dot in segment.into_iter().flat_map(|ends| between(ends, size)) {
             if before.replace(dot) == Some(dot) {
                 continue;
@@ -148,17 +147,17 @@ fn draw(chart: &Chart<'_>, index: usize, dots: &mut Dots) -> Vec<(u16, u16)> {
             if cells.last() != Some(&cell) {
                 cells.push(cell);
             }
-            if line.draws(passed) {
+            if line.draws(distance) {
                 dots.draw(dot[0], dot[1], index);
             }
-            passed += 1;
+            distance += 1;
         }
     }
     cells
 }
 
-/// The part of a segment that is within a rectangle, from the lower to below the upper bound of each coordinate (Liang
-/// and Barsky, A new concept and method for line clipping, 1984).
+/// The part of a segment inside a rectangle; upper bounds are exclusive (Liang and Barsky, A new concept and method for
+/// line clipping, 1984).
 pub fn clipped(from: [f64; 2], to: [f64; 2], within: [[f64; 2]; 2]) -> Option<[[f64; 2]; 2]> {
     let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
     for i in 0..2 {
@@ -178,7 +177,7 @@ pub fn clipped(from: [f64; 2], to: [f64; 2], within: [[f64; 2]; 2]) -> Option<[[
     (enter <= leave).then(|| [at(enter), at(leave)])
 }
 
-/// The dots of a segment that is within them, both ends with it.
+/// The dots of a segment inside the grid of `size`, both ends included.
 fn between([from, to]: [[f64; 2]; 2], size: [u16; 2]) -> impl Iterator<Item = [u16; 2]> {
     let run = [to[0] - from[0], to[1] - from[1]];
     let steps = run[0].abs().max(run[1].abs()).ceil() as u32;
@@ -191,7 +190,7 @@ fn between([from, to]: [[f64; 2]; 2], size: [u16; 2]) -> impl Iterator<Item = [u
     })
 }
 
-/// Puts the marker of a curve at its samples, as many cells apart in either direction.
+/// Marks the samples of a curve, at least `apart` cells from each other in one direction.
 fn mark_samples(chart: &Chart<'_>, index: usize, apart: u16, dots: &mut Dots) {
     let (across, down) = (dots.across, dots.down);
     let mut last: Option<(u16, u16)> = None;
@@ -208,11 +207,11 @@ fn mark_samples(chart: &Chart<'_>, index: usize, apart: u16, dots: &mut Dots) {
     }
 }
 
-/// Puts a few markers evenly along a curve.
+/// Marks a curve at a few even distances.
 fn mark(cells: &[(u16, u16)], index: usize, dots: &mut Dots) {
     for part in 0..MARKERS {
-        let aim = (2 * part + 1) * cells.len() / (2 * MARKERS);
-        let free = cells[aim..]
+        let target = (2 * part + 1) * cells.len() / (2 * MARKERS);
+        let free = cells[target..]
             .iter()
             .find(|cell| !dots.cell(cell.0, cell.1).marked);
         if let Some((column, row)) = free {

@@ -1,34 +1,34 @@
-//! Two charts, one above the other, that share the horizontal axis.
+//! Two stacked charts that share the horizontal axis.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::widgets::Widget;
 
 use super::chart::{Below, Chart, Legend};
-use super::layout::Layout;
+use super::layout::ChartLayout;
 use super::level::Level;
 
-/// Fewest rows in which both are drawn.
+/// Fewest rows in which both charts are drawn.
 const BOTH: u16 = 12;
-/// Fewest rows of the lower plot, beneath which the marks have a row too.
+/// Fewest rows of the lower plot.
 const LOWEST: u16 = 3;
-/// The upper plot's part of the rows of both beside a phase, in percent; two alike have a half each.
+/// The upper plot's share of the rows, in percent: above a phase, and above an equal chart.
 const OVER_PHASE: u16 = 60;
 const HALF: u16 = 50;
 
-/// A chart above another one: the same columns stand for the same values in both, and the labels and marks of the
-/// horizontal axis stand beneath the lower one alone.
+/// Two charts, one above the other: a column has the same value in both; labels and marks of the horizontal axis are
+/// below the lower chart only.
 ///
-/// In an area too low for both the upper one has it alone.
+/// An area too low for both shows the upper chart only.
 #[derive(Debug, Clone)]
-pub struct Pair<'a> {
+pub struct StackedCharts<'a> {
     pub(super) upper: Chart<'a>,
     pub(super) lower: Chart<'a>,
 }
 
-impl<'a> Pair<'a> {
-    /// A chart above another one, which takes over the horizontal axis with all that stands on it; the curves are named
-    /// in the upper one.
+impl<'a> StackedCharts<'a> {
+    /// Stacks two charts. The lower one takes the horizontal axis of the upper one with cursors, harmonics, band and
+    /// marks; only the upper one has a legend.
     pub fn new(upper: Chart<'a>, lower: Chart<'a>) -> Self {
         let lower = Chart {
             x: upper.x.clone(),
@@ -45,7 +45,7 @@ impl<'a> Pair<'a> {
         Self { upper, lower }
     }
 
-    /// The cells of the curves when the charts are drawn into `area`; the lower one has none where there is no room.
+    /// The plot areas when the charts are drawn into `area`; the lower one is empty where there is no room.
     pub fn plot_areas(&self, area: Rect) -> [Rect; 2] {
         let [upper, lower] = self.charts(area);
         [upper, lower]
@@ -85,14 +85,14 @@ impl<'a> Pair<'a> {
         let mut lower = self.lower.clone();
         upper.below = Below::Axis;
         let columns = [(&upper, areas[0]), (&lower, areas[1])]
-            .map(|(chart, area)| Layout::new(chart, area).label_columns);
+            .map(|(chart, area)| ChartLayout::new(chart, area).label_columns);
         let widest = columns[0].max(columns[1]);
         (upper.label_columns, lower.label_columns) = (widest, widest);
         [Some((upper, areas[0])), Some((lower, areas[1]))]
     }
 }
 
-impl Widget for &Pair<'_> {
+impl Widget for &StackedCharts<'_> {
     fn render(self, area: Rect, buffer: &mut Buffer) {
         let area = area.intersection(buffer.area);
         for (chart, area) in self.charts(area).into_iter().flatten() {

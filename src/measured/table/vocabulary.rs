@@ -1,9 +1,9 @@
 //! The words of headers in English, German, French, Italian and Spanish.
 
-use super::head::Role;
+use super::column_title::Role;
 use crate::unit::PhaseUnit;
 
-/// Words that name a column of frequencies wherever they stand last, without accents.
+/// Words that name a frequency column if they are the last word, without accents.
 const FREQUENCIES: &[&str] = &[
     "freq",
     "frequency",
@@ -19,7 +19,7 @@ const FREQUENCIES: &[&str] = &[
 /// Words for an angular frequency, rad/s.
 const ANGULAR: &[&str] = &["omega", "ω", "kreisfrequenz", "pulsation"];
 
-/// Words that make a frequency something else: frequency response.
+/// Words that change the meaning of a frequency: frequency response.
 const NOT_FREQUENCIES: &[&str] = &["response", "responses", "function", "reponse", "resp", "rf"];
 
 /// A word in lower case without accents.
@@ -33,7 +33,7 @@ pub(super) fn folded(word: &str) -> String {
         'ç' => 'c',
         other => other,
     };
-    // An accent may be a character of its own.
+    // An accent may be a separate character.
     let is_accent = |letter: &char| matches!(letter, '\u{300}'..='\u{36f}');
     let lower = word.to_lowercase();
     lower
@@ -43,7 +43,7 @@ pub(super) fn folded(word: &str) -> String {
         .collect()
 }
 
-/// What a word says of the values in a column.
+/// The role that a word gives a column.
 pub(super) fn role(word: &str) -> Option<Role> {
     Some(match folded(word).as_str() {
         "re" | "real" | "realteil" | "reell" | "reel" | "reelle" | "reale" => Role::Real,
@@ -65,12 +65,12 @@ pub(super) fn role(word: &str) -> Option<Role> {
     })
 }
 
-/// Whether a word belongs to the one before or behind it: real part, partie réelle.
+/// Whether a word belongs to the previous or next word: real part, partie réelle.
 pub(super) fn is_part(word: &str) -> bool {
     matches!(folded(word).as_str(), "part" | "partie" | "parte")
 }
 
-/// What words say of a frequency: none where they are of something else, else whether it is an angular one.
+/// Whether words name an angular frequency; none if they do not name a frequency.
 pub(super) fn frequency(words: &[&str]) -> Option<bool> {
     let words: Vec<String> = words.iter().map(|word| folded(word)).collect();
     let (first, last) = (words.first()?.as_str(), words.last()?.as_str());
@@ -81,8 +81,8 @@ pub(super) fn frequency(words: &[&str]) -> Option<bool> {
         let word = word.as_str();
         word == "angular" || word == "circular" || ANGULAR.contains(&word)
     });
-    let alone = words.len() == 1 && (first == "f" || ANGULAR.contains(&first));
+    let single = words.len() == 1 && (first == "f" || ANGULAR.contains(&first));
     let other = |word: &String| NOT_FREQUENCIES.contains(&word.as_str()) || role(word).is_some();
-    let found = alone || named(last) || (named(first) && !words.iter().any(other));
+    let found = single || named(last) || (named(first) && !words.iter().any(other));
     found.then_some(angular)
 }

@@ -1,20 +1,20 @@
-//! What the numbers of data set 58 are: motion, load, units and sense.
+//! The quantity of the numbers in data set 58: motion, load, units and sign.
 
-use super::head::{Axis, End, Head};
-use super::lines::Lines;
+use super::header::{AxisInfo, Dof, FunctionHeader};
+use super::lines::UffLines;
 use crate::measured::layout::Layout;
 use crate::measured::{Fault, Question, number};
 use crate::unit::{self, Dimension, FrequencyUnit, Kind, Load, Measure, Moves, ValueUnit};
 
 /// Data set 164: one metre and one newton in the units of the file; angles are in rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Units {
+pub(super) struct FileUnits {
     length: f64,
     force: f64,
 }
 
 /// Without data set 164, SI.
-impl Default for Units {
+impl Default for FileUnits {
     fn default() -> Self {
         Self {
             length: 1.0,
@@ -23,9 +23,9 @@ impl Default for Units {
     }
 }
 
-impl Units {
+impl FileUnits {
     /// Reads record 2 of data set 164, `3D25.17`.
-    pub(super) fn read(lines: &mut Lines, set: usize) -> Result<Self, Fault> {
+    pub(super) fn read(lines: &mut UffLines, set: usize) -> Result<Self, Fault> {
         let factors = lines
             .record()
             .and_then(|_| lines.record())
@@ -37,8 +37,7 @@ impl Units {
             let factor =
                 number::parse(field, false).filter(|factor| factor.is_normal() && *factor > 0.0);
             factor.ok_or_else(|| {
-                let message =
-                    "no factor of a unit: a number above 0 would be accepted in 25 columns";
+                let message = "no unit factor: a number above 0 would be accepted in 25 columns";
                 lines.fault(set, 2, column + 1, message)
             })
         };
@@ -69,66 +68,74 @@ impl Units {
     }
 }
 
-/// What the numbers of a function are.
+/// The quantity of a function.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Meaning {
-    /// Unit of the abscissa; none where its word is not known.
+pub(super) struct FunctionQuantity {
+    /// Unit of the abscissa; none if its label is unknown.
     pub(super) frequency: Option<FrequencyUnit>,
-    /// None where it is not said, or its words are not known.
+    /// Unit of the values; none if it is not given or unknown.
     pub(super) unit: Option<ValueUnit>,
-    /// The words that are not known.
+    /// The unknown labels.
     pub(super) unknown: Vec<(Question, String)>,
-    /// -1 where one end looks against its axis, and not both.
+    /// -1 if exactly one of response and reference is opposite to its axis.
     pub(super) sign: f64,
     pub(super) notes: Vec<String>,
 }
 
-/// What one side of a ratio is, and one of it in SI.
+/// Numerator or denominator of a ratio, with its unit in SI.
 #[derive(Debug, Clone, PartialEq)]
-enum Side {
+enum RatioSide {
     Motion(Moves, Measure, f64),
     Load(Load, f64),
-    /// A whole ratio or an energy, by its unit in words.
+    /// A complete ratio or an energy, by its unit label.
     Whole(Kind, f64, bool),
-    Unsaid,
-    /// Its unit in words that are not known, or that are not of what its data type says.
+    NotGiven,
+    /// A unit label that is unknown or does not match the data type.
     Unknown(String),
 }
 
-impl Meaning {
-    /// What a function is; in words why it is no frequency response.
-    pub(super) fn of(head: &Head, units: &Units) -> Result<Self, String> {
+impl FunctionQuantity {
+    /// The quantity of a function.
+    ///
+    /// # Errors
+    /// Why the function is not a frequency response, in words.
+    pub(super) fn of(header: &FunctionHeader, units: &FileUnits) -> Result<Self, String> {
         let mut notes = Vec::new();
         let mut unknown = Vec::new();
-        let frequency = frequency(head, &mut notes)?;
+        let frequency = frequency(header, &mut notes)?;
         if frequency.is_none() {
-            unknown.push((Question::Frequency, head.abscissa.unit.clone()));
+            unknown.push((Question::Frequency, header.abscissa.unit.clone()));
         }
-        let above = side(&head.ordinate, head.response, units)?;
-        let below = side(&head.denominator, head.reference, units)?;
-        let directed = head.response.direction != 0 || head.ordinate.length != 0;
-        if matches!(above, Side::Motion(..)) && !directed && head.ordinate.unit.is_empty() {
-            notes.push("the direction is not said: a translation is taken".to_owned());
+        let numerator = side(&header.ordinate, header.response, units)?;
+        let denominator = side(&header.denominator, header.reference, units)?;
+        let directed = header.response.direction != 0 || header.ordinate.length != 0;
+        if matches!(numerator, RatioSide::Motion(..))
+            && !directed
+            && header.ordinate.unit.is_empty()
+        {
+            notes.push("the direction is not given: translation assumed".to_owned());
         }
-        let unit = match (above, below) {
-            (Side::Whole(kind, scale, inverse), _) => Some(ValueUnit::scaled(kind, scale, inverse)),
-            (Side::Unknown(words), _) | (_, Side::Unknown(words)) => {
+        let unit = match (numerator, denominator) {
+            (RatioSide::Whole(kind, scale, inverse), _) => {
+                Some(ValueUnit::scaled(kind, scale, inverse))
+            }
+            (RatioSide::Unknown(words), _) | (_, RatioSide::Unknown(words)) => {
                 unknown.push((Question::Unit, words));
                 None
             }
-            (above, below) => ratio(&above, &below)?,
+            (numerator, denominator) => ratio(&numerator, &denominator)?,
         };
         Ok(Self {
             frequency,
             unit,
             unknown,
-            sign: sign(head, &mut notes),
+            sign: sign(header, &mut notes),
             notes,
         })
     }
 
-    /// Takes for what is not said, or not understood, what a person says of it.
-    pub(super) fn answer(&mut self, layout: Option<&Layout>) {
+    /// Takes unknown units from the layout.
+    pub(super) fn complete(&mut self, layout: Option<&Layout>) {
         if let Some(layout) = layout {
             self.frequency.get_or_insert(layout.frequency);
             self.unit = self.unit.take().or_else(|| layout.unit.clone());
@@ -143,14 +150,14 @@ impl Meaning {
         });
         for (_, word) in &self.unknown {
             self.notes.push(format!(
-                "{word:?} is no unit that is known: numbers stand as in the file"
+                "{word:?} is no unit that is known: numbers are as in the file"
             ));
         }
     }
 }
 
-/// The unit of one side over the other; none where it is not said.
-fn ratio(above: &Side, below: &Side) -> Result<Option<ValueUnit>, String> {
+/// The unit of numerator over denominator; none if it is not given.
+fn ratio(numerator: &RatioSide, denominator: &RatioSide) -> Result<Option<ValueUnit>, String> {
     let motion = |moves, measure, per| {
         Kind::Motion(Dimension {
             moves,
@@ -158,43 +165,50 @@ fn ratio(above: &Side, below: &Side) -> Result<Option<ValueUnit>, String> {
             per,
         })
     };
-    Ok(match (above, below) {
-        (&Side::Motion(moves, measure, one), &Side::Load(load, load_one)) => {
+    Ok(match (numerator, denominator) {
+        (&RatioSide::Motion(moves, measure, one), &RatioSide::Load(load, load_one)) => {
             let kind = motion(moves, measure, Some(load));
             Some(ValueUnit::scaled(kind, one / load_one, false))
         }
-        (&Side::Motion(moves, measure, one), Side::Unsaid) => {
+        (&RatioSide::Motion(moves, measure, one), RatioSide::NotGiven) => {
             Some(ValueUnit::scaled(motion(moves, measure, None), one, false))
         }
-        (&Side::Load(load, load_one), &Side::Motion(moves, measure, one)) => {
+        (&RatioSide::Load(load, load_one), &RatioSide::Motion(moves, measure, one)) => {
             let kind = motion(moves, measure, Some(load));
             Some(ValueUnit::scaled(kind, load_one / one, true))
         }
-        (Side::Motion(..), _) => return Err("of a motion over a motion".to_owned()),
-        (Side::Load(..), _) => return Err("of a load over no motion".to_owned()),
-        (Side::Whole(..) | Side::Unsaid | Side::Unknown(_), _) => None,
+        (RatioSide::Motion(..), _) => return Err("of a motion over a motion".to_owned()),
+        (RatioSide::Load(..), _) => {
+            return Err("of a load over something other than a motion".to_owned());
+        }
+        (RatioSide::Whole(..) | RatioSide::NotGiven | RatioSide::Unknown(_), _) => None,
     })
 }
 
-/// The unit of the abscissa, where the function is one of frequency; none where its word is not known.
-fn frequency(head: &Head, notes: &mut Vec<String>) -> Result<Option<FrequencyUnit>, String> {
-    let response = matches!(head.function, 0 | 1 | 4 | 12);
-    match head.abscissa.kind {
+/// The unit of the abscissa; none if its label is unknown.
+///
+/// # Errors
+/// Why the function is not a function of frequency.
+fn frequency(
+    header: &FunctionHeader,
+    notes: &mut Vec<String>,
+) -> Result<Option<FrequencyUnit>, String> {
+    let response = matches!(header.function, 0 | 1 | 4 | 12);
+    match header.abscissa.kind {
         18 if response => {}
-        0 | 1 if matches!(head.function, 4 | 12) => {
-            notes
-                .push("the abscissa is not said to be a frequency: it is taken for one".to_owned());
+        0 | 1 if matches!(header.function, 4 | 12) => {
+            notes.push("the abscissa type is not given: frequency assumed".to_owned());
         }
-        _ if response => return Err("over something else than frequency".to_owned()),
+        _ if response => return Err("over something other than frequency".to_owned()),
         _ => {
             return Err(format!(
                 "of type {} ({})",
-                head.function,
-                function(head.function)
+                header.function,
+                function(header.function)
             ));
         }
     }
-    let word = &head.abscissa.unit;
+    let word = &header.abscissa.unit;
     let unit = FrequencyUnit::from_word(if word.is_empty() { "hz" } else { word });
     if let Some(unit) = unit.filter(|unit| *unit != FrequencyUnit::Hertz) {
         notes.push(format!("frequencies are in {}", unit.key()));
@@ -202,7 +216,7 @@ fn frequency(head: &Head, notes: &mut Vec<String>) -> Result<Option<FrequencyUni
     Ok(unit)
 }
 
-/// What a function type is called.
+/// The name of a function type.
 fn function(code: i64) -> &'static str {
     const NAMES: [&str; 10] = [
         "general",
@@ -220,8 +234,8 @@ fn function(code: i64) -> &'static str {
     NAMES.get(index).copied().unwrap_or("another function")
 }
 
-/// What an axis is of: by its specific data type, its direction and its unit in words, which must be of that type.
-fn side(axis: &Axis, end: End, units: &Units) -> Result<Side, String> {
+/// The quantity of an axis, from its data type, its direction and its unit label, which must match the type.
+fn side(axis: &AxisInfo, end: Dof, units: &FileUnits) -> Result<RatioSide, String> {
     let rotation = end.direction.abs() > 3;
     let words = ValueUnit::parse(&axis.unit).ok();
     let words = words.map(|unit| (unit.kind(), unit.ratio()));
@@ -233,32 +247,37 @@ fn side(axis: &Axis, end: End, units: &Units) -> Result<Side, String> {
         12 => Some(Measure::Acceleration),
         other => return Err(format!("of data type {other}")),
     };
-    let of_type = |said: Measure| measure.is_none_or(|measure| measure == said);
+    let of_type = |actual: Measure| measure.is_none_or(|measure| measure == actual);
     let is_load = matches!(axis.kind, 9 | 13);
     Ok(match (words, load, measure) {
-        (_, Some((load, one)), None) => Side::Load(load, one),
-        (Some((Kind::Motion(said), (scale, false))), _, _)
-            if said.per.is_none() && !is_load && of_type(said.measure) =>
+        (_, Some((load, one)), None) => RatioSide::Load(load, one),
+        (Some((Kind::Motion(motion), (scale, false))), _, _)
+            if motion.per.is_none() && !is_load && of_type(motion.measure) =>
         {
-            Side::Motion(said.moves, said.measure, scale)
+            RatioSide::Motion(motion.moves, motion.measure, scale)
         }
-        (Some((Kind::Motion(said), (scale, inverse))), _, _)
-            if said.per.is_some() && of_type(said.measure) =>
+        (Some((Kind::Motion(motion), (scale, inverse))), _, _)
+            if motion.per.is_some() && of_type(motion.measure) =>
         {
-            Side::Whole(Kind::Motion(said), scale, inverse)
+            RatioSide::Whole(Kind::Motion(motion), scale, inverse)
         }
         (Some((Kind::Energy, (scale, inverse))), _, None) if !is_load => {
-            Side::Whole(Kind::Energy, scale, inverse)
+            RatioSide::Whole(Kind::Energy, scale, inverse)
         }
         _ if !axis.unit.contains(char::is_alphanumeric) && !axis.unit.contains(['°', '%']) => {
             by_type(axis, measure, rotation, units)
         }
-        _ => Side::Unknown(axis.unit.clone()),
+        _ => RatioSide::Unknown(axis.unit.clone()),
     })
 }
 
-/// What an axis without a unit in words is of: by its specific data type and its direction.
-fn by_type(axis: &Axis, measure: Option<Measure>, rotation: bool, units: &Units) -> Side {
+/// The quantity of an axis without a unit label, from its data type and its direction.
+fn by_type(
+    axis: &AxisInfo,
+    measure: Option<Measure>,
+    rotation: bool,
+    units: &FileUnits,
+) -> RatioSide {
     match measure {
         Some(measure) => {
             let moves = if rotation {
@@ -266,24 +285,24 @@ fn by_type(axis: &Axis, measure: Option<Measure>, rotation: bool, units: &Units)
             } else {
                 Moves::Length
             };
-            Side::Motion(moves, measure, units.of_motion(moves))
+            RatioSide::Motion(moves, measure, units.of_motion(moves))
         }
         None if matches!(axis.kind, 9 | 13) => {
             let load = if rotation { Load::Moment } else { Load::Force };
-            Side::Load(load, units.of_load(load))
+            RatioSide::Load(load, units.of_load(load))
         }
-        None => Side::Unsaid,
+        None => RatioSide::NotGiven,
     }
 }
 
-/// The sense of a ratio: that along both axes.
-fn sign(head: &Head, notes: &mut Vec<String>) -> f64 {
-    let ends = [head.response, head.reference];
+/// The sign that converts a ratio to the positive directions of both axes.
+fn sign(header: &FunctionHeader, notes: &mut Vec<String>) -> f64 {
+    let ends = [header.response, header.reference];
     let against = ends.iter().filter(|end| end.direction < 0).count();
     if against == 1 {
         notes.push(format!(
-            "the sign is turned: {} looks against its axis",
-            head.places()
+            "the sign is inverted: {} is opposite to its axis",
+            header.dof_names()
         ));
         return -1.0;
     }

@@ -1,25 +1,25 @@
-//! What the words above a column say.
+//! Parses column titles: role, name, unit and sign.
 
-use super::words;
+use super::vocabulary;
 use crate::table::unquoted;
 use crate::unit::ValueUnit;
 use crate::unit::{FrequencyUnit, PhaseUnit};
 
-/// What a column's header says.
+/// A parsed column title.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Head {
+pub(super) struct ColumnTitle {
     pub(super) role: Role,
-    /// What is left of the header without role and unit: the curve's name.
+    /// The title without role and unit: the curve's name.
     pub(super) name: String,
     /// The unit of the values.
     pub(super) unit: Option<ValueUnit>,
-    /// What stands in square brackets, where it is no known unit.
+    /// The text in square brackets that is not a known unit.
     pub(super) unknown: Option<String>,
-    /// Whether a minus stands in front of the role or the whole: the column holds the opposite.
+    /// Whether a minus precedes the role or the title: the column has the opposite sign.
     pub(super) minus: bool,
 }
 
-/// What is in a column.
+/// The content of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Role {
     Frequency(Option<FrequencyUnit>),
@@ -29,53 +29,53 @@ pub(super) enum Role {
         decibels: bool,
     },
     Phase(Option<PhaseUnit>),
-    /// Nothing that belongs to a response.
+    /// Not part of a response.
     Other,
-    /// Not said.
-    Unsaid,
+    /// No known role.
+    Unknown,
 }
 
-impl Head {
+impl ColumnTitle {
     pub(super) fn new(cell: &str) -> Self {
         let (cell, minus) = without_minus(unquoted(cell.trim().trim_matches('"')).trim());
-        let mut head = Self {
-            role: Role::Unsaid,
+        let mut title = Self {
+            role: Role::Unknown,
             name: String::new(),
             unit: None,
             unknown: None,
             minus: false,
         };
         if let Some(role) = frequency(cell) {
-            head.role = role;
+            title.role = role;
             let inside = bracket(cell).map(|(_, inside)| inside.to_owned());
-            head.unknown = inside.filter(|_| role == Role::Frequency(None));
-            return head;
+            title.unknown = inside.filter(|_| role == Role::Frequency(None));
+            return title;
         }
-        let (words, note) = noted(cell);
-        let (said, name, inner) = role(words);
-        head.role = note.applied_to(said);
-        head.minus = minus != inner;
-        head.name = match (said, head.role) {
-            (Role::Phase(_), Role::Unsaid) => words.to_owned(),
+        let (words, note) = split_unit(cell);
+        let (stated, name, inner) = role(words);
+        title.role = note.applied_to(stated);
+        title.minus = minus != inner;
+        title.name = match (stated, title.role) {
+            (Role::Phase(_), Role::Unknown) => words.to_owned(),
             _ => name,
         };
-        // A phase's unit is no unit of a value.
-        if !matches!(head.role, Role::Phase(_)) {
-            (head.unit, head.unknown) = (note.unit, note.unknown);
+        // The unit of a phase is not a unit of values.
+        if !matches!(title.role, Role::Phase(_)) {
+            (title.unit, title.unknown) = (note.unit, note.unknown);
         }
-        head
+        title
     }
 
-    /// Whether it says anything of what is in the column.
+    /// Whether the title gives a role or a unit.
     pub(super) const fn is_known(&self) -> bool {
-        !matches!(self.role, Role::Unsaid) || self.unit.is_some()
+        !matches!(self.role, Role::Unknown) || self.unit.is_some()
     }
 }
 
-/// What a minus is in headers.
+/// Minus characters in titles.
 const MINUS: [char; 3] = ['-', '\u{2212}', '\u{2013}'];
 
-/// A header without the minus in front of it, and whether there is one: `-Im`, `minus imag`, `neg. phase`.
+/// A title without a leading minus, and whether it had one: `-Im`, `minus imag`, `neg. phase`.
 fn without_minus(cell: &str) -> (&str, bool) {
     if let Some(rest) = cell.strip_prefix(MINUS) {
         let rest = rest.trim_start();
@@ -94,32 +94,32 @@ fn without_minus(cell: &str) -> (&str, bool) {
     }
 }
 
-/// What stands in brackets.
+/// The text in brackets.
 #[derive(Debug, Default)]
-struct Note {
+struct UnitNote {
     decibels: bool,
     phase: Option<PhaseUnit>,
     unit: Option<ValueUnit>,
-    /// What should be a unit and is none that is known.
+    /// An unknown unit.
     unknown: Option<String>,
 }
 
-impl Note {
-    /// What a role is in this unit.
-    const fn applied_to(&self, said: Role) -> Role {
-        match (said, self.phase) {
+impl UnitNote {
+    /// The role, changed by this unit.
+    const fn applied_to(&self, stated: Role) -> Role {
+        match (stated, self.phase) {
             (Role::Magnitude { decibels }, _) => Role::Magnitude {
                 decibels: decibels || self.decibels,
             },
-            (Role::Unsaid, _) if self.decibels => Role::Magnitude { decibels: true },
-            (Role::Unsaid | Role::Phase(_), Some(unit)) => Role::Phase(Some(unit)),
-            // An angle over a load is a response.
-            (Role::Phase(_), None) if self.unit.is_some() => Role::Unsaid,
+            (Role::Unknown, _) if self.decibels => Role::Magnitude { decibels: true },
+            (Role::Unknown | Role::Phase(_), Some(unit)) => Role::Phase(Some(unit)),
+            // An angle divided by a load is a response.
+            (Role::Phase(_), None) if self.unit.is_some() => Role::Unknown,
             (other, _) => other,
         }
     }
 
-    /// None where it is no unit.
+    /// None if the text is not a unit.
     fn new(inside: &str) -> Option<Self> {
         let lower = inside.to_ascii_lowercase();
         if let Some(rest) = lower
@@ -148,27 +148,27 @@ impl Note {
     }
 }
 
-/// The words of a header and what stands behind them of their unit.
-fn noted(cell: &str) -> (&str, Note) {
-    let unknown = |inside: &str| Note {
+/// Splits a title into its words and its unit.
+fn split_unit(cell: &str) -> (&str, UnitNote) {
+    let unknown = |inside: &str| UnitNote {
         unknown: Some(inside.to_owned()),
-        ..Note::default()
+        ..UnitNote::default()
     };
     let (words, note) = match bracket(cell) {
-        Some((words, inside)) => match Note::new(inside) {
+        Some((words, inside)) => match UnitNote::new(inside) {
             Some(note) => (words, note),
             None if cell.ends_with(']') || inside.contains('/') => (words, unknown(inside)),
-            // What is no unit belongs to the name: Re(H11).
-            None => (cell, Note::default()),
+            // Text in brackets that is not a unit belongs to the name: Re(H11).
+            None => (cell, UnitNote::default()),
         },
-        None => behind(cell).unwrap_or((cell, Note::default())),
+        None => unit_after_words(cell).unwrap_or((cell, UnitNote::default())),
     };
-    // What joined the unit to the words.
+    // Remove what joined the unit to the words.
     let words = words.trim_end_matches([' ', '/', ',', ':']);
     (words.strip_suffix(" in").unwrap_or(words), note)
 }
 
-/// What a header's last bracket holds, and what stands before it.
+/// The text before and in the last bracket of a title.
 fn bracket(cell: &str) -> Option<(&str, &str)> {
     let (open, close) = match cell.chars().last()? {
         ']' => ('[', ']'),
@@ -176,7 +176,7 @@ fn bracket(cell: &str) -> Option<(&str, &str)> {
         _ => return None,
     };
     let inside = cell.strip_suffix(close)?;
-    // The bracket that this one closes: units have brackets in them.
+    // Find the matching bracket: units may contain brackets.
     let mut depth = 1;
     for (at, letter) in inside.char_indices().rev() {
         if letter == close {
@@ -191,15 +191,15 @@ fn bracket(cell: &str) -> Option<(&str, &str)> {
     None
 }
 
-/// The words and the unit behind them without brackets: `Betrag in um/N`, `Phase / deg`, `Real, m/N`.
-fn behind(cell: &str) -> Option<(&str, Note)> {
+/// Splits a title with a unit without brackets: `Betrag in um/N`, `Phase / deg`, `Real, m/N`.
+fn unit_after_words(cell: &str) -> Option<(&str, UnitNote)> {
     [" in ", " / ", ", "].into_iter().find_map(|between| {
         let (words, unit) = cell.rsplit_once(between)?;
-        Some((words.trim(), Note::new(unit.trim())?))
+        Some((words.trim(), UnitNote::new(unit.trim())?))
     })
 }
 
-/// The role of a column of frequencies, with their unit as far as it is said; none where it is of something else.
+/// The role of a frequency column, with its unit if given; none for other columns.
 fn frequency(cell: &str) -> Option<Role> {
     let lower = cell.to_lowercase();
     let plain = lower
@@ -210,37 +210,37 @@ fn frequency(cell: &str) -> Option<Role> {
         "rads" | "1/s" => Some(FrequencyUnit::RadianPerSecond),
         word => FrequencyUnit::from_word(word),
     };
-    // A unit alone.
+    // Only a unit.
     if let [word] = all[..]
         && word != "1/s"
         && let Some(unit) = unit(word)
     {
         return Some(Role::Frequency(Some(unit)));
     }
-    let (words, said) = match &all[..] {
+    let (words, stated) = match &all[..] {
         [words @ .., "rad", "s"] => (words.to_vec(), Some(FrequencyUnit::RadianPerSecond)),
         words => {
-            let said = words.iter().find_map(|word| unit(word));
+            let stated = words.iter().find_map(|word| unit(word));
             let named = words
                 .iter()
                 .filter(|word| unit(word).is_none() && **word != "in");
-            (named.copied().collect(), said)
+            (named.copied().collect(), stated)
         }
     };
     let name: Vec<&str> = match bracket(cell) {
-        // What stands in brackets and is not known is no word of the name.
+        // Unknown text in brackets is not part of the name.
         Some((before, _)) => before
             .split(|letter: char| letter.is_whitespace() || "_.,:".contains(letter))
             .filter(|word| !word.is_empty())
             .collect(),
         None => words,
     };
-    let angular = words::frequency(&name)?;
+    let angular = vocabulary::frequency(&name)?;
     let angular = angular.then_some(FrequencyUnit::RadianPerSecond);
-    Some(Role::Frequency(said.or(angular)))
+    Some(Role::Frequency(stated.or(angular)))
 }
 
-/// The role in a header's last or first word, the name that is left, and whether a minus stands in front of the role.
+/// The role from the last or first word of a title, the remaining name, and whether a minus precedes the role.
 fn role(text: &str) -> (Role, String, bool) {
     let text = text.trim();
     let bars = text
@@ -253,9 +253,9 @@ fn role(text: &str) -> (Role, String, bool) {
         return (Role::Phase(None), trimmed(rest), false);
     }
     let words = words_of(text);
-    let plain = |index: &usize| !words::is_part(&text[words[*index].clone()]);
+    let plain = |index: &usize| !vocabulary::is_part(&text[words[*index].clone()]);
     let own: Vec<usize> = (0..words.len()).filter(plain).collect();
-    // In brackets is a name, Re(H), but where there is nothing but a role, H (re).
+    // Brackets contain a name, Re(H), or only a role, H (re).
     let bracketed = |word: &std::ops::Range<usize>| {
         text[..word.start].ends_with('(') && &text[word.end..] == ")"
     };
@@ -264,14 +264,14 @@ fn role(text: &str) -> (Role, String, bool) {
         .last()
         .filter(|_| words.last().is_some_and(ends_in_word));
     for index in last.into_iter().chain(own.first()) {
-        let place = words[*index].clone();
-        let Some(role) = words::role(&text[place.clone()]) else {
+        let range = words[*index].clone();
+        let Some(role) = vocabulary::role(&text[range.clone()]) else {
             continue;
         };
-        let (mut from, mut to) = (place.start, place.end);
+        let (mut from, mut to) = (range.start, range.end);
         let is_part = |index: Option<usize>| {
-            let place = words.get(index?)?;
-            words::is_part(&text[place.clone()]).then_some(place)
+            let range = words.get(index?)?;
+            vocabulary::is_part(&text[range.clone()]).then_some(range)
         };
         if let Some(part) = is_part(index.checked_sub(1)) {
             from = part.start;
@@ -279,21 +279,21 @@ fn role(text: &str) -> (Role, String, bool) {
         if let Some(part) = is_part(index.checked_add(1)) {
             to = part.end;
         }
-        if bracketed(&place) {
+        if bracketed(&range) {
             (from, to) = (from - 1, to + 1);
         }
         let before = &text[..from];
-        // H -imag has a minus, H-imag and H - imag have a dash.
+        // H -imag has a minus; H-imag and H - imag have a dash.
         let minus = before.strip_suffix(MINUS).is_some_and(|rest| {
             rest.is_empty()
                 || rest.ends_with(|letter: char| letter.is_whitespace() || "(./_".contains(letter))
         });
         return (role, trimmed(&format!("{before}{}", &text[to..])), minus);
     }
-    (Role::Unsaid, text.to_owned(), false)
+    (Role::Unknown, text.to_owned(), false)
 }
 
-/// Where the words of a text are.
+/// The positions of the words of a text.
 fn words_of(text: &str) -> Vec<std::ops::Range<usize>> {
     let mut words: Vec<std::ops::Range<usize>> = Vec::new();
     for (at, letter) in text.char_indices() {
@@ -310,7 +310,7 @@ fn words_of(text: &str) -> Vec<std::ops::Range<usize>> {
     words
 }
 
-/// A name without what joined it to a role.
+/// A name without the characters that joined it to a role.
 fn trimmed(name: &str) -> String {
     let joins = |letter: char| {
         letter.is_whitespace() || "._-:,/|".contains(letter) || MINUS.contains(&letter)
@@ -329,13 +329,17 @@ fn trimmed(name: &str) -> String {
 mod tests {
     use super::*;
 
-    fn head(cell: &str) -> (Role, String, Option<String>) {
-        let head = Head::new(cell);
-        (head.role, head.name, head.unit.map(|unit| unit.to_string()))
+    fn title(cell: &str) -> (Role, String, Option<String>) {
+        let title = ColumnTitle::new(cell);
+        (
+            title.role,
+            title.name,
+            title.unit.map(|unit| unit.to_string()),
+        )
     }
 
     #[test]
-    fn frequencies_and_their_units_are_known() {
+    fn frequencies_and_their_units_are_parsed() {
         use FrequencyUnit::{Hertz, Kilohertz, RadianPerSecond, RevolutionPerMinute};
         for (cell, unit) in [
             ("frequency_hz", Some(Hertz)),
@@ -357,7 +361,7 @@ mod tests {
             ("angular frequency [Hz]", Some(Hertz)),
             ("Frequency [MHz]", None),
         ] {
-            assert_eq!(head(cell).0, Role::Frequency(unit), "{cell}");
+            assert_eq!(title(cell).0, Role::Frequency(unit), "{cell}");
         }
         for cell in [
             "F1 re",
@@ -369,12 +373,12 @@ mod tests {
             "Frequency response",
             "Frequenzgang",
         ] {
-            assert!(!matches!(head(cell).0, Role::Frequency(_)), "{cell}");
+            assert!(!matches!(title(cell).0, Role::Frequency(_)), "{cell}");
         }
     }
 
     #[test]
-    fn roles_names_and_units_are_known() {
+    fn roles_names_and_units_are_parsed() {
         let magnitude = |decibels| Role::Magnitude { decibels };
         let degrees = Role::Phase(Some(PhaseUnit::Degree));
         for (cell, role, name, unit) in [
@@ -411,21 +415,21 @@ mod tests {
             ("Partie re\u{301}elle (m/N)", Role::Real, "", Some("m/N")),
             ("Imaginärteil", Role::Imaginary, "", None),
             ("tip (re) [m/N]", Role::Real, "tip", Some("m/N")),
-            ("Angle [rad/N]", Role::Unsaid, "Angle", Some("rad/N")),
+            ("Angle [rad/N]", Role::Unknown, "Angle", Some("rad/N")),
             ("Real (furlong/N)", Role::Real, "", None),
             ("Gain [dB]", magnitude(true), "Gain", None),
             ("Coherence", Role::Other, "", None),
-            ("E_V", Role::Unsaid, "E_V", None),
-            ("H11", Role::Unsaid, "H11", None),
-            ("", Role::Unsaid, "", None),
+            ("E_V", Role::Unknown, "E_V", None),
+            ("H11", Role::Unknown, "H11", None),
+            ("", Role::Unknown, "", None),
         ] {
             let unit = unit.map(str::to_owned);
-            assert_eq!(head(cell), (role, name.to_owned(), unit), "{cell}");
+            assert_eq!(title(cell), (role, name.to_owned(), unit), "{cell}");
         }
     }
 
     #[test]
-    fn a_minus_and_an_unknown_unit_are_seen() {
+    fn a_minus_and_an_unknown_unit_are_parsed() {
         for (cell, minus) in [
             ("-Im", true),
             ("-Im(H) [m/N]", true),
@@ -438,9 +442,9 @@ mod tests {
             ("-", false),
             ("minus", false),
         ] {
-            assert_eq!(Head::new(cell).minus, minus, "{cell}");
+            assert_eq!(ColumnTitle::new(cell).minus, minus, "{cell}");
         }
-        let unknown = |cell: &str| Head::new(cell).unknown;
+        let unknown = |cell: &str| ColumnTitle::new(cell).unknown;
         assert_eq!(unknown("Re [furlong/N]").as_deref(), Some("furlong/N"));
         assert_eq!(unknown("Frequency [MHz]").as_deref(), Some("MHz"));
         assert_eq!(unknown("Re [m/N]"), None);

@@ -1,14 +1,14 @@
-//! The way of the cursor from cell to cell.
+//! Cursor movements from cell to cell.
 
 use std::io::Write as _;
 
 /// A column and a row, from 0.
-pub(super) type Place = (u16, u16);
+pub(super) type CellPosition = (u16, u16);
 
-/// Writes the shortest way to a place, from another or from one that is not known.
+/// Writes the shortest sequence that moves the cursor to `to`, from a known or an unknown position.
 ///
-/// A line feed goes down without going back, as terminals do in raw mode; it is never written in the last row.
-pub(super) fn travel(from: Option<Place>, to: Place, out: &mut Vec<u8>) {
+/// In raw mode a line feed moves down and keeps the column; it is never written in the last row.
+pub(super) fn move_cursor(from: Option<CellPosition>, to: CellPosition, out: &mut Vec<u8>) {
     if from == Some(to) {
         return;
     }
@@ -19,8 +19,8 @@ pub(super) fn travel(from: Option<Place>, to: Place, out: &mut Vec<u8>) {
     }
 }
 
-/// By row and column; a 1 need not be written.
-fn absolute((x, y): Place) -> Vec<u8> {
+/// An absolute movement; a parameter of 1 is omitted.
+fn absolute((x, y): CellPosition) -> Vec<u8> {
     let mut out = Vec::with_capacity(10);
     // Writing into memory does not fail.
     let _ = match (x, y) {
@@ -32,8 +32,8 @@ fn absolute((x, y): Place) -> Vec<u8> {
     out
 }
 
-/// By steps: first down or up, then to the side, or from the row's start.
-fn relative((from_x, from_y): Place, (x, y): Place) -> Vec<u8> {
+/// A relative movement: first vertical, then horizontal, or from the start of the row.
+fn relative((from_x, from_y): CellPosition, (x, y): CellPosition) -> Vec<u8> {
     let mut out = Vec::with_capacity(10);
     if y > from_y {
         step(y - from_y, b'\n', b'B', &mut out);
@@ -50,7 +50,7 @@ fn relative((from_x, from_y): Place, (x, y): Place) -> Vec<u8> {
     out
 }
 
-/// So many single steps, or the code for all where that is shorter.
+/// `count` single steps, or one code for all if that is shorter.
 fn step(count: u16, single: u8, all: u8, out: &mut Vec<u8>) {
     if count <= 3 {
         out.extend(std::iter::repeat_n(single, usize::from(count)));
@@ -71,24 +71,24 @@ fn code(count: u16, letter: u8, out: &mut Vec<u8>) {
 mod tests {
     use super::*;
 
-    fn way(from: Option<Place>, to: Place) -> String {
+    fn moves(from: Option<CellPosition>, to: CellPosition) -> String {
         let mut out = Vec::new();
-        travel(from, to, &mut out);
+        move_cursor(from, to, &mut out);
         String::from_utf8(out).unwrap()
     }
 
     #[test]
-    fn the_way_is_short() {
-        assert_eq!(way(Some((5, 5)), (5, 5)), "");
-        assert_eq!(way(Some((5, 5)), (6, 5)), "\x1b[C");
-        assert_eq!(way(Some((5, 5)), (9, 5)), "\x1b[4C");
-        assert_eq!(way(Some((5, 5)), (4, 6)), "\n\x08");
-        assert_eq!(way(Some((5, 5)), (0, 6)), "\n\r");
-        assert_eq!(way(Some((5, 5)), (5, 4)), "\x1b[A");
-        assert_eq!(way(Some((5, 5)), (100, 30)), "\x1b[31;101H");
-        assert_eq!(way(Some((90, 5)), (88, 30)), "\x1b[25B\x08\x08");
-        assert_eq!(way(None, (0, 0)), "\x1b[H");
-        assert_eq!(way(None, (0, 9)), "\x1b[10H");
-        assert_eq!(way(None, (9, 0)), "\x1b[;10H");
+    fn movements_are_short() {
+        assert_eq!(moves(Some((5, 5)), (5, 5)), "");
+        assert_eq!(moves(Some((5, 5)), (6, 5)), "\x1b[C");
+        assert_eq!(moves(Some((5, 5)), (9, 5)), "\x1b[4C");
+        assert_eq!(moves(Some((5, 5)), (4, 6)), "\n\x08");
+        assert_eq!(moves(Some((5, 5)), (0, 6)), "\n\r");
+        assert_eq!(moves(Some((5, 5)), (5, 4)), "\x1b[A");
+        assert_eq!(moves(Some((5, 5)), (100, 30)), "\x1b[31;101H");
+        assert_eq!(moves(Some((90, 5)), (88, 30)), "\x1b[25B\x08\x08");
+        assert_eq!(moves(None, (0, 0)), "\x1b[H");
+        assert_eq!(moves(None, (0, 9)), "\x1b[10H");
+        assert_eq!(moves(None, (9, 0)), "\x1b[;10H");
     }
 }

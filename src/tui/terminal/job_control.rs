@@ -1,4 +1,4 @@
-//! Job control: stopping until the shell goes on with the program.
+//! Job control: stopping until the shell continues the program.
 
 use std::fs;
 use std::io;
@@ -6,28 +6,27 @@ use std::io;
 use rustix::process::{Signal, getpgrp, kill_current_process_group};
 use rustix::termios::tcgetpgrp;
 
-/// Stops the whole job until it is told to go on: the shell waits for all of it, also for a program that stands between
-/// it and this one.
+/// Stops the whole job until it is continued: the shell waits for all its processes, also for one between the shell and
+/// this program.
 pub(super) fn stop() -> io::Result<()> {
     Ok(kill_current_process_group(Signal::STOP)?)
 }
 
-/// Whether the job is the one to which the terminal listens. Where the system does not tell, it is.
-pub(super) fn is_in_front() -> bool {
+/// Whether this job is in the foreground of the terminal; assumed if the system does not report it.
+pub(super) fn is_in_foreground() -> bool {
     tcgetpgrp(io::stdout()).map_or(true, |front| front == getpgrp())
 }
 
-/// Whether there is a shell that can go on with the program once it has stopped.
+/// Whether there is a shell that can continue the program after a stop.
 ///
-/// There is none where the terminal runs nothing but the program: its process group is then an orphaned one, which the
-/// system would not stop by the terminal's stop key either (POSIX.1-2017, 2.4.3). Where the system does not tell, a
-/// shell is taken to be there.
+/// There is none if the terminal runs only this program: its process group is then orphaned, and the system does not
+/// stop it by the terminal's stop key either (POSIX.1-2017, 2.4.3). If the system does not report it, a shell is assumed.
 pub fn can_suspend() -> bool {
     let Some(own) = process("self") else {
         return true;
     };
     let mut parent = own.parent;
-    // A script between the shell and the program is of the same group.
+    // A script between the shell and the program is in the same group.
     while parent != 0 {
         match process(&parent.to_string()) {
             Some(one) if one.session != own.session => return false,
@@ -38,7 +37,7 @@ pub fn can_suspend() -> bool {
     false
 }
 
-/// What the system knows of a process: the numbers of its parent, its group and its session.
+/// The ids of a process: parent, process group and session.
 #[derive(Debug, PartialEq, Eq)]
 struct Process {
     parent: u32,
@@ -46,13 +45,13 @@ struct Process {
     session: u32,
 }
 
-/// From Linux's table of processes (proc(5), /proc/PID/stat).
+/// Reads the ids from Linux's process table (proc(5), /proc/PID/stat).
 fn process(id: &str) -> Option<Process> {
     parse(&fs::read_to_string(format!("/proc/{id}/stat")).ok()?)
 }
 
 fn parse(stat: &str) -> Option<Process> {
-    // The name in parentheses may hold anything, blanks and parentheses too.
+    // The name in parentheses may contain blanks and parentheses.
     let (_, rest) = stat.rsplit_once(')')?;
     let mut numbers = rest.split_whitespace().skip(1).map(str::parse);
     let mut next = || numbers.next()?.ok();
@@ -68,7 +67,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_name_with_parentheses_is_no_hindrance() {
+    fn a_name_with_parentheses_is_parsed() {
         let expected = Process {
             parent: 7,
             group: 12,

@@ -17,6 +17,7 @@ use super::id::{Group, ParameterId};
 use super::path::{self, Pattern};
 use super::types::Model;
 use std::cmp::Ordering;
+use std::mem::discriminant;
 
 /// A model, if it is a possible one.
 ///
@@ -56,8 +57,9 @@ pub fn remove(model: &mut Model, element: Group) {
 /// The first study or variable with a path that leads elsewhere, or nowhere, in a model from which an element was removed.
 pub fn misled(before: &Model, after: &Model, removed: Group) -> Option<Group> {
     // What stands behind the removed one is one place further up.
+    let same_list = |group: Group| discriminant(&group) == discriminant(&removed);
     let moved = |id: ParameterId| match (id.group.place(), removed.place()) {
-        (Some(own), Some(there)) if id.group.at(there) == removed => match own.cmp(&there) {
+        (Some(own), Some(there)) if same_list(id.group) => match own.cmp(&there) {
             Ordering::Less => Some(id),
             Ordering::Equal => None,
             Ordering::Greater => Some(id.at(own - 1)),
@@ -159,6 +161,8 @@ mod tests {
         }
         assert_eq!(misled_by(1, "subsystems.'a.b'.mass"), study);
         assert_eq!(misled_by(2, "subsystems.1.mass"), None);
+        // A support has a place among two, whichever subsystem is removed.
+        assert_eq!(misled_by(2, "supports.right.w.stiffness"), None);
         let mut model = sample::model(&["S1"]);
         model.studies.clear();
         let mut after = model.clone();

@@ -3,6 +3,10 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
 
+#[path = "../tests/common/checked.rs"]
+mod checked;
+
+use checked::checked;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
@@ -21,7 +25,9 @@ const RESTARTS: usize = 20;
 
 /// The springs of each absorber are equal, and so are its dampers; the highest peak of the right end below 400 Hz counts.
 fn model() -> Model {
-    let mut model = model::read(presets::find("fig05a").unwrap().text).unwrap();
+    let mut model = model::read(presets::find("fig05a").unwrap().text)
+        .unwrap()
+        .into_inner();
     let springs = ["y_left", "y_right", "z_left", "z_right"];
     let mut variables = Vec::new();
     for name in ["S1", "S2", "S3"] {
@@ -97,7 +103,7 @@ fn plain(terrain: &Terrain<'_>, evaluations: usize, seed: u64) -> f64 {
 
 fn main() {
     let model = model();
-    let problem = Problem::new(&model, Path::new("")).unwrap();
+    let problem = Problem::new(&checked(&model), Path::new("")).unwrap();
     let budget = default_budget(problem.variables());
     let start = Instant::now();
     let options = Options {

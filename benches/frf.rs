@@ -4,6 +4,10 @@
 
 #![allow(clippy::expect_used)]
 
+#[path = "../tests/common/checked.rs"]
+mod checked;
+
+use checked::checked;
 use std::hint::black_box;
 use std::sync::atomic::AtomicBool;
 
@@ -14,7 +18,9 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 /// The model of a preset.
 fn preset(name: &str) -> Model {
     let preset = presets::find(name).expect("an embedded preset");
-    read(preset.text).expect("presets are possible models")
+    read(preset.text)
+        .expect("presets are possible models")
+        .into_inner()
 }
 
 /// `fig05a` with `count` of its subsystems evenly along the beam, each as light as keeps the total.
@@ -58,11 +64,12 @@ fn sweeps(criterion: &mut Criterion) {
         group.throughput(Throughput::Elements(points as u64));
         group.sample_size(10);
         group.bench_function(BenchmarkId::from_parameter("one core"), |bencher| {
-            bencher
-                .iter(|| single.install(|| black_box(solve::sweep(&model, &frequencies, &never))));
+            bencher.iter(|| {
+                single.install(|| black_box(solve::sweep(&checked(&model), &frequencies, &never)))
+            });
         });
         group.bench_function(BenchmarkId::from_parameter("all cores"), |bencher| {
-            bencher.iter(|| black_box(solve::sweep(&model, &frequencies, &never)));
+            bencher.iter(|| black_box(solve::sweep(&checked(&model), &frequencies, &never)));
         });
         group.finish();
     }
@@ -75,13 +82,14 @@ fn resolving(criterion: &mut Criterion) {
     group.sample_size(10);
     for name in ["fig05a", "fig08", "hundred_absorbers"] {
         let model = preset(name);
-        let modes = solve::modes::modes(&model, model.sweep.to, &never).expect("nothing cancels");
+        let modes =
+            solve::modes::modes(&checked(&model), model.sweep.to, &never).expect("nothing cancels");
         let base = solve::frequencies(&model.sweep);
-        let solved = solve::sweep(&model, &base, &never).expect("nothing cancels");
+        let solved = solve::sweep(&checked(&model), &base, &never).expect("nothing cancels");
         group.bench_function(BenchmarkId::from_parameter(name), |bencher| {
             bencher.iter(|| {
                 black_box(solve::peaks::resolved(
-                    &model,
+                    &checked(&model),
                     &modes,
                     solved.clone(),
                     &never,

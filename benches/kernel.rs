@@ -8,6 +8,10 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
 
+#[path = "../tests/common/checked.rs"]
+mod checked;
+
+use checked::checked;
 use std::hint::black_box;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
@@ -49,7 +53,9 @@ fn shortest<T>(times: usize, mut run: impl FnMut() -> T) -> f64 {
 
 /// The model of a preset.
 fn preset(name: &str) -> Model {
-    read(presets::find(name).unwrap().text).unwrap()
+    read(presets::find(name).unwrap().text)
+        .unwrap()
+        .into_inner()
 }
 
 /// `fig05a` with `count` of its subsystems evenly along the beam, each as light as keeps the total.
@@ -88,9 +94,10 @@ fn witnesses() {
     let elements = fem::FiniteElements::new(&model, 80);
     let (mut exact, mut finite, mut product) = (f64::INFINITY, f64::INFINITY, f64::INFINITY);
     for _ in 0..10 {
-        exact = exact.min(shortest(3, || sweep(&model, &all, &NEVER)) / 2000.0);
+        exact = exact.min(shortest(3, || sweep(&checked(&model), &all, &NEVER)) / 2000.0);
         finite = finite.min(shortest(1, || elements.sweep(&some, &NEVER)) / 100.0);
-        product = product.min(shortest(1, || chain::sweep(&model, &some, &NEVER)) / 100.0);
+        product =
+            product.min(shortest(1, || chain::sweep(&checked(&model), &some, &NEVER)) / 100.0);
     }
     let [exact, finite, product] = [exact, finite, product].map(|time| time * 1e6);
     println!("All cores, us a frequency, and times the exact solver:");
@@ -104,8 +111,10 @@ fn witnesses() {
     }
     for frequency in [100.0, 400.0, 1000.0] {
         let [one, other] = [
-            sweep(&model, &[frequency], &NEVER).unwrap(),
-            chain::sweep(&model, &[frequency], &NEVER).unwrap().unwrap(),
+            sweep(&checked(&model), &[frequency], &NEVER).unwrap(),
+            chain::sweep(&checked(&model), &[frequency], &NEVER)
+                .unwrap()
+                .unwrap(),
         ];
         let pairs = one.columns.iter().zip(&other.columns);
         let worst = pairs
@@ -142,14 +151,14 @@ fn against_the_peak() {
     );
     for (name, model, points) in models() {
         let all = grid(points);
-        let cost = work(&model, &all, instructions);
+        let cost = work(&checked(&model), &all, instructions);
         // Side by side, for clocks drift.
         let (mut peak, mut time) = ([0.0_f64; 2], f64::INFINITY);
         for _ in 0..5 {
             for (peak, now) in peak.iter_mut().zip(peaks(instructions)) {
                 *peak = peak.max(now);
             }
-            time = time.min(shortest(4, || sweep(&model, &all, &NEVER)) / points as f64);
+            time = time.min(shortest(4, || sweep(&checked(&model), &all, &NEVER)) / points as f64);
         }
         let least = cost.multiply_adds / peak[0];
         let with_divisions = least + cost.divisions / peak[1];
@@ -180,7 +189,7 @@ fn by_instructions() {
         let mut times = vec![f64::INFINITY; available.len()];
         for _ in 0..5 {
             for (time, &instructions) in times.iter_mut().zip(&available) {
-                let now = shortest(3, || sweep_with(instructions, &model, &all));
+                let now = shortest(3, || sweep_with(instructions, &checked(&model), &all));
                 *time = time.min(now / points as f64);
             }
         }
@@ -319,8 +328,8 @@ fn growth() {
     let [hundred, thousand] = [100, 1000].map(with_subsystems);
     let (mut one, mut ten) = (f64::INFINITY, f64::INFINITY);
     for _ in 0..8 {
-        one = one.min(shortest(4, || sweep(&hundred, &all, &NEVER)));
-        ten = ten.min(shortest(1, || sweep(&thousand, &all, &NEVER)));
+        one = one.min(shortest(4, || sweep(&checked(&hundred), &all, &NEVER)));
+        ten = ten.min(shortest(1, || sweep(&checked(&thousand), &all, &NEVER)));
     }
     println!(
         "\n1,000 subsystems take {:.2} times as long as 100",
@@ -368,7 +377,7 @@ fn stiffen(model: &mut Model, left: bool) {
 fn edits() {
     let all = grid(2000);
     let (one, thousand) = (with_subsystems(1), with_subsystems(1000));
-    let afresh = shortest(2, || sweep(&thousand, &all, &NEVER));
+    let afresh = shortest(2, || sweep(&checked(&thousand), &all, &NEVER));
     println!(
         "\n1,000 subsystems, 2,000 frequencies, 12 responses: {:.0} ms afresh",
         afresh * 1e3
@@ -379,16 +388,16 @@ fn edits() {
     );
     for (name, edit) in EDITS {
         let (mut model, mut kept) = (thousand.clone(), Kept::default());
-        kept.sweep(&model, &all, &NEVER).unwrap();
+        kept.sweep(&checked(&model), &all, &NEVER).unwrap();
         let mut next = || {
             edit(&mut model);
-            shortest(1, || kept.sweep(&model, &all, &NEVER))
+            shortest(1, || kept.sweep(&checked(&model), &all, &NEVER))
         };
         let first = next();
         let (mut later, mut single) = (f64::INFINITY, f64::INFINITY);
         for _ in 0..10 {
             later = later.min(next());
-            single = single.min(shortest(1, || sweep(&one, &all, &NEVER)));
+            single = single.min(shortest(1, || sweep(&checked(&one), &all, &NEVER)));
         }
         println!(
             "{name:20} {:9.1} {:9.3} {:12.3} {:8.2} {:12}",

@@ -2,6 +2,10 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
 
+#[path = "../tests/common/checked.rs"]
+mod checked;
+
+use checked::checked;
 use std::hint::black_box;
 use std::sync::atomic::AtomicBool;
 
@@ -18,7 +22,9 @@ use frequency_of::frequency_of;
 static NEVER: AtomicBool = AtomicBool::new(false);
 
 fn thousand() -> Model {
-    model::read(include_str!("../tests/data/thousand.toml")).unwrap()
+    model::read(include_str!("../tests/data/thousand.toml"))
+        .unwrap()
+        .into_inner()
 }
 
 /// The first fifty subsystems of the thousand.
@@ -30,8 +36,12 @@ fn fifty() -> Model {
 }
 
 fn benches(criterion: &mut Criterion) {
-    let paper = model::read(presets::find("fig05a").unwrap().text).unwrap();
-    let hundred = model::read(presets::find("hundred_absorbers").unwrap().text).unwrap();
+    let paper = model::read(presets::find("fig05a").unwrap().text)
+        .unwrap()
+        .into_inner();
+    let hundred = model::read(presets::find("hundred_absorbers").unwrap().text)
+        .unwrap()
+        .into_inner();
     let (fifty, thousand) = (fifty(), thousand());
     let hundredth = frequency_of(&thousand, 100);
     let mut group = criterion.benchmark_group("modes");
@@ -42,25 +52,25 @@ fn benches(criterion: &mut Criterion) {
         ("hundred_absorbers to 400 Hz", &hundred, 400.0),
         ("1,000 absorbers, first 100 modes", &thousand, hundredth),
     ] {
-        let found = modes(model, to, &NEVER).unwrap();
+        let found = modes(&checked(model), to, &NEVER).unwrap();
         println!(
             "{name}: {} modes, {} without damping",
             found.modes.len(),
             found.undamped
         );
         group.bench_function(format!("{name}, undamped"), |bencher| {
-            bencher.iter(|| undamped(black_box(model), to, &NEVER));
+            bencher.iter(|| undamped(black_box(&checked(model)), to, &NEVER));
         });
         group.bench_function(format!("{name}, damped"), |bencher| {
-            bencher.iter(|| modes(black_box(model), to, &NEVER));
+            bencher.iter(|| modes(black_box(&checked(model)), to, &NEVER));
         });
         group.bench_function(format!("{name}, followed"), |bencher| {
             let mut changed = model.clone();
             changed.subsystems[0].mass *= 1.01;
-            bencher.iter(|| follow(black_box(&changed), &found, &NEVER));
+            bencher.iter(|| follow(black_box(&checked(&changed)), &found, &NEVER));
         });
         group.bench_function(format!("{name}, one count"), |bencher| {
-            bencher.iter(|| count(black_box(model), 0.7 * to));
+            bencher.iter(|| count(black_box(&checked(model)), 0.7 * to));
         });
     }
     group.finish();

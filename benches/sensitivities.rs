@@ -4,6 +4,10 @@
 
 #![allow(clippy::expect_used)]
 
+#[path = "../tests/common/checked.rs"]
+mod checked;
+
+use checked::checked;
 use std::hint::black_box;
 use std::sync::atomic::AtomicBool;
 
@@ -14,7 +18,9 @@ use criterion::{Criterion, criterion_group, criterion_main};
 
 fn preset(name: &str) -> Model {
     let preset = presets::find(name).expect("an embedded preset");
-    read(preset.text).expect("presets are possible models")
+    read(preset.text)
+        .expect("presets are possible models")
+        .into_inner()
 }
 
 /// All responses at one frequency, and their derivatives.
@@ -23,7 +29,9 @@ fn gradients(criterion: &mut Criterion) {
         .num_threads(1)
         .build()
         .expect("a pool of one thread");
-    let thousand = read(include_str!("../tests/data/thousand.toml")).expect("a possible model");
+    let thousand = read(include_str!("../tests/data/thousand.toml"))
+        .expect("a possible model")
+        .into_inner();
     let cases = [
         ("fig05a", preset("fig05a")),
         ("fig16 (energy)", preset("fig16")),
@@ -32,11 +40,12 @@ fn gradients(criterion: &mut Criterion) {
     for (name, model) in cases {
         let never = AtomicBool::new(false);
         let frequencies: Vec<f64> = (1..=50).map(|index| 7.3 * f64::from(index)).collect();
-        let differentiator = Differentiator::new(&model);
+        let differentiator = Differentiator::new(&checked(&model));
         let mut group = criterion.benchmark_group(name);
         group.sample_size(10);
         group.bench_function("50 frequencies", |bencher| {
-            bencher.iter(|| single.install(|| solve::sweep(&model, &frequencies, &never)));
+            bencher
+                .iter(|| single.install(|| solve::sweep(&checked(&model), &frequencies, &never)));
         });
         group.bench_function("their derivatives", |bencher| {
             bencher.iter(|| {
@@ -46,7 +55,7 @@ fn gradients(criterion: &mut Criterion) {
             });
         });
         group.bench_function("laying out", |bencher| {
-            bencher.iter(|| black_box(Differentiator::new(&model)));
+            bencher.iter(|| black_box(Differentiator::new(&checked(&model))));
         });
         group.finish();
     }
@@ -56,8 +65,8 @@ fn gradients(criterion: &mut Criterion) {
 fn features(criterion: &mut Criterion) {
     let never = AtomicBool::new(false);
     let model = preset("fig05a");
-    let found = solve::modes::modes(&model, 400.0, &never).expect("nothing cancels");
-    let differentiator = Differentiator::new(&model);
+    let found = solve::modes::modes(&checked(&model), 400.0, &never).expect("nothing cancels");
+    let differentiator = Differentiator::new(&checked(&model));
     let middle = found.modes.len() / 2;
     let mut group = criterion.benchmark_group("fig05a");
     group.sample_size(10);

@@ -2,6 +2,10 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
 
+#[path = "../tests/common/checked.rs"]
+mod checked;
+
+use checked::checked;
 use std::hint::black_box;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
@@ -17,7 +21,9 @@ static NEVER: AtomicBool = AtomicBool::new(false);
 
 /// The absorbers of fig05a: along y and along z a stiffness and a damping each, twelve variables.
 fn absorbers(aim: Aim) -> Model {
-    let mut model = model::read(presets::find("fig05a").unwrap().text).unwrap();
+    let mut model = model::read(presets::find("fig05a").unwrap().text)
+        .unwrap()
+        .into_inner();
     let mut variables = Vec::new();
     for name in ["S1", "S2", "S3"] {
         for axis in ["y", "z"] {
@@ -65,7 +71,7 @@ fn benches(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("tune fig05a");
     group.sample_size(10);
     for (name, aim) in aims {
-        let problem = Problem::new(&absorbers(aim), Path::new(".")).unwrap();
+        let problem = Problem::new(&checked(&absorbers(aim)), Path::new(".")).unwrap();
         let start = problem.point_of(problem.model());
         let terrain = Terrain::new(&problem, &start, &NEVER).unwrap();
         let points = points(problem.variables());

@@ -86,7 +86,7 @@ pub fn value(unit: usize, old: f64, text: &str) {
 fn sample() -> &'static Model {
     static MODEL: OnceLock<Model> = OnceLock::new();
     MODEL.get_or_init(|| match model::read(SAMPLE) {
-        Ok(model) => model,
+        Ok(model) => model.into_inner(),
         Err(faults) => panic!("the sample is refused: {faults:?}"),
     })
 }

@@ -30,7 +30,7 @@ use resolve::{Resolver, Unresolved};
 pub use sensitivity::{SensitivityAnswer, SensitivityRequest};
 pub use tuning::{Pause, SpreadAnswer, SpreadRequest, TuneAnswer, TuneRequest, TuneStage};
 
-use crate::model::Model;
+use crate::model::Checked;
 use crate::solve::band::Level;
 use crate::solve::modes::{Modes, Shape, Shares, shape};
 use crate::solve::operating::{Operating, operating};
@@ -76,9 +76,9 @@ pub enum Request {
 #[derive(Debug, Clone)]
 pub struct ExpectRequest {
     /// A checked model.
-    pub model: Arc<Model>,
+    pub model: Arc<Checked>,
     /// The same after such an edit, checked.
-    pub edited: Arc<Model>,
+    pub edited: Arc<Checked>,
 }
 
 /// Which models' levels are told in which band.
@@ -98,7 +98,7 @@ pub struct OperatingRequest {
     /// Comes back with the answer.
     pub serial: u64,
     /// A checked model.
-    pub model: Arc<Model>,
+    pub model: Arc<Checked>,
     /// Hz.
     pub frequency: f64,
 }
@@ -133,7 +133,7 @@ pub struct Subject {
     /// The model's generation; comes back with the answer.
     pub generation: u64,
     /// A checked model.
-    pub model: Arc<Model>,
+    pub model: Arc<Checked>,
     /// Index of the study whose members are wanted; none: the model alone.
     pub study: Option<usize>,
 }
@@ -144,7 +144,7 @@ pub struct ShapeRequest {
     /// The model's generation; comes back with the answer.
     pub generation: u64,
     /// A checked model.
-    pub model: Arc<Model>,
+    pub model: Arc<Checked>,
     /// Its modes.
     pub modes: Arc<Modes>,
     /// The index of one of them.
@@ -191,7 +191,7 @@ pub struct LevelsMember {
     /// What tells it from the other members of its study.
     pub label: Option<String>,
     /// The model.
-    pub model: Arc<Model>,
+    pub model: Arc<Checked>,
     /// One for each enabled response.
     pub levels: Vec<Level>,
 }
@@ -268,7 +268,7 @@ pub struct Member {
     /// What tells it from the other members of its study.
     pub label: Option<String>,
     /// The model whose curves they are.
-    pub model: Arc<Model>,
+    pub model: Arc<Checked>,
     /// Its responses.
     pub frf: Frf,
     /// The peaks of each response; none before the curves are resolved.

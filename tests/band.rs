@@ -2,6 +2,10 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+#[path = "common/checked.rs"]
+mod checked;
+
+use checked::checked;
 use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
 
@@ -19,15 +23,17 @@ use num_complex::Complex64;
 static NEVER: AtomicBool = AtomicBool::new(false);
 
 fn preset(name: &str) -> Model {
-    model::read(presets::find(name).unwrap().text).unwrap()
+    model::read(presets::find(name).unwrap().text)
+        .unwrap()
+        .into_inner()
 }
 
 fn solved_modes(model: &Model, to: f64) -> Modes {
-    modes(model, to, &NEVER).unwrap()
+    modes(&checked(model), to, &NEVER).unwrap()
 }
 
 fn levels_of(model: &Model, band: [f64; 2]) -> Vec<Level> {
-    levels(model, &solved_modes(model, band[1]), band, &NEVER).unwrap()
+    levels(&checked(model), &solved_modes(model, band[1]), band, &NEVER).unwrap()
 }
 
 fn motion(x: f64, motion: BeamMotion, measure: Measure) -> Response {
@@ -195,15 +201,15 @@ fn levels_are_those_of_dense_sums_and_of_the_peak_table() {
         let steps = ((band[1] - band[0]) / 0.005) as usize;
         let step = (band[1] - band[0]) / steps as f64;
         let grid: Vec<f64> = (0..=steps).map(|i| band[0] + step * i as f64).collect();
-        let dense = sweep(&model, &grid, &NEVER).unwrap();
+        let dense = sweep(&checked(&model), &grid, &NEVER).unwrap();
         let base = sweep(
-            &model,
+            &checked(&model),
             &[band[0], 0.5 * (band[0] + band[1]), band[1]],
             &NEVER,
         )
         .unwrap();
-        let fine = resolved(&model, &all, base, &NEVER).unwrap();
-        let found = levels(&model, &all, band, &NEVER).unwrap();
+        let fine = resolved(&checked(&model), &all, base, &NEVER).unwrap();
+        let found = levels(&checked(&model), &all, band, &NEVER).unwrap();
         assert_eq!(found.len(), dense.columns.len());
         for ((level, dense), fine_column) in found.iter().zip(&dense.columns).zip(&fine.columns) {
             let power = |value: &Complex64| match dense.kind {
@@ -286,7 +292,7 @@ fn an_undamped_resonance_in_the_band_is_infinite_where_it_shows() {
     let grid: Vec<f64> = (0..=steps)
         .map(|i| band[0] + (band[1] - band[0]) * f64::from(i) / f64::from(steps))
         .collect();
-    let dense = sweep(&model, &grid, &NEVER).unwrap();
+    let dense = sweep(&checked(&model), &grid, &NEVER).unwrap();
     for (level, column) in found.iter().zip(&dense.columns).take(2) {
         let weight = |i: usize| {
             if i == 0 || i == 4000 {
@@ -318,9 +324,17 @@ fn nothing_comes_of_a_cancelled_one_and_of_no_response() {
     let mut model = preset("fig05a");
     let all = solved_modes(&model, 100.0);
     assert_eq!(
-        levels(&model, &all, [10.0, 100.0], &AtomicBool::new(true)),
+        levels(
+            &checked(&model),
+            &all,
+            [10.0, 100.0],
+            &AtomicBool::new(true)
+        ),
         Err(Cancelled)
     );
     model.responses.clear();
-    assert_eq!(levels(&model, &all, [10.0, 100.0], &NEVER), Ok(Vec::new()));
+    assert_eq!(
+        levels(&checked(&model), &all, [10.0, 100.0], &NEVER),
+        Ok(Vec::new())
+    );
 }

@@ -2,6 +2,10 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+#[path = "common/checked.rs"]
+mod checked;
+
+use checked::checked;
 use std::path::Path;
 
 use assert_cmd::Command;
@@ -98,8 +102,10 @@ fn frf_writes_a_column_pair_for_each_response_and_numbers_that_read_back() {
         .map(|row| row[0].parse().unwrap())
         .collect();
     assert_eq!(frequencies, [5.0, 20.5, 80.0]);
-    let model = beamtune::model::read(presets::find("fig08").unwrap().text).unwrap();
-    let solved = beamtune::solve::sweep(&model, &frequencies, &false.into()).unwrap();
+    let model = beamtune::model::read(presets::find("fig08").unwrap().text)
+        .unwrap()
+        .into_inner();
+    let solved = beamtune::solve::sweep(&checked(&model), &frequencies, &false.into()).unwrap();
     for (index, row) in rows[1..].iter().enumerate() {
         let cells: Vec<f64> = row[1..].iter().map(|cell| cell.parse().unwrap()).collect();
         let expected: Vec<f64> = solved
@@ -115,7 +121,9 @@ fn frf_writes_a_column_pair_for_each_response_and_numbers_that_read_back() {
 fn an_energy_is_one_column_and_a_study_one_block_a_curve() {
     let csv = output(&["frf", "fig13", "--at", "10,20"]);
     assert_eq!(csv.lines().next(), Some("frequency_hz,E_V"));
-    let model = beamtune::model::read(presets::find("fig08").unwrap().text).unwrap();
+    let model = beamtune::model::read(presets::find("fig08").unwrap().text)
+        .unwrap()
+        .into_inner();
     let csv = output(&[
         "frf",
         "fig08",
@@ -181,18 +189,23 @@ fn resolve_adds_rows_between_those_of_the_sweep() {
 fn resolve_does_not_depend_on_blocks() {
     let sets = ["--set", "sweep.points=9000", "--set", "sweep.to=200"];
     let csv = output(&[&["frf", "fig08", "--resolve"], &sets[..]].concat());
-    let mut model = beamtune::model::read(presets::find("fig08").unwrap().text).unwrap();
+    let mut model = beamtune::model::read(presets::find("fig08").unwrap().text)
+        .unwrap()
+        .into_inner();
     (model.sweep.points, model.sweep.to) = (9000, 200.0);
     let base = beamtune::solve::frequencies(&model.sweep);
-    let modes = beamtune::solve::modes::modes(&model, 200.0, &false.into()).unwrap();
-    let whole = beamtune::solve::peaks::refined(&model, &modes, &base, &false.into()).unwrap();
+    let modes = beamtune::solve::modes::modes(&checked(&model), 200.0, &false.into()).unwrap();
+    let whole =
+        beamtune::solve::peaks::refined(&checked(&model), &modes, &base, &false.into()).unwrap();
     assert!(whole.len() > 9020);
     assert_eq!(frequencies(&csv), whole);
 }
 
 #[test]
 fn resolve_follows_each_curve_of_a_study() {
-    let model = beamtune::model::read(presets::find("fig08").unwrap().text).unwrap();
+    let model = beamtune::model::read(presets::find("fig08").unwrap().text)
+        .unwrap()
+        .into_inner();
     let study = &model.studies[0].name;
     let few = ["--set", "sweep.points=50"];
     let csv = output(&[&["frf", "fig08", "--resolve", "--study", study], &few[..]].concat());
@@ -307,6 +320,7 @@ fn check_prints_every_fault_with_its_place() {
 fn a_curve_that_a_study_makes_impossible_is_refused_where_it_is_wanted() {
     let study = beamtune::model::read(presets::find("fig15").unwrap().text)
         .unwrap()
+        .into_inner()
         .studies
         .remove(0)
         .name;
@@ -711,7 +725,9 @@ fn universal(arguments: &[&str]) -> (Vec<beamtune::measured::Curve>, String) {
 /// Expected: the exact responses over the force, to the 13 digits of the format.
 #[test]
 fn a_universal_file_has_ratios_to_the_one_force() {
-    let mut model = beamtune::model::read(presets::find("fig05a").unwrap().text).unwrap();
+    let mut model = beamtune::model::read(presets::find("fig05a").unwrap().text)
+        .unwrap()
+        .into_inner();
     for force in &mut model.forces[1..] {
         force.enabled = false;
     }
@@ -722,7 +738,7 @@ fn a_universal_file_has_ratios_to_the_one_force() {
     std::fs::write(&file, beamtune::model::write(&model, "")).unwrap();
     let (curves, warning) = universal(&[file.to_str().unwrap(), "--at", "10,10.5,11"]);
     assert_eq!(warning, "");
-    let frf = beamtune::solve::sweep(&model, &[10.0, 10.5, 11.0], &false.into()).unwrap();
+    let frf = beamtune::solve::sweep(&checked(&model), &[10.0, 10.5, 11.0], &false.into()).unwrap();
     let force = num_complex::Complex64::from_polar(4.0, 30_f64.to_radians());
     for (index, (curve, column)) in curves.iter().zip(&frf.columns).enumerate() {
         assert_eq!(
@@ -755,7 +771,9 @@ fn a_universal_file_tells_several_forces_studies_and_lost_digits() {
         warning.contains("six digits for a frequency") && warning.contains("up to 4.4e-5 Hz off"),
         "{warning}"
     );
-    let model = beamtune::model::read(presets::find("fig08").unwrap().text).unwrap();
+    let model = beamtune::model::read(presets::find("fig08").unwrap().text)
+        .unwrap()
+        .into_inner();
     let study = &model.studies[0].name;
     let (curves, _) = universal(&["fig08", "--study", study, "--at", "10,20"]);
     let names: Vec<&str> = curves.iter().map(|curve| curve.name.as_str()).collect();
@@ -792,8 +810,10 @@ fn abscissae_of_a_universal_file_rise() {
     assert!(curves[0].notes.is_empty(), "{:?}", curves[0].notes);
     let left_out = format!("{} values are left out", curves.len());
     assert!(warning.contains(&left_out), "{warning}");
-    let model = beamtune::model::read(presets::find("fig05a").unwrap().text).unwrap();
-    let frf = beamtune::solve::sweep(&model, &[3.186_091], &false.into()).unwrap();
+    let model = beamtune::model::read(presets::find("fig05a").unwrap().text)
+        .unwrap()
+        .into_inner();
+    let frf = beamtune::solve::sweep(&checked(&model), &[3.186_091], &false.into()).unwrap();
     let value = frf.columns[0].values[0];
     assert!((curves[0].values[0] - value).norm() < 1e-12 * value.norm());
 }

@@ -4,6 +4,10 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+#[path = "common/checked.rs"]
+mod checked;
+
+use checked::checked;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
@@ -15,7 +19,9 @@ use beamtune::tune::{Options, Place, Problem, Tuned, run};
 const BUDGET: usize = 80;
 
 fn preset(name: &str) -> Model {
-    model::read(presets::find(name).unwrap().text).unwrap()
+    model::read(presets::find(name).unwrap().text)
+        .unwrap()
+        .into_inner()
 }
 
 /// What is found when one variable moves from `times[0]` to `times[1]` times its value in the preset.
@@ -48,7 +54,7 @@ fn best(
         limits: Vec::new(),
     });
     assert_eq!(model::check(&model), []);
-    let problem = Problem::new(&model, Path::new("")).unwrap();
+    let problem = Problem::new(&checked(&model), Path::new("")).unwrap();
     let options = Options {
         seed: 1,
         budget: Some(BUDGET),

@@ -53,7 +53,7 @@ fn a_hostile_model_is_escaped_by_every_command_and_stays_what_it_is() {
         let folder = tempfile::tempdir().unwrap();
         let (name, title) = (hostile(&mut dice, &[]), hostile(&mut dice, &controls()));
         let text = hostile_model(&name, &title);
-        let model = model::read(&text).unwrap();
+        let model = model::read(&text).unwrap().into_inner();
         let file = OsString::from_vec([b"m\x1b[2J\xff", name.as_bytes(), b".toml"].concat());
         fs::write(folder.path().join(&file), &text).unwrap();
         let out = OsString::from_vec([b"o\x1b]0;\xfe", name.as_bytes()].concat());
@@ -105,7 +105,7 @@ fn a_hostile_model_is_escaped_by_every_command_and_stays_what_it_is() {
         }
         // What was tuned last has the names to the last character.
         let tuned = fs::read_to_string(folder.path().join(&out)).unwrap();
-        let tuned = model::read(&tuned).unwrap();
+        let tuned = model::read(&tuned).unwrap().into_inner();
         assert_eq!(tuned.title, model.title);
         assert_eq!(tuned.responses, model.responses);
         assert_eq!(tuned.subsystems[0].name, name);

@@ -6,6 +6,10 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+#[path = "common/checked.rs"]
+mod checked;
+
+use checked::checked;
 use std::collections::BTreeMap;
 use std::sync::atomic::AtomicBool;
 
@@ -37,11 +41,12 @@ impl Case {
 
     /// The worst relative error, with its place; fails where one is beyond its tolerance.
     fn worst_error(&self) -> (f64, String) {
-        let model = model::read(&self.text()).unwrap();
+        let model = model::read(&self.text()).unwrap().into_inner();
         let mut worst = (0.0, String::new());
         for (hertz, answers) in &self.answers {
             let frequencies = [hertz.parse::<f64>().unwrap()];
-            let frf = solve::sweep(&model, &frequencies, &AtomicBool::new(false)).unwrap();
+            let frf =
+                solve::sweep(&checked(&model), &frequencies, &AtomicBool::new(false)).unwrap();
             for (name, &[re, im]) in answers {
                 let column = frf
                     .columns

@@ -6,6 +6,10 @@
 
 #![allow(clippy::unwrap_used)]
 
+#[path = "common/checked.rs"]
+mod checked;
+
+use checked::checked;
 use std::sync::atomic::AtomicBool;
 
 use beamtune::model::{
@@ -22,7 +26,9 @@ static NEVER: AtomicBool = AtomicBool::new(false);
 
 /// A beam with many light subsystems, loads and responses of all kinds on both sides of its middle.
 fn crowded(count: usize) -> Model {
-    let mut model = read(presets::find("fig05a").unwrap().text).unwrap();
+    let mut model = read(presets::find("fig05a").unwrap().text)
+        .unwrap()
+        .into_inner();
     let pattern = model.subsystems[0].clone();
     let share = 3.0 / count as f64;
     model.subsystems = (1..=count)
@@ -172,8 +178,11 @@ fn edits_of_every_kind_are_solved_as_afresh() {
         let mut model = crowded(40);
         let mut kept = Kept::default();
         for _ in 0..3 {
-            let fresh = sweep(&model, &grid(), &NEVER).unwrap();
-            assert_same(&kept.sweep(&model, &grid(), &NEVER).unwrap(), &fresh);
+            let fresh = sweep(&checked(&model), &grid(), &NEVER).unwrap();
+            assert_same(
+                &kept.sweep(&checked(&model), &grid(), &NEVER).unwrap(),
+                &fresh,
+            );
             edit(&mut model);
         }
         // The whole beam is another with another material.
@@ -197,8 +206,11 @@ fn edits_one_after_the_other_are_solved_as_afresh() {
         if model.subsystems.len() < 30 {
             model = crowded(40);
         }
-        let fresh = sweep(&model, &grid(), &NEVER).unwrap();
-        assert_same(&kept.sweep(&model, &grid(), &NEVER).unwrap(), &fresh);
+        let fresh = sweep(&checked(&model), &grid(), &NEVER).unwrap();
+        assert_same(
+            &kept.sweep(&checked(&model), &grid(), &NEVER).unwrap(),
+            &fresh,
+        );
     }
 }
 
@@ -221,8 +233,11 @@ fn without_warping_stiffness_edits_are_solved_as_afresh() {
     let mut kept = Kept::default();
     for _ in 0..3 {
         model.subsystems[19].mass *= 1.1;
-        let fresh = sweep(&model, &grid(), &NEVER).unwrap();
-        assert_same(&kept.sweep(&model, &grid(), &NEVER).unwrap(), &fresh);
+        let fresh = sweep(&checked(&model), &grid(), &NEVER).unwrap();
+        assert_same(
+            &kept.sweep(&checked(&model), &grid(), &NEVER).unwrap(),
+            &fresh,
+        );
     }
     assert!(kept.bytes() > 0);
 }
@@ -235,8 +250,11 @@ fn a_rate_of_twist_at_a_torque_is_solved_as_afresh() {
     let mut kept = Kept::default();
     for _ in 0..3 {
         model.subsystems[19].mass *= 1.1;
-        let fresh = sweep(&model, &grid(), &NEVER).unwrap();
-        assert_same(&kept.sweep(&model, &grid(), &NEVER).unwrap(), &fresh);
+        let fresh = sweep(&checked(&model), &grid(), &NEVER).unwrap();
+        assert_same(
+            &kept.sweep(&checked(&model), &grid(), &NEVER).unwrap(),
+            &fresh,
+        );
     }
     assert_eq!(kept.bytes(), 0);
 }
@@ -247,11 +265,15 @@ fn an_expected_edit_finds_everything_there() {
     let mut edited = model.clone();
     edited.subsystems[30].mass *= 1.1;
     let mut kept = Kept::default();
-    kept.expect(&model, &edited, &grid(), &NEVER).unwrap();
+    kept.expect(&checked(&model), &checked(&edited), &grid(), &NEVER)
+        .unwrap();
     let bytes = kept.bytes();
     assert!(bytes > 0);
-    let fresh = sweep(&edited, &grid(), &NEVER).unwrap();
-    assert_same(&kept.sweep(&edited, &grid(), &NEVER).unwrap(), &fresh);
+    let fresh = sweep(&checked(&edited), &grid(), &NEVER).unwrap();
+    assert_same(
+        &kept.sweep(&checked(&edited), &grid(), &NEVER).unwrap(),
+        &fresh,
+    );
     assert_eq!(kept.bytes(), bytes);
 }
 
@@ -260,21 +282,32 @@ fn a_cancelled_sweep_gives_nothing_and_spoils_nothing() {
     let cancelled = AtomicBool::new(true);
     let mut model = crowded(40);
     let mut kept = Kept::default();
-    assert!(kept.sweep(&model, &grid(), &NEVER).is_ok());
+    assert!(kept.sweep(&checked(&model), &grid(), &NEVER).is_ok());
     model.subsystems[10].mass *= 1.1;
-    assert_eq!(kept.sweep(&model, &grid(), &cancelled), Err(Cancelled));
-    let fresh = sweep(&model, &grid(), &NEVER).unwrap();
-    assert_same(&kept.sweep(&model, &grid(), &NEVER).unwrap(), &fresh);
+    assert_eq!(
+        kept.sweep(&checked(&model), &grid(), &cancelled),
+        Err(Cancelled)
+    );
+    let fresh = sweep(&checked(&model), &grid(), &NEVER).unwrap();
+    assert_same(
+        &kept.sweep(&checked(&model), &grid(), &NEVER).unwrap(),
+        &fresh,
+    );
 }
 
 #[test]
 fn nothing_is_kept_of_a_small_model() {
-    let mut model = read(presets::find("fig06").unwrap().text).unwrap();
+    let mut model = read(presets::find("fig06").unwrap().text)
+        .unwrap()
+        .into_inner();
     let mut kept = Kept::default();
     for _ in 0..2 {
         model.forces[0].amplitude *= 2.0;
-        let fresh = sweep(&model, &grid(), &NEVER).unwrap();
-        assert_same(&kept.sweep(&model, &grid(), &NEVER).unwrap(), &fresh);
+        let fresh = sweep(&checked(&model), &grid(), &NEVER).unwrap();
+        assert_same(
+            &kept.sweep(&checked(&model), &grid(), &NEVER).unwrap(),
+            &fresh,
+        );
     }
     assert_eq!(kept.bytes(), 0);
 }
@@ -288,21 +321,36 @@ fn what_lies_beside_an_edit_serves_edits_of_the_same_place_alone() {
         model
     };
     let mut kept = Kept::default();
-    kept.expect(&model, &edited(30, 1.1), &grid(), &NEVER)
-        .unwrap();
+    kept.expect(
+        &checked(&model),
+        &checked(&edited(30, 1.1)),
+        &grid(),
+        &NEVER,
+    )
+    .unwrap();
     for (other, there) in [
         (edited(30, 1.3), true),
         (model.clone(), true),
         (edited(31, 1.1), false),
         (edited(2, 1.1), false),
     ] {
-        assert_eq!(Kept::would_serve(&model, &edited(30, 1.1), &other), there);
-        let recalled = kept.recalled(&other, &grid(), &NEVER).unwrap();
+        assert_eq!(
+            Kept::would_serve(
+                &checked(&model),
+                &checked(&edited(30, 1.1)),
+                &checked(&other)
+            ),
+            there
+        );
+        let recalled = kept.recalled(&checked(&other), &grid(), &NEVER).unwrap();
         assert_eq!(recalled.is_some(), there);
         if let Some(found) = recalled {
-            assert_same(&found, &sweep(&other, &grid(), &NEVER).unwrap());
+            assert_same(&found, &sweep(&checked(&other), &grid(), &NEVER).unwrap());
         }
     }
     // Other frequencies were not prepared for.
-    assert_eq!(kept.recalled(&model, &grid()[1..], &NEVER), Ok(None));
+    assert_eq!(
+        kept.recalled(&checked(&model), &grid()[1..], &NEVER),
+        Ok(None)
+    );
 }

@@ -7,6 +7,8 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+#[path = "common/checked.rs"]
+mod checked;
 #[path = "literature/coupled.rs"]
 mod coupled;
 #[path = "literature/roots.rs"]
@@ -18,6 +20,7 @@ mod sprung_mass;
 #[path = "literature/uncoupled.rs"]
 mod uncoupled;
 
+use checked::checked;
 use std::sync::atomic::AtomicBool;
 
 use beamtune::model::Model;
@@ -77,7 +80,7 @@ fn side_by_side(
     to: f64,
     (least, most): (f64, f64),
 ) -> Outcome {
-    let all = modes::undamped(model, to, &AtomicBool::new(false))
+    let all = modes::undamped(&checked(model), to, &AtomicBool::new(false))
         .unwrap()
         .unwrap();
     let ours: Vec<f64> = all

@@ -2,6 +2,10 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+#[path = "common/checked.rs"]
+mod checked;
+
+use checked::checked;
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -58,9 +62,11 @@ fn near(found: Complex64, expected: Complex64, tolerance: f64) {
 /// What the program writes is what it reads, to the last bit.
 #[test]
 fn a_table_of_the_program_is_read_to_the_last_bit() {
-    let mut model = beamtune::model::read(beamtune::presets::find("fig08").unwrap().text).unwrap();
+    let mut model = beamtune::model::read(beamtune::presets::find("fig08").unwrap().text)
+        .unwrap()
+        .into_inner();
     model.sweep.points = 7;
-    let frf = beamtune::solve::sweep(&model, &[1.0, 17.3, 80.0], &false.into()).unwrap();
+    let frf = beamtune::solve::sweep(&checked(&model), &[1.0, 17.3, 80.0], &false.into()).unwrap();
     let mut text = "frequency_hz".to_owned();
     for column in &frf.columns {
         write!(text, ",{0}.re,{0}.im", column.name).unwrap();
@@ -104,9 +110,10 @@ fn the_example_is_read_and_held_beside_the_model() {
         1e-12,
     );
     let preset = beamtune::presets::find("fig05a").unwrap();
-    let mut model = beamtune::model::read(preset.text).unwrap();
-    let solved =
-        |model: &Model| beamtune::solve::sweep(model, &curve.frequencies, &false.into()).unwrap();
+    let mut model = beamtune::model::read(preset.text).unwrap().into_inner();
+    let solved = |model: &Model| {
+        beamtune::solve::sweep(&checked(model), &curve.frequencies, &false.into()).unwrap()
+    };
     let frf = solved(&model);
     let whole = fit(curve, &frf.columns[0].values, None).unwrap();
     let low = fit(curve, &frf.columns[0].values, Some([1.0, 30.0])).unwrap();

@@ -8,6 +8,10 @@
 #[allow(dead_code, reason = "the property tests use the rest")]
 mod common;
 
+#[path = "common/checked.rs"]
+mod checked;
+
+use checked::checked;
 use std::f64::consts::{PI, TAU};
 use std::sync::atomic::AtomicBool;
 
@@ -27,11 +31,13 @@ use proptest::prelude::*;
 static NEVER: AtomicBool = AtomicBool::new(false);
 
 fn preset(name: &str) -> Model {
-    model::read(presets::find(name).unwrap().text).unwrap()
+    model::read(presets::find(name).unwrap().text)
+        .unwrap()
+        .into_inner()
 }
 
 fn damped(model: &Model, to: f64) -> Modes {
-    let found = modes(model, to, &NEVER).unwrap();
+    let found = modes(&checked(model), to, &NEVER).unwrap();
     assert_eq!(found.completeness, Completeness::Certain, "{found:?}");
     found
 }
@@ -95,7 +101,7 @@ fn double_and_nearly_double_roots() {
     for share in [1.0, 1.0 + 1e-9, 1.0 + 1e-6] {
         let model = pinned_beam(second_moment_y * share);
         let expected = pinned_frequencies(&model, 2000.0);
-        let got = undamped(&model, 2000.0, &NEVER).unwrap().unwrap();
+        let got = undamped(&checked(&model), 2000.0, &NEVER).unwrap().unwrap();
         assert_eq!(got.len(), expected.len());
         for (got, want) in got.iter().zip(expected) {
             assert_close(*got, want, 1e-10);
@@ -208,7 +214,7 @@ fn rigid_body_modes_are_at_zero() {
         assert!(rigid.clone().all(|mode| mode.frequency() == 0.0));
         assert_eq!(
             rigid.clone().count(),
-            undamped(model, 100.0, &NEVER)
+            undamped(&checked(model), 100.0, &NEVER)
                 .unwrap()
                 .unwrap()
                 .iter()
@@ -278,16 +284,22 @@ fn fifty_absorbers(seed: u64) -> Model {
 #[test]
 fn every_root_of_fifty_random_absorbers_is_where_the_count_steps() {
     let model = fifty_absorbers(1);
-    let roots = undamped(&model, 200.0, &NEVER).unwrap().unwrap();
-    assert_eq!(roots.len(), count(&model, 200.0));
+    let roots = undamped(&checked(&model), 200.0, &NEVER).unwrap().unwrap();
+    assert_eq!(roots.len(), count(&checked(&model), 200.0));
     assert!(roots.len() > 140, "{}", roots.len());
     for (index, &root) in roots
         .iter()
         .enumerate()
         .skip_while(|(_, root)| **root == 0.0)
     {
-        assert!(count(&model, root * (1.0 - 1e-9)) <= index, "{root}");
-        assert!(count(&model, root * (1.0 + 1e-9)) > index, "{root}");
+        assert!(
+            count(&checked(&model), root * (1.0 - 1e-9)) <= index,
+            "{root}"
+        );
+        assert!(
+            count(&checked(&model), root * (1.0 + 1e-9)) > index,
+            "{root}"
+        );
     }
     damped(&model, 200.0);
 }
@@ -307,9 +319,9 @@ fn modes_that_are_followed_and_counted_are_those_found_afresh() {
             damping: 800.0,
             inertia: 0.0,
         });
-        followed = follow(&model, &followed, &NEVER).unwrap();
+        followed = follow(&checked(&model), &followed, &NEVER).unwrap();
         assert_eq!(followed.completeness, Completeness::Uncounted);
-        let counted = certify(&model, &followed, &NEVER).unwrap();
+        let counted = certify(&checked(&model), &followed, &NEVER).unwrap();
         assert_eq!(counted.completeness, Completeness::Certain);
         // The count of a complete list changes no digit.
         assert!(counted.has_modes_of(&followed));
@@ -364,15 +376,21 @@ fn the_count_finds_what_a_list_lacks_or_has_twice() {
         doubled,
     ] {
         let lacking = uncounted(&whole, modes);
-        let counted = certify(&model, &lacking, &NEVER).unwrap();
+        let counted = certify(&checked(&model), &lacking, &NEVER).unwrap();
         assert_eq!(counted.completeness, Completeness::Certain);
         assert_same(&counted, &whole);
     }
     // What is counted already stays as it is, and a cancelled count is none.
-    assert_eq!(certify(&model, &whole, &NEVER).as_ref(), Ok(&whole));
+    assert_eq!(
+        certify(&checked(&model), &whole, &NEVER).as_ref(),
+        Ok(&whole)
+    );
     let cancelled = AtomicBool::new(true);
     let lacking = uncounted(&whole, without(2));
-    assert_eq!(certify(&model, &lacking, &cancelled), Err(Cancelled));
+    assert_eq!(
+        certify(&checked(&model), &lacking, &cancelled),
+        Err(Cancelled)
+    );
 }
 
 /// fig05a with a damper far beyond the critical damping of the mass it holds.
@@ -393,14 +411,14 @@ fn overdamped_modes_come_with_the_count() {
         list.modes.iter().filter(is_one).count()
     };
     assert!(overdamped(&whole) > 0);
-    let before = uncertified(&model, 400.0, &NEVER).unwrap();
+    let before = uncertified(&checked(&model), 400.0, &NEVER).unwrap();
     assert_eq!(before.completeness, Completeness::Uncounted);
     assert!(before.modes.len() < whole.modes.len());
-    assert_same(&certify(&model, &before, &NEVER).unwrap(), &whole);
+    assert_same(&certify(&checked(&model), &before, &NEVER).unwrap(), &whole);
     // Once they are known they are followed.
     let mut longer = model;
     longer.beam.length *= 1.01;
-    let followed = follow(&longer, &whole, &NEVER).unwrap();
+    let followed = follow(&checked(&longer), &whole, &NEVER).unwrap();
     assert_eq!(overdamped(&followed), overdamped(&damped(&longer, 400.0)));
 }
 
@@ -413,7 +431,7 @@ fn modes_that_enter_the_range_are_not_missing_while_no_count_is_made() {
     let first = followed.modes.len();
     for _ in 0..10 {
         model.beam.length *= 1.05;
-        followed = follow(&model, &followed, &NEVER).unwrap();
+        followed = follow(&checked(&model), &followed, &NEVER).unwrap();
         assert_eq!(followed.completeness, Completeness::Uncounted);
         assert_same(&followed, &damped(&model, 200.0));
     }
@@ -429,7 +447,7 @@ fn a_root_that_is_lost_on_the_way_starts_a_search_afresh() {
     modes[10] = modes[9];
     let doubled = uncounted(&whole, modes);
     model.beam.length *= 1.001;
-    let followed = follow(&model, &doubled, &NEVER).unwrap();
+    let followed = follow(&checked(&model), &doubled, &NEVER).unwrap();
     assert_same(&followed, &damped(&model, 400.0));
 }
 
@@ -437,10 +455,10 @@ fn a_root_that_is_lost_on_the_way_starts_a_search_afresh() {
 #[test]
 fn every_preset_has_all_its_modes() {
     for preset in presets::ALL {
-        let model = model::read(preset.text).unwrap();
+        let model = model::read(preset.text).unwrap().into_inner();
         let to = model.sweep.to.min(400.0);
         let found = damped(&model, to);
-        let undamped = undamped(&model, to, &NEVER).unwrap().unwrap();
+        let undamped = undamped(&checked(&model), to, &NEVER).unwrap().unwrap();
         assert_eq!(found.undamped, undamped.len(), "{}", preset.name);
         assert!(!found.modes.is_empty(), "{}", preset.name);
     }
@@ -458,7 +476,7 @@ fn shapes_are_normalised_to_modal_mass_one() {
     );
     for index in [1, 2, 3, 7, 13] {
         let mode = found.modes[index];
-        let shape = shape(&model, &found, index, 3);
+        let shape = shape(&checked(&model), &found, index, 3);
         let product = shape.w[0] * shape.psi[2];
         let residue = |target: &Target| {
             let hertz = mode.omega.re / TAU;
@@ -494,7 +512,7 @@ fn the_shape_of_a_pinned_beam_is_a_sine() {
     let mass = model.beam.material.density * model.beam.section.area * model.beam.length;
     let mut bending = 0;
     for index in 0..found.modes.len() {
-        let shape = shape(&model, &found, index, 41);
+        let shape = shape(&checked(&model), &found, index, 41);
         if shape.shares.bending_y < 0.5 {
             continue;
         }
@@ -525,7 +543,7 @@ proptest! {
             idle.name = format!("idle {index}");
             split.subsystems.push(idle);
         }
-        prop_assert_eq!(count(&split, hertz), count(&model, hertz) + 3 * places.len());
+        prop_assert_eq!(count(&checked(&split), hertz), count(&checked(&model), hertz) + 3 * places.len());
     }
 
     /// Interlacing: one spring more moves every mode up, and none past the next.
@@ -539,14 +557,14 @@ proptest! {
             Restraint::Free => Restraint::Elastic(Elastic { stiffness: 10.0_f64.powf(power), ..Elastic::default() }),
             Restraint::Elastic(elastic) => Restraint::Elastic(Elastic { stiffness: elastic.stiffness + 10.0_f64.powf(power), ..elastic }),
         };
-        let (before, after) = (count(&model, hertz), count(&stiffer, hertz));
+        let (before, after) = (count(&checked(&model), hertz), count(&checked(&stiffer), hertz));
         prop_assert!(after == before || after + 1 == before, "{} {}", before, after);
     }
 
     /// The argument principle counts what was found, whatever the model.
     #[test]
     fn every_damped_list_is_certain(model in models()) {
-        let found = modes(&model, 150.0, &NEVER).unwrap();
+        let found = modes(&checked(&model), 150.0, &NEVER).unwrap();
         prop_assert_eq!(found.completeness, Completeness::Certain);
         for pair in found.modes.windows(2) {
             prop_assert!(pair[0].frequency() <= pair[1].frequency());
@@ -562,9 +580,9 @@ fn more_modes_than_anybody_could_list_are_not_sought() {
     let never = AtomicBool::new(false);
     for length in [1e13, 1e25] {
         model.beam.length = length;
-        assert!(count(&model, model.sweep.to) > MOST_MODES);
-        let found = modes(&model, model.sweep.to, &never).unwrap();
+        assert!(count(&checked(&model), model.sweep.to) > MOST_MODES);
+        let found = modes(&checked(&model), model.sweep.to, &never).unwrap();
         assert_eq!(found, Modes::too_many(model.sweep.to));
-        assert_eq!(undamped(&model, model.sweep.to, &never), Ok(None));
+        assert_eq!(undamped(&checked(&model), model.sweep.to, &never), Ok(None));
     }
 }

@@ -2,6 +2,9 @@
 
 #![allow(clippy::unwrap_used)]
 
+#[path = "common/checked.rs"]
+mod checked;
+use checked::checked;
 use std::f64::consts::{PI, TAU};
 use std::sync::atomic::AtomicBool;
 
@@ -10,7 +13,7 @@ use beamtune::solve::{self, Frf};
 use num_complex::Complex64;
 
 fn solved(model: &Model, frequencies: &[f64]) -> Frf {
-    solve::sweep(model, frequencies, &AtomicBool::new(false)).unwrap()
+    solve::sweep(&checked(model), frequencies, &AtomicBool::new(false)).unwrap()
 }
 
 fn value(frf: &Frf, name: &str, row: usize) -> Complex64 {
@@ -124,7 +127,9 @@ to = 100.0
 points = 100
 "
     );
-    model::read(&text).unwrap_or_else(|faults| panic!("{faults:?}"))
+    model::read(&text)
+        .unwrap_or_else(|faults| panic!("{faults:?}"))
+        .into_inner()
 }
 
 const FIXED: &str = "w = \"fixed\", psi = \"fixed\", v = \"fixed\"";

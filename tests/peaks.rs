@@ -6,6 +6,10 @@
 #[allow(dead_code)]
 mod common;
 
+#[path = "common/checked.rs"]
+mod checked;
+
+use checked::checked;
 use std::f64::consts::{PI, TAU};
 use std::sync::atomic::AtomicBool;
 
@@ -26,11 +30,11 @@ const FACTOR: f64 = 1.005_773;
 static NEVER: AtomicBool = AtomicBool::new(false);
 
 fn solved(model: &Model, frequencies: &[f64]) -> Frf {
-    sweep(model, frequencies, &NEVER).unwrap()
+    sweep(&checked(model), frequencies, &NEVER).unwrap()
 }
 
 fn resolve(model: &Model, modes: &Modes, base: &[f64]) -> Frf {
-    resolved(model, modes, solved(model, base), &NEVER).unwrap()
+    resolved(&checked(model), modes, solved(model, base), &NEVER).unwrap()
 }
 
 fn linear(from: f64, to: f64, points: usize) -> Vec<f64> {
@@ -118,7 +122,7 @@ spacing = "linear"
         beta * Z_LEFT,
         beta * Z_RIGHT
     );
-    model::read(&text).unwrap()
+    model::read(&text).unwrap().into_inner()
 }
 
 const MASS: f64 = 2.0;
@@ -298,7 +302,7 @@ spacing = "linear"
 /// Closed form (Gere & Lin, J. Appl. Mech. 25 (1958) 373): every motion goes with sin(n pi x / L); the loss factor
 /// multiplies all squares by 1 + i eta.
 fn pinned(eta: f64) -> (Model, Modes) {
-    let mut model = model::read(PINNED_BEAM).unwrap();
+    let mut model = model::read(PINNED_BEAM).unwrap().into_inner();
     model.beam.material.loss_factor = eta;
     let (material, s) = (model.beam.material, model.beam.section);
     let (mass, polar) = (material.density * s.area, material.density * s.polar_moment);
@@ -546,7 +550,7 @@ fn the_base_is_kept_and_points_are_added_between() {
     for (eta, points) in [(0.0, 2), (1e-7, 400), (0.03, 7)] {
         let (model, modes) = pinned(eta);
         let base = linear(7.3, 881.0, points);
-        let frequencies = refined(&model, &modes, &base, &NEVER).unwrap();
+        let frequencies = refined(&checked(&model), &modes, &base, &NEVER).unwrap();
         assert!(frequencies.windows(2).all(|pair| pair[0] < pair[1]));
         assert_eq!((frequencies[0], frequencies.last()), (base[0], base.last()));
         let kept: Vec<u64> = base.iter().map(|f| f.to_bits()).collect();
@@ -573,11 +577,14 @@ fn nothing_is_returned_once_cancelled() {
     let (model, modes) = pinned(1e-3);
     let cancelled = AtomicBool::new(true);
     assert_eq!(
-        refined(&model, &modes, &[5.0, 900.0], &cancelled),
+        refined(&checked(&model), &modes, &[5.0, 900.0], &cancelled),
         Err(Cancelled)
     );
     let base = solved(&model, &[5.0, 900.0]);
-    assert_eq!(resolved(&model, &modes, base, &cancelled), Err(Cancelled));
+    assert_eq!(
+        resolved(&checked(&model), &modes, base, &cancelled),
+        Err(Cancelled)
+    );
 }
 
 /// Expected: with as much inertia and stiffness along z as along y and a loss factor, w and v of a section without
@@ -649,7 +656,7 @@ fn rounding_is_not_resolved() {
 fn assert_is_resolved(model: &Model, least: f64) {
     let (from, to) = (model.sweep.from, model.sweep.to);
     let base = frequencies(&model.sweep);
-    let modes = solve::modes::modes(model, to, &NEVER).unwrap();
+    let modes = solve::modes::modes(&checked(model), to, &NEVER).unwrap();
     let frf = resolve(model, &modes, &base);
     assert!(frf.singular().is_empty());
     let turns = assert_turns_are_drawn(model, &frf, least);
@@ -667,7 +674,7 @@ fn assert_is_resolved(model: &Model, least: f64) {
 #[test]
 fn every_peak_and_dip_of_every_preset_is_drawn() {
     for preset in presets::ALL {
-        assert_is_resolved(&model::read(preset.text).unwrap(), 1e-7);
+        assert_is_resolved(&model::read(preset.text).unwrap().into_inner(), 1e-7);
     }
 }
 
@@ -677,7 +684,7 @@ fn every_peak_and_dip_is_drawn_with_hardly_any_damping() {
     for (factor, least) in [(0.01, 1e-10), (0.0, 1e-7)] {
         for name in ["fig05a", "fig06", "fig13", "cantilever"] {
             let preset = presets::find(name).unwrap();
-            let model = with_damping(model::read(preset.text).unwrap(), factor);
+            let model = with_damping(model::read(preset.text).unwrap().into_inner(), factor);
             assert_is_resolved(&model, least);
         }
     }

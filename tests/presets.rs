@@ -5,6 +5,10 @@
 
 #![allow(clippy::unwrap_used)]
 
+#[path = "common/checked.rs"]
+mod checked;
+
+use checked::checked;
 use std::collections::BTreeSet;
 use std::sync::atomic::AtomicBool;
 
@@ -18,7 +22,9 @@ const DIRECTIONS: [&str; 3] = ["w", "psi", "v"];
 const POINTS: usize = 1500;
 
 fn preset(name: &str) -> Model {
-    model::read(presets::find(name).unwrap().text).unwrap()
+    model::read(presets::find(name).unwrap().text)
+        .unwrap()
+        .into_inner()
 }
 
 /// The curves' models of a preset's first study.
@@ -30,7 +36,7 @@ fn members(name: &str) -> Vec<Model> {
         Family::Cases(cases) => cases.len(),
     };
     (0..count)
-        .map(|index| edit::apply(&model, family, index).unwrap())
+        .map(|index| edit::apply(&model, family, index).unwrap().into_inner())
         .collect()
 }
 
@@ -55,7 +61,7 @@ fn curve_at(model: &Model, response: &str, hertz: Vec<f64>) -> Curve {
     for other in &mut model.responses {
         other.enabled = other.name == response;
     }
-    let frf = solve::sweep(&model, &hertz, &AtomicBool::new(false)).unwrap();
+    let frf = solve::sweep(&checked(&model), &hertz, &AtomicBool::new(false)).unwrap();
     let size = frf.columns[0]
         .values
         .iter()
@@ -181,7 +187,7 @@ fn every_preset_reads_as_a_possible_model() {
 #[test]
 fn writing_an_unchanged_preset_gives_its_text_back() {
     for preset in presets::ALL {
-        let model = model::read(preset.text).unwrap();
+        let model = model::read(preset.text).unwrap().into_inner();
         assert_eq!(
             model::write(&model, preset.text),
             preset.text,
@@ -218,9 +224,9 @@ fn the_folder_and_the_embedded_list_agree() {
 #[test]
 fn every_preset_solves_to_finite_curves() {
     for preset in presets::ALL {
-        let model = model::read(preset.text).unwrap();
+        let model = model::read(preset.text).unwrap().into_inner();
         let hertz = spread(model.sweep.from, model.sweep.to, 40);
-        let frf = solve::sweep(&model, &hertz, &AtomicBool::new(false)).unwrap();
+        let frf = solve::sweep(&checked(&model), &hertz, &AtomicBool::new(false)).unwrap();
         assert_eq!(frf.singular(), Vec::<f64>::new(), "{}", preset.name);
         assert_eq!(frf.columns.len(), model.responses.len(), "{}", preset.name);
     }

@@ -462,7 +462,7 @@ fn edit(change: impl Fn(&mut Model)) -> String {
 }
 
 fn edit_in(original: &str, change: impl Fn(&mut Model)) -> String {
-    let mut model = read(original).unwrap();
+    let mut model = read(original).unwrap().into_inner();
     change(&mut model);
     let text = write(&model, original);
     reads_as(&text, &model);
@@ -476,7 +476,7 @@ fn an_unchanged_model_leaves_the_text_as_it_is() {
         EXAMPLE.replace('\n', "\r\n"),
         format!("\u{feff}{EXAMPLE}"),
     ] {
-        assert_eq!(write(&read(&text).unwrap(), &text), text);
+        assert_eq!(write(&read(&text).unwrap().into_inner(), &text), text);
     }
 }
 
@@ -835,7 +835,7 @@ fn comments_in_arrays_stay_with_their_values() {
             &[0.5, 1.0, 2.0, 3.0],
             &[2.0],
         ] {
-            let mut model = read(&original).unwrap();
+            let mut model = read(&original).unwrap().into_inner();
             let Family::Vary { values: old, .. } = &mut model.studies[0].family else {
                 panic!()
             };
@@ -865,7 +865,7 @@ fn comments_in_arrays_stay_with_their_values() {
 #[test]
 fn line_ends_and_byte_order_mark_stay() {
     let dos = format!("\u{feff}{}", EXAMPLE.replace('\n', "\r\n"));
-    let mut model = read(&dos).unwrap();
+    let mut model = read(&dos).unwrap().into_inner();
     assert_eq!(model.notes, "Two lines\r\nof notes.");
     model.beam.length = 4.0;
     let text = write(&model, &dos);
@@ -878,7 +878,7 @@ fn line_ends_and_byte_order_mark_stay() {
 #[test]
 fn texts_keep_their_line_ends_in_a_file_that_mixes_them() {
     let mixed = EXAMPLE.replace("Two lines\n", "Two lines\r\n");
-    let mut model = read(&mixed).unwrap();
+    let mut model = read(&mixed).unwrap().into_inner();
     assert_eq!(write(&model, &mixed), mixed);
     model.beam.length = 4.0;
     reads_as(&write(&model, &mixed), &model);
@@ -947,7 +947,7 @@ fn mutated(text: &str, dice: &mut Dice) -> String {
 
 #[test]
 fn no_text_makes_it_panic_and_any_original_takes_a_model() {
-    let models = [EXAMPLE, OTHER_STYLES].map(|text| read(text).unwrap());
+    let models = [EXAMPLE, OTHER_STYLES].map(|text| read(text).unwrap().into_inner());
     let mut dice = Dice(1);
     for round in 0..3000 {
         let text = mutated([EXAMPLE, OTHER_STYLES][round % 2], &mut dice);
@@ -997,7 +997,7 @@ fn deep_and_large_texts_are_refused() {
         "\u{0}".repeat(1_000),
     ] {
         assert!(!read(&text).unwrap_err().is_empty());
-        let model = read(EXAMPLE).unwrap();
+        let model = read(EXAMPLE).unwrap().into_inner();
         reads_as(&write(&model, &text), &model);
     }
 }
@@ -1031,7 +1031,7 @@ fn numbers_that_no_spring_works_on_may_be_left_out_and_stay_out() {
         ["inertia", "arm_right", "mount_y"]
     );
     let text = with("y_right = { stiffness = 1e3 }\nmount_z = 0.1");
-    let mut model = read(&text).unwrap();
+    let mut model = read(&text).unwrap().into_inner();
     assert_eq!(model.subsystems[0].arm_left, 0.0);
     assert_eq!(write(&model, &text), text);
     // Once they matter they are written.

@@ -4,6 +4,8 @@
 
 #[path = "tune/absorber.rs"]
 mod absorber;
+#[path = "common/checked.rs"]
+mod checked;
 #[path = "tune/kinds.rs"]
 mod kinds;
 #[path = "tune/limits.rs"]

@@ -131,7 +131,7 @@ fn what_cannot_be_is_refused() {
 fn a_spread_is_in_order_and_the_same_for_a_seed() {
     let folder = tempfile::tempdir().unwrap();
     let text = presets::find("cantilever").unwrap().text;
-    let mut model = model::read(text).unwrap();
+    let mut model = model::read(text).unwrap().into_inner();
     model.tune.as_mut().unwrap().variables[0].tolerance = 10.0;
     let file = folder.path().join("with_tolerance.toml");
     std::fs::write(&file, model::write(&model, text)).unwrap();

@@ -6,6 +6,10 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+#[path = "common/checked.rs"]
+mod checked;
+
+use checked::checked;
 use std::sync::atomic::AtomicBool;
 
 use beamtune::model::{
@@ -21,7 +25,9 @@ use beamtune::{presets, solve};
 use num_complex::Complex64;
 
 fn preset(name: &str) -> Model {
-    model::read(presets::find(name).unwrap().text).unwrap()
+    model::read(presets::find(name).unwrap().text)
+        .unwrap()
+        .into_inner()
 }
 
 fn never() -> AtomicBool {
@@ -30,9 +36,11 @@ fn never() -> AtomicBool {
 
 /// The largest relative difference of finite elements from the exact solution.
 fn difference(model: &Model, mesh: &FiniteElements, hertz: &[f64]) -> f64 {
-    let exact = solve::sweep(model, hertz, &never()).unwrap();
+    let exact = solve::sweep(&checked(model), hertz, &never()).unwrap();
     let frf = mesh.sweep(hertz, &never()).unwrap();
-    let all = differences(model, &exact, &frf).into_iter().flatten();
+    let all = differences(&checked(model), &exact, &frf)
+        .into_iter()
+        .flatten();
     all.map(|difference| difference.expect("a finite exact response").relative)
         .fold(0.0, f64::max)
 }
@@ -186,9 +194,14 @@ fn elements_agree_without_warping_stiffness() {
 /// layers are shorter than 1e-6 m; finite elements; the other recursion.
 #[test]
 fn a_rate_of_twist_that_jumps_is_the_mean_of_both_sides() {
-    let mut model = model::read(include_str!("data/torque_without_warping.toml")).unwrap();
+    let mut model = model::read(include_str!("data/torque_without_warping.toml"))
+        .unwrap()
+        .into_inner();
     let value = |model: &Model, response: usize| {
-        solve::sweep(model, &[50.0], &never()).unwrap().columns[response].values[0]
+        solve::sweep(&checked(model), &[50.0], &never())
+            .unwrap()
+            .columns[response]
+            .values[0]
     };
     let at_torque = value(&model, 4);
     assert!((at_torque.re + 2.7763e-5).abs() < 1e-9, "{at_torque}");
@@ -204,7 +217,7 @@ fn a_rate_of_twist_that_jumps_is_the_mean_of_both_sides() {
     warping.beam.section.warping_constant = 1e-20;
     let mesh = FiniteElements::new(&model, 240);
     let elements = mesh.sweep(&[50.0], &never()).unwrap();
-    let gradients = Differentiator::new(&model).at(50.0.into());
+    let gradients = Differentiator::new(&checked(&model)).at(50.0.into());
     for (response, gradient) in gradients.iter().enumerate() {
         let exact = value(&model, response);
         let near = |other: Complex64, tolerance: f64| {
@@ -244,10 +257,10 @@ fn elements_agree_on_subsystems_of_any_kind() {
 #[test]
 fn the_default_mesh_is_fine_enough_for_every_preset() {
     for preset in presets::ALL {
-        let mut model = model::read(preset.text).unwrap();
+        let mut model = model::read(preset.text).unwrap().into_inner();
         model.sweep.points = 40;
         let hertz = solve::frequencies(&model.sweep);
-        let mesh = FiniteElements::new(&model, fem::default_elements(&model));
+        let mesh = FiniteElements::new(&model, fem::default_elements(&checked(&model)));
         let found = difference(&model, &mesh, &hertz);
         assert!(found < 2e-3, "{}: {found:e}", preset.name);
     }
@@ -257,10 +270,10 @@ fn the_default_mesh_is_fine_enough_for_every_preset() {
 fn elements_that_are_cancelled_give_nothing() {
     let model = preset("fig05a");
     assert_eq!(
-        fem::sweep(&model, 20, &HERTZ, &AtomicBool::new(true)),
+        fem::sweep(&checked(&model), 20, &HERTZ, &AtomicBool::new(true)),
         Err(Cancelled)
     );
-    let cancelled = chain::sweep(&model, &HERTZ, &AtomicBool::new(true));
+    let cancelled = chain::sweep(&checked(&model), &HERTZ, &AtomicBool::new(true));
     assert_eq!(cancelled, Ok(Err(Cancelled)));
 }
 
@@ -268,7 +281,7 @@ fn elements_that_are_cancelled_give_nothing() {
 fn without_loads_nothing_moves() {
     let mut model = preset("fig05a");
     model.forces.clear();
-    let frf = fem::sweep(&model, 20, &HERTZ, &never()).unwrap();
+    let frf = fem::sweep(&checked(&model), 20, &HERTZ, &never()).unwrap();
     let all = || frf.columns.iter().flat_map(|column| &column.values);
     assert!(all().all(|value| value.norm() == 0.0));
 }
@@ -285,7 +298,7 @@ fn natural_frequencies_come_down_to_the_closed_form() {
     let rate = (stiffness / (material.density * section.area)).sqrt();
     let exact = wave * wave * rate / std::f64::consts::TAU;
     let nearest = |elements| {
-        let all = fem::natural_frequencies(&model, elements, 6);
+        let all = fem::natural_frequencies(&checked(&model), elements, 6);
         assert!(all.windows(2).all(|pair| pair[0] <= pair[1]), "{all:?}");
         let above = all.into_iter().map(|hertz| hertz / exact - 1.0);
         above.min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap()
@@ -308,7 +321,7 @@ fn natural_frequencies_come_down_to_the_closed_form() {
 fn rigid_body_motions_are_near_zero() {
     let mut model = preset("fig06");
     model.supports = model::Supports::default();
-    let all = fem::natural_frequencies(&model, 20, 7);
+    let all = fem::natural_frequencies(&checked(&model), 20, 7);
     assert!(all[4] < 1e-2 && all[5] > 1.0, "{all:?}");
 }
 
@@ -316,7 +329,7 @@ fn rigid_body_motions_are_near_zero() {
 /// and psi together, given to 0.01 Hz.
 #[test]
 fn natural_frequencies_are_those_of_the_literature_case() {
-    let found = fem::natural_frequencies(&preset("semicircular_cantilever"), 40, 9);
+    let found = fem::natural_frequencies(&checked(&preset("semicircular_cantilever")), 40, 9);
     for expected in [63.79, 137.69, 278.36, 484.78, 663.84] {
         assert!(
             found.iter().any(|hertz| (hertz - expected).abs() < 0.006),
@@ -327,9 +340,11 @@ fn natural_frequencies_are_those_of_the_literature_case() {
 
 /// The least number of right digits of the chain, of all responses, at each frequency.
 fn digits(model: &Model, hertz: &[f64]) -> Vec<f64> {
-    let exact = solve::sweep(model, hertz, &never()).unwrap();
-    let frf = chain::sweep(model, hertz, &never()).unwrap().unwrap();
-    let found = differences(model, &exact, &frf);
+    let exact = solve::sweep(&checked(model), hertz, &never()).unwrap();
+    let frf = chain::sweep(&checked(model), hertz, &never())
+        .unwrap()
+        .unwrap();
+    let found = differences(&checked(model), &exact, &frf);
     (0..hertz.len())
         .map(|row| {
             let worst = found.iter().map(|column| column[row].unwrap().relative);
@@ -376,7 +391,7 @@ fn the_chain_agrees_on_presets_at_low_frequencies() {
 
 #[test]
 fn the_chain_says_where_the_papers_formulas_divide_by_zero() {
-    let solve = |model: &Model| chain::sweep(model, &[10.0], &never()).map(|_| ());
+    let solve = |model: &Model| chain::sweep(&checked(model), &[10.0], &never()).map(|_| ());
     assert_eq!(
         solve(&preset("symmetric_section")),
         Err(NotApplicable::NoOffset)
@@ -398,12 +413,12 @@ fn natural_frequencies_come_down_to_the_exact_ones() {
         "semicircular_cantilever",
     ] {
         let model = preset(name);
-        let exact = solve::modes::undamped(&model, 250.0, &never())
+        let exact = solve::modes::undamped(&checked(&model), 250.0, &never())
             .unwrap()
             .unwrap();
         assert!(exact.len() > 3, "{name}: {exact:?}");
         let errors = |elements| -> Vec<f64> {
-            let found = fem::natural_frequencies(&model, elements, exact.len());
+            let found = fem::natural_frequencies(&checked(&model), elements, exact.len());
             let pairs = found.iter().zip(&exact);
             // Rigid-body modes are 0; the others' rounding is far below their discretisation here.
             pairs

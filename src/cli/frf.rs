@@ -13,7 +13,7 @@ use clap::{Args, ValueEnum};
 use super::csv::{self, cell, number};
 use super::modes::listed;
 use super::{Failure, Sets, say, source};
-use crate::model::{Family, Model, counted, edit};
+use crate::model::{Checked, Family, counted, edit};
 use crate::solve::modes::{Completeness, MOST_MODES, Modes, modes};
 use crate::solve::peaks::resolved;
 use crate::solve::{Cancelled, Column, ColumnKind, Frf, frequencies, sweep};
@@ -74,7 +74,7 @@ impl Arguments {
 }
 
 /// A model to solve, and its first cell where a study is asked for.
-type Member = (Option<String>, Model);
+type Member = (Option<String>, Checked);
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let model = source::open(&arguments.model, &arguments.sets.sets)?.model;
@@ -86,7 +86,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
-fn members(model: &Model, study: Option<&str>) -> Result<Vec<Member>, Failure> {
+fn members(model: &Checked, study: Option<&str>) -> Result<Vec<Member>, Failure> {
     let Some(name) = study else {
         return Ok(vec![(None, model.clone())]);
     };
@@ -99,7 +99,7 @@ fn members(model: &Model, study: Option<&str>) -> Result<Vec<Member>, Failure> {
     .collect()
 }
 
-fn family<'a>(model: &'a Model, name: &str) -> Result<&'a Family, Failure> {
+fn family<'a>(model: &'a Checked, name: &str) -> Result<&'a Family, Failure> {
     match model.studies.iter().find(|study| study.name == name) {
         Some(study) => Ok(&study.family),
         None if model.studies.is_empty() => Err(Failure::input(format!(
@@ -142,7 +142,7 @@ fn write_all(out: &mut dyn Write, members: &[Member], points: Points) -> std::io
 
 /// The rows of one model.
 struct Curve<'a> {
-    model: &'a Model,
+    model: &'a Checked,
     /// Frequencies to solve, Hz.
     base: Vec<f64>,
     /// The model's modes, where the base is to be resolved.
@@ -150,7 +150,7 @@ struct Curve<'a> {
 }
 
 impl<'a> Curve<'a> {
-    fn new(model: &'a Model, points: Points) -> Result<Self, Cancelled> {
+    fn new(model: &'a Checked, points: Points) -> Result<Self, Cancelled> {
         let never = AtomicBool::new(false);
         let (base, modes) = match points {
             Points::At(at) => (at.to_vec(), None),

@@ -10,7 +10,7 @@ use num_complex::Complex64;
 
 use super::csv::{self, cell, number};
 use super::{Failure, Sets, say, source};
-use crate::model::{Model, counted};
+use crate::model::{Checked, counted};
 use crate::solve::modes::{Completeness, Gap, MOST_MODES, Modes, Shape, modes, shapes};
 
 /// Places along the beam where a shape is written.
@@ -94,7 +94,7 @@ fn write_modes(out: &mut dyn Write, found: &Modes) -> std::io::Result<()> {
 }
 
 /// A row for each motion of each place and of each mass.
-fn write_shapes(out: &mut dyn Write, model: &Model, shapes: &[Shape]) -> std::io::Result<()> {
+fn write_shapes(out: &mut dyn Write, model: &Checked, shapes: &[Shape]) -> std::io::Result<()> {
     writeln!(out, "mode,at,position_m,direction,re,im")?;
     for (index, shape) in shapes.iter().enumerate() {
         let mut row = |at: &str, x: f64, direction: &str, value: Complex64| {

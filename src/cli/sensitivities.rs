@@ -10,7 +10,7 @@ use clap::Args;
 
 use super::csv::{self, cell, number};
 use super::{Failure, Sets, say, source};
-use crate::model::{Model, edit, path};
+use crate::model::{Checked, edit, path};
 use crate::solve::modes::{MOST_MODES, Modes, modes};
 use crate::solve::peaks::{Peak, peaks, resolved};
 use crate::solve::sensitivity::{Figure, Sensitivity, effects, lack};
@@ -79,7 +79,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 /// The index of a response among the enabled ones.
-fn response(model: &Model, name: Option<&str>) -> Result<usize, Failure> {
+fn response(model: &Checked, name: Option<&str>) -> Result<usize, Failure> {
     let names: Vec<&str> = model
         .responses
         .iter()
@@ -101,7 +101,7 @@ fn response(model: &Model, name: Option<&str>) -> Result<usize, Failure> {
     })
 }
 
-fn figure(model: &Model, response: usize, of: &Of) -> Result<Figure, Failure> {
+fn figure(model: &Checked, response: usize, of: &Of) -> Result<Figure, Failure> {
     if let Some(frequency) = of.at {
         return Ok(Figure::Level {
             response,
@@ -140,7 +140,7 @@ fn figure(model: &Model, response: usize, of: &Of) -> Result<Figure, Failure> {
     })
 }
 
-fn modes_up_to(model: &Model, to: f64) -> Result<Modes, Failure> {
+fn modes_up_to(model: &Checked, to: f64) -> Result<Modes, Failure> {
     let found = modes(model, to, &AtomicBool::new(false))?;
     if found.are_too_many() {
         return Err(Failure::input(format!(
@@ -151,7 +151,7 @@ fn modes_up_to(model: &Model, to: f64) -> Result<Modes, Failure> {
 }
 
 fn nearest_peak(
-    model: &Model,
+    model: &Checked,
     response: usize,
     modes: &Modes,
     near: f64,
@@ -179,7 +179,7 @@ fn sorted(mut found: Vec<Sensitivity>, figure: &Figure) -> Vec<Sensitivity> {
 }
 
 /// A row a parameter: derivatives by the logarithm of its size.
-fn write(out: &mut dyn Write, model: &Model, found: &[Sensitivity]) -> std::io::Result<()> {
+fn write(out: &mut dyn Write, model: &Checked, found: &[Sensitivity]) -> std::io::Result<()> {
     writeln!(out, "parameter,value,level_db,frequency_hz,damping_ratio")?;
     let or_none = |value: Option<f64>| value.map_or_else(String::new, number);
     let ids: Vec<_> = found.iter().map(|one| one.id).collect();

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use super::Failure;
 use crate::escape::shown_path;
 use crate::files::{self, Opened, Source};
-use crate::model::{self, Fault, Model, edit, path};
+use crate::model::{Checked, Fault, Model, edit, path};
 use crate::presets::{self, Preset};
 
 /// The preset of a name.
@@ -36,13 +36,11 @@ pub(super) fn open(argument: &OsStr, sets: &[String]) -> Result<Opened, Failure>
     let (source, text) = text_of(argument, &label)?;
     let mut opened =
         Opened::read(text, source).map_err(|faults| Failure::faults(&label, &faults))?;
+    let mut model = opened.model.into_inner();
     for set in sets {
-        change(&mut opened.model, set)?;
+        change(&mut model, set)?;
     }
-    let faults = model::check(&opened.model);
-    if !faults.is_empty() {
-        return Err(Failure::faults("--set", &faults));
-    }
+    opened.model = Checked::new(model).map_err(|faults| Failure::faults("--set", &faults))?;
     Ok(opened)
 }
 

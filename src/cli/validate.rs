@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use clap::Args;
 
 use super::{Failure, Sets, frequency, print, source};
-use crate::model::Model;
+use crate::model::Checked;
 use crate::solve::chain::{self, NotApplicable};
 use crate::solve::compare::{Difference, differences};
 use crate::solve::fem::{self, FiniteElements};
@@ -61,13 +61,14 @@ struct Findings {
 
 /// Prints the report; 0 where the finite elements agree with the exact solution, else 1.
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
-    let mut model = source::open(&arguments.model, &arguments.sets.sets)?.model;
+    let model = source::open(&arguments.model, &arguments.sets.sets)?.model;
     let mut frequencies = arguments.at.clone();
     if frequencies.is_empty() {
         frequencies = solve::frequencies(&model.sweep);
     }
     // The mesh follows the highest frequency that is solved.
-    model.sweep.to = frequencies.iter().copied().fold(0.0, f64::max);
+    let highest = frequencies.iter().copied().fold(0.0, f64::max);
+    let model = model.derived(|model| model.sweep.to = highest);
     if !model.responses.iter().any(|response| response.enabled) {
         return Err(Failure::input(format!(
             "{}: has no enabled response to compare",
@@ -92,7 +93,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 }
 
 /// Solves by all methods.
-fn find(model: &Model, elements: usize, frequencies: &[f64]) -> Result<Findings, Failure> {
+fn find(model: &Checked, elements: usize, frequencies: &[f64]) -> Result<Findings, Failure> {
     // Nothing cancels a command but a signal.
     let never = AtomicBool::new(false);
     progress("exact solution");

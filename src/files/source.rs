@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::escape::path_text;
-use crate::model::{self, Fault, Model};
+use crate::model::{self, Checked, Fault};
 use crate::presets::{self, Preset};
 
 /// Where a model came from.
@@ -66,7 +66,7 @@ impl Source {
 #[derive(Debug, Clone)]
 pub struct Opened {
     /// The model; it may differ from the text by values set on the command line.
-    pub model: Model,
+    pub model: Checked,
     /// The text it was read from.
     pub text: String,
     /// Where that came from.

@@ -15,10 +15,72 @@ use super::types::{Beam, BeamMotion, Model, Restraint, Subsystem, Support, Sweep
 use std::cell::LazyCell;
 use std::collections::HashMap;
 use std::fmt;
-use std::ops::RangeInclusive;
+use std::ops::{Deref, RangeInclusive};
 
 /// Sizes, in SI units, of what must be above 0: powers and products of a few of them neither overflow nor underflow.
 const SIZES: RangeInclusive<f64> = 1e-60..=1e60;
+
+/// A model that passed [`check()`], or at least [`check_state()`]: what the solvers take.
+///
+/// It does not change. What is edited becomes a [`Model`] first and is checked again.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Checked(pub(super) Model);
+
+impl Checked {
+    /// A possible model.
+    ///
+    /// # Errors
+    /// What [`check()`] refuses.
+    pub fn new(model: Model) -> Result<Self, Vec<Fault>> {
+        Self::if_none(check(&model), model)
+    }
+
+    /// A model whose structure is possible, whatever its studies and its tuning ask for.
+    ///
+    /// # Errors
+    /// What [`check_state()`] refuses.
+    pub fn of_state(model: Model) -> Result<Self, Vec<Fault>> {
+        Self::if_none(check_state(&model), model)
+    }
+
+    fn if_none(faults: Vec<Fault>, model: Model) -> Result<Self, Vec<Fault>> {
+        if faults.is_empty() {
+            Ok(Self(model))
+        } else {
+            Err(faults)
+        }
+    }
+
+    /// The same structure that is asked for something else, or that has less of what it has: `change` may set responses,
+    /// forces, studies, the tuning and texts, take out damping, and move what has been checked before; nothing else.
+    pub(crate) fn derived(&self, change: impl FnOnce(&mut Model)) -> Self {
+        let mut model = self.0.clone();
+        change(&mut model);
+        Self(model)
+    }
+
+    /// The model, to be changed.
+    pub fn into_inner(self) -> Model {
+        self.0
+    }
+}
+
+/// A model of a test, which is possible.
+///
+/// # Panics
+/// Where it is not.
+#[cfg(test)]
+pub fn checked(model: &Model) -> Checked {
+    Checked::new(model.clone()).unwrap()
+}
+
+impl Deref for Checked {
+    type Target = Model;
+
+    fn deref(&self) -> &Model {
+        &self.0
+    }
+}
 
 /// All that makes a model impossible; empty for a possible one.
 ///
@@ -239,7 +301,7 @@ mod tests {
     "#;
 
     fn smallest() -> Model {
-        super::super::read(SMALLEST).unwrap()
+        super::super::read(SMALLEST).unwrap().into_inner()
     }
 
     fn faults(model: &Model) -> Vec<String> {
@@ -294,7 +356,9 @@ mod tests {
 
     #[test]
     fn a_name_has_at_most_200_characters() {
-        let mut model = crate::model::read(crate::presets::find("fig08").unwrap().text).unwrap();
+        let mut model = crate::model::read(crate::presets::find("fig08").unwrap().text)
+            .unwrap()
+            .into_inner();
         let study = |name: &str| Study {
             name: "é".repeat(200),
             family: Family::Cases(vec![Case {

@@ -142,7 +142,9 @@ mod tests {
     #[test]
     fn every_preset_becomes_every_other() {
         let models = presets::ALL.iter();
-        let models: Vec<Model> = models.map(|one| read::read(one.text).unwrap()).collect();
+        let models: Vec<Model> = models
+            .map(|one| read::read(one.text).unwrap().into_inner())
+            .collect();
         returns(&models);
     }
 
@@ -187,7 +189,9 @@ mod tests {
 
     #[test]
     fn a_load_on_a_mass_that_did_not_change_is_on_that_mass() {
-        let model = read::read(presets::find("fig08").unwrap().text).unwrap();
+        let model = read::read(presets::find("fig08").unwrap().text)
+            .unwrap()
+            .into_inner();
         let name = model.subsystems[0].name.clone();
         let loaded = changed(&model, |model| {
             let motion = super::super::types::MassMotion::Theta;

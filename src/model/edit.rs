@@ -11,7 +11,7 @@ pub use target::target_of;
 pub(super) use target::{directions, places};
 pub use value::{Value, get, number, put};
 
-use super::check::check;
+use super::check::Checked;
 use super::fault::Fault;
 use super::id::{Group, ParameterId};
 use super::path::{self, Pattern};
@@ -19,28 +19,15 @@ use super::types::Model;
 use std::cmp::Ordering;
 use std::mem::discriminant;
 
-/// A model, if it is a possible one.
-///
-/// # Errors
-/// What [`check()`] refuses.
-pub fn checked(model: Model) -> Result<Model, Vec<Fault>> {
-    let faults = check(&model);
-    if faults.is_empty() {
-        Ok(model)
-    } else {
-        Err(faults)
-    }
-}
-
 /// A model in which a parameter has another value, if that is a possible one.
 ///
 /// # Errors
 /// The value does not fit, or [`check()`] refuses the outcome.
-pub fn changed(model: &Model, id: ParameterId, value: Value) -> Result<Model, Vec<Fault>> {
+pub fn changed(model: &Model, id: ParameterId, value: Value) -> Result<Checked, Vec<Fault>> {
     let mut changed = model.clone();
     put(&mut changed, id, value)
         .map_err(|message| vec![Fault::new(path::text(model, id), message)])?;
-    checked(changed)
+    Checked::new(changed)
 }
 
 /// Takes an element out of its list.
@@ -92,7 +79,7 @@ pub fn misled(before: &Model, after: &Model, removed: Group) -> Option<Group> {
 pub fn set(model: &mut Model, pattern: &str, value: Value) -> Result<(), Vec<Fault>> {
     let mut changed = model.clone();
     set_unchecked(&mut changed, pattern, value).map_err(|fault| vec![fault])?;
-    *model = checked(changed)?;
+    *model = Checked::new(changed)?.into_inner();
     Ok(())
 }
 
@@ -118,6 +105,7 @@ pub fn set_unchecked(model: &mut Model, pattern: &str, value: Value) -> Result<(
 mod tests {
     use super::super::types::{Case, Family, Operation, Study};
     use super::*;
+    use crate::model::check;
     use crate::model::path::{all, number, numbers, parameter, sample};
     use crate::model::schema::SubsystemKey;
     use std::time::{Duration, Instant};

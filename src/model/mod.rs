@@ -37,7 +37,9 @@ mod types;
 mod write;
 
 pub use crate::unit::{Measure, Unit, counted, entry, grouped};
-pub use check::{check, check_state};
+#[cfg(test)]
+pub use check::checked;
+pub use check::{Checked, check, check_state};
 pub use delta::{apply_delta, delta};
 pub use describe::Parameter;
 pub use fault::Fault;

@@ -11,7 +11,7 @@ pub(crate) mod table;
 mod tuning;
 pub(crate) mod value;
 
-use super::check::check;
+use super::check::{Checked, check};
 use super::fault::Fault;
 use super::types::Model;
 use reader::Reader;
@@ -27,7 +27,7 @@ const LONGEST_QUOTE: usize = 200;
 /// # Errors
 /// All faults, in the order of the text, each with line, column and path: broken TOML, and if that is sound, unknown
 /// and missing keys, wrong types, numbers that are not finite, and whatever [`check()`] refuses.
-pub fn read(text: &str) -> Result<Model, Vec<Fault>> {
+pub fn read(text: &str) -> Result<Checked, Vec<Fault>> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut reader = Reader::default();
     let Some(document) = document(text, &mut reader) else {
@@ -36,7 +36,7 @@ pub fn read(text: &str) -> Result<Model, Vec<Fault>> {
     let model = parts::model(Table::root(document.get_ref()), &[], &mut reader);
     reader.adopt(check(&model));
     if reader.is_content() {
-        Ok(model)
+        Ok(Checked(model))
     } else {
         Err(reader.into_faults(text))
     }

@@ -11,7 +11,7 @@ use std::sync::atomic::AtomicBool;
 
 use super::modes::Modes;
 use super::{Cancelled, Column, ColumnKind, sweep};
-use crate::model::Model;
+use crate::model::Checked;
 
 /// The level of one response in a band.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,7 +34,7 @@ pub struct Level {
 /// # Errors
 /// `cancel` became true before the end.
 pub fn levels(
-    model: &Model,
+    model: &Checked,
     modes: &Modes,
     band: [f64; 2],
     cancel: &AtomicBool,
@@ -61,7 +61,7 @@ pub fn levels(
 /// The frequencies (Hz) and weights by which the mean square of a model's responses comes out; empty where an undamped
 /// resonance lies in the band.
 pub(super) fn rule(
-    model: &Model,
+    model: &Checked,
     modes: &Modes,
     band: [f64; 2],
     cancel: &AtomicBool,
@@ -78,7 +78,7 @@ pub(super) fn rule(
 ///
 /// Near it a response grows like 1 / distance; one that does not move in that mode stays as it is.
 fn poles(
-    model: &Model,
+    model: &Checked,
     modes: &Modes,
     band: [f64; 2],
     cancel: &AtomicBool,
@@ -127,7 +127,7 @@ struct Sample {
 
 /// The responses at some frequencies, Hz.
 fn samples(
-    model: &Model,
+    model: &Checked,
     frequencies: &[f64],
     cancel: &AtomicBool,
 ) -> Result<Vec<Sample>, Cancelled> {

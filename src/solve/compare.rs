@@ -3,7 +3,7 @@
 use num_complex::Complex64;
 
 use super::sweep::{ColumnKind, Frf};
-use crate::model::{BeamMotion, MassMotion, Measure, Model, Quantity, Target};
+use crate::model::{BeamMotion, Checked, MassMotion, Measure, Quantity, Target};
 
 /// A motion smaller than this share of the largest one at the same frequency is rounding, in both methods.
 const RESOLVED: f64 = 1e-12;
@@ -25,7 +25,7 @@ pub struct Difference {
 /// Responses that both solutions have below 1e-12 of the largest motion at a frequency (rotations taken times the beam's
 /// length, velocities and accelerations as displacements) differ by rounding alone: by symmetry they may be 0, and are
 /// taken as equal.
-pub fn differences(model: &Model, exact: &Frf, other: &Frf) -> Vec<Vec<Option<Difference>>> {
+pub fn differences(model: &Checked, exact: &Frf, other: &Frf) -> Vec<Vec<Option<Difference>>> {
     let quantities: Vec<&Quantity> = model
         .responses
         .iter()
@@ -107,6 +107,8 @@ fn scale(quantity: &Quantity, length: f64, frequency: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::Model;
+    use crate::model::checked;
     use crate::solve::Column;
 
     fn frf(model: &Model, values: &[f64]) -> Frf {
@@ -126,10 +128,12 @@ mod tests {
     /// Expected: by hand; 1.01 to 1 is 1 % and 20 lg 1.01 dB.
     #[test]
     fn differences_are_relative_to_the_exact_response() {
-        let model = crate::model::read(crate::presets::find("fig08").unwrap().text).unwrap();
+        let model = crate::model::read(crate::presets::find("fig08").unwrap().text)
+            .unwrap()
+            .into_inner();
         let exact = frf(&model, &[1.0, 1e-20, f64::NAN]);
         let other = frf(&model, &[1.01, 2e-20, 1.0]);
-        let found = differences(&model, &exact, &other);
+        let found = differences(&checked(&model), &exact, &other);
         let first = found[0][0].unwrap();
         assert!((first.relative - 0.01).abs() < 1e-15);
         assert!((first.decibels - 0.086_427_475_652_851_57).abs() < 1e-13);
@@ -139,10 +143,12 @@ mod tests {
 
     #[test]
     fn a_witness_without_a_finite_answer_is_infinitely_wrong() {
-        let model = crate::model::read(crate::presets::find("fig08").unwrap().text).unwrap();
+        let model = crate::model::read(crate::presets::find("fig08").unwrap().text)
+            .unwrap()
+            .into_inner();
         let exact = frf(&model, &[1.0, 0.0, 1.0]);
         let other = frf(&model, &[f64::NAN, 1.0, f64::INFINITY]);
-        for found in differences(&model, &exact, &other) {
+        for found in differences(&checked(&model), &exact, &other) {
             let found = found[0].unwrap();
             assert_eq!([found.relative, found.decibels], [f64::INFINITY; 2]);
         }

@@ -14,7 +14,7 @@ use super::Cancelled;
 use super::lanes::{Between, KeptSides, MOST_LANES, Prepared, Solver, Source};
 use super::plan::{Output, Plan};
 use super::sweep::{Frf, angular, chunk_length, fill_limits, over_chunks, solved, sweep_prepared};
-use crate::model::Model;
+use crate::model::Checked;
 
 /// Fewer stations beside an edited place are solved as fast as looked up.
 const FEWEST_STATIONS: usize = 8;
@@ -63,7 +63,7 @@ impl Kept {
     /// `cancel` became true before the end.
     pub fn sweep(
         &mut self,
-        model: &Model,
+        model: &Checked,
         frequencies: &[f64],
         cancel: &AtomicBool,
     ) -> Result<Frf, Cancelled> {
@@ -87,7 +87,7 @@ impl Kept {
     /// `cancel` became true before the end.
     pub fn recalled(
         &self,
-        model: &Model,
+        model: &Checked,
         frequencies: &[f64],
         cancel: &AtomicBool,
     ) -> Result<Option<Frf>, Cancelled> {
@@ -106,8 +106,8 @@ impl Kept {
     /// `cancel` became true before the end.
     pub fn expect(
         &mut self,
-        model: &Model,
-        edited: &Model,
+        model: &Checked,
+        edited: &Checked,
         frequencies: &[f64],
         cancel: &AtomicBool,
     ) -> Result<(), Cancelled> {
@@ -119,14 +119,14 @@ impl Kept {
     }
 
     /// Whether what lies beside an edit that makes a model `edited` serves another model, too.
-    pub fn would_serve(model: &Model, edited: &Model, other: &Model) -> bool {
-        let [plan, edited, other] = [model, edited, other].map(Plan::new);
+    pub fn would_serve(model: &Checked, edited: &Checked, other: &Checked) -> bool {
+        let [plan, edited, other] = [model, edited, other].map(|model| Plan::new(model));
         let part = common(&plan, &edited).and_then(|common| part(common, &plan, &edited));
         part.is_some_and(|part| serves(&edited, part, &other))
     }
 
     /// Whether what is kept serves a model.
-    pub fn knows(&self, model: &Model, frequencies: &[f64]) -> bool {
+    pub fn knows(&self, model: &Checked, frequencies: &[f64]) -> bool {
         self.reaches(&Plan::new(model), frequencies)
     }
 
@@ -175,7 +175,7 @@ impl Kept {
 
 /// The responses of a plan from what lies beside a part of it.
 fn from_sides(
-    model: &Model,
+    model: &Checked,
     plan: Plan,
     (beside, part): (&Beside, Part),
     frequencies: &[f64],

@@ -214,7 +214,9 @@ mod tests {
     use super::*;
 
     fn model(name: &str) -> Model {
-        crate::model::read(crate::presets::find(name).unwrap().text).unwrap()
+        crate::model::read(crate::presets::find(name).unwrap().text)
+            .unwrap()
+            .into_inner()
     }
 
     #[test]

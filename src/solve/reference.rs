@@ -2,7 +2,7 @@
 
 use num_complex::Complex64;
 
-use crate::model::Model;
+use crate::model::Checked;
 use crate::unit::Load;
 
 /// The one force of a model by which its responses can be divided.
@@ -16,7 +16,7 @@ pub struct Reference {
 
 impl Reference {
     /// The only enabled force of a model; none where there are several, or where it is 0.
-    pub fn of(model: &Model) -> Option<Self> {
+    pub fn of(model: &Checked) -> Option<Self> {
         let mut forces = model.forces.iter().filter(|force| force.enabled);
         let (force, None) = (forces.next()?, forces.next()) else {
             return None;
@@ -32,20 +32,25 @@ impl Reference {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::checked;
 
     #[test]
     fn only_one_force_makes_a_ratio() {
-        let preset = |name| crate::model::read(crate::presets::find(name).unwrap().text).unwrap();
+        let preset = |name| {
+            crate::model::read(crate::presets::find(name).unwrap().text)
+                .unwrap()
+                .into_inner()
+        };
         let mut one = preset("fig05a");
         one.forces.truncate(1);
         one.forces[0].amplitude = 2.0;
         one.forces[0].phase = 90.0;
-        let reference = Reference::of(&one).unwrap();
+        let reference = Reference::of(&checked(&one)).unwrap();
         assert_eq!(reference.load, Load::Force);
         assert!((reference.amplitude - Complex64::new(0.0, 2.0)).norm() < 1e-15);
         one.forces.push(one.forces[0].clone());
-        assert_eq!(Reference::of(&one), None);
+        assert_eq!(Reference::of(&checked(&one)), None);
         one.forces[1].enabled = false;
-        assert!(Reference::of(&one).is_some());
+        assert!(Reference::of(&checked(&one)).is_some());
     }
 }

@@ -10,7 +10,7 @@ use super::Cancelled;
 use super::lanes::{Instructions, MOST_LANES, Prepared, Solver};
 use super::limit;
 use super::plan::Plan;
-use crate::model::{Model, Quantity, Response, Spacing, Sweep};
+use crate::model::{Checked, Model, Quantity, Response, Spacing, Sweep};
 
 /// Frequency responses of a model: one column for each enabled response, one value for each frequency.
 #[derive(Debug, Clone, PartialEq)]
@@ -122,7 +122,7 @@ pub(super) fn angular(frequencies: &[f64]) -> Vec<Complex64> {
 ///
 /// # Errors
 /// `cancel` became true before the end.
-pub fn sweep(model: &Model, frequencies: &[f64], cancel: &AtomicBool) -> Result<Frf, Cancelled> {
+pub fn sweep(model: &Checked, frequencies: &[f64], cancel: &AtomicBool) -> Result<Frf, Cancelled> {
     let prepared = Prepared::new(Plan::new(model));
     sweep_prepared(model, &prepared, frequencies, cancel)
 }
@@ -151,12 +151,12 @@ pub(super) fn fill_limits(model: &Model, prepared: &Prepared, frf: &mut Frf) {
 }
 
 /// [`sweep`] on this thread alone: sooner there where waking others takes longer.
-pub fn sweep_alone(model: &Model, frequencies: &[f64]) -> Frf {
+pub fn sweep_alone(model: &Checked, frequencies: &[f64]) -> Frf {
     sweep_with(Instructions::available()[0], model, frequencies)
 }
 
 /// [`sweep`] on this thread alone, with instructions that the processor has: to measure and compare them.
-pub fn sweep_with(instructions: Instructions, model: &Model, frequencies: &[f64]) -> Frf {
+pub fn sweep_with(instructions: Instructions, model: &Checked, frequencies: &[f64]) -> Frf {
     let prepared = Prepared::new(Plan::new(model));
     let mut frf = solved_alone(instructions, model, &prepared, frequencies);
     fill_limits(model, &prepared, &mut frf);

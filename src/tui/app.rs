@@ -73,7 +73,7 @@ pub use witness::{Witness, WitnessPicture};
 pub use crate::worker::Stage;
 
 use crate::files::Opened;
-use crate::model::{Model, Moves};
+use crate::model::{Checked, Model, Moves};
 use crate::tui::event::Event;
 use crate::tui::keys::{KeyMap, Scope};
 use crate::tui::theme::Theme;
@@ -149,13 +149,13 @@ pub struct App {
     /// The change that can be done again.
     last_change: Option<LastChange>,
     /// The model that was kept for recovery last, and whether it was changed.
-    kept: Option<(Arc<Model>, bool)>,
+    kept: Option<(Arc<Checked>, bool)>,
     /// The row that the mouse holds: the wheel turns its value.
     held: Option<crate::tui::tree::Node>,
     /// What comes after a save that was asked for by a question.
     after_save: Option<Next>,
     /// What was sent to be solved last.
-    requested: Option<(Arc<Model>, Option<usize>)>,
+    requested: Option<(Arc<Checked>, Option<usize>)>,
     /// The parameter whose nudges are prepared for, and its value then.
     expected: Option<(crate::model::ParameterId, f64)>,
     /// The generation whose finite-element curves were asked for last.
@@ -220,7 +220,7 @@ impl App {
     }
 
     /// The model as it stands.
-    pub fn model(&self) -> &Arc<Model> {
+    pub fn model(&self) -> &Arc<Checked> {
         self.document.model()
     }
 

@@ -1,7 +1,7 @@
 //! The variables of `[tune]` as coordinates from 0 to 1, and back.
 
 use crate::model::edit::{self, Value};
-use crate::model::{Fault, Hold, Model, ParameterId, Spacing, Variable};
+use crate::model::{Checked, Fault, Hold, Model, ParameterId, Spacing, Variable};
 
 /// One variable: a coordinate of the unit box, and what it sets.
 #[derive(Debug, Clone)]
@@ -17,7 +17,7 @@ impl Coordinate {
     ///
     /// # Errors
     /// A path matches no number, or a ratio is held to a first parameter that is 0.
-    pub(super) fn new(model: &Model, variable: &Variable) -> Result<Self, Fault> {
+    pub(super) fn new(model: &Checked, variable: &Variable) -> Result<Self, Fault> {
         // Refuses a ratio to 0.
         variable.applied(model, variable.min)?;
         Ok(Self {
@@ -105,9 +105,12 @@ impl Coordinate {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::checked;
 
     fn coordinate(scale: Spacing, hold: Hold) -> Coordinate {
-        let model = crate::model::read(crate::presets::find("fig05a").unwrap().text).unwrap();
+        let model = crate::model::read(crate::presets::find("fig05a").unwrap().text)
+            .unwrap()
+            .into_inner();
         let variable = Variable {
             paths: vec!["subsystems.S1.mass".into(), "subsystems.*.inertia".into()],
             hold,
@@ -116,7 +119,7 @@ mod tests {
             scale: Some(scale),
             tolerance: 0.0,
         };
-        Coordinate::new(&model, &variable).unwrap()
+        Coordinate::new(&checked(&model), &variable).unwrap()
     }
 
     #[test]

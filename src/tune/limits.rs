@@ -5,7 +5,7 @@ use num_complex::Complex64;
 use super::search::Function;
 use super::trial::{Moved, Slopes, Trial};
 use crate::model::schema::SubsystemKey;
-use crate::model::{Group, Limit, Model, ParameterId};
+use crate::model::{Checked, Group, Limit, ParameterId};
 use crate::solve::Cancelled;
 use crate::solve::modes::{count, modes, undamped, without_damping};
 
@@ -94,7 +94,7 @@ pub(super) fn looks_to(limit: &Limit) -> Option<f64> {
 }
 
 /// The masses of all enabled subsystems, kg.
-fn added_mass(model: &Model) -> f64 {
+fn added_mass(model: &Checked) -> f64 {
     model.attached().map(|subsystem| subsystem.mass).sum()
 }
 
@@ -168,7 +168,7 @@ const TO_REST: [f64; 4] = [4.0, -6.0, 4.0, -1.0];
 
 /// The lowest frequency from which the response at rest is drawn: a hundredth of the first mode's or less, so that the
 /// cubic errs by less than 1e-5. None where a mode is at 0 Hz: such a beam has no rest.
-fn lowest(model: &Model) -> Option<f64> {
+fn lowest(model: &Checked) -> Option<f64> {
     const SHARE: f64 = 50.0;
     const HIGHEST: f64 = 1.0;
     const HALVINGS: usize = 20;

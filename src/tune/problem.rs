@@ -8,7 +8,8 @@ use super::figures::{self, Figure};
 use super::limits::{self, Bound};
 use super::trial::{Moved, Trial};
 use crate::model::{
-    Aim, Combine, Fault, Limit, Model, Objective, Quantity, Response, Tune, check_state, edit, path,
+    Aim, Checked, Combine, Fault, Limit, Model, Objective, Quantity, Response, Tune, check_state,
+    edit, path,
 };
 use crate::solve::Cancelled;
 use crate::solve::modes::{MOST_MODES, are_too_many, count};
@@ -17,9 +18,9 @@ use crate::solve::modes::{MOST_MODES, are_too_many, count};
 #[derive(Debug, Clone)]
 pub struct Problem {
     /// The model as it was given.
-    given: Model,
+    given: Checked,
     /// The same with nothing but the responses that are asked for, so that trials are cheap.
-    bare: Model,
+    bare: Checked,
     tune: Tune,
     pub(super) coordinates: Vec<Coordinate>,
     pub(super) aims: Vec<Aimed>,
@@ -40,7 +41,7 @@ pub(super) struct Aimed {
 /// # Errors
 /// The curve cannot be read, needs an answer on its columns, is of something else than the response, or has nothing in
 /// the band.
-pub fn check_match(model: &Model, objective: &Objective, folder: &Path) -> Result<(), Fault> {
+pub fn check_match(model: &Checked, objective: &Objective, folder: &Path) -> Result<(), Fault> {
     let Some(name) = objective.response.as_ref() else {
         return Ok(());
     };
@@ -58,7 +59,7 @@ impl Problem {
     /// All that stands in the way, with what would be accepted: there is no `[tune]`, a variable that moves nothing, a
     /// measured curve that cannot be read or is of something else, a limit of the deflection at rest of a beam that can
     /// move freely.
-    pub fn new(model: &Model, folder: &Path) -> Result<Self, Vec<Fault>> {
+    pub fn new(model: &Checked, folder: &Path) -> Result<Self, Vec<Fault>> {
         let Some(tune) = &model.tune else {
             let message = "is missing; must have variables and an objective";
             return Err(vec![Fault::new("tune", message)]);
@@ -113,7 +114,7 @@ impl Problem {
     }
 
     /// The model as it was given.
-    pub fn model(&self) -> &Model {
+    pub fn model(&self) -> &Checked {
         &self.given
     }
 
@@ -129,18 +130,18 @@ impl Problem {
 
     /// The model at a point of the unit box; all that no variable moves is as it was given.
     pub fn model_at(&self, x: &[f64]) -> Model {
-        let mut model = self.given.clone();
+        let mut model = self.given.clone().into_inner();
         self.set(&mut model, x, &[]);
         model
     }
 
-    /// The same; the given model to the last bit at its own point.
-    pub(super) fn tuned(&self, x: &[f64]) -> Model {
-        let mut model = self.given.clone();
-        for (one, value) in self.coordinates.iter().zip(self.values(x)) {
-            one.set(&mut model, value);
-        }
-        model
+    /// The same at a point that was on trial, so that it is possible; the given model to the last bit at its own point.
+    pub(super) fn tuned(&self, x: &[f64]) -> Checked {
+        self.given.derived(|model| {
+            for (one, value) in self.coordinates.iter().zip(self.values(x)) {
+                one.set(model, value);
+            }
+        })
     }
 
     /// The first parameter of each variable at a point; where that is the point of the given model, to the last bit.
@@ -159,7 +160,7 @@ impl Problem {
     }
 
     /// The point of a model of the same structure; a value beyond its bounds counts as at them.
-    pub fn point_of(&self, model: &Model) -> Vec<f64> {
+    pub fn point_of(&self, model: &Checked) -> Vec<f64> {
         let value = |one: &Coordinate| {
             let first = one.parameters.first();
             let number = first.and_then(|(id, _)| edit::number(model, *id).ok());
@@ -202,29 +203,25 @@ impl Problem {
         deviation: &[f64],
         cancel: &'a AtomicBool,
     ) -> Result<Option<Trial<'a>>, Cancelled> {
-        let mut whole = self.given.clone();
+        let mut whole = self.given.clone().into_inner();
         self.set(&mut whole, x, deviation);
         if !check_state(&whole).is_empty() {
             return Ok(None);
         }
-        let mut model = self.bare.clone();
-        self.set(&mut model, x, deviation);
+        let model = self.bare.derived(|model| self.set(model, x, deviation));
         Trial::new(model, self.modes_to, cancel)
     }
 
     /// A possible model of the same structure on trial; none where it has more modes than are listed.
     pub(super) fn trial_of<'a>(
         &self,
-        model: &Model,
+        model: &Checked,
         cancel: &'a AtomicBool,
     ) -> Result<Option<Trial<'a>>, Cancelled> {
-        let bare = Model {
-            beam: model.beam,
-            supports: model.supports,
-            subsystems: model.subsystems.clone(),
-            forces: model.forces.clone(),
-            ..self.bare.clone()
-        };
+        let bare = model.derived(|model| {
+            model.responses.clone_from(&self.bare.responses);
+            (model.studies, model.tune) = (Vec::new(), None);
+        });
         Trial::new(bare, self.modes_to, cancel)
     }
 
@@ -264,14 +261,14 @@ fn within(place: &str, fault: &Fault) -> Fault {
 }
 
 /// The place of a response by its name.
-fn place_of(model: &Model, name: &str) -> usize {
+fn place_of(model: &Checked, name: &str) -> usize {
     let place = model.responses.iter().position(|one| one.name == name);
     place.unwrap_or_default()
 }
 
 /// The model with nothing but the responses that are asked for, and for each objective the place of its own. The energy
 /// of the beam is added where no response gives it.
-fn bare(model: &Model, tune: &Tune) -> (Model, Vec<usize>) {
+fn bare(model: &Checked, tune: &Tune) -> (Checked, Vec<usize>) {
     let mut names: Vec<&str> = tune
         .objectives
         .iter()
@@ -283,24 +280,21 @@ fn bare(model: &Model, tune: &Tune) -> (Model, Vec<usize>) {
         .responses
         .iter()
         .filter(|one| names.contains(&&*one.name));
-    let mut bare = Model {
-        title: String::new(),
-        notes: String::new(),
-        responses: wanted.cloned().collect(),
-        studies: Vec::new(),
-        tune: None,
-        ..model.clone()
-    };
+    let mut responses: Vec<Response> = wanted.cloned().collect();
     if tune.objectives.iter().any(|one| one.aim == Aim::Energy) {
-        bare.responses.push(Response {
+        responses.push(Response {
             name: String::new(),
             enabled: true,
             quantity: Quantity::Energy,
         });
     }
-    for response in &mut bare.responses {
+    for response in &mut responses {
         response.enabled = true;
     }
+    let bare = model.derived(|model| {
+        (model.title, model.notes) = Default::default();
+        (model.responses, model.studies, model.tune) = (responses, Vec::new(), None);
+    });
     let energy = bare.responses.len() - 1;
     let place = |objective: &Objective| match &objective.response {
         Some(name) => place_of(&bare, name),
@@ -311,7 +305,7 @@ fn bare(model: &Model, tune: &Tune) -> (Model, Vec<usize>) {
 }
 
 /// Limits on modes that are too many to be listed.
-fn crowded(model: &Model, tune: &Tune) -> Vec<Fault> {
+fn crowded(model: &Checked, tune: &Tune) -> Vec<Fault> {
     let limits = tune.limits.iter().enumerate();
     let crowded = limits.filter_map(|(index, limit)| {
         let to = limits::looks_to(limit).filter(|&to| are_too_many(model, to))?;
@@ -324,7 +318,7 @@ fn crowded(model: &Model, tune: &Tune) -> Vec<Fault> {
 }
 
 /// Limits of a deflection at rest that there is not.
-fn restless(model: &Model, tune: &Tune) -> Vec<Fault> {
+fn restless(model: &Checked, tune: &Tune) -> Vec<Fault> {
     /// Hz; what is slower is a rigid body.
     const SLOWEST: f64 = 1e-4;
     let mut faults = Vec::new();

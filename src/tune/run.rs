@@ -8,7 +8,7 @@ use super::report::{Achieved, Kept, Moved, WorstCase, achieved, kept, moved, wor
 use super::robust::uncertain;
 use super::search::{self, Certainty, Control, Phase, Place, Progress, Stop, fit, minimise};
 use super::terrain::{Matched, Terrain};
-use crate::model::Model;
+use crate::model::Checked;
 use crate::solve::Cancelled;
 
 /// How to search.
@@ -37,14 +37,14 @@ pub struct Status {
     /// Whether the best so far keeps all limits.
     pub is_possible: bool,
     /// The best model so far.
-    pub model: Model,
+    pub model: Checked,
 }
 
 /// What a search came to.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tuned {
     /// The given model with the variables at their best.
-    pub model: Model,
+    pub model: Checked,
     /// The figure of each objective of the given model.
     pub before: Vec<Achieved>,
     /// The figure of each objective of the tuned model.

@@ -6,7 +6,7 @@ use fastrand::Rng;
 use rayon::prelude::*;
 
 use super::coordinates::Coordinate;
-use crate::model::{Fault, Model, Tune, check_state};
+use crate::model::{Checked, Fault, Model, Tune};
 use crate::solve::{Cancelled, sweep};
 
 /// Where the magnitude of one response lies, in its unit, a value a frequency.
@@ -34,7 +34,7 @@ const QUANTILES: [f64; 3] = [0.05, 0.5, 0.95];
 /// A variable moves nothing, or tolerances together make an impossible model; inside, `cancel` became true before the
 /// end.
 pub fn spread(
-    model: &Model,
+    model: &Checked,
     tune: &Tune,
     (samples, seed): (usize, u64),
     frequencies: &[f64],
@@ -70,7 +70,7 @@ pub fn spread(
 }
 
 /// Random models within the tolerances.
-fn models(model: &Model, tune: &Tune, samples: usize, seed: u64) -> Result<Vec<Model>, Fault> {
+fn models(model: &Checked, tune: &Tune, samples: usize, seed: u64) -> Result<Vec<Checked>, Fault> {
     let coordinates: Result<Vec<Coordinate>, Fault> = tune
         .variables
         .iter()
@@ -82,7 +82,7 @@ fn models(model: &Model, tune: &Tune, samples: usize, seed: u64) -> Result<Vec<M
         notes: String::new(),
         studies: Vec::new(),
         tune: None,
-        ..model.clone()
+        ..model.clone().into_inner()
     };
     let mut random = Rng::with_seed(seed);
     let mut one = || {
@@ -91,22 +91,22 @@ fn models(model: &Model, tune: &Tune, samples: usize, seed: u64) -> Result<Vec<M
             let share = 0.01 * coordinate.variable.tolerance * (2.0 * random.f64() - 1.0);
             coordinate.set(&mut changed, coordinate.start() * (1.0 + share));
         }
-        match check_state(&changed).into_iter().next() {
-            None => Ok(changed),
-            Some(Fault { path, message, .. }) => Err(Fault::new(
+        Checked::of_state(changed).map_err(|faults| {
+            let Fault { path, message, .. } = &faults[0];
+            Fault::new(
                 "tune",
                 format!(
                     "has tolerances that together make the model impossible: {path}: {message}; must have smaller ones"
                 ),
-            )),
-        }
+            )
+        })
     };
     (0..samples).map(|_| one()).collect()
 }
 
 /// For each response the quantiles at each frequency.
 fn quantiles(
-    models: &[Model],
+    models: &[Checked],
     frequencies: &[f64],
     cancel: &AtomicBool,
 ) -> Result<Vec<Vec<[f64; 3]>>, Cancelled> {

@@ -6,14 +6,14 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::search::Function;
-use crate::model::{Model, ParameterId, Quantity};
+use crate::model::{Checked, ParameterId, Quantity};
 use crate::solve::modes::{Modes, uncertified};
 use crate::solve::sensitivity::{Differentiator, Gradient};
 use crate::solve::{Cancelled, sweep};
 
 /// A model on trial.
 pub(super) struct Trial<'a> {
-    pub(super) model: Model,
+    pub(super) model: Checked,
     /// Up to where some objective asks for them.
     modes: Modes,
     pub(super) cancel: &'a AtomicBool,
@@ -23,7 +23,7 @@ impl<'a> Trial<'a> {
     /// A possible model, with its modes up to `to` (Hz): they say where points must lie, so that no proof that they are
     /// all is waited for. None where they are more than are listed.
     pub(super) fn new(
-        model: Model,
+        model: Checked,
         to: Option<f64>,
         cancel: &'a AtomicBool,
     ) -> Result<Option<Self>, Cancelled> {
@@ -82,7 +82,7 @@ pub(super) struct Slopes {
 
 impl Slopes {
     /// Of a model; `moved` are for each coordinate the parameters that it moves, and how fast.
-    pub(super) fn new(model: &Model, moved: &[Moved]) -> Self {
+    pub(super) fn new(model: &Checked, moved: &[Moved]) -> Self {
         let differentiator = Differentiator::new(model);
         let known: std::collections::HashMap<ParameterId, usize> = differentiator
             .ids()
@@ -152,6 +152,7 @@ pub(super) fn growth(gradient: &Gradient, rate: Complex64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::checked;
     use crate::solve::modes::{Completeness, Mode, ModeKind, modes};
 
     #[test]
@@ -159,11 +160,15 @@ mod tests {
         // Golden: the certified list of the same model.
         let never = AtomicBool::new(false);
         for preset in ["cantilever", "fig06", "fig08"] {
-            let model = crate::model::read(crate::presets::find(preset).unwrap().text).unwrap();
+            let model = crate::model::read(crate::presets::find(preset).unwrap().text)
+                .unwrap()
+                .into_inner();
             let to = model.sweep.to;
-            let certified = modes(&model, to, &never).unwrap();
+            let certified = modes(&checked(&model), to, &never).unwrap();
             assert_eq!(certified.completeness, Completeness::Certain);
-            let trial = Trial::new(model, Some(to), &never).unwrap().unwrap();
+            let trial = Trial::new(checked(&model), Some(to), &never)
+                .unwrap()
+                .unwrap();
             let found = trial.modes();
             assert_ne!(found.completeness, Completeness::Certain);
             let oscillating = |mode: &&Mode| mode.kind == ModeKind::Oscillating;

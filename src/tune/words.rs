@@ -168,7 +168,7 @@ mod tests {
     #[test]
     fn all_of_it_is_said() {
         let text = include_str!("../../tests/data/tuned.toml");
-        let model = crate::model::read(text).unwrap();
+        let model = crate::model::read(text).unwrap().into_inner();
         let tune = model.tune.as_ref().unwrap();
         assert_eq!(
             variable(&model, &tune.variables[2]),

@@ -10,7 +10,7 @@ use super::memory::Memory;
 use super::resolve::Unresolved;
 use super::{Curves, CurvesAnswer, Member, PROMPT, Stage, Subject};
 use crate::fault_injection;
-use crate::model::Model;
+use crate::model::Checked;
 use crate::solve::{Cancelled, Frf, frequencies, sweep, sweep_alone};
 
 /// Frequencies of the timing sample, spread over the whole range.
@@ -45,7 +45,7 @@ pub(super) fn answer(
         fault_injection::inject("worker", &subject.model.title);
         let members = members(&subject, cancel)?;
         // Where that is cancelled a coarse curve comes all the same.
-        let few = |place, model: &Arc<Model>| memory.few(place, model, cancel).ok().flatten();
+        let few = |place, model: &Arc<Checked>| memory.few(place, model, cancel).ok().flatten();
         let few = of_each(&members, few);
         if let Some(coarse) = few.or_else(|| coarse(&members, memory)) {
             tell(Stage::Coarse, Ok(coarse));
@@ -73,7 +73,7 @@ pub(super) fn answer(
 /// What `solve` makes of every member, which it is given with its place; none where it makes nothing of one.
 fn of_each(
     members: &[Labelled],
-    solve: impl Fn(usize, &Arc<Model>) -> Option<Frf>,
+    solve: impl Fn(usize, &Arc<Checked>) -> Option<Frf>,
 ) -> Option<Curves> {
     let solved = members.iter().enumerate().map(|(place, (label, model))| {
         let frf = solve(place, model)?;
@@ -127,7 +127,7 @@ fn few(each: f64, threads: usize, all: usize) -> Option<(usize, bool)> {
 }
 
 /// About so many frequencies of a model's sweep, and as many at the most of others that matter (Hz, rising); each once.
-pub(super) fn spread(model: &Model, others: &[f64], points: usize) -> Vec<f64> {
+pub(super) fn spread(model: &Checked, others: &[f64], points: usize) -> Vec<f64> {
     let all = frequencies(&model.sweep);
     let evenly = |list: &[f64]| -> Vec<f64> {
         let stride = list.len().div_ceil(points).max(1);
@@ -140,7 +140,7 @@ pub(super) fn spread(model: &Model, others: &[f64], points: usize) -> Vec<f64> {
 }
 
 /// How long a frequency of a model takes, s, by a few of them.
-fn sampled(model: &Model) -> Option<f64> {
+fn sampled(model: &Checked) -> Option<f64> {
     let all = frequencies(&model.sweep);
     let every = (all.len() / SAMPLE).max(1);
     let sample: Vec<f64> = all.iter().step_by(every).copied().collect();
@@ -186,7 +186,7 @@ fn solve_all(
 }
 
 /// A member's responses, not resolved.
-fn member(label: Option<&str>, model: &Arc<Model>, frf: Frf) -> Member {
+fn member(label: Option<&str>, model: &Arc<Checked>, frf: Frf) -> Member {
     Member {
         label: label.map(str::to_owned),
         model: Arc::clone(model),
@@ -199,6 +199,7 @@ fn member(label: Option<&str>, model: &Arc<Model>, frf: Frf) -> Member {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::checked;
     use crate::presets;
 
     #[test]
@@ -217,9 +218,11 @@ mod tests {
 
     #[test]
     fn a_coarse_curve_reaches_from_end_to_end_and_has_the_peaks() {
-        let model = crate::model::read(presets::find("fig08").unwrap().text).unwrap();
+        let model = crate::model::read(presets::find("fig08").unwrap().text)
+            .unwrap()
+            .into_inner();
         let peaks = [7.413, 31.06, 120.5];
-        let some = spread(&model, &peaks, 300);
+        let some = spread(&checked(&model), &peaks, 300);
         let sweep = model.sweep;
         assert!(some.is_sorted_by(|a, b| a < b));
         assert_eq!((some[0], some[some.len() - 1]), (sweep.from, sweep.to));
@@ -227,6 +230,6 @@ mod tests {
         assert!((280..=310).contains(&some.len()), "{}", some.len());
         // Many peaks are thinned, as the sweep is.
         let peaks: Vec<f64> = (0..5000).map(|k| 10.0 + 0.05 * f64::from(k)).collect();
-        assert!(spread(&model, &peaks, 300).len() <= 610);
+        assert!(spread(&checked(&model), &peaks, 300).len() <= 610);
     }
 }

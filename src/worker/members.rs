@@ -5,11 +5,11 @@ use std::sync::atomic::AtomicBool;
 
 use super::Subject;
 use super::lane::Unfinished;
-use crate::model::{Model, edit};
+use crate::model::{Checked, edit};
 use crate::solve::Cancelled;
 
 /// A model to solve, and what tells it from the others of its study.
-pub(super) type Labelled = (Option<String>, Arc<Model>);
+pub(super) type Labelled = (Option<String>, Arc<Checked>);
 
 /// The models to solve, with their labels.
 pub(super) fn members(subject: &Subject, cancel: &AtomicBool) -> Result<Vec<Labelled>, Unfinished> {

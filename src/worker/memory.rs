@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use super::ExpectRequest;
 use super::curves::{spread, timed};
 use super::members::Labelled;
-use crate::model::{Model, Sweep};
+use crate::model::{Checked, Sweep};
 use crate::solve::{Cancelled, Frf, Kept, frequencies, sweep};
 
 /// Shared by the threads that solve curves, those that resolve them and those that prepare for an edit.
@@ -29,7 +29,7 @@ struct Member {
     few: Option<Few>,
     peaks: Option<Peaks>,
     /// Solved last, at all frequencies of its sweep.
-    last: Option<Arc<Model>>,
+    last: Option<Arc<Checked>>,
     /// The edit that is prepared for just now.
     pending: Option<ExpectRequest>,
 }
@@ -57,7 +57,7 @@ impl Memory {
     pub(super) fn sweep(
         &self,
         place: usize,
-        model: &Arc<Model>,
+        model: &Arc<Checked>,
         cancel: &AtomicBool,
     ) -> Result<(Frf, Option<Frf>), Cancelled> {
         let all = frequencies(&model.sweep);
@@ -86,7 +86,7 @@ impl Memory {
     pub(super) fn few(
         &self,
         place: usize,
-        model: &Model,
+        model: &Checked,
         cancel: &AtomicBool,
     ) -> Result<Option<Frf>, Cancelled> {
         self.of(place, |Member { few, .. }| match few {
@@ -104,25 +104,25 @@ impl Memory {
     }
 
     /// Where the peaks and anti-resonances of a member were before the edit, between the frequencies of its sweep; Hz.
-    pub(super) fn between(&self, place: usize, model: &Model) -> Vec<f64> {
+    pub(super) fn between(&self, place: usize, model: &Checked) -> Vec<f64> {
         let between = |peaks: &Peaks| (peaks.sweep == model.sweep).then(|| peaks.between.clone());
         self.of(place, |member| member.peaks.as_ref().and_then(between))
             .unwrap_or_default()
     }
 
     /// How long a frequency of a model takes, s; none where nothing was timed yet.
-    pub(super) fn pace(&self, model: &Model) -> Option<f64> {
+    pub(super) fn pace(&self, model: &Checked) -> Option<f64> {
         Some(self.known().pace? * weight(model))
     }
 
     /// Whether the curves of a member come at once, however many subsystems it has.
-    pub(super) fn knows(&self, place: usize, model: &Model) -> bool {
+    pub(super) fn knows(&self, place: usize, model: &Checked) -> bool {
         let all = frequencies(&model.sweep);
         self.of(place, |member| member.kept.knows(model, &all))
     }
 
     /// The model of a member that was solved last.
-    pub(super) fn last(&self, place: usize) -> Option<Arc<Model>> {
+    pub(super) fn last(&self, place: usize) -> Option<Arc<Checked>> {
         self.of(place, |member| member.last.clone())
     }
 
@@ -130,7 +130,7 @@ impl Memory {
     /// other peaks are known by now: another in the same place may follow.
     pub(super) fn missing(
         &self,
-        before: Option<Arc<Model>>,
+        before: Option<Arc<Checked>>,
         solved: &[Labelled],
     ) -> Option<ExpectRequest> {
         let (_, edited) = solved.first()?;
@@ -149,7 +149,7 @@ impl Memory {
     }
 
     /// Whether a coarse curve of the first member at these frequencies (Hz) comes at once.
-    fn knows_few(&self, model: &Model, frequencies: &[f64]) -> bool {
+    fn knows_few(&self, model: &Checked, frequencies: &[f64]) -> bool {
         self.of(0, |member| {
             let mut few = member.few.iter();
             few.any(|few| few.frequencies == frequencies && few.kept.knows(model, frequencies))
@@ -157,14 +157,14 @@ impl Memory {
     }
 
     /// The frequencies (Hz) of a coarse curve of the first member that is kept.
-    fn few_of(&self, model: &Model) -> Vec<f64> {
+    fn few_of(&self, model: &Checked) -> Vec<f64> {
         /// More than a terminal has columns, and soon solved.
         const POINTS: usize = 200;
         spread(model, &self.between(0, model), POINTS)
     }
 
     /// Remembers where the peaks and anti-resonances of a member are that fall between the frequencies of its sweep.
-    pub(super) fn learn(&self, place: usize, model: &Model, resolved: &Frf) {
+    pub(super) fn learn(&self, place: usize, model: &Checked, resolved: &Frf) {
         let base = frequencies(&model.sweep);
         let is_new = |f: f64| base.binary_search_by(|known| known.total_cmp(&f)).is_err();
         let rows = resolved.frequencies.iter().enumerate();
@@ -193,7 +193,12 @@ impl Memory {
         prepared
     }
 
-    fn prepare(&self, model: &Model, edited: &Model, cancel: &AtomicBool) -> Result<(), Cancelled> {
+    fn prepare(
+        &self,
+        model: &Checked,
+        edited: &Checked,
+        cancel: &AtomicBool,
+    ) -> Result<(), Cancelled> {
         let found = |frequencies: &[f64]| {
             let mut kept = Kept::default();
             kept.expect(model, edited, frequencies, cancel)?;
@@ -232,7 +237,7 @@ impl Memory {
 }
 
 /// What a frequency of a model costs, in subsystems: the beam itself as much as a few.
-pub(super) fn weight(model: &Model) -> f64 {
+pub(super) fn weight(model: &Checked) -> f64 {
     const BEAM: usize = 6;
     (model.attached().count() + BEAM) as f64
 }

@@ -13,7 +13,7 @@ use super::lane::guarded;
 use super::members::Labelled;
 use super::memory::Memory;
 use super::{Curves, CurvesAnswer, Member, ModalModel, Stage, Subject};
-use crate::model::Model;
+use crate::model::Checked;
 use crate::solve::Cancelled;
 use crate::solve::modes::{Completeness, Mode, Modes, certify, follow, shares, uncertified};
 use crate::solve::peaks::{peaks, resolved};
@@ -38,7 +38,7 @@ pub(super) struct Resolver {
     /// Where the work is done, if not among that of the curves.
     pool: Option<ThreadPool>,
     /// By place: 0 is the model's own, then come the members'.
-    known: HashMap<usize, (Arc<Model>, Arc<Modes>)>,
+    known: HashMap<usize, (Arc<Checked>, Arc<Modes>)>,
 }
 
 impl Resolver {
@@ -169,7 +169,7 @@ impl Resolver {
     fn modes(
         &mut self,
         place: usize,
-        model: &Arc<Model>,
+        model: &Arc<Checked>,
         cancel: &AtomicBool,
     ) -> Result<Arc<Modes>, Cancelled> {
         let before = self.known.get(&place);
@@ -191,7 +191,7 @@ impl Resolver {
     fn counted(
         &mut self,
         place: usize,
-        model: &Arc<Model>,
+        model: &Arc<Checked>,
         cancel: &AtomicBool,
     ) -> Result<Counted, Cancelled> {
         let before = self.modes(place, model, cancel)?;
@@ -206,7 +206,7 @@ impl Resolver {
     fn is_counted(&self, unresolved: &Unresolved) -> bool {
         let models = unresolved.members.iter().map(|(_, model)| model);
         let all = std::iter::once(&unresolved.subject.model).chain(models);
-        let waits = |(place, model): (usize, &Arc<Model>)| {
+        let waits = |(place, model): (usize, &Arc<Checked>)| {
             self.known.get(&place).is_some_and(|(known, modes)| {
                 known == model && modes.completeness == Completeness::Uncounted
             })
@@ -224,12 +224,12 @@ struct Counted {
 }
 
 /// Whether the modes of two models up to the end of their sweeps are as many, but for a few.
-fn is_alike(one: &Model, other: &Model) -> bool {
+fn is_alike(one: &Checked, other: &Checked) -> bool {
     one.sweep.to == other.sweep.to && one.attached().count() == other.attached().count()
 }
 
 fn resolve_member(
-    model: &Model,
+    model: &Checked,
     modes: &Modes,
     member: Member,
     cancel: &AtomicBool,

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use super::lane::guarded;
-use crate::model::Model;
+use crate::model::Checked;
 use crate::solve::Cancelled;
 use crate::solve::sensitivity::{Figure, Sensitivity, effects, lack};
 
@@ -14,7 +14,7 @@ pub struct SensitivityRequest {
     /// Comes back with the answer.
     pub serial: u64,
     /// A checked model.
-    pub model: Arc<Model>,
+    pub model: Arc<Checked>,
     /// What of it.
     pub figure: Figure,
 }

@@ -1,13 +1,20 @@
+use crate::model::Model;
+use crate::model::checked;
 use std::sync::atomic::AtomicBool;
 use std::sync::mpsc::{Receiver, channel};
 
 use super::*;
+use crate::model::Checked;
 use crate::presets;
 use crate::solve::modes::Completeness;
 use crate::solve::{frequencies, sweep};
 
-fn model(preset: &str) -> Arc<Model> {
-    Arc::new(crate::model::read(presets::find(preset).unwrap().text).unwrap())
+fn model(preset: &str) -> Arc<Checked> {
+    Arc::new(checked(
+        &crate::model::read(presets::find(preset).unwrap().text)
+            .unwrap()
+            .into_inner(),
+    ))
 }
 
 fn worker() -> (Worker, Receiver<Answer>) {
@@ -17,7 +24,7 @@ fn worker() -> (Worker, Receiver<Answer>) {
     (worker, receiver)
 }
 
-fn subject(generation: u64, model: &Arc<Model>, study: Option<usize>) -> Subject {
+fn subject(generation: u64, model: &Arc<Checked>, study: Option<usize>) -> Subject {
     Subject {
         generation,
         model: Arc::clone(model),
@@ -87,11 +94,11 @@ fn modes_come_before_their_count() {
 }
 
 /// fig05a with a damper far beyond the critical damping of the mass it holds: only the count finds the overdamped modes.
-fn overdamped() -> Arc<Model> {
+fn overdamped() -> Arc<Checked> {
     let mut model = Model::clone(&model("fig05a"));
     model.subsystems[1].y_left.damping = 1e6;
     model.subsystems[1].y_right.damping = 1e6;
-    Arc::new(model)
+    Arc::new(checked(&model))
 }
 
 #[test]
@@ -110,13 +117,17 @@ fn what_the_count_finds_is_in_the_modes_and_the_curves() {
     // The next edit follows all of them.
     let mut longer = Model::clone(&model);
     longer.beam.length *= 1.001;
-    worker.request(Request::Curves(subject(2, &Arc::new(longer), None)));
+    worker.request(Request::Curves(subject(
+        2,
+        &Arc::new(checked(&longer)),
+        None,
+    )));
     let followed = curves(&receiver, 2, Stage::Resolved);
     assert_eq!(number(&followed), number(&counted));
 }
 
 /// What is left to resolve of a model whose curves are solved.
-fn unresolved(generation: u64, model: &Arc<Model>) -> Unresolved {
+fn unresolved(generation: u64, model: &Arc<Checked>) -> Unresolved {
     let never = AtomicBool::new(false);
     let subject = subject(generation, model, None);
     curves::answer(subject, &Memory::default(), &never, &|_| ())
@@ -129,7 +140,7 @@ fn the_next_edit_cancels_the_count_and_the_last_one_makes_it() {
     let model = model("fig08");
     let mut longer = Model::clone(&model);
     longer.beam.length *= 1.001;
-    let longer = Arc::new(longer);
+    let longer = Arc::new(checked(&longer));
     let mut resolver = Resolver::default();
     // An edit comes as soon as the modes are shown.
     for (generation, model) in [(1, &model), (2, &longer), (3, &model)] {
@@ -177,8 +188,8 @@ fn followed_modes_are_those_found_anew() {
     let before = model("fig08");
     let mut changed = Model::clone(&before);
     changed.beam.length *= 1.01;
-    let changed = Arc::new(changed);
-    let modes_of = |models: &[&Arc<Model>]| {
+    let changed = Arc::new(checked(&changed));
+    let modes_of = |models: &[&Arc<Checked>]| {
         let (worker, receiver) = worker();
         let mut modes = None;
         for (generation, model) in (1..).zip(models) {
@@ -268,7 +279,7 @@ fn an_edit_that_was_prepared_for_is_solved_from_what_lies_beside_it() {
     let edited = [1.01, 1.02].map(|factor| {
         let mut model = Model::clone(&model);
         model.subsystems[50].mass *= factor;
-        Arc::new(model)
+        Arc::new(checked(&model))
     });
     memory.sweep(0, &model, &never).unwrap();
     assert_eq!(memory.last(0), Some(Arc::clone(&model)));
@@ -295,7 +306,7 @@ fn an_edit_that_was_prepared_for_is_solved_from_what_lies_beside_it() {
     // Another sweep has other frequencies.
     let mut other = Model::clone(&edited[1]);
     other.sweep.to *= 1.1;
-    assert!(memory.few(0, &other, &never) == Ok(None));
+    assert!(memory.few(0, &checked(&other), &never) == Ok(None));
 }
 
 #[test]
@@ -321,11 +332,11 @@ fn curves_know_their_last_peaks_once() {
 }
 
 /// The preset of a hundred absorbers, of whose motions alone something is read.
-fn hundred_without_energy() -> Arc<Model> {
+fn hundred_without_energy() -> Arc<Checked> {
     let mut model = Model::clone(&model("hundred_absorbers"));
     let is_motion = |one: &crate::model::Response| one.quantity != crate::model::Quantity::Energy;
     model.responses.retain(is_motion);
-    Arc::new(model)
+    Arc::new(checked(&model))
 }
 
 #[test]
@@ -335,21 +346,21 @@ fn preparing_for_an_edit_in_vain_keeps_what_is_there() {
     let model = hundred_without_energy();
     let mut edited = Model::clone(&model);
     edited.subsystems[50].mass *= 1.01;
-    let expect = |edited: &Model| {
+    let expect = |edited: &Checked| {
         let edit = ExpectRequest {
             model: Arc::clone(&model),
             edited: Arc::new(edited.clone()),
         };
         memory.expect(&edit, &never).unwrap();
     };
-    expect(&edited);
-    assert!(memory.knows(0, &edited));
+    expect(&checked(&edited));
+    assert!(memory.knows(0, &checked(&edited)));
     // All of the beam is another: nothing lies beside that.
     let mut other = Model::clone(&model);
     other.beam.material.young_modulus *= 1.01;
-    expect(&other);
-    assert!(memory.knows(0, &edited));
-    assert!(!memory.knows(0, &other));
+    expect(&checked(&other));
+    assert!(memory.knows(0, &checked(&edited)));
+    assert!(!memory.knows(0, &checked(&other)));
 }
 
 #[test]
@@ -358,7 +369,7 @@ fn a_beam_with_too_many_modes_gets_its_curves_and_no_search() {
     let (worker, receiver) = worker();
     let mut long = Model::clone(&model("fig06"));
     long.beam.length = 1e7;
-    let long = Arc::new(long);
+    let long = Arc::new(checked(&long));
     worker.request(Request::Curves(subject(1, &long, None)));
     let resolved = curves(&receiver, 1, Stage::Counted);
     let modes = resolved.modes.unwrap().modes;

@@ -6,7 +6,7 @@ use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use super::lane::guarded;
-use crate::model::{Fault, Model};
+use crate::model::{Checked, Fault};
 use crate::solve::Cancelled;
 use crate::tune::{self, Options, Problem, Spread, Status, Tuned};
 
@@ -25,7 +25,7 @@ pub struct TuneRequest {
     /// Comes back with the answers.
     pub serial: u64,
     /// A checked model with `[tune]`.
-    pub model: Arc<Model>,
+    pub model: Arc<Checked>,
     /// The folder that files of measured curves are relative to.
     pub folder: PathBuf,
     /// At most so many evaluations; none: by the number of variables.
@@ -151,7 +151,7 @@ pub struct SpreadRequest {
     /// Comes back with the answer.
     pub serial: u64,
     /// A checked model with `[tune]`.
-    pub model: Arc<Model>,
+    pub model: Arc<Checked>,
     /// Hz, rising.
     pub frequencies: Vec<f64>,
 }

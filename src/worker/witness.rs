@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 use super::lane::guarded;
 use super::members::members;
 use super::{Difference, Subject, WitnessAnswer, WitnessMember};
-use crate::model::Model;
+use crate::model::Checked;
 use crate::solve::compare::differences;
 use crate::solve::fem::{FiniteElements, default_elements};
 use crate::solve::{Cancelled, Frf, frequencies, sweep};
@@ -34,7 +34,7 @@ pub(super) fn answer(subject: &Subject, cancel: &AtomicBool) -> Result<WitnessAn
 }
 
 /// The largest difference of each response, dB.
-fn largest(model: &Model, exact: &Frf, other: &Frf) -> Vec<Option<Difference>> {
+fn largest(model: &Checked, exact: &Frf, other: &Frf) -> Vec<Option<Difference>> {
     let columns = differences(model, exact, other).into_iter();
     columns
         .map(|column| {

@@ -3,6 +3,7 @@
 //! Expected: closed forms of what moves alone; the definition of (bi-)orthogonality with integrals of this file; residues
 //! of responses on circles of this file.
 
+use crate::checked::checked;
 use std::f64::consts::TAU;
 
 use beamtune::model::{
@@ -287,7 +288,7 @@ fn residues(case: &Case, found: &Modes, shapes: &[Shape], group: &[usize]) -> f6
             quantity: Quantity::Motion(target.clone(), Measure::Displacement),
         };
         model.responses = targets.iter().map(response).collect();
-        let differentiator = Differentiator::new(&model);
+        let differentiator = Differentiator::new(&checked(&model));
         let mut sums = vec![Complex64::ZERO; targets.len()];
         for k in 0..points {
             let angle = TAU * (k as f64 + 0.5) / points as f64;
@@ -328,7 +329,7 @@ fn errors(case: &Case) -> [f64; 3] {
         let nearest = left.swap_remove(nearest.unwrap());
         note(0, (nearest - root).norm() / root.norm());
     }
-    let all = shapes(&case.model, &found, POINTS, &NEVER).unwrap();
+    let all = shapes(&checked(&case.model), &found, POINTS, &NEVER).unwrap();
     for group in groups(&found) {
         note(1, unorthogonal(case, &found, &all, &group));
         let is_moving = found.modes[group[0]].kind != ModeKind::RigidBody;
@@ -364,7 +365,7 @@ fn equal_and_nearly_equal_modes_of_families_of_models() {
 
 /// d omega/d ln p of the modes `indices`, rad/s.
 fn by_logarithm(model: &Model, found: &Modes, indices: &[usize], path: &str) -> Vec<Complex64> {
-    let differentiator = Differentiator::new(model);
+    let differentiator = Differentiator::new(&checked(model));
     let id = path::one(model, path).unwrap();
     let ids = differentiator.ids();
     let parameter = ids.iter().position(|of| *of == id).unwrap();
@@ -495,7 +496,7 @@ fn derivatives_of_equal_modes_follow_the_list() {
                 let mut changed = model.clone();
                 let value = edit::Value::Number(value * (steps * STEP).exp());
                 edit::set_unchecked(&mut changed, &path, value).unwrap();
-                modes(&changed, 100.0, &NEVER).unwrap()
+                modes(&checked(&changed), 100.0, &NEVER).unwrap()
             });
             let slopes = by_logarithm(&model, &found, &equal, &path);
             for (&index, slope) in equal.iter().zip(slopes) {

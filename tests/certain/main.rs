@@ -8,6 +8,8 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+#[path = "../common/checked.rs"]
+mod checked;
 mod determinant;
 mod double_double;
 mod elements;
@@ -19,6 +21,7 @@ mod random;
 mod shapes;
 mod studies;
 
+use checked::checked;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::fmt::Debug;
@@ -34,11 +37,13 @@ static NEVER: AtomicBool = AtomicBool::new(false);
 
 fn load(name: &str) -> Model {
     let file = format!("tests/data/modes/{name}.toml");
-    model::read(&std::fs::read_to_string(file).unwrap()).unwrap()
+    model::read(&std::fs::read_to_string(file).unwrap())
+        .unwrap()
+        .into_inner()
 }
 
 fn certain(model: &Model, to: f64) -> Modes {
-    let found = modes(model, to, &NEVER).unwrap();
+    let found = modes(&checked(model), to, &NEVER).unwrap();
     assert_eq!(found.completeness, Completeness::Certain, "{}", model.title);
     found
 }
@@ -226,7 +231,7 @@ fn a_small_loss_factor_leaves_a_list_certain() {
 
 /// How many ranges of a list of modes are open, or what is wrong with it.
 fn certain_and_right(model: &Model, to: f64) -> Result<usize, String> {
-    let found = modes(model, to, &NEVER).unwrap();
+    let found = modes(&checked(model), to, &NEVER).unwrap();
     match judge::fault(model, &found) {
         Some(fault) => Err(fault),
         None => match found.completeness {

@@ -31,7 +31,7 @@ fn lists_of_presets_and_their_studies_are_right() {
 
 /// A preset and the members of its studies, each with all factors of damping.
 fn members(preset: &presets::Preset) -> Vec<(String, Model)> {
-    let model = model::read(preset.text).unwrap();
+    let model = model::read(preset.text).unwrap().into_inner();
     let mut members = vec![(preset.name.to_owned(), model.clone())];
     for study in &model.studies {
         let count = match &study.family {
@@ -40,7 +40,10 @@ fn members(preset: &presets::Preset) -> Vec<(String, Model)> {
         };
         for index in 0..count {
             let member = edit::apply(&model, &study.family, index).unwrap();
-            members.push((format!("{}, {} {index}", preset.name, study.name), member));
+            members.push((
+                format!("{}, {} {index}", preset.name, study.name),
+                member.into_inner(),
+            ));
         }
     }
     let times = |(name, model): (String, Model)| {

@@ -175,6 +175,7 @@ pub fn respond(model: &Model, forces: Vec<Force>, at: &[Target], hertz: f64) -> 
         responses: responses.collect(),
         ..model.clone()
     };
+    let model = beamtune::model::Checked::new(model).unwrap();
     let frf = beamtune::solve::sweep(&model, &[hertz], &AtomicBool::new(false)).unwrap();
     frf.columns.iter().map(|column| column.values[0]).collect()
 }

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+use beamtune::model::checked;
 use std::sync::atomic::AtomicBool;
 
 use beamtune::measured::{Hint, Layout, inspect, read};
@@ -18,7 +19,7 @@ use super::driver::Driver;
 
 /// The solver's own answer.
 fn solved(model: &Model, frequencies: &[f64]) -> Frf {
-    sweep(model, frequencies, &AtomicBool::new(false)).unwrap()
+    sweep(&checked(model), frequencies, &AtomicBool::new(false)).unwrap()
 }
 
 fn scene(driver: &Driver) -> Scene {
@@ -289,8 +290,10 @@ fn a_study_is_made_of_the_selected_parameter_and_kept_in_the_file() {
     driver.keys("Ctrl-t").typed("= 80 kg, 0.2 t").keys("Enter");
     assert_eq!(driver.app.curves.picture().unwrap().members.len(), 2);
     // What is saved reads back to the same model.
-    let read = beamtune::model::read(&driver.app.document.text()).unwrap();
-    assert_eq!(read, **driver.app.model());
+    let read = beamtune::model::read(&driver.app.document.text())
+        .unwrap()
+        .into_inner();
+    assert_eq!(read, ***driver.app.model());
     assert_eq!(read.studies.len(), studies + 2);
     driver.keys("u u");
     assert_eq!(driver.app.model().studies.len(), studies);

@@ -1,5 +1,6 @@
 //! Presses keys, answers requests at once, and reads the screen.
 
+use beamtune::model::Checked;
 use std::collections::VecDeque;
 use std::fmt::Write as _;
 use std::sync::mpsc::channel;
@@ -35,7 +36,9 @@ pub struct Driver {
 impl Driver {
     pub fn preset(name: &str) -> Self {
         let preset = presets::find(name).expect("a preset");
-        let model = model::read(preset.text).expect("a possible model");
+        let model = model::read(preset.text)
+            .expect("a possible model")
+            .into_inner();
         Self::opened(model, preset.text.to_owned(), Source::Preset(preset.name))
     }
 
@@ -50,7 +53,9 @@ impl Driver {
     /// The designer with a preset whose first curves are still in work; what is asked for later is answered.
     pub fn begun(name: &str) -> Self {
         let preset = presets::find(name).expect("a preset");
-        let model = model::read(preset.text).expect("a possible model");
+        let model = model::read(preset.text)
+            .expect("a possible model")
+            .into_inner();
         let mut driver = Self::waiting(model, preset.text.to_owned(), Source::Preset(preset.name));
         let effects = driver.app.start();
         driver.perform(effects);
@@ -61,7 +66,7 @@ impl Driver {
     /// A designer whose requests stay without answers.
     fn waiting(model: Model, text: String, source: Source) -> Self {
         let app = App::new(Opened {
-            model,
+            model: Checked::new(model).expect("a possible model"),
             text,
             source,
         });

@@ -22,7 +22,7 @@ fn every_view_shows_names_escaped() {
         let text = hostile_model(&name, &title);
         let file = OsString::from_vec([b"m\x1b\xff", name.as_bytes(), b".toml"].concat());
         let source = Source::File(file.into());
-        let mut driver = Driver::opened(model::read(&text).unwrap(), text, source);
+        let mut driver = Driver::opened(model::read(&text).unwrap().into_inner(), text, source);
         if ascii {
             driver.app.theme = Theme::new(false);
         }

@@ -21,7 +21,9 @@ const EDITS: usize = 60;
 
 /// fig08 with this many subsystems.
 fn state(count: usize) -> Kept {
-    let mut model = model::read(presets::find("fig08").unwrap().text).unwrap();
+    let mut model = model::read(presets::find("fig08").unwrap().text)
+        .unwrap()
+        .into_inner();
     let first = model.subsystems[0].clone();
     let step = model.beam.length / (count + 1) as f64;
     let numbered = (1..=count).map(|number| {
@@ -68,7 +70,7 @@ fn hold(state: &mut Kept, edit: impl Fn(&mut Model)) -> Vec<f64> {
     for _ in 0..EDITS {
         std::thread::sleep(due.saturating_duration_since(Instant::now()));
         due += REPEAT;
-        edit(Arc::make_mut(&mut state.model));
+        state.model = Arc::new(state.model.derived(&edit));
         let before = stamp(folder.path());
         let start = Instant::now();
         keeper.keep(state.clone());

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+use beamtune::model::checked;
 use std::sync::atomic::AtomicBool;
 
 use beamtune::model::{Model, edit, path};
@@ -31,7 +32,7 @@ fn difference(model: &Model, path: &str, figure: impl Fn(&Model) -> f64) -> f64 
 
 /// The level of the first response, dB.
 fn level(model: &Model, frequency: f64) -> f64 {
-    let frf = sweep(model, &[frequency], &AtomicBool::new(false)).unwrap();
+    let frf = sweep(&checked(model), &[frequency], &AtomicBool::new(false)).unwrap();
     20.0 * frf.columns[0].values[0].norm().log10()
 }
 
@@ -100,9 +101,9 @@ fn a_peak_has_the_derivatives_of_its_height_and_frequency() {
     let row = driver.app.tables.peaks.row;
     let peak = |model: &Model| {
         let never = AtomicBool::new(false);
-        let modes = modes(model, model.sweep.to, &never).unwrap();
-        let solved = sweep(model, &frequencies(&model.sweep), &never).unwrap();
-        let frf = resolved(model, &modes, solved, &never).unwrap();
+        let modes = modes(&checked(model), model.sweep.to, &never).unwrap();
+        let solved = sweep(&checked(model), &frequencies(&model.sweep), &never).unwrap();
+        let frf = resolved(&checked(model), &modes, solved, &never).unwrap();
         peaks(&frf.frequencies, &frf.columns[0], &modes)[row]
     };
     for path in SOME {
@@ -126,7 +127,11 @@ fn a_mode_has_the_derivatives_of_its_frequency_and_damping() {
     }
     let index = driver.app.tables.modes.row;
     let to = model.sweep.to;
-    let mode = |model: &Model| modes(model, to, &AtomicBool::new(false)).unwrap().modes[index];
+    let mode = |model: &Model| {
+        modes(&checked(model), to, &AtomicBool::new(false))
+            .unwrap()
+            .modes[index]
+    };
     for path in [
         "beam.material.young_modulus",
         "subsystems.S2.mass",
@@ -154,8 +159,8 @@ fn a_band_has_the_derivatives_of_its_mean_square() {
     let model = driver.app.model().clone();
     let mean = |model: &Model| {
         let never = AtomicBool::new(false);
-        let modes = modes(model, model.sweep.to, &never).unwrap();
-        let levels = levels(model, &modes, [40.0, 50.0], &never).unwrap();
+        let modes = modes(&checked(model), model.sweep.to, &never).unwrap();
+        let levels = levels(&checked(model), &modes, [40.0, 50.0], &never).unwrap();
         10.0 * levels[0].mean_square.log10()
     };
     for path in SOME {

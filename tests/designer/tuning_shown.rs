@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+use beamtune::model::checked;
 use std::sync::atomic::AtomicBool;
 
 use beamtune::model::{Aim, Combine, Limit, Model, Spacing, path};
@@ -17,8 +18,8 @@ use super::driver::Driver;
 /// The highest magnitude of the first response in the band of the cantilever's objective.
 fn peak(model: &Model) -> f64 {
     let never = AtomicBool::new(false);
-    let modes = modes(model, model.sweep.to, &never).unwrap();
-    levels(model, &modes, [15.0, 60.0], &never).unwrap()[0].maximum
+    let modes = modes(&checked(model), model.sweep.to, &never).unwrap();
+    levels(&checked(model), &modes, [15.0, 60.0], &never).unwrap()[0].maximum
 }
 
 fn refusal(driver: &Driver) -> String {

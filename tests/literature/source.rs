@@ -104,7 +104,8 @@ impl Source {
     /// The model of a case.
     pub fn model(&self, case: &Case) -> Model {
         let mut model = model::read(&self.model)
-            .unwrap_or_else(|faults| panic!("{}: {faults:?}", self.subject));
+            .unwrap_or_else(|faults| panic!("{}: {faults:?}", self.subject))
+            .into_inner();
         for (path, value) in &case.set {
             let value = match value {
                 toml::Value::Float(number) => Value::Number(*number),

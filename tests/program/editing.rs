@@ -22,9 +22,9 @@ fn a_parameter_is_tuned_and_saved() {
     program.press("q");
     assert_eq!(program.end(), 0);
     let saved = std::fs::read_to_string(home.file("tuned.toml")).unwrap();
-    let model = beamtune::model::read(&saved).unwrap();
+    let model = beamtune::model::read(&saved).unwrap().into_inner();
     assert_eq!(model.subsystems[0].y_left.stiffness, 5e6);
-    let mut original = beamtune::model::read(text).unwrap();
+    let mut original = beamtune::model::read(text).unwrap().into_inner();
     original.subsystems[0].y_left.stiffness = 5e6;
     assert_eq!(model, original);
     let comments = |text: &str| text.matches('#').count();

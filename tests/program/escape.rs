@@ -75,8 +75,8 @@ fn a_hostile_file_is_edited_without_its_names_reaching_the_terminal() {
     program.wait_for("saved m");
     let text = fs::read_to_string(home.work().join(name(NAME))).unwrap();
     assert_safe("the file", text.replace('\r', "").as_bytes());
-    let saved = beamtune::model::read(&text).unwrap();
-    let before = beamtune::model::read(&model()).unwrap();
+    let saved = beamtune::model::read(&text).unwrap().into_inner();
+    let before = beamtune::model::read(&model()).unwrap().into_inner();
     assert_eq!(saved.subsystems[0].mass, 5.0);
     assert_eq!(
         (&saved.title, &saved.responses),

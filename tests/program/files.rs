@@ -13,7 +13,7 @@ const CHANGE: &str = "subsystems.S1.mass=200";
 
 /// The mass that the change gives, in a file.
 fn mass(text: &str) -> f64 {
-    beamtune::model::read(text).unwrap().subsystems[0].mass
+    beamtune::model::read(text).unwrap().into_inner().subsystems[0].mass
 }
 
 /// A write fails midway, as on a full disk: the old file is whole, and nothing else is left.

@@ -18,7 +18,11 @@ const ENDS: [(&str, u32); 6] = [
 /// The length of the beam in a file, m.
 fn length(path: &Path) -> f64 {
     let text = fs::read_to_string(path).unwrap();
-    beamtune::model::read(&text).unwrap().beam.length
+    beamtune::model::read(&text)
+        .unwrap()
+        .into_inner()
+        .beam
+        .length
 }
 
 /// A designer in which the beam was made a tenth longer, which is not saved.

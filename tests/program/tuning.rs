@@ -29,7 +29,7 @@ fn a_damper_is_tuned_and_saved() {
         program.press(&format!("\u{15}{}\r", file.display()));
         program.wait_for("saved");
         let text = fs::read_to_string(&file).unwrap();
-        let model = beamtune::model::read(&text).unwrap();
+        let model = beamtune::model::read(&text).unwrap().into_inner();
         assert_ne!(model.subsystems[0].y_left.stiffness, 1.4e5);
         program.press("q");
         assert_eq!(program.end(), 0);

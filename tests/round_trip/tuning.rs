@@ -186,7 +186,7 @@ const WHOLE: &str = include_str!("../data/tuned.toml");
 
 #[test]
 fn everything_is_read_as_it_stands() {
-    let tune = read(WHOLE).unwrap().tune.unwrap();
+    let tune = read(WHOLE).unwrap().into_inner().tune.unwrap();
     let name = || "P5 w".to_owned();
     let aims = [
         Aim::Peak,
@@ -263,7 +263,7 @@ fn everything_is_read_as_it_stands() {
 
 #[test]
 fn a_new_name_goes_to_objectives_limits_and_variables() {
-    let mut model = read(WHOLE).unwrap();
+    let mut model = read(WHOLE).unwrap().into_inner();
     let text = |word: &str| edit::Value::Text(word.to_owned());
     edit::set(&mut model, "responses.P5 w.name", text("tip")).unwrap();
     edit::set(&mut model, "subsystems.S1.name", text("a.b")).unwrap();
@@ -303,12 +303,12 @@ fn width() -> Objective {
 #[test]
 fn the_old_form_and_lists_of_one_stay() {
     let text = tuned();
-    assert_eq!(write(&read(&text).unwrap(), &text), text);
+    assert_eq!(write(&read(&text).unwrap().into_inner(), &text), text);
     let listed = text
         .replace("objective = {", "objectives = [ {")
         .replace("120.0 }", "120.0 } ]\ncombine = \"sum\"\nlimits = []");
-    let model = read(&listed).unwrap();
-    assert_eq!(model, read(&text).unwrap());
+    let model = read(&listed).unwrap().into_inner();
+    assert_eq!(model, read(&text).unwrap().into_inner());
     assert_eq!(write(&model, &listed), listed);
 }
 

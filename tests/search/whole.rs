@@ -149,16 +149,20 @@ impl<L: Landscape> Landscape for Counted<L> {
 
     fn merit(&self, x: &[f64]) -> Result<Merit, Cancelled> {
         let asked = self.asked.fetch_add(1, Relaxed);
-        (asked < self.until)
-            .then(|| self.inner.merit(x))
-            .unwrap_or(Err(Cancelled))
+        if asked < self.until {
+            self.inner.merit(x)
+        } else {
+            Err(Cancelled)
+        }
     }
 
     fn evaluate(&self, x: &[f64]) -> Result<Evaluation, Cancelled> {
         let asked = self.asked.fetch_add(1, Relaxed);
-        (asked < self.until)
-            .then(|| self.inner.evaluate(x))
-            .unwrap_or(Err(Cancelled))
+        if asked < self.until {
+            self.inner.evaluate(x)
+        } else {
+            Err(Cancelled)
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! Derivatives that have closed forms.
 
+use crate::checked::checked;
 use std::f64::consts::{PI, TAU};
 
 use beamtune::model::{
@@ -88,7 +89,7 @@ fn a_mass_on_springs_to_the_ground() {
         "arm_left",
         "arm_right",
     ];
-    let differentiator = Differentiator::new(&model);
+    let differentiator = Differentiator::new(&checked(&model));
     let gradients = differentiator.at(41.0.into());
     let at = |name: &str| {
         let path = format!("subsystems.start.{name}");
@@ -138,11 +139,11 @@ fn the_natural_frequencies_of_a_pinned_beam() {
     model.responses.clear();
     model.beam.material.loss_factor = 0.0;
     let beam = &model.beam;
-    let differentiator = Differentiator::new(&model);
+    let differentiator = Differentiator::new(&checked(&model));
     let rate = (beam.material.young_modulus * beam.section.second_moment_z
         / (beam.material.density * beam.section.area))
         .sqrt();
-    let found = modes::modes(&model, 3000.0, &never()).unwrap();
+    let found = modes::modes(&checked(&model), 3000.0, &never()).unwrap();
     for n in 1..=4 {
         let f = f64::from(n * n) * PI / (2.0 * beam.length.powi(2)) * rate;
         let index = found

@@ -1,5 +1,6 @@
 //! Derivatives by differences of high order, of anything that a model gives.
 
+use crate::checked::checked;
 use beamtune::model::edit::{self, Value};
 use beamtune::model::path;
 use beamtune::model::{Model, Place, Quantity, Target};
@@ -124,7 +125,7 @@ pub fn worst(
     trial: Trial,
     of: impl Fn(&Model) -> Vec<Complex64>,
 ) -> (f64, String) {
-    let differentiator = Differentiator::new(model);
+    let differentiator = Differentiator::new(&checked(model));
     let mut worst = (0.0, String::new());
     let paths = path::texts(model, differentiator.ids());
     let parameters = paths.iter().zip(differentiator.values());

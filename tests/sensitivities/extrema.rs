@@ -1,5 +1,6 @@
 //! Derivatives of modes, peaks and mean squares against differences of themselves.
 
+use crate::checked::checked;
 use beamtune::model::Model;
 use beamtune::solve::sensitivity::{Differentiator, PeakGradient};
 use beamtune::solve::{band, modes, peaks};
@@ -40,8 +41,8 @@ fn frequencies_and_damping_of_modes() {
         (held(false), 120.0),
         (preset("cantilever"), 100.0),
     ] {
-        let before = modes::modes(&model, to, &never()).unwrap();
-        let differentiator = Differentiator::new(&model);
+        let before = modes::modes(&checked(&model), to, &never()).unwrap();
+        let differentiator = Differentiator::new(&checked(&model));
         let mut exact: Vec<Exact> = Vec::new();
         for (index, mode) in before.modes.iter().enumerate() {
             let gradient = differentiator.mode(&before, index);
@@ -49,7 +50,9 @@ fn frequencies_and_damping_of_modes() {
             exact.push((mode.damping_ratio().into(), real(&gradient.damping_ratio)));
         }
         let (error, at) = worst(&model, &exact, NEAR, |model| {
-            let changed = modes::follow(model, &before, &never()).unwrap().modes;
+            let changed = modes::follow(&checked(model), &before, &never())
+                .unwrap()
+                .modes;
             let values = changed
                 .iter()
                 .flat_map(|mode| [mode.frequency(), mode.damping_ratio()]);
@@ -63,10 +66,10 @@ fn frequencies_and_damping_of_modes() {
 
 /// The peaks of a response up to the end of its sweep.
 fn peaks_of(model: &Model, response: usize) -> Vec<peaks::Peak> {
-    let found = modes::modes(model, model.sweep.to, &never()).unwrap();
+    let found = modes::modes(&checked(model), model.sweep.to, &never()).unwrap();
     let base = beamtune::solve::frequencies(&model.sweep);
-    let solved = beamtune::solve::sweep(model, &base, &never()).unwrap();
-    let frf = peaks::resolved(model, &found, solved, &never()).unwrap();
+    let solved = beamtune::solve::sweep(&checked(model), &base, &never()).unwrap();
+    let frf = peaks::resolved(&checked(model), &found, solved, &never()).unwrap();
     peaks::peaks(&frf.frequencies, &frf.columns[response], &found)
 }
 
@@ -75,7 +78,7 @@ fn peaks_of(model: &Model, response: usize) -> Vec<peaks::Peak> {
 #[test]
 fn heights_and_frequencies_of_peaks() {
     for (model, response) in [(rich(true), 2), (rich(true), 13)] {
-        let differentiator = Differentiator::new(&model);
+        let differentiator = Differentiator::new(&checked(&model));
         let peak = peaks_of(&model, response)[1];
         let here = differentiator.peak(response, peak.frequency).unwrap();
         assert!((here.frequency / peak.frequency - 1.0).abs() < 1e-6);
@@ -85,7 +88,7 @@ fn heights_and_frequencies_of_peaks() {
             (here.height.into(), real(&here.height_by)),
         ];
         let (error, at) = worst(&model, &exact, SOME, |model| {
-            let other = Differentiator::new(model);
+            let other = Differentiator::new(&checked(model));
             let moved = predicted(&here, differentiator.values(), other.values());
             let there = other.peak(response, moved).unwrap();
             real(&[there.frequency, there.height])
@@ -115,12 +118,12 @@ fn mean_squares_in_a_band() {
         ..SOME
     };
     let of = |model: &Model| {
-        let found = modes::modes(model, 200.0, &never()).unwrap();
-        band::levels(model, &found, BAND, &never()).unwrap()
+        let found = modes::modes(&checked(model), 200.0, &never()).unwrap();
+        band::levels(&checked(model), &found, BAND, &never()).unwrap()
     };
     for (model, response) in [(rich(true), 2), (rich(true), 13)] {
-        let found = modes::modes(&model, 200.0, &never()).unwrap();
-        let differentiator = Differentiator::new(&model);
+        let found = modes::modes(&checked(&model), 200.0, &never()).unwrap();
+        let differentiator = Differentiator::new(&checked(&model));
         let mean = differentiator
             .mean_square(response, &found, BAND, &never())
             .unwrap();
@@ -154,8 +157,8 @@ fn an_undamped_resonance_has_no_peak() {
         model.forces[0].target.clone(),
         beamtune::model::Measure::Displacement,
     );
-    let found = modes::modes(&model, 100.0, &never()).unwrap();
-    let differentiator = Differentiator::new(&model);
+    let found = modes::modes(&checked(&model), 100.0, &never()).unwrap();
+    let differentiator = Differentiator::new(&checked(&model));
     let shows = |mode: &&modes::Mode| {
         differentiator.at((mode.frequency() * (1.0 + 1e-9)).into())[0]
             .value

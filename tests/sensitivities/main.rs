@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+#[path = "../common/checked.rs"]
+mod checked;
 mod closed;
 #[allow(dead_code)]
 #[path = "../common/mod.rs"]
@@ -10,6 +12,7 @@ mod difference;
 mod extrema;
 mod scaling;
 
+use checked::checked;
 use std::sync::atomic::AtomicBool;
 
 use beamtune::model::{BeamMotion, Measure, Model, Quantity, Response, Target, path, read};
@@ -25,18 +28,20 @@ fn never() -> AtomicBool {
 }
 
 fn preset(name: &str) -> Model {
-    read(presets::find(name).unwrap().text).unwrap()
+    read(presets::find(name).unwrap().text)
+        .unwrap()
+        .into_inner()
 }
 
 /// All responses of a model at a frequency, Hz.
 fn responses(model: &Model, frequency: f64) -> Vec<Complex64> {
-    let frf = solve::sweep(model, &[frequency], &never()).unwrap();
+    let frf = solve::sweep(&checked(model), &[frequency], &never()).unwrap();
     frf.columns.iter().map(|column| column.values[0]).collect()
 }
 
 /// The worst of all responses at a frequency, Hz.
 fn worst_at(model: &Model, frequency: f64) -> (f64, String) {
-    let gradients = Differentiator::new(model).at(frequency.into());
+    let gradients = Differentiator::new(&checked(model)).at(frequency.into());
     let exact: Vec<Exact> = gradients
         .into_iter()
         .map(|of| (of.value, of.by_parameter))
@@ -48,7 +53,7 @@ fn worst_at(model: &Model, frequency: f64) -> (f64, String) {
 /// slopes, the energy, places at the ends and places shared.
 fn rich(warping: bool) -> Model {
     let text = include_str!("rich.toml");
-    let mut model = read(text).unwrap();
+    let mut model = read(text).unwrap().into_inner();
     if !warping {
         model.beam.section.warping_constant = 0.0;
         let is_warping = |target: &Target| matches!(target, Target::Beam(_, BeamMotion::PsiSlope));
@@ -62,7 +67,9 @@ fn rich(warping: bool) -> Model {
 }
 
 fn thousand() -> Model {
-    read(include_str!("../data/thousand.toml")).unwrap()
+    read(include_str!("../data/thousand.toml"))
+        .unwrap()
+        .into_inner()
 }
 
 /// Frequencies, Hz, with the largest error there. An effect counts from a millionth of the response on, and differences
@@ -156,7 +163,7 @@ fn every_parameter_of_random_models() {
 #[test]
 fn paths_are_those_of_the_model_in_their_order() {
     for model in [rich(true), preset("fig05a"), thousand()] {
-        let differentiator = Differentiator::new(&model);
+        let differentiator = Differentiator::new(&checked(&model));
         let depends = |path: &String| {
             !path.starts_with("sweep")
                 && !path.starts_with("subsystems.off")
@@ -179,7 +186,7 @@ fn warping_that_rises_from_nothing() {
     let mut plain = preset("symmetric_section");
     plain.beam.section.warping_constant = 0.0;
     for (model, infinite) in [(&twisted, true), (&plain, false)] {
-        let differentiator = Differentiator::new(model);
+        let differentiator = Differentiator::new(&checked(model));
         let id = path::one(model, PATH).unwrap();
         let mut ids = differentiator.ids().iter();
         let index = ids.position(|other| *other == id).unwrap();

@@ -1,6 +1,7 @@
 //! Laws that derivatives obey by Euler's theorem on homogeneous functions (closed form): where responses go like a power
 //! of a factor that parameters are multiplied by, the sum of `power p dr/dp` over them is that power times the response.
 
+use crate::checked::checked;
 use beamtune::model::{BeamMotion, Measure, Model, Place, Quantity, Target};
 use beamtune::solve::sensitivity::Differentiator;
 
@@ -111,7 +112,7 @@ fn load_power(target: &Target) -> f64 {
 
 /// The largest deviation from a law over all responses of a model, relative to the largest term of its sum.
 fn deviation(model: &Model, law: &Law, loads: fn(&Target) -> f64, frequency: f64) -> f64 {
-    let differentiator = Differentiator::new(model);
+    let differentiator = Differentiator::new(&checked(model));
     let quantities = model.responses.iter().filter(|of| of.enabled);
     let mut worst = 0.0_f64;
     for (gradient, response) in differentiator.at(frequency.into()).iter().zip(quantities) {

@@ -1,5 +1,6 @@
 //! Den Hartog's absorber as a limiting case: a rigid-like beam on springs with one subsystem that moves along y.
 
+use crate::checked::checked;
 use std::f64::consts::TAU;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
@@ -79,11 +80,11 @@ variables = [
 {tune}
 "#
     );
-    model::read(&text).unwrap()
+    model::read(&text).unwrap().into_inner()
 }
 
 pub fn tuned(model: &Model, budget: Option<usize>) -> Tuned {
-    let problem = Problem::new(model, Path::new(".")).unwrap();
+    let problem = Problem::new(&checked(model), Path::new(".")).unwrap();
     let options = Options { seed: 1, budget };
     run(&problem, &options, &AtomicBool::new(false), &mut |_| ()).unwrap()
 }

@@ -1,5 +1,6 @@
 //! Each kind of objective on the beam with an absorber, which two masses describe in closed form.
 
+use crate::checked::checked;
 use std::f64::consts::TAU;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
@@ -30,8 +31,8 @@ fn values(found: &Tuned) -> [f64; 2] {
 /// The level of the response, by the quadrature of `solve::band`.
 fn level(model: &Model, band: [f64; 2]) -> Level {
     let never = AtomicBool::new(false);
-    let modes = modes(model, band[1], &never).unwrap();
-    levels(model, &modes, band, &never).unwrap()[0]
+    let modes = modes(&checked(model), band[1], &never).unwrap();
+    levels(&checked(model), &modes, band, &never).unwrap()[0]
 }
 
 /// The largest closed-form receptance in a band, at 2,000 places, m/N.
@@ -188,7 +189,7 @@ weight = 2.0
 "#,
     );
     model.tune.as_mut().unwrap().combine = combine;
-    let problem = Problem::new(&model, Path::new(".")).unwrap();
+    let problem = Problem::new(&checked(&model), Path::new(".")).unwrap();
     let options = Options {
         seed: 1,
         budget: BUDGET,
@@ -239,7 +240,7 @@ fn corners(found: &Tuned, tolerances: [f64; 2]) -> f64 {
     let [stiffness, damping] = values(found);
     let mut worst = 0.0_f64;
     for [first, second] in [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]] {
-        let mut model = found.model.clone();
+        let mut model = found.model.clone().into_inner();
         set(
             &mut model,
             "stiffness",

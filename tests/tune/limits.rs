@@ -1,5 +1,6 @@
 //! Limits that an optimum comes up against, with the optima that closed forms give.
 
+use crate::checked::checked;
 use std::f64::consts::TAU;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
@@ -162,9 +163,9 @@ fn all_limits_hold_at_once() {
 fn a_trial_with_too_many_modes_is_the_worst() {
     let soft = variable(&["beam.material.young_modulus"], 1e-17, 2.1e13);
     let model = limited(PEAK, vec![soft], Vec::new());
-    let problem = Problem::new(&model, Path::new(".")).unwrap();
+    let problem = Problem::new(&checked(&model), Path::new(".")).unwrap();
     let never = AtomicBool::new(false);
-    let mut point = problem.point_of(&model);
+    let mut point = problem.point_of(&checked(&model));
     let terrain = Terrain::new(&problem, &point, &never).unwrap();
     point[2] = 0.0;
     assert_eq!(terrain.merit(&point), Ok(Merit::WORST));
@@ -172,7 +173,7 @@ fn a_trial_with_too_many_modes_is_the_worst() {
 }
 
 /// Closed form: each variable is possible at its bounds, the largest area and the least polar moment together are not:
-/// I0 = 2e-4 m4 is less than A z_c^2 = 0.03 * 0.1^2 m4, which is the share of the centroid alone.
+/// `I_0` = 2e-4 m4 is less than `A z_c^2` = 0.03 * 0.1^2 m4, which is the share of the centroid alone.
 #[test]
 fn a_trial_that_variables_make_impossible_together_is_the_worst() {
     let area = variable(&["beam.section.area"], 0.01, 0.03);
@@ -181,9 +182,9 @@ fn a_trial_that_variables_make_impossible_together_is_the_worst() {
     model.beam.section.polar_moment = 4e-4;
     model.beam.section.centroid_offset = 0.1;
     assert_eq!(beamtune::model::check(&model), []);
-    let problem = Problem::new(&model, Path::new(".")).unwrap();
+    let problem = Problem::new(&checked(&model), Path::new(".")).unwrap();
     let never = AtomicBool::new(false);
-    let mut point = problem.point_of(&model);
+    let mut point = problem.point_of(&checked(&model));
     let terrain = Terrain::new(&problem, &point, &never).unwrap();
     (point[2], point[3]) = (1.0, 0.0);
     assert_eq!(terrain.merit(&point), Ok(Merit::WORST));
@@ -200,7 +201,7 @@ fn a_band_with_too_many_modes_is_no_limit() {
         to: 1e12,
     };
     let model = limited(PEAK, Vec::new(), vec![limit]);
-    let faults = Problem::new(&model, Path::new(".")).unwrap_err();
+    let faults = Problem::new(&checked(&model), Path::new(".")).unwrap_err();
     assert_eq!(faults[0].path, "tune.limits.1");
     assert!(faults[0].message.contains("10000"), "{}", faults[0].message);
 }

@@ -1,5 +1,6 @@
 //! Model updating: the parameters of a perturbed model come back from its noisy response.
 
+use crate::checked::checked;
 use std::fmt::Write as _;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
@@ -22,7 +23,9 @@ const FACTORS: [f64; 3] = [1.03, 0.9, 1.08];
 const BAND: [f64; 2] = [10.0, 80.0];
 
 fn cantilever() -> Model {
-    model::read(presets::find("cantilever").unwrap().text).unwrap()
+    model::read(presets::find("cantilever").unwrap().text)
+        .unwrap()
+        .into_inner()
 }
 
 fn values(model: &Model) -> [f64; 3] {
@@ -38,7 +41,7 @@ fn measure(folder: &Path, share: f64, compare: Compare, seed: u64) {
         edit::set_unchecked(&mut model, path, edit::Value::Number(value)).unwrap();
     }
     let frequencies: Vec<f64> = (0..141).map(|i| BAND[0] + 0.5 * f64::from(i)).collect();
-    let frf = sweep(&model, &frequencies, &AtomicBool::new(false)).unwrap();
+    let frf = sweep(&checked(&model), &frequencies, &AtomicBool::new(false)).unwrap();
     let mut random = Rng::with_seed(seed);
     // The sum of twelve uniform numbers less six is normal to a good part (Box & Muller's alternative of old).
     let mut normal = || (0..12).map(|_| random.f64()).sum::<f64>() - 6.0;
@@ -95,7 +98,7 @@ fn updated_with(folder: &Path, compare: Compare, columns: Option<&str>) -> Tuned
         combine: Combine::Sum,
         limits: Vec::new(),
     });
-    let problem = Problem::new(&model, folder).unwrap();
+    let problem = Problem::new(&checked(&model), folder).unwrap();
     let options = Options {
         seed: 1,
         budget: Some(60),
@@ -150,7 +153,7 @@ fn with_noise_they_come_back_within_their_uncertainty() {
 fn refused(folder: &Path, tune: Option<&Tune>) -> Vec<Fault> {
     let mut model = cantilever();
     model.tune = tune.cloned();
-    Problem::new(&model, folder).unwrap_err()
+    Problem::new(&checked(&model), folder).unwrap_err()
 }
 
 /// Expected: the parameters with which the measurement was made, from a table that needs an answer.
@@ -171,7 +174,7 @@ fn an_answer_opens_a_table_that_does_not_say_what_it_is() {
         )
     });
     std::fs::write(&file, rows.collect::<Vec<_>>().concat()).unwrap();
-    let mut tune = updated_with(
+    let tune = updated_with(
         folder.path(),
         Compare::Complex,
         Some("khz 2; re 3; im 4; mm"),
@@ -190,13 +193,13 @@ fn an_answer_opens_a_table_that_does_not_say_what_it_is() {
         (Some("khz 2; re 3; im 4; furlong"), "m/s2/N"),
     ];
     for (answer, part) in wrong {
-        let tune = tune.model.tune.as_mut().unwrap();
-        for objective in &mut tune.objectives {
+        let mut asked = tune.model.tune.clone().unwrap();
+        for objective in &mut asked.objectives {
             if let Aim::Match { columns, .. } = &mut objective.aim {
                 *columns = answer.map(str::to_owned);
             }
         }
-        let faults = refused(folder.path(), Some(tune));
+        let faults = refused(folder.path(), Some(&asked));
         assert!(faults[0].path.contains("measured.csv"), "{faults:?}");
         assert!(faults[0].message.contains(part), "{answer:?}: {faults:?}");
     }
@@ -218,7 +221,7 @@ fn an_answer_opens_a_table_that_does_not_say_what_it_is() {
 fn a_curve_that_cannot_be_read_is_named() {
     let folder = tempfile::tempdir().unwrap();
     measure(folder.path(), 0.0, Compare::Complex, 1);
-    let mut tune = updated(folder.path(), Compare::Complex).model.tune;
+    let mut tune = updated(folder.path(), Compare::Complex).model.tune.clone();
     let elsewhere = tempfile::tempdir().unwrap();
     let file = elsewhere.path().join("measured.csv");
     let contents = [

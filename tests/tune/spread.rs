@@ -1,5 +1,6 @@
 //! Quantiles over tolerances against the closed form of a uniform variable.
 
+use crate::checked::checked;
 use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
 
@@ -42,7 +43,13 @@ fn on_springs() -> (Model, Tune) {
 fn quantiles(seed: u64) -> Spread {
     let (model, tune) = on_springs();
     let never = AtomicBool::new(false);
-    let found = spread(&model, &tune, (SAMPLES, seed), &FREQUENCIES, &never);
+    let found = spread(
+        &checked(&model),
+        &tune,
+        (SAMPLES, seed),
+        &FREQUENCIES,
+        &never,
+    );
     found.unwrap().unwrap().remove(0)
 }
 
@@ -86,7 +93,7 @@ fn without_tolerances_nothing_is_spread() {
     let (model, mut tune) = on_springs();
     tune.variables[0].tolerance = 0.0;
     let never = AtomicBool::new(false);
-    let found = spread(&model, &tune, (5, 1), &FREQUENCIES, &never);
+    let found = spread(&checked(&model), &tune, (5, 1), &FREQUENCIES, &never);
     let found = found.unwrap().unwrap().remove(0);
     assert_eq!(found.low, found.high);
     for (frequency, size) in FREQUENCIES.iter().zip(&found.median) {
@@ -99,11 +106,17 @@ fn without_tolerances_nothing_is_spread() {
 #[test]
 fn a_cancelled_spread_is_none() {
     let (model, tune) = on_springs();
-    let found = spread(&model, &tune, (5, 1), &FREQUENCIES, &AtomicBool::new(true));
+    let found = spread(
+        &checked(&model),
+        &tune,
+        (5, 1),
+        &FREQUENCIES,
+        &AtomicBool::new(true),
+    );
     assert_eq!(found, Ok(Err(Cancelled)));
 }
 
-/// Closed form: I0 = 2e-4 m4 less 45 % and A z_c^2 = 1e-4 m4 more 60 % are each possible alone and not together.
+/// Closed form: `I_0` = 2e-4 m4 less 45 % and `A z_c^2` = 1e-4 m4 more 60 % are each possible alone and not together.
 #[test]
 fn tolerances_that_are_impossible_together_are_refused() {
     let (mut model, mut tune) = on_springs();
@@ -116,7 +129,7 @@ fn tolerances_that_are_impossible_together_are_refused() {
     };
     tune.variables = vec![one("area", 60.0), one("polar_moment", 45.0)];
     let fault = spread(
-        &model,
+        &checked(&model),
         &tune,
         (200, 1),
         &FREQUENCIES,
@@ -130,7 +143,7 @@ fn tolerances_that_are_impossible_together_are_refused() {
     );
     tune.variables.pop();
     let found = spread(
-        &model,
+        &checked(&model),
         &tune,
         (200, 1),
         &FREQUENCIES,

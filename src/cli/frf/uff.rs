@@ -8,14 +8,14 @@ use num_complex::Complex64;
 use super::{Curve, Member, Points, warn_of};
 use crate::cli::{Failure, csv, say};
 use crate::measured::{Node, Record, Written, write_uff};
-use crate::model::{BeamMotion, MassMotion, Model, Place, Quantity, Response, Target, counted};
+use crate::model::{BeamMotion, Checked, MassMotion, Place, Quantity, Response, Target, counted};
 use crate::solve::{Frf, Reference};
 use crate::unit::Kind;
 
 /// A model's curve, solved.
 struct Solved<'a> {
     key: Option<&'a str>,
-    model: &'a Model,
+    model: &'a Checked,
     frf: Frf,
     /// The names of the curves in the file.
     names: Vec<String>,
@@ -57,7 +57,7 @@ pub(super) fn write(
 }
 
 /// Makes motions ratios to the one force; energies and responses to several forces stay as they are.
-fn divide(frf: &mut Frf, model: &Model) {
+fn divide(frf: &mut Frf, model: &Checked) {
     let Some(reference) = Reference::of(model) else {
         return;
     };
@@ -72,7 +72,7 @@ fn divide(frf: &mut Frf, model: &Model) {
     }
 }
 
-fn enabled(model: &Model) -> impl Iterator<Item = &Response> {
+fn enabled(model: &Checked) -> impl Iterator<Item = &Response> {
     model.responses.iter().filter(|response| response.enabled)
 }
 
@@ -122,13 +122,13 @@ impl Solved<'_> {
 
 /// The numbered places of a model: those on the beam from left to right, then the masses as in the model.
 struct Places<'a> {
-    model: &'a Model,
+    model: &'a Checked,
     /// m from the left end.
     beam: Vec<f64>,
 }
 
 impl<'a> Places<'a> {
-    fn of(model: &'a Model) -> Self {
+    fn of(model: &'a Checked) -> Self {
         let of_responses = enabled(model).filter_map(|response| match &response.quantity {
             Quantity::Motion(target, _) => Some(target),
             Quantity::Energy => None,
@@ -192,7 +192,7 @@ impl<'a> Places<'a> {
     }
 }
 
-fn position(model: &Model, place: Place) -> f64 {
+fn position(model: &Checked, place: Place) -> f64 {
     match place {
         Place::Left => 0.0,
         Place::Right => model.beam.length,

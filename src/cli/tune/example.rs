@@ -1,10 +1,12 @@
 //! A `[tune]` for a model that has none.
 
 use crate::model::schema::MaterialKey;
-use crate::model::{self, Aim, Combine, Group, Hold, Model, Objective, Tune, Variable, path};
+use crate::model::{
+    self, Aim, Checked, Combine, Group, Hold, Model, Objective, Tune, Variable, path,
+};
 
 /// What is said of a model without `[tune]`, with one that would do.
-pub(super) fn wanted(label: &str, model: &Model) -> String {
+pub(super) fn wanted(label: &str, model: &Checked) -> String {
     format!(
         "{label}: has no [tune], which says what may move and what for; it could be\n\n{}",
         text(model)
@@ -12,10 +14,10 @@ pub(super) fn wanted(label: &str, model: &Model) -> String {
 }
 
 /// The example as it stands in the file.
-fn text(model: &Model) -> String {
+fn text(model: &Checked) -> String {
     let with = Model {
         tune: Some(tune(model)),
-        ..model.clone()
+        ..model.clone().into_inner()
     };
     let whole = model::write(&with, "");
     // The last one: notes may speak of it too.
@@ -24,7 +26,7 @@ fn text(model: &Model) -> String {
 }
 
 /// One parameter of the model a decade either way, and the peak of its first response.
-fn tune(model: &Model) -> Tune {
+fn tune(model: &Checked) -> Tune {
     let of_first = |key: &str| {
         let all = path::numbers(model, &format!("subsystems.*.{key}")).unwrap_or_default();
         all.into_iter().find(|(_, value)| *value > 0.0)
@@ -61,14 +63,15 @@ fn tune(model: &Model) -> Tune {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::checked;
 
     /// What is shown can be put behind every model that has none.
     #[test]
     fn the_example_does_for_every_preset() {
         for preset in crate::presets::ALL {
-            let model = model::read(preset.text).unwrap();
+            let model = model::read(preset.text).unwrap().into_inner();
             if model.tune.is_none() {
-                let with = format!("{}\n{}\n", preset.text, text(&model));
+                let with = format!("{}\n{}\n", preset.text, text(&checked(&model)));
                 let found =
                     model::read(&with).unwrap_or_else(|faults| panic!("{faults:?}\n{with}"));
                 assert!(found.tune.is_some(), "{}", preset.name);

@@ -15,7 +15,7 @@ use super::{Failure, notes_added, save, say, warn};
 use crate::cli::signals;
 use crate::escape::shown_path;
 use crate::files::{self, Opened};
-use crate::model::{self, Model, path};
+use crate::model::{self, Checked, path};
 use crate::signals::not_ignored;
 use crate::tune::Status;
 
@@ -146,7 +146,7 @@ impl Interruption {
 }
 
 /// The parameters that were tuned, a line `PATH=VALUE` each.
-fn values(model: &Model) -> String {
+fn values(model: &Checked) -> String {
     let variables = model.tune.iter().flat_map(|tune| &tune.variables);
     let parameters = variables.filter_map(|variable| variable.parameters(model).ok());
     let (ids, values): (Vec<_>, Vec<_>) = parameters.flatten().unzip();
@@ -169,13 +169,16 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::checked;
     use crate::presets;
 
     #[test]
     fn values_are_as_set_takes_them() {
-        let model = model::read(presets::find("cantilever").unwrap().text).unwrap();
+        let model = model::read(presets::find("cantilever").unwrap().text)
+            .unwrap()
+            .into_inner();
         assert_eq!(
-            values(&model),
+            values(&checked(&model)),
             "subsystems.Damper.y_left.stiffness=1.4e5\nsubsystems.Damper.y_left.damping=150.0\n"
         );
     }

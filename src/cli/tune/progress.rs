@@ -89,6 +89,7 @@ fn time(seconds: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::checked;
     use crate::tune::Phase;
 
     #[test]
@@ -101,7 +102,7 @@ mod tests {
             start: 5e-3,
             best: 1e-3,
             is_possible: true,
-            model: crate::model::read(text).unwrap(),
+            model: checked(&crate::model::read(text).unwrap().into_inner()),
         };
         let elapsed = Duration::from_secs(10);
         assert_eq!(

@@ -2,7 +2,7 @@
 
 use crate::cli::padded;
 use crate::escape::escape;
-use crate::model::{Aim, Limit, Model, Unit, Variable, counted, path};
+use crate::model::{Aim, Checked, Limit, Unit, Variable, counted, path};
 use crate::tune::words::{bounds, first_parameter, level, of_objective, range};
 use crate::tune::{Achieved, Kept, Moved, Place, Tuned, WorstCase};
 
@@ -30,7 +30,7 @@ impl Row {
 }
 
 /// The table: a block each of objectives, variables and limits, and how the search went.
-pub(super) fn table(model: &Model, tuned: &Tuned) -> String {
+pub(super) fn table(model: &Checked, tuned: &Tuned) -> String {
     let mut blocks = vec![
         ("objective", objectives(model, tuned)),
         ("variable", variables(model, tuned)),
@@ -77,7 +77,7 @@ pub(super) fn table(model: &Model, tuned: &Tuned) -> String {
 }
 
 /// The text for the notes, a line for each thing.
-pub(super) fn notes(model: &Model, tuned: &Tuned) -> String {
+pub(super) fn notes(model: &Checked, tuned: &Tuned) -> String {
     let rows = objectives(model, tuned)
         .into_iter()
         .chain(variables(model, tuned))
@@ -105,7 +105,7 @@ fn how(tuned: &Tuned) -> String {
     format!("{models}, seed {}, {}", tuned.seed, tuned.stop)
 }
 
-fn objectives(model: &Model, tuned: &Tuned) -> Vec<Row> {
+fn objectives(model: &Checked, tuned: &Tuned) -> Vec<Row> {
     let pairs = tuned.before.iter().zip(&tuned.after);
     let rows = pairs.map(|(before, after)| objective(model, before, after));
     let worst = tuned
@@ -115,7 +115,7 @@ fn objectives(model: &Model, tuned: &Tuned) -> Vec<Row> {
     rows.chain(worst).collect()
 }
 
-fn objective(model: &Model, before: &Achieved, after: &Achieved) -> Row {
+fn objective(model: &Checked, before: &Achieved, after: &Achieved) -> Row {
     let objective = &after.objective;
     let what = of_objective(model, objective, |wording| wording.figure);
     let more = [change(before, after), places(after)];
@@ -194,7 +194,7 @@ fn worst_case(tuned: &Tuned, worst: &WorstCase) -> Row {
     }
 }
 
-fn variables(model: &Model, tuned: &Tuned) -> Vec<Row> {
+fn variables(model: &Checked, tuned: &Tuned) -> Vec<Row> {
     let given = model.tune.iter().flat_map(|tune| &tune.variables);
     given
         .zip(&tuned.variables)
@@ -202,7 +202,7 @@ fn variables(model: &Model, tuned: &Tuned) -> Vec<Row> {
         .collect()
 }
 
-fn variable(model: &Model, variable: &Variable, moved: &Moved) -> Row {
+fn variable(model: &Checked, variable: &Variable, moved: &Moved) -> Row {
     let first = first_parameter(model, variable);
     let unit = first.as_ref().map_or(Unit::ONE, |first| first.unit);
     let count = variable.parameters(model).map_or(1, |all| all.len());
@@ -231,7 +231,7 @@ fn variable(model: &Model, variable: &Variable, moved: &Moved) -> Row {
     }
 }
 
-fn limits(model: &Model, tuned: &Tuned) -> Vec<Row> {
+fn limits(model: &Checked, tuned: &Tuned) -> Vec<Row> {
     tuned
         .limits
         .iter()
@@ -239,7 +239,7 @@ fn limits(model: &Model, tuned: &Tuned) -> Vec<Row> {
         .collect()
 }
 
-fn limit(model: &Model, kept: &Kept) -> Row {
+fn limit(model: &Checked, kept: &Kept) -> Row {
     let (what, after, wanted) = match &kept.limit {
         Limit::AddedMass { at_most } => {
             let mass = |value| Unit::KILOGRAM.format(value);

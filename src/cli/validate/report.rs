@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::{Arguments, Findings, Witness, largest};
 use crate::cli::padded;
 use crate::escape::escape;
-use crate::model::Model;
+use crate::model::Checked;
 use crate::solve::Frf;
 use crate::solve::compare::Difference;
 
@@ -15,7 +15,7 @@ const ROUNDING: f64 = 1e-9;
 const MOST_DIGITS: f64 = 16.0;
 
 /// All sections, in the order of the model's responses.
-pub(super) fn text(model: &Model, findings: &Findings, arguments: &Arguments) -> String {
+pub(super) fn text(model: &Checked, findings: &Findings, arguments: &Arguments) -> String {
     let mut out = String::new();
     let frequencies = &findings.exact.frequencies;
     if !model.title.is_empty() {

@@ -1,6 +1,7 @@
 //! The members of a study.
 
 use super::value::{Value, number, put};
+use crate::model::check::Checked;
 use crate::model::fault::Fault;
 use crate::model::path::{self, Finder, Pattern};
 use crate::model::types::{Family, Model, Operation};
@@ -13,9 +14,9 @@ use crate::unit::Unit;
 /// # Errors
 /// There is no such member, a path matches nothing or no number, or [`check()`](crate::model::check()) refuses the
 /// outcome.
-pub fn apply(model: &Model, family: &Family, index: usize) -> Result<Model, Vec<Fault>> {
+pub fn apply(model: &Model, family: &Family, index: usize) -> Result<Checked, Vec<Fault>> {
     let member = apply_unchecked(model, family, index).map_err(|fault| vec![fault])?;
-    super::checked(member)
+    Checked::new(member)
 }
 
 /// As [`apply`], without asking whether the member is a possible model.
@@ -128,7 +129,7 @@ mod tests {
             ..model.clone()
         };
         let family = vary(&["subsystems.*.mass"], Operation::Multiply, &[1.0, 0.5]);
-        assert_eq!(apply(&model, &family, 0), Ok(bare.clone()));
+        assert_eq!(apply(&model, &family, 0), Checked::new(bare.clone()));
         let member = apply(&model, &family, 1).unwrap();
         assert!(
             member

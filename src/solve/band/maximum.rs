@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use super::{Sample, samples};
-use crate::model::{Model, Quantity};
+use crate::model::{Checked, Quantity};
 use crate::solve::Cancelled;
 
 /// A local maximum lower than this share of the highest sample is not the highest point: samples lie so near that none
@@ -52,7 +52,7 @@ struct Bracket {
 
 /// The highest point of each response; `solved` are by rising frequency and lie inside the band.
 pub(super) fn tops(
-    model: &Model,
+    model: &Checked,
     solved: &[Sample],
     band: [f64; 2],
     cancel: &AtomicBool,
@@ -109,7 +109,7 @@ fn likely(all: &[Sample], response: usize) -> Vec<Bracket> {
 }
 
 /// Looks closer at each bracket and leaves the steps beside its highest point.
-fn narrow(model: &Model, brackets: &mut [Bracket], cancel: &AtomicBool) -> Result<(), Cancelled> {
+fn narrow(model: &Checked, brackets: &mut [Bracket], cancel: &AtomicBool) -> Result<(), Cancelled> {
     let inside = |bracket: &Bracket| -> [f64; INSIDE] {
         let [from, to] = bracket.ends;
         std::array::from_fn(|index| from + (to - from) * (index + 1) as f64 / (INSIDE + 1) as f64)

@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use super::{Sample, samples};
-use crate::model::Model;
+use crate::model::Checked;
 use crate::solve::Cancelled;
 
 /// What is asked of every mean, relative.
@@ -81,7 +81,7 @@ struct Estimate {
 /// The means over the pieces between `cuts` (Hz, rising). A response with a pole has no finite mean and is not waited
 /// for.
 pub(super) fn integrate(
-    model: &Model,
+    model: &Checked,
     cuts: &[f64],
     poles: &[Option<f64>],
     cancel: &AtomicBool,

@@ -25,7 +25,7 @@ use self::springs::EffectiveSprings;
 use super::Cancelled;
 use super::layout::{Layout, Reading, derivative};
 use super::sweep::{Frf, one_by_one};
-use crate::model::{BeamMotion, Model};
+use crate::model::{BeamMotion, Checked, Model};
 
 /// Twelve integration constants, or what stands beside twelve equations.
 type Vector = SVector<Complex64, 12>;
@@ -67,7 +67,7 @@ impl std::fmt::Display for NotApplicable {
 /// # Errors
 /// The paper's formulas divide by a zero of the model; inside, `cancel` became true before the end.
 pub fn sweep(
-    model: &Model,
+    model: &Checked,
     frequencies: &[f64],
     cancel: &AtomicBool,
 ) -> Result<Result<Frf, Cancelled>, NotApplicable> {

@@ -213,7 +213,9 @@ mod tests {
     /// Expected: the equations of motion themselves (Eqs. 15 to 17), with the fourth derivatives by beta^4.
     #[test]
     fn shape_functions_satisfy_the_equations_of_motion() {
-        let model = crate::model::read(crate::presets::find("fig05a").unwrap().text).unwrap();
+        let model = crate::model::read(crate::presets::find("fig05a").unwrap().text)
+            .unwrap()
+            .into_inner();
         let omega = std::f64::consts::TAU * 120.0;
         let shapes = Shapes::new(&model.beam, omega);
         let section = &model.beam.section;

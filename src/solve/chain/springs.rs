@@ -134,7 +134,9 @@ mod tests {
     use super::*;
 
     fn subsystem() -> Subsystem {
-        let model = crate::model::read(crate::presets::find("fig05a").unwrap().text).unwrap();
+        let model = crate::model::read(crate::presets::find("fig05a").unwrap().text)
+            .unwrap()
+            .into_inner();
         let mut s = model.subsystems[0].clone();
         s.y_left.stiffness *= 0.7;
         s.z_right.stiffness *= 1.6;

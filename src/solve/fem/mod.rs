@@ -29,7 +29,7 @@ use self::solution::Workspace;
 use super::Cancelled;
 use super::layout::Layout;
 use super::sweep::{Frf, one_by_one};
-use crate::model::Model;
+use crate::model::{Checked, Model};
 
 /// Elements a length of 2 pi / kappa of the shortest wave, travelling or decaying, at the top of the sweep.
 const ELEMENTS_A_WAVE: f64 = 60.0;
@@ -106,7 +106,7 @@ impl<'a> FiniteElements<'a> {
 /// # Errors
 /// `cancel` became true before the end.
 pub fn sweep(
-    model: &Model,
+    model: &Checked,
     elements: usize,
     frequencies: &[f64],
     cancel: &AtomicBool,
@@ -115,13 +115,13 @@ pub fn sweep(
 }
 
 /// [`FiniteElements::natural_frequencies`] of a mesh of about `elements` elements, Hz.
-pub fn natural_frequencies(model: &Model, elements: usize, count: usize) -> Vec<f64> {
+pub fn natural_frequencies(model: &Checked, elements: usize, count: usize) -> Vec<f64> {
     FiniteElements::new(model, elements).natural_frequencies(count)
 }
 
 /// Elements enough for the model's sweep: 60 a wave of the shortest bending, torsion or warping wave at its highest
 /// frequency, taken as if bending and torsion were not coupled; at least 16, at most 1,000.
-pub fn default_elements(model: &Model) -> usize {
+pub fn default_elements(model: &Checked) -> usize {
     let (section, material) = (&model.beam.section, &model.beam.material);
     let (e, g, density) = (
         material.young_modulus,

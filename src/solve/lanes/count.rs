@@ -8,7 +8,7 @@ use super::number::{MOST_LANES, Real};
 use super::portable::{Array, Notes};
 use super::recursion::{Prepared, Room};
 use super::waves::Waves;
-use crate::model::Model;
+use crate::model::{Checked, Model};
 use crate::solve::plan::Plan;
 
 thread_local! {
@@ -46,7 +46,7 @@ impl Notes for Counter {
 /// instructions: where more frequencies are solved at once, some of them wait for others.
 ///
 /// What does not depend on the frequency is not counted.
-pub fn work(model: &Model, frequencies: &[f64], instructions: Instructions) -> Work {
+pub fn work(model: &Checked, frequencies: &[f64], instructions: Instructions) -> Work {
     match instructions {
         #[cfg(target_arch = "x86_64")]
         Instructions::Avx512 => counted::<8>(model, frequencies),

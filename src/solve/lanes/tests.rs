@@ -3,6 +3,7 @@
 //! All lose the digits that a model costs: of a response what is left at an anti-resonance, and at low frequencies what
 //! cancels between the waves. So differences are shares of the response and of its largest value.
 
+use crate::model::checked;
 use std::sync::atomic::AtomicBool;
 
 use num_complex::Complex64;
@@ -68,7 +69,11 @@ fn assert_near(found: &[Complex64], expected: &[Complex64], width: usize, [own, 
 #[test]
 fn each_frequency_is_solved_as_if_it_were_alone() {
     // Golden: bit for bit, whatever stands beside it and wherever a sweep is cut.
-    let plan = Plan::new(&read(presets::find("fig05a").unwrap().text).unwrap());
+    let plan = Plan::new(
+        &read(presets::find("fig05a").unwrap().text)
+            .unwrap()
+            .into_inner(),
+    );
     let all: Vec<f64> = (1..=11).map(|k| 37.0 * f64::from(k)).collect();
     for instructions in Instructions::available() {
         let together = lanes(instructions, &plan, &all);
@@ -92,7 +97,7 @@ fn random_models_are_solved_as_by_finite_elements() {
         }
         compared += 1;
         let never = AtomicBool::new(false);
-        let elements = fem::sweep(&model, 160, &all, &never).unwrap();
+        let elements = fem::sweep(&checked(&model), 160, &all, &never).unwrap();
         let columns = &elements.columns;
         let row = |row: usize| columns.iter().map(move |column| column.values[row]);
         let expected: Vec<Complex64> = (0..all.len()).flat_map(row).collect();
@@ -107,7 +112,9 @@ fn random_models_are_solved_as_by_finite_elements() {
 
 /// A beam with a bit of everything: any supports, loads of all motions, subsystems that lack springs or inertia.
 fn random_model(random: &mut fastrand::Rng) -> Model {
-    let mut model = read(presets::find("fig05a").unwrap().text).unwrap();
+    let mut model = read(presets::find("fig05a").unwrap().text)
+        .unwrap()
+        .into_inner();
     let some = |random: &mut fastrand::Rng, from: f64, to: f64| from + (to - from) * random.f64();
     model.beam.material.loss_factor = [0.0, 0.01, 0.2][random.usize(0..3)];
     let section = &mut model.beam.section;
@@ -212,7 +219,9 @@ fn what_nothing_drives_stays_at_zero_and_what_is_driven_has_no_finite_answer() {
 #[test]
 fn an_undamped_resonance_has_no_finite_answer() {
     // Closed form: a pinned beam without coupling, n = 1, f = pi / (2 L^2) sqrt(E Iz / rho A).
-    let mut model = read(presets::find("fig05a").unwrap().text).unwrap();
+    let mut model = read(presets::find("fig05a").unwrap().text)
+        .unwrap()
+        .into_inner();
     model.subsystems.clear();
     model.supports.left = Support::PINNED;
     model.supports.right = Support::PINNED;
@@ -237,8 +246,8 @@ fn an_undamped_resonance_has_no_finite_answer() {
 #[test]
 fn all_instructions_give_the_same_responses() {
     for preset in presets::ALL {
-        let plan = Plan::new(&read(preset.text).unwrap());
-        let all = frequencies(&read(preset.text).unwrap().sweep);
+        let plan = Plan::new(&read(preset.text).unwrap().into_inner());
+        let all = frequencies(&read(preset.text).unwrap().into_inner().sweep);
         let expected = lanes(Instructions::Portable, &plan, &all);
         for instructions in Instructions::available() {
             let found = lanes(instructions, &plan, &all);
@@ -250,7 +259,10 @@ fn all_instructions_give_the_same_responses() {
 #[test]
 fn the_coupled_waves_are_all_four_roots_whatever_the_section() {
     let mut random = fastrand::Rng::with_seed(11);
-    let mut beam = read(presets::find("fig05a").unwrap().text).unwrap().beam;
+    let mut beam = read(presets::find("fig05a").unwrap().text)
+        .unwrap()
+        .into_inner()
+        .beam;
     let first = beam.section;
     for _ in 0..20_000 {
         let mut times = |tens: f64| 10.0_f64.powf(tens * (2.0 * random.f64() - 1.0));
@@ -365,7 +377,9 @@ fn complex_frequencies() -> Vec<Complex64> {
 /// and `sin(a L) sinh(b L) / (a b)` of twist with warping.
 #[test]
 fn the_characteristic_function_of_a_pinned_beam_is_its_closed_form() {
-    let mut model = read(presets::find("fig05a").unwrap().text).unwrap();
+    let mut model = read(presets::find("fig05a").unwrap().text)
+        .unwrap()
+        .into_inner();
     model.subsystems.clear();
     model.forces.clear();
     model.responses.clear();

@@ -41,7 +41,9 @@ mod tests {
     use super::*;
 
     fn beam() -> Model {
-        crate::model::read(crate::presets::find("fig05a").unwrap().text).unwrap()
+        crate::model::read(crate::presets::find("fig05a").unwrap().text)
+            .unwrap()
+            .into_inner()
     }
 
     #[test]

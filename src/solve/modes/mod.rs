@@ -44,13 +44,13 @@ pub use shape::{shape, shapes, shares};
 pub use types::{Completeness, Gap, Mode, ModeKind, Modes, Shape, Shares};
 
 use super::Cancelled;
-use crate::model::{Model, Restraint};
+use crate::model::{Checked, Model, Restraint};
 
 /// How many undamped modes lie below a frequency (Hz, > 0), rigid-body modes included; `usize::MAX` where that is beyond
 /// all counting.
 ///
 /// Source: Wittrick & Williams, Q. J. Mech. Appl. Math. 24 (1971) 263-284.
-pub fn count(model: &Model, frequency: f64) -> usize {
+pub fn count(model: &Checked, frequency: f64) -> usize {
     let omega = TAU * frequency;
     if bound::is_beyond(model, omega) {
         return usize::MAX;
@@ -66,7 +66,7 @@ pub fn count(model: &Model, frequency: f64) -> usize {
 /// # Errors
 /// `cancel` became true before the end.
 pub fn undamped(
-    model: &Model,
+    model: &Checked,
     to: f64,
     cancel: &AtomicBool,
 ) -> Result<Option<Vec<f64>>, Cancelled> {
@@ -82,7 +82,7 @@ pub fn undamped(
 pub const MOST_MODES: usize = 10_000;
 
 /// Whether more than [`MOST_MODES`] modes lie below a frequency (Hz, > 0), known before any of them is looked for.
-pub fn are_too_many(model: &Model, to: f64) -> bool {
+pub fn are_too_many(model: &Checked, to: f64) -> bool {
     count(model, to) > MOST_MODES
 }
 
@@ -93,7 +93,7 @@ pub fn are_too_many(model: &Model, to: f64) -> bool {
 ///
 /// # Errors
 /// `cancel` became true before the end.
-pub fn modes(model: &Model, to: f64, cancel: &AtomicBool) -> Result<Modes, Cancelled> {
+pub fn modes(model: &Checked, to: f64, cancel: &AtomicBool) -> Result<Modes, Cancelled> {
     solved(model, to, Certificate::Wanted, cancel)
 }
 
@@ -103,7 +103,7 @@ pub fn modes(model: &Model, to: f64, cancel: &AtomicBool) -> Result<Modes, Cance
 ///
 /// # Errors
 /// `cancel` became true before the end.
-pub fn uncertified(model: &Model, to: f64, cancel: &AtomicBool) -> Result<Modes, Cancelled> {
+pub fn uncertified(model: &Checked, to: f64, cancel: &AtomicBool) -> Result<Modes, Cancelled> {
     let overdamped = &[];
     solved(model, to, Certificate::Unwanted { overdamped }, cancel)
 }
@@ -153,7 +153,7 @@ fn solved(
 ///
 /// # Errors
 /// `cancel` became true before the end.
-pub fn follow(model: &Model, before: &Modes, cancel: &AtomicBool) -> Result<Modes, Cancelled> {
+pub fn follow(model: &Checked, before: &Modes, cancel: &AtomicBool) -> Result<Modes, Cancelled> {
     if are_too_many(model, before.to) {
         return Ok(Modes::too_many(before.to));
     }
@@ -196,7 +196,7 @@ fn balance(list: &Modes) -> (usize, i64) {
 ///
 /// # Errors
 /// `cancel` became true before the end.
-pub fn certify(model: &Model, found: &Modes, cancel: &AtomicBool) -> Result<Modes, Cancelled> {
+pub fn certify(model: &Checked, found: &Modes, cancel: &AtomicBool) -> Result<Modes, Cancelled> {
     match found.completeness {
         Completeness::Uncounted => {}
         Completeness::Certain | Completeness::Open(_) | Completeness::TooMany => {
@@ -268,12 +268,12 @@ fn is_hysteretic(model: &Model) -> bool {
 
 /// Whether anything in the model takes energy away.
 fn is_damped(model: &Model) -> bool {
-    without_damping(model) != *model
+    with_damping_times(model, 0.0) != *model
 }
 
 /// The model with every damper and the loss factor at zero.
-pub fn without_damping(model: &Model) -> Model {
-    with_damping_times(model, 0.0)
+pub fn without_damping(model: &Checked) -> Checked {
+    model.derived(|model| *model = with_damping_times(model, 0.0))
 }
 
 /// The model with every damper and the loss factor times a share.

@@ -10,7 +10,7 @@ use super::group::{Group, rigid_modes};
 use super::motion::Motion;
 use super::rigid::{self, RigidMotion};
 use super::types::{Modes, Shape, Shares};
-use crate::model::{BeamMotion, Model};
+use crate::model::{BeamMotion, Checked, Model};
 use crate::solve::Cancelled;
 use crate::solve::quadrature::Node;
 
@@ -20,7 +20,7 @@ use crate::solve::quadrature::Node;
 /// `phi^T (2 omega M - i C) phi = 2 omega` (Foss, J. Appl. Mech. 25 (1958) 361-364), which is the same where C = 0.
 /// Modes that share one frequency are some orthogonal ones of their space, the same whichever of them is asked for.
 /// Where an open list holds a mode that the model does not have, nothing moves.
-pub fn shape(model: &Model, modes: &Modes, index: usize, points: usize) -> Shape {
+pub fn shape(model: &Checked, modes: &Modes, index: usize, points: usize) -> Shape {
     let rigid = rigid_modes(modes);
     let mut shapes = if index < rigid {
         still(model, rigid, points)
@@ -36,7 +36,7 @@ pub fn shape(model: &Model, modes: &Modes, index: usize, points: usize) -> Shape
 /// # Errors
 /// `cancel` became true before the end.
 pub fn shapes(
-    model: &Model,
+    model: &Checked,
     modes: &Modes,
     points: usize,
     cancel: &AtomicBool,
@@ -48,7 +48,11 @@ pub fn shapes(
 ///
 /// # Errors
 /// `cancel` became true before the end.
-pub fn shares(model: &Model, modes: &Modes, cancel: &AtomicBool) -> Result<Vec<Shares>, Cancelled> {
+pub fn shares(
+    model: &Checked,
+    modes: &Modes,
+    cancel: &AtomicBool,
+) -> Result<Vec<Shares>, Cancelled> {
     const FEWEST_POINTS: usize = 2;
     all(model, modes, FEWEST_POINTS, cancel, &|shape| shape.shares)
 }

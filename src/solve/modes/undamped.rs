@@ -16,7 +16,7 @@ use super::characteristic::Characteristic;
 use super::count::Counter;
 use super::eigenspace::{Circle, roots_inside};
 use super::neighbours::neighbours;
-use super::{MOST_MODES, without_damping};
+use super::{MOST_MODES, with_damping_times};
 use crate::model::Model;
 use crate::solve::Cancelled;
 use crate::solve::linear::Magnified;
@@ -65,7 +65,7 @@ enum Piece {
 impl<'a> Search<'a> {
     /// For a checked model; its dampers and loss factor are left out.
     pub(super) fn new(model: &Model, cancel: &'a AtomicBool) -> Self {
-        let model = without_damping(model);
+        let model = with_damping_times(model, 0.0);
         Self {
             counter: Counter::new(&model),
             characteristic: Characteristic::new(&model),

@@ -22,7 +22,7 @@ use num_complex::Complex64;
 
 use super::local::Local;
 use super::plan::Plan;
-use crate::model::Model;
+use crate::model::Checked;
 use along::Along;
 
 /// What a model does at one frequency.
@@ -115,13 +115,10 @@ impl Power {
 ///
 /// The waves are those of [`sweep`](super::sweep()). A model without damping exactly at a resonance has no finite
 /// answer: its values are not finite.
-pub fn operating(model: &Model, frequency: f64, points: usize) -> Operating {
+pub fn operating(model: &Checked, frequency: f64, points: usize) -> Operating {
     let omega = TAU * frequency;
     // Places to look at would cut the spans for nothing: between stations the waves are known everywhere.
-    let bare = Model {
-        responses: Vec::new(),
-        ..model.clone()
-    };
+    let bare = model.derived(|model| model.responses.clear());
     let plan = Plan::new(&bare);
     let along = Along::new(&bare, &plan, omega);
     let places = along.places(points);

@@ -8,7 +8,7 @@ use super::fit::{Sample, samples};
 use super::grid::{Feature, Mark, by_centre, in_order, is_on_pole, missing};
 use super::lacks::{Lacks, hidden};
 use super::{centre, half_width};
-use crate::model::Model;
+use crate::model::Checked;
 use crate::solve::modes::{ModeKind, Modes};
 use crate::solve::{Cancelled, ColumnKind, Frf, sweep};
 
@@ -22,7 +22,7 @@ const MOST_PASSES: usize = 24;
 /// # Errors
 /// `cancel` became true before the end.
 pub fn refined(
-    model: &Model,
+    model: &Checked,
     modes: &Modes,
     base: &[f64],
     cancel: &AtomicBool,
@@ -45,7 +45,7 @@ pub fn refined(
 /// # Errors
 /// `cancel` became true before the end.
 pub fn resolved(
-    model: &Model,
+    model: &Checked,
     modes: &Modes,
     solved: Frf,
     cancel: &AtomicBool,

@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 use num_complex::Complex64;
 
 use super::Differentiator;
-use crate::model::{Group, Model, ParameterId, Quantity, Response};
+use crate::model::{Checked, Group, ParameterId, Quantity, Response};
 use crate::solve::modes::Modes;
 use crate::solve::{Cancelled, Reference};
 
@@ -68,7 +68,7 @@ pub struct Sensitivity {
 /// # Errors
 /// `cancel` became true before the end.
 pub fn effects(
-    model: &Model,
+    model: &Checked,
     figure: &Figure,
     cancel: &AtomicBool,
 ) -> Result<Vec<Sensitivity>, Cancelled> {
@@ -86,7 +86,7 @@ struct Slopes {
 }
 
 fn slopes(
-    model: &Model,
+    model: &Checked,
     differentiator: &Differentiator,
     figure: &Figure,
     cancel: &AtomicBool,
@@ -157,7 +157,7 @@ fn peak_slopes(
 
 /// The derivatives by the logarithms of the parameters; one that is 0 has none.
 fn by_logarithms(
-    model: &Model,
+    model: &Checked,
     differentiator: &Differentiator,
     slopes: &Slopes,
 ) -> Vec<Sensitivity> {
@@ -186,6 +186,6 @@ const fn is_size_of_force(id: ParameterId) -> bool {
 }
 
 /// An enabled response by its index among them.
-fn enabled(model: &Model, index: usize) -> Option<&Response> {
+fn enabled(model: &Checked, index: usize) -> Option<&Response> {
     model.responses.iter().filter(|one| one.enabled).nth(index)
 }

@@ -1,11 +1,11 @@
 //! Why a table of sensitivities has empty cells.
 
 use super::{Figure, Sensitivity};
-use crate::model::Model;
+use crate::model::Checked;
 use crate::solve::sweep_alone;
 
 /// In words why some of the sensitivities of a figure are not known; none where all are.
-pub fn lack(model: &Model, figure: &Figure, found: &[Sensitivity]) -> Option<String> {
+pub fn lack(model: &Checked, figure: &Figure, found: &[Sensitivity]) -> Option<String> {
     let empty = found.iter().filter(|one| has_empty_cell(figure, one));
     let (empty, all) = (empty.count(), found.len());
     if empty == 0 {
@@ -28,7 +28,7 @@ fn has_empty_cell(figure: &Figure, one: &Sensitivity) -> bool {
 }
 
 /// Why nothing is known of a figure.
-fn reason(model: &Model, figure: &Figure) -> String {
+fn reason(model: &Checked, figure: &Figure) -> String {
     match figure {
         Figure::Level {
             response,
@@ -61,6 +61,7 @@ fn reason(model: &Model, figure: &Figure) -> String {
 
 #[cfg(test)]
 mod tests {
+    use crate::model::checked;
     use std::sync::atomic::AtomicBool;
 
     use super::*;
@@ -68,9 +69,9 @@ mod tests {
 
     fn words(figure: &Figure) -> Option<String> {
         let text = crate::presets::find("cantilever").unwrap().text;
-        let model = crate::model::read(text).unwrap();
-        let found = effects(&model, figure, &AtomicBool::new(false)).unwrap();
-        lack(&model, figure, &found)
+        let model = crate::model::read(text).unwrap().into_inner();
+        let found = effects(&checked(&model), figure, &AtomicBool::new(false)).unwrap();
+        lack(&checked(&model), figure, &found)
     }
 
     #[test]
@@ -103,12 +104,12 @@ mod tests {
             damping_ratio: None,
         };
         let text = crate::presets::find("cantilever").unwrap().text;
-        let model = crate::model::read(text).unwrap();
+        let model = crate::model::read(text).unwrap().into_inner();
         let figure = Figure::Level {
             response: 0,
             frequency: 20.0,
         };
-        let told = lack(&model, &figure, &[row(Some(1.0)), row(None)]).unwrap();
+        let told = lack(&checked(&model), &figure, &[row(Some(1.0)), row(None)]).unwrap();
         assert!(told.starts_with("no effect of 1 of 2 parameters"), "{told}");
     }
 }

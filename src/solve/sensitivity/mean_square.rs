@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::adjoint::Adjoint;
 use super::{Differentiator, Gradient};
-use crate::model::Model;
+use crate::model::Checked;
 use crate::solve::modes::Modes;
 use crate::solve::{Cancelled, band};
 
@@ -64,11 +64,11 @@ impl Differentiator {
     }
 
     /// The model with one of its enabled responses, by its index.
-    fn alone(&self, response: usize) -> Model {
-        let mut model = self.model.clone();
-        let enabled = model.responses.iter().filter(|of| of.enabled);
-        model.responses = enabled.skip(response).take(1).cloned().collect();
-        model
+    fn alone(&self, response: usize) -> Checked {
+        self.model.derived(|model| {
+            let enabled = model.responses.iter().filter(|of| of.enabled);
+            model.responses = enabled.skip(response).take(1).cloned().collect();
+        })
     }
 
     /// The derivatives of |H|^2 (of an energy: of itself) by each parameter, and its value last.

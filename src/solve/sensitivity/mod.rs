@@ -28,7 +28,7 @@ use super::lanes::Prepared;
 use super::linear::ZERO;
 use super::plan::{Event, Plan};
 use super::solution::Solution;
-use crate::model::{BeamMotion, Model, ParameterId};
+use crate::model::{BeamMotion, Checked, Model, ParameterId};
 pub use effect::{Figure, Sensitivity, effects};
 
 use adjoint::{Adjoint, Motion, Reading, factor};
@@ -62,7 +62,7 @@ pub struct Gradient {
 /// A model laid out once, to differentiate its responses at any frequency.
 #[derive(Debug)]
 pub struct Differentiator {
-    model: Model,
+    model: Checked,
     /// As a whole.
     prepared: Prepared,
     parameters: Parameters,
@@ -84,7 +84,7 @@ struct Forced<'a> {
 
 impl Differentiator {
     /// Lays out a checked model.
-    pub fn new(model: &Model) -> Self {
+    pub fn new(model: &Checked) -> Self {
         let plan = Plan::new(model);
         let masses = mass_stations(model, &plan);
         Self {

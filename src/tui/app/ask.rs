@@ -8,7 +8,7 @@ use crate::escape::path_of_text;
 use crate::measured::Curve;
 use crate::model::edit::{self, Value};
 use crate::model::path::{self, Pattern};
-use crate::model::{Family, Model, Operation, Parameter, ParameterId, Study, Unit, entry};
+use crate::model::{Checked, Family, Model, Operation, Parameter, ParameterId, Study, Unit, entry};
 use crate::tui::scene::ChartView;
 use crate::tui::tree;
 use crate::unit::{FrequencyUnit, ValueUnit};
@@ -279,7 +279,7 @@ impl App {
         };
         changed.studies.push(study);
         let last = changed.studies.len() - 1;
-        let changed = edit::checked(changed).map_err(|faults| faults[0].message.clone())?;
+        let changed = Checked::new(changed).map_err(|faults| faults[0].message.clone())?;
         let family = &changed.studies[last].family;
         for (index, label) in edit::family_labels(family).into_iter().enumerate() {
             if let Err(faults) = edit::apply(&changed, family, index) {

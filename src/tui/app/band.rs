@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::request::LastRequest;
 use super::{App, Table};
-use crate::model::{Model, Quantity};
+use crate::model::{Checked, Quantity};
 use crate::solve::Reference;
 use crate::solve::band::Level;
 use crate::unit::{Form, Kind};
@@ -151,18 +151,18 @@ impl App {
 }
 
 /// A model whose responses are measured as a form has it.
-fn brought_to(model: &Model, form: Form) -> Model {
-    let mut model = model.clone();
-    for response in &mut model.responses {
-        if let Quantity::Motion(_, measure) = &mut response.quantity {
-            *measure = form.measure();
+fn brought_to(model: &Checked, form: Form) -> Checked {
+    model.derived(|model| {
+        for response in &mut model.responses {
+            if let Quantity::Motion(_, measure) = &mut response.quantity {
+                *measure = form.measure();
+            }
         }
-    }
-    model
+    })
 }
 
 /// The levels of the enabled responses, of the `motion` itself or divided by the force where there is just one.
-fn response_levels(model: &Model, levels: &[Level], motion: bool) -> Vec<ResponseLevel> {
+fn response_levels(model: &Checked, levels: &[Level], motion: bool) -> Vec<ResponseLevel> {
     let reference = Reference::of(model).filter(|_| !motion);
     let enabled = model.responses.iter().filter(|one| one.enabled);
     enabled

@@ -6,7 +6,7 @@ use super::measured::{FitKey, Fitted, Measured, Sample, SampleKey};
 use super::request::LastRequest;
 use super::{App, List, Overlay, Picture, Question, Shown, Stage};
 use crate::files::Opened;
-use crate::model::Model;
+use crate::model::Checked;
 use crate::tui::keys::{BesideCommand, CompareCommand, CurvesCommand};
 use crate::worker::{ReferenceAnswer, Request, Subject};
 
@@ -21,7 +21,7 @@ pub struct Reference {
     /// Its name in the legend.
     pub name: String,
     /// The model they are of.
-    pub model: Arc<Model>,
+    pub model: Arc<Checked>,
     /// The study whose members they are.
     pub study: Option<usize>,
     /// The curves; none as long as they are solved.
@@ -36,7 +36,7 @@ pub struct Reference {
 
 impl Reference {
     /// Shows another model under a new number: what is there shows until its curves are solved.
-    pub(super) fn renew(&mut self, id: u64, model: Arc<Model>) {
+    pub(super) fn renew(&mut self, id: u64, model: Arc<Checked>) {
         (self.id, self.model, self.failure, self.outdated) = (id, model, None, true);
     }
 }
@@ -161,7 +161,7 @@ impl App {
     pub(super) fn add_reference(
         &mut self,
         name: &str,
-        model: Arc<Model>,
+        model: Arc<Checked>,
         study: Option<usize>,
         picture: Option<Arc<Picture>>,
     ) -> Option<String> {

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use num_complex::Complex64;
 
-use crate::model::{Model, Spacing};
+use crate::model::{Checked, Model, Spacing};
 use crate::solve::Reference;
 use crate::solve::peaks::Peak;
 use crate::solve::{Column, Frf};
@@ -107,7 +107,7 @@ pub(super) fn member(member: worker::Member) -> Member {
 }
 
 /// The responses of a model, divided by its force where there is just one; `peaks` of each, or none.
-pub(super) fn traces(model: &Model, frf: &Frf, peaks: Vec<Vec<Peak>>) -> Vec<Trace> {
+pub(super) fn traces(model: &Checked, frf: &Frf, peaks: Vec<Vec<Peak>>) -> Vec<Trace> {
     let reference = Reference::of(model);
     let quantities = model.responses.iter().filter(|one| one.enabled);
     let per = reference.map(|reference| reference.load);

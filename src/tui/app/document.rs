@@ -6,15 +6,15 @@ use std::sync::Arc;
 use super::history::{Change, History, Step};
 use crate::files::{Opened, Source};
 use crate::model::edit::{self, Value};
-use crate::model::{self, Fault, Model, Parameter, ParameterId, path};
+use crate::model::{self, Checked, Fault, Model, Parameter, ParameterId, path};
 use crate::tui::tree;
 use crate::tui::user::recovery::Kept;
 
 /// A model with its source, its text as opened or saved, and its history.
 #[derive(Debug)]
 pub struct Document {
-    model: Arc<Model>,
-    saved: Arc<Model>,
+    model: Arc<Checked>,
+    saved: Arc<Checked>,
     text: Arc<str>,
     source: Source,
     history: History,
@@ -86,7 +86,7 @@ impl Document {
     }
 
     /// The model as it stands.
-    pub fn model(&self) -> &Arc<Model> {
+    pub fn model(&self) -> &Arc<Checked> {
         &self.model
     }
 
@@ -159,7 +159,7 @@ impl Document {
     }
 
     /// Puts another model in the place of this one, as a step with this name.
-    pub fn replace(&mut self, name: String, after: Model) {
+    pub fn replace(&mut self, name: String, after: Checked) {
         let after = Arc::new(after);
         self.history.push(Step {
             name,
@@ -202,14 +202,14 @@ impl Document {
     }
 
     /// Takes what another program saved in the file, as a step that can be taken back.
-    pub fn reload(&mut self, model: Model, text: String) {
+    pub fn reload(&mut self, model: Checked, text: String) {
         self.saved = Arc::new(model.clone());
         self.text = text.into();
         self.base = Base::Own;
         self.replace("read the file again".to_owned(), model);
     }
 
-    fn take(&mut self, after: Arc<Model>) {
+    fn take(&mut self, after: Arc<Checked>) {
         self.model = after;
         self.compare();
     }
@@ -234,10 +234,10 @@ impl Document {
     }
 
     /// The smallest change that goes both ways: one value where putting the old one back gives the old model.
-    fn change(&self, new: &Edit<'_>, before: Value, after: &Arc<Model>) -> Change {
+    fn change(&self, new: &Edit<'_>, before: Value, after: &Arc<Checked>) -> Change {
         let mut back = Model::clone(after);
         let put_back = edit::put(&mut back, new.id, before.clone());
-        if put_back.is_ok() && back == *self.model {
+        if put_back.is_ok() && back == **self.model {
             return Change::Value {
                 id: new.id,
                 before,

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use super::{Base, Export, OpenedMeasured, Outside, Saving};
 use crate::files::Opened;
-use crate::model::{Fault, Model, Objective};
+use crate::model::{Checked, Fault, Objective};
 use crate::tui::user::recovery::Kept;
 use crate::worker::Request;
 
@@ -40,7 +40,7 @@ pub enum Effect {
     /// Read the measured curve that an objective asks for.
     CheckMatch {
         /// The model.
-        model: Arc<Model>,
+        model: Arc<Checked>,
         /// The objective.
         objective: Box<Objective>,
         /// The folder of the model's file.

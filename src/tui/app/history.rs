@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::model::edit::{self, Value};
-use crate::model::{Model, ParameterId};
+use crate::model::{Checked, ParameterId};
 
 /// What a step changed.
 #[derive(Debug, Clone)]
@@ -20,9 +20,9 @@ pub enum Change {
     /// Anything else: the model before and after.
     Whole {
         /// The model before the step.
-        before: Arc<Model>,
+        before: Arc<Checked>,
         /// The model after the step.
-        after: Arc<Model>,
+        after: Arc<Checked>,
     },
 }
 
@@ -34,13 +34,15 @@ impl Change {
         }
     }
 
-    fn apply(&self, model: &mut Arc<Model>, forward: bool) {
+    fn apply(&self, model: &mut Arc<Checked>, forward: bool) {
         match self {
             Self::Value { id, before, after } => {
                 let value = if forward { after } else { before };
                 // Such a step was kept because its values go in and out of this very model.
-                let result = edit::put(Arc::make_mut(model), *id, value.clone());
-                debug_assert!(result.is_ok(), "{id:?}: {result:?}");
+                *model = Arc::new(model.derived(|model| {
+                    let result = edit::put(model, *id, value.clone());
+                    debug_assert!(result.is_ok(), "{id:?}: {result:?}");
+                }));
             }
             Self::Whole { before, after } => {
                 *model = Arc::clone(if forward { after } else { before });
@@ -98,7 +100,7 @@ impl History {
     }
 
     /// Takes the last step back; its name, or `None` at the beginning.
-    pub fn undo(&mut self, model: &mut Arc<Model>) -> Option<&str> {
+    pub fn undo(&mut self, model: &mut Arc<Checked>) -> Option<&str> {
         let step = self.done.pop()?;
         step.change.apply(model, false);
         self.sealed = true;
@@ -107,7 +109,7 @@ impl History {
     }
 
     /// Takes an undone step again; its name, or `None` at the end.
-    pub fn redo(&mut self, model: &mut Arc<Model>) -> Option<&str> {
+    pub fn redo(&mut self, model: &mut Arc<Checked>) -> Option<&str> {
         let step = self.undone.pop()?;
         step.change.apply(model, true);
         self.sealed = true;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::request::LastRequest;
 use super::{App, ModeKind};
-use crate::model::Model;
+use crate::model::Checked;
 use crate::solve::operating::Operating;
 use crate::tui::keys::LookCommand;
 use crate::worker::{OperatingAnswer, OperatingRequest, Request};
@@ -53,13 +53,13 @@ pub struct Looking {
     /// When in its period.
     pub moment: Moment,
     /// What the beam of a model does at the cursor, as it was solved last.
-    pub operating: Option<(Arc<Model>, Arc<Operating>)>,
+    pub operating: Option<(Arc<Checked>, Arc<Operating>)>,
     /// The generation of the model it was solved for.
     pub generation: u64,
     /// Why nothing is known, where the last question failed.
     pub failure: Option<String>,
     /// With the model that it is about.
-    asked: LastRequest<(OperatingKey, Arc<Model>)>,
+    asked: LastRequest<(OperatingKey, Arc<Checked>)>,
 }
 
 /// What was requested: the model's generation, and the frequency, Hz.

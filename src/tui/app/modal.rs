@@ -5,7 +5,7 @@ use std::sync::Arc;
 pub use crate::solve::modes::{Completeness, ModeKind, Shares};
 
 use super::shape::Shape;
-use crate::model::Model;
+use crate::model::Checked;
 use crate::solve::modes::{MOST_MODES, Modes};
 use crate::worker::{ModalModel, ShapeAnswer, ShapeRequest};
 
@@ -54,7 +54,7 @@ pub struct Modal {
 struct AskedShape {
     generation: u64,
     mode: usize,
-    model: Arc<Model>,
+    model: Arc<Checked>,
     modes: Arc<Modes>,
 }
 
@@ -131,7 +131,7 @@ impl Modal {
     pub(super) fn want_shape(
         &mut self,
         generation: u64,
-        model: &Arc<Model>,
+        model: &Arc<Checked>,
         mode: usize,
     ) -> Option<ShapeRequest> {
         let list = self.list.as_ref()?;

@@ -8,7 +8,7 @@ pub use effects::Effects;
 
 use super::request::LastRequest;
 use super::{Anchor, App, Shown, Table};
-use crate::model::{Model, Moves};
+use crate::model::{Checked, Moves};
 use crate::solve::sensitivity::{Figure, Sensitivity};
 use crate::tui::keys::ReadingCommand;
 use crate::worker::{Request, SensitivityAnswer, SensitivityRequest};
@@ -46,7 +46,7 @@ pub struct Sensitivities {
     /// Why there are none, where the last question failed.
     pub failure: Option<String>,
     /// With the model that it is about.
-    asked: LastRequest<(Key, Arc<Model>)>,
+    asked: LastRequest<(Key, Arc<Checked>)>,
 }
 
 impl Sensitivities {

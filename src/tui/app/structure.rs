@@ -7,7 +7,9 @@ use super::edit::faults_in_words;
 use super::fresh::{free_name, new_subsystem, response_names, subsystem_names};
 use crate::model::edit::{self, Value};
 use crate::model::schema::Kind;
-use crate::model::{BeamMotion, Force, Group, Measure, Model, Place, Quantity, Response, Target};
+use crate::model::{
+    BeamMotion, Checked, Force, Group, Measure, Model, Place, Quantity, Response, Target,
+};
 use crate::tui::keys::{Command, CompareCommand, TuneCommand};
 use crate::tui::tree::{self, Node};
 
@@ -137,7 +139,7 @@ impl App {
 
     /// Takes a model with another structure, if it is possible, and selects a row of it.
     fn restructure(&mut self, name: String, after: Model, group: Group) {
-        let after = match edit::checked(after) {
+        let after = match Checked::new(after) {
             Ok(after) => after,
             Err(faults) => {
                 let words = faults_in_words(&faults, "", "");

@@ -1,3 +1,4 @@
+use crate::model::checked;
 use std::path::PathBuf;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
@@ -20,7 +21,7 @@ mod zoom;
 fn app(preset: &str) -> App {
     let preset = presets::find(preset).unwrap();
     let mut app = App::new(Opened {
-        model: crate::model::read(preset.text).unwrap(),
+        model: checked(&crate::model::read(preset.text).unwrap().into_inner()),
         text: preset.text.to_owned(),
         source: Source::Preset(preset.name),
     });
@@ -155,7 +156,7 @@ fn a_nudge_parses_no_path() {
     "#;
     let text = format!("{}{tune}", preset.text);
     let mut app = App::new(Opened {
-        model: crate::model::read(&text).unwrap(),
+        model: checked(&crate::model::read(&text).unwrap().into_inner()),
         text,
         source: Source::Preset(preset.name),
     });
@@ -518,10 +519,10 @@ fn the_study_goes_on_and_off() {
 #[test]
 fn values_from_the_command_line_are_a_step() {
     let preset = presets::find("fig05a").unwrap();
-    let mut model = crate::model::read(preset.text).unwrap();
+    let mut model = crate::model::read(preset.text).unwrap().into_inner();
     model.beam.length = 4.0;
     let mut app = App::new(Opened {
-        model,
+        model: checked(&model),
         text: preset.text.to_owned(),
         source: Source::Preset(preset.name),
     });

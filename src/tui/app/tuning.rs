@@ -13,7 +13,7 @@ pub use variable::Moving;
 
 use super::{App, Table};
 use crate::model::edit::{self, Value};
-use crate::model::{Group, Model, path};
+use crate::model::{Checked, Group, Model, path};
 use crate::tui::keys::{ModelCommand, TuneCommand};
 use crate::tui::tree::{self, Node};
 use crate::tune::{Status, Tuned};
@@ -37,7 +37,7 @@ pub enum Progress {
 pub struct Run {
     serial: u64,
     /// The model it started from.
-    pub from: Arc<Model>,
+    pub from: Arc<Checked>,
     /// How far it is.
     pub progress: Progress,
     /// The best so far; none before the first report.
@@ -51,7 +51,7 @@ pub struct Run {
 
 impl Run {
     /// The best model so far, if there is one.
-    pub fn best(&self) -> Option<&Model> {
+    pub fn best(&self) -> Option<&Checked> {
         match &self.progress {
             Progress::Found(tuned) => Some(&tuned.model),
             _ => self.status.as_ref().map(|status| &status.model),
@@ -179,7 +179,7 @@ impl App {
     }
 
     /// The number of a reference that will show the best so far.
-    fn add_best(&mut self, name: &str, model: &Arc<Model>) -> Option<u64> {
+    fn add_best(&mut self, name: &str, model: &Arc<Checked>) -> Option<u64> {
         let picture = self.curves.picture().cloned();
         self.add_reference(name, Arc::clone(model), None, picture)?;
         self.beside.references.last().map(|one| one.id)
@@ -253,7 +253,7 @@ impl App {
     }
 
     /// Lets the reference show a better model, once its curves are solved.
-    fn show_best(&mut self, model: Arc<Model>) {
+    fn show_best(&mut self, model: Arc<Checked>) {
         let serial = self.next_serial();
         let Some(run) = &mut self.tuning.run else {
             return;
@@ -318,7 +318,7 @@ impl App {
 ///
 /// # Errors
 /// Why it cannot be, in a line.
-fn taken_over(model: &Model, from: &Model, best: &Model) -> Result<Model, String> {
+fn taken_over(model: &Model, from: &Model, best: &Model) -> Result<Checked, String> {
     let mut changed = model.clone();
     let variables = from.tune.iter().flat_map(|tune| &tune.variables);
     for pattern in variables.flat_map(|variable| &variable.paths) {
@@ -329,7 +329,7 @@ fn taken_over(model: &Model, from: &Model, best: &Model) -> Result<Model, String
                 .map_err(|fault| format!("{} {}", fault.path, fault.message))?;
         }
     }
-    edit::checked(changed).map_err(|faults| format!("{} {}", faults[0].path, faults[0].message))
+    Checked::new(changed).map_err(|faults| format!("{} {}", faults[0].path, faults[0].message))
 }
 
 #[cfg(test)]
@@ -345,7 +345,9 @@ mod tests {
             variables = [{ path = "subsystems.S2.mass", min = 1.0, max = 1e3 }]
             objective = { minimise = "energy", from = 1.0, to = 100.0 }
         "#;
-        let from = crate::model::read(&format!("{preset}{tune}")).unwrap();
+        let from = crate::model::read(&format!("{preset}{tune}"))
+            .unwrap()
+            .into_inner();
         let mut best = from.clone();
         best.subsystems[1].mass = 77.0;
         let mut edited = from.clone();

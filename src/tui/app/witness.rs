@@ -2,7 +2,7 @@
 
 use super::Trace;
 use super::curves::traces;
-use crate::model::Model;
+use crate::model::Checked;
 use crate::worker::{Difference, WitnessAnswer, WitnessMember};
 
 /// Finite-element curves of one state of the model.
@@ -71,7 +71,7 @@ impl Witness {
     }
 
     /// Takes an answer about the model with this generation.
-    pub(super) fn take(&mut self, answer: WitnessAnswer, generation: u64, model: &Model) {
+    pub(super) fn take(&mut self, answer: WitnessAnswer, generation: u64, model: &Checked) {
         if matches!(self, Self::Off) || answer.generation != generation {
             return;
         }
@@ -93,7 +93,7 @@ impl Witness {
     }
 }
 
-fn curves(member: WitnessMember, model: &Model) -> WitnessCurves {
+fn curves(member: WitnessMember, model: &Checked) -> WitnessCurves {
     WitnessCurves {
         elements: member.elements,
         traces: traces(model, &member.frf, Vec::new()),

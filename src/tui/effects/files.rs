@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use crate::escape::{path_of_text, path_text};
 use crate::files::{self, Opened, Source, error_text};
 use crate::measured::{self, Hint, Layout};
-use crate::model::{Fault, Model, Objective};
+use crate::model::{Checked, Fault, Objective};
 use crate::tui::app::{Export, Guard, OpenedMeasured, Outside, Reply, Saving};
 use crate::tune;
 
@@ -95,7 +95,7 @@ fn read_measured(path: &Path, layout: Option<&str>) -> Result<measured::Opened, 
 }
 
 /// Reads the measured curve of an objective, so that wrong input is refused in its prompt.
-pub(super) fn check_match(model: &Model, objective: &Objective, folder: &Path) -> Reply {
+pub(super) fn check_match(model: &Checked, objective: &Objective, folder: &Path) -> Reply {
     Reply::MatchChecked(tune::check_match(model, objective, folder))
 }
 

@@ -18,7 +18,7 @@ use width::Width;
 
 use super::search::Function;
 use super::trial::{Slopes, Trial};
-use crate::model::{Aim, Compare, Fault, Measure, Model, Objective, Quantity, Unit};
+use crate::model::{Aim, Checked, Compare, Fault, Measure, Objective, Quantity, Unit};
 use crate::solve::Cancelled;
 use crate::solve::band::levels;
 
@@ -50,7 +50,7 @@ impl Figure {
     /// # Errors
     /// The measured curve cannot be read, or is of something else than the response.
     pub(super) fn new(
-        model: &Model,
+        model: &Checked,
         objective: &Objective,
         response: usize,
         folder: &Path,
@@ -92,7 +92,7 @@ impl Figure {
     }
 
     /// Its unit, for a model.
-    pub(super) fn unit(&self, model: &Model) -> String {
+    pub(super) fn unit(&self, model: &Checked) -> String {
         let response = |index: &usize| model.responses.get(*index).map(|one| &one.quantity);
         match self {
             Self::Peak(Peak {

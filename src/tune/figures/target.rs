@@ -6,7 +6,7 @@ use num_complex::Complex64;
 
 use super::matching::Matching;
 use crate::measured::{self, Curve, Hint, Inspection, Layout, Opened};
-use crate::model::{Aim, Compare, Fault, Model, Objective};
+use crate::model::{Aim, Checked, Compare, Fault, Objective};
 use crate::solve::Reference;
 use crate::unit::Kind;
 
@@ -15,7 +15,7 @@ use crate::unit::Kind;
 /// # Errors
 /// The file cannot be read, has no such curve, is of another quantity, or leaves nothing to compare.
 pub(super) fn matching(
-    model: &Model,
+    model: &Checked,
     objective: &Objective,
     response: usize,
     folder: &Path,
@@ -117,7 +117,7 @@ fn choose<'a>(all: &'a [Curve], curve: Option<&str>, response: &str) -> Result<&
 
 /// The values of a measured curve in the form and unit of a response, for the loads as they are given. What nothing is
 /// known of is taken for the response itself.
-fn in_form_of(model: &Model, curve: &Curve, response: usize) -> Result<Vec<Complex64>, String> {
+fn in_form_of(model: &Checked, curve: &Curve, response: usize) -> Result<Vec<Complex64>, String> {
     let quantity = model.responses.get(response).map(|one| &one.quantity);
     let Some(Kind::Motion(own)) = curve.kind else {
         return match curve.kind {

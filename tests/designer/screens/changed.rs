@@ -62,7 +62,7 @@ const PRESSED: usize = 80;
 /// A file with a preset of few frequencies; on the disk another program has dropped a subsystem, or added one.
 fn driver(preset: &str, fewer: bool) -> Driver {
     let text = presets::find(preset).expect("a preset").text;
-    let mut model = model::read(text).expect("a possible model");
+    let mut model = model::read(text).expect("a possible model").into_inner();
     model.sweep.points = 40;
     (model.sweep.from, model.sweep.to) = (1.0, 40.0);
     let text = model::write(&model, text);

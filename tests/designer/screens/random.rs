@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use beamtune::model::{self, Model};
+use beamtune::model::{self, Checked};
 use beamtune::tui::event::Event;
 use beamtune::tui::keys::{Key, SECTIONS, Section};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
@@ -42,7 +42,7 @@ struct Player {
     /// Of every scope.
     keys: Vec<Key>,
     /// The model that was found possible.
-    checked: Arc<Model>,
+    checked: Arc<Checked>,
     /// What was done last.
     log: Vec<String>,
 }

@@ -1,5 +1,6 @@
 //! Other programs: the clipboard, a file that changes, unsaved changes that were found.
 
+use crate::model::checked;
 use std::time::Duration;
 
 use super::*;
@@ -8,7 +9,7 @@ use crate::tui::app::Lost;
 fn of_file() -> App {
     let text = presets::find("fig05a").unwrap().text;
     let mut app = App::new(Opened {
-        model: crate::model::read(text).unwrap(),
+        model: checked(&crate::model::read(text).unwrap().into_inner()),
         text: text.to_owned(),
         source: Source::File("mine.toml".into()),
     });
@@ -18,7 +19,7 @@ fn of_file() -> App {
 
 fn text_with_length(length: f64) -> (Model, String) {
     let text = presets::find("fig05a").unwrap().text;
-    let mut model = crate::model::read(text).unwrap();
+    let mut model = crate::model::read(text).unwrap().into_inner();
     model.beam.length = length;
     let text = crate::model::write(&model, text);
     (model, text)
@@ -69,7 +70,7 @@ fn a_change_of_the_file_is_noticed_once_and_read_as_a_step() {
     assert!(matches!(&keys(&mut app, "d")[..], [Effect::Reload(_)]));
     let (model, text) = text_with_length(4.0);
     app.reply(Reply::Reloaded(Box::new(Opened {
-        model,
+        model: checked(&model),
         text: text.clone(),
         source: Source::File("mine.toml".into()),
     })));
@@ -123,7 +124,7 @@ fn recovered_changes_are_a_step_away_from_the_file() {
     let mut app = app("fig06");
     let (model, _) = text_with_length(4.0);
     let opened = Opened {
-        model,
+        model: checked(&model),
         text: presets::find("fig05a").unwrap().text.to_owned(),
         source: Source::File("mine.toml".into()),
     };
@@ -144,7 +145,7 @@ fn recovered_changes_without_a_file_stay_unsaved_until_they_are_saved() {
     let mut app = app("fig06");
     let (model, text) = text_with_length(4.0);
     let opened = Opened {
-        model,
+        model: checked(&model),
         text: text.clone(),
         source: Source::Stdin,
     };
@@ -239,7 +240,7 @@ fn a_file_changed_after_what_was_recovered_is_not_replaced_without_a_question() 
         let mut app = of_file();
         let (model, _) = text_with_length(4.0);
         let opened = Opened {
-            model,
+            model: checked(&model),
             text: presets::find("fig05a").unwrap().text.to_owned(),
             source: Source::File("mine.toml".into()),
         };

@@ -1,6 +1,7 @@
 //! Which frequencies show.
 
 use super::*;
+use crate::model::checked;
 
 fn band(app: &App) -> [f64; 2] {
     app.shown_frequencies()
@@ -49,7 +50,8 @@ fn any_sweep_is_zoomed_into_and_out_of() {
             let mut app = app("fig05a");
             let mut model = Model::clone(app.model());
             (model.sweep.from, model.sweep.to) = (from, to);
-            app.document.replace("another sweep".to_owned(), model);
+            app.document
+                .replace("another sweep".to_owned(), checked(&model));
             keys(&mut app, spacing);
             keys(&mut app, "z2zZKJZ3zZZZ5z9Z");
             assert_eq!(band(&app), [from, to]);

@@ -7,8 +7,8 @@ use crate::model::edit;
 use crate::model::path::{self, Pattern};
 use crate::model::schema::SubsystemKey;
 use crate::model::{
-    Aim, Combine, Group, Hold, Model, Objective, Parameter, ParameterId, Spacing, Tune, Unit,
-    Variable, entry,
+    Aim, Checked, Combine, Group, Hold, Model, Objective, Parameter, ParameterId, Spacing, Tune,
+    Unit, Variable, entry,
 };
 use crate::tui::app::{App, Question};
 use crate::tui::tree::{self, Node};
@@ -18,7 +18,7 @@ use crate::tune::words::first_parameter;
 #[derive(Debug, Default)]
 pub struct Moving {
     /// Of which model they are.
-    model: Option<Arc<Model>>,
+    model: Option<Arc<Checked>>,
     nodes: HashSet<Node>,
 }
 
@@ -29,7 +29,7 @@ impl Moving {
     }
 
     /// Follows a changed model.
-    fn refresh(&mut self, model: &Arc<Model>) {
+    fn refresh(&mut self, model: &Arc<Checked>) {
         let known = self.model.as_ref();
         if known.is_some_and(|known| Arc::ptr_eq(known, model)) {
             return;
@@ -166,7 +166,7 @@ impl App {
     /// # Errors
     /// Why it is not possible, in a line.
     pub(super) fn take_tune(&mut self, words: String, changed: Model) -> Result<(), String> {
-        let changed = edit::checked(changed).map_err(|faults| {
+        let changed = Checked::new(changed).map_err(|faults| {
             let first = &faults[0];
             format!("{} {}", first.path, first.message)
         })?;

@@ -8,7 +8,7 @@ use std::time::{Duration, SystemTime};
 use super::slot::{LOCK, MODEL, UNNAMED, remove};
 use super::text::{self, Contents};
 use crate::files::{self, Source};
-use crate::model::{self, Fault, Model};
+use crate::model::{self, Checked, Fault};
 
 /// Unsaved edits of a program that has ended. As long as this value lives, no other program is offered them; after
 /// that the next one is, unless they were discarded.
@@ -33,18 +33,15 @@ impl Found {
     ///
     /// # Errors
     /// The faults of the text; or of the model with its edits, which can only be a file that was changed since.
-    pub fn model(&self) -> Result<Model, Vec<Fault>> {
-        let mut model = model::read(&self.text)?;
+    pub fn model(&self) -> Result<Checked, Vec<Fault>> {
+        let mut model = model::read(&self.text)?.into_inner();
         for edit in &self.edits {
             // What follows an edit that is torn belongs to another model.
             if !model::apply_delta(&mut model, edit) {
                 break;
             }
         }
-        match model::check(&model) {
-            faults if faults.is_empty() => Ok(model),
-            faults => Err(faults),
-        }
+        Checked::new(model)
     }
 
     /// Removes the recovery file for good.

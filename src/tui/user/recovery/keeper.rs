@@ -11,7 +11,7 @@ use super::found::Found;
 use super::slot::{self, Slot};
 use super::text;
 use crate::files::{Source, error_text};
-use crate::model::{self, Model};
+use crate::model::{self, Checked};
 use crate::worker::give_way;
 
 /// After a state the thread rests this many times as long as it worked: under a key that repeats it takes a fifth of a
@@ -34,9 +34,9 @@ pub struct Kept {
     /// Where it came from.
     pub source: Source,
     /// The model as it stands.
-    pub model: Arc<Model>,
+    pub model: Arc<Checked>,
     /// The model as it was read or saved.
-    pub saved: Arc<Model>,
+    pub saved: Arc<Checked>,
     /// The text of that, whose comments and order the model keeps.
     pub base: Arc<str>,
 }
@@ -346,6 +346,8 @@ fn in_folder(folder: &Path, state: &Kept) -> io::Result<PathBuf> {
 mod tests {
     use super::super::found;
     use super::*;
+    use crate::model::Model;
+    use crate::model::checked;
     use crate::presets;
     use std::fs;
     use std::sync::Mutex;
@@ -353,13 +355,13 @@ mod tests {
     /// The preset of a name with another length, m.
     fn state(name: &str, length: f64) -> Kept {
         let preset = presets::find(name).unwrap();
-        let saved = model::read(preset.text).unwrap();
+        let saved = model::read(preset.text).unwrap().into_inner();
         let mut model = saved.clone();
         model.beam.length = length;
         Kept {
             source: Source::Preset(preset.name),
-            model: Arc::new(model),
-            saved: Arc::new(saved),
+            model: Arc::new(checked(&model)),
+            saved: Arc::new(checked(&saved)),
             base: preset.text.into(),
         }
     }
@@ -367,7 +369,7 @@ mod tests {
     /// The same with another length, m.
     fn edited(state: &Kept, length: f64) -> Kept {
         let mut state = state.clone();
-        Arc::make_mut(&mut state.model).beam.length = length;
+        state.model = Arc::new(state.model.derived(|model| model.beam.length = length));
         state
     }
 
@@ -459,7 +461,14 @@ mod tests {
         let found = found(folder.path());
         assert_eq!(found.len(), 1);
         assert_eq!(left, Left::Offered(found[0].path.clone()));
-        assert_eq!(model::read(&found[0].text).unwrap().beam.length, 5.0);
+        assert_eq!(
+            model::read(&found[0].text)
+                .unwrap()
+                .into_inner()
+                .beam
+                .length,
+            5.0
+        );
     }
 
     #[test]
@@ -494,7 +503,7 @@ mod tests {
         let found = found.remove(0);
         let model = found.model().unwrap();
         found.discard().unwrap();
-        model
+        model.into_inner()
     }
 
     #[test]
@@ -509,7 +518,7 @@ mod tests {
         files.keep(&second, false).unwrap();
         let after = fs::read(&path).unwrap();
         assert!(after.len() > before.len() && after.starts_with(&before));
-        assert_eq!(left(files), *second.model);
+        assert_eq!(left(files), **second.model);
     }
 
     #[test]
@@ -528,7 +537,7 @@ mod tests {
         let room = MOST_EDITS as u64;
         assert!((room..room + 2 * one).contains(&largest), "{largest} bytes");
         assert!(fs::metadata(&path).unwrap().len() < largest);
-        assert_eq!(left(files), *last.model);
+        assert_eq!(left(files), **last.model);
     }
 
     #[test]
@@ -561,7 +570,7 @@ mod tests {
         files.keep(&other, false).unwrap();
         let kept = fs::read_to_string(&path).unwrap();
         assert!(kept.contains(&*other.base), "{kept}");
-        assert_eq!(left(files), *other.model);
+        assert_eq!(left(files), **other.model);
     }
 
     #[test]
@@ -572,7 +581,7 @@ mod tests {
         let path = files.leave(&state).unwrap();
         let text = fs::read_to_string(&path).unwrap();
         assert_eq!(model::read(&text).unwrap(), *state.model);
-        assert_eq!(left(files), *state.model);
+        assert_eq!(left(files), **state.model);
     }
 
     #[test]
@@ -606,7 +615,7 @@ mod tests {
         let written = fs::read_to_string(&path).unwrap();
         fs::remove_file(&path).unwrap();
         assert!(path.starts_with(std::env::temp_dir()), "{}", path.display());
-        assert_eq!(model::read(&written).unwrap().beam.length, 6.0);
+        assert_eq!(model::read(&written).unwrap().into_inner().beam.length, 6.0);
         let told = told.lock().unwrap();
         assert_eq!(told.len(), 1, "{told:?}");
         assert!(

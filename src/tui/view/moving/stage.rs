@@ -1,5 +1,6 @@
 //! What the tests of these panels share: an app with the cursor at a frequency, and its screen.
 
+use crate::model::Checked;
 use std::sync::Arc;
 
 use ratatui::Terminal;
@@ -17,11 +18,14 @@ use crate::tui::options::{Environment, Marker, Options};
 pub(in crate::tui::view) type Draw = fn(&mut Frame<'_>, &App, Theme, Rect);
 
 pub(in crate::tui::view) fn preset(name: &str) -> Model {
-    crate::model::read(presets::find(name).unwrap().text).unwrap()
+    crate::model::read(presets::find(name).unwrap().text)
+        .unwrap()
+        .into_inner()
 }
 
 /// An app that looks at what a model does at a frequency, Hz.
 pub(in crate::tui::view) fn looking(model: Model, frequency: f64, look: Look) -> App {
+    let model = Checked::new(model).unwrap();
     let found = operating(&model, frequency, 101);
     let mut app = App::new(Opened {
         model,

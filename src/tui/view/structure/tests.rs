@@ -1,3 +1,4 @@
+use crate::model::Checked;
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
@@ -11,12 +12,14 @@ use crate::tui::ascii;
 use crate::tui::options::{Environment, Marker, Options};
 
 fn model(preset: &str) -> Model {
-    crate::model::read(presets::find(preset).unwrap().text).unwrap()
+    crate::model::read(presets::find(preset).unwrap().text)
+        .unwrap()
+        .into_inner()
 }
 
 fn app(model: Model) -> App {
     App::new(Opened {
-        model,
+        model: Checked::new(model).unwrap(),
         text: String::new(),
         source: Source::Stdin,
     })

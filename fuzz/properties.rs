@@ -51,7 +51,10 @@ fn accepted(model: &Model, text: &str) {
 fn reads_back(model: &Model, text: &str) {
     match model::read(text) {
         // `Debug` tells 0 from -0.
-        Ok(found) => assert_eq!(format!("{found:?}"), format!("{model:?}"), "{text}"),
+        Ok(found) => {
+            let found = found.into_inner();
+            assert_eq!(format!("{found:?}"), format!("{model:?}"), "{text}");
+        }
         Err(faults) => panic!("what was written is refused: {faults:?}\n{text}"),
     }
     assert_eq!(model::write(model, text), text, "written again");

@@ -65,13 +65,13 @@ impl Checked {
     }
 }
 
-/// A model of a test, which is possible.
+/// A model of a test, whose structure is possible.
 ///
 /// # Panics
 /// Where it is not.
 #[cfg(test)]
 pub fn checked(model: &Model) -> Checked {
-    Checked::new(model.clone()).unwrap()
+    Checked::of_state(model.clone()).unwrap()
 }
 
 impl Deref for Checked {

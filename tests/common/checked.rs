@@ -4,7 +4,7 @@
 
 use beamtune::model::{Checked, Model};
 
-/// A model that is possible.
+/// A model whose structure is possible.
 pub fn checked(model: &Model) -> Checked {
-    Checked::new(model.clone()).unwrap()
+    Checked::of_state(model.clone()).unwrap()
 }

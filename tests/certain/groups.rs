@@ -282,12 +282,12 @@ fn residues(case: &Case, found: &Modes, shapes: &[Shape], group: &[usize]) -> f6
             amplitude: 1.0,
             phase: 0.0,
         }];
-        let response = |target: &Target| Response {
-            name: String::new(),
+        let response = |(index, target): (usize, &Target)| Response {
+            name: format!("R{index}"),
             enabled: true,
             quantity: Quantity::Motion(target.clone(), Measure::Displacement),
         };
-        model.responses = targets.iter().map(response).collect();
+        model.responses = targets.iter().enumerate().map(response).collect();
         let differentiator = Differentiator::new(&checked(&model));
         let mut sums = vec![Complex64::ZERO; targets.len()];
         for k in 0..points {

@@ -3,12 +3,12 @@
 //! [`App::update`] is pure: what is to be done outside comes back as [`Effect`]s, and what came of those goes in by
 //! [`App::reply`].
 
-mod ask;
 mod band;
-mod beside;
+mod beam_view;
 mod chart;
 mod choose;
 mod commands;
+mod comparison;
 mod curves;
 mod detail;
 mod display;
@@ -16,20 +16,20 @@ mod document;
 mod edit;
 mod effect;
 mod export;
+mod external_changes;
+mod fem_overlay;
 mod files;
-mod fresh;
 mod history;
-mod look;
 mod measured;
-mod modal;
+mod modes;
 mod mouse;
-mod outside;
+mod new_item;
 mod overlay;
 mod palette;
 mod prompt;
+mod prompt_questions;
 mod reading;
 mod recovery;
-mod remember;
 mod repeat;
 mod request;
 mod screen;
@@ -40,26 +40,27 @@ mod shape;
 mod structure;
 mod tables;
 mod tuning;
-mod witness;
+mod view_state;
 mod zoom;
 
 use std::sync::Arc;
 
-pub use ask::Question;
 pub use band::{Band, MemberLevels, ResponseLevel};
-pub use beside::{Beside, Reference};
+pub use beam_view::{BeamView, BeamViewState};
+pub use comparison::{Comparison, Reference};
 pub use curves::{Compared, Curves, Member, Picture, Shown, Trace};
 pub use detail::{Detail, DetailPicture};
 pub use display::{Display, MOTION};
 pub use document::{Base, Document};
 pub use effect::{Effect, Guard, Lost, Reply};
 pub use export::{Export, Saving};
-pub use look::{Look, Looking};
+pub use external_changes::ExternalChange;
+pub use fem_overlay::{FemOverlay, FemPicture};
 pub use measured::{Measured, OpenedMeasured};
-pub use modal::{Completeness, Modal, ModeKind, ModeList, ModeRow};
-pub use outside::Outside;
+pub use modes::{Completeness, ModeKind, ModeList, ModeRow, ModesState};
 pub use overlay::{Asked, AskedKind, List, Next, Overlay, Prompt, Purpose, ReplaceReason};
 pub use palette::{Entry, Found, Palette};
+pub use prompt_questions::Question;
 pub use reading::{Reading, Value, nearest};
 pub use screen::{Levels, Plot, Rows, Screen};
 pub use search::Search;
@@ -68,7 +69,6 @@ pub use sensitivity::{Effects, Sensed, Sensitivities};
 pub use shape::Shape;
 pub use tables::{Anchor, Table, Tables};
 pub use tuning::{Progress, Run, Tuning};
-pub use witness::{Witness, WitnessPicture};
 
 pub use crate::worker::Stage;
 
@@ -109,7 +109,7 @@ pub struct App {
     /// What is read at the cursors.
     pub reading: Reading,
     /// What stands on the chart beside the model.
-    pub beside: Beside,
+    pub comparison: Comparison,
     /// The marked band.
     pub band: Band,
     /// Which parameter matters.
@@ -117,15 +117,15 @@ pub struct App {
     /// The search for better parameters.
     pub tuning: Tuning,
     /// What is looked at below the chart.
-    pub looking: Looking,
+    pub beam_view: BeamViewState,
     /// The modes and the shape of one.
-    pub modal: Modal,
+    pub modes: ModesState,
     /// The tables of modes and peaks.
     pub tables: Tables,
     /// What the chart's cursor stays with.
     pub anchor: Anchor,
     /// The finite-element curves.
-    pub witness: Witness,
+    pub fem_overlay: FemOverlay,
     /// The box that takes the keys, if there is one.
     pub overlay: Option<Overlay>,
     /// The search of the tree, while it is typed and after.
@@ -135,7 +135,7 @@ pub struct App {
     /// The last line's message.
     pub message: Option<Message>,
     /// What another program did to the file.
-    pub outside: Outside,
+    pub external_change: ExternalChange,
     /// Whether the mouse is the designer's.
     pub mouse: bool,
     /// Where things are on the screen, as it was drawn last.
@@ -159,7 +159,7 @@ pub struct App {
     /// The parameter whose nudges are prepared for, and its value then.
     expected: Option<(crate::model::ParameterId, f64)>,
     /// The generation whose finite-element curves were asked for last.
-    witnessed: Option<u64>,
+    fem_requested: Option<u64>,
     /// The serial number given last.
     serial: u64,
     /// The screen is too small to show anything.
@@ -179,20 +179,20 @@ impl App {
             display: Display::default(),
             detail: Detail::default(),
             reading: Reading::default(),
-            beside: Beside::default(),
+            comparison: Comparison::default(),
             band: Band::default(),
             sensitivities: Sensitivities::default(),
             tuning: Tuning::default(),
-            looking: Looking::default(),
-            modal: Modal::default(),
+            beam_view: BeamViewState::default(),
+            modes: ModesState::default(),
             tables: Tables::default(),
             anchor: Anchor::default(),
-            witness: Witness::default(),
+            fem_overlay: FemOverlay::default(),
             overlay: None,
             search: None,
             count: None,
             message: None,
-            outside: Outside::default(),
+            external_change: ExternalChange::default(),
             mouse: false,
             screen: Screen::default(),
             memory: Memory::default(),
@@ -204,7 +204,7 @@ impl App {
             after_save: None,
             requested: None,
             expected: None,
-            witnessed: None,
+            fem_requested: None,
             serial: 0,
             unseen: false,
             document,

@@ -39,12 +39,12 @@ impl Query {
     }
 
     /// How well a description answers, less than any name: each word must stand in it as it is.
-    pub fn score_beside(&self, description: &str) -> Option<i32> {
-        self.stands_in(description).then_some(0)
+    pub fn score_with_description(&self, description: &str) -> Option<i32> {
+        self.is_in(description).then_some(0)
     }
 
     /// Whether each word, of at least one, stands in a text as it is.
-    pub fn stands_in(&self, text: &str) -> bool {
+    pub fn is_in(&self, text: &str) -> bool {
         let text = text.to_lowercase();
         !self.words.is_empty() && self.words.iter().all(|word| text.contains(word))
     }
@@ -118,10 +118,13 @@ mod tests {
     fn nothing_typed_finds_all_and_a_description_only_by_what_stands_in_it() {
         assert_eq!(found(" ", &["b", "a"]), ["b", "a"]);
         assert_eq!(
-            Query::new("file again").score_beside("read the file again"),
+            Query::new("file again").score_with_description("read the file again"),
             Some(0)
         );
-        assert_eq!(Query::new("fl").score_beside("read the file again"), None);
-        assert!(!Query::new("").stands_in("anything"));
+        assert_eq!(
+            Query::new("fl").score_with_description("read the file again"),
+            None
+        );
+        assert!(!Query::new("").is_in("anything"));
     }
 }

@@ -11,8 +11,8 @@ pub use command::Movement;
 pub use key::Key;
 pub use map::{Conflict, KeyMap, names};
 pub use table::{
-    AnywhereCommand, BesideCommand, Command, CompareCommand, CurvesCommand, FileCommand,
-    LookCommand, ModelCommand, ModesCommand, PaletteCommand, PickerCommand, PromptCommand,
+    AnywhereCommand, BeamViewCommand, Command, CompareCommand, ComparisonCommand, CurvesCommand,
+    FileCommand, ModelCommand, ModesCommand, PaletteCommand, PickerCommand, PromptCommand,
     ReaderCommand, ReadingCommand, RecoveryCommand, ReplaceCommand, SECTIONS, SearchCommand,
     TableCommand, TreeCommand, TuneCommand, UnsavedCommand,
 };
@@ -35,7 +35,7 @@ pub enum Scope {
     /// The list of presets.
     Picker,
     /// The list of references and measured curves.
-    Beside,
+    Comparison,
     /// Help and lists of faults.
     Reader,
     /// The question what becomes of unsaved changes.
@@ -57,7 +57,7 @@ impl Scope {
         Self::Palette,
         Self::Search,
         Self::Picker,
-        Self::Beside,
+        Self::Comparison,
         Self::Reader,
         Self::Unsaved,
         Self::Replace,
@@ -74,7 +74,7 @@ impl Scope {
             Self::Palette => "palette",
             Self::Search => "search",
             Self::Picker => "presets",
-            Self::Beside => "beside",
+            Self::Comparison => "beside",
             Self::Reader => "reader",
             Self::Unsaved => "unsaved",
             Self::Replace => "replace",

@@ -121,7 +121,7 @@ impl Options {
 /// The options of the look on the command line.
 #[derive(Debug, Clone, Copy, Default, Args)]
 #[command(next_help_heading = "Look")]
-pub struct LookArguments {
+pub struct AppearanceArguments {
     /// How many colours to use.
     #[arg(long, value_name = "WHEN")]
     pub color: Option<Colours>,
@@ -139,7 +139,7 @@ pub struct LookArguments {
     pub no_mouse: bool,
 }
 
-impl LookArguments {
+impl AppearanceArguments {
     /// As options; a flag that was not given says nothing.
     pub fn options(self) -> Options {
         Options {
@@ -215,7 +215,7 @@ mod tests {
     #[derive(Parser)]
     struct Line {
         #[command(flatten)]
-        look: LookArguments,
+        look: AppearanceArguments,
     }
 
     fn options(arguments: &[&str]) -> Options {

@@ -10,8 +10,8 @@ use signal_hook::consts::SIGHUP;
 use super::app::{App, Effect};
 use super::effects::{Outcome, Performer};
 use super::event::Event;
+use super::frame_scheduler::{FrameScheduler, Reason};
 use super::options::{Environment, Options};
-use super::pace::{Pace, Reason};
 use super::terminal::{self, Session};
 use super::theme::Theme;
 use super::user::config::Config;
@@ -161,7 +161,7 @@ impl Stage<'_> {
         if let Some(ended) = self.perform(effects)? {
             return Ok(ended);
         }
-        let mut pace = Pace::new();
+        let mut pace = FrameScheduler::new();
         // The first picture has curves, unless they take long.
         pace.wants(Reason::Awaits, Instant::now());
         let mut next_frame = Instant::now();
@@ -180,7 +180,7 @@ impl Stage<'_> {
         }
     }
 
-    fn draw(&mut self, pace: &mut Pace) -> io::Result<()> {
+    fn draw(&mut self, pace: &mut FrameScheduler) -> io::Result<()> {
         let began = Instant::now();
         let app = &mut *self.app;
         let mut drawn = None;
@@ -227,7 +227,7 @@ impl Stage<'_> {
     }
 
     /// Takes an event and all that wait behind it, so that a burst is drawn once.
-    fn take(&mut self, first: Event, pace: &mut Pace) -> io::Result<Option<Ended>> {
+    fn take(&mut self, first: Event, pace: &mut FrameScheduler) -> io::Result<Option<Ended>> {
         let mut next = Some(first);
         while let Some(event) = next {
             let reason = Reason::of(&event);

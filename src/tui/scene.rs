@@ -80,7 +80,7 @@ pub enum CurveKind {
     /// The model, or a member of its study.
     Model,
     /// Finite elements.
-    Witness,
+    Fem,
     /// A measurement.
     Measured,
 }

@@ -1,21 +1,21 @@
 //! What is on the screen. The views read the state and know nothing of the solver beyond its curves.
 
+mod animated;
 mod band;
-mod beside;
-mod boxes;
 mod chart;
+mod comparison;
+mod confirm;
 mod deflection;
 mod details;
+mod dialogs;
 mod figure;
 mod forces;
 mod help;
 mod modes;
-mod moving;
 mod palette;
 mod peaks;
 mod power;
 mod prompt;
-mod questions;
 mod readings;
 mod readout;
 mod section;
@@ -36,7 +36,7 @@ use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Paragraph, Wrap};
 use ratatui::{Frame, Terminal};
 
-use super::app::{App, List, Look, Rows, Screen, Table};
+use super::app::{App, BeamView, List, Rows, Screen, Table};
 use super::ascii;
 use super::keys::AnywhereCommand;
 use super::theme::Theme;
@@ -71,14 +71,14 @@ pub(crate) struct Panels {
 
 /// What shows beside the model and the chart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Beside {
+struct OptionalPanels {
     /// The rows that a table wants, if there is one.
     table: Option<u16>,
     shape: bool,
 }
 
 /// The panels of a screen, if it is large enough.
-fn panels(area: Rect, wanted: Beside) -> Option<Panels> {
+fn panels(area: Rect, wanted: OptionalPanels) -> Option<Panels> {
     if area.width < SMALLEST.0 || area.height < SMALLEST.1 {
         return None;
     }
@@ -107,7 +107,7 @@ fn panels(area: Rect, wanted: Beside) -> Option<Panels> {
 }
 
 /// Tree and details at the left, the chart and a table below it at the right.
-fn beside(area: Rect, wanted: Beside) -> Panels {
+fn beside(area: Rect, wanted: OptionalPanels) -> Panels {
     let width = (area.width / 3).clamp(36, 42);
     let [left, right] =
         Layout::horizontal([Constraint::Length(width), Constraint::Fill(1)]).areas(area);
@@ -133,7 +133,7 @@ fn beside(area: Rect, wanted: Beside) -> Panels {
 }
 
 /// The chart above; below it tree and details, or a table in their place.
-fn stacked(area: Rect, wanted: Beside) -> Panels {
+fn stacked(area: Rect, wanted: OptionalPanels) -> Panels {
     let below = (area.height / 2).saturating_sub(1);
     let [chart, below] =
         Layout::vertical([Constraint::Fill(1), Constraint::Length(below)]).areas(area);
@@ -174,9 +174,9 @@ fn draw_panels(frame: &mut Frame<'_>, app: &App, theme: Theme) -> Option<Screen>
     tables.band.set_rows(band::rows(app).len());
     tables.tuning.set_rows(tuning::rows(app).len());
     let list = tables.open.map(|table| *tables.list_mut(table));
-    let wanted = Beside {
+    let wanted = OptionalPanels {
         table: list.map(|list| (list.rows.max(1) as u16).saturating_add(table::FRAME_ROWS)),
-        shape: app.looking.look.is_some(),
+        shape: app.beam_view.shown.is_some(),
     };
     let Some(panels) = panels(frame.area(), wanted) else {
         too_small(frame, &app.keys.key_of(AnywhereCommand::End));
@@ -192,14 +192,14 @@ fn draw_panels(frame: &mut Frame<'_>, app: &App, theme: Theme) -> Option<Screen>
         Drawn::default()
     };
     if panels.shape.height > 0 {
-        draw_look(frame, app, theme, panels.shape);
+        draw_beam_view(frame, app, theme, panels.shape);
     }
     let table = tables.open.map(|open| {
         let list = tables.list_mut(open);
         draw_table(frame, app, open, list, panels.table)
     });
     status::draw_hints(frame, app, theme, panels.hints);
-    let (dialog, list) = boxes::draw(frame, app, theme, &panels);
+    let (dialog, list) = dialogs::draw(frame, app, theme, &panels);
     Some(Screen {
         area: frame.area(),
         tree: Rows {
@@ -230,16 +230,16 @@ fn draw_table(frame: &mut Frame<'_>, app: &App, open: Table, list: &mut List, ar
 }
 
 /// What is looked at below the chart.
-fn draw_look(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
-    match app.looking.look {
-        Some(Look::Mode) => shape::draw(frame, app, theme, area),
-        Some(Look::Structure) => structure::draw(frame, app, theme, area),
-        Some(Look::Section) => section::draw(frame, app, theme, area),
-        Some(Look::Deflection) => deflection::draw(frame, app, theme, area),
-        Some(Look::Moments | Look::Shear | Look::Torque | Look::Bimoment) => {
+fn draw_beam_view(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
+    match app.beam_view.shown {
+        Some(BeamView::Mode) => shape::draw(frame, app, theme, area),
+        Some(BeamView::Structure) => structure::draw(frame, app, theme, area),
+        Some(BeamView::Section) => section::draw(frame, app, theme, area),
+        Some(BeamView::Deflection) => deflection::draw(frame, app, theme, area),
+        Some(BeamView::Moments | BeamView::Shear | BeamView::Torque | BeamView::Bimoment) => {
             forces::draw(frame, app, theme, area);
         }
-        Some(Look::Power) => power::draw(frame, app, theme, area),
+        Some(BeamView::Power) => power::draw(frame, app, theme, area),
         None => {}
     }
 }

@@ -96,7 +96,7 @@ impl App {
         }
         let key = Key {
             generation: self.curves.generation,
-            references: self.beside.shown_ids(),
+            references: self.comparison.shown_ids(),
             span: self.band.span?,
             form: self.band_form(),
             motion: self.display.motion,

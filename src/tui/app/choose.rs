@@ -13,7 +13,7 @@ const MOST_LISTED: usize = 60;
 impl App {
     /// Asks which curves of a file are shown, where it holds more than there is room for.
     pub(super) fn ask_curves(&mut self, curves: Vec<Curve>) {
-        let room = MOST_CURVES - self.beside.measured.len();
+        let room = MOST_CURVES - self.comparison.measured.len();
         let first = if room == 1 {
             "1".to_owned()
         } else {
@@ -29,9 +29,9 @@ impl App {
     pub(super) fn take_chosen(&mut self, curves: &[Curve], text: &str) -> Result<(), String> {
         let names: Vec<&str> = curves.iter().map(|curve| curve.name.as_str()).collect();
         let chosen = chosen(text, &names)?;
-        let room = MOST_CURVES.saturating_sub(self.beside.measured.len());
+        let room = MOST_CURVES.saturating_sub(self.comparison.measured.len());
         if chosen.len() > room {
-            let list = self.keys.key_of(CompareCommand::Beside);
+            let list = self.keys.key_of(CompareCommand::List);
             let some: Vec<&str> = chosen.iter().take(3).map(|i| names[*i]).collect();
             return Err(format!(
                 "{} curves ({}, ..) are chosen, and there is room for {room}: {MOST_CURVES} are the most, {list} lists \

@@ -8,7 +8,7 @@ use super::chart::Turn;
 use super::{App, Effect, List, Next, Overlay, Question, Selection, Table};
 use crate::model::{Model, counted};
 use crate::tui::keys::{
-    AnywhereCommand, Command, CompareCommand, CurvesCommand, FileCommand, Key, LookCommand,
+    AnywhereCommand, BeamViewCommand, Command, CompareCommand, CurvesCommand, FileCommand, Key,
     ModelCommand, ModesCommand, Movement, ReaderCommand, ReadingCommand, Scope, TableCommand,
     TreeCommand, TuneCommand,
 };
@@ -98,7 +98,7 @@ impl App {
             Command::Curves(command) => self.curves_command(command),
             Command::Reading(command) => self.reading_command(command),
             Command::Compare(command) => self.compare_command(command),
-            Command::Look(command) => self.look_command(command),
+            Command::BeamView(command) => self.beam_view_command(command),
             Command::Modes(command) => self.modes_command(command),
             Command::Tune(command) => self.tune_command(command),
             Command::File(command) => return self.file_command(command),
@@ -110,7 +110,7 @@ impl App {
             Command::Palette(command) => return self.palette_command(command),
             Command::Search(command) => self.search_command(command),
             Command::Picker(command) => return self.picker_command(command),
-            Command::Beside(command) => self.beside_command(command),
+            Command::Comparison(command) => self.comparison_command(command),
             Command::Reader(ReaderCommand::Cancel) => self.overlay = None,
             Command::Unsaved(answer) => return self.answer_unsaved(answer),
             Command::Replace(answer) => return self.answer_replace(answer),
@@ -253,7 +253,7 @@ impl App {
 
     fn compare_command(&mut self, command: CompareCommand) {
         match command {
-            CompareCommand::Beside => self.open_beside(),
+            CompareCommand::List => self.open_comparison(),
             CompareCommand::AddMeasured => {
                 self.ask_question(Question::MeasuredFile, String::new());
             }
@@ -262,11 +262,11 @@ impl App {
         }
     }
 
-    fn look_command(&mut self, command: LookCommand) {
+    fn beam_view_command(&mut self, command: BeamViewCommand) {
         match command {
-            LookCommand::Operating => self.next_operating(),
-            LookCommand::PhaseStep => self.step_phase(),
-            LookCommand::Structure => self.next_drawing(),
+            BeamViewCommand::Operating => self.next_operating(),
+            BeamViewCommand::PhaseStep => self.step_phase(),
+            BeamViewCommand::Structure => self.next_drawing(),
         }
     }
 
@@ -278,7 +278,7 @@ impl App {
             ModesCommand::PreviousMode => self.seek_mode(false),
             ModesCommand::Shape => self.toggle_shape(),
             ModesCommand::Animate => self.animate(),
-            ModesCommand::FiniteElements => self.toggle_witness(),
+            ModesCommand::FiniteElements => self.toggle_fem_overlay(),
         }
     }
 

@@ -96,7 +96,7 @@ impl App {
         if self.curves.is_stale() || (picture.stage < Stage::Resolved && !slow) {
             return None;
         }
-        let references = self.beside.shown_ids();
+        let references = self.comparison.shown_ids();
         if difference && references.is_empty() {
             return None;
         }
@@ -149,7 +149,10 @@ impl App {
             })
             .map(|f| f.clamp(low, high))
             .collect();
-        let references = self.beside.shown().filter_map(|one| one.picture.as_ref());
+        let references = self
+            .comparison
+            .shown()
+            .filter_map(|one| one.picture.as_ref());
         let others = references.flat_map(|picture| &picture.members);
         for member in members.iter().chain(others) {
             let from = member.frequencies.partition_point(|f| *f < low);
@@ -171,7 +174,7 @@ impl App {
     /// Frequencies (Hz) in even steps round the circle that each mode makes in the complex plane: at f (1 + zeta tan a)
     /// the response of one mode has turned by 2 a.
     fn loops(&self) -> impl Iterator<Item = f64> {
-        let list = self.modal.list.as_ref();
+        let list = self.modes.list.as_ref();
         let modes = list.map_or(&[][..], |list| &list.rows);
         modes.iter().flat_map(|mode| {
             (1..LOOP_POINTS).map(|step| {

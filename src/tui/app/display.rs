@@ -207,7 +207,9 @@ impl App {
     pub(super) fn next_view(&mut self) {
         let all: Vec<ChartView> = ChartView::ALL
             .into_iter()
-            .filter(|view| *view != ChartView::Difference || self.beside.first_shown().is_some())
+            .filter(|view| {
+                *view != ChartView::Difference || self.comparison.first_shown().is_some()
+            })
             .collect();
         let place = all.iter().position(|view| *view == self.display.view);
         self.display.view = all[place.map_or(0, |place| (place + 1) % all.len())];
@@ -263,7 +265,7 @@ impl App {
 
     /// Drops what another axis or another curve has made meaningless: fixed levels, and a difference to nothing.
     pub(super) fn refresh_display(&mut self) {
-        if self.display.view == ChartView::Difference && self.beside.shown().next().is_none() {
+        if self.display.view == ChartView::Difference && self.comparison.shown().next().is_none() {
             self.display.view = ChartView::Magnitude;
         }
         if self.display.levels.is_some() && self.curves.picture().is_some() {

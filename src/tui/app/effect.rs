@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::{Base, Export, OpenedMeasured, Outside, Saving};
+use super::{Base, Export, ExternalChange, OpenedMeasured, Saving};
 use crate::files::Opened;
 use crate::model::{Fault, Model, Objective};
 use crate::tui::user::recovery::Kept;
@@ -124,7 +124,7 @@ pub enum Reply {
     /// The path as far as it is unambiguous.
     Completed(String),
     /// What another program did to the file.
-    Compared(Outside),
+    Compared(ExternalChange),
     /// A file that is open was read again.
     Reloaded(Box<Opened>),
     /// Unsaved changes that were found were taken.

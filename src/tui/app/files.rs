@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use super::{
-    Anchor, App, Band, Curves, Detail, Document, Effect, Guard, List, Modal, Next, Outside,
-    Overlay, Prompt, Purpose, Reading, ReplaceReason, Reply, Saving, Selection, Tables,
+    Anchor, App, Band, Curves, Detail, Document, Effect, ExternalChange, Guard, List, ModesState,
+    Next, Overlay, Prompt, Purpose, Reading, ReplaceReason, Reply, Saving, Selection, Tables,
 };
 use crate::escape::{path_text, shown_path};
 use crate::files::{Opened, Source};
@@ -60,18 +60,18 @@ impl App {
 
     /// Takes a document in the place of this one. The frozen reference stays, to compare with.
     pub(super) fn open_document(&mut self, document: Document) {
-        self.remember_view();
+        self.store_view();
         self.document = document;
         let model = self.document.model();
         self.selection = Selection::new(model);
         let decibels = self.curves.decibels;
         self.curves = Curves::new(model, self.curves.generation + 1);
         self.curves.decibels = decibels;
-        self.modal = Modal::default();
+        self.modes = ModesState::default();
         self.reading = Reading::default();
         self.detail = Detail::default();
         self.band = Band::default();
-        self.looking.forget();
+        self.beam_view.forget();
         self.sensitivities.forget();
         self.end_run();
         self.forget_sample();
@@ -81,12 +81,12 @@ impl App {
         self.tables = Tables::default();
         self.tables.open = open;
         self.anchor = Anchor::default();
-        self.witness.forget();
+        self.fem_overlay.forget();
         self.overlay = None;
         self.search = None;
         self.held = None;
         self.expected = None;
-        self.outside = Outside::default();
+        self.external_change = ExternalChange::default();
         self.recall_view();
     }
 
@@ -102,7 +102,7 @@ impl App {
             return Vec::new();
         };
         let path = path.clone();
-        if !self.document.is_changed() && self.outside == Outside::Same {
+        if !self.document.is_changed() && self.external_change == ExternalChange::Same {
             self.done(format!("{} is saved already", shown_path(&path)));
             return Vec::new();
         }
@@ -224,7 +224,7 @@ impl App {
                 Vec::new()
             }
             Reply::Compared(outside) => {
-                self.note_outside(outside);
+                self.note_external_change(outside);
                 Vec::new()
             }
             Reply::Reloaded(opened) => {
@@ -248,7 +248,7 @@ impl App {
         self.overlay = None;
         self.done(format!("saved {}", shown_path(&path)));
         self.document.mark_saved(path, text);
-        self.outside = Outside::Same;
+        self.external_change = ExternalChange::Same;
         match self.after_save.take() {
             Some(next) => self.go_on(next),
             None => Vec::new(),

@@ -199,9 +199,9 @@ impl App {
     /// Takes the curves of a file, or asks which where there are more than there is room for.
     pub(super) fn take_measured(&mut self, curves: Vec<Curve>) {
         self.overlay = None;
-        let room = MOST_CURVES.saturating_sub(self.beside.measured.len());
+        let room = MOST_CURVES.saturating_sub(self.comparison.measured.len());
         if room == 0 {
-            let list = self.keys.key_of(CompareCommand::Beside);
+            let list = self.keys.key_of(CompareCommand::List);
             return self.refuse(format!(
                 "{MOST_CURVES} measured curves are the most: {list} lists them, to drop some"
             ));
@@ -213,15 +213,16 @@ impl App {
         let notes = notes(&curves);
         for curve in curves {
             let curve = self.named_alike(curve);
-            // Beside a response of the same name it has to have another one.
+            // Comparison a response of the same name it has to have another one.
             let responses = &self.model().responses;
             let name = if responses.iter().any(|one| one.name == curve.name) {
-                self.beside.free_name(&format!("{} measured", curve.name))
+                self.comparison
+                    .free_name(&format!("{} measured", curve.name))
             } else {
-                self.beside.free_name(&curve.name)
+                self.comparison.free_name(&curve.name)
             };
             let id = self.next_serial();
-            self.beside.measured.push(Measured {
+            self.comparison.measured.push(Measured {
                 id,
                 name,
                 curve,
@@ -258,7 +259,7 @@ impl App {
 
     /// Asks for the model at the frequencies of the measured curves that show.
     pub(super) fn want_measured(&mut self) -> Option<Request> {
-        let shown = || self.beside.measured.iter().filter(|one| one.shown);
+        let shown = || self.comparison.measured.iter().filter(|one| one.shown);
         let ids: Vec<u64> = shown().map(|one| one.id).collect();
         let generation = self.curves.generation;
         if ids.is_empty() {
@@ -266,7 +267,7 @@ impl App {
             return None;
         }
         let key = (generation, ids);
-        if self.beside.measured_asked.is(|asked| *asked == key) {
+        if self.comparison.measured_asked.is(|asked| *asked == key) {
             return None;
         }
         let mut frequencies: Vec<f64> = shown()
@@ -278,7 +279,7 @@ impl App {
         frequencies.sort_by(f64::total_cmp);
         frequencies.dedup();
         let serial = self.next_serial();
-        self.beside.measured_asked.sent(serial, key);
+        self.comparison.measured_asked.sent(serial, key);
         let mut subject = self.subject();
         subject.study = None;
         Some(Request::Sample(SampleRequest {
@@ -291,11 +292,11 @@ impl App {
 
     /// Takes the model at the frequencies of the measured curves.
     pub(super) fn take_measured_sample(&mut self, answer: SampleAnswer) -> Result<(), String> {
-        let Some(&(generation, _)) = self.beside.measured_asked.answered(answer.serial) else {
+        let Some(&(generation, _)) = self.comparison.measured_asked.answered(answer.serial) else {
             return Ok(());
         };
         let solved = answer.result?.into_iter().flatten().next();
-        self.beside.sample = solved.map(|member| Sample {
+        self.comparison.sample = solved.map(|member| Sample {
             generation,
             traces: traces(&member.model, &member.frf, Vec::new()),
             frequencies: answer.frequencies,
@@ -309,7 +310,7 @@ impl App {
             .shown_traces()
             .map(|one| self.display.dimension_of(one))
             .collect();
-        let measured = self.beside.measured.iter().filter(|one| one.shown);
+        let measured = self.comparison.measured.iter().filter(|one| one.shown);
         measured.filter_map(move |one| {
             let mut beside = shown.iter().filter(|response| one.fits(response.as_ref()));
             beside.next().map(|response| (one, *response))
@@ -318,24 +319,24 @@ impl App {
 
     /// The model at the frequencies of the measured curves is not wanted any more.
     pub(super) fn forget_sample(&mut self) {
-        self.beside.measured_asked.forget();
-        self.beside.sample = None;
-        self.beside.fits.clear();
+        self.comparison.measured_asked.forget();
+        self.comparison.sample = None;
+        self.comparison.fits.clear();
     }
 
     /// Finds out anew how well the model fits, where that may have changed.
     pub(super) fn refresh_fits(&mut self) {
         let key = FitKey {
-            serial: self.beside.measured_asked.serial(),
-            solved: self.beside.sample.as_ref().map(|one| one.generation),
+            serial: self.comparison.measured_asked.serial(),
+            solved: self.comparison.sample.as_ref().map(|one| one.generation),
             form: self.display.form,
             motion: self.display.motion,
             band: self.band.span,
             visible: self.curves.visible.clone(),
         };
-        if self.beside.fit_key.as_ref() != Some(&key) {
-            self.beside.fits = self.fits();
-            self.beside.fit_key = Some(key);
+        if self.comparison.fit_key.as_ref() != Some(&key) {
+            self.comparison.fits = self.fits();
+            self.comparison.fit_key = Some(key);
         }
     }
 
@@ -343,10 +344,10 @@ impl App {
     /// as long as the model has not been solved for it.
     fn fits(&self) -> Vec<Fitted> {
         let current = |sample: &&Sample| sample.generation == self.curves.generation;
-        let Some(sample) = self.beside.sample.as_ref().filter(current) else {
+        let Some(sample) = self.comparison.sample.as_ref().filter(current) else {
             return Vec::new();
         };
-        let shown = self.beside.measured.iter().filter(|one| one.shown);
+        let shown = self.comparison.measured.iter().filter(|one| one.shown);
         shown
             .flat_map(|one| {
                 let traces = sample.traces.iter().filter(|trace| {

@@ -9,7 +9,7 @@ use crate::guide::Chapter;
 use crate::model::{Fault, ParameterId, Unit};
 use crate::presets;
 use crate::tui::keys::{
-    BesideCommand, Command, Movement, PaletteCommand, PickerCommand, RecoveryCommand, Scope,
+    Command, ComparisonCommand, Movement, PaletteCommand, PickerCommand, RecoveryCommand, Scope,
 };
 
 /// A box over the designer.
@@ -51,7 +51,7 @@ pub enum Overlay {
         what: Saving,
     },
     /// What stands on the chart beside the model is listed.
-    Beside(List),
+    Comparison(List),
     /// Unsaved changes of programs that were killed are offered.
     Recovery {
         /// Whose they are and how old.
@@ -225,7 +225,7 @@ impl Overlay {
             Self::Unsaved { .. } => Scope::Unsaved,
             Self::Replace { .. } => Scope::Replace,
             Self::Recovery { .. } => Scope::Recovery,
-            Self::Beside(_) => Scope::Beside,
+            Self::Comparison(_) => Scope::Comparison,
         }
     }
 
@@ -240,7 +240,9 @@ impl Overlay {
     /// The list of which one entry is chosen.
     pub(super) fn choices(&mut self) -> Option<&mut List> {
         match self {
-            Self::Presets(list) | Self::Beside(list) | Self::Recovery { list, .. } => Some(list),
+            Self::Presets(list) | Self::Comparison(list) | Self::Recovery { list, .. } => {
+                Some(list)
+            }
             Self::Palette(palette) => Some(&mut palette.list),
             _ => None,
         }
@@ -250,7 +252,7 @@ impl Overlay {
     pub(super) fn accept(&self) -> Option<Command> {
         match self {
             Self::Presets(_) => Some(PickerCommand::Accept.into()),
-            Self::Beside(_) => Some(BesideCommand::Accept.into()),
+            Self::Comparison(_) => Some(ComparisonCommand::Accept.into()),
             Self::Recovery { .. } => Some(RecoveryCommand::Accept.into()),
             Self::Palette(_) => Some(PaletteCommand::Accept.into()),
             _ => None,

@@ -101,7 +101,9 @@ impl Palette {
             .enumerate()
             .filter_map(|(index, entry)| {
                 let is_meant = is_meant(entry.found);
-                let score = query.score(&entry.name).max(query.score_beside(entry.help));
+                let score = query
+                    .score(&entry.name)
+                    .max(query.score_with_description(entry.help));
                 // Equal ones stay in the order of the table and the tree.
                 let rank = (!is_meant, Reverse(score), index);
                 (is_meant || score.is_some()).then_some(rank)

@@ -117,7 +117,7 @@ impl App {
         let text = prompt.input.value().trim().to_owned();
         match prompt.purpose.clone() {
             Purpose::Value(asked) => self.accept_value(&asked, &text),
-            Purpose::Ask(question) => return self.answer_ask(&question, &text),
+            Purpose::Ask(question) => return self.answer_question(&question, &text),
             Purpose::Open | Purpose::SaveAs if text.is_empty() => {
                 self.refuse_prompt("type a file's path");
             }

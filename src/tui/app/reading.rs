@@ -193,7 +193,7 @@ impl App {
         frequency: f64,
     ) -> Option<AgainstReference> {
         let own = self.solved_at(number, trace, frequency)?;
-        let reference = self.beside.first_shown()?;
+        let reference = self.comparison.first_shown()?;
         let members = &reference.picture.as_ref()?.members;
         // Of its own member, or the only one.
         let number = if number < members.len() { number } else { 0 };
@@ -283,7 +283,7 @@ impl App {
         frequencies.dedup();
         let key = Key {
             generation: self.curves.generation,
-            references: self.beside.shown_ids(),
+            references: self.comparison.shown_ids(),
             frequencies,
         };
         if self.reading.asked.is(|asked| *asked == key) {

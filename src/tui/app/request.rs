@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{App, Effect, Look, Witness};
+use super::{App, BeamView, Effect, FemOverlay};
 use crate::model::edit::{self, Value};
 use crate::worker::{Answer, CurvesAnswer, ExpectRequest, Request, Sampling, Subject};
 
@@ -50,15 +50,15 @@ impl App {
         match answer {
             Answer::Curves(answer) => self.take_curves(answer),
             Answer::Shape(answer) => {
-                if let Err(reason) = self.modal.take_shape(answer) {
+                if let Err(reason) = self.modes.take_shape(answer) {
                     self.refuse(format!("no shape: {reason}"));
                 }
             }
             Answer::Witness(answer) => {
                 let (generation, model) = (self.curves.generation, self.document.model());
-                self.witness.take(answer, generation, model);
+                self.fem_overlay.take(answer, generation, model);
             }
-            Answer::Reference(answer) => self.beside.take(answer),
+            Answer::Reference(answer) => self.comparison.take(answer),
             Answer::Levels(answer) => self.take_levels(answer),
             Answer::Sensitivity(answer) => self.take_sensitivities(answer),
             Answer::Tune(answer) => self.take_tuning(answer),
@@ -85,7 +85,7 @@ impl App {
         if self.curves.take(answer)
             && let Some(modes) = modes
         {
-            self.modal.take(generation, modes);
+            self.modes.take(generation, modes);
             self.follow_solution(&before);
         }
     }
@@ -95,7 +95,7 @@ impl App {
         let mut requests: Vec<Request> = self.want_curves().into_iter().collect();
         requests.extend(self.want_expected());
         requests.extend(self.want_shape());
-        requests.extend(self.want_witness());
+        requests.extend(self.want_fem());
         requests.extend(self.want_reference());
         requests.extend(self.want_reading());
         requests.extend(self.want_detail());
@@ -126,7 +126,7 @@ impl App {
             return None;
         }
         self.curves.generation += 1;
-        self.witness.outdate();
+        self.fem_overlay.outdate();
         self.requested = Some((model, study));
         Some(Request::Curves(self.subject()))
     }
@@ -164,22 +164,24 @@ impl App {
 
     /// The shape of the selected mode, if it shows.
     fn want_shape(&mut self) -> Option<Request> {
-        self.looking.look.filter(|look| *look == Look::Mode)?;
+        self.beam_view
+            .shown
+            .filter(|look| *look == BeamView::Mode)?;
         let generation = self.curves.generation;
         let row = self.tables.modes.row;
         let model = self.document.model();
-        let request = self.modal.want_shape(generation, model, row)?;
+        let request = self.modes.want_shape(generation, model, row)?;
         Some(Request::Shape(request))
     }
 
     /// The finite-element curves, if they show, once the exact ones are there.
-    fn want_witness(&mut self) -> Option<Request> {
+    fn want_fem(&mut self) -> Option<Request> {
         let generation = self.curves.generation;
-        let waits = matches!(self.witness, Witness::Waiting(_));
-        if !waits || self.witnessed == Some(generation) || !self.curves.is_resolved() {
+        let waits = matches!(self.fem_overlay, FemOverlay::Waiting(_));
+        if !waits || self.fem_requested == Some(generation) || !self.curves.is_resolved() {
             return None;
         }
-        self.witnessed = Some(generation);
+        self.fem_requested = Some(generation);
         Some(Request::Witness(self.subject()))
     }
 }

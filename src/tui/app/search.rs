@@ -43,7 +43,7 @@ impl Search {
         let query = Query::new(self.input.value());
         let rows = tree::all_rows(model).into_iter().map(|row| row.node);
         self.found = rows
-            .filter(|node| query.stands_in(&tree::subject(model, *node)))
+            .filter(|node| query.is_in(&tree::subject(model, *node)))
             .collect();
     }
 

@@ -146,7 +146,7 @@ impl App {
                 Some(of([peak.frequency; 2]))
             }
             Sensed::Mode => {
-                let list = self.modal.list.as_ref()?;
+                let list = self.modes.list.as_ref()?;
                 let row = list.rows.get(self.tables.modes.row)?;
                 Some(of([row.frequency; 2]))
             }
@@ -178,7 +178,7 @@ impl App {
             .position(|name| *name == key.response)
             .unwrap_or_default();
         // A mode that the count finds may be a neighbour of the selected one, or lie in the band.
-        let modes = self.modal.counted_modes(key.generation);
+        let modes = self.modes.counted_modes(key.generation);
         let frequency = key.at[0];
         let figure = match sensed {
             Sensed::Cursor => Figure::Level {

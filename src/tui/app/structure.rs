@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::App;
 use super::edit::faults_in_words;
-use super::fresh::{free_name, new_subsystem, response_names, subsystem_names};
+use super::new_item::{free_name, new_subsystem, response_names, subsystem_names};
 use crate::model::edit::{self, Value};
 use crate::model::schema::Kind;
 use crate::model::{BeamMotion, Force, Group, Measure, Model, Place, Quantity, Response, Target};

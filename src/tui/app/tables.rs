@@ -131,7 +131,7 @@ impl App {
     /// Selects the next mode that is on the axis, from where the cursor stands.
     pub(super) fn seek_mode(&mut self, forward: bool) {
         let sweep = self.model().sweep;
-        let Some(list) = &self.modal.list else {
+        let Some(list) = &self.modes.list else {
             return self.refuse("the modes are not solved yet");
         };
         let frequency = |i: usize| list.rows[i].frequency;
@@ -168,7 +168,7 @@ impl App {
     }
 
     fn say_mode(&mut self, index: usize) {
-        let Some(list) = &self.modal.list else {
+        let Some(list) = &self.modes.list else {
             return;
         };
         let (mode, all) = (&list.rows[index], list.rows.len());
@@ -177,9 +177,9 @@ impl App {
         self.done(format!("mode {number} of {all}: {frequency}"));
     }
 
-    pub(super) fn toggle_witness(&mut self) {
-        if self.witness.toggle() {
-            self.witnessed = None;
+    pub(super) fn toggle_fem_overlay(&mut self) {
+        if self.fem_overlay.toggle() {
+            self.fem_requested = None;
             let key = self.keys.key_of(ModesCommand::FiniteElements);
             self.done(format!(
                 "finite elements as points; {key} leaves them out again"
@@ -201,7 +201,7 @@ impl App {
         let frequency = match self.anchor {
             Anchor::Frequency => return,
             Anchor::Mode => self
-                .modal
+                .modes
                 .list
                 .as_ref()
                 .and_then(|list| list.rows.get(self.tables.modes.row))
@@ -218,7 +218,7 @@ impl App {
 
     /// Lets the selected rows and the cursor follow new modes and peaks: each stays with what is nearest.
     pub(super) fn follow_solution(&mut self, before: &Selected) {
-        let is_same_model = before.generation == self.modal.generation();
+        let is_same_model = before.generation == self.modes.generation();
         let (modes, peaks) = (self.mode_places(), self.peak_places());
         follow(&mut self.tables.modes, &modes, before.mode, is_same_model);
         follow(&mut self.tables.peaks, &peaks, before.peak, is_same_model);
@@ -229,14 +229,14 @@ impl App {
     pub(super) fn selected(&self) -> Selected {
         let at = |places: &[Place], list: List| Chosen::new(places, list.row);
         Selected {
-            generation: self.modal.generation(),
+            generation: self.modes.generation(),
             mode: at(&self.mode_places(), self.tables.modes),
             peak: at(&self.peak_places(), self.tables.peaks),
         }
     }
 
     fn mode_places(&self) -> Vec<Place> {
-        let rows = self.modal.list.as_ref().map_or(&[][..], |list| &list.rows);
+        let rows = self.modes.list.as_ref().map_or(&[][..], |list| &list.rows);
         rows.iter()
             .map(|row| [row.frequency, row.frequency * row.damping_ratio])
             .collect()

@@ -10,9 +10,9 @@ use crate::tui::tree::{self, Node};
 use crate::worker::{self, Answer, CurvesAnswer, Request, Stage};
 
 mod counts;
+mod external_changes;
 mod modes;
 mod mouse;
-mod outside;
 mod recall;
 mod search;
 mod zoom;
@@ -445,10 +445,10 @@ fn every_edit_asks_for_curves_and_an_older_answer_stays_stale() {
     app.update(Event::Answer(late));
     assert_eq!(app.curves.picture().unwrap().generation, 2);
     keys(&mut app, "f+");
-    let frozen = &app.beside.references[0];
+    let frozen = &app.comparison.references[0];
     assert_eq!(frozen.picture.as_ref().unwrap().generation, 2);
     keys(&mut app, "F");
-    assert!(app.beside.references.is_empty());
+    assert!(app.comparison.references.is_empty());
 }
 
 fn answer(generation: u64, app: &App) -> Answer {

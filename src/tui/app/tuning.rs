@@ -9,7 +9,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 pub use tolerance::Tolerances;
-pub use variable::Moving;
+pub use variable::MovableRows;
 
 use super::{App, Table};
 use crate::model::edit::{self, Value};
@@ -86,7 +86,7 @@ pub struct Tuning {
     /// What tolerances make of the curves.
     pub tolerances: Tolerances,
     /// The rows of the tree that a search may move.
-    pub moving: Moving,
+    pub moving: MovableRows,
 }
 
 impl App {
@@ -182,7 +182,7 @@ impl App {
     fn add_best(&mut self, name: &str, model: &Arc<Model>) -> Option<u64> {
         let picture = self.curves.picture().cloned();
         self.add_reference(name, Arc::clone(model), None, picture)?;
-        self.beside.references.last().map(|one| one.id)
+        self.comparison.references.last().map(|one| one.id)
     }
 
     /// Asks for a search, or for the end of one.
@@ -258,7 +258,7 @@ impl App {
         let Some(run) = &mut self.tuning.run else {
             return;
         };
-        let mut references = self.beside.references.iter_mut();
+        let mut references = self.comparison.references.iter_mut();
         if let Some(one) = references.find(|one| one.id == run.reference) {
             one.renew(serial, model);
             run.reference = serial;

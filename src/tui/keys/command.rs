@@ -1,7 +1,8 @@
 //! What holds of commands of several sections.
 
 use super::{
-    Command, CurvesCommand, LookCommand, ModelCommand, ModesCommand, ReadingCommand, TreeCommand,
+    BeamViewCommand, Command, CurvesCommand, ModelCommand, ModesCommand, ReadingCommand,
+    TreeCommand,
 };
 
 /// Where to go in rows.
@@ -99,7 +100,7 @@ impl Command {
                     | ReadingCommand::NextDip
                     | ReadingCommand::PreviousDip
             ),
-            Self::Look(command) => matches!(command, LookCommand::PhaseStep),
+            Self::BeamView(command) => matches!(command, BeamViewCommand::PhaseStep),
             Self::Modes(command) => {
                 matches!(command, ModesCommand::NextMode | ModesCommand::PreviousMode)
             }

@@ -175,14 +175,14 @@ key_table! {
 
     /// Compare with references and measured curves, and export.
     Compare(CompareCommand) in Main, "Compare", &[] => {
-        Beside "beside" [key('Q')], Never, "references and measured curves: show, name, drop, load";
+        List "beside" [key('Q')], Never, "references and measured curves: show, name, drop, load";
         AddMeasured "add-measured" [control('o')], Never, "open a measured curve: CSV or universal file (UFF 58)";
         MakeStudy "make-study" [control('t')], Never, "sweep the selected parameter: a study of it with factors or values that are typed";
         Export "export" [control('e')], Never, "write what is on the screen: .csv, .svg or .txt";
     }
 
     /// Look at the beam: what it does and what it is.
-    Look(LookCommand) in Main, "Look at the beam", &[] => {
+    BeamView(BeamViewCommand) in Main, "Look at the beam", &[] => {
         Operating "operating" [key('O')], Never, "operating deflection at the cursor, then internal forces, then power; again: nothing";
         PhaseStep "phase-step" [key('`')], Never, "a step further in the period of what moves";
         Structure "structure" [key('B')], Never, "drawing of the beam, then of its cross-section; again: nothing";
@@ -273,7 +273,7 @@ key_table! {
     }
 
     /// In the list of references and measured curves.
-    Beside(BesideCommand) in Beside, "References and measured curves", list!("entry") => {
+    Comparison(ComparisonCommand) in Comparison, "References and measured curves", list!("entry") => {
         Accept "accept" [special(Enter)], Always("show or hide"), "show it, or hide it";
         AddReference "add-reference" [key('a')], Always("load a model"), "load a model as a reference";
         AddMeasured "add-measured" [key('m')], Always("load a measured curve"), "load a measured curve";

@@ -1,12 +1,12 @@
 //! The scene of the designer's state.
 
-mod beside;
+mod comparison;
 
 use super::{
     ChartView, CurveKind, FrequencyAxis, Marked, Panel, Scene, SceneCurve, difference, part,
 };
 use crate::tui::app::{
-    Anchor, App, Curves, DetailPicture, Look, MOTION, Member, Picture, Table, Trace,
+    Anchor, App, BeamView, Curves, DetailPicture, MOTION, Member, Picture, Table, Trace,
 };
 use crate::tui::plot::{Level, LineStyle};
 use crate::unit::Dimension;
@@ -18,7 +18,7 @@ pub fn of(app: &App) -> Scene {
     let mut curves = builder.tolerances();
     curves.extend(builder.references());
     curves.extend(builder.model());
-    curves.extend(builder.witnesses());
+    curves.extend(builder.fem_curves());
     curves.extend(builder.measured());
     // One curve alone is named in the title.
     if let [only] = curves.as_mut_slice()
@@ -126,7 +126,7 @@ impl<'a> Builder<'a> {
             }
             None => what,
         };
-        let what = match app.beside.first_shown() {
+        let what = match app.comparison.first_shown() {
             Some(reference) if self.view() == ChartView::Difference => {
                 format!("{what} against {}", reference.name)
             }
@@ -231,7 +231,7 @@ impl<'a> Builder<'a> {
 
     /// The reference's response that a member's is counted from: of its own member, or the only one.
     fn against(&self, member: usize, response: &str) -> Option<&'a Trace> {
-        let reference = self.app.beside.first_shown()?;
+        let reference = self.app.comparison.first_shown()?;
         let members = self.detail?.curves.reference(reference.id)?;
         let member = members.get(member).or(members.first())?;
         member.trace(response)
@@ -262,10 +262,10 @@ impl<'a> Builder<'a> {
 
     fn marks(&self) -> Marked {
         let app = self.app;
-        let list = app.modal.list.as_ref();
+        let list = app.modes.list.as_ref();
         let chosen = app.anchor == Anchor::Mode
             || app.tables.open == Some(Table::Modes)
-            || app.looking.look == Some(Look::Mode);
+            || app.beam_view.shown == Some(BeamView::Mode);
         Marked {
             cursor: app.curves.cursor,
             second: app.reading.second,

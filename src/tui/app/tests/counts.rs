@@ -115,10 +115,10 @@ fn state(app: &App) -> String {
         (
             app.curves.cursor,
             app.curves.window,
-            app.beside.shown().count()
+            app.comparison.shown().count()
         ),
         app.tables.open,
-        (app.looking.look, app.looking.moment, &app.display),
+        (app.beam_view.shown, app.beam_view.moment, &app.display),
         (app.reading.second, app.reading.harmonics, app.band.span),
         (
             app.overlay.is_some(),
@@ -127,7 +127,7 @@ fn state(app: &App) -> String {
             app.mouse
         ),
         (app.tables.modes.row, app.tables.peaks.row),
-        app.witness.picture().is_some(),
+        app.fem_overlay.picture().is_some(),
     )
 }
 

@@ -16,13 +16,13 @@ use crate::tune::words::first_parameter;
 
 /// The rows of the tree that a search may move.
 #[derive(Debug, Default)]
-pub struct Moving {
+pub struct MovableRows {
     /// Of which model they are.
     model: Option<Arc<Model>>,
     nodes: HashSet<Node>,
 }
 
-impl Moving {
+impl MovableRows {
     /// Whether a search may move the parameter of a row.
     pub fn has(&self, node: Node) -> bool {
         self.nodes.contains(&node)

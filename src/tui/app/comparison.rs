@@ -7,7 +7,7 @@ use super::request::LastRequest;
 use super::{App, List, Overlay, Picture, Question, Shown, Stage};
 use crate::files::Opened;
 use crate::model::Model;
-use crate::tui::keys::{BesideCommand, CompareCommand, CurvesCommand};
+use crate::tui::keys::{CompareCommand, ComparisonCommand, CurvesCommand};
 use crate::worker::{ReferenceAnswer, Request, Subject};
 
 /// More references than these cannot be told apart.
@@ -43,7 +43,7 @@ impl Reference {
 
 /// What stands on the chart beside the model.
 #[derive(Debug, Default)]
-pub struct Beside {
+pub struct Comparison {
     /// Older ones first.
     pub references: Vec<Reference>,
     /// Curves from files.
@@ -57,7 +57,7 @@ pub struct Beside {
     pub(super) fit_key: Option<FitKey>,
 }
 
-impl Beside {
+impl Comparison {
     /// The references that show.
     pub fn shown(&self) -> impl Iterator<Item = &Reference> {
         self.references.iter().filter(|one| one.shown)
@@ -103,7 +103,7 @@ impl Beside {
     }
 }
 
-impl Beside {
+impl Comparison {
     /// The row of an entry of the list by its name, which no other one has.
     pub(super) fn row_of(&self, name: &str) -> Option<usize> {
         let references = self.references.iter().map(|one| &one.name);
@@ -129,7 +129,7 @@ impl Beside {
 impl App {
     /// The model and the references that show, to be solved at the same frequencies.
     pub(super) fn compared_subjects(&self) -> Vec<Subject> {
-        let references = self.beside.shown().map(|one| Subject {
+        let references = self.comparison.shown().map(|one| Subject {
             generation: one.id,
             model: Arc::clone(&one.model),
             study: one.study,
@@ -150,7 +150,7 @@ impl App {
         if let Some(name) = self.add_reference("before", model, self.curves.study, Some(picture)) {
             self.document.seal();
             let key = self.keys.key_of(CurvesCommand::Unfreeze);
-            let list = self.keys.key_of(CompareCommand::Beside);
+            let list = self.keys.key_of(CompareCommand::List);
             self.done(format!(
                 "curves frozen as {name}; {key} drops it, {list} lists all"
             ));
@@ -165,16 +165,16 @@ impl App {
         study: Option<usize>,
         picture: Option<Arc<Picture>>,
     ) -> Option<String> {
-        if self.beside.references.len() == MOST_REFERENCES {
-            let list = self.keys.key_of(CompareCommand::Beside);
+        if self.comparison.references.len() == MOST_REFERENCES {
+            let list = self.keys.key_of(CompareCommand::List);
             self.refuse(format!(
                 "{MOST_REFERENCES} references are the most: {list} lists them, to drop some"
             ));
             return None;
         }
-        let name = self.beside.free_name(name);
+        let name = self.comparison.free_name(name);
         let id = self.next_serial();
-        self.beside.references.push(Reference {
+        self.comparison.references.push(Reference {
             id,
             name: name.clone(),
             model,
@@ -189,7 +189,7 @@ impl App {
 
     /// Drops the newest reference.
     pub(super) fn unfreeze(&mut self) {
-        if let Some(dropped) = self.beside.references.pop() {
+        if let Some(dropped) = self.comparison.references.pop() {
             self.done(format!("reference {} dropped", dropped.name));
         } else {
             let key = self.keys.key_of(CurvesCommand::Freeze);
@@ -208,10 +208,10 @@ impl App {
 
     /// Asks for the curves of a loaded reference that has none, one at a time.
     pub(super) fn want_reference(&mut self) -> Option<Request> {
-        if self.beside.asked.is_some() {
+        if self.comparison.asked.is_some() {
             return None;
         }
-        let mut references = self.beside.references.iter();
+        let mut references = self.comparison.references.iter();
         // What was frozen before its modes were counted gets that too.
         let lacks = |one: &&Reference| {
             let picture = one.picture.as_ref();
@@ -219,7 +219,7 @@ impl App {
             (lacks || one.outdated) && one.failure.is_none()
         };
         let one = references.find(lacks)?;
-        self.beside.asked = Some(one.id);
+        self.comparison.asked = Some(one.id);
         Some(Request::Reference(Subject {
             generation: one.id,
             model: Arc::clone(&one.model),
@@ -228,60 +228,64 @@ impl App {
     }
 
     /// Lists what stands beside the model.
-    pub(super) fn open_beside(&mut self) {
-        let rows = self.beside_rows();
-        self.overlay = Some(Overlay::Beside(List::new(rows, 0)));
+    pub(super) fn open_comparison(&mut self) {
+        let rows = self.comparison_rows();
+        self.overlay = Some(Overlay::Comparison(List::new(rows, 0)));
     }
 
     /// How many entries the list has: references, then measured curves.
-    pub(super) fn beside_rows(&self) -> usize {
-        self.beside.references.len() + self.beside.measured.len()
+    pub(super) fn comparison_rows(&self) -> usize {
+        self.comparison.references.len() + self.comparison.measured.len()
     }
 
     /// Does what a key asks for in the list.
-    pub(super) fn beside_command(&mut self, command: BesideCommand) {
-        let Some(Overlay::Beside(list)) = &self.overlay else {
+    pub(super) fn comparison_command(&mut self, command: ComparisonCommand) {
+        let Some(Overlay::Comparison(list)) = &self.overlay else {
             return;
         };
         let row = list.row;
-        let listed = row < self.beside_rows();
+        let listed = row < self.comparison_rows();
         match command {
-            BesideCommand::Cancel => self.overlay = None,
-            BesideCommand::AddReference => {
+            ComparisonCommand::Cancel => self.overlay = None,
+            ComparisonCommand::AddReference => {
                 self.ask_question(Question::ReferenceFile, String::new());
             }
-            BesideCommand::AddMeasured => self.ask_question(Question::MeasuredFile, String::new()),
-            BesideCommand::Accept | BesideCommand::Rename | BesideCommand::Delete if !listed => {
+            ComparisonCommand::AddMeasured => {
+                self.ask_question(Question::MeasuredFile, String::new())
+            }
+            ComparisonCommand::Accept | ComparisonCommand::Rename | ComparisonCommand::Delete
+                if !listed =>
+            {
                 self.refuse("nothing is listed yet");
             }
-            BesideCommand::Accept => self.turn_beside(row),
-            BesideCommand::Rename => {
-                let name = self.beside_name(row).cloned().unwrap_or_default();
+            ComparisonCommand::Accept => self.toggle_entry(row),
+            ComparisonCommand::Rename => {
+                let name = self.entry_name(row).cloned().unwrap_or_default();
                 self.ask_question(Question::Name(name.clone()), name);
             }
-            BesideCommand::Delete => self.drop_beside(row),
+            ComparisonCommand::Delete => self.remove_entry(row),
         }
     }
 
     /// Shows or hides an entry of the list.
-    fn turn_beside(&mut self, row: usize) {
-        let shown = self.beside.entry(row).map(|(_, shown)| shown);
+    fn toggle_entry(&mut self, row: usize) {
+        let shown = self.comparison.entry(row).map(|(_, shown)| shown);
         if let Some(shown) = shown {
             *shown = !*shown;
         }
     }
 
-    fn beside_name(&mut self, row: usize) -> Option<&String> {
-        self.beside.entry(row).map(|(name, _)| &*name)
+    fn entry_name(&mut self, row: usize) -> Option<&String> {
+        self.comparison.entry(row).map(|(name, _)| &*name)
     }
 
-    fn drop_beside(&mut self, row: usize) {
-        match row.checked_sub(self.beside.references.len()) {
-            None => drop(self.beside.references.remove(row)),
-            Some(measured) => drop(self.beside.measured.remove(measured)),
+    fn remove_entry(&mut self, row: usize) {
+        match row.checked_sub(self.comparison.references.len()) {
+            None => drop(self.comparison.references.remove(row)),
+            Some(measured) => drop(self.comparison.measured.remove(measured)),
         }
-        let rows = self.beside_rows();
-        if let Some(Overlay::Beside(list)) = &mut self.overlay {
+        let rows = self.comparison_rows();
+        if let Some(Overlay::Comparison(list)) = &mut self.overlay {
             // The selection stays on its entry where another one was dropped.
             list.row -= usize::from(row < list.row);
             list.set_rows(rows);
@@ -290,9 +294,9 @@ impl App {
 
     /// Drops the reference with a number, if there is one.
     pub(super) fn drop_reference(&mut self, id: u64) {
-        let mut references = self.beside.references.iter();
+        let mut references = self.comparison.references.iter();
         if let Some(row) = references.position(|one| one.id == id) {
-            self.drop_beside(row);
+            self.remove_entry(row);
         }
     }
 
@@ -300,17 +304,17 @@ impl App {
     ///
     /// # Errors
     /// Why the name is not taken, in a line.
-    pub(super) fn name_beside(&mut self, old: &str, name: &str) -> Result<(), String> {
+    pub(super) fn rename_entry(&mut self, old: &str, name: &str) -> Result<(), String> {
         if name.is_empty() {
             return Err("type a name".to_owned());
         }
-        if name != old && self.beside.free_name(name) != name {
+        if name != old && self.comparison.free_name(name) != name {
             return Err(format!("{name} is another one's name"));
         }
-        let Some(row) = self.beside.row_of(old) else {
+        let Some(row) = self.comparison.row_of(old) else {
             return Err(format!("{old} is no longer listed"));
         };
-        if let Some((known, _)) = self.beside.entry(row) {
+        if let Some((known, _)) = self.comparison.entry(row) {
             name.clone_into(known);
         }
         Ok(())

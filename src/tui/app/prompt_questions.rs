@@ -158,7 +158,7 @@ impl App {
     }
 
     /// Takes what was typed; what is to be done then.
-    pub(super) fn answer_ask(&mut self, question: &Question, text: &str) -> Vec<Effect> {
+    pub(super) fn answer_question(&mut self, question: &Question, text: &str) -> Vec<Effect> {
         let taken = match question {
             Question::Frequency(unit) => self.go_to_frequency(text, *unit),
             Question::DecibelReference(unit) => self.take_decibel_reference(unit, text),
@@ -173,7 +173,7 @@ impl App {
                 }
             }
             Question::Curves(curves) => self.take_chosen(curves, text),
-            Question::Name(old) => self.name_beside(old, text),
+            Question::Name(old) => self.rename_entry(old, text),
             _ if text.is_empty() && question.is_path() => Err("type a file's path".to_owned()),
             Question::ReferenceFile => return vec![Effect::OpenReference(path_of_text(text))],
             Question::MeasuredFile => {
@@ -188,8 +188,8 @@ impl App {
             Ok(()) => {
                 self.overlay = match question {
                     Question::Name(_) => {
-                        let row = self.beside.row_of(text).unwrap_or(0);
-                        Some(Overlay::Beside(List::new(self.beside_rows(), row)))
+                        let row = self.comparison.row_of(text).unwrap_or(0);
+                        Some(Overlay::Comparison(List::new(self.comparison_rows(), row)))
                     }
                     _ => None,
                 };

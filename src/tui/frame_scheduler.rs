@@ -1,8 +1,8 @@
 //! When the screen is drawn: at once where something shows, but not for pictures that the next one replaces, and the
 //! slower the slower the line is.
 //!
-//! There is no clock in here: the time is told. The loop waits until [`Pace::due`] for more events, draws, and
-//! tells by [`Pace::drew`] how long that took.
+//! There is no clock in here: the time is told. The loop waits until [`FrameScheduler::due`] for more events, draws, and
+//! tells by [`FrameScheduler::drew`] how long that took.
 
 use std::time::{Duration, Instant};
 
@@ -73,14 +73,14 @@ impl Reason {
 
 /// The pace of drawing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Pace {
+pub struct FrameScheduler {
     /// When what is to be drawn must be drawn.
     wanted: Option<Instant>,
     /// Before this nothing is drawn.
     rest: Option<Instant>,
 }
 
-impl Pace {
+impl FrameScheduler {
     /// Nothing is to be drawn yet.
     pub const fn new() -> Self {
         Self {
@@ -119,7 +119,7 @@ mod tests {
     #[test]
     fn what_shows_is_drawn_at_once() {
         let start = Instant::now();
-        let mut pace = Pace::new();
+        let mut pace = FrameScheduler::new();
         assert_eq!(pace.due(), None);
         pace.wants(Reason::Shows, start);
         assert_eq!(pace.due(), Some(start));
@@ -130,7 +130,7 @@ mod tests {
     #[test]
     fn curves_that_come_soon_are_waited_for() {
         let start = Instant::now();
-        let mut pace = Pace::new();
+        let mut pace = FrameScheduler::new();
         pace.wants(Reason::Awaits, start);
         assert_eq!(pace.due(), Some(start + HOLD));
         // They are there.
@@ -141,7 +141,7 @@ mod tests {
     #[test]
     fn a_held_key_does_not_hold_the_drawing() {
         let start = Instant::now();
-        let mut pace = Pace::new();
+        let mut pace = FrameScheduler::new();
         for key in 0..10 {
             pace.wants(Reason::Awaits, start + MS(key));
         }
@@ -151,7 +151,7 @@ mod tests {
     #[test]
     fn drawings_are_a_thirtieth_of_a_second_apart_at_least() {
         let start = Instant::now();
-        let mut pace = Pace::new();
+        let mut pace = FrameScheduler::new();
         pace.drew(start, start + MS(2));
         pace.wants(Reason::Shows, start + MS(3));
         assert_eq!(pace.due(), Some(start + MS(2) + SHORTEST));
@@ -163,7 +163,7 @@ mod tests {
     fn a_slow_line_is_given_rest_but_not_for_ever() {
         let start = Instant::now();
         let rest = |took: Duration| {
-            let mut pace = Pace::new();
+            let mut pace = FrameScheduler::new();
             pace.drew(start, start + took);
             pace.wants(Reason::Shows, start + took);
             pace.due().unwrap() - (start + took)

@@ -40,7 +40,7 @@ pub struct ModeList {
 
 /// The modes and what is done with them.
 #[derive(Debug, Default)]
-pub struct Modal {
+pub struct ModesState {
     /// The modes solved last; they may be older than the model.
     pub list: Option<ModeList>,
     /// The shape solved last.
@@ -89,7 +89,7 @@ impl ModeList {
     }
 }
 
-impl Modal {
+impl ModesState {
     /// Takes the modes of a newer state of the model, or the same ones with their count.
     pub(super) fn take(&mut self, generation: u64, found: ModalModel) {
         let ModalModel { modes, shares } = found;

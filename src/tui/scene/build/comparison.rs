@@ -9,7 +9,7 @@ use crate::unit::Dimension;
 /// Of more points of a measured curve every second, third... is drawn.
 const MOST_MEASURED: usize = 20_000;
 /// Columns from one point of a finite-element curve to the next.
-const WITNESS_POINTS: u16 = 3;
+const FEM_POINTS: u16 = 3;
 
 impl<'a> Builder<'a> {
     /// The band in which nine of ten curves lie within the tolerances, of the first response that shows.
@@ -61,7 +61,7 @@ impl<'a> Builder<'a> {
         if self.view() == ChartView::Difference {
             return Vec::new();
         }
-        let shown: Vec<&Reference> = self.app.beside.shown().collect();
+        let shown: Vec<&Reference> = self.app.comparison.shown().collect();
         let mut curves = Vec::new();
         for (index, reference) in shown.iter().enumerate() {
             curves.extend(self.reference(reference, index, shown.len()));
@@ -108,9 +108,9 @@ impl<'a> Builder<'a> {
     }
 
     /// The finite-element curves, as points.
-    pub(super) fn witnesses(&self) -> Vec<SceneCurve> {
+    pub(super) fn fem_curves(&self) -> Vec<SceneCurve> {
         let state = &self.app.curves;
-        let Some(picture) = self.app.witness.picture() else {
+        let Some(picture) = self.app.fem_overlay.picture() else {
             return Vec::new();
         };
         let mut curves: Vec<SceneCurve> = Vec::new();
@@ -123,11 +123,9 @@ impl<'a> Builder<'a> {
                         against: None,
                     };
                     let mut curve = self.curve(&source);
-                    curve.kind = CurveKind::Witness;
+                    curve.kind = CurveKind::Fem;
                     curve.colour = colour(state, place, number);
-                    curve.line = LineStyle::Points {
-                        apart: WITNESS_POINTS,
-                    };
+                    curve.line = LineStyle::Points { apart: FEM_POINTS };
                     curve.dim = picture.generation != state.generation;
                     if curves.is_empty() {
                         "FEM".clone_into(&mut curve.label);

@@ -7,16 +7,16 @@ use crate::worker::{Difference, WitnessAnswer, WitnessMember};
 
 /// Finite-element curves of one state of the model.
 #[derive(Debug)]
-pub struct WitnessPicture {
+pub struct FemPicture {
     /// The model's generation.
     pub generation: u64,
     /// In the order of the picture's members.
-    pub members: Vec<WitnessCurves>,
+    pub members: Vec<FemCurves>,
 }
 
 /// Finite-element curves of the model, or of one member of a study.
 #[derive(Debug)]
-pub struct WitnessCurves {
+pub struct FemCurves {
     /// How many elements the beam has.
     pub elements: usize,
     /// Hz.
@@ -29,19 +29,19 @@ pub struct WitnessCurves {
 
 /// Whether there are finite-element curves.
 #[derive(Debug, Default)]
-pub enum Witness {
+pub enum FemOverlay {
     /// They are not wanted.
     #[default]
     Off,
     /// They are in work, or wait for the exact ones; with those of before.
-    Waiting(Option<WitnessPicture>),
+    Waiting(Option<FemPicture>),
     /// They are there.
-    Shown(WitnessPicture),
+    Shown(FemPicture),
     /// There are none, and why.
     Failed(String),
 }
 
-impl Witness {
+impl FemOverlay {
     /// Wanted, or not wanted any more; whether they are now.
     pub(super) fn toggle(&mut self) -> bool {
         let wanted = matches!(self, Self::Off);
@@ -76,7 +76,7 @@ impl Witness {
             return;
         }
         *self = match answer.result {
-            Ok(members) => Self::Shown(WitnessPicture {
+            Ok(members) => Self::Shown(FemPicture {
                 generation,
                 members: members.into_iter().map(|one| curves(one, model)).collect(),
             }),
@@ -85,7 +85,7 @@ impl Witness {
     }
 
     /// The curves to draw, if there are any.
-    pub fn picture(&self) -> Option<&WitnessPicture> {
+    pub fn picture(&self) -> Option<&FemPicture> {
         match self {
             Self::Off | Self::Failed(_) | Self::Waiting(None) => None,
             Self::Shown(picture) | Self::Waiting(Some(picture)) => Some(picture),
@@ -93,8 +93,8 @@ impl Witness {
     }
 }
 
-fn curves(member: WitnessMember, model: &Model) -> WitnessCurves {
-    WitnessCurves {
+fn curves(member: WitnessMember, model: &Model) -> FemCurves {
+    FemCurves {
         elements: member.elements,
         traces: traces(model, &member.frf, Vec::new()),
         frequencies: member.frf.frequencies,

@@ -47,7 +47,7 @@ impl App {
     }
 
     /// Remembers how the model was looked at, before another one is opened.
-    pub(super) fn remember_view(&mut self) {
+    pub(super) fn store_view(&mut self) {
         if let Some(view) = self.view() {
             self.memory.remember(view);
         }

@@ -13,7 +13,7 @@ const MOST_COPIED: usize = 74_000;
 
 /// What another program did to the model's file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Outside {
+pub enum ExternalChange {
     /// It holds what was opened or saved here.
     #[default]
     Same,
@@ -65,21 +65,21 @@ impl App {
         path.map(compare).into_iter().collect()
     }
 
-    pub(super) fn note_outside(&mut self, outside: Outside) {
-        if outside == self.outside {
+    pub(super) fn note_external_change(&mut self, outside: ExternalChange) {
+        if outside == self.external_change {
             return;
         }
-        self.outside = outside;
+        self.external_change = outside;
         let name = self.document.source().name();
         match outside {
-            Outside::Same => self.done(format!("{name} is again as it was")),
-            Outside::Changed => {
+            ExternalChange::Same => self.done(format!("{name} is again as it was")),
+            ExternalChange::Changed => {
                 let key = self.keys.key_of(FileCommand::Reload);
                 self.refuse(format!(
                     "{name} was changed on disk by another program: {key} reads it again"
                 ));
             }
-            Outside::Gone => {
+            ExternalChange::Gone => {
                 self.refuse(format!("{name} is no more on disk; saving writes it again"));
             }
         }
@@ -101,7 +101,7 @@ impl App {
     }
 
     pub(super) fn reloaded(&mut self, opened: Opened) {
-        self.outside = Outside::Same;
+        self.external_change = ExternalChange::Same;
         if opened.text == self.document.saved_text() {
             return self.done("the file is as it was");
         }

@@ -1,6 +1,6 @@
-//! The designer's state, and what every key and every answer does to it.
+//! The designer's state, and how events and answers change it.
 //!
-//! [`App::update`] is pure: what is to be done outside comes back as [`Effect`]s, and what came of those goes in by
+//! [`App::update`] is pure: input and output are requested as [`Effect`]s, and their results come back through
 //! [`App::reply`].
 
 mod band;
@@ -80,19 +80,19 @@ use crate::tui::theme::Theme;
 use crate::tui::user::memory::{Memory, RememberedOptions};
 use repeat::LastChange;
 
-/// What the last line says in place of the hints, until the next key.
+/// The message on the last line; it replaces the hints until the next key.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Message {
-    /// Something was done.
+    /// A command succeeded.
     Done(String),
-    /// Something was not done, and why.
+    /// A command was refused, and why.
     Refused(String),
 }
 
 /// The designer.
 #[derive(Debug)]
 pub struct App {
-    /// Which keys do what.
+    /// The key bindings.
     pub keys: KeyMap,
     /// Colours and characters.
     pub theme: Theme,
@@ -104,63 +104,63 @@ pub struct App {
     pub curves: Curves,
     /// How values are shown.
     pub display: Display,
-    /// The band that shows, solved finely.
+    /// The visible band, solved with a fine grid.
     pub detail: Detail,
-    /// What is read at the cursors.
+    /// The values at the cursors.
     pub reading: Reading,
-    /// What stands on the chart beside the model.
+    /// References and measured curves, to compare with the model.
     pub comparison: Comparison,
     /// The marked band.
     pub band: Band,
-    /// Which parameter matters.
+    /// The sensitivities of the parameters.
     pub sensitivities: Sensitivities,
     /// The search for better parameters.
     pub tuning: Tuning,
-    /// What is looked at below the chart.
+    /// The view of the beam below the chart.
     pub beam_view: BeamViewState,
-    /// The modes and the shape of one.
+    /// The modes, and the shape of the selected one.
     pub modes: ModesState,
-    /// The tables of modes and peaks.
+    /// The tables below the chart.
     pub tables: Tables,
-    /// What the chart's cursor stays with.
+    /// What the chart's cursor follows.
     pub anchor: Anchor,
     /// The finite-element curves.
     pub fem_overlay: FemOverlay,
-    /// The box that takes the keys, if there is one.
+    /// The dialog that takes the keys, if one is open.
     pub overlay: Option<Overlay>,
-    /// The search of the tree, while it is typed and after.
+    /// The search of the tree, while typed and afterwards.
     pub search: Option<Search>,
     /// The count typed before a command.
     pub count: Option<u32>,
-    /// The last line's message.
+    /// The message on the last line.
     pub message: Option<Message>,
-    /// What another program did to the file.
+    /// How another program changed the file.
     pub external_change: ExternalChange,
-    /// Whether the mouse is the designer's.
+    /// Whether the designer captures the mouse.
     pub mouse: bool,
-    /// Where things are on the screen, as it was drawn last.
+    /// The positions of the panels on the screen, from the last drawing.
     pub screen: Screen,
-    /// What is remembered of other models.
+    /// The view states of other models.
     memory: Memory,
-    /// Options that were turned here.
+    /// Options that the user changed in this session.
     turned: RememberedOptions,
-    /// What is not saved is kept at the end, although the program was left.
+    /// Whether unsaved changes stay in the recovery file when the program ends.
     pub keeps: bool,
-    /// The change that can be done again.
+    /// The last change, for the repeat command.
     last_change: Option<LastChange>,
-    /// The model that was kept for recovery last, and whether it was changed.
+    /// The model that was last written to the recovery file, and whether it had unsaved changes.
     kept: Option<(Arc<Model>, bool)>,
-    /// The row that the mouse holds: the wheel turns its value.
+    /// The row that was clicked: the wheel changes its value.
     held: Option<crate::tui::tree::Node>,
-    /// What comes after a save that was asked for by a question.
+    /// What follows a save that was started from a confirmation dialog.
     after_save: Option<Next>,
-    /// What was sent to be solved last.
+    /// The last request for curves.
     requested: Option<(Arc<Model>, Option<usize>)>,
-    /// The parameter whose nudges are prepared for, and its value then.
+    /// The parameter whose next nudges are prepared, and its value at that time.
     expected: Option<(crate::model::ParameterId, f64)>,
-    /// The generation whose finite-element curves were asked for last.
+    /// The generation of the last request for finite-element curves.
     fem_requested: Option<u64>,
-    /// The serial number given last.
+    /// The last serial number.
     serial: u64,
     /// The screen is too small to show anything.
     pub unseen: bool,
@@ -211,7 +211,7 @@ impl App {
         }
     }
 
-    /// What is to be done when the designer starts.
+    /// The effects when the designer starts.
     pub fn start(&mut self) -> Vec<Effect> {
         self.refresh_moving();
         let mut effects = self.request();
@@ -219,12 +219,12 @@ impl App {
         effects
     }
 
-    /// The model as it stands.
+    /// The current model.
     pub fn model(&self) -> &Arc<Model> {
         self.document.model()
     }
 
-    /// Which keys have their meaning now.
+    /// The scope of the keys now.
     pub fn scope(&self) -> Scope {
         match (&self.overlay, self.tables.open) {
             (Some(overlay), _) => overlay.scope(),
@@ -234,11 +234,11 @@ impl App {
         }
     }
 
-    /// Takes an event; what is to be done then.
+    /// Handles an event; returns the effects.
     pub fn update(&mut self, event: Event) -> Vec<Effect> {
         let mut effects = match event {
             Event::Key(key) if self.unseen => self.key_unseen(&key),
-            // Nobody can see what it would do.
+            // The user cannot see the result.
             Event::Paste(_) | Event::Mouse(_) if self.unseen => Vec::new(),
             Event::Key(key) => self.key(&key),
             Event::Paste(text) => self.paste(&text),
@@ -259,27 +259,27 @@ impl App {
             }
             Event::Suspend => vec![Effect::Suspend],
             Event::Resume => vec![Effect::Resume],
-            // There is nobody to ask: what is not saved stays kept.
+            // We cannot prompt after a signal: unsaved changes stay in the recovery file.
             Event::Quit(signal) => return vec![Effect::Quit(Some(signal.unsigned_abs() as u8))],
         };
         effects.extend(self.settle());
         effects
     }
 
-    /// Brings all that depends on the model up to date; what is to be done then.
+    /// Updates everything that depends on the model; returns the effects.
     fn settle(&mut self) -> Vec<Effect> {
         self.refresh_fits();
         self.refresh_display();
         self.refresh_moving();
-        // Another curve may be the first one now.
+        // The first curve may have changed.
         self.tables.peaks.set_rows(self.peaks().len());
-        // What is waited for comes first.
+        // Urgent requests come first.
         let mut effects = self.request();
         effects.extend(self.keep());
         effects
     }
 
-    /// Lets all that holds rows of the tree, and the chart, follow a model that has changed.
+    /// Updates everything that refers to rows of the tree, and the chart, after a change of the model.
     fn follow(&mut self, before: &Model) {
         let model = Arc::clone(self.document.model());
         let moves = Moves::new(before, &model);
@@ -294,7 +294,7 @@ impl App {
         self.follow_rows(&moves, before, &model);
     }
 
-    /// The same where no more than a number has changed: the rows have the names they had.
+    /// The same after a change of numbers only: all names stay valid.
     fn follow_number(&mut self, before: &Model) {
         let model = Arc::clone(self.document.model());
         self.follow_rows(&Moves::new(before, &model), before, &model);
@@ -306,7 +306,7 @@ impl App {
         self.keep_marks_in_sweep();
     }
 
-    /// A number that was not given before.
+    /// A new serial number.
     fn next_serial(&mut self) -> u64 {
         self.serial += 1;
         self.serial

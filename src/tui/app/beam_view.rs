@@ -1,4 +1,4 @@
-//! What is looked at below the chart: how the beam moves and what acts in it at the cursor, and drawings of it.
+//! The view of the beam below the chart: its motion and internal forces at the cursor, and drawings.
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -10,10 +10,10 @@ use crate::solve::operating::Operating;
 use crate::tui::keys::BeamViewCommand;
 use crate::worker::{OperatingAnswer, OperatingRequest, Request};
 
-/// Frames of a period.
+/// Frames per period.
 const FRAMES: u32 = 24;
 
-/// What shows below the chart.
+/// The kind of view below the chart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum BeamView {
     /// The shape of the selected mode.
@@ -28,45 +28,45 @@ pub enum BeamView {
     Torque,
     /// The bimoment.
     Bimoment,
-    /// Where power comes from and goes to.
+    /// Power input and dissipation.
     Power,
-    /// The beam with what it carries.
+    /// The beam with supports, loads and subsystems.
     Structure,
     /// The cross-section.
     Section,
 }
 
-/// The moment of its period at which something that oscillates is shown.
+/// The phase of the period at which an oscillation is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Moment {
     /// The frame of the period.
     frame: u32,
-    /// Whether it goes on by itself.
+    /// Whether the animation runs.
     pub runs: bool,
 }
 
-/// What is looked at below the chart.
+/// The state of the view below the chart.
 #[derive(Debug, Default)]
 pub struct BeamViewState {
-    /// What shows.
+    /// The visible view.
     pub shown: Option<BeamView>,
-    /// When in its period.
+    /// The phase of the animation.
     pub moment: Moment,
-    /// What the beam of a model does at the cursor, as it was solved last.
+    /// The operating state at the cursor that was solved last, with its model.
     pub operating: Option<(Arc<Model>, Arc<Operating>)>,
-    /// The generation of the model it was solved for.
+    /// The generation of that model.
     pub generation: u64,
-    /// Why nothing is known, where the last question failed.
+    /// Why the last request failed.
     pub failure: Option<String>,
-    /// With the model that it is about.
+    /// The last request, with its model.
     asked: LastRequest<(OperatingKey, Arc<Model>)>,
 }
 
-/// What was requested: the model's generation, and the frequency, Hz.
+/// The key of a request: the model's generation, and the frequency, Hz.
 type OperatingKey = (u64, f64);
 
 impl BeamViewState {
-    /// Another model was opened: what is known says nothing of it.
+    /// Another model was opened: the results do not apply to it.
     pub(super) fn forget(&mut self) {
         self.operating = None;
         self.failure = None;
@@ -75,19 +75,19 @@ impl BeamViewState {
 }
 
 impl Moment {
-    /// One frame further.
+    /// Advances by one frame.
     fn step(&mut self) {
         self.frame = (self.frame + 1) % FRAMES;
     }
 
-    /// The angle of its period that is shown, rad.
+    /// The phase angle shown, rad.
     pub fn angle(self) -> f64 {
         f64::from(self.frame) / f64::from(FRAMES) * TAU
     }
 }
 
 impl BeamView {
-    /// What a key goes through at the cursor.
+    /// The views that the `operating` key cycles through.
     const OPERATING: [Self; 6] = [
         Self::Deflection,
         Self::Moments,
@@ -97,12 +97,12 @@ impl BeamView {
         Self::Power,
     ];
 
-    /// Whether it is of one frequency.
+    /// Whether the view shows the state at one frequency.
     pub fn is_operating(self) -> bool {
         Self::OPERATING.contains(&self)
     }
 
-    /// Whether it changes within a period.
+    /// Whether the view changes within a period.
     pub fn moves(self) -> bool {
         self == Self::Mode || (self.is_operating() && self != Self::Power)
     }
@@ -143,7 +143,7 @@ impl App {
         self.beam_view.shown = look;
     }
 
-    /// Lets what shows move, or stand still; the selected mode where nothing that moves shows.
+    /// Starts or stops the animation; shows the selected mode if the visible view cannot move.
     pub(super) fn animate(&mut self) {
         if std::mem::take(&mut self.beam_view.moment.runs) {
             return;
@@ -171,14 +171,14 @@ impl App {
         self.done(format!("{} deg further in the period", 360 / FRAMES));
     }
 
-    /// A frame further, of what moves by itself.
+    /// Advances the animation by a frame, if it runs.
     pub(super) fn next_frame(&mut self) {
         if self.beam_view.moment.runs {
             self.beam_view.moment.step();
         }
     }
 
-    /// What moves by itself stands still, because the line carries too few frames.
+    /// Stops the animation, because the connection is too slow for it.
     pub fn stop_moving(&mut self) {
         if std::mem::take(&mut self.beam_view.moment.runs) {
             let key = self.keys.key_of(BeamViewCommand::PhaseStep);
@@ -188,7 +188,7 @@ impl App {
         }
     }
 
-    /// Whether something on the screen moves by itself.
+    /// Whether something on the screen is animated.
     pub fn moves(&self) -> bool {
         let shows = match self.beam_view.shown {
             Some(BeamView::Mode) => self.mode_oscillates(),
@@ -198,7 +198,7 @@ impl App {
         self.beam_view.moment.runs && self.overlay.is_none() && !self.unseen && shows
     }
 
-    /// Whether the shape that shows is of a mode that oscillates.
+    /// Whether the visible shape is of an oscillating mode.
     fn mode_oscillates(&self) -> bool {
         let oscillates = || {
             let shape = self.modes.shape.as_ref()?;
@@ -208,19 +208,19 @@ impl App {
         oscillates() == Some(true)
     }
 
-    /// What the beam does at the cursor, where that is known and belongs to it.
+    /// The operating state, if it is solved for this model and cursor.
     pub fn operating(&self) -> Option<&Operating> {
         let (_, operating) = self.beam_view.operating.as_ref()?;
         Some(operating)
     }
 
-    /// Whether what is known of the beam at the cursor belongs to an older model or another frequency.
+    /// Whether the operating state is of an older model or another frequency.
     pub fn operating_is_stale(&self) -> bool {
         self.beam_view.generation != self.curves.generation
             || self.operating().map(|one| one.frequency) != self.curves.cursor
     }
 
-    /// Asks what the beam does at the cursor, if that shows.
+    /// Requests the operating state at the cursor, if it is visible.
     pub(super) fn want_operating(&mut self) -> Option<Request> {
         self.beam_view.shown.filter(|look| look.is_operating())?;
         let frequency = self.curves.cursor?;
@@ -238,7 +238,7 @@ impl App {
         }))
     }
 
-    /// Takes what was asked last.
+    /// Stores the answer to the last request.
     pub(super) fn take_operating(&mut self, answer: OperatingAnswer) {
         let Some(((generation, _), model)) = self.beam_view.asked.answered(answer.serial) else {
             return;

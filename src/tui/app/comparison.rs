@@ -1,4 +1,4 @@
-//! What stands on the chart beside the model: frozen and loaded references, and measured curves.
+//! Curves to compare with the model: frozen and loaded references, and measured curves.
 
 use std::sync::Arc;
 
@@ -10,45 +10,45 @@ use crate::model::Model;
 use crate::tui::keys::{CompareCommand, ComparisonCommand, CurvesCommand};
 use crate::worker::{ReferenceAnswer, Request, Subject};
 
-/// More references than these cannot be told apart.
+/// The most references that can be distinguished on the chart.
 const MOST_REFERENCES: usize = 8;
 
 /// The curves of another state of the model, or of another model.
 #[derive(Debug)]
 pub struct Reference {
-    /// Its number, never given again.
+    /// A unique number.
     pub id: u64,
     /// Its name in the legend.
     pub name: String,
-    /// The model they are of.
+    /// The model.
     pub model: Arc<Model>,
-    /// The study whose members they are.
+    /// The study that is shown, if any.
     pub study: Option<usize>,
-    /// The curves; none as long as they are solved.
+    /// The curves; none until they are solved.
     pub picture: Option<Arc<Picture>>,
-    /// Whether they show.
+    /// Whether they are visible.
     pub shown: bool,
-    /// Why there are none.
+    /// Why solving failed.
     pub failure: Option<String>,
-    /// The curves are those of another model than the one it has now.
+    /// Whether the curves belong to the previous model of this reference.
     outdated: bool,
 }
 
 impl Reference {
-    /// Shows another model under a new number: what is there shows until its curves are solved.
+    /// Replaces the model, with a new id: the old curves stay visible until the new ones are solved.
     pub(super) fn renew(&mut self, id: u64, model: Arc<Model>) {
         (self.id, self.model, self.failure, self.outdated) = (id, model, None, true);
     }
 }
 
-/// What stands on the chart beside the model.
+/// References and measured curves.
 #[derive(Debug, Default)]
 pub struct Comparison {
     /// Older ones first.
     pub references: Vec<Reference>,
     /// Curves from files.
     pub measured: Vec<Measured>,
-    /// The reference that is being solved.
+    /// The reference in work.
     asked: Option<u64>,
     pub(super) measured_asked: LastRequest<SampleKey>,
     pub(super) sample: Option<Sample>,
@@ -58,22 +58,22 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// The references that show.
+    /// The visible references.
     pub fn shown(&self) -> impl Iterator<Item = &Reference> {
         self.references.iter().filter(|one| one.shown)
     }
 
-    /// The first of them that has curves: differences are to it.
+    /// The first visible reference with curves: the differences are relative to it.
     pub fn first_shown(&self) -> Option<&Reference> {
         self.shown().find(|one| one.picture.is_some())
     }
 
-    /// The numbers of those that show.
+    /// The ids of the visible references.
     pub(super) fn shown_ids(&self) -> Vec<u64> {
         self.shown().map(|one| one.id).collect()
     }
 
-    /// Takes the curves of a loaded model.
+    /// Stores the curves of a reference.
     pub(super) fn take(&mut self, answer: ReferenceAnswer) {
         self.asked = None;
         let mut references = self.references.iter_mut();
@@ -88,7 +88,7 @@ impl Comparison {
         }
     }
 
-    /// A name that no entry has: `name`, `name 2`, ...
+    /// The first unused name of `name`, `name 2`, ...
     pub(super) fn free_name(&self, name: &str) -> String {
         let taken = |name: &str| {
             self.references.iter().any(|one| one.name == name)
@@ -96,7 +96,7 @@ impl Comparison {
         };
         let numbered = (2..).map(|number| format!("{name} {number}"));
         let mut names = std::iter::once(name.to_owned()).chain(numbered);
-        // Finitely many names are taken.
+        // The number of used names is finite.
         names
             .find(|name| !taken(name))
             .unwrap_or_else(|| name.to_owned())
@@ -104,14 +104,14 @@ impl Comparison {
 }
 
 impl Comparison {
-    /// The row of an entry of the list by its name, which no other one has.
+    /// The row of an entry by its unique name.
     pub(super) fn row_of(&self, name: &str) -> Option<usize> {
         let references = self.references.iter().map(|one| &one.name);
         let measured = self.measured.iter().map(|one| &one.name);
         references.chain(measured).position(|known| known == name)
     }
 
-    /// The name of an entry of the list, and whether it shows.
+    /// The name and the visibility of an entry.
     fn entry(&mut self, row: usize) -> Option<(&mut String, &mut bool)> {
         match row.checked_sub(self.references.len()) {
             None => self
@@ -127,7 +127,7 @@ impl Comparison {
 }
 
 impl App {
-    /// The model and the references that show, to be solved at the same frequencies.
+    /// The model and the visible references, to be solved at the same frequencies.
     pub(super) fn compared_subjects(&self) -> Vec<Subject> {
         let references = self.comparison.shown().map(|one| Subject {
             generation: one.id,
@@ -137,7 +137,7 @@ impl App {
         std::iter::once(self.subject()).chain(references).collect()
     }
 
-    /// Keeps the curves as a reference.
+    /// Freezes the curves as a reference.
     pub(super) fn freeze(&mut self) {
         let picture = match (&self.curves.shown, self.curves.picture()) {
             (Shown::Picture(_), Some(picture)) => Arc::clone(picture),
@@ -157,7 +157,7 @@ impl App {
         }
     }
 
-    /// Adds a reference; its name, or none where there are too many.
+    /// Adds a reference; returns its name, or none at the limit.
     pub(super) fn add_reference(
         &mut self,
         name: &str,
@@ -187,7 +187,7 @@ impl App {
         Some(name)
     }
 
-    /// Drops the newest reference.
+    /// Removes the newest reference.
     pub(super) fn unfreeze(&mut self) {
         if let Some(dropped) = self.comparison.references.pop() {
             self.done(format!("reference {} dropped", dropped.name));
@@ -197,7 +197,7 @@ impl App {
         }
     }
 
-    /// Takes a model that was opened to compare with.
+    /// Adds an opened model as a reference.
     pub(super) fn take_reference(&mut self, opened: Opened) {
         let name = opened.source.name();
         self.overlay = None;
@@ -206,13 +206,13 @@ impl App {
         }
     }
 
-    /// Asks for the curves of a loaded reference that has none, one at a time.
+    /// Requests the curves of a reference that needs them, one at a time.
     pub(super) fn want_reference(&mut self) -> Option<Request> {
         if self.comparison.asked.is_some() {
             return None;
         }
         let mut references = self.comparison.references.iter();
-        // What was frozen before its modes were counted gets that too.
+        // A reference that was frozen before its modes were counted needs the count, too.
         let lacks = |one: &&Reference| {
             let picture = one.picture.as_ref();
             let lacks = picture.is_none_or(|picture| picture.stage < Stage::Counted);
@@ -227,18 +227,18 @@ impl App {
         }))
     }
 
-    /// Lists what stands beside the model.
+    /// Opens the list of references and measured curves.
     pub(super) fn open_comparison(&mut self) {
         let rows = self.comparison_rows();
         self.overlay = Some(Overlay::Comparison(List::new(rows, 0)));
     }
 
-    /// How many entries the list has: references, then measured curves.
+    /// The number of entries: references, then measured curves.
     pub(super) fn comparison_rows(&self) -> usize {
         self.comparison.references.len() + self.comparison.measured.len()
     }
 
-    /// Does what a key asks for in the list.
+    /// Runs a command of the list.
     pub(super) fn comparison_command(&mut self, command: ComparisonCommand) {
         let Some(Overlay::Comparison(list)) = &self.overlay else {
             return;
@@ -286,13 +286,13 @@ impl App {
         }
         let rows = self.comparison_rows();
         if let Some(Overlay::Comparison(list)) = &mut self.overlay {
-            // The selection stays on its entry where another one was dropped.
+            // The selection stays on its entry if another one is removed.
             list.row -= usize::from(row < list.row);
             list.set_rows(rows);
         }
     }
 
-    /// Drops the reference with a number, if there is one.
+    /// Removes the reference with an id, if it exists.
     pub(super) fn drop_reference(&mut self, id: u64) {
         let mut references = self.comparison.references.iter();
         if let Some(row) = references.position(|one| one.id == id) {
@@ -300,10 +300,10 @@ impl App {
         }
     }
 
-    /// Gives an entry of the list another name.
+    /// Renames an entry.
     ///
     /// # Errors
-    /// Why the name is not taken, in a line.
+    /// Why the name is refused, in one line.
     pub(super) fn rename_entry(&mut self, old: &str, name: &str) -> Result<(), String> {
         if name.is_empty() {
             return Err("type a name".to_owned());

@@ -1,4 +1,4 @@
-//! The finite-element curves beside the exact ones.
+//! Finite-element curves, drawn over the exact ones.
 
 use super::Trace;
 use super::curves::traces;
@@ -10,7 +10,7 @@ use crate::worker::{Difference, WitnessAnswer, WitnessMember};
 pub struct FemPicture {
     /// The model's generation.
     pub generation: u64,
-    /// In the order of the picture's members.
+    /// In the order of the members of the picture.
     pub members: Vec<FemCurves>,
 }
 
@@ -23,26 +23,26 @@ pub struct FemCurves {
     pub frequencies: Vec<f64>,
     /// In the order of the model's responses.
     pub traces: Vec<Trace>,
-    /// The largest difference of each to the exact one, if they can be compared.
+    /// The largest difference of each response to the exact solution, if they can be compared.
     pub differences: Vec<Option<Difference>>,
 }
 
-/// Whether there are finite-element curves.
+/// The state of the finite-element overlay.
 #[derive(Debug, Default)]
 pub enum FemOverlay {
-    /// They are not wanted.
+    /// Off.
     #[default]
     Off,
-    /// They are in work, or wait for the exact ones; with those of before.
+    /// In work, or waiting for the exact curves; with the previous ones.
     Waiting(Option<FemPicture>),
-    /// They are there.
+    /// Solved.
     Shown(FemPicture),
-    /// There are none, and why.
+    /// Failed, and why.
     Failed(String),
 }
 
 impl FemOverlay {
-    /// Wanted, or not wanted any more; whether they are now.
+    /// Turns the overlay on or off; returns whether it is on now.
     pub(super) fn toggle(&mut self) -> bool {
         let wanted = matches!(self, Self::Off);
         *self = if wanted {
@@ -53,7 +53,7 @@ impl FemOverlay {
         wanted
     }
 
-    /// The model has changed: what there is belongs to an older one.
+    /// The model has changed: the curves belong to an older one.
     pub(super) fn outdate(&mut self) {
         *self = match std::mem::take(self) {
             Self::Off => Self::Off,
@@ -63,14 +63,14 @@ impl FemOverlay {
         };
     }
 
-    /// Another model was opened: what there is says nothing of it.
+    /// Another model was opened: the curves do not apply to it.
     pub(super) fn forget(&mut self) {
         if !matches!(self, Self::Off) {
             *self = Self::Waiting(None);
         }
     }
 
-    /// Takes an answer about the model with this generation.
+    /// Stores an answer for the model with this generation.
     pub(super) fn take(&mut self, answer: WitnessAnswer, generation: u64, model: &Model) {
         if matches!(self, Self::Off) || answer.generation != generation {
             return;

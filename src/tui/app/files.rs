@@ -1,4 +1,4 @@
-//! Opening, saving and leaving.
+//! Open, save and quit.
 
 use std::path::PathBuf;
 
@@ -13,13 +13,13 @@ use crate::presets;
 use crate::tui::keys::{ReplaceCommand, UnsavedCommand};
 
 impl App {
-    /// Goes on to something that drops the model: asks first when it is not saved.
+    /// Continues with an action that discards the model; with unsaved changes, asks first.
     pub(super) fn leave(&mut self, next: Next) -> Vec<Effect> {
         if !self.document.is_changed() {
             return self.go_on(next);
         }
         let beneath = match self.overlay.take() {
-            // Asked again: it is the same question.
+            // The same question is already open.
             Some(Overlay::Unsaved { beneath, .. }) => beneath,
             other => other.map(Box::new),
         };
@@ -51,14 +51,14 @@ impl App {
         }
     }
 
-    /// Takes an opened model in the place of this one.
+    /// Replaces the model by an opened one.
     fn open(&mut self, opened: Opened) {
         self.open_document(Document::new(opened));
         let name = self.document.source().name();
         self.done(format!("opened {name}"));
     }
 
-    /// Takes a document in the place of this one. The frozen reference stays, to compare with.
+    /// Replaces the document. Frozen references stay, for comparison.
     pub(super) fn open_document(&mut self, document: Document) {
         self.store_view();
         self.document = document;
@@ -95,7 +95,7 @@ impl App {
         self.overlay = Some(Overlay::Faults { path, faults, list });
     }
 
-    /// Saves to the file the model came from, or asks for one.
+    /// Saves to the model's file, or asks for a path.
     pub(super) fn save(&mut self) -> Vec<Effect> {
         let Source::File(path) = self.document.source() else {
             self.ask_save_path();
@@ -127,7 +127,7 @@ impl App {
         }
     }
 
-    /// Answers what becomes of unsaved changes.
+    /// Handles the answer about unsaved changes.
     pub(super) fn answer_unsaved(&mut self, answer: UnsavedCommand) -> Vec<Effect> {
         let asked = |overlay: &mut Overlay| matches!(overlay, Overlay::Unsaved { .. });
         let Some(Overlay::Unsaved { next, beneath }) = self.overlay.take_if(asked) else {
@@ -149,7 +149,7 @@ impl App {
         }
     }
 
-    /// Answers whether a file is replaced.
+    /// Handles the answer about replacing a file.
     pub(super) fn answer_replace(&mut self, answer: ReplaceCommand) -> Vec<Effect> {
         let asked = |overlay: &mut Overlay| matches!(overlay, Overlay::Replace { .. });
         let Some(Overlay::Replace { path, what, reason }) = self.overlay.take_if(asked) else {
@@ -177,7 +177,7 @@ impl App {
         }
     }
 
-    /// Takes what came of an effect; what is to be done then.
+    /// Handles the result of an effect; returns further effects.
     pub fn reply(&mut self, reply: Reply) -> Vec<Effect> {
         let mut effects = match reply {
             Reply::Saved(path, text) => self.saved(path, text),

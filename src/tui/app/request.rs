@@ -1,4 +1,4 @@
-//! What the worker is asked for, and what it has found.
+//! Requests to the worker, and its answers.
 
 use std::sync::Arc;
 
@@ -6,7 +6,7 @@ use super::{App, BeamView, Effect, FemOverlay};
 use crate::model::edit::{self, Value};
 use crate::worker::{Answer, CurvesAnswer, ExpectRequest, Request, Sampling, Subject};
 
-/// The last request of one kind: its serial number, and what it was for.
+/// The last request of one kind: its serial number and its key.
 #[derive(Debug)]
 pub(super) struct LastRequest<K>(Option<(u64, K)>);
 
@@ -17,17 +17,17 @@ impl<K> Default for LastRequest<K> {
 }
 
 impl<K> LastRequest<K> {
-    /// Whether it was for the same.
+    /// Whether it has the same key.
     pub(super) fn is(&self, same: impl FnOnce(&K) -> bool) -> bool {
         self.0.as_ref().is_some_and(|(_, key)| same(key))
     }
 
-    /// Stores a request that is sent.
+    /// Stores a sent request.
     pub(super) fn sent(&mut self, serial: u64, key: K) {
         self.0 = Some((serial, key));
     }
 
-    /// What the answer with a serial number is for; none where another request was sent since.
+    /// The key of the answer with a serial number; none if another request was sent since.
     pub(super) fn answered(&self, serial: u64) -> Option<&K> {
         let (last, key) = self.0.as_ref()?;
         (*last == serial).then_some(key)
@@ -38,14 +38,14 @@ impl<K> LastRequest<K> {
         self.0.as_ref().map(|(serial, _)| *serial)
     }
 
-    /// Forgets it: an answer is not taken, and the same can be requested again.
+    /// Resets the request: its answer is discarded, and the same key can be requested again.
     pub(super) fn forget(&mut self) {
         self.0 = None;
     }
 }
 
 impl App {
-    /// Takes what the worker has found.
+    /// Stores an answer of the worker.
     pub(super) fn take(&mut self, answer: Answer) {
         match answer {
             Answer::Curves(answer) => self.take_curves(answer),
@@ -90,7 +90,7 @@ impl App {
         }
     }
 
-    /// Asks the worker for what is to be seen and was not asked for yet.
+    /// Requests everything that is visible and was not requested yet.
     pub(super) fn request(&mut self) -> Vec<Effect> {
         let mut requests: Vec<Request> = self.want_curves().into_iter().collect();
         requests.extend(self.want_expected());
@@ -107,7 +107,7 @@ impl App {
         requests.into_iter().map(Effect::Solve).collect()
     }
 
-    /// What is solved: the model with its study.
+    /// The subject of the solution: the model with its study.
     pub(super) fn subject(&self) -> Subject {
         Subject {
             generation: self.curves.generation,
@@ -116,7 +116,7 @@ impl App {
         }
     }
 
-    /// Curves, if those asked for last are not the model's.
+    /// Curves, if the last request was not for this model.
     fn want_curves(&mut self) -> Option<Request> {
         let (model, study) = (Arc::clone(self.document.model()), self.curves.study);
         if let Some((last, last_study)) = &self.requested
@@ -131,11 +131,11 @@ impl App {
         Some(Request::Curves(self.subject()))
     }
 
-    /// Preparation for nudges of the selected parameter, where the model is so large that it saves time.
+    /// Preparation for nudges of the selected parameter, if the model is large enough for a benefit.
     fn want_expected(&mut self) -> Option<Request> {
         const MANY: usize = 8;
-        /// How far the value may be turned before it is prepared for again, and how far it is prepared for, as shares: a
-        /// subsystem's place passes others on its way.
+        /// How far the value may change before it is prepared again, and how far the preparation reaches, as shares:
+        /// the place of a subsystem passes others on its way.
         const NEAR: f64 = 0.03;
         const FAR: f64 = 0.05;
         let model = Arc::clone(self.document.model());
@@ -151,7 +151,7 @@ impl App {
             return None;
         }
         self.expected = Some((id, value));
-        // Where the model allows no such value, it is not turned so far either.
+        // The model limits how far the value can change.
         let turned = |by: f64| {
             let value = Value::Number(value * (1.0 + by));
             edit::changed(&model, id, value).map_or_else(|_| Arc::clone(&model), Arc::new)
@@ -162,7 +162,7 @@ impl App {
         }))
     }
 
-    /// The shape of the selected mode, if it shows.
+    /// The shape of the selected mode, if it is visible.
     fn want_shape(&mut self) -> Option<Request> {
         self.beam_view
             .shown
@@ -174,7 +174,7 @@ impl App {
         Some(Request::Shape(request))
     }
 
-    /// The finite-element curves, if they show, once the exact ones are there.
+    /// The finite-element curves, if they are on and the exact ones are solved.
     fn want_fem(&mut self) -> Option<Request> {
         let generation = self.curves.generation;
         let waits = matches!(self.fem_overlay, FemOverlay::Waiting(_));

@@ -1,4 +1,4 @@
-//! Other programs: the clipboard, a file that changes, unsaved changes that were found.
+//! Other programs: the clipboard, a changed file, recovered changes.
 
 use std::time::Duration;
 

@@ -20,7 +20,7 @@ type Entry = (bool, String, String);
 pub(super) fn draw(frame: &mut Frame<'_>, app: &App, mut list: List, theme: Theme) -> (List, Rows) {
     let entries = entries(app);
     let place = middle(frame.area(), entries.len().max(3) + 1);
-    let inside = open_dialog(frame, place, " Comparison the model ", theme);
+    let inside = open_dialog(frame, place, " Beside the model ", theme);
     let [above, below] =
         Layout::vertical([Constraint::Fill(1), Constraint::Length(1)]).areas(inside);
     list.set_rows(entries.len());

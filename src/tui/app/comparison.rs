@@ -251,7 +251,7 @@ impl App {
                 self.ask_question(Question::ReferenceFile, String::new());
             }
             ComparisonCommand::AddMeasured => {
-                self.ask_question(Question::MeasuredFile, String::new())
+                self.ask_question(Question::MeasuredFile, String::new());
             }
             ComparisonCommand::Accept | ComparisonCommand::Rename | ComparisonCommand::Delete
                 if !listed =>

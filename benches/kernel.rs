@@ -32,7 +32,7 @@ fn main() {
         .num_threads(1)
         .build()
         .unwrap();
-    witnesses();
+    fem_curves();
     alone.install(|| {
         against_the_peak();
         by_instructions();
@@ -86,7 +86,7 @@ fn grid(points: usize) -> Vec<f64> {
 }
 
 /// The exact solver beside finite elements and the paper's chain, on all cores: fig05a, 2,000 frequencies, 12 responses.
-fn witnesses() {
+fn fem_curves() {
     /// A frequency of 80 elements by `scipy.sparse.linalg.spsolve`, us, measured apart.
     const SCIPY: f64 = 700.0;
     let model = preset("fig05a");

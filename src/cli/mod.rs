@@ -30,7 +30,7 @@ use crate::files::{self, Folders, read_if_there};
 use crate::model::{Fault, MOST_SHOWN};
 use crate::presets;
 use crate::solve::Cancelled;
-use crate::tui::options::{Environment, LookArguments};
+use crate::tui::options::{AppearanceArguments, Environment};
 use crate::tui::user::config::{self, Config};
 use crate::tui::{self, Ended, Setup};
 
@@ -57,7 +57,7 @@ struct ModelArguments {
     #[command(flatten)]
     sets: Sets,
     #[command(flatten)]
-    look: LookArguments,
+    look: AppearanceArguments,
 }
 
 #[derive(Debug, Args)]
@@ -223,7 +223,7 @@ fn design(arguments: &ModelArguments) -> Result<ExitCode, Failure> {
 /// What the completions are made of.
 fn completion_commands() -> completions::Commands {
     let bare = clap::Command::new("beamtune").version(env!("CARGO_PKG_VERSION"));
-    let options = LookArguments::augment_args(Sets::augment_args(bare));
+    let options = AppearanceArguments::augment_args(Sets::augment_args(bare));
     completions::Commands {
         whole: Arguments::command(),
         without_model: Command::augment_subcommands(options),

@@ -1,14 +1,14 @@
-//! The designer's state, and what every key and every answer does to it.
+//! The designer's state, and how events and answers change it.
 //!
-//! [`App::update`] is pure: what is to be done outside comes back as [`Effect`]s, and what came of those goes in by
+//! [`App::update`] is pure: input and output are requested as [`Effect`]s, and their results come back through
 //! [`App::reply`].
 
-mod ask;
 mod band;
-mod beside;
+mod beam_view;
 mod chart;
 mod choose;
 mod commands;
+mod comparison;
 mod curves;
 mod detail;
 mod display;
@@ -16,20 +16,20 @@ mod document;
 mod edit;
 mod effect;
 mod export;
+mod external_changes;
+mod fem_overlay;
 mod files;
-mod fresh;
 mod history;
-mod look;
 mod measured;
-mod modal;
+mod modes;
 mod mouse;
-mod outside;
+mod new_item;
 mod overlay;
 mod palette;
 mod prompt;
+mod prompt_questions;
 mod reading;
 mod recovery;
-mod remember;
 mod repeat;
 mod request;
 mod screen;
@@ -40,26 +40,27 @@ mod shape;
 mod structure;
 mod tables;
 mod tuning;
-mod witness;
+mod view_state;
 mod zoom;
 
 use std::sync::Arc;
 
-pub use ask::Question;
 pub use band::{Band, MemberLevels, ResponseLevel};
-pub use beside::{Beside, Reference};
+pub use beam_view::{BeamView, BeamViewState};
+pub use comparison::{Comparison, Reference};
 pub use curves::{Compared, Curves, Member, Picture, Shown, Trace};
 pub use detail::{Detail, DetailPicture};
 pub use display::{Display, MOTION};
 pub use document::{Base, Document};
 pub use effect::{Effect, Guard, Lost, Reply};
 pub use export::{Export, Saving};
-pub use look::{Look, Looking};
+pub use external_changes::ExternalChange;
+pub use fem_overlay::{FemOverlay, FemPicture};
 pub use measured::{Measured, OpenedMeasured};
-pub use modal::{Completeness, Modal, ModeKind, ModeList, ModeRow};
-pub use outside::Outside;
+pub use modes::{Completeness, ModeKind, ModeList, ModeRow, ModesState};
 pub use overlay::{Asked, AskedKind, List, Next, Overlay, Prompt, Purpose, ReplaceReason};
 pub use palette::{Entry, Found, Palette};
+pub use prompt_questions::Question;
 pub use reading::{Reading, Value, nearest};
 pub use screen::{Levels, Plot, Rows, Screen};
 pub use search::Search;
@@ -68,7 +69,6 @@ pub use sensitivity::{Effects, Sensed, Sensitivities};
 pub use shape::Shape;
 pub use tables::{Anchor, Table, Tables};
 pub use tuning::{Progress, Run, Tuning};
-pub use witness::{Witness, WitnessPicture};
 
 pub use crate::worker::Stage;
 
@@ -80,19 +80,19 @@ use crate::tui::theme::Theme;
 use crate::tui::user::memory::{Memory, RememberedOptions};
 use repeat::LastChange;
 
-/// What the last line says in place of the hints, until the next key.
+/// The message on the last line; it replaces the hints until the next key.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Message {
-    /// Something was done.
+    /// A command succeeded.
     Done(String),
-    /// Something was not done, and why.
+    /// A command was refused, and why.
     Refused(String),
 }
 
 /// The designer.
 #[derive(Debug)]
 pub struct App {
-    /// Which keys do what.
+    /// The key bindings.
     pub keys: KeyMap,
     /// Colours and characters.
     pub theme: Theme,
@@ -104,63 +104,63 @@ pub struct App {
     pub curves: Curves,
     /// How values are shown.
     pub display: Display,
-    /// The band that shows, solved finely.
+    /// The visible band, solved with a fine grid.
     pub detail: Detail,
-    /// What is read at the cursors.
+    /// The values at the cursors.
     pub reading: Reading,
-    /// What stands on the chart beside the model.
-    pub beside: Beside,
+    /// References and measured curves, to compare with the model.
+    pub comparison: Comparison,
     /// The marked band.
     pub band: Band,
-    /// Which parameter matters.
+    /// The sensitivities of the parameters.
     pub sensitivities: Sensitivities,
     /// The search for better parameters.
     pub tuning: Tuning,
-    /// What is looked at below the chart.
-    pub looking: Looking,
-    /// The modes and the shape of one.
-    pub modal: Modal,
-    /// The tables of modes and peaks.
+    /// The view of the beam below the chart.
+    pub beam_view: BeamViewState,
+    /// The modes, and the shape of the selected one.
+    pub modes: ModesState,
+    /// The tables below the chart.
     pub tables: Tables,
-    /// What the chart's cursor stays with.
+    /// What the chart's cursor follows.
     pub anchor: Anchor,
     /// The finite-element curves.
-    pub witness: Witness,
-    /// The box that takes the keys, if there is one.
+    pub fem_overlay: FemOverlay,
+    /// The dialog that takes the keys, if one is open.
     pub overlay: Option<Overlay>,
-    /// The search of the tree, while it is typed and after.
+    /// The search of the tree, while typed and afterwards.
     pub search: Option<Search>,
     /// The count typed before a command.
     pub count: Option<u32>,
-    /// The last line's message.
+    /// The message on the last line.
     pub message: Option<Message>,
-    /// What another program did to the file.
-    pub outside: Outside,
-    /// Whether the mouse is the designer's.
+    /// How another program changed the file.
+    pub external_change: ExternalChange,
+    /// Whether the designer captures the mouse.
     pub mouse: bool,
-    /// Where things are on the screen, as it was drawn last.
+    /// The positions of the panels on the screen, from the last drawing.
     pub screen: Screen,
-    /// What is remembered of other models.
+    /// The view states of other models.
     memory: Memory,
-    /// Options that were turned here.
+    /// Options that the user changed in this session.
     turned: RememberedOptions,
-    /// What is not saved is kept at the end, although the program was left.
+    /// Whether unsaved changes stay in the recovery file when the program ends.
     pub keeps: bool,
-    /// The change that can be done again.
+    /// The last change, for the repeat command.
     last_change: Option<LastChange>,
-    /// The model that was kept for recovery last, and whether it was changed.
+    /// The model that was last written to the recovery file, and whether it had unsaved changes.
     kept: Option<(Arc<Checked>, bool)>,
-    /// The row that the mouse holds: the wheel turns its value.
+    /// The row that was clicked: the wheel changes its value.
     held: Option<crate::tui::tree::Node>,
-    /// What comes after a save that was asked for by a question.
+    /// What follows a save that was started from a confirmation dialog.
     after_save: Option<Next>,
-    /// What was sent to be solved last.
+    /// The last request for curves.
     requested: Option<(Arc<Checked>, Option<usize>)>,
-    /// The parameter whose nudges are prepared for, and its value then.
+    /// The parameter whose next nudges are prepared, and its value at that time.
     expected: Option<(crate::model::ParameterId, f64)>,
-    /// The generation whose finite-element curves were asked for last.
-    witnessed: Option<u64>,
-    /// The serial number given last.
+    /// The generation of the last request for finite-element curves.
+    fem_requested: Option<u64>,
+    /// The last serial number.
     serial: u64,
     /// The screen is too small to show anything.
     pub unseen: bool,
@@ -179,20 +179,20 @@ impl App {
             display: Display::default(),
             detail: Detail::default(),
             reading: Reading::default(),
-            beside: Beside::default(),
+            comparison: Comparison::default(),
             band: Band::default(),
             sensitivities: Sensitivities::default(),
             tuning: Tuning::default(),
-            looking: Looking::default(),
-            modal: Modal::default(),
+            beam_view: BeamViewState::default(),
+            modes: ModesState::default(),
             tables: Tables::default(),
             anchor: Anchor::default(),
-            witness: Witness::default(),
+            fem_overlay: FemOverlay::default(),
             overlay: None,
             search: None,
             count: None,
             message: None,
-            outside: Outside::default(),
+            external_change: ExternalChange::default(),
             mouse: false,
             screen: Screen::default(),
             memory: Memory::default(),
@@ -204,14 +204,14 @@ impl App {
             after_save: None,
             requested: None,
             expected: None,
-            witnessed: None,
+            fem_requested: None,
             serial: 0,
             unseen: false,
             document,
         }
     }
 
-    /// What is to be done when the designer starts.
+    /// The effects when the designer starts.
     pub fn start(&mut self) -> Vec<Effect> {
         self.refresh_moving();
         let mut effects = self.request();
@@ -219,12 +219,12 @@ impl App {
         effects
     }
 
-    /// The model as it stands.
+    /// The current model.
     pub fn model(&self) -> &Arc<Checked> {
         self.document.model()
     }
 
-    /// Which keys have their meaning now.
+    /// The scope of the keys now.
     pub fn scope(&self) -> Scope {
         match (&self.overlay, self.tables.open) {
             (Some(overlay), _) => overlay.scope(),
@@ -234,11 +234,11 @@ impl App {
         }
     }
 
-    /// Takes an event; what is to be done then.
+    /// Handles an event; returns the effects.
     pub fn update(&mut self, event: Event) -> Vec<Effect> {
         let mut effects = match event {
             Event::Key(key) if self.unseen => self.key_unseen(&key),
-            // Nobody can see what it would do.
+            // The user cannot see the result.
             Event::Paste(_) | Event::Mouse(_) if self.unseen => Vec::new(),
             Event::Key(key) => self.key(&key),
             Event::Paste(text) => self.paste(&text),
@@ -259,27 +259,27 @@ impl App {
             }
             Event::Suspend => vec![Effect::Suspend],
             Event::Resume => vec![Effect::Resume],
-            // There is nobody to ask: what is not saved stays kept.
+            // We cannot prompt after a signal: unsaved changes stay in the recovery file.
             Event::Quit(signal) => return vec![Effect::Quit(Some(signal.unsigned_abs() as u8))],
         };
         effects.extend(self.settle());
         effects
     }
 
-    /// Brings all that depends on the model up to date; what is to be done then.
+    /// Updates everything that depends on the model; returns the effects.
     fn settle(&mut self) -> Vec<Effect> {
         self.refresh_fits();
         self.refresh_display();
         self.refresh_moving();
-        // Another curve may be the first one now.
+        // The first curve may have changed.
         self.tables.peaks.set_rows(self.peaks().len());
-        // What is waited for comes first.
+        // Urgent requests come first.
         let mut effects = self.request();
         effects.extend(self.keep());
         effects
     }
 
-    /// Lets all that holds rows of the tree, and the chart, follow a model that has changed.
+    /// Updates everything that refers to rows of the tree, and the chart, after a change of the model.
     fn follow(&mut self, before: &Model) {
         let model = Arc::clone(self.document.model());
         let moves = Moves::new(before, &model);
@@ -294,7 +294,7 @@ impl App {
         self.follow_rows(&moves, before, &model);
     }
 
-    /// The same where no more than a number has changed: the rows have the names they had.
+    /// The same after a change of numbers only: all names stay valid.
     fn follow_number(&mut self, before: &Model) {
         let model = Arc::clone(self.document.model());
         self.follow_rows(&Moves::new(before, &model), before, &model);
@@ -306,7 +306,7 @@ impl App {
         self.keep_marks_in_sweep();
     }
 
-    /// A number that was not given before.
+    /// A new serial number.
     fn next_serial(&mut self) -> u64 {
         self.serial += 1;
         self.serial

@@ -1,9 +1,9 @@
-//! Text and screens for terminals that show nothing but ASCII.
+//! Text and screens for ASCII-only terminals.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::Span;
 
-/// The text in ASCII, as many columns wide.
+/// The text in ASCII, with the same width in columns.
 pub fn text(text: &str) -> String {
     let mut plain = String::with_capacity(text.len());
     for letter in text.chars() {
@@ -13,10 +13,10 @@ pub fn text(text: &str) -> String {
     plain
 }
 
-/// Puts something alike in ASCII in place of every other symbol on a screen.
+/// Replaces every other symbol on a screen by a similar one in ASCII.
 pub fn flatten(buffer: &mut Buffer) {
     for cell in &mut buffer.content {
-        // Marks that combine with the first letter are left out; behind a wide one a blank follows.
+        // Combining marks are omitted; a blank follows a wide character.
         if let Some(first) = cell.symbol().chars().next()
             && !cell.symbol().is_ascii()
         {
@@ -25,7 +25,7 @@ pub fn flatten(buffer: &mut Buffer) {
     }
 }
 
-/// A letter or sign of ASCII that looks like this one; a question mark for what has none.
+/// A similar ASCII character; a question mark if there is none.
 fn like(letter: char) -> char {
     match letter {
         _ if letter.is_ascii() => letter,
@@ -75,7 +75,7 @@ mod tests {
 
     #[test]
     fn the_width_is_kept() {
-        // A wide letter, and an accent that combines with the letter before it.
+        // A wide character, and an accent that combines with the character before it.
         assert_eq!(text("梁 e\u{301}x"), "?? ex");
         let mut buffer = Buffer::empty(Rect::new(0, 0, 6, 1));
         buffer.set_string(0, 0, "梁│e\u{301}x", Style::new());

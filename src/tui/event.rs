@@ -1,10 +1,10 @@
-//! What reaches the designer: one enum on one channel.
+//! The events of the designer: one enum on one channel.
 
 use crossterm::event::{KeyEvent, MouseEvent};
 
 use crate::worker::Answer;
 
-/// Something that happened.
+/// An event.
 #[derive(Debug)]
 pub enum Event {
     /// A key was pressed.
@@ -13,20 +13,20 @@ pub enum Event {
     Paste(String),
     /// A button of the mouse was pressed or its wheel turned.
     Mouse(MouseEvent),
-    /// The terminal has another size, or its contents are lost: everything is drawn again.
+    /// The terminal has another size, or lost its contents: redraw everything.
     Resize,
-    /// The worker has found something, or says why not.
+    /// An answer of the worker, or its failure.
     Answer(Answer),
-    /// It is time for the next frame of what moves.
+    /// The next frame of an animation is due.
     Tick,
     /// The file of the model may have changed on disk.
     Touched,
-    /// Something that goes on beside does not work, and why.
+    /// A background task failed, and why.
     Trouble(String),
-    /// A signal asks the program to stop for a while.
+    /// A signal requests a suspension.
     Suspend,
-    /// The program goes on after it was stopped.
+    /// The program continues after a suspension.
     Resume,
-    /// A signal with this number asks the program to end.
+    /// A signal with this number requests the end.
     Quit(i32),
 }

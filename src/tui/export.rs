@@ -44,7 +44,7 @@ pub fn provenance(app: &App) -> Provenance {
     if !app.curves.is_resolved() {
         notes.push("peaks may lie between the frequencies: the curves are not resolved".to_owned());
     }
-    let list = app.modal.list.as_ref();
+    let list = app.modes.list.as_ref();
     if let Some(doubt) = list.and_then(ModeList::doubt) {
         notes.push(format!("a peak may be missing: {doubt}"));
     }
@@ -71,7 +71,7 @@ fn names(scene: &Scene) -> Vec<String> {
             CurveKind::Reference => "reference",
             CurveKind::Model if scene.title.is_empty() => "model",
             CurveKind::Model => &scene.title,
-            CurveKind::Witness => "finite elements",
+            CurveKind::Fem => "finite elements",
             CurveKind::Measured => "measured",
         };
         let name = if curve.label.is_empty() {

@@ -1,32 +1,32 @@
-//! Finding names by parts of them.
+//! Fuzzy search of names.
 
-/// A word that is a whole word of the name.
+/// The score of a query word that equals a word of the name.
 const WHOLE: i32 = 100;
-/// A word with which a word of the name begins.
+/// The score of a query word that is a prefix of a word of the name.
 const START: i32 = 70;
-/// A word somewhere in the name.
+/// The score of a query word anywhere in the name.
 const WITHIN: i32 = 40;
-/// A word whose letters are in the name in their order.
+/// The score of a query word whose letters are in the name in order.
 const SCATTERED: i32 = 20;
-/// What a word counts for, against a letter that the name has too many.
+/// The weight of a query word relative to one extra letter of the name.
 const LETTERS: i32 = 256;
 
-/// Words that are sought.
+/// The words of a query.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Query {
     words: Vec<String>,
 }
 
 impl Query {
-    /// The words of a text; case does not count.
+    /// Splits a query into words; case is ignored.
     pub fn new(text: &str) -> Self {
         Self {
             words: words(&text.to_lowercase()).map(str::to_owned).collect(),
         }
     }
 
-    /// How well a name answers, more is better: each word must be in it, at least letter by letter. Of names that
-    /// answer alike, the shortest says the least else. Without words every name answers alike.
+    /// The score of a name, higher is better: each word must match, at least letter by letter. At equal matches the
+    /// shorter name wins. An empty query matches every name equally.
     pub fn score(&self, name: &str) -> Option<i32> {
         if self.words.is_empty() {
             return Some(0);
@@ -38,19 +38,19 @@ impl Query {
         Some(sum * LETTERS - letters)
     }
 
-    /// How well a description answers, less than any name: each word must stand in it as it is.
-    pub fn score_beside(&self, description: &str) -> Option<i32> {
-        self.stands_in(description).then_some(0)
+    /// The score of a match in a description, lower than any match in a name: each word must be in it literally.
+    pub fn score_with_description(&self, description: &str) -> Option<i32> {
+        self.is_in(description).then_some(0)
     }
 
-    /// Whether each word, of at least one, stands in a text as it is.
-    pub fn stands_in(&self, text: &str) -> bool {
+    /// Whether a non-empty query has each word literally in a text.
+    pub fn is_in(&self, text: &str) -> bool {
         let text = text.to_lowercase();
         !self.words.is_empty() && self.words.iter().all(|word| text.contains(word))
     }
 }
 
-/// The words of a text; what parts keys and names parts words too.
+/// The words of a text; separators of keys and names separate words, too.
 fn words(text: &str) -> impl Iterator<Item = &str> + Clone {
     text.split(|c: char| c.is_whitespace() || matches!(c, '_' | '.' | '-'))
         .filter(|word| !word.is_empty())
@@ -77,7 +77,7 @@ fn score(word: &str, name: &str) -> Option<i32> {
 mod tests {
     use super::*;
 
-    /// The names that answer, the best first.
+    /// The matching names, best first.
     fn found<'a>(query: &str, names: &[&'a str]) -> Vec<&'a str> {
         let query = Query::new(query);
         let mut scores: Vec<_> = names
@@ -118,10 +118,13 @@ mod tests {
     fn nothing_typed_finds_all_and_a_description_only_by_what_stands_in_it() {
         assert_eq!(found(" ", &["b", "a"]), ["b", "a"]);
         assert_eq!(
-            Query::new("file again").score_beside("read the file again"),
+            Query::new("file again").score_with_description("read the file again"),
             Some(0)
         );
-        assert_eq!(Query::new("fl").score_beside("read the file again"), None);
-        assert!(!Query::new("").stands_in("anything"));
+        assert_eq!(
+            Query::new("fl").score_with_description("read the file again"),
+            None
+        );
+        assert!(!Query::new("").is_in("anything"));
     }
 }

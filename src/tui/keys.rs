@@ -1,6 +1,6 @@
-//! The one key table. Dispatch, the hint line, help, the palette, the guide's table and the man page all come from it.
+//! The key table. Dispatch, the hint line, help, the palette, the table in the guide and the man page all use it.
 //!
-//! The rows are in [`SECTIONS`]; [`KeyMap`] is the table with the keys that the user's configuration gives to commands.
+//! The rows are in [`SECTIONS`]; [`KeyMap`] is the table with the user's key bindings.
 
 mod command;
 mod key;
@@ -11,38 +11,38 @@ pub use command::Movement;
 pub use key::Key;
 pub use map::{Conflict, KeyMap, names};
 pub use table::{
-    AnywhereCommand, BesideCommand, Command, CompareCommand, CurvesCommand, FileCommand,
-    LookCommand, ModelCommand, ModesCommand, PaletteCommand, PickerCommand, PromptCommand,
+    AnywhereCommand, BeamViewCommand, Command, CompareCommand, ComparisonCommand, CurvesCommand,
+    FileCommand, ModelCommand, ModesCommand, PaletteCommand, PickerCommand, PromptCommand,
     ReaderCommand, ReadingCommand, RecoveryCommand, ReplaceCommand, SECTIONS, SearchCommand,
     TableCommand, TreeCommand, TuneCommand, UnsavedCommand,
 };
 
 use key::{control, key, shifted, special};
 
-/// Where a key has its meaning.
+/// Where a binding applies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Scope {
     /// The tree and the chart.
     Main,
     /// A table below the chart; other keys are those of the tree and the chart.
     Table,
-    /// A box in which a value, a name or a path is typed.
+    /// A prompt for a value, a name or a path.
     Prompt,
-    /// The search of all commands and parameters.
+    /// The palette.
     Palette,
     /// The search of the tree.
     Search,
     /// The list of presets.
     Picker,
     /// The list of references and measured curves.
-    Beside,
+    Comparison,
     /// Help and lists of faults.
     Reader,
-    /// The question what becomes of unsaved changes.
+    /// The confirmation about unsaved changes.
     Unsaved,
-    /// The question whether a file is replaced.
+    /// The confirmation before a file is replaced.
     Replace,
-    /// The list of unsaved changes that were found.
+    /// The list of recovered changes.
     Recovery,
     /// Everywhere, after the scope's own keys.
     Any,
@@ -57,7 +57,7 @@ impl Scope {
         Self::Palette,
         Self::Search,
         Self::Picker,
-        Self::Beside,
+        Self::Comparison,
         Self::Reader,
         Self::Unsaved,
         Self::Replace,
@@ -74,7 +74,7 @@ impl Scope {
             Self::Palette => "palette",
             Self::Search => "search",
             Self::Picker => "presets",
-            Self::Beside => "beside",
+            Self::Comparison => "beside",
             Self::Reader => "reader",
             Self::Unsaved => "unsaved",
             Self::Replace => "replace",
@@ -89,10 +89,10 @@ impl Scope {
     }
 }
 
-/// When a binding's hint is on the last line.
+/// When the hint of a binding is on the last line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Hint {
-    /// Never; help has it.
+    /// Never; only in help.
     Never,
     /// On every row.
     Always(&'static str),
@@ -112,7 +112,7 @@ pub enum Hint {
     Table(&'static str),
 }
 
-/// What kind of row is selected, for the hints.
+/// The kind of the selected row, for the hints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RowKind {
     /// A number.
@@ -147,24 +147,24 @@ impl Hint {
 /// A row of the table.
 #[derive(Debug)]
 pub struct Binding {
-    /// The command's name in the configuration file and the palette, once in a scope.
+    /// The command's name in the configuration file and the palette; unique in its scope.
     pub name: &'static str,
-    /// The keys as long as the user gave it no others; the first is the one in hints.
+    /// The default keys; the first one is in hints.
     pub keys: &'static [Key],
-    /// What they do.
+    /// The command.
     pub command: Command,
-    /// Words on the last line.
+    /// The hint on the last line.
     pub hint: Hint,
-    /// A line of help.
+    /// The help line.
     pub help: &'static str,
 }
 
-/// Bindings that belong together.
+/// A group of bindings.
 #[derive(Debug)]
 pub struct Section {
     /// Heading in help.
     pub title: &'static str,
-    /// Where the keys have their meaning.
+    /// Where the keys apply.
     pub scope: Scope,
     /// The rows of movement, which come first.
     moves: &'static [Binding],

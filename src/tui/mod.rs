@@ -1,9 +1,8 @@
-//! The designer: a terminal program in which a parameter is turned and its curves follow.
+//! The designer: a terminal program that shows frequency responses while the user changes a parameter.
 //!
-//! A key becomes a command by the one table of [`keys`], a command changes the state of [`app`], the state is drawn
-//! by `view`. What is to be done outside of the state (solving, files) are effects, performed by `effects` here; the
-//! program waits on one channel of [`event::Event`]s and draws when one has arrived and [`pace`] sees fit. What it
-//! keeps for its user is in [`user`].
+//! The table of [`keys`] maps a key to a command, a command changes the state of [`app`], and `view` draws the state.
+//! Input, output and solving are effects, performed by `effects`. The program waits on one channel of
+//! [`event::Event`]s; after an event, [`frame_scheduler`] decides when to draw. [`user`] stores the user's files.
 
 pub mod app;
 mod ascii;
@@ -11,10 +10,10 @@ pub mod backend;
 mod effects;
 pub mod event;
 mod export;
+pub mod frame_scheduler;
 mod fuzzy;
 pub mod keys;
 pub mod options;
-pub mod pace;
 pub mod plot;
 mod run;
 pub mod scene;

@@ -1,9 +1,9 @@
-//! What the look of the designer depends on: what the user asks for, and what the environment says of the terminal.
+//! The appearance of the designer: the user's options, and the capabilities of the terminal from the environment.
 
 use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
 
-/// An enum of choices, each with the word that names it on the command line and in a configuration file.
+/// An enum of choices, each with its word on the command line and in the configuration file.
 macro_rules! choices {
     (
         $(#[$meta:meta])*
@@ -16,10 +16,10 @@ macro_rules! choices {
         }
 
         impl $name {
-            /// All of them, in the order in which they are listed.
+            /// All of them, in listing order.
             pub const ALL: &'static [Self] = &[$(Self::$choice),+];
 
-            /// The word that names it.
+            /// Its word.
             pub const fn word(self) -> &'static str {
                 match self {
                     $(Self::$choice => $word,)+
@@ -89,23 +89,23 @@ choices! {
     }
 }
 
-/// The options of the look; what is `None` was not asked for.
+/// Appearance options; `None` is not set.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Options {
     /// How many colours.
     pub colours: Option<Colours>,
-    /// The ground they stand on.
+    /// The background.
     pub ground: Option<Ground>,
-    /// Nothing but ASCII on the whole screen.
+    /// Only ASCII on the whole screen.
     pub ascii: Option<bool>,
     /// The characters of curves.
     pub marker: Option<Marker>,
-    /// Whether the mouse is the program's, not the terminal's.
+    /// Whether the program captures the mouse.
     pub mouse: Option<bool>,
 }
 
 impl Options {
-    /// These options, and those of `beneath` where these say nothing.
+    /// These options, with defaults from `beneath`.
     #[must_use]
     pub fn over(self, beneath: Self) -> Self {
         Self {
@@ -118,10 +118,10 @@ impl Options {
     }
 }
 
-/// The options of the look on the command line.
+/// Appearance options on the command line.
 #[derive(Debug, Clone, Copy, Default, Args)]
 #[command(next_help_heading = "Look")]
-pub struct LookArguments {
+pub struct AppearanceArguments {
     /// How many colours to use.
     #[arg(long, value_name = "WHEN")]
     pub color: Option<Colours>,
@@ -139,8 +139,8 @@ pub struct LookArguments {
     pub no_mouse: bool,
 }
 
-impl LookArguments {
-    /// As options; a flag that was not given says nothing.
+impl AppearanceArguments {
+    /// As options; a missing flag is not set.
     pub fn options(self) -> Options {
         Options {
             colours: self.color,
@@ -152,7 +152,7 @@ impl LookArguments {
     }
 }
 
-/// What the environment variables say of the terminal.
+/// What the environment variables say about the terminal.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Environment {
     /// `NO_COLOR` is set and not empty (no-color.org).
@@ -161,14 +161,14 @@ pub struct Environment {
     pub colorterm: Option<String>,
     /// `TERM`.
     pub term: Option<String>,
-    /// `COLORFGBG`: the numbers of the letters' and the ground's colour, such as `15;0`.
+    /// `COLORFGBG`: the numbers of the foreground and the background colour, such as `15;0`.
     pub colorfgbg: Option<String>,
     /// `LC_ALL`, `LC_CTYPE` or `LANG`: the first that is set and not empty (POSIX.1-2017, 8.2).
     pub locale: Option<String>,
 }
 
 impl Environment {
-    /// What it says to this process.
+    /// The environment of this process.
     pub fn of_process() -> Self {
         let variable = |name: &str| {
             let value = std::env::var_os(name)?;
@@ -185,21 +185,21 @@ impl Environment {
         }
     }
 
-    /// Whether the terminal shows more than ASCII: the locale is one of UTF-8, and the terminal is none of the
-    /// consoles whose fonts lack braille and box drawing.
+    /// Whether the terminal shows more than ASCII: the locale is UTF-8, and the terminal is not a console whose font
+    /// lacks braille and box drawing.
     pub fn is_unicode(&self) -> bool {
         let locale = self.locale.as_deref().unwrap_or("C").to_ascii_lowercase();
-        // The code set stands after the full stop; Darwin knows a bare `UTF-8` too.
+        // The code set follows the full stop; Darwin also accepts a bare `UTF-8`.
         let unicode = locale.contains("utf-8") || locale.contains("utf8");
         unicode && !self.is_plain()
     }
 
-    /// Whether a screen can be drawn: the terminal has a name, and it is not that of one that only writes lines.
+    /// Whether a screen can be drawn: `TERM` is set, and the terminal is not line-only.
     pub fn has_screen(&self) -> bool {
         self.term.as_deref().is_some_and(|term| term != "dumb")
     }
 
-    /// Whether the terminal is a console, a hardware terminal or not known.
+    /// Whether the terminal is a console, a hardware terminal or unknown.
     fn is_plain(&self) -> bool {
         let term = self.term.as_deref().unwrap_or("unknown");
         term == "linux" || term == "unknown" || term.starts_with("vt")
@@ -215,7 +215,7 @@ mod tests {
     #[derive(Parser)]
     struct Line {
         #[command(flatten)]
-        look: LookArguments,
+        look: AppearanceArguments,
     }
 
     fn options(arguments: &[&str]) -> Options {

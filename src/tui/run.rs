@@ -1,4 +1,4 @@
-//! The loop: waits for events, lets the state take them, performs what it asks for, and draws.
+//! The event loop: waits for events, updates the state, performs its effects, and draws.
 
 use std::io::{self, Write as _};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -10,8 +10,8 @@ use signal_hook::consts::SIGHUP;
 use super::app::{App, Effect};
 use super::effects::{Outcome, Performer};
 use super::event::Event;
+use super::frame_scheduler::{FrameScheduler, Reason};
 use super::options::{Environment, Options};
-use super::pace::{Pace, Reason};
 use super::terminal::{self, Session};
 use super::theme::Theme;
 use super::user::config::Config;
@@ -22,38 +22,38 @@ use crate::escape::escape;
 use crate::files::Folders;
 use crate::files::Opened;
 
-/// From one frame of what moves to the next.
+/// The time between two frames of an animation.
 const FRAME: Duration = Duration::from_millis(100);
 
-/// A frame of what moves that takes longer to send is the last: the line carries no more.
+/// An animation stops if sending a frame takes longer: the connection is too slow.
 const SLOWEST_FRAME: Duration = Duration::from_millis(300);
 
-/// What the designer starts with beside the model.
+/// Everything the designer starts with, except the model.
 #[derive(Debug, Default)]
 pub struct Setup {
     /// The options of the command line.
     pub options: Options,
     /// The user's configuration.
     pub config: Config,
-    /// Where the user's files are; none where the user has no home.
+    /// The folders of the user's files; none without a home folder.
     pub folders: Option<Folders>,
 }
 
 /// How the designer ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ended {
-    /// It was left.
+    /// The user quit.
     Left,
-    /// By the signal with this number.
+    /// A signal with this number ended it.
     Signal(u8),
-    /// By a fault of its own, which has been reported.
+    /// An internal error, which has been reported.
     Fault,
 }
 
 /// Runs the designer until it ends.
 ///
 /// # Errors
-/// Where the terminal cannot be set up or written to.
+/// The terminal cannot be set up or written to.
 pub fn run(opened: Opened, setup: &Setup) -> io::Result<Ended> {
     let (sender, events) = mpsc::channel();
     let log_file = setup.folders.as_ref().map(Folders::log_file);
@@ -77,11 +77,11 @@ pub fn run(opened: Opened, setup: &Setup) -> io::Result<Ended> {
         session: &mut session,
         events: &events,
     };
-    // A panic is reported by the hook, which gives the terminal back; what is not saved is kept all the same.
+    // The hook reports a panic and restores the terminal; unsaved changes are stored in the recovery file all the same.
     let ended = catch_unwind(AssertUnwindSafe(|| stage.play()));
     drop(session);
     let ended = match ended.unwrap_or(Ok(Ended::Fault)) {
-        // Drawing may come upon it before the signal does.
+        // Drawing may detect the closed terminal before the signal arrives.
         Err(_) if terminal::is_gone() => Ok(Ended::Signal(SIGHUP as u8)),
         ended => ended,
     };
@@ -90,17 +90,18 @@ pub fn run(opened: Opened, setup: &Setup) -> io::Result<Ended> {
         _ => app.document.unsaved(),
     };
     if let Some(sentence) = performer.finish(unsaved) {
-        // Whoever ended the program may have closed standard error too.
+        // Standard error may be closed, too.
         let _ = writeln!(io::stderr(), "{}", escape(&sentence));
     }
-    // Last, for it may wait for another program; and not of a state that a fault may have left half changed.
+    // Last, because it may wait for another program; not after an internal error, which may leave the state half
+    // changed.
     if let (Some(folders), Ok(Ended::Left | Ended::Signal(_))) = (&setup.folders, &ended) {
         store_memory(&app, folders);
     }
     ended
 }
 
-/// Options and keys, and what is remembered; sentences on what could not be read.
+/// Options, keys and the stored view state; messages about what could not be read.
 fn configure(app: &mut App, setup: &Setup) -> Vec<String> {
     let mut troubles = Vec::new();
     let folders = setup.folders.as_ref();
@@ -128,7 +129,7 @@ fn tell_app(sender: &Sender<Event>, sentence: String) {
     let _ = sender.send(Event::Trouble(sentence));
 }
 
-/// Remembers options and views. What cannot be stored is a convenience lost, and goes to the log.
+/// Stores options and views. A failure costs only convenience, so it goes to the log.
 fn store_memory(app: &App, folders: &Folders) {
     let stored = memory::store(&folders.memory_file(), &app.remembered());
     if let Err(sentence) = stored {
@@ -136,17 +137,17 @@ fn store_memory(app: &App, folders: &Folders) {
     }
 }
 
-/// What came of waiting.
+/// The result of a wait.
 enum Waited {
     /// An event.
     Event(Event),
     /// It is time to draw.
     Long,
-    /// No event can come any more.
+    /// All senders are gone.
     InVain,
 }
 
-/// All that takes part.
+/// The parts of the running program.
 struct Stage<'a> {
     app: &'a mut App,
     performer: &'a mut Performer,
@@ -155,14 +156,14 @@ struct Stage<'a> {
 }
 
 impl Stage<'_> {
-    /// Plays until the program ends.
+    /// Runs until the program ends.
     fn play(&mut self) -> io::Result<Ended> {
         let effects = self.app.start();
         if let Some(ended) = self.perform(effects)? {
             return Ok(ended);
         }
-        let mut pace = Pace::new();
-        // The first picture has curves, unless they take long.
+        let mut pace = FrameScheduler::new();
+        // Draw the first picture with curves, unless they take long.
         pace.wants(Reason::Awaits, Instant::now());
         let mut next_frame = Instant::now();
         loop {
@@ -180,7 +181,7 @@ impl Stage<'_> {
         }
     }
 
-    fn draw(&mut self, pace: &mut Pace) -> io::Result<()> {
+    fn draw(&mut self, pace: &mut FrameScheduler) -> io::Result<()> {
         let began = Instant::now();
         let app = &mut *self.app;
         let mut drawn = None;
@@ -198,12 +199,12 @@ impl Stage<'_> {
         Ok(())
     }
 
-    /// Waits for the next event, or until something is to be drawn. An idle program waits without a clock.
+    /// Waits for the next event or the next drawing. An idle program waits without a timeout.
     fn wait(&self, due: Option<Instant>, next_frame: &mut Instant) -> Waited {
         let now = Instant::now();
         let moves = self.app.moves();
         if moves {
-            // A frame that was missed is not made up for.
+            // Missed frames are skipped.
             *next_frame = (*next_frame).clamp(now, now + FRAME);
         }
         let until = match (due, moves) {
@@ -226,12 +227,12 @@ impl Stage<'_> {
         }
     }
 
-    /// Takes an event and all that wait behind it, so that a burst is drawn once.
-    fn take(&mut self, first: Event, pace: &mut Pace) -> io::Result<Option<Ended>> {
+    /// Handles an event and all that wait after it, so that a burst is drawn once.
+    fn take(&mut self, first: Event, pace: &mut FrameScheduler) -> io::Result<Option<Ended>> {
         let mut next = Some(first);
         while let Some(event) = next {
             let reason = Reason::of(&event);
-            // A look at the file that found nothing draws nothing.
+            // A check of the file without a change draws nothing.
             let silent = matches!(event, Event::Touched).then(|| self.app.message.clone());
             let is_answer = matches!(event, Event::Answer(_));
             let shows_peaks = self.app.curves.shows_peaks();
@@ -242,10 +243,10 @@ impl Stage<'_> {
             if let Some(ended) = self.perform(effects)? {
                 return Ok(Some(ended));
             }
-            // What is read meanwhile waits for the curves that it belongs to.
+            // Readings that arrive meanwhile wait for their curves.
             let solves = solves || (is_answer && self.app.curves.is_stale());
             if silent.is_none_or(|said| self.app.message != said) {
-                // Only peaks that show can vanish and come back.
+                // Only visible peaks can vanish and come back.
                 let reason = if is_answer && !shows_peaks {
                     Reason::Shows
                 } else {
@@ -259,7 +260,7 @@ impl Stage<'_> {
         Ok(None)
     }
 
-    /// Says that there is nothing to go back to.
+    /// Reports that there is no shell to return to.
     fn say_alone(&mut self) {
         let words = "the terminal runs nothing but this program: no shell could go on with it";
         self.app.update(Event::Trouble(words.to_owned()));

@@ -41,10 +41,10 @@ pub struct Scene {
     pub panels: Vec<Panel>,
     /// The curves, those that are drawn first and beneath the others first.
     pub curves: Vec<SceneCurve>,
-    /// Curves that are not drawn but count for the bounds of the value axes, which stand still while a parameter is
-    /// turned.
+    /// Curves that are not drawn but count for the bounds of the value axes, so that the axes do not move while a
+    /// parameter changes.
     pub spanning: Vec<SceneCurve>,
-    /// What is marked on the frequency axis.
+    /// The marks on the frequency axis.
     pub marks: Marked,
 }
 
@@ -55,24 +55,24 @@ pub struct FrequencyAxis {
     pub unit: FrequencyUnit,
     /// Whether it is logarithmic.
     pub log: bool,
-    /// What it spans, Hz.
+    /// Its range, Hz.
     pub bounds: [f64; 2],
 }
 
 /// One value axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Panel {
-    /// What it shows: "|H|", "phase", "Re", "Im".
+    /// Its quantity: "|H|", "phase", "Re", "Im".
     pub name: &'static str,
     /// The unit on the axis, "dB re 1e-6 m/N".
     pub unit: String,
-    /// From a curve's value to the one on the axis.
+    /// Converts the value of a curve to the axis.
     pub level: Level,
-    /// What the axis spans, values on the axis; none where the curves decide.
+    /// The fixed range, in axis values; none: automatic.
     pub bounds: Option<[f64; 2]>,
 }
 
-/// What a curve is.
+/// The kind of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CurveKind {
     /// A frozen reference.
@@ -80,7 +80,7 @@ pub enum CurveKind {
     /// The model, or a member of its study.
     Model,
     /// Finite elements.
-    Witness,
+    Fem,
     /// A measurement.
     Measured,
 }
@@ -88,50 +88,49 @@ pub enum CurveKind {
 /// One curve.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SceneCurve {
-    /// The name; empty where the title says it, or another curve's for a group.
+    /// The legend entry; empty if the title or another curve of its group has it.
     pub label: String,
-    /// What it is.
+    /// Its kind.
     pub kind: CurveKind,
-    /// Which of the theme's colours it has.
+    /// The index of its colour in the theme.
     pub colour: usize,
-    /// Which of the theme's markers it has, if any.
+    /// The index of its marker in the theme, if any.
     pub marker: Option<usize>,
-    /// How it is drawn.
+    /// Its line style.
     pub line: LineStyle,
-    /// Older than the model, or only a reference.
+    /// Whether it is dim: older than the model, or a reference.
     pub dim: bool,
     /// Hz, rising.
     pub frequencies: Vec<f64>,
-    /// For each panel a value at each frequency, in the panel's unit (magnitudes without decibels); not finite at a gap.
+    /// For each panel one value per frequency, in the panel's unit (magnitudes without decibels); not finite at a gap.
     pub values: Vec<Vec<f64>>,
     /// Frequencies (Hz) at which it is infinite.
     pub poles: Vec<f64>,
-    /// For each panel the value at the cursor, solved there, where it is known; the phase within half a turn. None of a
-    /// difference.
+    /// For each panel the value solved at the cursor, if known; the phase wrapped. None for a difference.
     pub at_cursor: Option<Vec<f64>>,
 }
 
-/// What is marked on the frequency axis, Hz.
+/// The marks on the frequency axis, Hz.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Marked {
     /// The cursor.
     pub cursor: Option<f64>,
-    /// The second cursor, from which differences are counted.
+    /// The second cursor; differences are relative to it.
     pub second: Option<f64>,
     /// The cursor's harmonics: 2, 3, .. times its frequency.
     pub harmonics: Vec<f64>,
-    /// The band whose levels are told.
+    /// The marked band.
     pub band: Option<[f64; 2]>,
     /// The modes.
     pub modes: Vec<f64>,
-    /// Which of the modes is selected.
+    /// The index of the selected mode.
     pub mode: Option<usize>,
     /// Whether the modes belong to an older model.
     pub modes_dim: bool,
 }
 
 impl ChartView {
-    /// Every view, in the order in which a key goes through them.
+    /// Every view, in the order of the key.
     pub const ALL: [Self; 5] = [
         Self::Magnitude,
         Self::MagnitudePhase,
@@ -151,7 +150,7 @@ impl ChartView {
         }
     }
 
-    /// Whether a curve has two values at a frequency.
+    /// Whether the view has two panels.
     pub const fn has_two_panels(self) -> bool {
         matches!(
             self,
@@ -160,7 +159,7 @@ impl ChartView {
     }
 }
 
-/// What each panel of a view shows of a value; an energy is real and has no phase.
+/// The value in each panel of a view; an energy is real and has no phase.
 fn part(view: ChartView, value: Complex64, energy: bool) -> Vec<f64> {
     let magnitude = if energy { value.re } else { value.norm() };
     match view {
@@ -175,7 +174,7 @@ fn part(view: ChartView, value: Complex64, energy: bool) -> Vec<f64> {
     }
 }
 
-/// A level against another one, dB: ten decibels a decade of an energy, twenty else.
+/// A level relative to another one, dB: ten decibels per decade for an energy, else twenty.
 pub fn difference(energy: bool, value: Complex64, against: Complex64) -> f64 {
     if energy {
         10.0 * (value.re / against.re).log10()
@@ -184,7 +183,7 @@ pub fn difference(energy: bool, value: Complex64, against: Complex64) -> f64 {
     }
 }
 
-/// Lets a phase (degrees) run on past half a turn; it starts anew after a gap where it was.
+/// Unwraps a phase (degrees); after a gap it starts again at the wrapped value.
 fn unwrap(phase: &mut [f64]) {
     let mut last: Option<f64> = None;
     for value in phase.iter_mut().filter(|value| value.is_finite()) {
@@ -195,7 +194,7 @@ fn unwrap(phase: &mut [f64]) {
     }
 }
 
-/// A number as short as it can be: 1, 1e-12.
+/// The shortest text of a number: 1, 1e-12.
 fn plain(value: f64) -> String {
     if (1e-3..1e4).contains(&value) {
         format!("{value}")

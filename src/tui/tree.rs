@@ -1,7 +1,7 @@
-//! The model as a tree: which rows there are, what holds them, and which parameter each of them is.
+//! The model as a tree: its rows, their parents, and their parameters.
 //!
-//! A [`Node`] is a small value; texts are made from it only for the rows that are on the screen, so a model with
-//! thousands of subsystems costs no more to draw than one with three.
+//! A [`Node`] is a small value; only visible rows are formatted as text, so a model with thousands of subsystems is as
+//! fast to draw as one with three.
 
 mod changed;
 mod node;
@@ -21,13 +21,13 @@ use crate::model::{Group, Model, Restraint};
 pub struct Row {
     /// What it shows.
     pub node: Node,
-    /// How deep it is in the tree.
+    /// The depth in the tree.
     pub depth: u16,
-    /// None: it holds no rows. Else whether they are shown.
+    /// None for a row without children; else whether the children are visible.
     pub open: Option<bool>,
 }
 
-/// The rows that are shown, in order.
+/// The visible rows, in order.
 pub fn rows(model: &Model, open: impl Fn(Node) -> bool) -> Vec<Row> {
     let mut rows = Vec::new();
     let groups = Group::Model.groups(model).into_iter().map(Node::Group);
@@ -37,7 +37,7 @@ pub fn rows(model: &Model, open: impl Fn(Node) -> bool) -> Vec<Row> {
     rows
 }
 
-/// All rows of the model, as if every group were open.
+/// All rows of the model, with every group open.
 pub fn all_rows(model: &Model) -> Vec<Row> {
     rows(model, |_| true)
 }
@@ -69,7 +69,7 @@ fn holds_rows(model: &Model, node: Node) -> bool {
     }
 }
 
-/// The rows that a node holds, in order: the keys that have no place elsewhere, then the tables.
+/// The children of a node, in order: parameters that are not shown elsewhere, then tables.
 pub fn children(model: &Model, node: Node) -> Vec<Node> {
     let Node::Group(group) = node else {
         return Vec::new();
@@ -91,7 +91,7 @@ pub fn children(model: &Model, node: Node) -> Vec<Node> {
     children
 }
 
-/// The row with the same meaning in the neighbouring subsystem, force, response, study or support.
+/// The corresponding row of the next or previous subsystem, force, response, study or support.
 pub fn alike(model: &Model, node: Node, forward: bool) -> Option<Node> {
     let group = node.group();
     let list = group.owner().parent().filter(|list| *list != Group::Tune)?;

@@ -1,8 +1,7 @@
-//! What the program keeps for its user, outside of any model file: options and keys ([`config`]), what was last looked
-//! at ([`memory`]), edits that are not saved ([`recovery`]) and what went wrong ([`log`]), each in its place
-//! ([`Folders`](crate::files::Folders)).
+//! The user's files, apart from models: options and keys ([`config`]), the last view of each model ([`memory`]),
+//! unsaved changes ([`recovery`]) and errors ([`log`]), each in its folder ([`Folders`](crate::files::Folders)).
 //!
-//! Nothing here knows the designer's state. A folder is made when something is written to it, not before.
+//! This module does not know the designer's state. It creates a folder only when it writes to it.
 
 pub mod config;
 pub mod log;

@@ -1,21 +1,21 @@
-//! What is on the screen. The views read the state and know nothing of the solver beyond its curves.
+//! The views: they draw the state, and use only the curves of the solver.
 
+mod animated;
 mod band;
-mod beside;
-mod boxes;
 mod chart;
+mod comparison;
+mod confirm;
 mod deflection;
 mod details;
+mod dialogs;
 mod figure;
 mod forces;
 mod help;
 mod modes;
-mod moving;
 mod palette;
 mod peaks;
 mod power;
 mod prompt;
-mod questions;
 mod readings;
 mod readout;
 mod section;
@@ -36,28 +36,28 @@ use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Paragraph, Wrap};
 use ratatui::{Frame, Terminal};
 
-use super::app::{App, List, Look, Rows, Screen, Table};
+use super::app::{App, BeamView, List, Rows, Screen, Table};
 use super::ascii;
 use super::keys::AnywhereCommand;
 use super::theme::Theme;
 use crate::fault_injection;
 use figure::Drawn;
 
-/// The smallest screen that is drawn, columns and rows.
+/// The smallest supported screen, columns and rows.
 pub const SMALLEST: (u16, u16) = (60, 18);
-/// From this width on the chart stands beside the tree.
+/// From this width on, the chart is to the right of the tree.
 const BESIDE: u16 = 76;
-/// From this height on the details stand below the tree.
+/// From this height on, the details are below the tree.
 const DETAILED: u16 = 20;
-/// Rows of the details below the tree, their rule included.
+/// Rows of the details below the tree, including their rule.
 const DETAILS: u16 = 6;
 
-/// From this height of the right side on the shape stands below the chart, not in its place.
+/// From this height of the right side on, the beam view is below the chart; else it replaces the chart.
 const SHAPED: u16 = 20;
 /// A table takes at most this share of the right side's height, in percent.
 const TABLED: u16 = 45;
 
-/// Where the panels are. What does not show has no height.
+/// The areas of the panels. A hidden panel has no height.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct Panels {
     pub(crate) status: Rect,
@@ -69,16 +69,16 @@ pub(crate) struct Panels {
     pub(crate) hints: Rect,
 }
 
-/// What shows beside the model and the chart.
+/// The optional panels next to tree and chart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Beside {
-    /// The rows that a table wants, if there is one.
+struct OptionalPanels {
+    /// The rows of the open table, if any.
     table: Option<u16>,
     shape: bool,
 }
 
-/// The panels of a screen, if it is large enough.
-fn panels(area: Rect, wanted: Beside) -> Option<Panels> {
+/// The panels of a screen; none if it is too small.
+fn panels(area: Rect, wanted: OptionalPanels) -> Option<Panels> {
     if area.width < SMALLEST.0 || area.height < SMALLEST.1 {
         return None;
     }
@@ -106,8 +106,8 @@ fn panels(area: Rect, wanted: Beside) -> Option<Panels> {
     Some(panels)
 }
 
-/// Tree and details at the left, the chart and a table below it at the right.
-fn beside(area: Rect, wanted: Beside) -> Panels {
+/// Tree and details on the left, the chart with a table below it on the right.
+fn beside(area: Rect, wanted: OptionalPanels) -> Panels {
     let width = (area.width / 3).clamp(36, 42);
     let [left, right] =
         Layout::horizontal([Constraint::Length(width), Constraint::Fill(1)]).areas(area);
@@ -132,8 +132,8 @@ fn beside(area: Rect, wanted: Beside) -> Panels {
     }
 }
 
-/// The chart above; below it tree and details, or a table in their place.
-fn stacked(area: Rect, wanted: Beside) -> Panels {
+/// The chart at the top; below it tree and details, or instead a table.
+fn stacked(area: Rect, wanted: OptionalPanels) -> Panels {
     let below = (area.height / 2).saturating_sub(1);
     let [chart, below] =
         Layout::vertical([Constraint::Fill(1), Constraint::Length(below)]).areas(area);
@@ -156,7 +156,7 @@ fn stacked(area: Rect, wanted: Beside) -> Panels {
     }
 }
 
-/// Draws everything; where things are then, or none where the screen is too small. [`App::drawn`] stores it.
+/// Draws everything; returns the positions, or none if the screen is too small. [`App::drawn`] stores them.
 pub fn draw(frame: &mut Frame<'_>, app: &App) -> Option<Screen> {
     fault_injection::inject("drawing", &app.model().title);
     let theme = app.theme;
@@ -174,9 +174,9 @@ fn draw_panels(frame: &mut Frame<'_>, app: &App, theme: Theme) -> Option<Screen>
     tables.band.set_rows(band::rows(app).len());
     tables.tuning.set_rows(tuning::rows(app).len());
     let list = tables.open.map(|table| *tables.list_mut(table));
-    let wanted = Beside {
+    let wanted = OptionalPanels {
         table: list.map(|list| (list.rows.max(1) as u16).saturating_add(table::FRAME_ROWS)),
-        shape: app.looking.look.is_some(),
+        shape: app.beam_view.shown.is_some(),
     };
     let Some(panels) = panels(frame.area(), wanted) else {
         too_small(frame, &app.keys.key_of(AnywhereCommand::End));
@@ -192,14 +192,14 @@ fn draw_panels(frame: &mut Frame<'_>, app: &App, theme: Theme) -> Option<Screen>
         Drawn::default()
     };
     if panels.shape.height > 0 {
-        draw_look(frame, app, theme, panels.shape);
+        draw_beam_view(frame, app, theme, panels.shape);
     }
     let table = tables.open.map(|open| {
         let list = tables.list_mut(open);
         draw_table(frame, app, open, list, panels.table)
     });
     status::draw_hints(frame, app, theme, panels.hints);
-    let (dialog, list) = boxes::draw(frame, app, theme, &panels);
+    let (dialog, list) = dialogs::draw(frame, app, theme, &panels);
     Some(Screen {
         area: frame.area(),
         tree: Rows {
@@ -216,7 +216,7 @@ fn draw_panels(frame: &mut Frame<'_>, app: &App, theme: Theme) -> Option<Screen>
     })
 }
 
-/// Draws the table that is open; where its rows are.
+/// Draws the open table; returns the area of its rows.
 fn draw_table(frame: &mut Frame<'_>, app: &App, open: Table, list: &mut List, area: Rect) -> Rows {
     let theme = app.theme;
     match open {
@@ -229,26 +229,26 @@ fn draw_table(frame: &mut Frame<'_>, app: &App, open: Table, list: &mut List, ar
     }
 }
 
-/// What is looked at below the chart.
-fn draw_look(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
-    match app.looking.look {
-        Some(Look::Mode) => shape::draw(frame, app, theme, area),
-        Some(Look::Structure) => structure::draw(frame, app, theme, area),
-        Some(Look::Section) => section::draw(frame, app, theme, area),
-        Some(Look::Deflection) => deflection::draw(frame, app, theme, area),
-        Some(Look::Moments | Look::Shear | Look::Torque | Look::Bimoment) => {
+/// Draws the beam view below the chart.
+fn draw_beam_view(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
+    match app.beam_view.shown {
+        Some(BeamView::Mode) => shape::draw(frame, app, theme, area),
+        Some(BeamView::Structure) => structure::draw(frame, app, theme, area),
+        Some(BeamView::Section) => section::draw(frame, app, theme, area),
+        Some(BeamView::Deflection) => deflection::draw(frame, app, theme, area),
+        Some(BeamView::Moments | BeamView::Shear | BeamView::Torque | BeamView::Bimoment) => {
             forces::draw(frame, app, theme, area);
         }
-        Some(Look::Power) => power::draw(frame, app, theme, area),
+        Some(BeamView::Power) => power::draw(frame, app, theme, area),
         None => {}
     }
 }
 
-/// The screen as text, as it was drawn last: a line a row, without blanks at their ends.
+/// The screen as text, as drawn last: one line per row, without trailing blanks.
 pub fn text(app: &App) -> String {
     let size = app.screen.area;
     let backend = TestBackend::new(size.width, size.height);
-    // Such a backend has no errors.
+    // This backend cannot fail.
     let Ok(mut terminal) = Terminal::new(backend);
     let _ = terminal.draw(|frame| drop(draw(frame, app)));
     let buffer = terminal.backend().buffer();
@@ -267,9 +267,9 @@ fn too_small(frame: &mut Frame<'_>, leave: &str) {
     frame.render_widget(Paragraph::new(text).wrap(Wrap { trim: true }), area);
 }
 
-/// A title as it stands in a rule.
+/// A title in a rule.
 fn rule(title: &str, theme: Theme) -> Line<'static> {
-    // The rule beneath is dim.
+    // The rule itself is dim.
     let style = theme.accent().remove_modifier(Modifier::DIM);
     Line::from(vec![
         Span::styled("─", theme.dim()),
@@ -277,7 +277,7 @@ fn rule(title: &str, theme: Theme) -> Line<'static> {
     ])
 }
 
-/// A panel with a rule at the top: its title there, and a note at the right where there is room for both.
+/// A panel with a rule at the top: the title on the left, a note on the right if there is room for both.
 fn panel(title: Line<'static>, note: Line<'static>, columns: u16) -> Block<'static> {
     let block = Block::new().borders(Borders::TOP);
     let room = usize::from(columns).saturating_sub(title.width() + 1);
@@ -289,7 +289,7 @@ fn panel(title: Line<'static>, note: Line<'static>, columns: u16) -> Block<'stat
     }
 }
 
-/// A panel with its title in a rule at the top and a rule at its right.
+/// A panel with its title in a rule at the top and a rule on its right.
 fn block(title: &str, theme: Theme) -> Block<'static> {
     Block::new()
         .borders(Borders::TOP | Borders::RIGHT)
@@ -297,7 +297,7 @@ fn block(title: &str, theme: Theme) -> Block<'static> {
         .title(rule(title, theme))
 }
 
-/// What is inside of such a panel.
+/// The area inside such a panel.
 fn block_inside(area: Rect) -> Rect {
     Block::new()
         .borders(Borders::TOP | Borders::RIGHT)

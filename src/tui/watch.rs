@@ -1,4 +1,4 @@
-//! Notices when another program changes the file of the model.
+//! Detects when another program changes the file of the model.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,20 +9,20 @@ use std::time::{Duration, SystemTime};
 
 use super::event::Event;
 
-/// How often the file is looked at.
+/// The polling interval.
 const LOOK_EVERY: Duration = Duration::from_secs(1);
 
-/// The file that is looked at from time to time.
+/// The watched file.
 #[derive(Debug, Default)]
 pub struct Watch {
     path: Arc<Mutex<Option<PathBuf>>>,
 }
 
-/// What tells one state of a file from another without reading it; none where there is no file.
+/// A stamp that identifies the state of a file without reading it; none if there is no file.
 type Stamp = Option<(Option<SystemTime>, u64)>;
 
 impl Watch {
-    /// Starts looking; tells when a file has another stamp than before, also after a save of this program.
+    /// Starts polling; reports when the stamp of the file changes, also after a save of this program.
     pub fn start(to: Sender<Event>) -> Self {
         let watch = Self::default();
         let path = Arc::clone(&watch.path);
@@ -30,7 +30,7 @@ impl Watch {
         watch
     }
 
-    /// Looks at this file from now on.
+    /// Watches this file from now on.
     pub fn set(&self, path: Option<&Path>) {
         let mut watched = self.path.lock().unwrap_or_else(PoisonError::into_inner);
         if watched.as_deref() != path {
@@ -47,7 +47,7 @@ fn look(path: &Mutex<Option<PathBuf>>, to: &Sender<Event>) {
             let stamp = stamp(&path);
             (path, stamp)
         });
-        // A file that was just opened is looked at too: it may have changed since it was read.
+        // A newly opened file is reported, too: it may have changed since it was read.
         let touched = now.is_some() && now != seen;
         seen = now;
         if touched && to.send(Event::Touched).is_err() {

@@ -8,7 +8,7 @@ use std::sync::atomic::AtomicBool;
 use beamtune::measured::{Hint, Layout, inspect, read};
 use beamtune::model::Model;
 use beamtune::solve::{Frf, sweep};
-use beamtune::tui::app::{Look, Message, OpenedMeasured, Overlay, Reply};
+use beamtune::tui::app::{BeamView, Message, OpenedMeasured, Overlay, Reply};
 use beamtune::tui::plot::Level;
 use beamtune::tui::scene::{self, ChartView, CurveKind, Scene};
 use beamtune::unit::Form;
@@ -259,7 +259,7 @@ fn references_are_kept_named_hidden_and_dropped() {
     let mut driver = Driver::preset("fig05a");
     driver.select("subsystems.S1.mass").keys("f > f");
     let names = |driver: &Driver| -> Vec<String> {
-        let references = driver.app.beside.references.iter();
+        let references = driver.app.comparison.references.iter();
         references.map(|one| one.name.clone()).collect()
     };
     assert_eq!(names(&driver), ["before", "before 2"]);
@@ -334,7 +334,7 @@ fn levels_are_fixed_zoomed_and_let_go() {
 fn what_the_beam_does_follows_the_cursor() {
     let mut driver = Driver::preset("fig05a");
     driver.keys("@").typed("100").keys("Enter O");
-    assert_eq!(driver.app.looking.look, Some(Look::Deflection));
+    assert_eq!(driver.app.beam_view.shown, Some(BeamView::Deflection));
     let operating = driver.app.operating().unwrap();
     assert_eq!(operating.frequency, 100.0);
     // Expected: the response that the solver gives for w at the right end.
@@ -352,7 +352,7 @@ fn what_the_beam_does_follows_the_cursor() {
     assert_eq!(driver.app.operating().unwrap().frequency, cursor);
     assert!(!driver.app.operating_is_stale());
     driver.keys("O O O O O O");
-    assert_eq!(driver.app.looking.look, None);
+    assert_eq!(driver.app.beam_view.shown, None);
 }
 
 /// A measured curve of the first response of the cantilever, in a unit, loaded.
@@ -397,7 +397,7 @@ fn a_measured_curve_fits_in_every_form_whatever_was_measured() {
     for form in [None].into_iter().chain(Form::ALL.map(Some)) {
         assert_eq!(driver.app.display.form, form);
         // Expected: it is the model's own response, so that FRAC is 1 and nothing differs.
-        let fit = &driver.app.beside.fits[0].fit;
+        let fit = &driver.app.comparison.fits[0].fit;
         assert_near(fit.frac, 1.0, 1e-12);
         assert!(fit.mean_decibels.abs() < 1e-10, "{form:?}");
         let curves = scene(&driver).curves;
@@ -459,28 +459,28 @@ fn columns_are_asked_for_with_a_preview_and_notes_are_told() {
 fn a_fit_follows_the_model_and_a_file_that_is_loaded_again() {
     let mut driver = with_measured("m/N", |_, h| 2.0 * h);
     // Closed form: twice the response is 6.0206 dB, of one shape.
-    assert_near(driver.app.beside.fits[0].fit.frac, 1.0, 1e-12);
+    assert_near(driver.app.comparison.fits[0].fit.frac, 1.0, 1e-12);
     assert_near(
-        driver.app.beside.fits[0].fit.mean_decibels,
+        driver.app.comparison.fits[0].fit.mean_decibels,
         -20.0 * 2.0_f64.log10(),
         1e-9,
     );
     driver.select("beam.length").keys(">");
-    assert!(driver.app.beside.fits[0].fit.frac < 0.99);
+    assert!(driver.app.comparison.fits[0].fit.frac < 0.99);
     driver.keys("u Q x Esc");
-    assert!(driver.app.beside.fits.is_empty());
+    assert!(driver.app.comparison.fits.is_empty());
     load(
         &mut driver,
         "f [Hz],re [m/N],im [m/N]\n10,1,0\n20,2,0\n30,1,1\n",
     );
-    assert_eq!(driver.app.beside.fits[0].fit.points, 3);
+    assert_eq!(driver.app.comparison.fits[0].fit.points, 3);
     // Another file with the same name has other frequencies.
     driver.keys("Q x Esc");
     load(
         &mut driver,
         "f [Hz],re [m/N],im [m/N]\n11,1,0\n21,2,0\n31,1,1\n41,1,1\n",
     );
-    assert_eq!(driver.app.beside.fits[0].fit.points, 4);
+    assert_eq!(driver.app.comparison.fits[0].fit.points, 4);
 }
 
 #[test]
@@ -553,13 +553,13 @@ fn a_measured_motion_stands_with_the_motion_under_the_one_force() {
         let omega = std::f64::consts::TAU * f;
         -omega * omega * h * amplitude
     });
-    assert!(driver.app.beside.fits.is_empty());
+    assert!(driver.app.comparison.fits.is_empty());
     driver.keys("Q");
     let screen = driver.screen(120, 40);
     assert!(screen.contains("does not fit what shows"), "{screen}");
     driver.keys("Esc I");
     assert!(driver.app.display.motion && driver.app.display.form.is_none());
-    let fit = &driver.app.beside.fits[0].fit;
+    let fit = &driver.app.comparison.fits[0].fit;
     // Expected: it is the model's own motion.
     assert_near(fit.frac, 1.0, 1e-12);
     assert!(fit.mean_decibels.abs() < 1e-10, "{}", fit.mean_decibels);
@@ -595,9 +595,9 @@ fn of_a_file_with_many_curves_any_can_be_chosen() {
     let screen = driver.screen(80, 24);
     assert!(screen.contains("Which of 40 curves"), "{screen}");
     assert!(screen.contains("40 P40"), "{screen}");
-    assert!(driver.app.beside.measured.is_empty());
+    assert!(driver.app.comparison.measured.is_empty());
     let names = |driver: &Driver| -> Vec<String> {
-        let measured = driver.app.beside.measured.iter();
+        let measured = driver.app.comparison.measured.iter();
         measured.map(|one| one.name.clone()).collect()
     };
     // What chooses nothing or too much keeps the box and says so.

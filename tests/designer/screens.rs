@@ -13,7 +13,7 @@ use super::driver::Driver;
 use beamtune::files::Source;
 use beamtune::model::{Model, Restraint, Unit};
 use beamtune::solve::modes::{Completeness, Gap};
-use beamtune::tui::app::{Lost, Outside, Reply};
+use beamtune::tui::app::{ExternalChange, Lost, Reply};
 use beamtune::worker::Stage;
 
 /// A snapshot of the screen after some keys.
@@ -238,11 +238,11 @@ fn zoomed() {
 #[test]
 fn a_file_that_another_program_changed_is_marked() {
     let mut driver = Driver::preset("fig05a");
-    driver.app.reply(Reply::Compared(Outside::Changed));
+    driver.app.reply(Reply::Compared(ExternalChange::Changed));
     assert!(status(&mut driver).contains("· changed on disk"));
     driver.select("beam.length").keys("+");
     assert!(status(&mut driver).contains("· changed, also on disk"));
-    driver.app.reply(Reply::Compared(Outside::Gone));
+    driver.app.reply(Reply::Compared(ExternalChange::Gone));
     assert!(status(&mut driver).contains("· gone from disk"));
 }
 
@@ -468,10 +468,10 @@ fn finite_elements_stand_beside_the_curve() {
 #[test]
 fn a_mode_that_was_won_is_said() {
     let mut driver = Driver::preset("fig06");
-    let before = driver.app.modal.list.as_ref().map(|list| list.rows.len());
+    let before = driver.app.modes.list.as_ref().map(|list| list.rows.len());
     driver.select("beam.length");
     // A longer beam has more modes below 400 Hz.
-    while driver.app.modal.list.as_ref().map(|list| list.rows.len()) == before {
+    while driver.app.modes.list.as_ref().map(|list| list.rows.len()) == before {
         driver.keys("+");
     }
     let status = status(&mut driver);

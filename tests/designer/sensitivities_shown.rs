@@ -214,7 +214,7 @@ fn what_a_nudge_does_is_what_the_bar_said() {
 fn without_a_figure_there_is_a_word() {
     let mut driver = Driver::preset("fig05a");
     driver.app.curves.visible.clear();
-    driver.app.modal = beamtune::tui::app::Modal::default();
+    driver.app.modes = beamtune::tui::app::ModesState::default();
     driver.keys("~");
     let Some(Message::Refused(text)) = &driver.app.message else {
         panic!("{:?}", driver.app.message);

@@ -31,7 +31,7 @@ fn refusal(driver: &Driver) -> String {
 }
 
 fn names_beside(driver: &Driver) -> Vec<&str> {
-    let references = driver.app.beside.references.iter();
+    let references = driver.app.comparison.references.iter();
     references.map(|one| one.name.as_str()).collect()
 }
 

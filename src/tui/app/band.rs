@@ -1,4 +1,4 @@
-//! A band of the frequency axis whose levels are told: maximum, mean square, and the reduction against a reference.
+//! The levels in a band of the frequency axis: maximum, mean square, and the reduction relative to a reference.
 
 use std::sync::Arc;
 
@@ -10,7 +10,7 @@ use crate::solve::band::Level;
 use crate::unit::{Form, Kind};
 use crate::worker::{LevelsAnswer, LevelsRequest, Request, Subject};
 
-/// What levels were asked for.
+/// The key of a request for levels.
 #[derive(Debug, Clone, PartialEq)]
 struct Key {
     generation: u64,
@@ -29,7 +29,7 @@ pub struct MemberLevels {
     pub levels: Vec<ResponseLevel>,
 }
 
-/// The level of a response in the band, divided by the force where that shows.
+/// The level of a response in the band, divided by the force where the display does so.
 #[derive(Debug, Clone)]
 pub struct ResponseLevel {
     /// The response's name.
@@ -54,17 +54,17 @@ pub struct BandLevels {
 /// The marked band.
 #[derive(Debug, Default)]
 pub struct Band {
-    /// What it spans, Hz; none where none is marked.
+    /// Lower and upper end, Hz; none if no band is marked.
     pub span: Option<[f64; 2]>,
-    /// The levels in it, as they were solved last.
+    /// The levels solved last.
     pub levels: Option<BandLevels>,
-    /// Why there are none, where the last question failed.
+    /// Why the last request failed.
     pub failure: Option<String>,
     asked: LastRequest<Key>,
 }
 
 impl App {
-    /// Marks the band between the cursors, or the one that shows; or takes it away.
+    /// Marks the band between the cursors, or the visible one; if a band is marked, removes the mark.
     pub(super) fn turn_band(&mut self) {
         if self.band.span.take().is_some() {
             self.band.levels = None;
@@ -83,20 +83,20 @@ impl App {
         self.done(format!("band from {low} to {high}"));
     }
 
-    /// The form whose levels are told: an inverse has none.
+    /// The form of the levels: inverse forms have no levels.
     pub fn band_form(&self) -> Option<Form> {
         self.display.form.filter(|form| !form.is_inverse())
     }
 
-    /// Asks for the levels in the band.
+    /// Requests the levels in the band.
     pub(super) fn want_levels(&mut self) -> Option<Request> {
-        // A held key does not wait for them.
+        // A repeated key must not wait for them.
         if !self.curves.is_resolved() {
             return None;
         }
         let key = Key {
             generation: self.curves.generation,
-            references: self.beside.shown_ids(),
+            references: self.comparison.shown_ids(),
             span: self.band.span?,
             form: self.band_form(),
             motion: self.display.motion,
@@ -121,7 +121,7 @@ impl App {
         Some(Request::Levels(request))
     }
 
-    /// Takes the levels that were asked for last.
+    /// Stores the levels of the last request.
     pub(super) fn take_levels(&mut self, answer: LevelsAnswer) {
         let Some(key) = self.band.asked.answered(answer.serial) else {
             return;
@@ -150,7 +150,7 @@ impl App {
     }
 }
 
-/// A model whose responses are measured as a form has it.
+/// The model with its responses measured in a form.
 fn brought_to(model: &Checked, form: Form) -> Checked {
     model.derived(|model| {
         for response in &mut model.responses {
@@ -161,7 +161,7 @@ fn brought_to(model: &Checked, form: Form) -> Checked {
     })
 }
 
-/// The levels of the enabled responses, of the `motion` itself or divided by the force where there is just one.
+/// The levels of the enabled responses: of the `motion` itself, or divided by the force if there is exactly one.
 fn response_levels(model: &Checked, levels: &[Level], motion: bool) -> Vec<ResponseLevel> {
     let reference = Reference::of(model).filter(|_| !motion);
     let enabled = model.responses.iter().filter(|one| one.enabled);

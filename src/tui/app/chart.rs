@@ -6,7 +6,7 @@ use super::{Anchor, App};
 use crate::model::{Group, Model};
 use crate::tui::keys::ModelCommand;
 
-/// Steps of the cursor from one end of the axis to the other, where nothing has been drawn yet.
+/// Steps of the cursor over the whole axis, before the first drawing.
 const USUAL_COLUMNS: f64 = 100.0;
 
 impl App {
@@ -83,7 +83,7 @@ impl App {
         self.free_cursor();
     }
 
-    /// Moves the cursor along the frequency axis by columns of the chart; it first appears in the middle.
+    /// Moves the cursor along the frequency axis by columns of the chart; a new cursor starts in the middle.
     pub(super) fn move_cursor(&mut self, steps: f64) {
         let sweep = self.model().sweep;
         let before = self.curves.cursor;
@@ -110,13 +110,13 @@ impl App {
         self.free_cursor();
     }
 
-    /// The cursor stays at its frequency, and shows.
+    /// Fixes the cursor at its frequency, and makes it visible.
     fn free_cursor(&mut self) {
         self.anchor = Anchor::Frequency;
         self.reveal_cursor();
     }
 
-    /// Moves the cursor to the next peak or anti-resonance of the first curve, as it is shown.
+    /// Moves the cursor to the next peak or anti-resonance of the first curve, as displayed.
     pub(super) fn seek(&mut self, turn: Turn, forward: bool) {
         match self.next_turn(turn, forward) {
             Ok(frequency) => self.curves.cursor = Some(frequency),
@@ -128,7 +128,7 @@ impl App {
     /// The frequency of the next peak or anti-resonance, Hz.
     ///
     /// # Errors
-    /// Why there is none, in a line.
+    /// Why there is none, in one line.
     fn next_turn(&self, turn: Turn, forward: bool) -> Result<f64, &'static str> {
         let Some((member, trace)) = self.curves.first_trace() else {
             return Err("no curve shows");
@@ -166,7 +166,7 @@ impl App {
     }
 }
 
-/// Where a curve turns.
+/// A kind of extremum of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Turn {
     /// A maximum of the magnitude.

@@ -1,4 +1,4 @@
-//! Which curves of a file with many are shown: their numbers, names, or parts of names are typed.
+//! Selection of curves from a file with many: the user types numbers, names, or parts of names.
 
 use std::sync::Arc;
 
@@ -7,13 +7,13 @@ use super::{App, Question};
 use crate::measured::Curve;
 use crate::tui::keys::CompareCommand;
 
-/// Names that are listed in the box.
+/// The number of names listed in the dialog.
 const MOST_LISTED: usize = 60;
 
 impl App {
-    /// Asks which curves of a file are shown, where it holds more than there is room for.
+    /// Asks which curves of a file to show, if it holds more than the limit.
     pub(super) fn ask_curves(&mut self, curves: Vec<Curve>) {
-        let room = MOST_CURVES - self.beside.measured.len();
+        let room = MOST_CURVES - self.comparison.measured.len();
         let first = if room == 1 {
             "1".to_owned()
         } else {
@@ -22,16 +22,16 @@ impl App {
         self.ask_question(Question::Curves(Arc::new(curves)), first);
     }
 
-    /// Takes the curves that were chosen.
+    /// Adds the chosen curves.
     ///
     /// # Errors
-    /// Why they are not taken, in a line.
+    /// Why they are not added, in one line.
     pub(super) fn take_chosen(&mut self, curves: &[Curve], text: &str) -> Result<(), String> {
         let names: Vec<&str> = curves.iter().map(|curve| curve.name.as_str()).collect();
         let chosen = chosen(text, &names)?;
-        let room = MOST_CURVES.saturating_sub(self.beside.measured.len());
+        let room = MOST_CURVES.saturating_sub(self.comparison.measured.len());
         if chosen.len() > room {
-            let list = self.keys.key_of(CompareCommand::Beside);
+            let list = self.keys.key_of(CompareCommand::List);
             let some: Vec<&str> = chosen.iter().take(3).map(|i| names[*i]).collect();
             return Err(format!(
                 "{} curves ({}, ..) are chosen, and there is room for {room}: {MOST_CURVES} are the most, {list} lists \
@@ -46,7 +46,7 @@ impl App {
     }
 }
 
-/// What may be typed, with the names of the curves by their numbers.
+/// The accepted input, with numbers and names of the curves.
 pub(super) fn allowed(curves: &[Curve]) -> String {
     let names = curves.iter().take(MOST_LISTED).enumerate();
     let mut names: Vec<String> = names
@@ -61,10 +61,10 @@ pub(super) fn allowed(curves: &[Curve]) -> String {
     )
 }
 
-/// The places of the curves that a text chooses, each once, in the order of the text.
+/// The indices of the curves that a text chooses, each once, in the order of the text.
 ///
 /// # Errors
-/// Says which part chooses nothing.
+/// Names the part that matches no curve.
 fn chosen(text: &str, names: &[&str]) -> Result<Vec<usize>, String> {
     let mut found: Vec<usize> = Vec::new();
     for part in text.split([',', ';']).map(str::trim) {
@@ -89,7 +89,7 @@ fn chosen(text: &str, names: &[&str]) -> Result<Vec<usize>, String> {
     Ok(found)
 }
 
-/// A name, a number, a range of numbers, a part of names, or several of these with blanks between.
+/// A name, a number, a range of numbers, a part of a name, or several of these separated by blanks.
 fn part_of(part: &str, names: &[&str]) -> Option<Vec<usize>> {
     if let Some(place) = names.iter().position(|name| *name == part) {
         return Some(vec![place]);

@@ -1,4 +1,4 @@
-//! From a key to what it does.
+//! Dispatch of keys to commands.
 
 use std::sync::Arc;
 
@@ -8,7 +8,7 @@ use super::chart::Turn;
 use super::{App, Effect, List, Next, Overlay, Question, Selection, Table};
 use crate::model::{Model, counted};
 use crate::tui::keys::{
-    AnywhereCommand, Command, CompareCommand, CurvesCommand, FileCommand, Key, LookCommand,
+    AnywhereCommand, BeamViewCommand, Command, CompareCommand, CurvesCommand, FileCommand, Key,
     ModelCommand, ModesCommand, Movement, ReaderCommand, ReadingCommand, Scope, TableCommand,
     TreeCommand, TuneCommand,
 };
@@ -32,8 +32,8 @@ impl App {
         }
     }
 
-    /// A key on a screen that is too small to show anything: only what is the same everywhere. There is no room for a
-    /// question, so the program is left with what is not saved kept.
+    /// A key on a screen that is too small: only the commands of every scope work. There is no room for a dialog, so
+    /// quitting leaves unsaved changes in the recovery file.
     pub(super) fn key_unseen(&mut self, key: &KeyEvent) -> Vec<Effect> {
         match self.keys.command_in(Scope::Any, key) {
             Some(Command::Anywhere(AnywhereCommand::End)) => {
@@ -45,7 +45,7 @@ impl App {
         }
     }
 
-    /// A digit is typed before a command; other keys have no meaning.
+    /// Takes a digit of a count before a command.
     fn count_up(&mut self, key: Key) {
         let digit = match key.code {
             KeyCode::Char(c) if key.is_typed() => c.to_digit(10),
@@ -65,12 +65,12 @@ impl App {
         }
     }
 
-    /// Does what a key asks for; what is to be done outside then.
+    /// Runs the command of a key; returns the effects.
     pub fn command(&mut self, command: Command) -> Vec<Effect> {
         let count = self.count.take();
         match (command, count) {
             (Command::Tune(TuneCommand::Tune), _) => self.limit_search(count),
-            // They only drop a count.
+            // They only cancel a count.
             (
                 Command::Reading(ReadingCommand::CursorOff) | Command::Table(TableCommand::Close),
                 Some(_),
@@ -89,7 +89,7 @@ impl App {
         self.repeated(command, count.unwrap_or(1))
     }
 
-    /// Runs a command once. A count is that of commands that take it as one step.
+    /// Runs a command once. `count` is for commands that take it as one step.
     pub(super) fn dispatch(&mut self, command: Command, count: u32) -> Vec<Effect> {
         match command {
             Command::Move(movement) => self.move_rows(movement),
@@ -98,7 +98,7 @@ impl App {
             Command::Curves(command) => self.curves_command(command),
             Command::Reading(command) => self.reading_command(command),
             Command::Compare(command) => self.compare_command(command),
-            Command::Look(command) => self.look_command(command),
+            Command::BeamView(command) => self.beam_view_command(command),
             Command::Modes(command) => self.modes_command(command),
             Command::Tune(command) => self.tune_command(command),
             Command::File(command) => return self.file_command(command),
@@ -110,7 +110,7 @@ impl App {
             Command::Palette(command) => return self.palette_command(command),
             Command::Search(command) => self.search_command(command),
             Command::Picker(command) => return self.picker_command(command),
-            Command::Beside(command) => self.beside_command(command),
+            Command::Comparison(command) => self.comparison_command(command),
             Command::Reader(ReaderCommand::Cancel) => self.overlay = None,
             Command::Unsaved(answer) => return self.answer_unsaved(answer),
             Command::Replace(answer) => return self.answer_replace(answer),
@@ -119,7 +119,7 @@ impl App {
         Vec::new()
     }
 
-    /// Moves in the rows that have the keys: of a dialog, of a search, of the table, of the tree.
+    /// Moves the selection of the scope that has the keys: a dialog, a search, the table, or the tree.
     fn move_rows(&mut self, movement: Movement) {
         if let Some(list) = self.overlay.as_mut().and_then(Overlay::list) {
             list.go(movement);
@@ -153,7 +153,7 @@ impl App {
             TreeCommand::CollapseAll => {
                 self.change_selection("every group is closed", Selection::collapse_all);
             }
-            // Not through the whole tree for each of a count.
+            // Avoids a pass through the whole tree for each step of a count.
             TreeCommand::NextParameter => {
                 self.change_selection("there is no further parameter", |selection, model| {
                     selection.next_parameter(model, true, count as usize);
@@ -170,7 +170,7 @@ impl App {
         }
     }
 
-    /// Changes which row is selected or which groups are open; says why nothing changed.
+    /// Changes the selected row or the open groups; says why nothing changed.
     fn change_selection(&mut self, unchanged: &str, change: impl FnOnce(&mut Selection, &Model)) {
         let model = Arc::clone(self.document.model());
         let before = self.selection.state();
@@ -180,7 +180,7 @@ impl App {
         }
     }
 
-    /// Changes the model, or takes a change back.
+    /// Changes the model, or undoes a change.
     fn model_command(&mut self, command: ModelCommand, count: u32) {
         match command {
             ModelCommand::Edit => self.edit(),
@@ -253,7 +253,7 @@ impl App {
 
     fn compare_command(&mut self, command: CompareCommand) {
         match command {
-            CompareCommand::Beside => self.open_beside(),
+            CompareCommand::List => self.open_comparison(),
             CompareCommand::AddMeasured => {
                 self.ask_question(Question::MeasuredFile, String::new());
             }
@@ -262,11 +262,11 @@ impl App {
         }
     }
 
-    fn look_command(&mut self, command: LookCommand) {
+    fn beam_view_command(&mut self, command: BeamViewCommand) {
         match command {
-            LookCommand::Operating => self.next_operating(),
-            LookCommand::PhaseStep => self.step_phase(),
-            LookCommand::Structure => self.next_drawing(),
+            BeamViewCommand::Operating => self.next_operating(),
+            BeamViewCommand::PhaseStep => self.step_phase(),
+            BeamViewCommand::Structure => self.next_drawing(),
         }
     }
 
@@ -278,7 +278,7 @@ impl App {
             ModesCommand::PreviousMode => self.seek_mode(false),
             ModesCommand::Shape => self.toggle_shape(),
             ModesCommand::Animate => self.animate(),
-            ModesCommand::FiniteElements => self.toggle_witness(),
+            ModesCommand::FiniteElements => self.toggle_fem_overlay(),
         }
     }
 
@@ -313,7 +313,7 @@ impl App {
         Vec::new()
     }
 
-    /// Goes to the same row of the neighbouring subsystem, force, response or support.
+    /// Goes to the corresponding row of the next or previous subsystem, force, response or support.
     fn go_alike(&mut self, forward: bool) {
         if self.search.is_some() {
             return self.seek_found(forward);

@@ -1,4 +1,4 @@
-//! The curves on the chart: which there are, how old they are, and which of them show.
+//! The curves on the chart: their data, their age, and which are visible.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -12,18 +12,18 @@ use crate::solve::{Column, Frf};
 use crate::unit::Dimension;
 use crate::worker::{self, CurvesAnswer, Stage};
 
-/// One response over the frequencies.
+/// One response over frequency.
 #[derive(Debug, Clone)]
 pub struct Trace {
     /// The response's name.
     pub response: String,
-    /// What its values are; none for an energy, which is real and has ten decibels a decade.
+    /// The dimension of the values; none for an energy, which is real and has ten decibels per decade.
     pub dimension: Option<Dimension>,
-    /// What the values were divided by; none where they are the motion under the forces, or an energy.
+    /// The load that divides the values; none for the motion under the forces, or an energy.
     pub force: Option<Complex64>,
-    /// One for each frequency, divided by the force where there is just one.
+    /// One value per frequency, divided by the force if there is exactly one.
     pub values: Vec<Complex64>,
-    /// Its peaks, by rising frequency, divided as the values; none before the curves are resolved.
+    /// The peaks by rising frequency, divided as the values; none until the curves are resolved.
     pub peaks: Vec<Peak>,
 }
 
@@ -36,12 +36,12 @@ pub struct Member {
     pub frequencies: Vec<f64>,
     /// In the order of the model's responses.
     pub traces: Vec<Trace>,
-    /// The damping ratios of its modes, which the peaks refer to.
+    /// The damping ratios of the modes; the peaks refer to them.
     pub damping_ratios: Vec<f64>,
 }
 
 impl Member {
-    /// The curve of a response, by its name.
+    /// The curve of a response, by name.
     pub fn trace(&self, response: &str) -> Option<&Trace> {
         self.traces.iter().find(|trace| trace.response == response)
     }
@@ -52,13 +52,13 @@ impl Member {
 pub struct Picture {
     /// The model's generation.
     pub generation: u64,
-    /// Whether these are a coarse first answer, all frequencies of the sweep, or those that the peaks need too.
+    /// How complete the curves are: coarse, all sweep frequencies, or with the extra frequencies at peaks.
     pub stage: Stage,
-    /// How long they took.
+    /// The time of the solution.
     pub elapsed: Duration,
     /// The model, or the members of a study.
     pub members: Vec<Member>,
-    /// Frequencies (Hz) at which some response is not finite.
+    /// Frequencies (Hz) at which a response is not finite.
     pub singular: Vec<f64>,
 }
 
@@ -85,7 +85,7 @@ impl Picture {
         }
     }
 
-    /// Points of a curve, responses and members.
+    /// Number of points of a curve, of responses and of members.
     pub fn extent(&self) -> (usize, usize, usize) {
         let first = self.members.first();
         (
@@ -96,7 +96,7 @@ impl Picture {
     }
 }
 
-/// The curves of a model as they are shown.
+/// The curves of a model as displayed.
 pub(super) fn member(member: worker::Member) -> Member {
     Member {
         label: member.label,
@@ -106,7 +106,7 @@ pub(super) fn member(member: worker::Member) -> Member {
     }
 }
 
-/// The responses of a model, divided by its force where there is just one; `peaks` of each, or none.
+/// The responses of a model, divided by the force if there is exactly one; `peaks` per response, or none.
 pub(super) fn traces(model: &Checked, frf: &Frf, peaks: Vec<Vec<Peak>>) -> Vec<Trace> {
     let reference = Reference::of(model);
     let quantities = model.responses.iter().filter(|one| one.enabled);
@@ -155,17 +155,17 @@ fn wrapped(angle: f64) -> f64 {
     180.0 - (180.0 - angle).rem_euclid(360.0)
 }
 
-/// Curves of the model and of the references at the same frequencies.
+/// Curves of the model and the references at the same frequencies.
 #[derive(Debug)]
 pub struct Compared {
     /// The model's members.
     pub members: Vec<Member>,
-    /// The numbers of the references, and their members.
+    /// The members of the references, by id.
     references: Vec<(u64, Vec<Member>)>,
 }
 
 impl Compared {
-    /// What was solved for the model, and then for the references with these numbers.
+    /// Splits the solution into the model's and that of the references with these ids.
     pub(super) fn new(solved: Vec<Vec<worker::Member>>, references: &[u64]) -> Self {
         let mut solved = solved
             .into_iter()
@@ -176,7 +176,7 @@ impl Compared {
         }
     }
 
-    /// The members of the reference with a number.
+    /// The members of the reference with an id.
     pub fn reference(&self, id: u64) -> Option<&[Member]> {
         let mut references = self.references.iter();
         let (_, members) = references.find(|(known, _)| *known == id)?;
@@ -184,45 +184,45 @@ impl Compared {
     }
 }
 
-/// What stands on the chart.
+/// The content of the chart.
 #[derive(Debug, Default)]
 pub enum Shown {
-    /// Nothing has been solved yet.
+    /// Nothing is solved yet.
     #[default]
     Nothing,
-    /// Curves; they may be older than the model.
+    /// Curves, possibly of an older model.
     Picture(Arc<Picture>),
-    /// There is no answer, and why; with the curves of before.
+    /// The last solution failed, and why; with the previous curves.
     Failed(String, Option<Arc<Picture>>),
 }
 
 /// The chart's state.
 #[derive(Debug)]
 pub struct Curves {
-    /// The generation asked for last.
+    /// The generation of the last request.
     pub generation: u64,
-    /// The first generation of this document: an answer before it belongs to another one.
+    /// The first generation of this document: earlier answers belong to another one.
     oldest: u64,
-    /// What stands on the chart.
+    /// The content of the chart.
     pub shown: Shown,
-    /// The newest resolved curves, perhaps older than what stands on the chart; the value axis stays by them.
+    /// The newest resolved curves, possibly older than the visible ones; the value axis follows them.
     pub resolved: Option<Arc<Picture>>,
-    /// Names of the responses that show.
+    /// The names of the visible responses.
     pub visible: Vec<String>,
-    /// The study that is solved in place of the model alone.
+    /// The study that is solved instead of the model alone.
     pub study: Option<usize>,
     /// Magnitudes in decibels.
     pub decibels: bool,
     /// A logarithmic frequency axis.
     pub log_frequency: bool,
-    /// The frequency (Hz) at which the chart is read.
+    /// The cursor's frequency, Hz.
     pub cursor: Option<f64>,
-    /// The band of the sweep that shows, Hz; none where all of it does.
+    /// The visible band of the sweep, Hz; none for the whole sweep.
     pub window: Option<[f64; 2]>,
 }
 
 impl Curves {
-    /// The chart of a model just opened: its first response, no study.
+    /// The chart of a newly opened model: its first response, no study.
     pub fn new(model: &Model, generation: u64) -> Self {
         let first_enabled = model
             .responses
@@ -254,18 +254,18 @@ impl Curves {
         }
     }
 
-    /// Whether the curves belong to an older model than the one asked for last.
+    /// Whether the curves belong to an older model than the last request.
     pub fn is_stale(&self) -> bool {
         self.picture()
             .is_some_and(|picture| picture.generation != self.generation)
     }
 
-    /// The first curve that shows.
+    /// The first visible curve.
     pub fn first_trace(&self) -> Option<(&Member, &Trace)> {
         self.first_of(self.picture()?)
     }
 
-    /// The first curve that shows, as it was resolved last.
+    /// The first visible curve, as resolved last.
     pub fn first_resolved(&self) -> Option<(&Member, &Trace)> {
         self.first_of(self.resolved.as_ref()?)
     }
@@ -276,19 +276,19 @@ impl Curves {
         names.find_map(|name| Some((member, member.trace(name)?)))
     }
 
-    /// Whether the curves are resolved and the model's own.
+    /// Whether the curves are resolved and belong to the current model.
     pub fn is_resolved(&self) -> bool {
         matches!(&self.shown, Shown::Picture(picture)
             if picture.generation == self.generation && picture.stage >= Stage::Resolved)
     }
 
-    /// Whether curves with all their peaks show, the model's own or older ones.
+    /// Whether curves with all peaks are visible, of this model or an older one.
     pub fn shows_peaks(&self) -> bool {
         self.picture()
             .is_some_and(|picture| picture.stage >= Stage::Resolved)
     }
 
-    /// Takes an answer, unless a newer one stands there already; whether its curves stand there now.
+    /// Stores an answer unless a newer one is present; returns whether it was stored with curves.
     pub fn take(&mut self, answer: CurvesAnswer) -> bool {
         let newest = self
             .picture()
@@ -310,7 +310,7 @@ impl Curves {
                 self.shown = Shown::Picture(picture);
                 true
             }
-            // An older model's failure says nothing of this one.
+            // The failure of an older model does not apply to this one.
             Err(_) if answer.generation != self.generation => false,
             Err(reason) => {
                 self.shown = Shown::Failed(reason, self.picture().cloned());
@@ -319,7 +319,7 @@ impl Curves {
         }
     }
 
-    /// Shows one response alone; if it does already, all that can stand on its axis. Whether it is alone now.
+    /// Shows one response alone; if it is alone already, all responses of its axis. Returns whether it is alone now.
     pub fn solo(&mut self, model: &Model, response: &str) -> bool {
         let quantity = |name: &str| {
             model
@@ -341,7 +341,7 @@ impl Curves {
         true
     }
 
-    /// Shows or hides a response; whether it shows now.
+    /// Shows or hides a response; returns whether it is visible now.
     pub fn toggle(&mut self, response: &str) -> bool {
         if let Some(at) = self.visible.iter().position(|name| name == response) {
             self.visible.remove(at);
@@ -351,12 +351,13 @@ impl Curves {
         true
     }
 
-    /// Whether a response shows.
+    /// Whether a response is visible.
     pub fn shows(&self, response: &str) -> bool {
         self.visible.iter().any(|name| name == response)
     }
 
-    /// Follows the responses of a changed model: a renamed one still shows, a new one shows, a deleted one is gone.
+    /// Follows the responses of a changed model: renamed ones stay visible, new ones are shown, deleted ones are
+    /// removed.
     pub fn follow(&mut self, before: &Model, after: &Model) {
         let had = |name: &str| {
             before
@@ -388,7 +389,7 @@ impl Curves {
     }
 }
 
-/// The place of a study in a changed model: by its name, or where it was if it has another name now.
+/// The index of a study in a changed model: by name, or the same index after a rename.
 fn followed(study: usize, before: &Model, after: &Model) -> Option<usize> {
     let name = &before.studies.get(study)?.name;
     let renamed = before.studies.len() == after.studies.len();

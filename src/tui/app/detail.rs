@@ -1,5 +1,5 @@
-//! The band that shows, solved at the screen's resolution: zooming in loses no detail. The references are solved at
-//! the same frequencies, so that differences are exact.
+//! The visible band, solved at the screen's resolution: zooming in keeps the detail. References are solved at the same
+//! frequencies, so differences are exact.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -11,31 +11,31 @@ use super::{App, Compared, Stage};
 use crate::tui::scene::ChartView;
 use crate::worker::{Request, SampleAnswer, SampleRequest, Sampling};
 
-/// Frequencies for each column of the chart: as many as dots, and as many between them.
+/// Frequencies per column of the chart: one per dot, and one between dots.
 const PER_COLUMN: usize = 4;
-/// Columns where nothing has been drawn yet.
+/// Columns before the first drawing.
 const USUAL_COLUMNS: usize = 100;
-/// Points of the whole sweep that are taken over into a band; beyond, every second, third...
+/// The most points of the whole sweep that a band reuses; beyond, every second, third...
 const MOST_TAKEN: usize = 20_000;
-/// Points of the circle that a mode makes in the complex plane.
+/// Points of a modal circle in the complex plane.
 const LOOP_POINTS: u32 = 72;
-/// All frequencies of a band; of more every second, third...
+/// The most frequencies of a band; beyond, every second, third...
 const MOST_SOLVED: usize = 60_000;
-/// Curves that are not resolved yet are waited for so long.
+/// The longest wait for curves that are not resolved yet.
 const WORTH_WAITING: Duration = Duration::from_millis(100);
 
-/// What a detail was asked for.
+/// The key of a request.
 #[derive(Debug, Clone, PartialEq)]
 struct Key {
     generation: u64,
     stage: Stage,
-    /// At how many frequencies the curves are solved.
+    /// The number of frequencies.
     solved: usize,
     window: [f64; 2],
     log: bool,
     references: Vec<u64>,
     points: usize,
-    /// Whether the circle of every mode is to be round.
+    /// Whether every modal circle needs to be round (Nyquist).
     loops: bool,
 }
 
@@ -44,13 +44,13 @@ struct Key {
 pub struct DetailPicture {
     /// The model's generation.
     pub generation: u64,
-    /// What it spans, Hz.
+    /// Lower and upper end, Hz.
     pub window: [f64; 2],
-    /// Those of the model and of the references.
+    /// The curves of the model and of the references.
     pub curves: Compared,
 }
 
-/// The band that shows.
+/// The visible band.
 #[derive(Debug, Default)]
 pub struct Detail {
     asked: LastRequest<Key>,
@@ -58,17 +58,17 @@ pub struct Detail {
 }
 
 impl Detail {
-    /// The band, where it is that of the model with this generation.
+    /// The band, if it belongs to the model with this generation.
     pub fn of(&self, generation: u64, window: [f64; 2]) -> Option<&DetailPicture> {
         self.shown
             .as_ref()
             .filter(|shown| shown.generation == generation && shown.window == window)
     }
 
-    /// Takes an answer to what was asked last.
+    /// Stores the answer to the last request.
     ///
     /// # Errors
-    /// Why the band was not solved, in a line.
+    /// Why the band was not solved, in one line.
     pub(super) fn take(&mut self, answer: SampleAnswer) -> Result<(), String> {
         let Some(key) = self.asked.answered(answer.serial) else {
             return Ok(());
@@ -83,7 +83,7 @@ impl Detail {
 }
 
 impl App {
-    /// Asks for the band that shows, if it is worth more than what is solved.
+    /// Requests the visible band, if it adds detail to what is solved.
     pub(super) fn want_detail(&mut self) -> Option<Request> {
         let view = self.display.view;
         let difference = view == ChartView::Difference;
@@ -96,7 +96,7 @@ impl App {
         if self.curves.is_stale() || (picture.stage < Stage::Resolved && !slow) {
             return None;
         }
-        let references = self.beside.shown_ids();
+        let references = self.comparison.shown_ids();
         if difference && references.is_empty() {
             return None;
         }
@@ -107,7 +107,7 @@ impl App {
             .map_or(USUAL_COLUMNS, |plot| plot.frequencies.len());
         let key = Key {
             generation: picture.generation,
-            // The count of the modes as such changes nothing.
+            // The count of the modes alone changes no curve.
             stage: picture.stage.min(Stage::Resolved),
             solved: picture
                 .members
@@ -134,7 +134,7 @@ impl App {
         Some(Request::Sample(request))
     }
 
-    /// Even steps over the band, and every frequency in it that is solved already.
+    /// Even steps over the band, and every solved frequency in it.
     fn detail_frequencies(&self, key: &Key, members: &[Member]) -> Vec<f64> {
         let [low, high] = key.window;
         let last = key.points as f64;
@@ -149,7 +149,10 @@ impl App {
             })
             .map(|f| f.clamp(low, high))
             .collect();
-        let references = self.beside.shown().filter_map(|one| one.picture.as_ref());
+        let references = self
+            .comparison
+            .shown()
+            .filter_map(|one| one.picture.as_ref());
         let others = references.flat_map(|picture| &picture.members);
         for member in members.iter().chain(others) {
             let from = member.frequencies.partition_point(|f| *f < low);
@@ -168,10 +171,10 @@ impl App {
         all.into_iter().step_by(stride).collect()
     }
 
-    /// Frequencies (Hz) in even steps round the circle that each mode makes in the complex plane: at f (1 + zeta tan a)
-    /// the response of one mode has turned by 2 a.
+    /// Frequencies (Hz) in even steps around the circle of each mode in the complex plane: at f (1 + zeta tan a) the
+    /// response of one mode has turned by 2 a.
     fn loops(&self) -> impl Iterator<Item = f64> {
-        let list = self.modal.list.as_ref();
+        let list = self.modes.list.as_ref();
         let modes = list.map_or(&[][..], |list| &list.rows);
         modes.iter().flat_map(|mode| {
             (1..LOOP_POINTS).map(|step| {

@@ -10,10 +10,10 @@ use crate::tui::keys::CurvesCommand;
 use crate::tui::scene::{self, ChartView, Scale};
 use crate::unit::{Dimension, Form, FrequencyUnit, Kind};
 
-/// What a response is called that is not divided by the force.
+/// The name of the form that is not divided by the force.
 pub const MOTION: &str = "motion under the force";
 
-/// What a key goes through.
+/// The forms that the key cycles through.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Choice {
     AsAsked,
@@ -34,33 +34,33 @@ impl Choice {
 /// How values are shown.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Display {
-    /// What of the complex values is drawn.
+    /// Which part of the complex values is drawn.
     pub view: ChartView,
-    /// The form of all responses; none: each as the model asks for it.
+    /// The form of all responses; none: the model's choice for each.
     pub form: Option<Form>,
-    /// The motion itself under the forces as they are, also where one force could divide it; `form` is none then.
+    /// Shows the motion under the actual forces, even if a single force could divide it; `form` is none then.
     pub motion: bool,
-    /// The phase runs on instead of staying within half a turn.
+    /// Whether the phase is unwrapped.
     pub unwrapped: bool,
     /// The unit of frequencies.
     pub unit: FrequencyUnit,
-    /// The value of 0 dB by unit; 1 of the unit where none is given.
+    /// The 0 dB reference by unit; default 1 of the unit.
     pub decibel_references: BTreeMap<String, f64>,
-    /// What the first value axis spans, values on the axis; none where it follows the curves.
+    /// The range of the first value axis, in axis values; none: automatic.
     pub levels: Option<[f64; 2]>,
-    /// The axis of which these are the levels.
+    /// The axis to which the fixed range applies.
     levels_of: Option<(ChartView, Scale)>,
 }
 
 impl Display {
-    /// The form in which a response is shown.
+    /// The displayed form of a response.
     pub fn form_of(&self, dimension: &Dimension) -> Form {
         self.form
             .filter(|form| dimension.has(*form))
             .unwrap_or(dimension.form_of_measure())
     }
 
-    /// What a response is as it is shown, but for its form; none for an energy.
+    /// The dimension of a response as displayed, except its form; none for an energy.
     pub fn dimension_of(&self, trace: &Trace) -> Option<Dimension> {
         let dimension = trace.dimension?;
         Some(Dimension {
@@ -69,7 +69,7 @@ impl Display {
         })
     }
 
-    /// A value of a response, divided by the force or not as it is shown.
+    /// A value of a response as displayed: divided by the force or not.
     pub fn per_force(&self, trace: &Trace, value: Complex64) -> Complex64 {
         match trace.force.filter(|_| self.motion) {
             Some(force) => value * force,
@@ -77,7 +77,7 @@ impl Display {
         }
     }
 
-    /// A value of a response at a frequency (Hz) as it is shown; an energy as it is.
+    /// A value of a response at a frequency (Hz) as displayed; an energy is unchanged.
     pub fn value(&self, trace: &Trace, value: Complex64, frequency: f64) -> Complex64 {
         let value = self.per_force(trace, value);
         match self.dimension_of(trace) {
@@ -86,7 +86,7 @@ impl Display {
         }
     }
 
-    /// The unit of the values as they are shown.
+    /// The displayed unit.
     pub fn unit_of(&self, dimension: Option<&Dimension>) -> String {
         match dimension {
             Some(dimension) => dimension.unit(self.form_of(dimension)),
@@ -94,7 +94,7 @@ impl Display {
         }
     }
 
-    /// A frequency (Hz) for people, with its unit.
+    /// A frequency (Hz) as text with its unit.
     pub fn frequency_text(&self, hertz: f64) -> String {
         match self.unit {
             FrequencyUnit::Hertz => Unit::HERTZ.format(hertz),
@@ -102,7 +102,7 @@ impl Display {
         }
     }
 
-    /// A frequency (Hz) in the unit that is shown, without it: six significant digits.
+    /// A frequency (Hz) in the displayed unit, without the symbol: six significant digits.
     pub fn frequency_digits(&self, hertz: f64) -> String {
         let value = hertz * self.unit.per_hertz();
         let digits = format!("{value:.5e}");
@@ -115,7 +115,7 @@ impl Display {
         }
     }
 
-    /// The value of 0 dB that was typed for a unit.
+    /// The typed 0 dB reference of a unit.
     pub fn decibel_reference(&self, unit: &str) -> f64 {
         self.decibel_references.get(unit).copied().unwrap_or(1.0)
     }
@@ -136,7 +136,7 @@ impl App {
         self.turned.decibels = Some(self.curves.decibels);
     }
 
-    /// The next form that the responses that show have, or each as the model asks for it.
+    /// Selects the next form that the visible responses have, or the model's choice.
     pub(super) fn turn_form(&mut self, forward: bool) {
         let shown = self.shown_traces();
         let dimensions: Vec<Dimension> = shown.filter_map(|trace| trace.dimension).collect();
@@ -164,7 +164,7 @@ impl App {
             (Choice::AsAsked, _) => "each response as the model asks for it".to_owned(),
             (Choice::Motion, _) => format!("{MOTION} as it is"),
             (Choice::Form(form), true) => form.name().to_owned(),
-            // What the first three are without a force to divide by.
+            // The first three without a single force to divide by.
             (Choice::Form(form), false) => {
                 let motion = form.measure().key();
                 format!("{motion}; several forces act, so that there is no ratio and no inverse")
@@ -172,7 +172,7 @@ impl App {
         });
     }
 
-    /// The responses that show, of the model or the first member of its study.
+    /// The visible responses of the model or of the first member of its study.
     pub fn shown_traces(&self) -> impl Iterator<Item = &Trace> {
         let members = self.curves.picture().map(|picture| &picture.members);
         let first = members.and_then(|members| members.first());
@@ -182,7 +182,7 @@ impl App {
             .filter(|trace| self.curves.shows(&trace.response))
     }
 
-    /// The value of 0 dB in a unit: 1 where the responses that show have several.
+    /// The 0 dB reference of a unit: 1 if the visible responses have several units.
     pub fn decibel_zero(&self, unit: &str) -> f64 {
         if self.shown_units().len() > 1 {
             1.0
@@ -191,7 +191,7 @@ impl App {
         }
     }
 
-    /// The units of the responses that show, each once.
+    /// The units of the visible responses, each once.
     pub fn shown_units(&self) -> Vec<String> {
         let mut units: Vec<String> = Vec::new();
         for trace in self.shown_traces() {
@@ -207,7 +207,9 @@ impl App {
     pub(super) fn next_view(&mut self) {
         let all: Vec<ChartView> = ChartView::ALL
             .into_iter()
-            .filter(|view| *view != ChartView::Difference || self.beside.first_shown().is_some())
+            .filter(|view| {
+                *view != ChartView::Difference || self.comparison.first_shown().is_some()
+            })
             .collect();
         let place = all.iter().position(|view| *view == self.display.view);
         self.display.view = all[place.map_or(0, |place| (place + 1) % all.len())];
@@ -223,7 +225,7 @@ impl App {
         self.done(format!("frequencies in {}", self.display.unit.symbol()));
     }
 
-    /// Makes the range of levels narrower or wider about its middle; it is fixed then.
+    /// Scales the range of levels about its middle, and fixes it.
     pub(super) fn zoom_levels(&mut self, factor: f64) {
         self.change_levels(|[low, high]| {
             let middle = f64::midpoint(low, high);
@@ -241,7 +243,7 @@ impl App {
         });
     }
 
-    /// Keeps the levels that show, or lets them follow the curves again.
+    /// Fixes the visible levels, or lets them follow the curves again.
     pub(super) fn fix_levels(&mut self) {
         if self.display.levels.take().is_some() {
             return self.done("levels follow the curves");
@@ -261,9 +263,9 @@ impl App {
         self.display.levels_of = Some((self.display.view, scene::scale(self)));
     }
 
-    /// Drops what another axis or another curve has made meaningless: fixed levels, and a difference to nothing.
+    /// Removes settings that no longer apply: fixed levels of another axis, and a difference without a reference.
     pub(super) fn refresh_display(&mut self) {
-        if self.display.view == ChartView::Difference && self.beside.shown().next().is_none() {
+        if self.display.view == ChartView::Difference && self.comparison.shown().next().is_none() {
             self.display.view = ChartView::Magnitude;
         }
         if self.display.levels.is_some() && self.curves.picture().is_some() {
@@ -274,7 +276,7 @@ impl App {
         }
     }
 
-    /// Changes the range of levels by their places on the axis, which is logarithmic for magnitudes.
+    /// Changes the range of levels in axis coordinates (logarithmic for magnitudes).
     fn change_levels(&mut self, change: impl Fn([f64; 2]) -> [f64; 2]) {
         let Some(levels) = self.screen.levels else {
             return self.refuse("no value axis shows");

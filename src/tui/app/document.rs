@@ -1,4 +1,4 @@
-//! The model that is edited, the file it came from and the way back.
+//! The edited model, its file, and its undo history.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -22,39 +22,39 @@ pub struct Document {
     base: Base,
 }
 
-/// Where the text is to which the model is compared.
+/// The base text to which the model is compared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Base {
-    /// Where the model came from.
+    /// The source of the model.
     Own,
-    /// In the file, which was changed after the changes that were recovered.
+    /// A file that was changed after the recovered changes.
     Newer,
-    /// In no file: recovered changes whose file is gone, or which had none.
+    /// No file: the file of the recovered changes does not exist.
     Missing,
 }
 
-/// A value to be given to a parameter.
+/// A new value of a parameter.
 #[derive(Debug)]
 pub struct Edit<'a> {
-    /// The parameter in words, for the step's name.
+    /// The parameter as text, for the name of the step.
     pub subject: &'a str,
-    /// Which one it is.
+    /// The parameter.
     pub id: ParameterId,
     /// Its new value.
     pub value: Value,
-    /// Whether this is a nudge, which is added to one before it.
+    /// Whether this is a nudge, which merges with a preceding nudge.
     pub nudge: bool,
 }
 
 impl Document {
-    /// The document of an opened model. Where the model differs from its text (values set on the command line), that
-    /// is a first step.
+    /// The document of an opened model. If the model differs from its text (values set on the command line), the
+    /// difference is a first step.
     pub fn new(opened: Opened) -> Self {
         Self::differing(opened, "values from the command line")
     }
 
-    /// The document of unsaved changes that were found. Without a base it stays unsaved until it is saved; a newer base
-    /// is not replaced without a question.
+    /// The document of recovered changes. Without a base it counts as unsaved until it is saved; a newer base is not
+    /// replaced without confirmation.
     pub fn recovered(opened: Opened, base: Base) -> Self {
         let mut document = Self::differing(opened, "recovered changes");
         document.base = base;
@@ -62,7 +62,7 @@ impl Document {
         document
     }
 
-    /// Where the text is to which the model is compared.
+    /// The base text to which the model is compared.
     pub fn base(&self) -> Base {
         self.base
     }
@@ -85,7 +85,7 @@ impl Document {
         document
     }
 
-    /// The model as it stands.
+    /// The current model.
     pub fn model(&self) -> &Arc<Checked> {
         &self.model
     }
@@ -95,12 +95,12 @@ impl Document {
         &self.saved
     }
 
-    /// Where the model came from.
+    /// The source of the model.
     pub fn source(&self) -> &Source {
         &self.source
     }
 
-    /// Whether something is not saved.
+    /// Whether there are unsaved changes.
     pub fn is_changed(&self) -> bool {
         self.changed
     }
@@ -110,7 +110,7 @@ impl Document {
         &self.text
     }
 
-    /// What it takes to keep the changes for recovery, if something is not saved.
+    /// The content of the recovery file, if there are unsaved changes.
     pub fn unsaved(&self) -> Option<Kept> {
         self.changed.then(|| Kept {
             source: self.source.clone(),
@@ -120,15 +120,15 @@ impl Document {
         })
     }
 
-    /// The model as text, with the comments and the order of what was opened.
+    /// The model as text, with the comments and the order of the opened text.
     pub fn text(&self) -> String {
         model::write(&self.model, &self.text)
     }
 
-    /// Gives a parameter a value. The step's name; `None` where the value was there already.
+    /// Sets a parameter. Returns the name of the step; `None` if the value is unchanged.
     ///
     /// # Errors
-    /// The faults of the model as it would be; the model is then as it was.
+    /// The faults of the resulting model; the model is unchanged then.
     pub fn set(&mut self, new: &Edit<'_>) -> Result<Option<String>, Vec<Fault>> {
         let parameter = path::described(&self.model, new.id).map_err(|fault| vec![fault])?;
         if parameter.value == new.value {
@@ -158,7 +158,7 @@ impl Document {
         Ok(Some(name))
     }
 
-    /// Puts another model in the place of this one, as a step with this name.
+    /// Replaces the model, as a step with this name.
     pub fn replace(&mut self, name: String, after: Checked) {
         let after = Arc::new(after);
         self.history.push(Step {
@@ -172,26 +172,26 @@ impl Document {
         self.take(after);
     }
 
-    /// Takes the last step back; its name.
+    /// Undoes the last step; returns its name.
     pub fn undo(&mut self) -> Option<String> {
         let name = self.history.undo(&mut self.model)?.to_owned();
         self.compare();
         Some(name)
     }
 
-    /// Takes an undone step again; its name.
+    /// Redoes an undone step; returns its name.
     pub fn redo(&mut self) -> Option<String> {
         let name = self.history.redo(&mut self.model)?.to_owned();
         self.compare();
         Some(name)
     }
 
-    /// Lets the next nudge start a step of its own.
+    /// Makes the next nudge a separate step.
     pub fn seal(&mut self) {
         self.history.seal();
     }
 
-    /// Notes that the model was saved as this text in this file.
+    /// Records that the model was saved as this text in this file.
     pub fn mark_saved(&mut self, path: PathBuf, text: String) {
         self.saved = Arc::clone(&self.model);
         self.text = text.into();
@@ -201,7 +201,7 @@ impl Document {
         self.history.seal();
     }
 
-    /// Takes what another program saved in the file, as a step that can be taken back.
+    /// Loads the text that another program saved in the file, as a step that can be undone.
     pub fn reload(&mut self, model: Checked, text: String) {
         self.saved = Arc::new(model.clone());
         self.text = text.into();
@@ -218,7 +218,7 @@ impl Document {
         self.changed = self.base == Base::Missing || *self.model != *self.saved;
     }
 
-    /// Adds a nudge to the one before it, if there is one of the same parameter; the name of both together.
+    /// Merges a nudge with a preceding one of the same parameter; returns the name of the merged step.
     fn extend_nudge(&mut self, new: &Edit<'_>, parameter: &Parameter) -> Option<String> {
         let step = self.history.open_nudge(new.id)?;
         let Change::Value { before, after, .. } = &mut step.change else {
@@ -233,7 +233,7 @@ impl Document {
         Some(name)
     }
 
-    /// The smallest change that goes both ways: one value where putting the old one back gives the old model.
+    /// The smallest reversible change: one value, if restoring the old value restores the old model.
     fn change(&self, new: &Edit<'_>, before: Value, after: &Arc<Checked>) -> Change {
         let mut back = Model::clone(after);
         let put_back = edit::put(&mut back, new.id, before.clone());
@@ -251,7 +251,7 @@ impl Document {
     }
 }
 
-/// `S1 z_left stiffness 16.7 -> 40 MN/m`: the unit once where it is the same.
+/// `S1 z_left stiffness 16.7 -> 40 MN/m`: the unit appears once if it is the same.
 fn step_name(subject: &str, parameter: &Parameter, before: &Value, after: &Value) -> String {
     let (before, after) = (
         tree::of_parameter(parameter, before),

@@ -1,4 +1,4 @@
-//! Changing values: typed, nudged, cycled, put back.
+//! Changes of values: type, nudge, cycle, revert.
 
 use std::sync::Arc;
 
@@ -11,7 +11,7 @@ use crate::model::{Fault, Group, Model, Parameter, ParameterId, entry, path};
 use crate::tui::keys::{ModelCommand, TreeCommand};
 use crate::tui::tree::{self, Node};
 
-/// Digits kept by a nudge.
+/// Significant digits of a nudged value.
 const NUDGE_DIGITS: usize = 6;
 
 impl App {
@@ -65,13 +65,13 @@ impl App {
         self.overlay = Some(Overlay::Prompt(Prompt::new(Purpose::Value(asked), text)));
     }
 
-    /// The selected value with all its digits, if the row has one.
+    /// The selected value with all digits, if the row has one.
     pub(super) fn exact_value(&self) -> Option<String> {
         let parameter = parameter(self.model(), self.selection.node())?.ok()?;
         Some(exact(&parameter))
     }
 
-    /// How the selected row's value is asked for, if it is typed.
+    /// The prompt for the selected row's value, if it is typed.
     pub(super) fn asked(&self) -> Option<Asked> {
         let node = self.selection.node();
         let parameter = parameter(self.model(), node)?.ok()?;
@@ -95,10 +95,10 @@ impl App {
         }
     }
 
-    /// Gives a parameter a value that was typed.
+    /// Sets a parameter to a typed value.
     ///
     /// # Errors
-    /// Why it is refused, in a line.
+    /// Why it is refused, in one line.
     pub(super) fn give(&mut self, asked: &Asked, value: Value) -> Result<(), String> {
         self.set(&asked.subject, asked.id, value, false)
             .map_err(|faults| self.in_words(&faults, asked.id, &asked.subject))
@@ -113,7 +113,7 @@ impl App {
         self.cycle_through(node, parameter, &choices);
     }
 
-    /// Takes the next of some values that the model allows.
+    /// Sets the next of several values that the model allows.
     fn cycle_through(&mut self, node: Node, parameter: &Parameter, values: &[Value]) {
         let subject = tree::subject(self.model(), node);
         let here = values.iter().position(|value| *value == parameter.value);
@@ -135,7 +135,7 @@ impl App {
         }
     }
 
-    /// Changes a number by thousandths of itself, so many times.
+    /// Changes a number by thousandths of itself, `count` times.
     pub(super) fn nudge(&mut self, thousandths: i32, times: u32) {
         let model = Arc::clone(self.document.model());
         let node = self.selection.node();
@@ -174,7 +174,7 @@ impl App {
         }
     }
 
-    /// Puts the file's value back.
+    /// Restores the file's value.
     pub(super) fn revert(&mut self) {
         let model = Arc::clone(self.document.model());
         let node = self.selection.node();
@@ -193,18 +193,18 @@ impl App {
         }
     }
 
-    /// The value of a parameter as it was opened or saved last.
+    /// The value of a parameter when last opened or saved.
     pub fn saved_value(&self, id: ParameterId) -> Option<Value> {
         let saved = self.document.saved();
         edit::get(saved, id.counterpart(self.model(), saved)?).ok()
     }
 
-    /// Why a parameter was refused a value, in a line.
+    /// Why a value was refused, in one line.
     pub(super) fn in_words(&self, faults: &[Fault], id: ParameterId, subject: &str) -> String {
         faults_in_words(faults, &path::text(self.model(), id), subject)
     }
 
-    /// Gives a parameter a value and says so; the tree and the chart follow.
+    /// Sets a parameter and reports it; tree and chart follow.
     pub(super) fn set(
         &mut self,
         subject: &str,
@@ -237,9 +237,9 @@ fn parameter(model: &Model, node: Node) -> Option<Result<Parameter, Fault>> {
     Some(path::described(model, node.parameter()?))
 }
 
-/// Where a force or response may be, without positions: the ends and the attached masses.
+/// The possible places of a force or response, except positions: the ends and the attached masses.
 fn places(model: &Model) -> Vec<Value> {
-    // An odd name is a name only in quotes.
+    // A name with special characters needs quotes.
     let place = |name: &String| {
         if segment(name) == *name {
             name.clone()
@@ -260,7 +260,7 @@ fn places(model: &Model) -> Vec<Value> {
         .collect()
 }
 
-/// A value as it is typed, with all its digits.
+/// A value as text for editing, with all digits.
 fn exact(parameter: &Parameter) -> String {
     match &parameter.value {
         Value::Number(value) => parameter.unit.format_exact(*value),
@@ -278,14 +278,14 @@ pub(super) fn read(kind: &AskedKind, text: &str) -> Result<Value, String> {
     }
 }
 
-/// A number with as many digits as a nudge keeps.
+/// A number rounded to the digits of a nudge.
 fn rounded(value: f64) -> f64 {
     format!("{value:.*e}", NUDGE_DIGITS - 1)
         .parse()
         .unwrap_or(value)
 }
 
-/// A count times a factor, at least one more or less.
+/// A count times a factor, changed by at least one.
 fn nudged_count(old: usize, factor: f64) -> usize {
     let new = (old as f64 * factor).round() as usize;
     if factor > 1.0 {
@@ -295,9 +295,9 @@ fn nudged_count(old: usize, factor: f64) -> usize {
     }
 }
 
-/// What is wrong, in a line: the first fault, and how many more there are. `subject` stands for `path`.
+/// What is wrong, in one line: the first fault, and the number of others. `subject` replaces `path`.
 pub(super) fn faults_in_words(faults: &[Fault], path: &str, subject: &str) -> String {
-    // The fault of the parameter itself says more than what follows from it.
+    // The fault of the parameter itself is more useful than its consequences.
     let own = faults.iter().find(|fault| fault.path == path);
     let Some(first) = own.or(faults.first()) else {
         return "the model would not be possible".to_owned();

@@ -1,43 +1,43 @@
-//! What the designer wants done outside, and what came of it.
+//! Input and output that the designer requests, and the results.
 
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::{Base, Export, OpenedMeasured, Outside, Saving};
+use super::{Base, Export, ExternalChange, OpenedMeasured, Saving};
 use crate::files::Opened;
 use crate::model::{Checked, Fault, Objective};
 use crate::tui::user::recovery::Kept;
 use crate::worker::Request;
 
-/// Something to be done outside of the state: input and output are not done by it.
+/// An action outside the state: the state does no input or output itself.
 #[derive(Debug)]
 pub enum Effect {
-    /// Ask the worker.
+    /// Send a request to the worker.
     Solve(Request),
     /// Save a text.
     Save {
         /// The file.
         path: PathBuf,
-        /// What it shall hold.
+        /// The content.
         text: String,
-        /// What must be there before.
+        /// The condition for replacing a file.
         guard: Guard,
     },
-    /// Write what is on the screen.
+    /// Export the screen.
     Export {
         /// The file.
         path: PathBuf,
-        /// What of it.
+        /// The kind of export.
         kind: Export,
-        /// What must be there before.
+        /// The condition for replacing a file.
         guard: Guard,
     },
     /// Open a model to compare with.
     OpenReference(PathBuf),
-    /// Open a file of measured curves; its columns are what this says, where it is said.
+    /// Open a file of measured curves, with the description of its columns if given.
     OpenMeasured(PathBuf, Option<String>),
-    /// Read the measured curve that an objective asks for.
+    /// Read the measured curve of an objective.
     CheckMatch {
         /// The model.
         model: Arc<Checked>,
@@ -46,103 +46,103 @@ pub enum Effect {
         /// The folder of the model's file.
         folder: PathBuf,
     },
-    /// Keep changes that are not saved, so that a killed program does not lose them.
+    /// Write unsaved changes to the recovery file, so that a killed program does not lose them.
     Keep(Kept),
-    /// Nothing is unsaved any more.
+    /// There are no unsaved changes: remove the recovery file.
     Forget,
-    /// Take the unsaved changes with this number of those that were found.
+    /// Load the recovered changes with this index.
     Recover(usize),
-    /// Remove them for good.
+    /// Delete the recovered changes with this index.
     Discard(usize),
-    /// See whether a file still holds this text.
+    /// Check whether a file still holds this text.
     Compare {
         /// The file.
         path: PathBuf,
-        /// What it held when it was opened or saved.
+        /// The text when it was opened or saved.
         text: String,
     },
-    /// Read a file that is open again.
+    /// Reload the open file.
     Reload(PathBuf),
     /// Send a text to the terminal's clipboard.
     Copy(String),
-    /// Take the mouse, or leave it to the terminal.
+    /// Capture or release the mouse.
     Mouse(bool),
-    /// Give the terminal back and stop, until the shell goes on with the program.
+    /// Release the terminal and stop, until the shell continues the program.
     Suspend,
-    /// Take the terminal again after others had it.
+    /// Set up the terminal again after other programs used it.
     Resume,
     /// Open a file.
     Open(PathBuf),
-    /// Complete a path that is being typed.
+    /// Complete a typed path.
     Complete(String),
-    /// Draw the whole screen anew.
+    /// Redraw the whole screen.
     Redraw,
-    /// End the program, by this signal if there is one.
+    /// End the program, with the number of a signal if one caused it.
     Quit(Option<u8>),
 }
 
-/// What a file must be for it to be replaced without a question.
+/// The condition under which a file is replaced without confirmation.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Guard {
-    /// It must not be there.
+    /// The file must not exist.
     Absent,
-    /// It must still hold this text, or not be there.
+    /// The file must hold this text, or not exist.
     Holds(String),
-    /// It may be anything: the question was answered.
+    /// No condition: the user confirmed.
     Anything,
-    /// It may also lose what cannot be kept: that question was answered, too.
+    /// No condition, and attributes may be lost: the user confirmed that, too.
     Losing,
 }
 
-/// What came of an effect.
+/// The result of an effect.
 #[derive(Debug)]
 pub enum Reply {
     /// The text was saved in this file.
     Saved(PathBuf, String),
-    /// There is another file of this name; what was to be written to it.
+    /// The file exists already; with the content to be written.
     Exists(PathBuf, Saving),
-    /// The file cannot keep this if it is replaced; what was to be written to it.
+    /// Replacing the file would lose these attributes; with the content to be written.
     Loses(PathBuf, Saving, String),
-    /// The file is not as it was when it was opened.
+    /// The file was changed since it was opened.
     ChangedOutside(PathBuf),
-    /// What is on the screen was written to this file.
+    /// The screen was exported to this file.
     Exported(PathBuf),
     /// A model to compare with was opened.
     Reference(Box<Opened>),
-    /// What came of opening a file of measured curves.
+    /// The result of opening a file of measured curves.
     Measured(OpenedMeasured),
-    /// Whether the measured curve of the typed objective can be matched, else why not.
+    /// Whether the measured curve of the typed objective can be matched; if not, why.
     MatchChecked(Result<(), Fault>),
     /// The file was not saved, and why.
     NotSaved(PathBuf, String),
     /// A model was opened.
     Opened(Box<Opened>),
-    /// The file is not a model.
+    /// The file is not a valid model.
     Faulty(PathBuf, Vec<Fault>),
     /// The file was not read, and why.
     NotRead(PathBuf, String),
-    /// The path as far as it is unambiguous.
+    /// The path, completed as far as unambiguous.
     Completed(String),
-    /// What another program did to the file.
-    Compared(Outside),
-    /// A file that is open was read again.
+    /// How another program changed the file.
+    Compared(ExternalChange),
+    /// The open file was reloaded.
     Reloaded(Box<Opened>),
-    /// Unsaved changes that were found were taken.
+    /// Recovered changes were loaded.
     Recovered {
-        /// The model, beside the text it belongs to.
+        /// The model, with its base text.
         opened: Box<Opened>,
-        /// Where that text is.
+        /// Where the base text is.
         base: Base,
-        /// How many others there are.
+        /// How many other recovered changes remain.
         others: usize,
     },
 }
 
-/// Unsaved changes that were found.
+/// Unsaved changes of a program that was killed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Lost {
     /// The file or preset they belong to.
     pub name: String,
-    /// How long ago the last of them was made.
+    /// The age of the last change.
     pub age: Duration,
 }

@@ -1,11 +1,11 @@
-//! What is on the screen, to be written to a file.
+//! Export of the screen to a file.
 
 use std::path::{Path, PathBuf};
 
 use super::{App, Effect, Guard};
 use crate::escape::{path_of_text, path_text};
 
-/// A kind of file that is written.
+/// The kind of exported file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Export {
     /// The curves as numbers.
@@ -16,17 +16,17 @@ pub enum Export {
     Text,
 }
 
-/// What is written to a file.
+/// The content to be written to a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Saving {
     /// The model.
     Model,
-    /// What is on the screen.
+    /// The screen.
     Screen(Export),
 }
 
 impl Export {
-    /// The kind by the ending of a file's name.
+    /// The kind for a file extension.
     fn of(path: &Path) -> Option<Self> {
         let ending = path.extension()?.to_str()?.to_ascii_lowercase();
         match ending.as_str() {
@@ -39,13 +39,13 @@ impl Export {
 }
 
 impl App {
-    /// The name that is proposed for what is on the screen.
+    /// The proposed name of an exported file.
     pub(super) fn export_name(&self) -> String {
         let name = self.document.source().name();
         path_text(&path_of_text(&name).with_extension("svg"))
     }
 
-    /// Writes what is on the screen to a new file of the kind that its ending says.
+    /// Exports the screen to a new file of the kind given by its extension.
     pub(super) fn export_to(&mut self, path: PathBuf) -> Vec<Effect> {
         let Some(kind) = Export::of(&path) else {
             self.refuse_prompt("the name must end in .csv, .svg or .txt");

@@ -1,10 +1,10 @@
-//! Opening, saving and leaving.
+//! Open, save and quit.
 
 use std::path::PathBuf;
 
 use super::{
-    Anchor, App, Band, Curves, Detail, Document, Effect, Guard, List, Modal, Next, Outside,
-    Overlay, Prompt, Purpose, Reading, ReplaceReason, Reply, Saving, Selection, Tables,
+    Anchor, App, Band, Curves, Detail, Document, Effect, ExternalChange, Guard, List, ModesState,
+    Next, Overlay, Prompt, Purpose, Reading, ReplaceReason, Reply, Saving, Selection, Tables,
 };
 use crate::escape::{path_text, shown_path};
 use crate::files::{Opened, Source};
@@ -13,13 +13,13 @@ use crate::presets;
 use crate::tui::keys::{ReplaceCommand, UnsavedCommand};
 
 impl App {
-    /// Goes on to something that drops the model: asks first when it is not saved.
+    /// Continues with an action that discards the model; with unsaved changes, asks first.
     pub(super) fn leave(&mut self, next: Next) -> Vec<Effect> {
         if !self.document.is_changed() {
             return self.go_on(next);
         }
         let beneath = match self.overlay.take() {
-            // Asked again: it is the same question.
+            // The same question is already open.
             Some(Overlay::Unsaved { beneath, .. }) => beneath,
             other => other.map(Box::new),
         };
@@ -51,27 +51,27 @@ impl App {
         }
     }
 
-    /// Takes an opened model in the place of this one.
+    /// Replaces the model by an opened one.
     fn open(&mut self, opened: Opened) {
         self.open_document(Document::new(opened));
         let name = self.document.source().name();
         self.done(format!("opened {name}"));
     }
 
-    /// Takes a document in the place of this one. The frozen reference stays, to compare with.
+    /// Replaces the document. Frozen references stay, for comparison.
     pub(super) fn open_document(&mut self, document: Document) {
-        self.remember_view();
+        self.store_view();
         self.document = document;
         let model = self.document.model();
         self.selection = Selection::new(model);
         let decibels = self.curves.decibels;
         self.curves = Curves::new(model, self.curves.generation + 1);
         self.curves.decibels = decibels;
-        self.modal = Modal::default();
+        self.modes = ModesState::default();
         self.reading = Reading::default();
         self.detail = Detail::default();
         self.band = Band::default();
-        self.looking.forget();
+        self.beam_view.forget();
         self.sensitivities.forget();
         self.end_run();
         self.forget_sample();
@@ -81,12 +81,12 @@ impl App {
         self.tables = Tables::default();
         self.tables.open = open;
         self.anchor = Anchor::default();
-        self.witness.forget();
+        self.fem_overlay.forget();
         self.overlay = None;
         self.search = None;
         self.held = None;
         self.expected = None;
-        self.outside = Outside::default();
+        self.external_change = ExternalChange::default();
         self.recall_view();
     }
 
@@ -95,14 +95,14 @@ impl App {
         self.overlay = Some(Overlay::Faults { path, faults, list });
     }
 
-    /// Saves to the file the model came from, or asks for one.
+    /// Saves to the model's file, or asks for a path.
     pub(super) fn save(&mut self) -> Vec<Effect> {
         let Source::File(path) = self.document.source() else {
             self.ask_save_path();
             return Vec::new();
         };
         let path = path.clone();
-        if !self.document.is_changed() && self.outside == Outside::Same {
+        if !self.document.is_changed() && self.external_change == ExternalChange::Same {
             self.done(format!("{} is saved already", shown_path(&path)));
             return Vec::new();
         }
@@ -127,7 +127,7 @@ impl App {
         }
     }
 
-    /// Answers what becomes of unsaved changes.
+    /// Handles the answer about unsaved changes.
     pub(super) fn answer_unsaved(&mut self, answer: UnsavedCommand) -> Vec<Effect> {
         let asked = |overlay: &mut Overlay| matches!(overlay, Overlay::Unsaved { .. });
         let Some(Overlay::Unsaved { next, beneath }) = self.overlay.take_if(asked) else {
@@ -149,7 +149,7 @@ impl App {
         }
     }
 
-    /// Answers whether a file is replaced.
+    /// Handles the answer about replacing a file.
     pub(super) fn answer_replace(&mut self, answer: ReplaceCommand) -> Vec<Effect> {
         let asked = |overlay: &mut Overlay| matches!(overlay, Overlay::Replace { .. });
         let Some(Overlay::Replace { path, what, reason }) = self.overlay.take_if(asked) else {
@@ -177,7 +177,7 @@ impl App {
         }
     }
 
-    /// Takes what came of an effect; what is to be done then.
+    /// Handles the result of an effect; returns further effects.
     pub fn reply(&mut self, reply: Reply) -> Vec<Effect> {
         let mut effects = match reply {
             Reply::Saved(path, text) => self.saved(path, text),
@@ -224,7 +224,7 @@ impl App {
                 Vec::new()
             }
             Reply::Compared(outside) => {
-                self.note_outside(outside);
+                self.note_external_change(outside);
                 Vec::new()
             }
             Reply::Reloaded(opened) => {
@@ -248,7 +248,7 @@ impl App {
         self.overlay = None;
         self.done(format!("saved {}", shown_path(&path)));
         self.document.mark_saved(path, text);
-        self.outside = Outside::Same;
+        self.external_change = ExternalChange::Same;
         match self.after_save.take() {
             Some(next) => self.go_on(next),
             None => Vec::new(),

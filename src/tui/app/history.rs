@@ -1,4 +1,4 @@
-//! Undo and redo without limit.
+//! Undo and redo, without limit.
 
 use std::sync::Arc;
 
@@ -8,7 +8,7 @@ use crate::model::{Checked, ParameterId};
 /// What a step changed.
 #[derive(Debug, Clone)]
 pub enum Change {
-    /// One value: small, and enough to go both ways.
+    /// One value: small, and reversible.
     Value {
         /// The parameter.
         id: ParameterId,
@@ -38,7 +38,7 @@ impl Change {
         match self {
             Self::Value { id, before, after } => {
                 let value = if forward { after } else { before };
-                // Such a step was kept because its values go in and out of this very model.
+                // Such a step is only stored if its values can be set in this model.
                 *model = Arc::new(model.derived(|model| {
                     let result = edit::put(model, *id, value.clone());
                     debug_assert!(result.is_ok(), "{id:?}: {result:?}");
@@ -54,32 +54,32 @@ impl Change {
 /// A named step.
 #[derive(Debug, Clone)]
 pub struct Step {
-    /// What it did: `S1 z_left stiffness 16.7 -> 40 MN/m`.
+    /// Its name: `S1 z_left stiffness 16.7 -> 40 MN/m`.
     pub name: String,
     /// What it changed.
     pub change: Change,
-    /// Whether it was a nudge, to which the next one of the same parameter is added.
+    /// Whether it is a nudge; the next nudge of the same parameter merges with it.
     pub nudge: bool,
 }
 
-/// The steps taken, and those taken back.
+/// The undo and redo stacks.
 #[derive(Debug, Default)]
 pub struct History {
     done: Vec<Step>,
     undone: Vec<Step>,
-    /// Set where the next nudge starts a step of its own.
+    /// Whether the next nudge starts a separate step.
     sealed: bool,
 }
 
 impl History {
-    /// Adds a step; what was undone is gone.
+    /// Adds a step and clears the redo stack.
     pub fn push(&mut self, step: Step) {
         self.undone.clear();
         self.done.push(step);
         self.sealed = false;
     }
 
-    /// The last step, if it is a nudge of this parameter to which another can be added.
+    /// The last step, if a nudge of this parameter can merge with it.
     pub fn open_nudge(&mut self, id: ParameterId) -> Option<&mut Step> {
         if self.sealed || !self.undone.is_empty() {
             return None;
@@ -89,17 +89,17 @@ impl History {
             .filter(|step| step.nudge && step.change.id() == Some(id))
     }
 
-    /// Drops the last step: nudges that added up to nothing.
+    /// Removes the last step: its nudges cancel out.
     pub fn drop_last(&mut self) {
         self.done.pop();
     }
 
-    /// Lets the next nudge start a step of its own.
+    /// Makes the next nudge a separate step.
     pub fn seal(&mut self) {
         self.sealed = true;
     }
 
-    /// Takes the last step back; its name, or `None` at the beginning.
+    /// Undoes the last step; returns its name, or `None` at the beginning.
     pub fn undo(&mut self, model: &mut Arc<Checked>) -> Option<&str> {
         let step = self.done.pop()?;
         step.change.apply(model, false);
@@ -108,7 +108,7 @@ impl History {
         self.undone.last().map(|step| step.name.as_str())
     }
 
-    /// Takes an undone step again; its name, or `None` at the end.
+    /// Redoes an undone step; returns its name, or `None` at the end.
     pub fn redo(&mut self, model: &mut Arc<Checked>) -> Option<&str> {
         let step = self.undone.pop()?;
         step.change.apply(model, true);

@@ -1,4 +1,4 @@
-//! Measured curves beside the model, and how well it fits them.
+//! Measured curves, and how well the model fits them.
 
 use std::path::PathBuf;
 
@@ -15,33 +15,33 @@ use crate::tui::scene::ChartView;
 use crate::unit::{Dimension, Form, Kind, ValueUnit};
 use crate::worker::{Request, SampleAnswer, SampleRequest, Sampling};
 
-/// More measured curves than these cannot be told apart.
+/// The most measured curves that can be distinguished on the chart.
 pub(super) const MOST_CURVES: usize = 12;
 
-/// The frequencies at which a model is held beside measured curves; of more, every second, third...
+/// The most frequencies at which a model is compared with measured curves; beyond, every second, third...
 const MOST_FREQUENCIES: usize = 20_000;
 
 /// A curve from a file.
 #[derive(Debug)]
 pub struct Measured {
-    /// Its number, never given again.
+    /// A unique number.
     pub id: u64,
     /// Its name in the legend.
     pub name: String,
     /// The curve.
     pub curve: Curve,
-    /// Whether it shows.
+    /// Whether it is visible.
     pub shown: bool,
 }
 
 /// How well a response fits a measured curve.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fitted {
-    /// The number of the measured curve.
+    /// The id of the measured curve.
     pub measured: u64,
     /// The response.
     pub response: String,
-    /// How well, in the form that shows.
+    /// The quality of the fit, in the displayed form.
     pub fit: Fit,
 }
 
@@ -54,7 +54,7 @@ pub(super) struct Sample {
     traces: Vec<Trace>,
 }
 
-/// What a fit depends on.
+/// The inputs of a fit.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct FitKey {
     serial: Option<u64>,
@@ -65,28 +65,28 @@ pub(super) struct FitKey {
     visible: Vec<String>,
 }
 
-/// What the model was solved for: its generation, and the numbers of the measured curves.
+/// The key of a request: the model's generation, and the ids of the measured curves.
 pub(super) type SampleKey = (u64, Vec<u64>);
 
-/// What came of opening a measured file.
+/// The result of opening a measured file.
 #[derive(Debug)]
 pub enum OpenedMeasured {
     /// Its curves.
     Curves(Vec<Curve>),
-    /// The file does not say what all its columns are.
+    /// The file does not describe all its columns.
     Asks(PathBuf, Box<Inspection>),
-    /// It is not understood, and why.
+    /// The file is not readable, and why.
     Faulty(PathBuf, Fault),
 }
 
 impl Measured {
-    /// What its values are, if that is known of a motion.
+    /// The dimension of its values, if it is a known motion.
     pub fn dimension(&self) -> Option<Dimension> {
         self.curve.kind.and_then(Kind::motion)
     }
 
-    /// Whether it can stand on the axis of a response: its quantity is the same but for the measure of the motion, or
-    /// nothing is known of it.
+    /// Whether it can share the axis of a response: its quantity is the same except for the measure of the motion, or
+    /// is unknown.
     pub fn fits(&self, response: Option<&Dimension>) -> bool {
         match (self.curve.kind, response) {
             (None, _) | (Some(Kind::Energy), None) => true,
@@ -97,13 +97,12 @@ impl Measured {
         }
     }
 
-    /// How many values a view shows of it.
+    /// The number of its values in a view.
     pub fn panels(&self, view: ChartView) -> usize {
         1 + usize::from(view.has_two_panels())
     }
 
-    /// Its value at a frequency (Hz) beside a response, between the points on both sides by a straight line; none beyond
-    /// its ends.
+    /// Its value at a frequency (Hz) in the form of a response, by linear interpolation; none beyond its ends.
     pub fn value_at(
         &self,
         display: &Display,
@@ -121,13 +120,13 @@ impl Measured {
         Some(value(before) * (1.0 - share) + value(after) * share)
     }
 
-    /// Whether its values are energies, beside a response.
+    /// Whether its values are energies, when compared with a response.
     pub fn is_energy(&self, response: Option<&Dimension>) -> bool {
         self.curve.kind == Some(Kind::Energy) || (self.curve.kind.is_none() && response.is_none())
     }
 
-    /// A value by its place, in the form in which a response is shown beside which it stands. What nothing is known of
-    /// is taken for what the response is.
+    /// A value by its index, converted to the displayed form of the response it is compared with. An unknown quantity
+    /// counts as that of the response.
     pub fn value(
         &self,
         display: &Display,
@@ -141,7 +140,7 @@ impl Measured {
             }
             _ => value,
         };
-        // Without a phase there is none after a conversion either.
+        // Without a phase, a conversion gives none either.
         if self.curve.phase_known {
             shown
         } else {
@@ -151,7 +150,7 @@ impl Measured {
 }
 
 impl App {
-    /// Takes what came of opening a file; what is to be done then.
+    /// Handles an opened file; returns the effects.
     pub(super) fn measured_opened(&mut self, opened: OpenedMeasured) -> Vec<Effect> {
         match opened {
             OpenedMeasured::Curves(curves) => self.take_measured(curves),
@@ -169,8 +168,8 @@ impl App {
         Vec::new()
     }
 
-    /// Whether a table lacks nothing but units, and its curves have the names of responses, as `beamtune frf` gives them:
-    /// then they are in the units of these.
+    /// Whether a table lacks only units, and its curves have the names of responses, as `beamtune frf` writes them:
+    /// they are in the units of the responses then.
     fn is_of_responses(&self, inspection: &Inspection) -> bool {
         let named = |name: &String| self.model().responses.iter().any(|one| one.name == *name);
         inspection.format == measured::Format::Csv
@@ -178,8 +177,7 @@ impl App {
             && inspection.curves.iter().all(named)
     }
 
-    /// A curve whose quantity the file does not say, and which has the name of a response: what that is, under the
-    /// loads as they are given.
+    /// A curve of unknown quantity with the name of a response: the quantity of that response under the given loads.
     fn named_alike(&self, mut curve: Curve) -> Curve {
         let mut responses = self.model().responses.iter();
         let alike = responses.find(|one| one.enabled && one.name == curve.name);
@@ -196,12 +194,12 @@ impl App {
         curve
     }
 
-    /// Takes the curves of a file, or asks which where there are more than there is room for.
+    /// Adds the curves of a file, or asks which, if there are more than the limit.
     pub(super) fn take_measured(&mut self, curves: Vec<Curve>) {
         self.overlay = None;
-        let room = MOST_CURVES.saturating_sub(self.beside.measured.len());
+        let room = MOST_CURVES.saturating_sub(self.comparison.measured.len());
         if room == 0 {
-            let list = self.keys.key_of(CompareCommand::Beside);
+            let list = self.keys.key_of(CompareCommand::List);
             return self.refuse(format!(
                 "{MOST_CURVES} measured curves are the most: {list} lists them, to drop some"
             ));
@@ -213,15 +211,16 @@ impl App {
         let notes = notes(&curves);
         for curve in curves {
             let curve = self.named_alike(curve);
-            // Beside a response of the same name it has to have another one.
+            // A curve needs another name than the response it is compared with.
             let responses = &self.model().responses;
             let name = if responses.iter().any(|one| one.name == curve.name) {
-                self.beside.free_name(&format!("{} measured", curve.name))
+                self.comparison
+                    .free_name(&format!("{} measured", curve.name))
             } else {
-                self.beside.free_name(&curve.name)
+                self.comparison.free_name(&curve.name)
             };
             let id = self.next_serial();
-            self.beside.measured.push(Measured {
+            self.comparison.measured.push(Measured {
                 id,
                 name,
                 curve,
@@ -234,7 +233,7 @@ impl App {
         ));
     }
 
-    /// Asks what a file does not say of itself.
+    /// Asks for the description that a file lacks.
     fn ask_columns(&mut self, path: PathBuf, inspection: &Inspection) {
         let seen: Vec<String> = std::iter::once(inspection.question())
             .chain(inspection.recognised.iter().cloned())
@@ -245,7 +244,7 @@ impl App {
             preview: inspection.preview(),
         };
         let mut proposal = inspection.proposal.clone();
-        // One curve is likely to be of what shows.
+        // A single curve most likely measures the visible response.
         if let ([_], [unit], None) = (
             inspection.curves.as_slice(),
             self.shown_units().as_slice(),
@@ -256,9 +255,9 @@ impl App {
         self.ask_question(question, proposal.to_string());
     }
 
-    /// Asks for the model at the frequencies of the measured curves that show.
+    /// Requests the model at the frequencies of the visible measured curves.
     pub(super) fn want_measured(&mut self) -> Option<Request> {
-        let shown = || self.beside.measured.iter().filter(|one| one.shown);
+        let shown = || self.comparison.measured.iter().filter(|one| one.shown);
         let ids: Vec<u64> = shown().map(|one| one.id).collect();
         let generation = self.curves.generation;
         if ids.is_empty() {
@@ -266,7 +265,7 @@ impl App {
             return None;
         }
         let key = (generation, ids);
-        if self.beside.measured_asked.is(|asked| *asked == key) {
+        if self.comparison.measured_asked.is(|asked| *asked == key) {
             return None;
         }
         let mut frequencies: Vec<f64> = shown()
@@ -278,7 +277,7 @@ impl App {
         frequencies.sort_by(f64::total_cmp);
         frequencies.dedup();
         let serial = self.next_serial();
-        self.beside.measured_asked.sent(serial, key);
+        self.comparison.measured_asked.sent(serial, key);
         let mut subject = self.subject();
         subject.study = None;
         Some(Request::Sample(SampleRequest {
@@ -289,13 +288,13 @@ impl App {
         }))
     }
 
-    /// Takes the model at the frequencies of the measured curves.
+    /// Stores the model at the frequencies of the measured curves.
     pub(super) fn take_measured_sample(&mut self, answer: SampleAnswer) -> Result<(), String> {
-        let Some(&(generation, _)) = self.beside.measured_asked.answered(answer.serial) else {
+        let Some(&(generation, _)) = self.comparison.measured_asked.answered(answer.serial) else {
             return Ok(());
         };
         let solved = answer.result?.into_iter().flatten().next();
-        self.beside.sample = solved.map(|member| Sample {
+        self.comparison.sample = solved.map(|member| Sample {
             generation,
             traces: traces(&member.model, &member.frf, Vec::new()),
             frequencies: answer.frequencies,
@@ -303,50 +302,50 @@ impl App {
         Ok(())
     }
 
-    /// The measured curves that show beside a response that shows, with what that response is.
+    /// The visible measured curves that match a visible response, with the dimension of that response.
     pub fn measured_shown(&self) -> impl Iterator<Item = (&Measured, Option<Dimension>)> {
         let shown: Vec<Option<Dimension>> = self
             .shown_traces()
             .map(|one| self.display.dimension_of(one))
             .collect();
-        let measured = self.beside.measured.iter().filter(|one| one.shown);
+        let measured = self.comparison.measured.iter().filter(|one| one.shown);
         measured.filter_map(move |one| {
             let mut beside = shown.iter().filter(|response| one.fits(response.as_ref()));
             beside.next().map(|response| (one, *response))
         })
     }
 
-    /// The model at the frequencies of the measured curves is not wanted any more.
+    /// Discards the model at the frequencies of the measured curves.
     pub(super) fn forget_sample(&mut self) {
-        self.beside.measured_asked.forget();
-        self.beside.sample = None;
-        self.beside.fits.clear();
+        self.comparison.measured_asked.forget();
+        self.comparison.sample = None;
+        self.comparison.fits.clear();
     }
 
-    /// Finds out anew how well the model fits, where that may have changed.
+    /// Computes the fits again, if their inputs changed.
     pub(super) fn refresh_fits(&mut self) {
         let key = FitKey {
-            serial: self.beside.measured_asked.serial(),
-            solved: self.beside.sample.as_ref().map(|one| one.generation),
+            serial: self.comparison.measured_asked.serial(),
+            solved: self.comparison.sample.as_ref().map(|one| one.generation),
             form: self.display.form,
             motion: self.display.motion,
             band: self.band.span,
             visible: self.curves.visible.clone(),
         };
-        if self.beside.fit_key.as_ref() != Some(&key) {
-            self.beside.fits = self.fits();
-            self.beside.fit_key = Some(key);
+        if self.comparison.fit_key.as_ref() != Some(&key) {
+            self.comparison.fits = self.fits();
+            self.comparison.fit_key = Some(key);
         }
     }
 
-    /// How well the responses that show fit the measured curves that show, in the marked band if there is one; nothing
-    /// as long as the model has not been solved for it.
+    /// The fits of the visible responses to the visible measured curves, in the marked band if there is one; empty
+    /// until the model is solved at their frequencies.
     fn fits(&self) -> Vec<Fitted> {
         let current = |sample: &&Sample| sample.generation == self.curves.generation;
-        let Some(sample) = self.beside.sample.as_ref().filter(current) else {
+        let Some(sample) = self.comparison.sample.as_ref().filter(current) else {
             return Vec::new();
         };
-        let shown = self.beside.measured.iter().filter(|one| one.shown);
+        let shown = self.comparison.measured.iter().filter(|one| one.shown);
         shown
             .flat_map(|one| {
                 let traces = sample.traces.iter().filter(|trace| {
@@ -395,7 +394,7 @@ impl App {
     }
 }
 
-/// What was left out or taken for granted, each once, behind semicolons.
+/// Notes on omitted data and assumptions, each once, after semicolons.
 fn notes(curves: &[Curve]) -> String {
     let mut seen: Vec<&String> = Vec::new();
     for note in curves.iter().flat_map(|curve| &curve.notes) {
@@ -407,7 +406,7 @@ fn notes(curves: &[Curve]) -> String {
     notes.collect()
 }
 
-/// From one frequency of a curve to the next that is looked at.
+/// The stride over the frequencies of a curve.
 fn stride(points: usize) -> usize {
     points.div_ceil(MOST_FREQUENCIES).max(1)
 }

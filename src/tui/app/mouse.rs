@@ -1,4 +1,4 @@
-//! The mouse: all that it does is done by keys too.
+//! The mouse. Everything it does has a key, too.
 
 use std::sync::Arc;
 
@@ -8,7 +8,7 @@ use ratatui::layout::Position;
 use super::{Anchor, App, Effect, Overlay, Table};
 use crate::tui::keys::{FileCommand, ModelCommand, Movement};
 
-/// Rows that a list moves by a notch of the wheel.
+/// Rows that a list scrolls per notch of the wheel.
 const NOTCH: isize = 3;
 
 impl App {
@@ -24,7 +24,7 @@ impl App {
         vec![Effect::Mouse(self.mouse)]
     }
 
-    /// Takes what the mouse did.
+    /// Handles a mouse event.
     pub(super) fn mouse(&mut self, event: MouseEvent) -> Vec<Effect> {
         let place = Position::new(event.column, event.row);
         let coarse = event.modifiers.contains(KeyModifiers::CONTROL);
@@ -61,7 +61,7 @@ impl App {
         Vec::new()
     }
 
-    /// A click selects a row; one on the selected row is as Enter.
+    /// A click selects a row; a click on the selected row acts as Enter.
     fn click_in_tree(&mut self, row: usize) -> Vec<Effect> {
         let model = Arc::clone(self.document.model());
         let Some(node) = self.selection.rows().get(row).map(|row| row.node) else {
@@ -87,7 +87,7 @@ impl App {
         }
     }
 
-    /// A click selects an entry of a list; one on the selected entry takes it.
+    /// A click selects an entry of a list; a click on the selected entry accepts it.
     fn click_in_box(&mut self, place: Position) -> Vec<Effect> {
         let row = self.screen.list.and_then(|rows| rows.at(place));
         let list = self.overlay.as_mut().and_then(Overlay::choices);
@@ -103,7 +103,7 @@ impl App {
         Vec::new()
     }
 
-    /// Puts the chart's cursor to a place.
+    /// Moves the chart's cursor to a place.
     fn point(&mut self, place: Position) {
         let plot = self.screen.plot.as_ref();
         if let Some(frequency) = plot.and_then(|plot| plot.frequency(place)) {
@@ -112,8 +112,8 @@ impl App {
         }
     }
 
-    /// A notch of the wheel, up (1) or down (-1): it turns the value of the row that was clicked, or of the details;
-    /// it zooms the chart, and moves lists.
+    /// A notch of the wheel, up (1) or down (-1): changes the value over the details or the clicked row, zooms the
+    /// chart, or scrolls lists.
     fn turn(&mut self, place: Position, up: i32, coarse: bool) -> Vec<Effect> {
         self.message = None;
         let rows = NOTCH * if up > 0 { -1 } else { 1 };
@@ -151,8 +151,8 @@ impl App {
         Vec::new()
     }
 
-    /// Whether the wheel turns the selected value there: on its details, or on its row after a click on it. Elsewhere
-    /// in the tree the wheel moves, and what comes under the mouse then is not turned.
+    /// Whether the wheel changes the selected value here: over its details, or over its row after a click on it.
+    /// Elsewhere in the tree it scrolls, so that a row that moves under the mouse does not change.
     fn is_held(&self, place: Position) -> bool {
         let row = self.screen.tree.at(place);
         let on_held = self.held.is_some_and(|node| {

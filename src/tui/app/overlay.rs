@@ -1,4 +1,4 @@
-//! The boxes that stand over the designer and take its keys.
+//! The dialogs over the designer; an open dialog takes the keys.
 
 use std::path::PathBuf;
 
@@ -9,99 +9,99 @@ use crate::guide::Chapter;
 use crate::model::{Fault, ParameterId, Unit};
 use crate::presets;
 use crate::tui::keys::{
-    BesideCommand, Command, Movement, PaletteCommand, PickerCommand, RecoveryCommand, Scope,
+    Command, ComparisonCommand, Movement, PaletteCommand, PickerCommand, RecoveryCommand, Scope,
 };
 
-/// A box over the designer.
+/// An open dialog.
 #[derive(Debug)]
 pub enum Overlay {
-    /// Something is typed.
+    /// A prompt.
     Prompt(Prompt),
-    /// Every command and parameter is searched.
+    /// The palette: a search of all commands and parameters.
     Palette(Palette),
-    /// A preset is chosen.
+    /// The list of presets.
     Presets(List),
-    /// Help is read.
+    /// Help.
     Help(List),
-    /// A chapter of the guide is read.
+    /// A chapter of the guide.
     Guide(&'static Chapter, List),
-    /// Faults of a file that was not opened are read.
+    /// The faults of a file that was not opened.
     Faults {
         /// The file.
         path: PathBuf,
         /// What is wrong with it.
         faults: Vec<Fault>,
-        /// Which part is shown.
+        /// The scroll position.
         list: List,
     },
-    /// Asks what becomes of unsaved changes.
+    /// The confirmation about unsaved changes.
     Unsaved {
-        /// What comes then.
+        /// The action that follows.
         next: Next,
-        /// The box that stood there before, and comes back where the question is not answered.
+        /// The dialog that was open before; cancelling restores it.
         beneath: Option<Box<Overlay>>,
     },
-    /// Asks whether a file is replaced.
+    /// The confirmation before a file is replaced.
     Replace {
         /// The file.
         path: PathBuf,
-        /// Why there is a question.
+        /// Why a confirmation is needed.
         reason: ReplaceReason,
-        /// What is to be written.
+        /// The content to be written.
         what: Saving,
     },
-    /// What stands on the chart beside the model is listed.
-    Beside(List),
-    /// Unsaved changes of programs that were killed are offered.
+    /// The list of references and measured curves.
+    Comparison(List),
+    /// The list of unsaved changes of programs that were killed.
     Recovery {
-        /// Whose they are and how old.
+        /// Their models and ages.
         lost: Vec<Lost>,
-        /// The selected ones.
+        /// The selection.
         list: List,
     },
 }
 
-/// Why a file is not replaced without a question.
+/// Why replacing a file needs confirmation.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ReplaceReason {
-    /// Another file of this name is there.
+    /// The file exists already.
     Exists,
-    /// It is not as it was when it was opened or saved.
+    /// The file changed since it was opened or saved.
     ChangedOutside,
-    /// It cannot keep this, which the user may not give it.
+    /// The file would lose these attributes, which the user may not set.
     Loses(String),
 }
 
-/// What comes after unsaved changes are dealt with.
+/// The action that follows the confirmation about unsaved changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Next {
-    /// The program ends.
+    /// Quit.
     Quit,
-    /// The path of a file is asked for.
+    /// Prompt for a file to open.
     AskPath,
-    /// A preset is opened.
+    /// Open a preset.
     Preset(usize),
-    /// Unsaved changes that were found are taken.
+    /// Load recovered changes.
     Recover(usize),
-    /// The file is read again.
+    /// Reload the file.
     Reload,
 }
 
-/// A box in which a line is typed.
+/// A prompt for one line.
 #[derive(Debug)]
 pub struct Prompt {
-    /// What is asked for.
+    /// What it is for.
     pub purpose: Purpose,
-    /// What is typed so far.
+    /// The typed text.
     pub input: Input,
-    /// The text is the one that the box opened with: what is typed replaces it, other keys keep it for editing.
+    /// Whether the text is the initial one: typing replaces it, other keys start editing it.
     pub replaceable: bool,
-    /// Why what was typed was refused.
+    /// Why the text was refused.
     pub refusal: Option<String>,
 }
 
 impl Prompt {
-    /// A prompt with some text in it.
+    /// A prompt with an initial text.
     pub fn new(purpose: Purpose, text: String) -> Self {
         Self {
             purpose,
@@ -112,7 +112,7 @@ impl Prompt {
     }
 }
 
-/// What a prompt asks for.
+/// What a prompt is for.
 #[derive(Debug, Clone)]
 pub enum Purpose {
     /// A parameter's value.
@@ -121,47 +121,47 @@ pub enum Purpose {
     Open,
     /// The path of the file to save to.
     SaveAs,
-    /// Something beside the model.
+    /// Another question.
     Ask(Question),
 }
 
-/// A parameter whose value is asked for.
+/// A parameter with a prompt for its value.
 #[derive(Debug, Clone)]
 pub struct Asked {
-    /// The parameter in words.
+    /// The parameter as text.
     pub subject: String,
-    /// Which one it is.
+    /// The parameter.
     pub id: ParameterId,
-    /// What it may be.
+    /// The allowed values.
     pub range: String,
-    /// How it is read.
+    /// How the input is parsed.
     pub kind: AskedKind,
 }
 
-/// How a typed value is read.
+/// How a typed value is parsed.
 #[derive(Debug, Clone)]
 pub enum AskedKind {
-    /// As a number with this unit, perhaps relative to the old one.
+    /// A number with this unit, or a change relative to the old value.
     Number(f64, Unit),
-    /// As a whole number, perhaps relative to the old one.
+    /// A whole number, or a change relative to the old value.
     Count(usize),
-    /// As it stands.
+    /// A text.
     Text,
 }
 
-/// A list of which one row is selected.
+/// A list with one selected row.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct List {
-    /// The selected row, or the first one shown where none is selected.
+    /// The selected row, or the first visible one where none is selected.
     pub row: usize,
     /// How many rows there are.
     pub rows: usize,
-    /// How many there is room for; known when it has been drawn.
+    /// The number of visible rows; known after the first drawing.
     pub height: usize,
 }
 
 impl List {
-    /// A list of so many rows.
+    /// A list with this many rows.
     pub fn new(rows: usize, row: usize) -> Self {
         Self {
             row,
@@ -170,13 +170,13 @@ impl List {
         }
     }
 
-    /// The first row on the screen, so that the selected one is about in the middle.
+    /// The first visible row; keeps the selected one near the middle.
     pub fn first(&self) -> usize {
         let last = self.rows.saturating_sub(self.height);
         self.row.saturating_sub(self.height / 2).min(last)
     }
 
-    /// Another number of rows.
+    /// Sets the number of rows.
     pub fn set_rows(&mut self, rows: usize) {
         self.rows = rows;
         self.row = self.row.min(rows.saturating_sub(1));
@@ -188,7 +188,7 @@ impl List {
         self.step(if forward { rows } else { -rows });
     }
 
-    /// Moves as a key asks.
+    /// Moves the selection.
     pub fn go(&mut self, movement: Movement) {
         match movement {
             Movement::Up => self.step(-1),
@@ -215,7 +215,7 @@ impl Overlay {
         Self::Presets(List::new(presets::ALL.len(), row))
     }
 
-    /// Which keys have their meaning in the box.
+    /// The scope of the dialog's keys.
     pub fn scope(&self) -> Scope {
         match self {
             Self::Prompt(_) => Scope::Prompt,
@@ -225,11 +225,11 @@ impl Overlay {
             Self::Unsaved { .. } => Scope::Unsaved,
             Self::Replace { .. } => Scope::Replace,
             Self::Recovery { .. } => Scope::Recovery,
-            Self::Beside(_) => Scope::Beside,
+            Self::Comparison(_) => Scope::Comparison,
         }
     }
 
-    /// The list that shows, of entries or of lines.
+    /// The visible list, of entries or of lines.
     pub(super) fn list(&mut self) -> Option<&mut List> {
         match self {
             Self::Help(list) | Self::Guide(_, list) | Self::Faults { list, .. } => Some(list),
@@ -237,20 +237,22 @@ impl Overlay {
         }
     }
 
-    /// The list of which one entry is chosen.
+    /// The list with a selectable entry.
     pub(super) fn choices(&mut self) -> Option<&mut List> {
         match self {
-            Self::Presets(list) | Self::Beside(list) | Self::Recovery { list, .. } => Some(list),
+            Self::Presets(list) | Self::Comparison(list) | Self::Recovery { list, .. } => {
+                Some(list)
+            }
             Self::Palette(palette) => Some(&mut palette.list),
             _ => None,
         }
     }
 
-    /// The command that takes the selected entry of such a list.
+    /// The command that accepts the selected entry of such a list.
     pub(super) fn accept(&self) -> Option<Command> {
         match self {
             Self::Presets(_) => Some(PickerCommand::Accept.into()),
-            Self::Beside(_) => Some(BesideCommand::Accept.into()),
+            Self::Comparison(_) => Some(ComparisonCommand::Accept.into()),
             Self::Recovery { .. } => Some(RecoveryCommand::Accept.into()),
             Self::Palette(_) => Some(PaletteCommand::Accept.into()),
             _ => None,

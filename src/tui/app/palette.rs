@@ -1,4 +1,4 @@
-//! The palette: every command and every parameter, found by parts of their names.
+//! The palette: a fuzzy search of all commands and parameters.
 
 use std::cmp::Reverse;
 use std::sync::Arc;
@@ -11,7 +11,7 @@ use crate::tui::fuzzy;
 use crate::tui::keys::{AnywhereCommand, Command, FileCommand, PaletteCommand, Scope};
 use crate::tui::tree::{self, Node};
 
-/// What people type by habit, and the command that they mean.
+/// Common names of commands in other programs, and the command here.
 const HABITS: [(&str, Command); 7] = [
     ("w", Command::File(FileCommand::Save)),
     ("write", Command::File(FileCommand::Save)),
@@ -22,25 +22,25 @@ const HABITS: [(&str, Command); 7] = [
     ("e", Command::File(FileCommand::Open)),
 ];
 
-/// What an entry leads to.
+/// The target of an entry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Found {
-    /// A command is done.
+    /// Runs a command.
     Command(Command),
-    /// A row of the tree is selected, and edited where it is typed.
+    /// Selects a row of the tree, and edits its value if it is typed.
     Row(Node),
-    /// A chapter of the guide is shown.
+    /// Opens a chapter of the guide.
     Chapter(&'static Chapter),
 }
 
 /// A line of the palette.
 #[derive(Debug, Clone)]
 pub struct Entry {
-    /// What it leads to.
+    /// The target.
     pub found: Found,
-    /// The name of the command or chapter, or the row's full name.
+    /// The name of the command or chapter, or the full name of the row.
     pub name: String,
-    /// What a command does or a chapter explains; empty for a row.
+    /// The description of a command or chapter; empty for a row.
     pub help: &'static str,
     /// The command's keys; empty for others.
     pub keys: String,
@@ -49,14 +49,14 @@ pub struct Entry {
 /// The palette's state.
 #[derive(Debug)]
 pub struct Palette {
-    /// What its entries are, for the heading.
+    /// The kind of entries, for the heading.
     pub subject: &'static str,
-    /// What is typed.
+    /// The typed text.
     pub input: Input,
-    /// The list of what was found.
+    /// The list of matches.
     pub list: List,
     entries: Vec<Entry>,
-    /// Indices of entries, the best first.
+    /// Indices of matching entries, best first.
     ranked: Vec<usize>,
 }
 
@@ -74,12 +74,12 @@ impl Palette {
         palette
     }
 
-    /// What was found, the best first.
+    /// The matches, best first.
     pub fn found(&self) -> impl Iterator<Item = &Entry> {
         self.ranked.iter().map(|index| &self.entries[*index])
     }
 
-    /// Changes what is typed and searches anew.
+    /// Changes the typed text and searches again.
     pub(super) fn type_into(&mut self, change: impl FnOnce(&mut Input)) {
         let before = self.input.value().to_owned();
         change(&mut self.input);
@@ -101,8 +101,10 @@ impl Palette {
             .enumerate()
             .filter_map(|(index, entry)| {
                 let is_meant = is_meant(entry.found);
-                let score = query.score(&entry.name).max(query.score_beside(entry.help));
-                // Equal ones stay in the order of the table and the tree.
+                let score = query
+                    .score(&entry.name)
+                    .max(query.score_with_description(entry.help));
+                // Equal scores keep the order of the table and the tree.
                 let rank = (!is_meant, Reverse(score), index);
                 (is_meant || score.is_some()).then_some(rank)
             });
@@ -175,7 +177,7 @@ impl App {
         Vec::new()
     }
 
-    /// Selects a row, and asks for its value where that is typed.
+    /// Selects a row, and opens a prompt for its value if it is typed.
     fn go_to(&mut self, node: Node) {
         let model = Arc::clone(self.document.model());
         self.selection.select(&model, node);

@@ -1,4 +1,4 @@
-//! Boxes in which a line is typed, and lists.
+//! Prompts for one line, and lists.
 
 use crossterm::event::{Event as TerminalEvent, KeyEvent};
 use tui_input::backend::crossterm::EventHandler;
@@ -18,7 +18,7 @@ use crate::tui::tree::{self, Node};
 const MOST_TYPED: usize = 4_096;
 
 impl App {
-    /// A key without a meaning of its own is typed, where something is typed.
+    /// Types a key that has no binding, if a prompt is open.
     pub(super) fn type_key(&mut self, key: &KeyEvent) -> Vec<Effect> {
         let typed = Key::of(key).is_typed();
         let taken = self.type_into(typed, |input| {
@@ -34,7 +34,7 @@ impl App {
         Vec::new()
     }
 
-    /// What is pasted is typed, where something is typed.
+    /// Pastes a text into the open prompt.
     pub(super) fn paste(&mut self, text: &str) -> Vec<Effect> {
         if !self.scope().is_typing() {
             let edit = self.keys.key_of(ModelCommand::Edit);
@@ -59,8 +59,7 @@ impl App {
         Vec::new()
     }
 
-    /// Changes the line that is typed; whether `change` had room in it. What is `typed` takes the place of the text that a
-    /// box opened with.
+    /// Changes the typed line; returns whether there was room for it. Typed text replaces the initial text of a prompt.
     fn type_into(&mut self, typed: bool, change: impl FnOnce(&mut Input) -> bool) -> bool {
         let mut taken = true;
         match &mut self.overlay {
@@ -117,7 +116,7 @@ impl App {
         let text = prompt.input.value().trim().to_owned();
         match prompt.purpose.clone() {
             Purpose::Value(asked) => self.accept_value(&asked, &text),
-            Purpose::Ask(question) => return self.answer_ask(&question, &text),
+            Purpose::Ask(question) => return self.answer_question(&question, &text),
             Purpose::Open | Purpose::SaveAs if text.is_empty() => {
                 self.refuse_prompt("type a file's path");
             }
@@ -142,7 +141,7 @@ impl App {
         }
     }
 
-    /// Keeps the box open and says in it what is wrong.
+    /// Keeps the prompt open and shows what is wrong.
     pub(super) fn refuse_prompt(&mut self, refusal: impl Into<String>) {
         match &mut self.overlay {
             Some(Overlay::Prompt(prompt)) => prompt.refusal = Some(refusal.into()),
@@ -150,7 +149,7 @@ impl App {
         }
     }
 
-    /// Puts a longer text into the box.
+    /// Puts a completed text into the prompt.
     pub(super) fn complete(&mut self, text: String) {
         if let Some(Overlay::Prompt(prompt)) = &mut self.overlay {
             prompt.input = Input::new(text);
@@ -158,7 +157,7 @@ impl App {
         }
     }
 
-    /// Asks for another name of the selected row.
+    /// Prompts for another name of the selected row.
     pub(super) fn ask_name(&mut self) {
         let selected = self.selection.node();
         let node = selected.item().map_or(selected, Node::Group);
@@ -195,7 +194,7 @@ impl App {
         }
     }
 
-    /// The row of the preset that is open, in the list of presets.
+    /// The row of the open preset in the list of presets.
     pub(super) fn preset_row(&self) -> usize {
         match self.document.source() {
             crate::files::Source::Preset(name) => presets::ALL
@@ -206,7 +205,7 @@ impl App {
         }
     }
 
-    /// What the file must be to be replaced without a question.
+    /// The condition for replacing the file without confirmation.
     pub(super) fn guard(&self, path: &std::path::Path) -> Guard {
         match self.document.source() {
             crate::files::Source::File(own)

@@ -1,4 +1,4 @@
-//! What is read at the cursors: solved there, not interpolated.
+//! The values at the cursors: solved there, not interpolated.
 
 use num_complex::Complex64;
 
@@ -12,7 +12,7 @@ use crate::worker::{Request, SampleAnswer, SampleRequest, Sampling};
 /// Harmonics of the cursor, the cursor itself included.
 const HARMONICS: u32 = 10;
 
-/// What a reading was asked for.
+/// The key of a request.
 #[derive(Debug, Clone, PartialEq)]
 struct Key {
     generation: u64,
@@ -27,7 +27,7 @@ struct Values {
     curves: Compared,
 }
 
-/// What is read at the cursors.
+/// The state of the readings.
 #[derive(Debug, Default)]
 pub struct Reading {
     /// The second cursor, Hz.
@@ -38,23 +38,23 @@ pub struct Reading {
     values: Option<Values>,
 }
 
-/// A response at a frequency, as it was solved there.
+/// A response at a frequency, solved there.
 #[derive(Debug, Clone, Copy)]
 pub struct Read<'a> {
-    /// The response at the frequencies that were asked for.
+    /// The response at the requested frequencies.
     trace: &'a Trace,
     index: usize,
 }
 
 impl Read<'_> {
-    /// The value, divided by the force where there is just one.
+    /// The value, divided by the force if there is exactly one.
     pub fn value(&self) -> Complex64 {
         self.trace.values[self.index]
     }
 }
 
 impl Reading {
-    /// A response of a member of the model at a frequency (Hz), where it was solved for the model with this generation.
+    /// A response of a member of the model at a frequency (Hz), if solved for the model with this generation.
     pub fn model(
         &self,
         generation: u64,
@@ -69,7 +69,7 @@ impl Reading {
             .flatten()
     }
 
-    /// The same of a reference, by its number.
+    /// The same for a reference, by id.
     pub fn reference(
         &self,
         id: u64,
@@ -82,10 +82,10 @@ impl Reading {
         read(members.get(member)?, response, frequency)
     }
 
-    /// Takes an answer to what was asked last.
+    /// Stores the answer to the last request.
     ///
     /// # Errors
-    /// Why nothing was solved, in a line.
+    /// Why the solution failed, in one line.
     pub(super) fn take(&mut self, answer: SampleAnswer) -> Result<(), String> {
         let Some(key) = self.asked.answered(answer.serial) else {
             return Ok(());
@@ -98,7 +98,7 @@ impl Reading {
     }
 }
 
-/// The place of the frequency nearest to another one; none where there are none.
+/// The index of the nearest frequency; none if there are none.
 pub fn nearest(frequencies: &[f64], to: f64) -> Option<usize> {
     let after = frequencies.partition_point(|frequency| *frequency < to);
     let around = [after.saturating_sub(1), after].into_iter();
@@ -115,7 +115,7 @@ fn read<'a>(member: &'a Member, response: &str, frequency: f64) -> Option<Read<'
     })
 }
 
-/// What was read at a frequency (Hz), else the value at the nearest one that was solved.
+/// The value solved at a frequency (Hz), else the value at the nearest solved one.
 fn solved(
     read: Option<Read<'_>>,
     member: &Member,
@@ -140,38 +140,38 @@ fn solved(
 /// A value at a frequency.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Value {
-    /// As it is shown: in the form and divided by the force where there is just one.
+    /// As displayed: in the form, divided by the force if there is exactly one.
     pub shown: Complex64,
-    /// Whether it was solved there; else it is that of the nearest frequency that was.
+    /// Whether it was solved at this frequency; else it is that of the nearest solved one.
     pub exact: bool,
 }
 
-/// A level against the first reference at a frequency.
+/// A level relative to the first reference at a frequency.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AgainstReference {
-    /// dB, as the difference view draws it.
+    /// dB, as drawn in the difference view.
     pub decibels: f64,
-    /// Whether both curves were solved there.
+    /// Whether both curves were solved at this frequency.
     pub exact: bool,
 }
 
-/// A value as it was solved.
+/// A solved value.
 #[derive(Debug, Clone, Copy)]
 struct Solved {
     value: Complex64,
-    /// Hz: where it was asked for, or the nearest frequency that was solved.
+    /// Hz: the requested frequency, or the nearest solved one.
     frequency: f64,
     exact: bool,
 }
 
 impl App {
-    /// A response of a member of the model at a frequency (Hz): exactly, or as near as is solved.
+    /// A response of a member of the model at a frequency (Hz): exact, or at the nearest solved one.
     pub fn value_at(&self, number: usize, trace: &Trace, frequency: f64) -> Option<Value> {
         let solved = self.solved_at(number, trace, frequency)?;
         Some(self.shown_value(trace, solved))
     }
 
-    /// The same of a reference, by its number.
+    /// The same for a reference, by id.
     pub fn reference_at(
         &self,
         (id, number): (u64, usize),
@@ -185,7 +185,7 @@ impl App {
         Some(self.shown_value(trace, solved))
     }
 
-    /// A response of a member of the model against that of the first reference, at a frequency (Hz).
+    /// A response of a member of the model relative to the first reference, at a frequency (Hz).
     pub fn difference_at(
         &self,
         number: usize,
@@ -193,9 +193,9 @@ impl App {
         frequency: f64,
     ) -> Option<AgainstReference> {
         let own = self.solved_at(number, trace, frequency)?;
-        let reference = self.beside.first_shown()?;
+        let reference = self.comparison.first_shown()?;
         let members = &reference.picture.as_ref()?.members;
-        // Of its own member, or the only one.
+        // The corresponding member, or the only one.
         let number = if number < members.len() { number } else { 0 };
         let member = members.get(number)?;
         let against = member.trace(&trace.response)?;
@@ -227,7 +227,7 @@ impl App {
         }
     }
 
-    /// The harmonics of the cursor that lie in the sweep, Hz: 2, 3, .. times its frequency.
+    /// The harmonics of the cursor in the sweep, Hz: 2, 3, .. times its frequency.
     pub fn harmonics(&self) -> Vec<f64> {
         let Some(cursor) = self.curves.cursor.filter(|_| self.reading.harmonics) else {
             return Vec::new();
@@ -239,7 +239,7 @@ impl App {
             .collect()
     }
 
-    /// Puts the second cursor where the cursor is, or takes it away.
+    /// Puts the second cursor at the cursor, or removes it.
     pub(super) fn turn_second(&mut self) {
         match (self.reading.second.take(), self.curves.cursor) {
             (Some(second), Some(cursor)) if second != cursor => {
@@ -272,7 +272,7 @@ impl App {
         });
     }
 
-    /// Asks for the values at the cursors.
+    /// Requests the values at the cursors.
     pub(super) fn want_reading(&mut self) -> Option<Request> {
         let cursor = self.curves.cursor?;
         let mut frequencies: Vec<f64> = std::iter::once(cursor)
@@ -283,7 +283,7 @@ impl App {
         frequencies.dedup();
         let key = Key {
             generation: self.curves.generation,
-            references: self.beside.shown_ids(),
+            references: self.comparison.shown_ids(),
             frequencies,
         };
         if self.reading.asked.is(|asked| *asked == key) {

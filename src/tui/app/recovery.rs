@@ -1,4 +1,4 @@
-//! Changes that are not saved survive the program.
+//! The recovery file: unsaved changes survive the program.
 
 use std::sync::Arc;
 
@@ -8,7 +8,7 @@ use crate::model::counted;
 use crate::tui::keys::{FileCommand, ModelCommand, RecoveryCommand};
 
 impl App {
-    /// Keeps what is not saved, when that has changed.
+    /// Writes unsaved changes to the recovery file, if they differ from the last ones.
     pub(super) fn keep(&mut self) -> Vec<Effect> {
         let changed = self.document.is_changed();
         let model = self.document.model();
@@ -25,7 +25,7 @@ impl App {
         }
     }
 
-    /// Offers unsaved changes that were found.
+    /// Offers recovered changes.
     pub fn offer(&mut self, lost: Vec<Lost>) {
         if !lost.is_empty() {
             let list = List::new(lost.len(), 0);

@@ -1,20 +1,20 @@
-//! Counts before commands, and the last change done again.
+//! Counts before commands, and the repeat of the last change.
 
 use super::edit::read;
 use super::{App, Effect, Message};
 use crate::tui::keys::Command;
 
-/// A change that can be done again on another row.
+/// A change that can be repeated on another row.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum LastChange {
-    /// A command, so many times.
+    /// A command with its count.
     Command(Command, u32),
-    /// A value that was typed.
+    /// A typed value.
     Typed(String),
 }
 
 impl App {
-    /// Does a command so many times, as far as it goes.
+    /// Runs a command `count` times, until it is refused.
     pub(super) fn repeated(&mut self, command: Command, times: u32) -> Vec<Effect> {
         let before = self.document.model().clone();
         let mut effects = Vec::new();
@@ -39,7 +39,7 @@ impl App {
         effects
     }
 
-    /// Says how often the command ran before the last one, which was refused.
+    /// Reports how often the command ran before it was refused.
     fn add_to(&mut self, before: Option<Message>, times: u32) {
         if let (Some(Message::Done(done)), Some(Message::Refused(refusal))) =
             (before, &self.message)
@@ -49,14 +49,14 @@ impl App {
         }
     }
 
-    /// Says how many changes of the model the last one stands for.
+    /// Reports how many changes of the model were merged into the last one.
     fn add_times(&mut self, command: Command, times: u32) {
         if let (true, Some(Message::Done(done))) = (command.repeats(), &self.message) {
             self.message = Some(Message::Done(last_of(done.clone(), times)));
         }
     }
 
-    /// Does the last change again.
+    /// Repeats the last change.
     pub(super) fn repeat(&mut self) {
         match self.last_change.clone() {
             None => self.refuse("there is no change to do again yet"),
@@ -65,7 +65,7 @@ impl App {
         }
     }
 
-    /// Gives the selected parameter what was typed for another one.
+    /// Sets the selected parameter to the text that was typed for another one.
     fn type_again(&mut self, text: &str) {
         let Some(asked) = self.asked() else {
             return self.refuse(format!(

@@ -1,12 +1,12 @@
-//! What the worker is asked for, and what it has found.
+//! Requests to the worker, and its answers.
 
 use std::sync::Arc;
 
-use super::{App, Effect, Look, Witness};
+use super::{App, BeamView, Effect, FemOverlay};
 use crate::model::edit::{self, Value};
 use crate::worker::{Answer, CurvesAnswer, ExpectRequest, Request, Sampling, Subject};
 
-/// The last request of one kind: its serial number, and what it was for.
+/// The last request of one kind: its serial number and its key.
 #[derive(Debug)]
 pub(super) struct LastRequest<K>(Option<(u64, K)>);
 
@@ -17,17 +17,17 @@ impl<K> Default for LastRequest<K> {
 }
 
 impl<K> LastRequest<K> {
-    /// Whether it was for the same.
+    /// Whether it has the same key.
     pub(super) fn is(&self, same: impl FnOnce(&K) -> bool) -> bool {
         self.0.as_ref().is_some_and(|(_, key)| same(key))
     }
 
-    /// Stores a request that is sent.
+    /// Stores a sent request.
     pub(super) fn sent(&mut self, serial: u64, key: K) {
         self.0 = Some((serial, key));
     }
 
-    /// What the answer with a serial number is for; none where another request was sent since.
+    /// The key of the answer with a serial number; none if another request was sent since.
     pub(super) fn answered(&self, serial: u64) -> Option<&K> {
         let (last, key) = self.0.as_ref()?;
         (*last == serial).then_some(key)
@@ -38,27 +38,27 @@ impl<K> LastRequest<K> {
         self.0.as_ref().map(|(serial, _)| *serial)
     }
 
-    /// Forgets it: an answer is not taken, and the same can be requested again.
+    /// Resets the request: its answer is discarded, and the same key can be requested again.
     pub(super) fn forget(&mut self) {
         self.0 = None;
     }
 }
 
 impl App {
-    /// Takes what the worker has found.
+    /// Stores an answer of the worker.
     pub(super) fn take(&mut self, answer: Answer) {
         match answer {
             Answer::Curves(answer) => self.take_curves(answer),
             Answer::Shape(answer) => {
-                if let Err(reason) = self.modal.take_shape(answer) {
+                if let Err(reason) = self.modes.take_shape(answer) {
                     self.refuse(format!("no shape: {reason}"));
                 }
             }
             Answer::Witness(answer) => {
                 let (generation, model) = (self.curves.generation, self.document.model());
-                self.witness.take(answer, generation, model);
+                self.fem_overlay.take(answer, generation, model);
             }
-            Answer::Reference(answer) => self.beside.take(answer),
+            Answer::Reference(answer) => self.comparison.take(answer),
             Answer::Levels(answer) => self.take_levels(answer),
             Answer::Sensitivity(answer) => self.take_sensitivities(answer),
             Answer::Tune(answer) => self.take_tuning(answer),
@@ -85,17 +85,17 @@ impl App {
         if self.curves.take(answer)
             && let Some(modes) = modes
         {
-            self.modal.take(generation, modes);
+            self.modes.take(generation, modes);
             self.follow_solution(&before);
         }
     }
 
-    /// Asks the worker for what is to be seen and was not asked for yet.
+    /// Requests everything that is visible and was not requested yet.
     pub(super) fn request(&mut self) -> Vec<Effect> {
         let mut requests: Vec<Request> = self.want_curves().into_iter().collect();
         requests.extend(self.want_expected());
         requests.extend(self.want_shape());
-        requests.extend(self.want_witness());
+        requests.extend(self.want_fem());
         requests.extend(self.want_reference());
         requests.extend(self.want_reading());
         requests.extend(self.want_detail());
@@ -107,7 +107,7 @@ impl App {
         requests.into_iter().map(Effect::Solve).collect()
     }
 
-    /// What is solved: the model with its study.
+    /// The subject of the solution: the model with its study.
     pub(super) fn subject(&self) -> Subject {
         Subject {
             generation: self.curves.generation,
@@ -116,7 +116,7 @@ impl App {
         }
     }
 
-    /// Curves, if those asked for last are not the model's.
+    /// Curves, if the last request was not for this model.
     fn want_curves(&mut self) -> Option<Request> {
         let (model, study) = (Arc::clone(self.document.model()), self.curves.study);
         if let Some((last, last_study)) = &self.requested
@@ -126,16 +126,16 @@ impl App {
             return None;
         }
         self.curves.generation += 1;
-        self.witness.outdate();
+        self.fem_overlay.outdate();
         self.requested = Some((model, study));
         Some(Request::Curves(self.subject()))
     }
 
-    /// Preparation for nudges of the selected parameter, where the model is so large that it saves time.
+    /// Preparation for nudges of the selected parameter, if the model is large enough for a benefit.
     fn want_expected(&mut self) -> Option<Request> {
         const MANY: usize = 8;
-        /// How far the value may be turned before it is prepared for again, and how far it is prepared for, as shares: a
-        /// subsystem's place passes others on its way.
+        /// How far the value may change before it is prepared again, and how far the preparation reaches, as shares:
+        /// the place of a subsystem passes others on its way.
         const NEAR: f64 = 0.03;
         const FAR: f64 = 0.05;
         let model = Arc::clone(self.document.model());
@@ -151,7 +151,7 @@ impl App {
             return None;
         }
         self.expected = Some((id, value));
-        // Where the model allows no such value, it is not turned so far either.
+        // The model limits how far the value can change.
         let turned = |by: f64| {
             let value = Value::Number(value * (1.0 + by));
             edit::changed(&model, id, value).map_or_else(|_| Arc::clone(&model), Arc::new)
@@ -162,24 +162,26 @@ impl App {
         }))
     }
 
-    /// The shape of the selected mode, if it shows.
+    /// The shape of the selected mode, if it is visible.
     fn want_shape(&mut self) -> Option<Request> {
-        self.looking.look.filter(|look| *look == Look::Mode)?;
+        self.beam_view
+            .shown
+            .filter(|look| *look == BeamView::Mode)?;
         let generation = self.curves.generation;
         let row = self.tables.modes.row;
         let model = self.document.model();
-        let request = self.modal.want_shape(generation, model, row)?;
+        let request = self.modes.want_shape(generation, model, row)?;
         Some(Request::Shape(request))
     }
 
-    /// The finite-element curves, if they show, once the exact ones are there.
-    fn want_witness(&mut self) -> Option<Request> {
+    /// The finite-element curves, if they are on and the exact ones are solved.
+    fn want_fem(&mut self) -> Option<Request> {
         let generation = self.curves.generation;
-        let waits = matches!(self.witness, Witness::Waiting(_));
-        if !waits || self.witnessed == Some(generation) || !self.curves.is_resolved() {
+        let waits = matches!(self.fem_overlay, FemOverlay::Waiting(_));
+        if !waits || self.fem_requested == Some(generation) || !self.curves.is_resolved() {
             return None;
         }
-        self.witnessed = Some(generation);
+        self.fem_requested = Some(generation);
         Some(Request::Witness(self.subject()))
     }
 }

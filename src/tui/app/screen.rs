@@ -1,30 +1,30 @@
-//! Where things are on the screen: for the mouse, and for all that depends on how much of a list shows.
+//! Positions on the screen, for the mouse and for everything that depends on the visible part of a list.
 
 use ratatui::layout::{Position, Rect};
 
 use super::{App, List, Overlay, Tables};
 
-/// Rows of a list on the screen.
+/// The visible rows of a list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Rows {
-    /// Where they are.
+    /// Their area.
     pub area: Rect,
-    /// The list's row in the topmost of them.
+    /// The first visible row.
     pub first: usize,
 }
 
 impl Rows {
-    /// The list's row at a place.
+    /// The row at a place.
     pub fn at(&self, place: Position) -> Option<usize> {
         let below = usize::from(place.y.checked_sub(self.area.y)?);
         self.area.contains(place).then_some(self.first + below)
     }
 }
 
-/// The curves on the screen.
+/// The area of the curves.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plot {
-    /// Where they are.
+    /// The area.
     pub area: Rect,
     /// The frequency in the middle of each column, Hz.
     pub frequencies: Vec<f64>,
@@ -39,23 +39,23 @@ impl Plot {
     }
 }
 
-/// The value axis of the chart, or of the upper of two.
+/// The value axis of the chart, or of its upper half.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Levels {
-    /// What it spans, values on the axis.
+    /// Its range, in axis values.
     pub bounds: [f64; 2],
     /// Whether it is logarithmic.
     pub log: bool,
 }
 
-/// Where things are on the screen, as it was drawn last. Drawing returns it.
+/// The positions of the last drawing. Drawing returns it.
 #[derive(Debug, Clone, Default)]
 pub struct Screen {
-    /// All of it.
+    /// The whole screen.
     pub area: Rect,
     /// The tree.
     pub tree: Rows,
-    /// What is said of the selected row.
+    /// The details of the selected row.
     pub details: Rect,
     /// The chart's curves.
     pub plot: Option<Plot>,
@@ -63,16 +63,16 @@ pub struct Screen {
     pub levels: Option<Levels>,
     /// The table below the chart.
     pub table: Option<Rows>,
-    /// The tables' lists: how many rows they have and there is room for.
+    /// The lists of the tables: their rows and visible heights.
     pub tables: Tables,
-    /// The rows of the open dialog that can be clicked.
+    /// The clickable rows of the open dialog.
     pub list: Option<Rows>,
-    /// The list of the open dialog: how many rows it has and there is room for.
+    /// The list of the open dialog: its rows and visible height.
     pub dialog: Option<List>,
 }
 
 impl App {
-    /// Stores where things are on a screen that was drawn; none where it is too small to show anything.
+    /// Stores the positions of a drawing; none if the screen is too small.
     pub fn drawn(&mut self, screen: Option<Screen>) {
         self.unseen = screen.is_none();
         let Some(screen) = screen else {

@@ -15,18 +15,18 @@ use crate::tui::tree::{self, Node};
 pub struct Search {
     /// What is typed.
     pub input: Input,
-    /// Whether it still is typed.
+    /// Whether the user still types it.
     pub typing: bool,
-    /// The rows that were found, in the tree's order.
+    /// The matching rows, in the order of the tree.
     pub found: Vec<Node>,
-    /// The row where it began.
+    /// The row at the start of the search.
     origin: Node,
 }
 
 impl Search {
     /// Follows a model that has changed.
     pub(super) fn follow(&mut self, moves: &Moves, model: &Model) {
-        // What was removed leaves what held it.
+        // A removed row is replaced by its parent.
         let mut origin = Some(self.origin);
         while let Some(node) = origin {
             if let Some(moved) = node.moved(moves) {
@@ -43,11 +43,11 @@ impl Search {
         let query = Query::new(self.input.value());
         let rows = tree::all_rows(model).into_iter().map(|row| row.node);
         self.found = rows
-            .filter(|node| query.stands_in(&tree::subject(model, *node)))
+            .filter(|node| query.is_in(&tree::subject(model, *node)))
             .collect();
     }
 
-    /// The number of a row among those found, from 1.
+    /// The number of a row among the matches, from 1.
     pub fn place(&self, node: Node) -> Option<usize> {
         let place = self.found.iter().position(|found| *found == node)?;
         Some(place + 1)
@@ -55,7 +55,7 @@ impl Search {
 }
 
 impl App {
-    /// Whether the tree's search is being typed.
+    /// Whether the user types a search.
     pub fn is_searching(&self) -> bool {
         self.search.as_ref().is_some_and(|search| search.typing)
     }
@@ -69,7 +69,7 @@ impl App {
         });
     }
 
-    /// Changes what is sought; the selection goes to the first row found from where the search began.
+    /// Changes the search text; selects the first match from the start row on.
     pub(super) fn type_search(&mut self, change: impl FnOnce(&mut Input)) {
         let model = Arc::clone(self.document.model());
         let Some(search) = &mut self.search else {
@@ -122,7 +122,7 @@ impl App {
         }
     }
 
-    /// Goes to the next or the last row found, round and round.
+    /// Goes to the next or previous match, cyclically.
     pub(super) fn seek_found(&mut self, forward: bool) {
         let model = Arc::clone(self.document.model());
         let Some(search) = &self.search else {
@@ -149,7 +149,7 @@ impl App {
         ));
     }
 
-    /// The index of the row found that is next to the selected one, which is none of them.
+    /// The index of the match next to the selected row, which is not a match.
     fn nearest_found(&self, forward: bool) -> usize {
         let Some(search) = &self.search else {
             return 0;

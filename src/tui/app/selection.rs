@@ -1,11 +1,11 @@
-//! Which rows of the tree are open, which one is selected, and which part is on the screen.
+//! The open groups, the selected row, and the visible part of the tree.
 
 use std::collections::HashSet;
 
 use crate::model::{Group, Model, Moves, Restraint};
 use crate::tui::tree::{self, Node, Row};
 
-/// The tree's state. Its rows are those of the model it was updated with last.
+/// The tree's state. Its rows are those of the last refreshed model.
 #[derive(Debug)]
 pub struct Selection {
     open: HashSet<Node>,
@@ -52,8 +52,7 @@ impl Selection {
         &self.rows
     }
 
-    /// The first row on a screen with room for so many: no further from the last one than needed to show the selected
-    /// row.
+    /// The first visible row for a height: scrolls only as far as needed to show the selected row.
     pub fn first_shown(&self, height: usize) -> usize {
         let height = height.max(1);
         let last = self.rows.len().saturating_sub(height);
@@ -61,18 +60,18 @@ impl Selection {
         self.offset.max(lowest).min(self.cursor).min(last)
     }
 
-    /// The selected row's number.
+    /// The index of the selected row.
     pub fn cursor(&self) -> usize {
         self.cursor
     }
 
-    /// The groups that are open, in the tree's order.
+    /// The open groups, in the order of the tree.
     pub(super) fn open(&self) -> impl Iterator<Item = Node> {
         let open = self.rows.iter().filter(|row| row.open == Some(true));
         open.map(|row| row.node)
     }
 
-    /// Opens these groups and no others, and selects a row, if there is one.
+    /// Opens exactly these groups, and selects a row if it exists.
     pub(super) fn restore(&mut self, model: &Model, open: HashSet<Node>, selected: Option<Node>) {
         self.open = open;
         self.refresh(model);
@@ -81,13 +80,13 @@ impl Selection {
         }
     }
 
-    /// What a movement changes: the selected row and how many there are.
+    /// The selected row and the number of rows, to detect a change.
     pub(super) fn state(&self) -> (usize, usize) {
         (self.cursor, self.rows.len())
     }
 
-    /// Makes the rows anew after the model or what is open has changed; the selection stays on its node, or on what
-    /// held it.
+    /// Rebuilds the rows after a change of the model or of the open groups; the selection stays on its node, or moves
+    /// to its parent.
     pub fn refresh(&mut self, model: &Model) {
         let node = self.rows.get(self.cursor).map(|row| row.node);
         self.rows = tree::rows(model, |node| self.open.contains(&node));
@@ -103,7 +102,7 @@ impl Selection {
         self.scroll();
     }
 
-    /// Follows subsystems, forces, responses and studies to their new places when some were added or removed.
+    /// Follows subsystems, forces, responses and studies to their new indices after some were added or removed.
     pub(super) fn follow(&mut self, moved: &Moves, after: &Model) {
         self.open = self
             .open
@@ -118,7 +117,7 @@ impl Selection {
         self.refresh(after);
     }
 
-    /// Tells how many rows there is room for.
+    /// Sets the visible height.
     pub fn set_height(&mut self, height: usize) {
         self.height = height.max(1);
         self.scroll();
@@ -145,7 +144,7 @@ impl Selection {
         self.go(usize::MAX);
     }
 
-    /// Opens the selected group, or goes to its first row if it is open.
+    /// Opens the selected group, or goes to its first row if already open.
     pub fn expand(&mut self, model: &Model) {
         match self.rows.get(self.cursor).and_then(|row| row.open) {
             Some(true) => self.step(1),
@@ -154,7 +153,7 @@ impl Selection {
         }
     }
 
-    /// Opens every group, but for the springs of free motions, which are all 0.
+    /// Opens every group, except the springs of free motions, which are all 0.
     pub fn expand_all(&mut self, model: &Model) {
         let groups = tree::all_rows(model)
             .into_iter()
@@ -194,7 +193,7 @@ impl Selection {
         self.refresh(model);
     }
 
-    /// Selects a node, opening what holds it.
+    /// Selects a node, and opens its parents.
     pub fn select(&mut self, model: &Model, node: Node) {
         let mut holder = node.parent();
         while let Some(parent) = holder {
@@ -208,7 +207,7 @@ impl Selection {
         self.go(self.cursor);
     }
 
-    /// Selects the next or previous parameter of the model, or the one so many further, shown or not.
+    /// Selects a following or preceding parameter of the model, visible or not.
     pub fn next_parameter(&mut self, model: &Model, forward: bool, times: usize) {
         let all = tree::all_rows(model);
         let here = self.node();

@@ -1,4 +1,4 @@
-//! Which parameter matters: bars in the tree and a table, for what is read at the cursor, a peak, a mode or the band.
+//! Sensitivities: bars in the tree and a table, for the level at the cursor, a peak, a mode or the band.
 
 mod effects;
 
@@ -13,7 +13,7 @@ use crate::solve::sensitivity::{Figure, Sensitivity};
 use crate::tui::keys::ReadingCommand;
 use crate::worker::{Request, SensitivityAnswer, SensitivityRequest};
 
-/// What the sensitivities are of.
+/// The figure whose sensitivities are shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sensed {
     /// The level of the first curve at the cursor.
@@ -26,31 +26,31 @@ pub enum Sensed {
     Band,
 }
 
-/// What sensitivities were asked for.
+/// The key of a request.
 #[derive(Debug, Clone, PartialEq)]
 struct Key {
     generation: u64,
     sensed: Sensed,
     response: String,
-    /// Hz: where, or the ends of the band.
+    /// Hz: the frequency, or the ends of the band.
     at: [f64; 2],
 }
 
-/// Which parameter matters.
+/// The state of the sensitivities.
 #[derive(Debug, Default)]
 pub struct Sensitivities {
-    /// What they are of; none where they do not show.
+    /// The figure; none if off.
     pub sensed: Option<Sensed>,
-    /// Those solved last.
+    /// The sensitivities solved last.
     pub effects: Option<Effects>,
-    /// Why there are none, where the last question failed.
+    /// Why the last request failed.
     pub failure: Option<String>,
-    /// With the model that it is about.
+    /// The last request, with its model.
     asked: LastRequest<(Key, Arc<Checked>)>,
 }
 
 impl Sensitivities {
-    /// Another model was opened: what is known says nothing of it.
+    /// Another model was opened: the results do not apply to it.
     pub(super) fn forget(&mut self) {
         (self.effects, self.failure) = (None, None);
         self.asked.forget();
@@ -58,13 +58,13 @@ impl Sensitivities {
 }
 
 impl App {
-    /// Shows the sensitivities of the next figure there is, or none.
+    /// Shows the sensitivities of the next available figure, or none.
     pub(super) fn next_sensitivities(&mut self) {
         let order = self.sensitivity_order();
         let shown = self.sensitivities.sensed;
         let shown = order.iter().position(|one| Some(*one) == shown);
         let mut rest = order.into_iter().skip(shown.map_or(0, |shown| shown + 1));
-        // Pressed before the first peaks are known, the key means the one that will be there.
+        // Before the first peaks are known, the key selects the expected peak.
         let comes = |sensed| sensed == Sensed::Peak && self.awaits_peaks();
         let next = rest.find(|one| self.sensitivity_key(*one).is_some() || comes(*one));
         if next.is_none() && self.sensitivities.sensed.is_none() {
@@ -77,7 +77,7 @@ impl App {
         }
         self.sensitivities.sensed = next;
         if let (Some(Sensed::Peak), Some(row)) = (next, self.peak_at_cursor()) {
-            // The cursor goes with the peak while a parameter is turned.
+            // The cursor follows the peak while a parameter changes.
             self.tables.peaks.row = row;
             self.anchor = Anchor::Peak;
             self.follow_anchor();
@@ -99,18 +99,18 @@ impl App {
         }
     }
 
-    /// Whether no peaks are known, but will be.
+    /// Whether peaks are not known yet, but will be.
     fn awaits_peaks(&self) -> bool {
         self.curves.resolved.is_none() && !matches!(self.curves.shown, Shown::Failed(..))
     }
 
-    /// Whether there is nothing, or no longer anything, that the sensitivities could be of.
+    /// Whether the figure does not exist, or no longer.
     pub fn lacks_figure(&self) -> bool {
         let key = |sensed| self.sensitivity_key(sensed);
         self.curves.is_resolved() && self.sensitivities.sensed.and_then(key).is_none()
     }
 
-    /// In which order a key goes through the figures: a cursor that stands on a peak means the peak.
+    /// The order of the figures for the key: a cursor on a peak selects the peak first.
     fn sensitivity_order(&self) -> [Sensed; 4] {
         if self.peak_at_cursor().is_some() {
             [Sensed::Peak, Sensed::Cursor, Sensed::Mode, Sensed::Band]
@@ -119,16 +119,16 @@ impl App {
         }
     }
 
-    /// The row of the peak on which the cursor stands.
+    /// The row of the peak at the cursor.
     fn peak_at_cursor(&self) -> Option<usize> {
-        /// The points of a curve come as near to a peak, relative to its frequency.
+        /// Relative frequency tolerance: how close the points of a curve come to a peak.
         const NEAR: f64 = 1e-4;
         let cursor = self.curves.cursor?;
         let mut peaks = self.peaks().iter().map(|peak| peak.frequency);
         peaks.position(|f| (f - cursor).abs() < NEAR * f)
     }
 
-    /// What would be asked for; none where there is no such figure.
+    /// The key of the next request; none if the figure does not exist.
     fn sensitivity_key(&self, sensed: Sensed) -> Option<Key> {
         let of = |at: [f64; 2]| Key {
             generation: self.curves.generation,
@@ -146,7 +146,7 @@ impl App {
                 Some(of([peak.frequency; 2]))
             }
             Sensed::Mode => {
-                let list = self.modal.list.as_ref()?;
+                let list = self.modes.list.as_ref()?;
                 let row = list.rows.get(self.tables.modes.row)?;
                 Some(of([row.frequency; 2]))
             }
@@ -154,16 +154,16 @@ impl App {
         }
     }
 
-    /// The response of the first curve that shows.
+    /// The response of the first visible curve.
     fn sensed_response(&self) -> Option<&str> {
         let (_, trace) = self.curves.first_trace()?;
         Some(&trace.response)
     }
 
-    /// Asks for the sensitivities that show.
+    /// Requests the visible sensitivities.
     pub(super) fn want_sensitivities(&mut self) -> Option<Request> {
         let sensed = self.sensitivities.sensed?;
-        // All but the cursor go by what was resolved; and a held key does not wait for them.
+        // All figures except the cursor need resolved curves, and a repeated key must not wait for them.
         if !self.curves.is_resolved() {
             return None;
         }
@@ -177,8 +177,8 @@ impl App {
             .map(|one| &one.name)
             .position(|name| *name == key.response)
             .unwrap_or_default();
-        // A mode that the count finds may be a neighbour of the selected one, or lie in the band.
-        let modes = self.modal.counted_modes(key.generation);
+        // A mode found by the count may be near the selected one, or in the band.
+        let modes = self.modes.counted_modes(key.generation);
         let frequency = key.at[0];
         let figure = match sensed {
             Sensed::Cursor => Figure::Level {
@@ -209,7 +209,7 @@ impl App {
         }))
     }
 
-    /// Takes the sensitivities that were asked for last.
+    /// Stores the sensitivities of the last request.
     pub(super) fn take_sensitivities(&mut self, answer: SensitivityAnswer) {
         let Some((key, model)) = self.sensitivities.asked.answered(answer.serial) else {
             return;
@@ -231,7 +231,7 @@ impl App {
         effects.lack = answer.lack;
         effects.follow(&Moves::new(model, self.document.model()));
         self.tables.sensitivities.set_rows(effects.rows.len());
-        // The row stays with the parameter that is being turned.
+        // The row follows the parameter that is edited.
         if let Some(place) = effects.places.get(&self.selection.node()) {
             self.tables.sensitivities.row = *place;
         }
@@ -239,7 +239,7 @@ impl App {
         self.sensitivities.failure = None;
     }
 
-    /// Selects the parameter of the table's row in the tree, so that keys turn it.
+    /// Selects the parameter of the table's row in the tree, so that keys change it.
     pub(super) fn follow_sensitivity(&mut self) {
         let row = self.tables.sensitivities.row;
         let effects = self.sensitivities.effects.as_ref();

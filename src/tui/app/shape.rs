@@ -1,13 +1,13 @@
-//! The shape of a mode as it is drawn: brought to one scale.
+//! The shape of a mode, normalized for drawing.
 
 use num_complex::Complex64;
 
 use crate::solve::modes;
 
-/// What is smaller than this share of the rest (1 m to 1 rad) is not blown up to be seen.
+/// A quantity below this share of the others (1 m to 1 rad) is not magnified.
 const NEGLIGIBLE: f64 = 1e-6;
 
-/// What is wider than this share of the widest is about as wide.
+/// Amplitudes above this share of the largest count as equally large.
 const ABOUT: f64 = 0.9;
 
 /// The motion of one mode, without its decay.
@@ -19,19 +19,18 @@ pub struct Shape {
     pub mode: usize,
     /// Places along the beam, m.
     pub positions: Vec<f64>,
-    /// w, v and psi along the beam. The largest translation, masses included, is 1, and so is the largest rotation.
+    /// w, v and psi along the beam. The largest translation, masses included, and the largest rotation are 1.
     pub beam: [Vec<Complex64>; 3],
-    /// Where the masses are, m, rising as the model has them.
+    /// The positions of the masses, m, rising as in the model.
     pub places: Vec<f64>,
     /// y, z and theta of the masses, on the scales of w, v and psi.
     pub masses: [Vec<Complex64>; 3],
-    /// The largest rotation for 1 m of the largest translation, rad; none where nothing is translated.
+    /// The largest rotation for 1 m of the largest translation, rad; none without translation.
     pub rotation: Option<f64>,
 }
 
 impl Shape {
-    /// A solved shape on one scale, turned to the moment at which most of it is at its widest. `places` are those of
-    /// the enabled subsystems.
+    /// Normalizes a solved shape, at the phase of its largest extent. `places` are those of the enabled subsystems.
     pub(super) fn new(generation: u64, mode: usize, solved: modes::Shape, places: &[f64]) -> Self {
         let beam = [solved.w, solved.v, solved.psi];
         let mass = |motion: usize| solved.masses.iter().map(|m| m[motion]).collect();
@@ -71,16 +70,17 @@ impl Shape {
         }
     }
 
-    /// A curve at an angle (rad) of the period.
+    /// A curve at a phase angle (rad).
     pub fn at(curve: &[Complex64], angle: f64) -> Vec<f64> {
         let turn = Complex64::from_polar(1.0, angle);
         curve.iter().map(|u| (u * turn).re).collect()
     }
 }
 
-/// The turn after which most of a motion is real, and positive where it first is about as wide as `widest`.
+/// The phase factor that makes most of a motion real, and positive at the first place that is about as large as
+/// `widest`.
 fn to_widest<'a>(motion: impl Iterator<Item = &'a Complex64> + Clone, widest: f64) -> Complex64 {
-    // The sum of squares is turned by twice the angle by which all are turned.
+    // The phase of the sum of squares is twice the common phase.
     let square: Complex64 = motion.clone().map(|u| u * u).sum();
     let back = Complex64::from_polar(1.0, -0.5 * square.arg());
     let mut wide = motion.filter(|u| u.norm() > ABOUT * widest);
@@ -111,7 +111,7 @@ mod tests {
 
     #[test]
     fn a_shape_is_turned_to_its_widest_and_brought_to_one() {
-        // A standing wave, whatever its phase, is real; the mass moves most.
+        // A standing wave is real for any phase; the mass moves most.
         let turned = shape(Complex64::from_polar(0.03, 1.1), Complex64::ZERO);
         let [w, ..] = &turned.beam;
         for (u, expected) in w.iter().zip([0.5, -0.25]) {

@@ -1,10 +1,10 @@
-//! Adding, duplicating, deleting and switching subsystems, forces and responses.
+//! Add, duplicate, delete and enable subsystems, forces and responses.
 
 use std::sync::Arc;
 
 use super::App;
 use super::edit::faults_in_words;
-use super::fresh::{free_name, new_subsystem, response_names, subsystem_names};
+use super::new_item::{free_name, new_subsystem, response_names, subsystem_names};
 use crate::model::edit::{self, Value};
 use crate::model::schema::Kind;
 use crate::model::{
@@ -14,7 +14,7 @@ use crate::tui::keys::{Command, CompareCommand, TuneCommand};
 use crate::tui::tree::{self, Node};
 
 impl App {
-    /// Adds one of what the selected row belongs to.
+    /// Adds an element to the list of the selected row.
     pub(super) fn add(&mut self) {
         let mut after = Model::clone(self.model());
         let (group, name) = match group(self.selection.node()) {
@@ -50,7 +50,7 @@ impl App {
         self.restructure(name, after, group);
     }
 
-    /// Says what is added here by other keys, or where this one adds something.
+    /// Says which keys add elements here, or where this one works.
     fn refuse_to_add(&mut self, group: Option<Group>) {
         let [study, variable, objective] = [
             CompareCommand::MakeStudy.into(),
@@ -97,7 +97,7 @@ impl App {
         self.restructure(name, after, group);
     }
 
-    /// Deletes the selected subsystem, force, response or study, unless something needs it.
+    /// Deletes the selected subsystem, force, response or study, unless another element needs it.
     pub(super) fn delete(&mut self) {
         match self.selection.node().group() {
             Group::Variable(index) => return self.drop_variable(index),
@@ -137,7 +137,7 @@ impl App {
         }
     }
 
-    /// Takes a model with another structure, if it is possible, and selects a row of it.
+    /// Applies a model with another structure, if it is valid, and selects a row of it.
     fn restructure(&mut self, name: String, after: Model, group: Group) {
         let after = match Checked::new(after) {
             Ok(after) => after,
@@ -155,13 +155,13 @@ impl App {
     }
 }
 
-/// The table or list of the first level to which a row belongs; none of the title.
+/// The first-level table or list of a row; none for the title.
 fn group(node: Node) -> Option<Group> {
     let holders = std::iter::successors(Some(node.group()), |group| group.parent());
     holders.into_iter().filter(|of| *of != Group::Model).last()
 }
 
-/// Who needs an element that `after` does not have any more, in words.
+/// Names the elements that need an element missing in `after`.
 fn user_of(model: &Model, after: &Model, element: Group) -> Option<String> {
     let own = match element {
         Group::Subsystem(i) => mass_user(model, &model.subsystems[i].name),
@@ -181,7 +181,7 @@ fn user_of(model: &Model, after: &Model, element: Group) -> Option<String> {
     })
 }
 
-/// The force or response on the mass of a subsystem, in words.
+/// Names the force or response on the mass of a subsystem.
 fn mass_user(model: &Model, name: &String) -> Option<String> {
     let on = |group| matches!(edit::target_of(model, group), Some(Target::Mass(mass, _)) if mass == name);
     let force = Group::Forces.groups(model).into_iter().position(on);

@@ -1,4 +1,4 @@
-//! The tables of modes and peaks: which one is open, which row is selected; and the cursor that goes with it.
+//! The tables below the chart: which one is open, its selected row, and the cursor that follows it.
 
 mod selected;
 
@@ -14,13 +14,13 @@ use crate::tui::keys::{ModesCommand, Movement};
 pub enum Table {
     /// The modes of the model.
     Modes,
-    /// The peaks of the first curve that shows.
+    /// The peaks of the first visible curve.
     Peaks,
-    /// What the curves are at the cursors.
+    /// The values of the curves at the cursors.
     Readings,
     /// The levels in the marked band.
     Band,
-    /// Which parameter matters.
+    /// The sensitivities.
     Sensitivities,
     /// The search for better parameters.
     Tuning,
@@ -37,7 +37,7 @@ impl Table {
         Self::Tuning,
     ];
 
-    /// The word by which it is remembered.
+    /// Its word in the stored view state.
     pub const fn key(self) -> &'static str {
         match self {
             Self::Modes => "modes",
@@ -53,9 +53,9 @@ impl Table {
 /// The tables' state.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Tables {
-    /// The one that shows.
+    /// The open table.
     pub open: Option<Table>,
-    /// The modes; one is selected also while they do not show.
+    /// The modes; one is selected even if the table is closed.
     pub modes: List,
     /// The peaks.
     pub peaks: List,
@@ -69,7 +69,7 @@ pub struct Tables {
     pub tuning: List,
 }
 
-/// What the chart's cursor stays with when the model changes.
+/// What the chart's cursor follows when the model changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Anchor {
     /// Its frequency.
@@ -96,7 +96,7 @@ impl Tables {
 }
 
 impl Anchor {
-    /// The selected row of a table, where that has a frequency.
+    /// The frequency of the selected row of a table, if it has one.
     pub(super) const fn of(table: Table) -> Option<Self> {
         match table {
             Table::Modes => Some(Self::Mode),
@@ -107,7 +107,7 @@ impl Anchor {
 }
 
 impl App {
-    /// Moves in the table that is open.
+    /// Moves in the open table.
     pub(super) fn move_in_table(&mut self, table: Table, movement: Movement) {
         let list = self.tables.list_mut(table);
         let before = list.row;
@@ -128,16 +128,16 @@ impl App {
         self.tables.open = (self.tables.open != Some(table)).then_some(table);
     }
 
-    /// Selects the next mode that is on the axis, from where the cursor stands.
+    /// Selects the next mode on the axis, from the cursor.
     pub(super) fn seek_mode(&mut self, forward: bool) {
         let sweep = self.model().sweep;
-        let Some(list) = &self.modal.list else {
+        let Some(list) = &self.modes.list else {
             return self.refuse("the modes are not solved yet");
         };
         let frequency = |i: usize| list.rows[i].frequency;
         let shown = |i: &usize| (sweep.from..=sweep.to).contains(&frequency(*i));
         let (row, cursor) = (self.tables.modes.row, self.curves.cursor);
-        // Two modes may have one frequency: from a mode that the cursor stands on it goes by their order.
+        // Modes may share a frequency: from a mode at the cursor, go by index.
         let at_mode = row < list.rows.len() && cursor == Some(frequency(row));
         let beyond = |i: &usize| match (cursor, forward) {
             (Some(_), true) if at_mode => *i > row,
@@ -168,7 +168,7 @@ impl App {
     }
 
     fn say_mode(&mut self, index: usize) {
-        let Some(list) = &self.modal.list else {
+        let Some(list) = &self.modes.list else {
             return;
         };
         let (mode, all) = (&list.rows[index], list.rows.len());
@@ -177,9 +177,9 @@ impl App {
         self.done(format!("mode {number} of {all}: {frequency}"));
     }
 
-    pub(super) fn toggle_witness(&mut self) {
-        if self.witness.toggle() {
-            self.witnessed = None;
+    pub(super) fn toggle_fem_overlay(&mut self) {
+        if self.fem_overlay.toggle() {
+            self.fem_requested = None;
             let key = self.keys.key_of(ModesCommand::FiniteElements);
             self.done(format!(
                 "finite elements as points; {key} leaves them out again"
@@ -189,19 +189,19 @@ impl App {
         }
     }
 
-    /// The peaks of the first curve that shows, as they were resolved last.
+    /// The peaks of the first visible curve, as resolved last.
     pub fn peaks(&self) -> &[Peak] {
         self.curves
             .first_resolved()
             .map_or(&[], |(_, trace)| &trace.peaks)
     }
 
-    /// Moves the cursor to what it is anchored at; off the chart where that is not on the axis.
+    /// Moves the cursor to its anchor; removes it if the anchor is not on the axis.
     pub(super) fn follow_anchor(&mut self) {
         let frequency = match self.anchor {
             Anchor::Frequency => return,
             Anchor::Mode => self
-                .modal
+                .modes
                 .list
                 .as_ref()
                 .and_then(|list| list.rows.get(self.tables.modes.row))
@@ -216,27 +216,27 @@ impl App {
         self.reveal_cursor();
     }
 
-    /// Lets the selected rows and the cursor follow new modes and peaks: each stays with what is nearest.
+    /// Lets the selected rows and the cursor follow new modes and peaks: each goes to the nearest one.
     pub(super) fn follow_solution(&mut self, before: &Selected) {
-        let is_same_model = before.generation == self.modal.generation();
+        let is_same_model = before.generation == self.modes.generation();
         let (modes, peaks) = (self.mode_places(), self.peak_places());
         follow(&mut self.tables.modes, &modes, before.mode, is_same_model);
         follow(&mut self.tables.peaks, &peaks, before.peak, is_same_model);
         self.follow_anchor();
     }
 
-    /// What is selected in the tables.
+    /// The selection of the tables.
     pub(super) fn selected(&self) -> Selected {
         let at = |places: &[Place], list: List| Chosen::new(places, list.row);
         Selected {
-            generation: self.modal.generation(),
+            generation: self.modes.generation(),
             mode: at(&self.mode_places(), self.tables.modes),
             peak: at(&self.peak_places(), self.tables.peaks),
         }
     }
 
     fn mode_places(&self) -> Vec<Place> {
-        let rows = self.modal.list.as_ref().map_or(&[][..], |list| &list.rows);
+        let rows = self.modes.list.as_ref().map_or(&[][..], |list| &list.rows);
         rows.iter()
             .map(|row| [row.frequency, row.frequency * row.damping_ratio])
             .collect()

@@ -11,9 +11,9 @@ use crate::tui::tree::{self, Node};
 use crate::worker::{self, Answer, CurvesAnswer, Request, Stage};
 
 mod counts;
+mod external_changes;
 mod modes;
 mod mouse;
-mod outside;
 mod recall;
 mod search;
 mod zoom;
@@ -55,7 +55,7 @@ fn keys(app: &mut App, keys: &str) -> Vec<Effect> {
         .collect()
 }
 
-/// Replaces what is in the prompt and takes it.
+/// Replaces the text of the prompt and accepts it.
 fn enter(app: &mut App, text: &str) -> Vec<Effect> {
     if let Some(Overlay::Prompt(prompt)) = &mut app.overlay {
         prompt.input.reset();
@@ -127,7 +127,7 @@ fn nudges_of_one_parameter_are_one_step() {
     assert_eq!(said(&app), "S1 z_left stiffness 16.667 -> 17.172 MN/m");
     keys(&mut app, "u");
     assert_eq!(number(&app, STIFFNESS), 1.666_667e7);
-    // After an undo, and on another row, a nudge starts anew.
+    // After an undo, and on another row, a nudge starts a new step.
     keys(&mut app, "+");
     select(&mut app, "beam.length");
     keys(&mut app, ">.");
@@ -414,7 +414,7 @@ fn every_edit_is_kept_until_nothing_is_unsaved() {
     };
     assert_eq!(kept.model, *app.model());
     assert_eq!(&*kept.base, app.document.saved_text());
-    // A movement keeps nothing anew.
+    // A movement does not write the recovery file again.
     assert!(press(&mut app, KeyCode::Down).is_empty());
     let effects = keys(&mut app, "u");
     assert!(
@@ -441,15 +441,15 @@ fn every_edit_asks_for_curves_and_an_older_answer_stays_stale() {
     let second = answer(2, &app);
     app.update(Event::Answer(second));
     assert!(!app.curves.is_stale());
-    // An answer that was overtaken comes too late.
+    // An answer to an older request is ignored.
     let late = answer(1, &app);
     app.update(Event::Answer(late));
     assert_eq!(app.curves.picture().unwrap().generation, 2);
     keys(&mut app, "f+");
-    let frozen = &app.beside.references[0];
+    let frozen = &app.comparison.references[0];
     assert_eq!(frozen.picture.as_ref().unwrap().generation, 2);
     keys(&mut app, "F");
-    assert!(app.beside.references.is_empty());
+    assert!(app.comparison.references.is_empty());
 }
 
 fn answer(generation: u64, app: &App) -> Answer {
@@ -566,7 +566,7 @@ fn a_small_model_is_not_prepared_for() {
     assert_eq!(prepared(&press(&mut app, KeyCode::Char('d'))), 0);
 }
 
-/// What is typed into the open box, as a keyboard sends it.
+/// Types into the open dialog, as a keyboard does.
 fn typed(app: &App) -> &str {
     match &app.overlay {
         Some(Overlay::Prompt(prompt)) => prompt.input.value(),
@@ -576,7 +576,7 @@ fn typed(app: &App) -> &str {
 
 #[test]
 fn what_is_typed_replaces_the_text_of_a_box_and_other_keys_keep_it() {
-    // A value, a name, factors, bounds, a place to save to and one to write to.
+    // A value, a name, factors, bounds, a path to save to and one to export to.
     for open in ["\r", "r", "^t", "$", "S", "^e"] {
         let opened = || {
             let mut app = app("fig05a");

@@ -1,4 +1,4 @@
-//! Parameters that are sought: which may move, what for, and the search as it goes on.
+//! The search for better parameters: variables, objectives, and progress.
 
 mod objective;
 mod tolerance;
@@ -9,7 +9,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 pub use tolerance::Tolerances;
-pub use variable::Moving;
+pub use variable::MovableRows;
 
 use super::{App, Table};
 use crate::model::edit::{self, Value};
@@ -19,16 +19,16 @@ use crate::tui::tree::{self, Node};
 use crate::tune::{Status, Tuned};
 use crate::worker::{Pause, Request, TuneAnswer, TuneRequest, TuneStage};
 
-/// Whether a search goes on.
+/// The state of a search.
 #[derive(Debug)]
 pub enum Progress {
-    /// It goes on.
+    /// Running.
     Searching,
-    /// It is held up.
+    /// Paused.
     Paused,
-    /// It is over.
+    /// Finished.
     Found(Box<Tuned>),
-    /// It came to nothing, and why.
+    /// Failed, and why.
     Failed(String),
 }
 
@@ -36,16 +36,16 @@ pub enum Progress {
 #[derive(Debug)]
 pub struct Run {
     serial: u64,
-    /// The model it started from.
+    /// The model at the start.
     pub from: Arc<Checked>,
-    /// How far it is.
+    /// The progress.
     pub progress: Progress,
-    /// The best so far; none before the first report.
+    /// The best candidate so far; none before the first report.
     pub status: Option<Box<Status>>,
-    /// The time that was worked.
+    /// The time spent.
     pub elapsed: Duration,
     pause: Arc<Pause>,
-    /// The number of the reference that shows the best so far.
+    /// The id of the reference that shows the best so far.
     reference: u64,
 }
 
@@ -58,12 +58,12 @@ impl Run {
         }
     }
 
-    /// Whether it still works.
+    /// Whether it is running.
     pub fn goes_on(&self) -> bool {
         matches!(self.progress, Progress::Searching | Progress::Paused)
     }
 
-    /// What is left of the evaluations takes about so long.
+    /// The estimated time for the remaining evaluations.
     pub fn left(&self) -> Option<Duration> {
         let status = self.status.as_ref().filter(|one| one.evaluations > 0)?;
         let each = self.elapsed.as_secs_f64() / status.evaluations as f64;
@@ -72,30 +72,30 @@ impl Run {
     }
 }
 
-/// What is sought, and what tolerances do.
+/// The state of searches and tolerances.
 #[derive(Debug, Default)]
 pub struct Tuning {
     /// The search, until it is accepted or discarded.
     pub run: Option<Run>,
-    /// A search that was discarded is to be ended.
+    /// A discarded search is to be cancelled.
     ends: bool,
-    /// A search that is to be started.
+    /// A search is to be started.
     starts: bool,
-    /// The count that was typed before it: at most so many evaluations.
+    /// The typed count: the limit of evaluations.
     budget: Option<usize>,
-    /// What tolerances make of the curves.
+    /// The effect of tolerances on the curves.
     pub tolerances: Tolerances,
-    /// The rows of the tree that a search may move.
-    pub moving: Moving,
+    /// The rows of the tree that a search may change.
+    pub moving: MovableRows,
 }
 
 impl App {
-    /// How many evaluations the next search may take, where that was typed.
+    /// The limit of evaluations of the next search, if typed.
     pub(super) fn limit_search(&mut self, evaluations: Option<u32>) {
         self.tuning.budget = evaluations.map(|count| count as usize);
     }
 
-    /// Starts a search, holds it up, or lets it go on.
+    /// Starts, pauses or continues a search.
     pub(super) fn go_on_tuning(&mut self) {
         let [go, accept, discard] = [
             TuneCommand::Tune,
@@ -167,7 +167,7 @@ impl App {
         ));
     }
 
-    /// Shows the response that is sought for, where it does not show.
+    /// Shows the response of the objective, if it is hidden.
     fn show_objective(&mut self, model: &Model) {
         let objectives = model.tune.iter().flat_map(|tune| &tune.objectives);
         let mut responses = objectives.filter_map(|objective| objective.response.as_deref());
@@ -178,14 +178,14 @@ impl App {
         }
     }
 
-    /// The number of a reference that will show the best so far.
+    /// The id of a reference that will show the best so far.
     fn add_best(&mut self, name: &str, model: &Arc<Checked>) -> Option<u64> {
         let picture = self.curves.picture().cloned();
         self.add_reference(name, Arc::clone(model), None, picture)?;
-        self.beside.references.last().map(|one| one.id)
+        self.comparison.references.last().map(|one| one.id)
     }
 
-    /// Asks for a search, or for the end of one.
+    /// Requests a search, or its cancellation.
     pub(super) fn want_tuning(&mut self) -> Vec<Request> {
         let mut requests = Vec::new();
         if std::mem::take(&mut self.tuning.ends) {
@@ -213,7 +213,7 @@ impl App {
         self.document.source().folder().to_owned()
     }
 
-    /// Takes how far a search is.
+    /// Stores the progress of a search.
     pub(super) fn take_tuning(&mut self, answer: TuneAnswer) {
         let Some(run) = &mut self.tuning.run else {
             return;
@@ -252,20 +252,20 @@ impl App {
         }
     }
 
-    /// Lets the reference show a better model, once its curves are solved.
+    /// Shows a better model in the reference, once its curves are solved.
     fn show_best(&mut self, model: Arc<Checked>) {
         let serial = self.next_serial();
         let Some(run) = &mut self.tuning.run else {
             return;
         };
-        let mut references = self.beside.references.iter_mut();
+        let mut references = self.comparison.references.iter_mut();
         if let Some(one) = references.find(|one| one.id == run.reference) {
             one.renew(serial, model);
             run.reference = serial;
         }
     }
 
-    /// Puts the best so far into the model, as one step.
+    /// Applies the best so far to the model, as one step.
     pub(super) fn accept_tuning(&mut self) {
         let Some(run) = &self.tuning.run else {
             let go = self.keys.key_of(TuneCommand::Tune);
@@ -292,7 +292,7 @@ impl App {
         ));
     }
 
-    /// Drops a search and what it has found.
+    /// Discards a search and its result.
     pub(super) fn discard_tuning(&mut self) {
         if self.tuning.run.is_none() {
             return self.refuse("nothing was sought");
@@ -301,7 +301,7 @@ impl App {
         self.done("the search is dropped; the model is as it was");
     }
 
-    /// Ends a search; its curve goes from the chart.
+    /// Ends a search and removes its curve from the chart.
     pub(super) fn end_run(&mut self) {
         if let Some(run) = self.tuning.run.take() {
             run.pause.set(false);
@@ -314,17 +314,17 @@ impl App {
     }
 }
 
-/// The model with the variables that a search has found; everything else stays as it is.
+/// The model with the variables that a search found; everything else is unchanged.
 ///
 /// # Errors
-/// Why it cannot be, in a line.
+/// Why the model is invalid, in one line.
 fn taken_over(model: &Model, from: &Model, best: &Model) -> Result<Checked, String> {
     let mut changed = model.clone();
     let variables = from.tune.iter().flat_map(|tune| &tune.variables);
     for pattern in variables.flat_map(|variable| &variable.paths) {
         let found = path::numbers_of(best, pattern).map_err(|fault| fault.message)?;
         for (id, value) in found {
-            // Names lead from one model to another, which may have changed since the search began.
+            // Names map one model to the other, which may have changed since the search began.
             edit::set_unchecked(&mut changed, &path::text(best, id), Value::Number(value))
                 .map_err(|fault| format!("{} {}", fault.path, fault.message))?;
         }
@@ -336,7 +336,7 @@ fn taken_over(model: &Model, from: &Model, best: &Model) -> Result<Checked, Stri
 mod tests {
     use super::*;
 
-    /// Expected: names lead from the model that was searched to one that was edited meanwhile.
+    /// Expected: names map the searched model to one that was edited meanwhile.
     #[test]
     fn what_was_found_goes_to_the_subsystem_with_its_name() {
         let preset = crate::presets::find("fig05a").unwrap().text;

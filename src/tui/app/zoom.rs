@@ -1,12 +1,12 @@
-//! The frequencies that show.
+//! The visible frequencies.
 
 use super::App;
 use crate::model::Sweep;
 
-/// The narrowest band that shows, as a share of the sweep.
+/// The narrowest visible band, as a share of the sweep.
 const NARROWEST: f64 = 1e-6;
 
-/// A part of the frequency axis, with the axis's own measure of length.
+/// A part of the frequency axis, in axis coordinates.
 #[derive(Debug, Clone, Copy)]
 struct Band {
     log: bool,
@@ -36,10 +36,10 @@ impl Band {
         self.high - self.low
     }
 
-    /// A band this wide that is moved no further than needed to lie within `whole`.
+    /// A band of this width, moved only as far as needed to lie within `whole`.
     fn within(self, whole: Self) -> Self {
         let width = self.width().min(whole.width());
-        // By rounding the upper end may leave a little less than the width: no `clamp`.
+        // Rounding may leave slightly less than the width at the upper end: no `clamp`.
         let low = self.low.min(whole.high - width).max(whole.low);
         Self {
             low,
@@ -49,7 +49,7 @@ impl Band {
     }
 }
 
-/// The part of the sweep that shows: the window as far as it lies in the sweep, or all of it.
+/// The visible part of the sweep: the window clipped to the sweep, or the whole sweep.
 pub(super) fn shown(window: Option<[f64; 2]>, sweep: &Sweep) -> [f64; 2] {
     let whole = [sweep.from, sweep.to];
     let Some([low, high]) = window else {
@@ -60,12 +60,12 @@ pub(super) fn shown(window: Option<[f64; 2]>, sweep: &Sweep) -> [f64; 2] {
 }
 
 impl App {
-    /// The frequencies that show, Hz.
+    /// The visible frequencies, Hz.
     pub fn shown_frequencies(&self) -> [f64; 2] {
         shown(self.curves.window, &self.model().sweep)
     }
 
-    /// Shows the whole sweep, and levels that follow the curves.
+    /// Shows the whole sweep with automatic levels.
     pub(super) fn show_whole(&mut self) {
         let window = self.curves.window.take().is_some();
         let levels = self.display.levels.take().is_some();
@@ -74,7 +74,7 @@ impl App {
         }
     }
 
-    /// Makes the band that shows wider or narrower by a factor; a frequency (Hz), else the middle, stays in its place.
+    /// Scales the visible band by a factor; a frequency (Hz), else the middle, stays in place.
     pub(super) fn zoom(&mut self, factor: f64, about: Option<f64>) {
         let (shown, whole) = self.bands();
         let about = about.map(|frequency| shown.place(frequency));
@@ -114,7 +114,7 @@ impl App {
         self.show_band(moved, whole);
     }
 
-    /// Moves the band that shows no further than needed to show the cursor.
+    /// Moves the visible band only as far as needed to show the cursor.
     pub(super) fn reveal_cursor(&mut self) {
         let (shown, whole) = self.bands();
         let Some(cursor) = self.curves.cursor.map(|cursor| shown.place(cursor)) else {
@@ -136,7 +136,7 @@ impl App {
         self.show_band(moved.within(whole), whole);
     }
 
-    /// Keeps what is marked on the frequency axis within a sweep that has changed.
+    /// Keeps the marks on the frequency axis within a changed sweep.
     pub(super) fn keep_marks_in_sweep(&mut self) {
         let sweep = self.model().sweep;
         let inside = |f: &f64| (sweep.from..=sweep.to).contains(f);
@@ -154,7 +154,7 @@ impl App {
     fn show_band(&mut self, band: Band, whole: Band) {
         let all = band.width() >= whole.width() * (1.0 - 1e-9);
         let sweep = self.model().sweep;
-        // The ends of the sweep are themselves, not what a logarithm and back makes of them.
+        // Use the exact ends of the sweep, without the rounding of a logarithm and back.
         let low = if band.low <= whole.low {
             sweep.from
         } else {

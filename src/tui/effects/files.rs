@@ -8,15 +8,15 @@ use crate::escape::{path_of_text, path_text};
 use crate::files::{self, Opened, Source, error_text};
 use crate::measured::{self, Hint, Layout};
 use crate::model::{Checked, Fault, Objective};
-use crate::tui::app::{Export, Guard, OpenedMeasured, Outside, Reply, Saving};
+use crate::tui::app::{Export, ExternalChange, Guard, OpenedMeasured, Reply, Saving};
 use crate::tune;
 
 /// Compares a file with its last known text.
-pub(super) fn compare(path: &Path, text: &str) -> Outside {
+pub(super) fn compare(path: &Path, text: &str) -> ExternalChange {
     match files::load(path) {
-        Ok(found) if found == text => Outside::Same,
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Outside::Gone,
-        _ => Outside::Changed,
+        Ok(found) if found == text => ExternalChange::Same,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => ExternalChange::Gone,
+        _ => ExternalChange::Changed,
     }
 }
 
@@ -54,7 +54,7 @@ fn write(path: &Path, text: &str, guard: &Guard, what: Saving) -> Result<(), Rep
     }
     let question = match guard {
         Guard::Absent if is_there(&path) => Some(Reply::Exists(path.clone(), what)),
-        Guard::Holds(expected) if compare(&path, expected) == Outside::Changed => {
+        Guard::Holds(expected) if compare(&path, expected) == ExternalChange::Changed => {
             Some(Reply::ChangedOutside(path.clone()))
         }
         Guard::Losing => {
@@ -171,7 +171,7 @@ mod tests {
         fs::write(folder.path().join(name), "text").unwrap();
         let typed = complete(&format!("{}/m", path_text(folder.path())));
         assert_eq!(path_of_text(&typed), folder.path().join(name));
-        assert_eq!(compare(&path_of_text(&typed), "text"), Outside::Same);
+        assert_eq!(compare(&path_of_text(&typed), "text"), ExternalChange::Same);
     }
 
     #[test]

@@ -48,7 +48,7 @@ fn full(view: ChartView) -> Scene {
     }
     curves.push(SceneCurve {
         line: LineStyle::Points { apart: 3 },
-        ..scaled(1.0, "FEM", CurveKind::Witness)
+        ..scaled(1.0, "FEM", CurveKind::Fem)
     });
     let mut measured = scaled(1.2, "measured", CurveKind::Measured);
     let keep = |index: usize| index % 37 == 5;

@@ -1,10 +1,11 @@
-//! What holds of commands of several sections.
+//! Properties of commands.
 
 use super::{
-    Command, CurvesCommand, LookCommand, ModelCommand, ModesCommand, ReadingCommand, TreeCommand,
+    BeamViewCommand, Command, CurvesCommand, ModelCommand, ModesCommand, ReadingCommand,
+    TreeCommand,
 };
 
-/// Where to go in rows.
+/// A movement in rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Movement {
     /// One row up.
@@ -34,7 +35,7 @@ impl Movement {
         }
     }
 
-    /// What is said where it changes nothing.
+    /// The message if it changes nothing.
     pub const fn at_end(self) -> &'static str {
         if self.is_forward() {
             "this is the last row"
@@ -50,7 +51,7 @@ impl Movement {
 }
 
 impl Command {
-    /// Whether a count before it runs it so many times.
+    /// Whether a count repeats it.
     pub const fn counts(self) -> bool {
         match self {
             Self::Move(movement) => !matches!(movement, Movement::First | Movement::Last),
@@ -99,7 +100,7 @@ impl Command {
                     | ReadingCommand::NextDip
                     | ReadingCommand::PreviousDip
             ),
-            Self::Look(command) => matches!(command, LookCommand::PhaseStep),
+            Self::BeamView(command) => matches!(command, BeamViewCommand::PhaseStep),
             Self::Modes(command) => {
                 matches!(command, ModesCommand::NextMode | ModesCommand::PreviousMode)
             }
@@ -107,7 +108,7 @@ impl Command {
         }
     }
 
-    /// Whether it takes a count as one step, instead of running so many times.
+    /// Whether it takes a count as one step instead of repeating.
     pub const fn takes_count(self) -> bool {
         match self {
             Self::Tree(command) => matches!(
@@ -119,7 +120,7 @@ impl Command {
         }
     }
 
-    /// Whether it is a change of the model that can be repeated on another row.
+    /// Whether it changes the model and can be repeated on another row.
     pub const fn repeats(self) -> bool {
         match self {
             Self::Model(command) => {

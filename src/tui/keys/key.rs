@@ -1,19 +1,19 @@
-//! A key, as the terminal sends it and as people write it.
+//! A key, with conversions from terminal events and to names.
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use crate::escape::{escape, is_hidden};
 
-/// A key with what is held beside it; Shift is in the character where there is one.
+/// A key with its modifiers; Shift is part of the character, if there is one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Key {
     /// The key.
     pub code: KeyCode,
-    /// Control, Alt, and Shift of keys that are no characters.
+    /// Control, Alt, and the Shift of special keys.
     pub modifiers: KeyModifiers,
 }
 
-/// Keys that are no characters, and their names.
+/// Special keys and their names.
 const NAMED: [(KeyCode, &str); 16] = [
     (KeyCode::Char(' '), "Space"),
     (KeyCode::Enter, "Enter"),
@@ -33,7 +33,7 @@ const NAMED: [(KeyCode, &str); 16] = [
     (KeyCode::Right, "Right"),
 ];
 
-/// What may stand before a name.
+/// The prefixes of the modifiers.
 const HELD: [(KeyModifiers, &str); 3] = [
     (KeyModifiers::CONTROL, "Ctrl-"),
     (KeyModifiers::ALT, "Alt-"),
@@ -56,12 +56,12 @@ impl Key {
         KeyEvent::new(self.code, self.modifiers)
     }
 
-    /// The same key in the one way in which it is kept.
+    /// The normalized key.
     fn plain(self) -> Self {
         let held = KeyModifiers::CONTROL | KeyModifiers::ALT | KeyModifiers::SHIFT;
         let mut modifiers = self.modifiers & held;
         let code = match self.code {
-            // Terminals send no difference.
+            // Terminals do not distinguish them.
             KeyCode::Char(c) if modifiers.contains(KeyModifiers::CONTROL) => {
                 KeyCode::Char(c.to_ascii_lowercase())
             }
@@ -74,13 +74,13 @@ impl Key {
         Self { code, modifiers }
     }
 
-    /// Whether it is a character that is typed: nothing is held beside it but Shift.
+    /// Whether the key types a character: no modifier except Shift.
     pub fn is_typed(self) -> bool {
         matches!(self.code, KeyCode::Char(_)) && self.modifiers.is_empty()
     }
 
-    /// The key with this name: `u`, `Ctrl-s`, `Alt-Enter`, `F5`, `Space`, `PgDn`. None where no terminal sends it
-    /// as a key of its own (`Ctrl-m` is Enter).
+    /// The key with this name: `u`, `Ctrl-s`, `Alt-Enter`, `F5`, `Space`, `PgDn`. None if terminals cannot send it as a
+    /// separate key (`Ctrl-m` is Enter).
     pub fn parse(text: &str) -> Option<Self> {
         let mut rest = text;
         let mut modifiers = KeyModifiers::NONE;
@@ -97,9 +97,10 @@ impl Key {
         let control = modifiers.contains(KeyModifiers::CONTROL);
         let refused = match code {
             KeyCode::Char(' ') => shifted,
-            // Shift is written as the other character; with Control few have a code, and some that of another key.
+            // Shift is part of the character; with Control, few characters have a code, and some share that of another
+            // key.
             KeyCode::Char(c) => {
-                // With Alt, these two are the beginning of other keys.
+                // With Alt, these two start an escape sequence.
                 let begins = modifiers == KeyModifiers::ALT && matches!(c, '[' | 'O');
                 let c = c.to_ascii_lowercase();
                 let own = matches!(c, 'a'..='z' | '\\' | ']' | '^' | '_');
@@ -157,7 +158,7 @@ pub(super) const fn control(c: char) -> Key {
     }
 }
 
-/// A key that is no character, with Shift.
+/// A special key with Shift.
 pub(super) const fn shifted(code: KeyCode) -> Key {
     Key {
         code,
@@ -165,7 +166,7 @@ pub(super) const fn shifted(code: KeyCode) -> Key {
     }
 }
 
-/// A key that is no character.
+/// A special key.
 pub(super) const fn special(code: KeyCode) -> Key {
     Key {
         code,

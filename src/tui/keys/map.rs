@@ -1,10 +1,10 @@
-//! The key table with the keys that the user gave to commands.
+//! The key table with the user's bindings.
 
 use crossterm::event::KeyEvent;
 
 use super::{Binding, Command, FileCommand, Hint, Key, RowKind, SECTIONS, Scope, Section};
 
-/// Which keys each row of the table has.
+/// The keys of each row of the table.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct KeyMap {
     /// By section and row, as in the table.
@@ -14,34 +14,34 @@ pub struct KeyMap {
 /// A row of the table with its keys.
 #[derive(Debug, Clone, Copy)]
 pub struct Bound<'a> {
-    /// The section it is in.
+    /// Its section.
     pub section: &'static Section,
     /// The row.
     pub binding: &'static Binding,
-    /// Its keys; the first is the one in hints. There may be none.
+    /// Its keys; the first one is in hints. May be empty.
     pub keys: &'a [Key],
 }
 
 impl Bound<'_> {
-    /// The names of its keys, with spaces between.
+    /// The names of its keys, separated by spaces.
     pub fn names(&self) -> String {
         let names: Vec<String> = self.keys.iter().map(|key| key.name()).collect();
         names.join(" ")
     }
 }
 
-/// A key that two commands would hear.
+/// A key that is bound to two commands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Conflict {
     /// The key.
     pub key: Key,
-    /// Where both have their meaning.
+    /// Their common scope.
     pub scope: Scope,
     /// The names of the two commands.
     pub names: [&'static str; 2],
 }
 
-/// The table as it stands.
+/// The default table.
 impl Default for KeyMap {
     fn default() -> Self {
         let section = |section: &Section| {
@@ -72,7 +72,7 @@ impl KeyMap {
         self.rows().filter(move |row| row.section.scope == scope)
     }
 
-    /// Gives the command with this name in this scope other keys; false where there is no such command.
+    /// Sets the keys of a command in a scope; false if there is no such command.
     pub fn rebind(&mut self, scope: Scope, name: &str, keys: &[Key]) -> bool {
         let mut found = false;
         for (section, rows) in SECTIONS.iter().zip(&mut self.keys) {
@@ -86,7 +86,7 @@ impl KeyMap {
         found
     }
 
-    /// Keys that two commands would hear: of the same scope, or of a scope and of everywhere.
+    /// Keys bound to two commands: in the same scope, or in a scope and everywhere.
     pub fn conflicts(&self) -> Vec<Conflict> {
         let mut conflicts = Vec::new();
         for scope in Scope::ALL {
@@ -117,7 +117,7 @@ impl KeyMap {
         conflicts
     }
 
-    /// The command of a key in a scope or everywhere, if it has one there.
+    /// The command of a key in a scope or everywhere, if it is bound.
     pub fn command(&self, scope: Scope, event: &KeyEvent) -> Option<Command> {
         let in_scope = |wanted| self.command_in(wanted, event);
         let beneath = match scope {
@@ -127,7 +127,7 @@ impl KeyMap {
         in_scope(scope).or(beneath).or_else(|| in_scope(Scope::Any))
     }
 
-    /// The command of a key in a scope alone.
+    /// The command of a key in this scope only.
     pub fn command_in(&self, scope: Scope, event: &KeyEvent) -> Option<Command> {
         let key = Key::of(event);
         let mut rows = self.of(scope);
@@ -135,7 +135,7 @@ impl KeyMap {
             .map(|row| row.binding.command)
     }
 
-    /// The first key of a command, by name; where it has none, how the palette finds it.
+    /// The first key of a command; without a key, how to find it in the palette.
     pub fn key_of(&self, wanted: impl Into<Command>) -> String {
         let Some(row) = self.row(wanted.into()) else {
             return String::new();
@@ -149,18 +149,18 @@ impl KeyMap {
         })
     }
 
-    /// The first row with a command.
+    /// The first row of a command.
     fn row(&self, wanted: Command) -> Option<Bound<'_>> {
         self.rows().find(|row| row.binding.command == wanted)
     }
 
-    /// The name of a command as the palette has it: `next view`.
+    /// The name of a command in the palette: `next view`.
     pub fn name_of(&self, wanted: Command) -> String {
         let row = self.row(wanted);
         row.map_or_else(String::new, |row| row.binding.name.replace('-', " "))
     }
 
-    /// The hints of a scope on a kind of row, as (key, words): first what the row allows, then help and the rest.
+    /// The hints of a scope for a kind of row, as (key, text): first those of the row, then help and the rest.
     pub fn hints(&self, scope: Scope, row: RowKind) -> Vec<(String, &'static str)> {
         let mut shown = self.hints_of_row(scope, row);
         if scope == Scope::Table {
@@ -182,7 +182,7 @@ impl KeyMap {
                 Some((bound.binding, bound.keys.first()?.name(), text))
             })
             .collect();
-        // What does not fit is cut off at the end, and help and the palette lead to it.
+        // Hints at the end may be cut off; help and the palette lead to them.
         shown.sort_by_key(|(binding, ..)| match (binding.hint, binding.command) {
             (Hint::Always(_), Command::File(FileCommand::Help | FileCommand::Palette)) => 1,
             (Hint::Always(_), _) => 2,

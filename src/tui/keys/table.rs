@@ -1,4 +1,4 @@
-//! The rows of the key table, and the commands that they stand for: a row is a command.
+//! The rows of the key table, and their commands: each row defines a command.
 
 use crossterm::event::KeyCode::{
     BackTab, Backspace, Delete, Down, End, Enter, Esc, F, Home, Left, PageDown, PageUp, Right, Tab,
@@ -8,8 +8,8 @@ use crossterm::event::KeyCode::{
 use super::Hint::{Always, Choice, Group, Item, List, Never, Number, Table, Value};
 use super::{Binding, Key, Movement, Scope, Section, control, key, shifted, special};
 
-/// The whole table. A section is an enum of commands, a scope, a title and rows of movement; each of its other rows
-/// has a command, a name, keys, a hint, and a line of help, which documents the command.
+/// The whole table. A section is an enum of commands, a scope, a title and rows of movement; each other row has a
+/// command, a name, keys, a hint, and a help line, which documents the command.
 macro_rules! key_table {
     ($(
         $(#[$doc:meta])*
@@ -17,10 +17,10 @@ macro_rules! key_table {
             $($command:ident $name:literal $keys:expr, $hint:expr, $help:literal;)*
         }
     )*) => {
-        /// What a key asks for.
+        /// The command of a key.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
         pub enum Command {
-            /// Move in the rows that have the keys: of a dialog, of a table or of the tree.
+            /// Move in the rows of the active dialog, table or tree.
             Move(Movement),
             $($(#[$doc])* $group($commands),)*
         }
@@ -55,7 +55,7 @@ macro_rules! key_table {
     };
 }
 
-/// Rows of movement: a movement, its keys, a hint and a line of help.
+/// Rows of movement: a movement, its keys, a hint and a help line.
 macro_rules! moves {
     ($($movement:ident $keys:expr, $hint:expr, $help:expr;)*) => {
         &[$(Binding {
@@ -68,7 +68,7 @@ macro_rules! moves {
     };
 }
 
-/// The rows of movement in a list: what its rows are, and perhaps the hint and the help of the key down.
+/// The rows of movement in a list: the name of its rows, and optionally hint and help of the key down.
 macro_rules! list {
     ($row:literal) => {
         list!($row, Never, concat!($row, " below"))
@@ -91,7 +91,7 @@ const PAGE_UP: [Key; 2] = [special(PageUp), control('u')];
 const PAGE_DOWN: [Key; 2] = [special(PageDown), control('d')];
 const FIRST: [Key; 2] = [special(Home), key('g')];
 const LAST: [Key; 2] = [special(End), key('G')];
-/// Up and down where characters are typed.
+/// Up and down while typing.
 const LINE_UP: [Key; 3] = [special(Up), control('p'), special(BackTab)];
 const LINE_DOWN: [Key; 3] = [special(Down), control('n'), special(Tab)];
 
@@ -175,14 +175,14 @@ key_table! {
 
     /// Compare with references and measured curves, and export.
     Compare(CompareCommand) in Main, "Compare", &[] => {
-        Beside "beside" [key('Q')], Never, "references and measured curves: show, name, drop, load";
+        List "beside" [key('Q')], Never, "references and measured curves: show, name, drop, load";
         AddMeasured "add-measured" [control('o')], Never, "open a measured curve: CSV or universal file (UFF 58)";
         MakeStudy "make-study" [control('t')], Never, "sweep the selected parameter: a study of it with factors or values that are typed";
         Export "export" [control('e')], Never, "write what is on the screen: .csv, .svg or .txt";
     }
 
     /// Look at the beam: what it does and what it is.
-    Look(LookCommand) in Main, "Look at the beam", &[] => {
+    BeamView(BeamViewCommand) in Main, "Look at the beam", &[] => {
         Operating "operating" [key('O')], Never, "operating deflection at the cursor, then internal forces, then power; again: nothing";
         PhaseStep "phase-step" [key('`')], Never, "a step further in the period of what moves";
         Structure "structure" [key('B')], Never, "drawing of the beam, then of its cross-section; again: nothing";
@@ -273,7 +273,7 @@ key_table! {
     }
 
     /// In the list of references and measured curves.
-    Beside(BesideCommand) in Beside, "References and measured curves", list!("entry") => {
+    Comparison(ComparisonCommand) in Comparison, "References and measured curves", list!("entry") => {
         Accept "accept" [special(Enter)], Always("show or hide"), "show it, or hide it";
         AddReference "add-reference" [key('a')], Always("load a model"), "load a model as a reference";
         AddMeasured "add-measured" [key('m')], Always("load a measured curve"), "load a measured curve";
@@ -294,20 +294,20 @@ key_table! {
         Cancel "cancel" [special(Esc), key('q'), key('?'), special(Enter)], Always("close"), "close";
     }
 
-    /// When asked about unsaved changes.
+    /// In the confirmation about unsaved changes.
     Unsaved(UnsavedCommand) in Unsaved, "Asked about unsaved changes", &[] => {
         Save "save" [key('s'), key('y')], Always("save first"), "save, then go on";
         Discard "discard" [key('d'), key('n')], Always("discard the changes"), "go on without saving";
         Cancel "cancel" [special(Esc)], Always("stay"), "stay, as if nothing had been asked";
     }
 
-    /// When asked before a file is replaced.
+    /// In the confirmation before a file is replaced.
     Replace(ReplaceCommand) in Replace, "Asked before a file is replaced", &[] => {
         Replace "replace" [key('y')], Always("replace it"), "replace the file";
         Cancel "cancel" [special(Esc), key('n')], Always("keep it"), "keep the file; nothing is saved";
     }
 
-    /// In the list of unsaved changes that were found.
+    /// In the list of recovered changes.
     Recovery(RecoveryCommand) in Recovery, "Unsaved changes that were found", moves! {
         Up UP, Never, "changes above";
         Down DOWN, Never, "changes below";

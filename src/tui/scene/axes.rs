@@ -1,4 +1,4 @@
-//! The axes of a scene, and its curves in their units: what the screen and an exported drawing have in common.
+//! The axes of a scene, and its curves in display units: common to the screen and exported drawings.
 
 use std::borrow::Cow;
 
@@ -6,10 +6,10 @@ use super::{Panel, Scene, SceneCurve};
 use crate::tui::app::nearest as place_of_nearest;
 use crate::tui::plot::{self, Axis, Curve, Scale};
 
-/// Relative distance to a pole within which a locus is left out: it goes to infinity there.
+/// The relative distance to a pole within which a locus is not drawn: it tends to infinity there.
 const NEAR_POLE: f64 = 1e-3;
 
-/// The axis of the frequencies, in their unit.
+/// The frequency axis, in its unit.
 pub fn frequency_axis(scene: &Scene) -> Axis {
     let frequency = &scene.frequency;
     let scale = if frequency.log {
@@ -21,14 +21,14 @@ pub fn frequency_axis(scene: &Scene) -> Axis {
     Axis::new(scale, bounds, frequency.unit.symbol())
 }
 
-/// What stands at a value axis: "phase, deg".
+/// The label of a value axis: "phase, deg".
 pub fn heading(panel: &Panel) -> String {
     let words = [panel.name, &panel.unit].into_iter();
     let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
     words.join(", ")
 }
 
-/// The curves of a scene over frequencies in the unit that shows.
+/// The curves of a scene over frequencies in the displayed unit.
 #[derive(Debug)]
 pub struct Ruled<'s> {
     /// The scene.
@@ -38,7 +38,7 @@ pub struct Ruled<'s> {
 }
 
 impl<'s> Ruled<'s> {
-    /// Brings the frequencies of all curves to the unit that shows.
+    /// Converts the frequencies of all curves to the displayed unit.
     pub fn new(scene: &'s Scene) -> Self {
         let per_hertz = scene.frequency.unit.per_hertz();
         let shown = |curve: &'s SceneCurve| {
@@ -61,7 +61,7 @@ impl<'s> Ruled<'s> {
         each.filter_map(move |(index, (curve, x))| Some((index, self.curve(curve, x, panel)?)))
     }
 
-    /// The value axis of a panel: as it is fixed, or around the curves.
+    /// The value axis of a panel: fixed, or automatic.
     pub fn value_axis(&self, panel: usize) -> Axis {
         let shown = &self.scene.panels[panel];
         if let Some(bounds) = shown.bounds {
@@ -84,17 +84,17 @@ impl<'s> Ruled<'s> {
     }
 }
 
-/// The curves of a scene with the first panel's values as abscissae and the second one's as ordinates.
+/// The curves of a scene with the values of the first panel as abscissae and of the second as ordinates.
 #[derive(Debug)]
 pub struct Loci {
     /// Abscissae and ordinates of each curve.
     pub points: Vec<[Vec<f64>; 2]>,
-    /// The axes, across and up, not made equal yet.
+    /// The axes, horizontal and vertical, before they are made equal.
     pub axes: [Axis; 2],
 }
 
 impl Loci {
-    /// The loci of a scene with two panels; none of another one.
+    /// The loci of a scene with two panels; none for another one.
     pub fn new(scene: &Scene) -> Option<Self> {
         let [across, up] = scene.panels.as_slice() else {
             return None;
@@ -111,7 +111,7 @@ impl Loci {
     }
 }
 
-/// The points of a locus within the bounds of frequency; gaps at poles.
+/// The points of a locus within the frequency bounds; gaps at poles.
 fn points(curve: &SceneCurve, scene: &Scene) -> [Vec<f64>; 2] {
     let [low, high] = scene.frequency.bounds;
     let [Some(across), Some(up)] = [0, 1].map(|panel| curve.values.get(panel)) else {
@@ -135,7 +135,7 @@ fn points(curve: &SceneCurve, scene: &Scene) -> [Vec<f64>; 2] {
     [x, y]
 }
 
-/// The point of a curve that is nearest to a frequency (Hz), if it is in the bounds.
+/// The point of a curve nearest to a frequency (Hz), if within the bounds.
 pub fn nearest(curve: &SceneCurve, frequency: f64, scene: &Scene) -> Option<(f64, f64)> {
     let [low, high] = scene.frequency.bounds;
     if !(low..=high).contains(&frequency) {

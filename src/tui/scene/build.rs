@@ -1,26 +1,26 @@
-//! The scene of the designer's state.
+//! Builds the scene from the designer's state.
 
-mod beside;
+mod comparison;
 
 use super::{
     ChartView, CurveKind, FrequencyAxis, Marked, Panel, Scene, SceneCurve, difference, part,
 };
 use crate::tui::app::{
-    Anchor, App, Curves, DetailPicture, Look, MOTION, Member, Picture, Table, Trace,
+    Anchor, App, BeamView, Curves, DetailPicture, MOTION, Member, Picture, Table, Trace,
 };
 use crate::tui::plot::{Level, LineStyle};
 use crate::unit::Dimension;
 
-/// What stands on the chart.
+/// Builds the content of the chart.
 pub fn of(app: &App) -> Scene {
     let builder = Builder::new(app);
     let panels = builder.panels();
     let mut curves = builder.tolerances();
     curves.extend(builder.references());
     curves.extend(builder.model());
-    curves.extend(builder.witnesses());
+    curves.extend(builder.fem_curves());
     curves.extend(builder.measured());
-    // One curve alone is named in the title.
+    // The title names a single curve.
     if let [only] = curves.as_mut_slice()
         && only.kind == CurveKind::Model
     {
@@ -41,16 +41,16 @@ pub fn of(app: &App) -> Scene {
     }
 }
 
-/// The units and the level in which the responses that show stand on the chart.
+/// The units and levels of the visible responses on the chart.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scale {
-    /// From a magnitude to the value on the axis.
+    /// Converts a magnitude to the axis.
     pub level: Level,
     /// The unit of the axis.
     pub unit: String,
 }
 
-/// In what the magnitudes of the responses that show are told.
+/// How to show the magnitudes of the visible responses.
 pub fn scale(app: &App) -> Scale {
     let units = app.shown_units();
     let dimensions = app.shown_traces().map(|trace| trace.dimension);
@@ -58,7 +58,7 @@ pub fn scale(app: &App) -> Scale {
         (energy || dimension.is_none(), motion || dimension.is_some())
     });
     let unit = units.join(", ");
-    // Ten and twenty decibels a decade do not go on one axis.
+    // Ten and twenty decibels per decade cannot share an axis.
     if !app.curves.decibels || (energy && motion) {
         return Scale {
             level: Level::Magnitude,
@@ -79,7 +79,7 @@ struct Builder<'a> {
     app: &'a App,
     /// The curves of the model, if there are any.
     picture: Option<&'a Picture>,
-    /// The band that shows, solved finely, where it belongs to the picture.
+    /// The visible band, solved with a fine grid, if it belongs to the picture.
     detail: Option<&'a DetailPicture>,
 }
 
@@ -88,7 +88,7 @@ struct Source<'a> {
     trace: &'a Trace,
     /// Hz.
     frequencies: &'a [f64],
-    /// The reference of the same response and member that differences are counted from.
+    /// The reference of the same response and member, for differences.
     against: Option<&'a Trace>,
 }
 
@@ -126,7 +126,7 @@ impl<'a> Builder<'a> {
             }
             None => what,
         };
-        let what = match app.beside.first_shown() {
+        let what = match app.comparison.first_shown() {
             Some(reference) if self.view() == ChartView::Difference => {
                 format!("{what} against {}", reference.name)
             }
@@ -174,7 +174,7 @@ impl<'a> Builder<'a> {
         panels
     }
 
-    /// What a magnitude is called: a ratio only where there is one force to divide by.
+    /// The name of a magnitude: a ratio only if there is one force to divide by.
     fn magnitude_name(&self) -> &'static str {
         let display = &self.app.display;
         let mut dimensions = self
@@ -229,16 +229,16 @@ impl<'a> Builder<'a> {
         curves
     }
 
-    /// The reference's response that a member's is counted from: of its own member, or the only one.
+    /// The response of the reference for a member's difference: of the corresponding member, or the only one.
     fn against(&self, member: usize, response: &str) -> Option<&'a Trace> {
-        let reference = self.app.beside.first_shown()?;
+        let reference = self.app.comparison.first_shown()?;
         let members = self.detail?.curves.reference(reference.id)?;
         let member = members.get(member).or(members.first())?;
         member.trace(response)
     }
 
-    /// What the value axis spans beside what is drawn: the curves as they will be once they are resolved, which is
-    /// about what the resolved ones before are; so that it stands still while a parameter is turned.
+    /// Curves that extend the value axis: the previous resolved curves predict the range of the next ones, so that the
+    /// axis does not move while a parameter changes.
     fn spanning(&self) -> Vec<SceneCurve> {
         let state = &self.app.curves;
         let (false, Some(resolved)) = (state.is_resolved(), &state.resolved) else {
@@ -262,10 +262,10 @@ impl<'a> Builder<'a> {
 
     fn marks(&self) -> Marked {
         let app = self.app;
-        let list = app.modal.list.as_ref();
+        let list = app.modes.list.as_ref();
         let chosen = app.anchor == Anchor::Mode
             || app.tables.open == Some(Table::Modes)
-            || app.looking.look == Some(Look::Mode);
+            || app.beam_view.shown == Some(BeamView::Mode);
         Marked {
             cursor: app.curves.cursor,
             second: app.reading.second,
@@ -279,7 +279,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// A curve as the view shows it, of the frequencies that show and one more on each side.
+    /// A curve in the view: the visible frequencies and one more on each side.
     fn curve(&self, source: &Source<'_>) -> SceneCurve {
         let places = self.visible_part(source.frequencies);
         let view = self.view();
@@ -315,13 +315,13 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// What each panel shows of a value.
+    /// The value in each panel.
     fn parts(&self, trace: &Trace, value: num_complex::Complex64, frequency: f64) -> Vec<f64> {
         let shown = self.app.display.value(trace, value, frequency);
         part(self.view(), shown, trace.dimension.is_none())
     }
 
-    /// The phase without its jumps, where it is to run on.
+    /// Unwraps the phase, if the display asks for it.
     fn unwrapped(&self, mut values: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
         if self.app.display.unwrapped
             && self.view() == ChartView::MagnitudePhase
@@ -332,7 +332,7 @@ impl<'a> Builder<'a> {
         values
     }
 
-    /// The places of the frequencies that show, and one more on each side.
+    /// The indices of the visible frequencies, and one more on each side.
     fn visible_part(&self, frequencies: &[f64]) -> std::ops::Range<usize> {
         let [low, high] = self.app.shown_frequencies();
         let from = frequencies.partition_point(|f| *f < low);
@@ -347,7 +347,7 @@ fn poles(trace: &Trace) -> Vec<f64> {
     poles.map(|peak| peak.frequency).collect()
 }
 
-/// The traces that show, with their place and their member's.
+/// The visible traces, with their index and that of their member.
 fn traces<'a>(
     members: &'a [Member],
     curves: &Curves,
@@ -365,7 +365,7 @@ fn traces<'a>(
     found
 }
 
-/// Responses have a colour each; where only one shows, the members of the study have.
+/// Each response has a colour; if only one is visible, each member of the study has.
 fn colour(state: &Curves, place: usize, member: usize) -> usize {
     if state.visible.len() > 1 {
         place
@@ -381,7 +381,7 @@ pub fn label(state: &Curves, trace: &Trace, member: &Member) -> String {
         Some(label) if state.visible.len() == 1 => label.clone(),
         Some(label) => format!("{} {label}", trace.response),
     };
-    // A logarithmic axis has no place for it.
+    // A logarithmic axis cannot show it.
     if trace.values.iter().all(|value| value.norm_sqr() == 0.0) {
         format!("{name} (zero)")
     } else {

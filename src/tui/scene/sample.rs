@@ -1,4 +1,4 @@
-//! Scenes made by hand, for tests.
+//! Sample scenes for tests.
 
 use num_complex::Complex64;
 
@@ -25,7 +25,7 @@ fn panel(name: &'static str, unit: &str, level: Level) -> Panel {
     }
 }
 
-/// The parts of a value that a view shows.
+/// The parts of a value in a view.
 fn parts(view: ChartView, value: Complex64) -> Vec<f64> {
     match view {
         ChartView::Magnitude => vec![value.norm()],

@@ -1,10 +1,10 @@
-//! Whether what a row shows differs from the file.
+//! Whether a row differs from the file.
 
 use super::{Node, tuning};
 use crate::model::edit;
 use crate::model::{Group, Model, ParameterId};
 
-/// Whether a row's part of the model differs from `saved`.
+/// Whether the row's part of the model differs from `saved`.
 pub fn differs(model: &Model, saved: &Model, node: Node) -> bool {
     match node {
         Node::Group(group) => group_differs(model, saved, group),

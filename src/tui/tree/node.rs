@@ -1,4 +1,4 @@
-//! What a row of the tree is.
+//! The nodes of the tree.
 
 use crate::model::schema::Kind;
 use crate::model::{Group, Moves, ParameterId};
@@ -6,9 +6,9 @@ use crate::model::{Group, Moves, ParameterId};
 /// A row of the tree.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Node {
-    /// A table or list of the model. That of an end or of one of its motions is also the parameter of its word.
+    /// A table or list of the model. For an end or one of its motions, also the parameter of its word.
     Group(Group),
-    /// A parameter that has a row of its own.
+    /// A parameter with its own row.
     Parameter(ParameterId),
     /// A line of a study: a path or a case.
     StudyLine(usize, usize),
@@ -27,7 +27,7 @@ impl Node {
         }
     }
 
-    /// The table that it is or belongs to.
+    /// Its table.
     pub const fn group(self) -> Group {
         match self {
             Self::Group(group) => group,
@@ -36,7 +36,7 @@ impl Node {
         }
     }
 
-    /// The row that holds it.
+    /// The parent row.
     pub fn parent(self) -> Option<Self> {
         let holder = match self {
             Self::Group(group) => group.parent()?,
@@ -45,7 +45,7 @@ impl Node {
         (holder != Group::Model).then_some(Self::Group(holder))
     }
 
-    /// The parameter that it shows, if it shows one.
+    /// Its parameter, if it has one.
     pub fn parameter(self) -> Option<ParameterId> {
         match self {
             Self::Parameter(id) => Some(id),
@@ -63,7 +63,7 @@ impl Node {
         }
     }
 
-    /// The subsystem, force, response or study that it belongs to.
+    /// Its subsystem, force, response or study.
     pub fn item(self) -> Option<Group> {
         Some(self.group()).filter(|group| {
             matches!(
@@ -73,12 +73,12 @@ impl Node {
         })
     }
 
-    /// Where the row is in a changed model; none where it was removed.
+    /// Its row in a changed model; none if it was removed.
     pub fn moved(self, moves: &Moves) -> Option<Self> {
         Some(self.of_group(moves.of(self.group())?))
     }
 
-    /// The same row of another table of the same kind.
+    /// The corresponding row of another table of the same kind.
     #[must_use]
     pub const fn of_group(self, group: Group) -> Self {
         match (self, group) {

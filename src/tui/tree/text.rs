@@ -1,4 +1,4 @@
-//! The words of a row: its label, its value, and its full name in messages.
+//! The texts of a row: its label, its value, and its full name in messages.
 
 use std::borrow::Cow;
 
@@ -11,7 +11,7 @@ use crate::model::{
 };
 use crate::tune::words;
 
-/// What a row is called, at its place in the tree.
+/// The label of a row at its place in the tree.
 pub fn label(model: &Model, node: Node) -> Cow<'_, str> {
     match node {
         Node::TITLE => "Title".into(),
@@ -56,7 +56,7 @@ fn spaced(key: &str) -> Cow<'_, str> {
     }
 }
 
-/// What a row is called in a message: `S1 y_left stiffness`.
+/// The name of a row in a message: `S1 y_left stiffness`.
 pub fn subject(model: &Model, node: Node) -> String {
     match node {
         Node::Parameter(id) => {
@@ -79,7 +79,7 @@ pub fn subject(model: &Model, node: Node) -> String {
     }
 }
 
-/// The value at the right of a row.
+/// The value on the right of a row.
 pub fn value(model: &Model, node: Node) -> String {
     match node {
         Node::Group(group) => group_value(model, group),
@@ -127,7 +127,7 @@ fn group_value(model: &Model, group: Group) -> String {
     }
 }
 
-/// A wording of an objective or a limit.
+/// The text of an objective or a limit.
 fn worded(model: &Model, group: Group, wording: fn(&Wording) -> &'static str) -> String {
     let text = match group {
         Group::Objective(i) => tuning::objective_at(model, i)
@@ -160,7 +160,7 @@ fn switched(enabled: bool, text: impl FnOnce() -> String) -> String {
     if enabled { text() } else { "off".to_owned() }
 }
 
-/// A value of a parameter in words, with its unit.
+/// A value of a parameter as text, with its unit.
 pub fn of_parameter(parameter: &Parameter, value: &Value) -> String {
     match value {
         Value::Number(number) => parameter.unit.format(*number),
@@ -172,7 +172,7 @@ pub fn of_parameter(parameter: &Parameter, value: &Value) -> String {
     }
 }
 
-/// `before` without its unit where `after` has the same.
+/// `before` without its unit, if `after` has the same unit.
 pub fn without_unit_of<'a>(before: &'a str, after: &str) -> &'a str {
     match (before.split_once(' '), after.split_once(' ')) {
         (Some((number, unit)), Some((_, same))) if unit == same => number,
@@ -206,7 +206,7 @@ fn members(study: &Study) -> usize {
     }
 }
 
-/// How many lines a study has in the tree.
+/// The number of lines of a study in the tree.
 pub(super) fn study_lines(study: &Study) -> usize {
     match &study.family {
         Family::Vary { paths, .. } => paths.len() + 1,
@@ -214,7 +214,7 @@ pub(super) fn study_lines(study: &Study) -> usize {
     }
 }
 
-/// A line of a study: what it changes, and by what.
+/// A line of a study: its path and factors.
 fn study_line(study: &Study, line: usize) -> (String, String) {
     match &study.family {
         Family::Vary {

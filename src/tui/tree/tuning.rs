@@ -1,4 +1,4 @@
-//! The parts of a tuning that rows show, and the words of its variables.
+//! The rows of a model's tuning, and the words of its variables.
 
 use crate::model::{Combine, Limit, Model, Objective, Tune, Variable};
 
@@ -17,7 +17,7 @@ pub fn limit_at(model: &Model, i: usize) -> Option<&Limit> {
     model.tune.as_ref()?.limits.get(i)
 }
 
-/// How several objectives are one; empty for one.
+/// How several objectives are combined; empty for one.
 pub(super) fn combination(tune: &Tune) -> String {
     match (tune.objectives.len(), tune.combine) {
         (0 | 1, _) => String::new(),
@@ -26,7 +26,7 @@ pub(super) fn combination(tune: &Tune) -> String {
     }
 }
 
-/// The first path in short, and how many more there are: `S1 y left stiffness`, `* mass +1`.
+/// The first path in short form, and the number of others: `S1 y left stiffness`, `* mass +1`.
 pub(super) fn variable_label(variable: &Variable) -> String {
     let Some(first) = variable.paths.first() else {
         return String::new();

@@ -23,10 +23,10 @@ use crate::tui::options::{Colours, Ground, Marker, Options};
 
 /// What a list of keys must be.
 const LIST: &str = "a list of keys in quotes, such as [\"u\", \"Alt-u\"]";
-/// Keys of several kinds.
+/// Several kinds of keys.
 const EXAMPLES: &str = "u, U, Ctrl-z, Alt-x, F5, PgDn, Space or Shift-Tab";
 
-/// Keys by which what is typed is changed.
+/// Keys that edit typed text.
 const EDITING: [KeyCode; 6] = [
     KeyCode::Backspace,
     KeyCode::Delete,
@@ -36,7 +36,7 @@ const EDITING: [KeyCode; 6] = [
     KeyCode::End,
 ];
 
-/// What the user has configured.
+/// The user's configuration.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Config {
     /// The options; what is `None` is not in the file.
@@ -45,12 +45,12 @@ pub struct Config {
     pub keys: KeyMap,
 }
 
-/// Reads the text of a configuration file. An empty one configures nothing.
+/// Parses a configuration file. An empty one is valid.
 ///
 /// # Errors
-/// All faults in the order of the text, each with line, column and path: broken TOML, unknown keys, parts and
-/// commands (with the nearest known one), wrong types and words, texts that name no key, keys that are needed for
-/// typing, and keys that two commands would hear.
+/// All faults in the order of the text, each with line, column and path: invalid TOML, unknown keys, scopes and
+/// commands (with the nearest known one), wrong types and words, invalid key names, keys needed for typing, and keys
+/// bound to two commands.
 pub fn read(text: &str) -> Result<Config, Vec<Fault>> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut reader = Reader::default();
@@ -85,7 +85,7 @@ fn options(mut table: Table<'_>, reader: &mut Reader) -> Options {
     options
 }
 
-/// One of some choices by its word; none where it is left out or another word.
+/// A choice by its word; none if missing or another word.
 fn choice<'a, T: Copy>(
     table: &mut Table<'a>,
     key: &'a str,
@@ -102,7 +102,7 @@ fn choice<'a, T: Copy>(
     all.get(index).copied()
 }
 
-/// A key that the file gives to a command.
+/// A key that the file binds to a command.
 struct Given {
     key: Key,
     scope: Scope,
@@ -140,7 +140,7 @@ fn key_map(mut table: Table<'_>, reader: &mut Reader) -> KeyMap {
     map
 }
 
-/// A command to which the file gives keys.
+/// A command that the file binds to keys.
 struct Row {
     scope: Scope,
     name: &'static str,
@@ -148,7 +148,7 @@ struct Row {
 }
 
 impl Row {
-    /// The keys that are sound; none where the value is no list.
+    /// The valid keys; none if the value is not a list.
     fn keys(&self, node: Node<'_>, reader: &mut Reader) -> Option<Vec<Given>> {
         let Some(list) = node.get_ref().as_array() else {
             reader.fault(node.span().start, &self.path, wrong_type(node, LIST));
@@ -180,7 +180,7 @@ impl Row {
         Some(keys)
     }
 
-    /// One key of the list, or what is wrong with it.
+    /// One key of the list, or its fault.
     fn key(&self, node: Node<'_>) -> Result<Key, String> {
         let text = node.get_ref().as_str();
         let text = text.ok_or_else(|| wrong_type(node, "a key in quotes"))?;
@@ -205,14 +205,14 @@ impl Row {
         Ok(key)
     }
 
-    /// Whether no count with this digit could be typed any more.
+    /// Whether the binding would make a count with this digit impossible.
     fn takes_counts(&self, key: Key) -> bool {
         let counted = matches!(self.scope, Scope::Main | Scope::Table | Scope::Any);
         let digit = matches!(key.code, KeyCode::Char(c) if c.is_ascii_digit());
         counted && digit && key.is_typed()
     }
 
-    /// Whether nobody could type any more what the key is for.
+    /// Whether the binding would take a key needed for typing.
     fn takes_typing(&self, key: Key) -> bool {
         let heard = self.scope.is_typing() || self.scope == Scope::Any;
         let own = KeyMap::default();
@@ -224,7 +224,7 @@ impl Row {
             && (key.is_typed() || (EDITING.contains(&key.code) && key.modifiers.is_empty()))
     }
 
-    /// Whether without a key a box would stay open, or the program.
+    /// Whether a dialog, or the program, could not be closed without a key.
     fn is_needed(&self) -> bool {
         match self.scope {
             Scope::Main | Scope::Table => false,
@@ -234,11 +234,11 @@ impl Row {
     }
 }
 
-/// Says of a conflict where the file brings it about.
+/// The fault of a conflict, at its place in the file.
 fn refuse(conflict: &Conflict, given: &[Given], reader: &mut Reader) {
     let [first, second] = conflict.names;
     let own = |name| keys::names(conflict.scope).any(|own| own == name);
-    // The first is always of the scope itself.
+    // The first one is always of the scope itself.
     let place = if second != first && own(second) {
         conflict.scope
     } else {

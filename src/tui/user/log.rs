@@ -1,4 +1,4 @@
-//! What went wrong, a line each, for a look afterwards.
+//! The error log, one line per error.
 
 use std::fs::{self, OpenOptions};
 use std::io::{self, Read as _, Write as _};
@@ -8,15 +8,14 @@ use std::time::{Duration, SystemTime, UNIX_EPOCH};
 use crate::escape::escape_lines;
 use crate::files;
 
-/// From this size on, bytes, the older half is dropped.
+/// The size, bytes, from which on the older half is removed.
 const LARGEST: u64 = 1_000_000;
 
-/// Adds one entry, `2026-11-23T17:05:09Z beamtune 0.1.0: WHAT`, to the log file; makes file and folder where they are
-/// missing. The time is UTC. Further lines of `what` are indented, so that an entry starts where a line does; hidden
-/// characters are escaped.
+/// Adds one entry, `2026-11-23T17:05:09Z beamtune 0.1.0: WHAT`, to the log file; creates file and folder if missing.
+/// The time is UTC. Further lines of `what` are indented, so that an unindented line starts an entry; hidden characters
+/// are escaped.
 ///
-/// Nothing comes of an error: the log is what is written when something else went wrong already, and it must neither
-/// hide that nor stop the program.
+/// Errors are ignored: the log is written after another error, and must neither hide it nor stop the program.
 pub fn append(path: &Path, what: &str) {
     let since = SystemTime::now()
         .duration_since(UNIX_EPOCH)

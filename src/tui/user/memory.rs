@@ -1,7 +1,7 @@
-//! What is remembered for a user from one run to the next: options that were turned, and the last view of each model.
+//! The stored view state: options that the user changed, and the last view of each model.
 //!
-//! None of it is ever in a model file. The file is read and written as a whole; options that this version does
-//! not know are carried along, so that an older program does not take from a newer one.
+//! It is never part of a model file. The file is read and written as a whole; unknown options are preserved, so that an
+//! older program does not remove those of a newer one.
 
 use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions, TryLockError};
@@ -15,43 +15,43 @@ use serde::{Deserialize, Serialize};
 use crate::escape::shown_path;
 use crate::files::{self, error_text, make_private, read_if_there};
 
-/// The views that are kept; the oldest are dropped.
+/// The most stored views; older ones are removed.
 const MOST_VIEWS: usize = 100;
 
-/// All that is remembered.
+/// The stored state.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Memory {
-    /// Options that were turned in the designer.
+    /// Options that the user changed in the designer.
     #[serde(default)]
     pub options: RememberedOptions,
     /// The last view of each model, newest first.
     #[serde(default)]
     pub views: Vec<View>,
-    /// The models whose view was remembered since the file was read.
+    /// The models whose views were stored since the file was read.
     #[serde(skip)]
     seen: Vec<String>,
-    /// What a newer version wrote beside.
+    /// Unknown keys of a newer version.
     #[serde(flatten)]
     unknown: toml::Table,
 }
 
-/// Options that were turned in the designer; none where it was left as it is.
+/// Options that the user changed in the designer; none if unchanged.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct RememberedOptions {
     /// Magnitude in decibels, not in powers of ten.
     pub decibels: Option<bool>,
-    /// Whether the mouse is listened to.
+    /// Whether the mouse is captured.
     pub mouse: Option<bool>,
     /// The unit of frequencies.
     pub frequency_unit: Option<String>,
-    /// The word of the theme, as of `Theme::word`.
+    /// The word of the theme, as in `Theme::word`.
     pub theme: Option<String>,
-    /// What a newer version wrote beside.
+    /// Unknown keys of a newer version.
     #[serde(flatten)]
     unknown: toml::Table,
 }
 
-/// How one model was last looked at.
+/// The last view of one model.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct View {
     /// The model: a file's absolute path, or `preset:NAME`.
@@ -62,7 +62,7 @@ pub struct View {
     /// The open groups, each as the labels from the root.
     #[serde(default)]
     pub open: Vec<Vec<String>>,
-    /// Names of the responses whose curves are shown.
+    /// The names of the visible responses.
     #[serde(default)]
     pub visible: Vec<String>,
     /// Name of the study.
@@ -72,28 +72,28 @@ pub struct View {
     pub log_frequency: bool,
     /// The cursor on the chart, Hz.
     pub cursor: Option<f64>,
-    /// The part of the frequency axis that is shown, Hz.
+    /// The visible part of the frequency axis, Hz.
     pub window: Option<[f64; 2]>,
     /// The table below the chart.
     pub table: Option<String>,
-    /// What of the values is drawn, by its name.
+    /// The name of the chart view.
     pub view: Option<String>,
-    /// The form of all responses, by its name.
+    /// The name of the form of all responses.
     pub form: Option<String>,
     /// The second cursor, Hz.
     pub second_cursor: Option<f64>,
     /// The marked band, Hz.
     pub band: Option<[f64; 2]>,
-    /// The value of 0 dB of each quantity, by its unit.
+    /// The 0 dB reference of each quantity, by its unit.
     #[serde(default)]
     pub decibel_references: BTreeMap<String, f64>,
 }
 
 impl Memory {
-    /// Reads the file; one that is not there remembers nothing.
+    /// Reads the file; a missing file is an empty state.
     ///
     /// # Errors
-    /// In words, where the file cannot be read or is not of this shape. The program goes on with the default.
+    /// A message if the file cannot be read or has another structure. The program continues with the default.
     pub fn load(path: &Path) -> Result<Self, String> {
         let told = |reason| format!("{} is not read: {reason}", shown_path(path));
         match read_if_there(path) {
@@ -108,8 +108,8 @@ impl Memory {
         self.views.iter().find(|view| view.source == source)
     }
 
-    /// Takes a view as the newest, in place of an older one of the same model. Of more than 100 the oldest are
-    /// dropped, as are numbers that are not finite.
+    /// Stores a view as the newest and replaces an older one of the same model. Views beyond 100 are removed, as are
+    /// numbers that are not finite.
     pub fn remember(&mut self, mut view: View) {
         view.cursor = view.cursor.filter(|cursor| cursor.is_finite());
         let finite = |band: &[f64; 2]| band.iter().all(|end| end.is_finite());
@@ -124,7 +124,7 @@ impl Memory {
         self.views.truncate(MOST_VIEWS);
     }
 
-    /// Takes over what another memory has of its own.
+    /// Merges the changes of another state.
     fn take(&mut self, newer: &Self) {
         let options = &newer.options;
         self.options.decibels = options.decibels.or(self.options.decibels);
@@ -141,7 +141,7 @@ impl Memory {
             .views
             .iter()
             .filter(|view| newer.seen.contains(&view.source));
-        // The newest last, so that it comes first.
+        // The newest last, so that it ends up first.
         own.rev().for_each(|view| self.remember(view.clone()));
     }
 }
@@ -150,12 +150,12 @@ fn parse(text: &str) -> Result<Memory, String> {
     toml::from_str(text).map_err(|error: toml::de::Error| error.message().to_owned())
 }
 
-/// Writes what was remembered since it was read: reads the file anew, changes in it the options that are set and the
-/// views that were remembered, and replaces it atomically. So of two programs neither drops what the other has stored.
-/// A file that cannot be understood is kept beside, as `memory.toml.old`.
+/// Writes the changes since the last read: reads the file again, merges the changed options and views, and replaces the
+/// file atomically, so that two running programs keep each other's changes. A file that cannot be parsed is renamed to
+/// `memory.toml.old`.
 ///
 /// # Errors
-/// In words, where the file cannot be read or written.
+/// A message if the file cannot be read or written.
 pub fn store(path: &Path, memory: &Memory) -> Result<(), String> {
     try_store(path, memory).map_err(|error| {
         format!(
@@ -188,7 +188,7 @@ fn try_store(path: &Path, memory: &Memory) -> io::Result<()> {
     files::save(path, &text)
 }
 
-/// `memory.toml` and an ending more.
+/// `memory.toml` with another extension appended.
 fn beside(path: &Path, ending: &str) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(".");
@@ -196,8 +196,8 @@ fn beside(path: &Path, ending: &str) -> PathBuf {
     PathBuf::from(name)
 }
 
-/// Waits, not for long, until no other program is between its reading and its writing. Where files cannot be locked,
-/// or another program stands still, it goes on without: at worst a view is forgotten.
+/// Waits briefly for the lock, so that no other program writes between our read and write. Without a lock (no support,
+/// or the other program hangs), it continues: at worst, a view is lost.
 fn turn(path: &Path) -> Option<File> {
     const TRIES: usize = 100;
     const PAUSE: Duration = Duration::from_millis(10);
@@ -243,7 +243,7 @@ mod tests {
         Memory::load(path).unwrap()
     }
 
-    /// Starts with what is remembered and ends having looked at a model.
+    /// Starts with the stored state and ends with a view of a model.
     fn look_at(path: &Path, source: &str) {
         let mut memory = Memory::load(path).unwrap_or_default();
         memory.remember(view(source));

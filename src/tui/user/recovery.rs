@@ -1,10 +1,10 @@
-//! Edits that are not saved, kept so that a lost line or a killed program loses none of them.
+//! The recovery file: unsaved changes survive a broken connection or a killed program.
 //!
-//! A running designer that has unsaved edits owns two files of the recovery folder: `NAME-RANDOM.toml`, to which its
-//! [`Keeper`] adds every edit, and `NAME-RANDOM.lock`, which it holds locked. The system releases the lock however the
-//! program ends; [`found`] then offers the file to the next one. The file is a model file below
-//! three lines of comment that say what it is. Of a large model it is the text that was opened or saved last, above a
-//! line of comment for each edit; at its end by a signal or a fault, the designer replaces that by the whole model.
+//! A running designer with unsaved changes owns two files of the recovery folder: `NAME-RANDOM.toml`, to which its
+//! [`Keeper`] appends every edit, and `NAME-RANDOM.lock`, which it holds locked. The system releases the lock however
+//! the program ends; [`found`] then offers the file to the next program. The file is a model file below three lines of
+//! comment that describe it. For a large model it is the text that was last opened or saved, followed by one line of
+//! comment per edit; when a signal or an internal error ends the designer, it replaces that by the whole model.
 
 mod found;
 mod keeper;

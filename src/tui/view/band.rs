@@ -54,13 +54,13 @@ pub(super) fn rows(app: &App) -> Vec<Row> {
         let first = levels.references.first().map(|(_, members)| &members[..]);
         rows.extend(levels_of(app, &levels.members, "", first));
         for (id, members) in &levels.references {
-            let mut references = app.beside.shown();
+            let mut references = app.comparison.shown();
             let name = references.find(|one| one.id == *id).map(|one| &*one.name);
             rows.extend(levels_of(app, members, name.unwrap_or_default(), None));
         }
     }
-    rows.extend(app.beside.fits.iter().map(|fitted| {
-        let mut measured = app.beside.measured.iter();
+    rows.extend(app.comparison.fits.iter().map(|fitted| {
+        let mut measured = app.comparison.measured.iter();
         let name = measured
             .find(|one| one.id == fitted.measured)
             .map_or("", |one| &one.name);

@@ -3,7 +3,7 @@
 use ratatui::Frame;
 use ratatui::layout::Rect;
 
-use super::moving::{self, Reach, Seen, Words};
+use super::animated::{self, Reach, Seen, Words};
 use super::text::significant;
 use crate::model::BeamMotion;
 use crate::tui::app::App;
@@ -24,7 +24,7 @@ const UNSEEN: f64 = 1e-4;
 const REACH: f64 = 1.1;
 
 pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
-    moving::draw(frame, app, (theme, area), "Deflection", deflection);
+    animated::draw(frame, app, (theme, area), "Deflection", deflection);
 }
 
 /// The deflection at a moment: the beam as lines, its masses as letters that springs join to it.
@@ -34,7 +34,7 @@ fn deflection(frame: &mut Frame<'_>, seen: Seen<'_>, area: Rect) {
         title: format!("Deflection at {}", seen.moment()),
         note: scale(reach),
     };
-    let inside = moving::panel(frame, &words, seen.theme, area);
+    let inside = animated::panel(frame, &words, seen.theme, area);
     let motions = [0, 1, 2].map(|row| Motion::new(seen, reach, row));
     let mut curves = Vec::new();
     for motion in motions.iter().filter(|motion| motion.masses_seen) {
@@ -49,16 +49,16 @@ fn deflection(frame: &mut Frame<'_>, seen: Seen<'_>, area: Rect) {
         .filter(|motion| motion.masses_seen)
         .map(|motion| motion.points(seen.theme))
         .collect();
-    moving::name_masses(&mut points);
+    animated::name_masses(&mut points);
     curves.extend(points);
     // The scale shows in any case: above the axis where the rule has no room for it.
-    let unit = if moving::has_room(&words, area.width) {
+    let unit = if animated::has_room(&words, area.width) {
         ""
     } else {
         &words.note
     };
     let value = Axis::new(Scale::Linear, [-REACH, REACH], unit);
-    moving::chart(frame, seen, curves, value, inside);
+    animated::chart(frame, seen, curves, value, inside);
 }
 
 /// What is drawn as 1.
@@ -109,8 +109,8 @@ impl Motion {
             .map(|(beam, mass)| [*beam, *mass]);
         Self {
             number,
-            beam_seen: moving::largest(column) > UNSEEN * unit,
-            masses_seen: moving::largest(&moved) > UNSEEN * unit,
+            beam_seen: animated::largest(column) > UNSEEN * unit,
+            masses_seen: animated::largest(&moved) > UNSEEN * unit,
             beam: scaled(seen.now(column)),
             joints: places.iter().map(|x| [*x; 2]).zip(ends).collect(),
             masses,

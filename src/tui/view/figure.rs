@@ -141,7 +141,7 @@ fn look(index: usize, scene: &Scene, theme: Theme, columns: u16) -> Curve<'stati
             let marker = curve.marker.map(|number| theme.marker(number));
             (style, marker, curve.line)
         }
-        CurveKind::Witness => {
+        CurveKind::Fem => {
             let style = theme.witness(curve.colour);
             (style, Some(theme.point()), curve.line)
         }

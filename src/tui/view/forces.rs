@@ -3,9 +3,9 @@
 use ratatui::Frame;
 use ratatui::layout::Rect;
 
-use super::moving::{self, Seen, Words};
+use super::animated::{self, Seen, Words};
 use super::text::significant;
-use crate::tui::app::{App, Look};
+use crate::tui::app::{App, BeamView};
 use crate::tui::plot::{Axis, Curve, Level, LineStyle, Scale};
 use crate::tui::theme::Theme;
 use crate::unit::{Load, Unit};
@@ -24,7 +24,7 @@ struct Group {
 }
 
 /// The forces of a look; those along the six motions are `S_w`, T, `S_v`, `M_w`, B, `M_v`.
-fn group(look: Look) -> Option<Group> {
+fn group(look: BeamView) -> Option<Group> {
     let group = |name, load: Load, members| {
         Some(Group {
             name,
@@ -33,22 +33,22 @@ fn group(look: Look) -> Option<Group> {
         })
     };
     match look {
-        Look::Moments => group("Bending moments", Load::Moment, &[("M_w", 3), ("M_v", 5)]),
-        Look::Shear => group("Shear forces", Load::Force, &[("S_w", 0), ("S_v", 2)]),
-        Look::Torque => group("Torque", Load::Moment, &[("T", 1)]),
-        Look::Bimoment => group("Bimoment", Load::Bimoment, &[("B", 4)]),
+        BeamView::Moments => group("Bending moments", Load::Moment, &[("M_w", 3), ("M_v", 5)]),
+        BeamView::Shear => group("Shear forces", Load::Force, &[("S_w", 0), ("S_v", 2)]),
+        BeamView::Torque => group("Torque", Load::Moment, &[("T", 1)]),
+        BeamView::Bimoment => group("Bimoment", Load::Bimoment, &[("B", 4)]),
         _ => None,
     }
 }
 
 pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
-    let Some(group) = app.looking.look.and_then(group) else {
+    let Some(group) = app.beam_view.shown.and_then(group) else {
         return;
     };
     let forces = |frame: &mut Frame<'_>, seen: Seen<'_>, area: Rect| {
         forces(frame, seen, group, area);
     };
-    moving::draw(frame, app, (theme, area), group.name, forces);
+    animated::draw(frame, app, (theme, area), group.name, forces);
 }
 
 /// A group of forces at a moment, between their amplitudes.
@@ -57,8 +57,8 @@ fn forces(frame: &mut Frame<'_>, seen: Seen<'_>, group: Group, area: Rect) {
         title: format!("{} at {}", group.name, seen.moment()),
         note: largest(seen, group),
     };
-    let inside = moving::panel(frame, &words, seen.theme, area);
-    let amplitude = |row: usize| moving::largest(&seen.operating.forces[row]);
+    let inside = animated::panel(frame, &words, seen.theme, area);
+    let amplitude = |row: usize| animated::largest(&seen.operating.forces[row]);
     let all = group.members.iter().map(|(_, row)| amplitude(*row));
     let least = UNSEEN * all.fold(0.0, f64::max);
     let members: Vec<Member> = group
@@ -90,7 +90,7 @@ fn forces(frame: &mut Frame<'_>, seen: Seen<'_>, group: Group, area: Rect) {
     let ends = [0.0, x.last().copied().unwrap_or(1.0)];
     let across = Axis::new(Scale::Linear, ends, Unit::METRE.symbol);
     let value = Level::Signed.axis(&curves, &across, group.unit);
-    moving::chart(frame, seen, curves, value, inside);
+    animated::chart(frame, seen, curves, value, inside);
 }
 
 /// The largest amplitude of the group, and where it is.

@@ -50,7 +50,7 @@ pub(super) fn draw(
     area: Rect,
 ) -> Rows {
     let columns = table::fitting(&LAYOUTS, area.width);
-    let modes = app.modal.list.as_ref();
+    let modes = app.modes.list.as_ref();
     let rows = modes.map_or(&[][..], |modes| &modes.rows);
     let empty = match modes {
         None => "solving the modes".to_owned(),

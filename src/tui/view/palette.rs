@@ -4,7 +4,7 @@ use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::text::{Line, Span};
 
-use super::boxes::{middle, open_box};
+use super::dialogs::{middle, open_dialog};
 use super::prompt::draw_input;
 use super::text::{cut, width};
 use crate::model::{Model, grouped};
@@ -31,7 +31,7 @@ pub(super) fn draw(
         _ => format!(" {subject}  {} of {} ", list.row + 1, grouped(count)),
     };
     let place = middle(frame.area(), MOST_LINES + 1);
-    let inside = open_box(frame, place, &title, theme);
+    let inside = open_dialog(frame, place, &title, theme);
     let [line, rest] = Layout::vertical([Constraint::Length(1), Constraint::Fill(1)]).areas(inside);
     let mark = Rect {
         width: 2.min(line.width),

@@ -53,7 +53,7 @@ pub(super) fn draw(
     };
     let peaks = app.peaks();
     let overlap = peaks.iter().any(|peak| peak.overlaps);
-    let doubt = app.modal.list.as_ref().and_then(ModeList::doubt);
+    let doubt = app.modes.list.as_ref().and_then(ModeList::doubt);
     let notes = [
         overlap.then_some("~ modes overlap"),
         doubt.map(|_| "some may be missing"),

@@ -5,7 +5,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 
-use super::moving::{self, Seen, Words};
+use super::animated::{self, Seen, Words};
 use super::text::{cut, significant, width};
 use crate::model::{Force, Place, Target};
 use crate::tui::app::App;
@@ -37,7 +37,7 @@ struct Row {
 }
 
 pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
-    moving::draw(frame, app, (theme, area), "Power", power);
+    animated::draw(frame, app, (theme, area), "Power", power);
 }
 
 fn power(frame: &mut Frame<'_>, seen: Seen<'_>, area: Rect) {
@@ -50,7 +50,7 @@ fn power(frame: &mut Frame<'_>, seen: Seen<'_>, area: Rect) {
             watts(found.loss())
         ),
     };
-    let inside = moving::panel(frame, &words, seen.theme, area);
+    let inside = animated::panel(frame, &words, seen.theme, area);
     let mut table = inside;
     if inside.width >= TABLE + FLOW {
         let [left, right] =
@@ -204,7 +204,7 @@ fn flow(frame: &mut Frame<'_>, seen: Seen<'_>, area: Rect) {
     let ends = [0.0, x.last().copied().unwrap_or(1.0)];
     let across = Axis::new(Scale::Linear, ends, Unit::METRE.symbol);
     let value = Level::Signed.axis(std::slice::from_ref(&curve), &across, "W");
-    moving::chart(frame, seen, vec![curve], value, area);
+    animated::chart(frame, seen, vec![curve], value, area);
 }
 
 #[cfg(test)]

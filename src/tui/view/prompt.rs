@@ -8,7 +8,7 @@ use ratatui::widgets::Paragraph;
 use tui_input::Input;
 
 use super::Panels;
-use super::boxes::open_box;
+use super::dialogs::open_dialog;
 use super::text::{cut, width, wrapped};
 use crate::escape::escape;
 use crate::model::entry;
@@ -73,7 +73,7 @@ pub(super) fn draw(
         columns,
         height.min(area.height),
     );
-    let inside = open_box(frame, place, &title, theme);
+    let inside = open_dialog(frame, place, &title, theme);
     let parts = [Constraint::Length(typed_rows), Constraint::Fill(1)];
     let [above, rest] = Layout::vertical(parts).areas(inside);
     let replaced = prompt.replaceable.then(|| theme.selection());

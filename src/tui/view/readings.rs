@@ -147,7 +147,7 @@ fn model(app: &App, cursor: f64) -> Vec<Row> {
 
 fn references(app: &App, cursor: f64) -> Vec<Row> {
     let mut rows = Vec::new();
-    for reference in app.beside.shown() {
+    for reference in app.comparison.shown() {
         let Some(picture) = &reference.picture else {
             continue;
         };
@@ -259,7 +259,7 @@ fn words(app: &App) -> (String, String) {
     };
     let at = app.display.frequency_text(cursor);
     let between = app.measured_shown().next().is_some();
-    let reference = app.beside.first_shown();
+    let reference = app.comparison.first_shown();
     let reference = reference.filter(|_| app.display.view == ChartView::Difference);
     let note = match (
         between,

@@ -6,7 +6,7 @@ use ratatui::layout::{Constraint, Rect};
 use ratatui::text::Line;
 use ratatui::widgets::Paragraph;
 
-use super::{moving, text::significant};
+use super::{animated, text::significant};
 use crate::tui::app::{App, ModeKind, Shape};
 use crate::tui::plot::{Axis, Chart, Curve, Legend, Level, LineStyle, Scale};
 use crate::tui::theme::Theme;
@@ -22,7 +22,7 @@ const UNSEEN: f64 = 1e-4;
 const REACH: f64 = 1.1;
 
 pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
-    let shape = app.modal.shape.as_ref();
+    let shape = app.modes.shape.as_ref();
     let title = super::rule(&heading(app), theme);
     let note = Line::styled(scale(shape), theme.dim());
     let block = super::panel(title, note, area.width).border_style(theme.dim());
@@ -32,7 +32,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
         let text = Paragraph::new(why_empty(app)).style(theme.dim());
         return frame.render_widget(text, inside.centered_vertically(Constraint::Length(1)));
     };
-    let angle = app.looking.moment.angle();
+    let angle = app.beam_view.moment.angle();
     let at = |motions: &[Vec<Complex64>; 3]| motions.each_ref().map(|u| Shape::at(u, angle));
     let (beam, masses) = (at(&shape.beam), at(&shape.masses));
     // The beam at rest.
@@ -83,7 +83,7 @@ fn points<'a>(shape: &'a Shape, masses: &'a [Vec<f64>; 3], theme: Theme) -> Vec<
             ..Curve::new(&shape.places, &masses[motion])
         })
         .collect();
-    moving::name_masses(&mut curves);
+    animated::name_masses(&mut curves);
     curves
 }
 
@@ -93,7 +93,7 @@ fn reaches(curve: &[Complex64]) -> bool {
 
 fn heading(app: &App) -> String {
     let row = app.tables.modes.row;
-    let mode = app.modal.list.as_ref().and_then(|list| list.rows.get(row));
+    let mode = app.modes.list.as_ref().and_then(|list| list.rows.get(row));
     let Some(mode) = mode else {
         return "Shape".to_owned();
     };
@@ -119,7 +119,7 @@ fn scale(shape: Option<&Shape>) -> String {
 }
 
 fn why_empty(app: &App) -> String {
-    match &app.modal.list {
+    match &app.modes.list {
         None => " solving the modes".to_owned(),
         Some(list) if list.rows.is_empty() => " there is no mode in the sweep".to_owned(),
         Some(_) => " solving the shape".to_owned(),

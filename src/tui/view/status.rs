@@ -10,7 +10,7 @@ use crate::model::schema::Kind;
 use crate::model::{Group, counted, grouped};
 use crate::solve::modes::Completeness;
 use crate::tui::app::{
-    App, Message, Outside, Picture, Progress, Search, Shown, Stage, Witness, WitnessPicture,
+    App, ExternalChange, FemOverlay, FemPicture, Message, Picture, Progress, Search, Shown, Stage,
 };
 use crate::tui::keys::{ReadingCommand, RowKind, Scope, SearchCommand, TuneCommand};
 use crate::tui::theme::Theme;
@@ -22,12 +22,12 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
     // The first that fits; it is said shorter where there is less room.
     let fits = said.iter().find(|text| width(text) <= half);
     let solver = cut(fits.or(said.last()).map_or("", String::as_str), half);
-    let changed = match (app.document.is_changed(), app.outside) {
-        (false, Outside::Same) => "",
-        (true, Outside::Same) => " · changed",
-        (false, Outside::Changed) => " · changed on disk",
-        (true, Outside::Changed) => " · changed, also on disk",
-        (_, Outside::Gone) => " · gone from disk",
+    let changed = match (app.document.is_changed(), app.external_change) {
+        (false, ExternalChange::Same) => "",
+        (true, ExternalChange::Same) => " · changed",
+        (false, ExternalChange::Changed) => " · changed on disk",
+        (true, ExternalChange::Changed) => " · changed, also on disk",
+        (_, ExternalChange::Gone) => " · gone from disk",
     };
     let room = usize::from(area.width).saturating_sub(width(&solver) + width(changed) + 3);
     let name = cut(&app.document.source().name(), room);
@@ -55,11 +55,13 @@ fn solver(app: &App) -> (Vec<String>, bool) {
         Shown::Picture(picture) if picture.stage == Stage::Coarse => {
             (vec![format!("coarse {}, solving", extent(picture))], false)
         }
-        Shown::Picture(picture) => match (picture.singular.as_slice(), &app.witness) {
-            (_, Witness::Failed(reason)) => (vec![format!("no finite elements: {reason}")], true),
-            (_, Witness::Waiting(_)) => (vec!["finite elements in work".to_owned()], false),
-            (_, Witness::Shown(witness)) => (difference(app, witness), false),
-            ([], Witness::Off) => (solved(app, picture), false),
+        Shown::Picture(picture) => match (picture.singular.as_slice(), &app.fem_overlay) {
+            (_, FemOverlay::Failed(reason)) => {
+                (vec![format!("no finite elements: {reason}")], true)
+            }
+            (_, FemOverlay::Waiting(_)) => (vec!["finite elements in work".to_owned()], false),
+            (_, FemOverlay::Shown(witness)) => (difference(app, witness), false),
+            ([], FemOverlay::Off) => (solved(app, picture), false),
             ([first], _) => (
                 vec![format!(
                     "no finite answer at {}",
@@ -82,7 +84,7 @@ fn solver(app: &App) -> (Vec<String>, bool) {
 /// How much was solved, in which time; and the modes, above all whether one was lost or won.
 fn solved(app: &App, picture: &Picture) -> Vec<String> {
     let solved = format!("solved {} in {}", extent(picture), elapsed(picture));
-    let list = app.modal.list.as_ref();
+    let list = app.modes.list.as_ref();
     let Some(list) = list.filter(|_| picture.stage >= Stage::Resolved) else {
         let short = format!("{} in {}", extent(picture), elapsed(picture));
         return [solved, short]
@@ -124,7 +126,7 @@ fn solved(app: &App, picture: &Picture) -> Vec<String> {
 }
 
 /// The largest difference between the finite-element curves that show and the exact ones.
-fn difference(app: &App, witness: &WitnessPicture) -> Vec<String> {
+fn difference(app: &App, witness: &FemPicture) -> Vec<String> {
     let largest = witness
         .members
         .iter()

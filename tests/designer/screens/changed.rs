@@ -123,7 +123,7 @@ fn a_shape_has_its_masses_where_its_own_model_has_them() {
     // The request for the shape waits while the model loses a mass; then its answer comes.
     driver.keys("x");
     (0..3).for_each(|_| driver.answer_next());
-    let shape = driver.app.modal.shape.as_ref().expect("a shape");
+    let shape = driver.app.modes.shape.as_ref().expect("a shape");
     assert_eq!((shape.places.len(), shape.masses[0].len()), (3, 3));
     driver.screen(80, 24);
 }

@@ -1,4 +1,4 @@
-//! What was found of the parameters: it stays with the model that was asked about.
+//! The solved sensitivities; they keep the model of the request.
 
 use std::collections::HashMap;
 
@@ -12,33 +12,33 @@ use crate::tui::tree::{self, Node};
 pub struct Effects {
     /// The model's generation.
     pub generation: u64,
-    /// What they are of.
+    /// The figure.
     pub sensed: Sensed,
-    /// The response they are of.
+    /// The response.
     pub response: String,
-    /// Hz: where, or the ends of the band.
+    /// Hz: the frequency, or the ends of the band.
     pub at: [f64; 2],
     /// The largest effect first.
     pub rows: Vec<Weighed>,
-    /// Why some of them are empty, where some are.
+    /// Why some effects are missing, if so.
     pub lack: Option<String>,
-    /// Where a row of the tree is among the rows.
+    /// The index of each row of the tree.
     pub(super) places: HashMap<Node, usize>,
 }
 
-/// What a parameter does.
+/// The effect of a parameter.
 #[derive(Debug)]
 pub struct Weighed {
-    /// What the parameter is called in the model that was solved.
+    /// The name of the parameter in the solved model.
     pub name: String,
-    /// Its row in the tree as that is now; none where the model no longer has it.
+    /// Its row in the current tree; none if the parameter was removed.
     pub node: Option<Node>,
-    /// What it does.
+    /// Its effect.
     pub effect: Sensitivity,
 }
 
 impl Effects {
-    /// What was found for the model that was asked about, the largest effect first.
+    /// The effects in the solved model, the largest first.
     pub(super) fn new(key: &Key, model: &Model, found: Vec<Sensitivity>) -> Self {
         let mut effects = Self {
             generation: key.generation,
@@ -64,7 +64,7 @@ impl Effects {
         effects
     }
 
-    /// Follows the rows of the tree of a changed model.
+    /// Follows the rows of a changed model.
     pub(in crate::tui::app) fn follow(&mut self, moves: &Moves) {
         for row in &mut self.rows {
             row.node = row.node.and_then(|node| node.moved(moves));
@@ -75,7 +75,7 @@ impl Effects {
             .collect();
     }
 
-    /// What the bars show: of a mode its frequency in Hz, else the level in dB; for e times the parameter.
+    /// The value of the bars: for a mode its frequency in Hz, else the level in dB; for e times the parameter.
     pub fn effect(&self, one: &Sensitivity) -> Option<f64> {
         match self.sensed {
             Sensed::Mode => one.frequency,
@@ -89,7 +89,7 @@ impl Effects {
         Some((self.effect(&row.effect)?, self.share(row)))
     }
 
-    /// The share of a row in the largest effect, from -1 to 1.
+    /// The effect of a row relative to the largest, from -1 to 1.
     pub fn share(&self, row: &Weighed) -> f64 {
         let of = |row: &Weighed| self.effect(&row.effect);
         match (of(row), self.rows.first().and_then(of)) {

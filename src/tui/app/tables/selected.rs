@@ -1,14 +1,14 @@
-//! Which rows of the tables of modes and peaks are selected, and where they are in new lists.
+//! The selected rows of the tables of modes and peaks, and their places in new lists.
 
 use crate::tui::app::List;
 
-/// Where a row is among others: its frequency and how fast it decays, both Hz.
+/// The place of a row: its frequency and its decay rate, both Hz.
 pub(super) type Place = [f64; 2];
 
-/// What is selected in the tables of a model's modes and peaks.
+/// The selected mode and peak of a model.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::tui::app) struct Selected {
-    /// Of the model whose modes are listed.
+    /// The model of the listed modes.
     pub(super) generation: Option<u64>,
     pub(super) mode: Option<Chosen>,
     pub(super) peak: Option<Chosen>,
@@ -18,7 +18,7 @@ pub(in crate::tui::app) struct Selected {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Chosen {
     place: Place,
-    /// How many rows at the same place come before it.
+    /// How many rows at the same place precede it.
     equal_before: usize,
 }
 
@@ -34,7 +34,7 @@ impl Chosen {
         })
     }
 
-    /// The row nearest to it; of several at one place the one that has as many before it.
+    /// The nearest row; of several at one place, the one with the same number of predecessors.
     fn nearest(&self, places: &[Place]) -> Option<usize> {
         let distance = |row: usize| apart(&places[row], &self.place);
         let shortest = (0..places.len())
@@ -52,14 +52,14 @@ fn apart(one: &Place, other: &Place) -> f64 {
     (one[0] - other[0]).hypot(one[1] - other[1])
 }
 
-/// Rows that are no further apart, Hz, stand at one place.
+/// Rows this close, Hz, count as one place.
 fn same(place: &Place) -> f64 {
     const ROUNDING: f64 = 1e-9;
     ROUNDING * place[0]
 }
 
-/// As many rows as places. In a changed model the selected one stays if there are as many as before; otherwise it is the
-/// nearest.
+/// The new selection in `places`. In a changed model the index stays if the number of rows is the same; otherwise the
+/// nearest row is selected.
 pub(super) fn follow(
     list: &mut List,
     places: &[Place],

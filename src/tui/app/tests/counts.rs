@@ -1,4 +1,4 @@
-//! Counts before commands, the last change again, and commands that cannot run.
+//! Counts before commands, the repeat of the last change, and commands that cannot run.
 
 use super::*;
 use crate::tui::keys::{Command, FileCommand, ReadingCommand, SECTIONS, Section, TuneCommand};
@@ -32,7 +32,7 @@ fn a_count_moves_and_undoes_so_many_times_and_stops_where_there_is_no_more() {
     assert_eq!(app.selection.cursor(), start + 3);
     select(&mut app, STIFFNESS);
     let text = app.document.text();
-    // A movement between them parts the steps.
+    // A movement in between separates the steps.
     keys(&mut app, "+f+f+");
     keys(&mut app, "9999u");
     assert_eq!(app.document.text(), text);
@@ -98,7 +98,7 @@ fn a_key_without_meaning_says_where_the_keys_are() {
     assert_eq!(message(&app), "0 has no meaning here: ? shows every key");
 }
 
-/// What a command can change, in words.
+/// Everything a command can change, as text.
 fn state(app: &App) -> String {
     let rows = app.selection.rows();
     format!(
@@ -115,10 +115,10 @@ fn state(app: &App) -> String {
         (
             app.curves.cursor,
             app.curves.window,
-            app.beside.shown().count()
+            app.comparison.shown().count()
         ),
         app.tables.open,
-        (app.looking.look, app.looking.moment, &app.display),
+        (app.beam_view.shown, app.beam_view.moment, &app.display),
         (app.reading.second, app.reading.harmonics, app.band.span),
         (
             app.overlay.is_some(),
@@ -127,7 +127,7 @@ fn state(app: &App) -> String {
             app.mouse
         ),
         (app.tables.modes.row, app.tables.peaks.row),
-        app.witness.picture().is_some(),
+        app.fem_overlay.picture().is_some(),
     )
 }
 

@@ -1,4 +1,4 @@
-//! Modes, peaks, shapes and finite elements: what keys and answers do to them.
+//! Modes, peaks, shapes and finite elements: effects of keys and answers.
 
 use num_complex::Complex64;
 
@@ -217,7 +217,7 @@ fn the_cursor_stays_with_its_mode_while_a_parameter_is_turned() {
         (bench.app.tables.modes.row, cursor(&bench)),
         (2, Some(48.0))
     );
-    // A cursor that was moved stays where it is.
+    // A moved cursor stays.
     bench.keys("]");
     let before = cursor(&bench);
     bench.keys("+").resolve(&[5.0, 18.0, 47.0, 113.0]);
@@ -233,7 +233,7 @@ fn the_selection_stays_on_its_mode_when_the_count_arrives() {
         bench
     };
     let selected = |bench: &Bench| (bench.app.tables.modes.row, cursor(bench));
-    // None was missing.
+    // No mode was missing.
     let mut bench = uncounted(&[20.0, 50.0, 120.0], "))");
     bench.resolve(&[20.0, 50.0, 120.0]);
     assert_eq!(selected(&bench), (1, Some(50.0)));
@@ -241,7 +241,7 @@ fn the_selection_stays_on_its_mode_when_the_count_arrives() {
     let mut bench = uncounted(&[20.0, 50.0, 120.0], "))");
     bench.resolve(&[5.0, 20.0, 50.0, 120.0]);
     assert_eq!(selected(&bench), (2, Some(50.0)));
-    // One more below it, and one that was none above it: as many as before.
+    // One more below it, and a mode that was none above it: the number is unchanged.
     let mut bench = uncounted(&[20.0, 50.0, 120.0], "))");
     bench.resolve(&[5.0, 20.0, 50.0]);
     assert_eq!(selected(&bench), (2, Some(50.0)));
@@ -253,17 +253,17 @@ fn the_selection_stays_on_its_mode_when_the_count_arrives() {
 
 #[test]
 fn what_the_count_finds_is_no_change_of_the_model() {
-    let change = |bench: &Bench| bench.app.modal.list.as_ref().unwrap().change;
+    let change = |bench: &Bench| bench.app.modes.list.as_ref().unwrap().change;
     let mut bench = Bench::new(&[20.0, 50.0, 120.0]);
     select(&mut bench.app, "beam.length");
-    // One is lost on the way, and found by the count.
+    // One mode is lost on the way, and found by the count.
     bench
         .keys("+")
         .answer_modes(&[20.0, 120.0], Completeness::Uncounted);
     assert_eq!(change(&bench), Some(-1));
     bench.resolve(&[20.0, 50.0, 120.0]);
     assert_eq!(change(&bench), Some(0));
-    // One is won, before and after the count.
+    // One mode is new, before and after the count.
     bench
         .keys("+")
         .answer_modes(&[20.0, 50.0, 120.0, 390.0], Completeness::Uncounted);
@@ -354,7 +354,7 @@ fn curves_that_are_frozen_before_the_count_are_solved_with_it() {
 
 #[test]
 fn the_count_says_whether_a_mode_was_lost_or_won() {
-    let change = |bench: &Bench| bench.app.modal.list.as_ref().unwrap().change;
+    let change = |bench: &Bench| bench.app.modes.list.as_ref().unwrap().change;
     let mut bench = Bench::new(&[20.0, 50.0]);
     assert_eq!(change(&bench), None);
     select(&mut bench.app, "beam.length");
@@ -364,7 +364,7 @@ fn the_count_says_whether_a_mode_was_lost_or_won() {
     assert_eq!(change(&bench), Some(-1));
     bench.keys("+").resolve(&[20.0, 50.0]);
     assert_eq!(change(&bench), Some(0));
-    // Another range has other modes: that says nothing.
+    // Another range has other modes: they cannot be compared.
     select(&mut bench.app, "sweep.to");
     bench.keys("-").resolve(&[20.0]);
     assert_eq!(change(&bench), None);
@@ -383,14 +383,14 @@ fn a_shape_is_asked_for_once_and_for_what_shows() {
     bench.keys("d");
     assert!(bench.shape_asked_for().is_none());
     bench.answer_shape(generation, index);
-    assert_eq!(bench.app.modal.shape.as_ref().unwrap().places.len(), 3);
+    assert_eq!(bench.app.modes.shape.as_ref().unwrap().places.len(), 3);
     bench.keys("))");
     assert_eq!(bench.shape_asked_for().unwrap().index, 1);
-    // An answer that was overtaken does not show.
+    // An answer to an older request is not shown.
     bench.answer_shape(1, 0);
     bench.answer_shape(1, 1);
     bench.answer_shape(1, 0);
-    assert_eq!(bench.app.modal.shape.as_ref().unwrap().mode, 1);
+    assert_eq!(bench.app.modes.shape.as_ref().unwrap().mode, 1);
     // A changed model's shape waits for its modes.
     select(&mut bench.app, "beam.length");
     bench.keys("+");
@@ -406,18 +406,18 @@ fn a_shape_moves_only_while_it_can_be_seen() {
     assert!(!bench.app.moves(), "nothing is there to move yet");
     bench.answer_shape(1, 0);
     assert!(bench.app.moves());
-    let angle = bench.app.looking.moment.angle();
+    let angle = bench.app.beam_view.moment.angle();
     bench.app.update(Event::Tick);
-    assert!(bench.app.looking.moment.angle() > angle);
+    assert!(bench.app.beam_view.moment.angle() > angle);
     bench.keys("?");
     assert!(!bench.app.moves(), "help covers it");
     bench.press(KeyCode::Esc);
     assert!(bench.app.moves());
     bench.keys("A");
-    assert_eq!(bench.app.looking.look, Some(Look::Mode));
+    assert_eq!(bench.app.beam_view.shown, Some(BeamView::Mode));
     assert!(!bench.app.moves());
     bench.keys("AM");
-    assert_eq!(bench.app.looking.look, None);
+    assert_eq!(bench.app.beam_view.shown, None);
     assert!(!bench.app.moves());
 }
 
@@ -448,16 +448,19 @@ fn finite_elements_wait_for_the_exact_curves_and_follow_the_model() {
     assert!(asked(bench.keys("w")));
     assert!(!asked(bench.keys("d")));
     answer(&mut bench, 1);
-    assert!(matches!(bench.app.witness, Witness::Shown(_)));
+    assert!(matches!(bench.app.fem_overlay, FemOverlay::Shown(_)));
     select(&mut bench.app, "beam.length");
     assert!(!asked(bench.keys("+")));
-    assert!(matches!(bench.app.witness, Witness::Waiting(Some(_))));
+    assert!(matches!(
+        bench.app.fem_overlay,
+        FemOverlay::Waiting(Some(_))
+    ));
     bench.resolve(&[20.0]);
     assert!(asked(&bench));
-    // That of the older model comes too late.
+    // The answer for the older model is too late.
     answer(&mut bench, 1);
-    assert!(matches!(bench.app.witness, Witness::Waiting(_)));
+    assert!(matches!(bench.app.fem_overlay, FemOverlay::Waiting(_)));
     bench.keys("w");
     answer(&mut bench, 2);
-    assert!(matches!(bench.app.witness, Witness::Off));
+    assert!(matches!(bench.app.fem_overlay, FemOverlay::Off));
 }

@@ -1,4 +1,4 @@
-//! What the mouse does.
+//! Effects of the mouse.
 
 use crossterm::event::{KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
 use ratatui::Terminal;
@@ -35,7 +35,7 @@ const CLICK: MouseEventKind = MouseEventKind::Down(MouseButton::Left);
 const UP: MouseEventKind = MouseEventKind::ScrollUp;
 const DOWN: MouseEventKind = MouseEventKind::ScrollDown;
 
-/// Where a text stands on the screen, the first that does.
+/// The first place of a text on the screen.
 fn place(app: &mut App, text: &str) -> (u16, u16) {
     let lines = draw(app);
     let row = lines.iter().position(|line| line.contains(text)).unwrap();
@@ -117,7 +117,7 @@ fn the_wheel_zooms_about_the_mouse() {
         mouse(&mut app, UP, place);
     }
     let [low, high] = app.shown_frequencies();
-    // Five notches of a fifth each.
+    // Five notches of 20 % each.
     let whole = app.model().sweep.to - app.model().sweep.from;
     assert!(((high - low) / whole - 0.8_f64.powi(5)).abs() < 1e-9);
     let zoomed = app.screen.plot.clone().unwrap().frequencies[20];

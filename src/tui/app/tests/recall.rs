@@ -1,4 +1,4 @@
-//! What is remembered of a model and of the options.
+//! Stored views and options.
 
 use super::*;
 

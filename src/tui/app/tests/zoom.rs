@@ -1,4 +1,4 @@
-//! Which frequencies show.
+//! The visible frequencies.
 
 use super::*;
 use crate::model::checked;
@@ -36,7 +36,7 @@ fn a_logarithmic_axis_is_halved_in_its_own_measure() {
 
 #[test]
 fn any_sweep_is_zoomed_into_and_out_of() {
-    // Some of these bounds are not found again by adding and taking away what they span.
+    // For some of these bounds, adding and subtracting the width does not restore the bound.
     let sweeps = [
         [20.0, 20_000.0],
         [3.0, 30.0],
@@ -104,7 +104,7 @@ fn a_sweep_that_leaves_the_band_shows_whole() {
     enter(&mut app, &format!("{low}"));
     assert!(high > low);
     assert_eq!(band(&app), [app.model().sweep.from, low]);
-    // Undone, the band is there again.
+    // Undo restores the band.
     keys(&mut app, "u");
     assert_eq!(band(&app)[1], high);
 }

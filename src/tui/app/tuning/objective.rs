@@ -1,25 +1,25 @@
-//! What a search is for: a figure of the first curve in the marked band, and what must hold meanwhile.
+//! The objectives of a search: a figure of the first curve in the marked band, and limits.
 
 use std::sync::Arc;
 
 use crate::model::{Aim, Combine, Compare, Fault, Limit, Model, Objective, entry};
 use crate::tui::app::{App, Effect, Overlay, Purpose, Question};
 
-/// What was typed.
+/// The parsed input.
 #[derive(Debug, PartialEq)]
 enum Typed {
-    /// An objective, and whether it is added to the others.
+    /// An objective, and whether it is added to the existing ones.
     Objective { objective: Objective, added: bool },
-    /// How several are one.
+    /// How several objectives are combined.
     Combine(Combine),
-    /// Something that must hold.
+    /// A limit.
     Limit(Limit),
-    /// Nothing must hold any more.
+    /// Removes all limits.
     NoLimits,
 }
 
 impl App {
-    /// Asks what is sought of the first curve in the marked band.
+    /// Prompts for the objective of the first curve in the marked band.
     pub(in crate::tui::app) fn ask_objective(&mut self) {
         if self.model().tune.is_none() {
             let key = self
@@ -42,7 +42,7 @@ impl App {
         self.ask_question(question, "peak".to_owned());
     }
 
-    /// What has to be read before an objective is taken: the measured curve of a match.
+    /// The file to read before an objective is accepted: the measured curve of a match.
     pub(in crate::tui::app) fn check_objective(
         &self,
         response: &str,
@@ -60,7 +60,7 @@ impl App {
         })
     }
 
-    /// Takes the typed objective whose measured curve was read, or says in the box why it is not taken.
+    /// Applies the typed objective after its measured curve was read, or shows in the prompt why it is refused.
     pub(in crate::tui::app) fn match_checked(&mut self, checked: Result<(), Fault>) {
         let Some(Overlay::Prompt(prompt)) = &self.overlay else {
             return;
@@ -80,10 +80,10 @@ impl App {
         }
     }
 
-    /// Takes what was typed.
+    /// Applies the typed text.
     ///
     /// # Errors
-    /// Why it is not taken, in a line.
+    /// Why it is refused, in one line.
     pub(in crate::tui::app) fn take_objective(
         &mut self,
         response: &str,
@@ -117,7 +117,7 @@ impl App {
         self.take_tune(words, changed)
     }
 
-    /// Drops an objective; one must stay.
+    /// Removes an objective; the last one stays.
     pub(in crate::tui::app) fn drop_objective(&mut self, index: usize) {
         let mut changed = Model::clone(self.model());
         let Some(tune) = &mut changed.tune else {
@@ -135,7 +135,7 @@ impl App {
         }
     }
 
-    /// Drops a limit.
+    /// Removes a limit.
     pub(in crate::tui::app) fn drop_limit(&mut self, index: usize) {
         let mut changed = Model::clone(self.model());
         let Some(tune) = &mut changed.tune else {
@@ -148,7 +148,7 @@ impl App {
     }
 }
 
-/// What the words mean for a response and a band.
+/// Parses the text for a response and a band.
 fn read_objective(text: &str, response: &str, band: [f64; 2]) -> Result<Typed, String> {
     const FORM: &str = "peak, mean square, energy, width LEVEL, anti-resonance HZ, match FILE, match FILE columns hz; re im; m/N; + adds one, x 2 weighs it; sum, worst; limit mass KG, limit modes, limit static SIZE, no limits";
     let text = text.trim();
@@ -194,7 +194,7 @@ fn read_objective(text: &str, response: &str, band: [f64; 2]) -> Result<Typed, S
     Ok(Typed::Objective { objective, added })
 }
 
-/// A match of a file, perhaps with what its columns are.
+/// A match of a file, optionally with a description of its columns.
 fn matched(text: &str) -> Aim {
     let (file, columns) = match text.split_once(" columns ") {
         Some((file, columns)) => (file, Some(columns)),
@@ -245,7 +245,7 @@ mod tests {
         read_objective(text, "tip", [10.0, 20.0])
     }
 
-    /// What is typed for an aim: of the response and the band of [`read`].
+    /// The text for an aim, for the response and the band of [`read`].
     fn objective(aim: Aim) -> Objective {
         Objective {
             response: (aim != Aim::Energy).then(|| "tip".to_owned()),

@@ -1,4 +1,4 @@
-//! What tolerances of the variables make of the curves: a band in which most of them lie.
+//! The effect of the variables' tolerances on the curves: the band of most of them.
 
 use std::sync::Arc;
 
@@ -12,20 +12,19 @@ use crate::worker::{Request, SpreadAnswer, SpreadRequest};
 /// The fewest and the most frequencies of a band.
 const POINTS: usize = 600;
 
-/// The band in which nine of ten curves lie.
+/// The band that contains nine of ten curves.
 #[derive(Debug, Default)]
 pub struct Tolerances {
-    /// Whether it shows.
+    /// Whether it is visible.
     pub shown: bool,
-    /// The curves that one of twenty lies below, half of them, and one of twenty above; of the model with this
-    /// generation.
+    /// The 5 %, 50 % and 95 % quantiles of the curves, for the model with this generation.
     pub curves: Option<(u64, [Member; 3])>,
-    /// For the model of a generation.
+    /// The last request, by generation of the model.
     asked: LastRequest<u64>,
 }
 
 impl App {
-    /// Shows what tolerances make of the curves, or does not.
+    /// Shows or hides the band.
     pub(in crate::tui::app) fn turn_tolerances(&mut self) {
         let tolerances = &mut self.tuning.tolerances;
         tolerances.shown = !tolerances.shown;
@@ -43,7 +42,7 @@ impl App {
         self.done("nine of ten curves within the tolerances lie in the band");
     }
 
-    /// Asks for the band, once the curves are resolved.
+    /// Requests the band, once the curves are resolved.
     pub(super) fn want_tolerances(&mut self) -> Option<Request> {
         let generation = self.curves.generation;
         let asked = &self.tuning.tolerances.asked;
@@ -67,13 +66,13 @@ impl App {
         }))
     }
 
-    /// Takes the band that was asked for last.
+    /// Stores the band of the last request.
     pub(in crate::tui::app) fn take_tolerances(&mut self, answer: SpreadAnswer) {
         let tolerances = &mut self.tuning.tolerances;
         let Some(&generation) = tolerances.asked.answered(answer.serial) else {
             return;
         };
-        // Responses and forces are those of the model as it is.
+        // Responses and forces are those of the current model.
         if generation != self.curves.generation {
             return;
         }

@@ -1,4 +1,4 @@
-//! Which parameters a search may move, and between which bounds.
+//! The variables of a search, and their bounds.
 
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -14,16 +14,16 @@ use crate::tui::app::{App, Question};
 use crate::tui::tree::{self, Node};
 use crate::tune::words::first_parameter;
 
-/// The rows of the tree that a search may move.
+/// The rows of the tree that a search may change.
 #[derive(Debug, Default)]
-pub struct Moving {
-    /// Of which model they are.
+pub struct MovableRows {
+    /// Their model.
     model: Option<Arc<Checked>>,
     nodes: HashSet<Node>,
 }
 
-impl Moving {
-    /// Whether a search may move the parameter of a row.
+impl MovableRows {
+    /// Whether a search may change the parameter of a row.
     pub fn has(&self, node: Node) -> bool {
         self.nodes.contains(&node)
     }
@@ -46,13 +46,13 @@ impl Moving {
 }
 
 impl App {
-    /// Lets the marks of the tree follow a changed model.
+    /// Updates the marks of the tree after a change of the model.
     pub(in crate::tui::app) fn refresh_moving(&mut self) {
         let model = Arc::clone(self.document.model());
         self.tuning.moving.refresh(&model);
     }
 
-    /// Lets the selected parameter move within bounds that are typed, or keeps it as it is.
+    /// Makes the selected parameter a variable with typed bounds, or fixes it.
     pub(in crate::tui::app) fn turn_variable(&mut self) {
         let node = self.selection.node();
         if let Node::Group(Group::Variable(index)) = node {
@@ -79,7 +79,7 @@ impl App {
         self.ask_question(question, text);
     }
 
-    /// The variable that moves a parameter, alone or with others.
+    /// The variable that changes a parameter, alone or with others.
     pub fn variable_of(&self, id: ParameterId) -> Option<usize> {
         let model = self.model();
         let tune = model.tune.as_ref()?;
@@ -92,7 +92,7 @@ impl App {
             .position(|variable| variable.paths.iter().any(moves))
     }
 
-    /// Asks for other bounds of a variable.
+    /// Prompts for other bounds of a variable.
     pub(in crate::tui::app) fn ask_bounds_of(&mut self, index: usize) {
         let model = Arc::clone(self.document.model());
         let mut variables = model.tune.iter().flat_map(|tune| &tune.variables);
@@ -119,10 +119,10 @@ impl App {
         self.ask_question(question, text);
     }
 
-    /// Takes typed bounds of a new variable, or of the one with this number.
+    /// Applies typed bounds to a new variable, or to the one with this index.
     ///
     /// # Errors
-    /// Why they are not taken, in a line.
+    /// Why they are refused, in one line.
     pub(in crate::tui::app) fn take_bounds(
         &mut self,
         paths: &[Pattern],
@@ -161,10 +161,10 @@ impl App {
         self.take_tune(words, changed)
     }
 
-    /// Takes a model with another `[tune]`, as one step.
+    /// Applies a model with another `[tune]`, as one step.
     ///
     /// # Errors
-    /// Why it is not possible, in a line.
+    /// Why it is invalid, in one line.
     pub(super) fn take_tune(&mut self, words: String, changed: Model) -> Result<(), String> {
         let changed = Checked::new(changed).map_err(|faults| {
             let first = &faults[0];
@@ -177,7 +177,7 @@ impl App {
         Ok(())
     }
 
-    /// Keeps the parameters of a variable as they are; without variables there is nothing to tune.
+    /// Removes a variable; without variables, `[tune]` is removed.
     pub(in crate::tui::app) fn drop_variable(&mut self, index: usize) {
         let mut changed = Model::clone(self.model());
         let Some(tune) = &mut changed.tune else {
@@ -196,7 +196,7 @@ impl App {
         }
     }
 
-    /// What is sought as long as nothing else is said: the least peak of the first curve in the band.
+    /// The default objective: the smallest peak of the first curve in the band.
     fn usual_objective(&self) -> Result<Objective, String> {
         let Some(response) = self.curves.visible.first() else {
             return Err("no response shows that could be tuned".to_owned());
@@ -211,13 +211,13 @@ impl App {
         })
     }
 
-    /// The marked band, or the one that shows, Hz.
+    /// The marked band, or the visible one, Hz.
     pub(super) fn tuned_band(&self) -> [f64; 2] {
         self.band.span.unwrap_or_else(|| self.shown_frequencies())
     }
 }
 
-/// Bounds that are usual for a parameter with this value: a tenth and ten times of it, a place along the whole beam.
+/// Default bounds of a parameter with this value: a tenth and ten times it; for a place, the whole beam.
 fn usual_bounds(model: &Model, id: ParameterId, value: f64) -> Option<[f64; 2]> {
     let is_position = id.row == SubsystemKey::Position as usize;
     if is_position && matches!(id.group, Group::Subsystem(_)) {
@@ -237,7 +237,7 @@ fn bounds_text(unit: Unit, low: f64, high: f64) -> String {
     format!("{} .. {}{symbol}", short(low), short(high))
 }
 
-/// A number as short as it reads back.
+/// The shortest text that reads back as the same number.
 fn short(value: f64) -> String {
     let (plain, power) = (format!("{value}"), format!("{value:e}"));
     if power.len() < plain.len() {
@@ -247,7 +247,7 @@ fn short(value: f64) -> String {
     }
 }
 
-/// Bounds as they were typed.
+/// Parsed bounds.
 #[derive(Debug, PartialEq)]
 struct Bounds {
     low: f64,
@@ -256,7 +256,7 @@ struct Bounds {
     scale: Option<Spacing>,
 }
 
-/// `LOW .. HIGH`, then perhaps a tolerance `+-5 %` and `log` or `linear`.
+/// `LOW .. HIGH`, then optionally a tolerance `+-5 %` and `log` or `linear`.
 fn read_bounds(text: &str, unit: Unit) -> Result<Bounds, String> {
     let form = "bounds are wanted, as 1e5 .. 1e8, then perhaps +-5 % and log or linear";
     let text = text.replace('±', "+-");
@@ -276,7 +276,7 @@ fn read_bounds(text: &str, unit: Unit) -> Result<Bounds, String> {
         None => (rest, 0.0),
     };
     let (low, high) = bounds.split_once("..").ok_or(form)?;
-    // A unit behind the upper bound is that of both.
+    // A unit after the upper bound applies to both.
     let high = high.trim();
     let number = |text: &str| {
         entry::number(text.trim(), f64::NAN, &unit)

@@ -163,7 +163,7 @@ impl CurveStyle {
                 width: 1.2,
                 ..style
             },
-            CurveKind::Witness => Self {
+            CurveKind::Fem => Self {
                 shape: Some(POINT),
                 ..style
             },

@@ -1,4 +1,4 @@
-//! What programs that ended without saving have left.
+//! Recovery files of programs that ended without saving.
 
 use std::fs::{self, DirEntry, File, OpenOptions};
 use std::io::{self, Read as _};
@@ -10,33 +10,33 @@ use super::text::{self, Contents};
 use crate::files::{self, Source};
 use crate::model::{self, Checked, Fault};
 
-/// Unsaved edits of a program that has ended. As long as this value lives, no other program is offered them; after
-/// that the next one is, unless they were discarded.
+/// Unsaved edits of a program that has ended. While this value lives, no other program is offered them; afterwards the
+/// next one is, unless they were discarded.
 #[derive(Debug)]
 pub struct Found {
-    /// What was edited.
+    /// The source of the model.
     pub source: Source,
-    /// The text of a model, to which the edits are to be applied.
+    /// The base text of the edits.
     pub text: String,
-    /// What was edited since, see [`model::delta`].
+    /// The edits, see [`model::delta`].
     edits: Vec<String>,
     /// The recovery file.
     pub path: PathBuf,
-    /// Since when it is as it is.
+    /// The time of its last change.
     pub age: Duration,
     /// Locked; closing it releases the lock.
     lock: File,
 }
 
 impl Found {
-    /// The model as it was.
+    /// The recovered model.
     ///
     /// # Errors
-    /// The faults of the text; or of the model with its edits, which can only be a file that was changed since.
+    /// The faults of the text, or of the edited model; the latter means that the file was changed later.
     pub fn model(&self) -> Result<Checked, Vec<Fault>> {
         let mut model = model::read(&self.text)?.into_inner();
         for edit in &self.edits {
-            // What follows an edit that is torn belongs to another model.
+            // Edits after a truncated one belong to another state.
             if !model::apply_delta(&mut model, edit) {
                 break;
             }
@@ -44,22 +44,22 @@ impl Found {
         Checked::new(model)
     }
 
-    /// Removes the recovery file for good.
+    /// Deletes the recovery file.
     ///
     /// # Errors
     /// The folder cannot be written.
     pub fn discard(self) -> io::Result<()> {
         remove(&self.path)?;
-        // Not before: another program would find the file without its owner.
+        // The lock goes last: another program would take the file for an abandoned one.
         drop(self.lock);
         Ok(())
     }
 }
 
-/// The recovery files of programs that have ended, newest first; they are this program's from now on.
+/// Takes the recovery files of programs that have ended, newest first.
 ///
-/// What is no recovery file, is torn or cannot be read is left alone. What a program that was killed has left beside
-/// is removed: locks without their file, with what was being written. A folder that is not there holds none.
+/// Files that are not recovery files, are truncated or cannot be read are left alone. Other files of killed programs
+/// are removed: locks without a recovery file, and partial writes. A missing folder is empty.
 pub fn found(folder: &Path) -> Vec<Found> {
     let Ok(entries) = fs::read_dir(folder) else {
         return Vec::new();
@@ -67,7 +67,7 @@ pub fn found(folder: &Path) -> Vec<Found> {
     let entries: Vec<DirEntry> = entries.flatten().collect();
     let files = |ending: &'static str| {
         let with_ending = move |entry: &&DirEntry| {
-            // Neither a link nor a pipe, from which one would read for ever.
+            // A link or a pipe is not read: a pipe may block forever.
             entry.file_type().is_ok_and(|kind| kind.is_file())
                 && entry
                     .path()
@@ -84,18 +84,18 @@ pub fn found(folder: &Path) -> Vec<Found> {
     found
 }
 
-/// Takes a recovery file, if it is one and nobody has it.
+/// Takes a recovery file, if it is one and no program owns it.
 fn take(path: PathBuf) -> Option<Found> {
-    // A look before, so that no lock is made beside a file that is not ours.
+    // Check first, so that no lock is created for a foreign file.
     read(&path)?;
     let mut options = OpenOptions::new();
     options.write(true).create(true).truncate(false);
     let lock = files::open_with(&path.with_extension(LOCK), &mut options).ok()?;
     lock.try_lock().ok()?;
-    // Its owner may have changed or removed it before it gave the lock away.
+    // The owner may have changed or removed it before it released the lock.
     let Some(contents) = read(&path) else {
         if !path.exists() {
-            // The lock was made in vain.
+            // The lock is not needed.
             let _ = remove(&path);
         }
         return None;
@@ -122,7 +122,7 @@ fn read(path: &Path) -> Option<Contents> {
     text::read(&bytes)
 }
 
-/// Removes a lock that its program has left without a recovery file. Nothing is lost where that fails.
+/// Removes an abandoned lock without a recovery file. A failure loses nothing.
 fn remove_if_lone(lock_path: &Path) {
     let path = lock_path.with_extension(MODEL);
     let Ok(lock) = files::open(lock_path) else {
@@ -134,14 +134,14 @@ fn remove_if_lone(lock_path: &Path) {
     }
 }
 
-/// Whether it is a lock that has no name of its own yet.
+/// Whether it is a lock without its final name.
 fn is_unnamed(entry: &DirEntry) -> bool {
     let name = entry.file_name();
     let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
     is_file && name.as_encoded_bytes().starts_with(UNNAMED.as_bytes())
 }
 
-/// Removes a lock whose program was killed before it gave it a name.
+/// Removes a lock whose program was killed before it named it.
 fn remove_if_unlocked(lock_path: &Path) {
     if files::open(lock_path).is_ok_and(|lock| lock.try_lock().is_ok()) {
         let _ = fs::remove_file(lock_path);
@@ -153,7 +153,7 @@ mod tests {
     use super::super::slot::{PART, Slot};
     use super::*;
 
-    /// What a program of this source and text leaves when it is killed.
+    /// The recovery file of a killed program with this source and text.
     fn leave(folder: &Path, source: &Source, model: &str) -> PathBuf {
         let slot = Slot::claim(folder, source).unwrap();
         slot.write(&text::write(source, model), false).unwrap();

@@ -1,4 +1,4 @@
-//! Keeping the edits of the running program.
+//! Writes the recovery file of the running program, in the background.
 
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
@@ -14,59 +14,59 @@ use crate::files::{Source, error_text};
 use crate::model::{self, Checked};
 use crate::worker::give_way;
 
-/// After a state the thread rests this many times as long as it worked: under a key that repeats it takes a fifth of a
-/// processor and no more.
+/// After a write the thread pauses this many times as long as the write took: under a repeated key it uses at most a
+/// fifth of a processor.
 const REST: u32 = 4;
-/// A disk that stalls is no reason to rest.
+/// The longest pause, for a disk that stalls.
 const LONGEST_REST: Duration = Duration::from_millis(500);
 
-/// A text up to this length, bytes, is written again at every edit, in a few milliseconds: the recovery file of such a model
-/// is itself a model file.
+/// A text up to this length, bytes, is rewritten at every edit, in a few milliseconds: the recovery file of such a
+/// model is itself a model file.
 const SHORT: usize = 1 << 15;
 
-/// Edits may take this many bytes, or as many as the text below them where that is longer; then they are rewritten
-/// as one.
+/// The longest list of edits, bytes, unless the base text is longer; beyond, they are merged into one.
 const MOST_EDITS: usize = 1 << 18;
 
-/// A model that is not saved.
+/// A model with unsaved changes.
 #[derive(Debug, Clone)]
 pub struct Kept {
-    /// Where it came from.
+    /// Its source.
     pub source: Source,
-    /// The model as it stands.
+    /// The current model.
     pub model: Arc<Checked>,
-    /// The model as it was read or saved.
+    /// The model when read or saved.
     pub saved: Arc<Checked>,
-    /// The text of that, whose comments and order the model keeps.
+    /// The text of that model; its comments and order are kept.
     pub base: Arc<str>,
 }
 
-/// What the thread is to do.
+/// A job of the thread.
 enum Job {
     Keep(Kept),
-    /// Nothing is unsaved.
+    /// There are no unsaved changes.
     Clear,
-    /// Changes that were found live on here: what was found goes once the next job is done.
+    /// Recovered changes are adopted: their old file is removed after the next job.
     Adopt(Found),
 }
 
-/// What a program leaves at its end.
+/// What remains at the end of the program.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Left {
-    /// Nothing: all was saved.
+    /// Nothing: everything is saved.
     Nothing,
-    /// A recovery file, which the next program is offered.
+    /// A recovery file, offered to the next program.
     Offered(PathBuf),
-    /// A file in the folder for temporary files, of which the next program does not know.
+    /// A file in the temporary folder, unknown to the next program.
     Elsewhere(PathBuf),
 }
 
-/// Keeps the newest state of a model in the recovery folder, in a thread of its own.
+/// Writes the newest state of a model to the recovery folder, in a background thread.
 ///
-/// Of a state of a large model only what differs from the one before is added to the file, so that it is kept as soon as
-/// one of a small model; [`finish`] writes the whole model. States that come faster than they are written are
-/// passed over; the last one is always written. They are not forced to disk: a killed program or a lost line loses
-/// nothing by that, and a nudge stays cheap; only [`finish`] does it. Dropping the keeper waits for the thread and leaves the file, as the end of the process does.
+/// For a large model only the difference to the last state is appended, so that it is as fast as for a small one;
+/// [`finish`] writes the whole model. If states arrive faster than they are written, intermediate ones are skipped; the
+/// last one is always written. Writes are not forced to disk: a killed program or a broken connection loses nothing,
+/// and a nudge stays cheap; only [`finish`] forces them. Dropping the keeper waits for the thread and leaves the file,
+/// as the end of the process does.
 ///
 /// [`finish`]: Self::finish
 #[derive(Debug)]
@@ -77,8 +77,8 @@ pub struct Keeper {
 }
 
 impl Keeper {
-    /// A keeper that writes to this folder, which is made when there is something to keep. `report` is given a
-    /// sentence when edits cannot be kept, once for each distinct trouble.
+    /// A keeper for this folder, which is created when needed. `report` receives a message when changes cannot be
+    /// stored, once for each distinct error.
     pub fn start(folder: PathBuf, report: impl Fn(String) + Send + 'static) -> Self {
         let (jobs, inbox) = channel();
         let files = Files::new(folder.clone());
@@ -92,33 +92,34 @@ impl Keeper {
         }
     }
 
-    /// Keeps a state in the place of the one before.
+    /// Stores a state in place of the last one.
     pub fn keep(&self, state: Kept) {
         self.give(Job::Keep(state));
     }
 
-    /// Removes what is kept: nothing is unsaved.
+    /// Removes the recovery file: there are no unsaved changes.
     pub fn clear(&self) {
         self.give(Job::Clear);
     }
 
-    /// Takes over changes that were found: their own file goes once the next state is kept, or nothing is unsaved.
+    /// Adopts recovered changes: their old file is removed once the next state is stored, or nothing is unsaved.
     pub fn adopt(&self, found: Found) {
         self.give(Job::Adopt(found));
     }
 
     fn give(&self, job: Job) {
         if let Some(jobs) = &self.jobs {
-            // The thread ends only after this sender, unless it panicked, which its hook has reported.
+            // The thread outlives this sender unless it panicked, which the hook has reported.
             let _ = jobs.send(job);
         }
     }
 
-    /// Ends the thread; writes the last state to disk, where there is one, and leaves it for the next program, or
-    /// else removes what is kept. Where the folder cannot be written, the folder for temporary files is.
+    /// Ends the thread; forces the last state, if any, to disk for the next program, or else removes the recovery file.
+    /// If the folder cannot be written, uses the temporary folder.
     ///
     /// # Errors
-    /// Neither folder can be written: the state is lost. Or nothing is unsaved and the file cannot be removed.
+    /// Neither folder can be written: the state is lost. Or there are no unsaved changes and the file cannot be
+    /// removed.
     pub fn finish(mut self, last: Option<Kept>) -> io::Result<Left> {
         let folder = self.folder.clone();
         let mut files = self.stop().unwrap_or_else(|| Files::new(folder));
@@ -133,7 +134,7 @@ impl Keeper {
         Ok(left)
     }
 
-    /// Waits until all is written. `None` where the thread panicked or was stopped before.
+    /// Waits until everything is written. `None` if the thread panicked or has already stopped.
     fn stop(&mut self) -> Option<Files> {
         self.jobs = None;
         self.thread.take()?.join().ok()
@@ -146,7 +147,7 @@ impl Drop for Keeper {
     }
 }
 
-/// Does the newest job until the keeper is gone; what is held then.
+/// Runs the newest job until the keeper is dropped; returns the stored state.
 fn work(inbox: &Receiver<Job>, mut files: Files, report: impl Fn(String)) -> Files {
     let mut told = Vec::new();
     let mut given = Vec::new();
@@ -179,7 +180,7 @@ fn work(inbox: &Receiver<Job>, mut files: Files, report: impl Fn(String)) -> Fil
     }
 }
 
-/// Leaves the processor to the solver for a while, but not once the keeper is gone; the jobs given meanwhile.
+/// Pauses to leave the processor to the solver, unless the keeper is dropped; returns the jobs received meanwhile.
 fn rest(inbox: &Receiver<Job>, time: Duration) -> Vec<Job> {
     let until = Instant::now() + time;
     let mut given = Vec::new();
@@ -189,34 +190,34 @@ fn rest(inbox: &Receiver<Job>, time: Duration) -> Vec<Job> {
     given
 }
 
-/// What the program holds in the recovery folder.
+/// The files of the program in the recovery folder.
 #[derive(Debug)]
 struct Files {
     folder: PathBuf,
     held: Option<Held>,
-    /// What goes once something is kept or cleared.
+    /// The files to remove after the next job.
     adopted: Vec<Found>,
 }
 
-/// A recovery file, and what is in it.
+/// A recovery file and its content.
 #[derive(Debug)]
 struct Held {
     slot: Slot,
-    /// The state that it leads to.
+    /// The state it restores.
     state: Kept,
     /// The length of its edits, bytes.
     edits: usize,
 }
 
 impl Held {
-    /// Whether a state can be added as an edit: it has the same text below it, and there is room.
+    /// Whether a state can be appended as an edit: it has the same base text, and there is room.
     fn takes(&self, state: &Kept) -> bool {
         state.base.len() > SHORT
             && Arc::ptr_eq(&self.state.base, &state.base)
             && self.edits < MOST_EDITS.max(state.base.len())
     }
 
-    /// Adds a state as an edit.
+    /// Appends a state as an edit.
     fn add(&mut self, state: &Kept, durable: bool) -> io::Result<()> {
         let edit = text::edit(&model::delta(&self.state.model, &state.model));
         self.slot.append(&edit, durable)?;
@@ -225,7 +226,7 @@ impl Held {
         Ok(())
     }
 
-    /// Rewrites the file: the whole model, or the text that is the base of a large one and a state as the only edit.
+    /// Rewrites the file: the whole model, or for a large one its base text and the state as the only edit.
     fn rewrite(&mut self, state: &Kept, durable: bool) -> io::Result<()> {
         self.edits = 0;
         let file = if state.base.len() > SHORT {
@@ -250,7 +251,7 @@ impl Files {
         }
     }
 
-    /// The last of some jobs. What was given before something was adopted belongs to another model.
+    /// The last of several jobs. Jobs before an adoption belong to another model.
     fn newest(&mut self, jobs: Vec<Job>) -> Option<Job> {
         let mut newest = None;
         for job in jobs {
@@ -265,20 +266,20 @@ impl Files {
         newest
     }
 
-    /// Removes what was adopted. What cannot be removed is offered once more, which loses nothing.
+    /// Removes adopted files. One that cannot be removed is offered again, which loses nothing.
     fn drop_adopted(&mut self) {
         for found in self.adopted.drain(..) {
             let _ = found.discard();
         }
     }
 
-    /// Keeps a state; the file it is in.
+    /// Stores a state; returns its file.
     fn keep(&mut self, state: &Kept, durable: bool) -> io::Result<PathBuf> {
         if let Some(held) = &mut self.held
             && held.slot.is_there()
             && held.state.source == state.source
         {
-            // Where an edit cannot be added, as to a file that was removed, the whole is written.
+            // If an edit cannot be appended (for example, the file was removed), write the whole file.
             if !held.takes(state) || held.add(state, durable).is_err() {
                 held.rewrite(state, durable)?;
             }
@@ -290,30 +291,30 @@ impl Files {
             edits: 0,
         };
         if let Err(error) = held.rewrite(state, durable) {
-            // What stopped the writing is the better reason.
+            // The write error is the better message.
             let _ = held.slot.clear();
             return Err(error);
         }
         let path = held.slot.path().to_owned();
-        // Not before the new one is there.
+        // Only after the new file exists.
         if let Some(old) = self.held.replace(held) {
             old.slot.clear()?;
         }
         Ok(path)
     }
 
-    /// Keeps the last state for good, as a whole model file.
+    /// Stores the last state durably, as a whole model file.
     fn leave(&mut self, state: &Kept) -> io::Result<PathBuf> {
-        // First in the quick way: the program may be ended while it writes the whole.
+        // First the fast way: the program may be killed during the full write.
         let path = self.keep(state, true)?;
         if let Some(held) = &self.held {
-            // Where that fails, the edits are there.
+            // If it fails, the edits remain.
             let _ = held.slot.write(&recovery_text(state), true);
         }
         Ok(path)
     }
 
-    /// Removes what is held.
+    /// Removes the files.
     fn clear(&mut self) -> io::Result<()> {
         self.held.take().map_or(Ok(()), |held| held.slot.clear())
     }
@@ -323,7 +324,7 @@ fn recovery_text(state: &Kept) -> String {
     text::write(&state.source, &model::write(&state.model, &state.base))
 }
 
-/// Writes a state to the folder for temporary files, for a user without a folder of their own.
+/// Writes a state to the temporary folder, for a user without a recovery folder.
 ///
 /// # Errors
 /// That folder cannot be written either.
@@ -373,7 +374,7 @@ mod tests {
         state
     }
 
-    /// The same below a text that is long.
+    /// The same with a long base text.
     fn long(mut state: Kept) -> Kept {
         let padding = "# padding\n".repeat(SHORT / 10 + 1);
         state.base = format!("{}{padding}", state.base).into();
@@ -384,7 +385,7 @@ mod tests {
         Keeper::start(folder.to_owned(), |sentence| panic!("{sentence}"))
     }
 
-    /// The lengths of the models that are offered, m.
+    /// The lengths of the offered models, m.
     fn lengths(folder: &Path) -> Vec<f64> {
         let mut lengths: Vec<f64> = found(folder)
             .iter()
@@ -409,7 +410,7 @@ mod tests {
             } else {
                 keeper.keep(state("fig06", 5.0));
             }
-            // As a killed program ends: the file is left.
+            // Like a killed program: the file remains.
             drop(keeper);
             assert_eq!(lengths(path), if saved { vec![] } else { vec![5.0] });
             for left in found(path) {
@@ -426,7 +427,7 @@ mod tests {
             for step in 0..50 {
                 dying.keep(edited(&first, 3.5 + f64::from(step)));
             }
-            // The kernel does the same to a killed process: no farewell, the lock released.
+            // As the kernel does for a killed process: the lock is released without cleanup.
             drop(dying);
             assert_eq!(lengths(folder.path()), [52.5]);
             let mut found = found(folder.path());
@@ -494,7 +495,7 @@ mod tests {
         assert_eq!(lengths(folder.path()), [6.0]);
     }
 
-    /// Leaves a state as a killed program does, and takes it.
+    /// Leaves a state as a killed program does, and recovers it.
     fn left(files: Files) -> Model {
         let folder = files.folder.clone();
         drop(files);
@@ -563,7 +564,7 @@ mod tests {
         fs::remove_file(&path).unwrap();
         assert_eq!(files.keep(&edited(&first, 5.0), false).unwrap(), path);
         assert!(path.exists());
-        // The file was read again: another text is the base.
+        // The file was reloaded: the base text is another one.
         let mut other = edited(&first, 6.0);
         other.saved = Arc::clone(&first.model);
         other.base = model::write(&first.model, &first.base).into();

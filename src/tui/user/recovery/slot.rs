@@ -10,37 +10,37 @@ use crate::files::{self, Source};
 
 /// Ending of a recovery file.
 pub(super) const MODEL: &str = "toml";
-/// Ending of the file that is locked as long as its program lives.
+/// Extension of the file that is locked as long as its program runs.
 pub(super) const LOCK: &str = "lock";
-/// Ending of a recovery file that is being written.
+/// Extension of a recovery file while it is written.
 pub(super) const PART: &str = "part";
 
-/// Start of the name of a lock that has no name of its own yet.
+/// Prefix of a lock before it gets its final name.
 pub(super) const UNNAMED: &str = ".lock-";
 
-/// A name in the recovery folder that no other program uses while this value lives. Dropping it leaves its files for
-/// the next program, as the program's end does.
+/// A name in the recovery folder that no other program uses while this value lives. Dropping it leaves the files for
+/// the next program, as the end of the program does.
 #[derive(Debug)]
 pub(super) struct Slot {
-    /// The recovery file; it need not be there.
+    /// The recovery file; it may not exist.
     path: PathBuf,
     /// Locked; closing it releases the lock.
     _lock: File,
 }
 
 impl Slot {
-    /// Takes a new name after the source.
+    /// Reserves a new name for a source.
     ///
     /// # Errors
-    /// The folder cannot be made or written, or files in it cannot be locked.
+    /// The folder cannot be created or written, or files in it cannot be locked.
     pub(super) fn claim(folder: &Path, source: &Source) -> io::Result<Self> {
         files::make_private(folder)?;
-        // Another program may take the first one for one that was left: it is not locked at once.
+        // Before it is locked, another program may take the first file for an abandoned one.
         Self::try_claim(folder, source).or_else(|_| Self::try_claim(folder, source))
     }
 
     fn try_claim(folder: &Path, source: &Source) -> io::Result<Self> {
-        // Locked before it has its name, so that nobody meets it unlocked.
+        // Locked before it gets its final name, so that no program finds it unlocked.
         let unnamed = tempfile::Builder::new()
             .prefix(UNNAMED)
             .tempfile_in(folder)?;
@@ -61,25 +61,24 @@ impl Slot {
         &self.path
     }
 
-    /// Whether the lock is still what others will meet: somebody may have cleared the folder.
+    /// Whether the lock file still exists under its name: the folder may have been cleared.
     pub(super) fn is_there(&self) -> bool {
         self.path.with_extension(LOCK).exists()
     }
 
-    /// Replaces the recovery file atomically; `durable` lets it outlast a loss of power too. Where that fails, the
-    /// file is as it was.
+    /// Replaces the recovery file atomically; `durable` forces it to disk. After a failure the file is unchanged.
     pub(super) fn write(&self, text: &str, durable: bool) -> io::Result<()> {
         let part = self.path.with_extension(PART);
         let written = write_new(&part, text, durable).and_then(|()| fs::rename(&part, &self.path));
         if written.is_err() {
-            // Half a text is of no use, and the disk may be full.
+            // A partial text is useless, and the disk may be full.
             let _ = fs::remove_file(&part);
         }
         written
     }
 
-    /// Adds an edit to the recovery file; `durable` lets it outlast a loss of power too. Where that fails, the file is as
-    /// it was, or ends in a torn edit.
+    /// Appends an edit to the recovery file; `durable` forces it to disk. After a failure the file is unchanged, or
+    /// ends in a truncated edit.
     pub(super) fn append(&self, edit: &str, durable: bool) -> io::Result<()> {
         let mut file = files::open_with(&self.path, OpenOptions::new().append(true))?;
         let length = file.metadata()?.len();
@@ -88,7 +87,7 @@ impl Slot {
             written = written.and_then(|()| file.sync_data());
         }
         if written.is_err() {
-            // What is torn is ignored where it cannot be cut off.
+            // A truncated edit is ignored if it cannot be removed.
             let _ = file.set_len(length);
         }
         written
@@ -113,7 +112,7 @@ fn write_new(path: &Path, text: &str, durable: bool) -> io::Result<()> {
     Ok(())
 }
 
-/// Removes a recovery file and what belongs to it, the lock last, so that nobody meets the others without it.
+/// Removes a recovery file and its companions, the lock last, so that no program finds the others unlocked.
 pub(super) fn remove(path: &Path) -> io::Result<()> {
     for ending in [MODEL, PART, LOCK] {
         match fs::remove_file(path.with_extension(ending)) {
@@ -124,7 +123,7 @@ pub(super) fn remove(path: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// The start of a file's name that tells a person what is in it: letters, digits, dashes and underscores.
+/// A readable prefix of a file name: letters, digits, dashes and underscores.
 pub(super) fn stem(source: &Source) -> String {
     const LONGEST: usize = 40;
     let name = match source {

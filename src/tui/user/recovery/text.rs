@@ -1,4 +1,4 @@
-//! The text of a recovery file: three lines of comment, then a model's text as it is, then the edits made since.
+//! The text of a recovery file: three lines of comment, then a model's text unchanged, then the edits since.
 //!
 //! ```toml
 //! # beamtune recovery 1
@@ -6,12 +6,12 @@
 //! # bytes: 1234
 //! ```
 //!
-//! The source is `file "PATH"`, `file-in-hexadecimal "2F74.."` for a path that is no Unicode text, `preset "NAME"` or
-//! `standard input`; what is in quotes is a basic string of TOML. The bytes are those of the model's text, by which a
-//! torn file is told. A byte order mark stays the first character of the file.
+//! The source is `file "PATH"`, `file-in-hexadecimal "2F74.."` for a path that is not Unicode, `preset "NAME"` or
+//! `standard input`; quoted text is a basic string of TOML. The bytes are those of the model's text; they detect a
+//! truncated file. A byte order mark stays the first character of the file.
 //!
-//! An edit is an empty line and a comment, `# edit = {..}`, a [`delta`](crate::model::delta()) from the model as it was
-//! before. A last edit without line end is torn, and no edit.
+//! An edit is an empty line and a comment, `# edit = {..}`, a [`delta`](crate::model::delta()) from the previous model.
+//! A last edit without line end is truncated and ignored.
 
 use std::ffi::OsString;
 use std::fmt::Write as _;
@@ -24,7 +24,7 @@ use crate::presets;
 const FIRST_LINE: &str = "# beamtune recovery 1";
 const SOURCE: &str = "# source: ";
 const BYTES: &str = "# bytes: ";
-/// What stands before an edit.
+/// The prefix of an edit.
 const COMMENT: &str = "# ";
 /// The kinds of a source.
 const FILE: &str = "file ";
@@ -47,23 +47,23 @@ pub(super) fn write(source: &Source, model: &str) -> String {
     )
 }
 
-/// What is added to a recovery file for an edit.
+/// The text that appends an edit to a recovery file.
 pub(super) fn edit(delta: &str) -> String {
     format!("\n{COMMENT}{delta}\n")
 }
 
-/// What a recovery file holds.
+/// The content of a recovery file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Contents {
-    /// Where the model came from.
+    /// The source of the model.
     pub source: Source,
-    /// A model's text, byte for byte as it was.
+    /// The text of the model, byte for byte.
     pub text: String,
-    /// The edits made since, whole lines each; the first that cannot be applied is the end.
+    /// The edits since, as whole lines; they end at the first that cannot be applied.
     pub edits: Vec<String>,
 }
 
-/// What a recovery file holds. `None` where it is anything else, or its model's text is torn.
+/// Parses a recovery file. `None` for any other file, or a truncated text of the model.
 pub(super) fn read(file: &[u8]) -> Option<Contents> {
     let (bom, rest) = match file.strip_prefix(BOM.as_bytes()) {
         Some(rest) => (BOM, rest),
@@ -76,7 +76,7 @@ pub(super) fn read(file: &[u8]) -> Option<Contents> {
     let bytes: usize = bytes.strip_prefix(BYTES)?.parse().ok()?;
     let (body, edits) = rest.split_at_checked(bytes.checked_sub(bom.len())?)?;
     let body = std::str::from_utf8(body).ok()?;
-    // A block that never reached the disk is zeros after a loss of power; TOML has none.
+    // After a loss of power, unwritten blocks are zeros; TOML has none.
     let whole = !body.contains('\0') && matches!(edits.first(), None | Some(b'\n' | b'\0'));
     (first == FIRST_LINE && whole).then(|| Contents {
         source,
@@ -85,13 +85,13 @@ pub(super) fn read(file: &[u8]) -> Option<Contents> {
     })
 }
 
-/// The first line and what follows it.
+/// The first line and the rest.
 fn line(bytes: &[u8]) -> Option<(&str, &[u8])> {
     let end = bytes.iter().position(|byte| *byte == b'\n')?;
     Some((std::str::from_utf8(&bytes[..end]).ok()?, &bytes[end + 1..]))
 }
 
-/// The whole lines, without what makes them comments.
+/// The whole lines, without their comment prefix.
 fn read_edits(mut bytes: &[u8]) -> Vec<String> {
     let mut edits = Vec::new();
     while let Some((text, rest)) = line(bytes) {
@@ -102,7 +102,7 @@ fn read_edits(mut bytes: &[u8]) -> Vec<String> {
 }
 
 fn write_source(source: &Source) -> String {
-    // The next program may be started in another folder.
+    // The next program may start in another folder.
     match source.absolute() {
         Source::File(path) => match path.to_str() {
             Some(text) => format!("{FILE}{}", basic_string(text)),
@@ -113,7 +113,7 @@ fn write_source(source: &Source) -> String {
     }
 }
 
-/// A preset of a name that is not known (any more) comes from nowhere, as standard input does.
+/// An unknown preset has no source, like standard input.
 fn read_source(text: &str) -> Option<Source> {
     if text == STANDARD_INPUT {
         return Some(Source::Stdin);
@@ -179,7 +179,7 @@ mod tests {
             3,
             "{file:?}"
         );
-        // Comments alone are TOML: no source may break out of its line.
+        // Valid TOML, comments only: no source may add a line.
         let header = write(source, "");
         assert!(
             header.parse::<toml::Table>().unwrap().is_empty(),
@@ -304,7 +304,7 @@ mod tests {
                 ("text", vec!["edit = 1".to_owned()])
             );
         }
-        // What a loss of power leaves.
+        // The content after a loss of power.
         let zeros = [good.as_bytes(), &[0; 512]].concat();
         assert_eq!(read(&zeros).unwrap().edits, ["edit = 1"]);
         let zeros = [write(&Source::Stdin, "text").as_bytes(), &[0; 512]].concat();

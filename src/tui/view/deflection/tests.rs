@@ -1,7 +1,7 @@
 use super::*;
 use crate::model::{Force, Place, Support, Target};
-use crate::tui::app::Look;
-use crate::tui::view::moving::stage::{self, looking, preset, screen};
+use crate::tui::app::BeamView;
+use crate::tui::view::animated::stage::{self, looking, preset, screen};
 
 /// A pinned beam without offset and damping, and a force along y in its middle.
 fn pinned() -> crate::model::Model {
@@ -21,7 +21,7 @@ fn pinned() -> crate::model::Model {
 fn a_slow_force_bends_the_beam_to_its_side_when_it_is_largest() {
     // Closed form: w = F L^3 / (48 E Iy) = 1.955e-8 m for 1 N; the force leads by 90 deg, so it is largest at omega t =
     // 270 deg. 1 is the upper label; the middle of 3.2 m is the middle column of the plot.
-    let app = looking(pinned(), 0.01, Look::Deflection);
+    let app = looking(pinned(), 0.01, BeamView::Deflection);
     let lines = screen(&app, Theme::new(false), draw, [80, 16]);
     assert!(
         lines[0].contains("Deflection at 0.01 Hz, phase 270 deg"),
@@ -49,7 +49,7 @@ fn a_slow_force_bends_the_beam_to_its_side_when_it_is_largest() {
 
 #[test]
 fn masses_are_letters_and_the_scale_shows_at_any_width() {
-    let app = looking(preset("fig05a"), 35.0, Look::Deflection);
+    let app = looking(preset("fig05a"), 35.0, BeamView::Deflection);
     let wide = screen(&app, Theme::new(false), draw, [90, 14]);
     assert!(
         wide[0].contains(" 1 is ") && wide[0].ends_with(" rad"),
@@ -74,7 +74,7 @@ fn masses_are_letters_and_the_scale_shows_at_any_width() {
 #[test]
 fn half_a_period_later_all_is_on_the_other_side() {
     // Closed form: the real part changes its sign.
-    let app = looking(preset("fig05a"), 35.0, Look::Deflection);
+    let app = looking(preset("fig05a"), 35.0, BeamView::Deflection);
     let seen = |angle| Seen {
         model: app.model(),
         operating: app.operating().unwrap(),
@@ -101,18 +101,18 @@ fn half_a_period_later_all_is_on_the_other_side() {
 
 #[test]
 fn what_is_not_there_is_said() {
-    let mut app = looking(pinned(), 20.0, Look::Deflection);
-    app.looking.operating = None;
+    let mut app = looking(pinned(), 20.0, BeamView::Deflection);
+    app.beam_view.operating = None;
     let text = screen(&app, Theme::new(false), draw, [60, 9]).join("\n");
     assert!(text.contains("solving what the beam does"), "{text}");
     app.curves.cursor = None;
     let text = screen(&app, Theme::new(false), draw, [60, 9]).join("\n");
     assert!(text.contains("no cursor is on the chart"), "{text}");
-    let mut resonant = looking(pinned(), 20.0, Look::Deflection);
+    let mut resonant = looking(pinned(), 20.0, BeamView::Deflection);
     let mut found = resonant.operating().unwrap().clone();
     found.motion[0][3] = num_complex::Complex64::new(f64::NAN, 0.0);
     let model = std::sync::Arc::clone(resonant.model());
-    resonant.looking.operating = Some((model, std::sync::Arc::new(found)));
+    resonant.beam_view.operating = Some((model, std::sync::Arc::new(found)));
     let text = screen(&resonant, Theme::new(false), draw, [60, 9]).join("\n");
     assert!(
         text.contains("no finite answer: a resonance without damping"),
@@ -122,5 +122,5 @@ fn what_is_not_there_is_said() {
 
 #[test]
 fn it_fits_any_size_and_set_of_characters() {
-    stage::draws_at_any_size(draw, Look::Deflection);
+    stage::draws_at_any_size(draw, BeamView::Deflection);
 }

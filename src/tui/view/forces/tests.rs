@@ -1,6 +1,6 @@
 use super::*;
 use crate::model::{BeamMotion, Force, Place, Support, Target};
-use crate::tui::view::moving::stage::{self, looking, preset, screen};
+use crate::tui::view::animated::stage::{self, looking, preset, screen};
 
 fn pinned() -> crate::model::Model {
     let mut model = preset("fig06");
@@ -28,7 +28,7 @@ fn row_at(lines: &[String], column: usize) -> Vec<usize> {
 #[test]
 fn a_slow_force_has_the_moments_and_shears_of_a_still_one() {
     // Closed form: M = F L / 4 = 0.8 N m in the middle, negative for a bulge to +y; S = F / 2 left of it, -F / 2 right.
-    let app = looking(pinned(), 0.01, Look::Moments);
+    let app = looking(pinned(), 0.01, BeamView::Moments);
     let lines = screen(&app, Theme::new(false), draw, [80, 16]);
     assert!(
         lines[0].contains("Bending moments at 0.01 Hz, phase 0 deg"),
@@ -39,7 +39,7 @@ fn a_slow_force_has_the_moments_and_shears_of_a_still_one() {
         "{lines:#?}"
     );
     assert_eq!(lines[1].trim(), "N m");
-    let app = looking(pinned(), 0.01, Look::Shear);
+    let app = looking(pinned(), 0.01, BeamView::Shear);
     let lines = screen(&app, Theme::new(false), draw, [80, 16]);
     assert!(lines[0].contains("|S_w| to 0.500 N at"), "{lines:#?}");
     assert_eq!(lines[1].trim(), "N");
@@ -47,7 +47,7 @@ fn a_slow_force_has_the_moments_and_shears_of_a_still_one() {
 
 #[test]
 fn the_forces_at_the_moment_of_the_widest_deflection() {
-    let app = looking(pinned(), 0.01, Look::Shear);
+    let app = looking(pinned(), 0.01, BeamView::Shear);
     let seen = Seen {
         model: app.model(),
         operating: app.operating().unwrap(),
@@ -70,10 +70,10 @@ fn the_forces_at_the_moment_of_the_widest_deflection() {
 #[test]
 fn each_look_has_its_forces_and_unit() {
     for (look, unit, names) in [
-        (Look::Moments, "N m", "M_w M_v"),
-        (Look::Shear, "N", "S_w S_v"),
-        (Look::Torque, "N m", "T"),
-        (Look::Bimoment, "N m2", "B"),
+        (BeamView::Moments, "N m", "M_w M_v"),
+        (BeamView::Shear, "N", "S_w S_v"),
+        (BeamView::Torque, "N m", "T"),
+        (BeamView::Bimoment, "N m2", "B"),
     ] {
         let app = looking(preset("fig05b"), 35.0, look);
         let lines = screen(&app, Theme::new(false), draw, [60, 12]);

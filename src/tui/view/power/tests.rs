@@ -1,7 +1,7 @@
 use super::*;
 use crate::model::Model;
-use crate::tui::app::Look;
-use crate::tui::view::moving::stage::{self, looking, preset, screen};
+use crate::tui::app::BeamView;
+use crate::tui::view::animated::stage::{self, looking, preset, screen};
 
 fn damped() -> Model {
     let mut model = preset("fig05a");
@@ -22,7 +22,7 @@ fn seen(app: &App) -> Seen<'_> {
 
 #[test]
 fn what_takes_most_out_comes_first_and_all_of_it_is_all_that_comes_in() {
-    let app = looking(damped(), 35.0, Look::Power);
+    let app = looking(damped(), 35.0, BeamView::Power);
     let rows = rows(seen(&app));
     let labels: Vec<&str> = rows.iter().map(|row| row.label.as_str()).collect();
     assert_eq!(
@@ -48,7 +48,7 @@ fn what_takes_most_out_comes_first_and_all_of_it_is_all_that_comes_in() {
 
 #[test]
 fn the_table_has_shares_bars_and_a_balance_and_the_flow_where_there_is_room() {
-    let app = looking(damped(), 35.0, Look::Power);
+    let app = looking(damped(), 35.0, BeamView::Power);
     let lines = screen(&app, Theme::new(false), draw, [80, 14]);
     assert!(lines[0].contains("Power at 35 Hz"), "{lines:#?}");
     let (input, loss) = lines[0]
@@ -78,7 +78,7 @@ fn without_a_loss_there_is_no_share() {
     }
     model.forces.truncate(1);
     model.forces[0].target = Target::Beam(Place::Position(1.0), crate::model::BeamMotion::V);
-    let app = looking(model, 20.0, Look::Power);
+    let app = looking(model, 20.0, BeamView::Power);
     let lines = screen(&app, Theme::new(false), draw, [44, 9]);
     assert!(
         lines[0].contains("out 0 W") || lines.len() == 9,
@@ -90,5 +90,5 @@ fn without_a_loss_there_is_no_share() {
 
 #[test]
 fn it_fits_any_size_and_set_of_characters() {
-    stage::draws_at_any_size(draw, Look::Power);
+    stage::draws_at_any_size(draw, BeamView::Power);
 }

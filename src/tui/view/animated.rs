@@ -59,10 +59,10 @@ pub(super) fn draw(
     name: &str,
     draw: impl Fn(&mut Frame<'_>, Seen<'_>, Rect),
 ) {
-    let reason = match (app.curves.cursor, &app.looking.operating) {
+    let reason = match (app.curves.cursor, &app.beam_view.operating) {
         (None, _) => " no cursor is on the chart",
         (_, None) => app
-            .looking
+            .beam_view
             .failure
             .as_deref()
             .unwrap_or(" solving what the beam does"),
@@ -74,7 +74,7 @@ pub(super) fn draw(
                 model,
                 operating,
                 at: &app.display.frequency_text(operating.frequency),
-                angle: app.looking.moment.angle(),
+                angle: app.beam_view.moment.angle(),
                 stale: app.operating_is_stale(),
                 theme,
             };

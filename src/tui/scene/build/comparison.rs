@@ -1,4 +1,4 @@
-//! The curves beside the model: references, finite elements, measurements.
+//! The curves that are compared with the model: references, finite elements, measurements.
 
 use super::{Builder, Source, colour, poles, traces};
 use crate::tui::app::{Measured, Reference};
@@ -6,13 +6,13 @@ use crate::tui::plot::LineStyle;
 use crate::tui::scene::{ChartView, CurveKind, SceneCurve, part};
 use crate::unit::Dimension;
 
-/// Of more points of a measured curve every second, third... is drawn.
+/// The most points drawn of a measured curve; beyond, every second, third...
 const MOST_MEASURED: usize = 20_000;
-/// Columns from one point of a finite-element curve to the next.
-const WITNESS_POINTS: u16 = 3;
+/// Columns between the points of a finite-element curve.
+const FEM_POINTS: u16 = 3;
 
 impl<'a> Builder<'a> {
-    /// The band in which nine of ten curves lie within the tolerances, of the first response that shows.
+    /// The tolerance band (nine of ten curves) of the first visible response.
     pub(super) fn tolerances(&self) -> Vec<SceneCurve> {
         let magnitude = matches!(
             self.view(),
@@ -57,11 +57,11 @@ impl<'a> Builder<'a> {
 
     /// The frozen and loaded references.
     pub(super) fn references(&self) -> Vec<SceneCurve> {
-        // Differences are counted from the first.
+        // Differences are relative to the first one.
         if self.view() == ChartView::Difference {
             return Vec::new();
         }
-        let shown: Vec<&Reference> = self.app.beside.shown().collect();
+        let shown: Vec<&Reference> = self.app.comparison.shown().collect();
         let mut curves = Vec::new();
         for (index, reference) in shown.iter().enumerate() {
             curves.extend(self.reference(reference, index, shown.len()));
@@ -69,7 +69,7 @@ impl<'a> Builder<'a> {
         curves
     }
 
-    /// How many curves of the model show: what stands on the chart with them is counted from there.
+    /// The number of visible curves of the model: the colours of other curves follow.
     fn model_count(&self) -> usize {
         let members = self.picture.map_or(&[][..], |picture| &picture.members);
         traces(members, &self.app.curves).len()
@@ -91,7 +91,7 @@ impl<'a> Builder<'a> {
             };
             let mut curve = self.curve(&source);
             curve.kind = CurveKind::Reference;
-            // One reference has the colours of what it is a reference of.
+            // A single reference has the colours of the curves it refers to.
             curve.colour = colour(state, place, number) + if of > 1 { index + 1 } else { 0 };
             curve.marker = (of > 1).then_some(self.model_count() + index);
             curve.line = LineStyle::Dotted;
@@ -108,9 +108,9 @@ impl<'a> Builder<'a> {
     }
 
     /// The finite-element curves, as points.
-    pub(super) fn witnesses(&self) -> Vec<SceneCurve> {
+    pub(super) fn fem_curves(&self) -> Vec<SceneCurve> {
         let state = &self.app.curves;
-        let Some(picture) = self.app.witness.picture() else {
+        let Some(picture) = self.app.fem_overlay.picture() else {
             return Vec::new();
         };
         let mut curves: Vec<SceneCurve> = Vec::new();
@@ -123,11 +123,9 @@ impl<'a> Builder<'a> {
                         against: None,
                     };
                     let mut curve = self.curve(&source);
-                    curve.kind = CurveKind::Witness;
+                    curve.kind = CurveKind::Fem;
                     curve.colour = colour(state, place, number);
-                    curve.line = LineStyle::Points {
-                        apart: WITNESS_POINTS,
-                    };
+                    curve.line = LineStyle::Points { apart: FEM_POINTS };
                     curve.dim = picture.generation != state.generation;
                     if curves.is_empty() {
                         "FEM".clone_into(&mut curve.label);
@@ -142,7 +140,7 @@ impl<'a> Builder<'a> {
         curves
     }
 
-    /// The measured curves that fit to what shows.
+    /// The measured curves that match a visible response.
     pub(super) fn measured(&self) -> Vec<SceneCurve> {
         if self.view() == ChartView::Difference {
             return Vec::new();
@@ -165,7 +163,7 @@ impl<'a> Builder<'a> {
         let stride = places.len().div_ceil(MOST_MEASURED).max(1);
         let places: Vec<usize> = places.step_by(stride).collect();
         let mut values = vec![Vec::with_capacity(places.len()); one.panels(view)];
-        // Without a phase only a magnitude is known.
+        // Without a phase, only the magnitude is known.
         let magnitude = matches!(view, ChartView::Magnitude | ChartView::MagnitudePhase);
         let known = match (one.curve.phase_known, magnitude) {
             (true, _) => values.len(),

@@ -1,50 +1,50 @@
-//! When the screen is drawn: at once where something shows, but not for pictures that the next one replaces, and the
-//! slower the slower the line is.
+//! Decides when to draw: at once after a visible change, but not frames that the next one replaces, and less often on a
+//! slow connection.
 //!
-//! There is no clock in here: the time is told. The loop waits until [`Pace::due`] for more events, draws, and
-//! tells by [`Pace::drew`] how long that took.
+//! No clock: the caller passes the time. The loop waits for events until [`FrameScheduler::due`], draws, and reports
+//! the duration by [`FrameScheduler::drew`].
 
 use std::time::{Duration, Instant};
 
 use super::event::Event;
 use crate::worker::{Answer, Curves, Stage};
 
-/// How long a drawing waits for a better picture that is in work. After a key these are the curves it asked for, old
-/// ones, dimmed, being drawn for nothing; after the first curves at the frequencies of the sweep the ones with all peaks,
-/// the sharp ones of which would vanish and come back. What takes 0.1 s still seems to come at once (J. Nielsen, Usability
-/// Engineering, 1993, section 5.5).
+/// The longest wait for a better picture in work. After a key this is for the new curves, to avoid a frame with the old
+/// ones dimmed; after the first curves at the sweep frequencies it is for the curves with all peaks, because sharp
+/// peaks would vanish and come back. A response within 0.1 s feels immediate (J. Nielsen, Usability Engineering, 1993,
+/// section 5.5).
 const HOLD: Duration = Duration::from_millis(100);
 
-/// From the end of a drawing to the next one at least: no eye sees more.
+/// The shortest time between the end of a drawing and the next one: more than 30 frames per second is not visible.
 const SHORTEST: Duration = Duration::from_nanos(1_000_000_000 / 30);
 
-/// The longest wait between drawings on a slow line.
+/// The longest wait between drawings on a slow connection.
 const LONGEST: Duration = Duration::from_secs(1);
 
-/// A drawing that was held up by a slow line is followed by a rest so many times as long.
+/// After a slow drawing the pause is this many times as long as the drawing.
 const REST: u32 = 2;
 
-/// Why there is something to be drawn.
+/// Why a drawing is needed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reason {
-    /// Something shows now that did not.
+    /// Something visible changed.
     Shows,
-    /// So does this, and something better is in work and may be there in a moment.
+    /// The same, and a better picture is in work and may arrive soon.
     Awaits,
 }
 
-/// Whether curves have points between those of the sweep, where the peaks were before the last edit.
+/// Whether curves have extra points between the sweep frequencies, from the peaks before the last edit.
 fn has_peaks(curves: &Curves) -> bool {
     let mut members = curves.members.iter();
     members.any(|member| member.frf.frequencies.len() > member.model.sweep.points)
 }
 
 impl Reason {
-    /// Why an event is followed by a drawing, as long as it asked for nothing.
+    /// The reason for a drawing after an event, without requests.
     pub fn of(event: &Event) -> Self {
         match event {
             Event::Answer(Answer::Curves(answer)) => {
-                // A coarse curve comes where the full one takes long.
+                // A coarse curve means that the full one takes long.
                 let awaits = answer.stage == Stage::Full
                     && answer
                         .result
@@ -56,13 +56,13 @@ impl Reason {
         }
     }
 
-    /// The reason where the event had the model solved.
+    /// The reason, given whether the event started a solution.
     #[must_use]
     pub fn asking(self, solves: bool) -> Self {
         if solves { Self::Awaits } else { self }
     }
 
-    /// How long it can wait.
+    /// The longest acceptable wait.
     const fn patience(self) -> Duration {
         match self {
             Self::Shows => Duration::ZERO,
@@ -71,17 +71,17 @@ impl Reason {
     }
 }
 
-/// The pace of drawing.
+/// The schedule of drawings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Pace {
-    /// When what is to be drawn must be drawn.
+pub struct FrameScheduler {
+    /// The deadline of the pending drawing.
     wanted: Option<Instant>,
-    /// Before this nothing is drawn.
+    /// The earliest time of the next drawing.
     rest: Option<Instant>,
 }
 
-impl Pace {
-    /// Nothing is to be drawn yet.
+impl FrameScheduler {
+    /// Without a pending drawing.
     pub const fn new() -> Self {
         Self {
             wanted: None,
@@ -89,19 +89,19 @@ impl Pace {
         }
     }
 
-    /// Something is to be drawn since `now`; what has waited before does not wait any longer for it.
+    /// Schedules a drawing from `now` on; an earlier deadline stays.
     pub fn wants(&mut self, reason: Reason, now: Instant) {
         let latest = now + reason.patience();
         self.wanted = Some(self.wanted.map_or(latest, |wanted| wanted.min(latest)));
     }
 
-    /// When to draw; a time that has passed means at once, none that nothing is to be drawn.
+    /// When to draw: a past time means at once; none if nothing is pending.
     pub fn due(&self) -> Option<Instant> {
         let wanted = self.wanted?;
         Some(self.rest.map_or(wanted, |rest| wanted.max(rest)))
     }
 
-    /// Everything was drawn, from `began` to `ended`; a drawing takes long where the line takes no more.
+    /// Records a drawing from `began` to `ended`; a slow connection makes it long.
     pub fn drew(&mut self, began: Instant, ended: Instant) {
         let took = ended.saturating_duration_since(began);
         self.wanted = None;
@@ -119,7 +119,7 @@ mod tests {
     #[test]
     fn what_shows_is_drawn_at_once() {
         let start = Instant::now();
-        let mut pace = Pace::new();
+        let mut pace = FrameScheduler::new();
         assert_eq!(pace.due(), None);
         pace.wants(Reason::Shows, start);
         assert_eq!(pace.due(), Some(start));
@@ -130,10 +130,10 @@ mod tests {
     #[test]
     fn curves_that_come_soon_are_waited_for() {
         let start = Instant::now();
-        let mut pace = Pace::new();
+        let mut pace = FrameScheduler::new();
         pace.wants(Reason::Awaits, start);
         assert_eq!(pace.due(), Some(start + HOLD));
-        // They are there.
+        // They have arrived.
         pace.wants(Reason::Shows, start + MS(5));
         assert_eq!(pace.due(), Some(start + MS(5)));
     }
@@ -141,7 +141,7 @@ mod tests {
     #[test]
     fn a_held_key_does_not_hold_the_drawing() {
         let start = Instant::now();
-        let mut pace = Pace::new();
+        let mut pace = FrameScheduler::new();
         for key in 0..10 {
             pace.wants(Reason::Awaits, start + MS(key));
         }
@@ -151,7 +151,7 @@ mod tests {
     #[test]
     fn drawings_are_a_thirtieth_of_a_second_apart_at_least() {
         let start = Instant::now();
-        let mut pace = Pace::new();
+        let mut pace = FrameScheduler::new();
         pace.drew(start, start + MS(2));
         pace.wants(Reason::Shows, start + MS(3));
         assert_eq!(pace.due(), Some(start + MS(2) + SHORTEST));
@@ -163,7 +163,7 @@ mod tests {
     fn a_slow_line_is_given_rest_but_not_for_ever() {
         let start = Instant::now();
         let rest = |took: Duration| {
-            let mut pace = Pace::new();
+            let mut pace = FrameScheduler::new();
             pace.drew(start, start + took);
             pace.wants(Reason::Shows, start + took);
             pace.due().unwrap() - (start + took)
@@ -195,7 +195,7 @@ mod tests {
             Reason::of(&answer(Stage::Resolved, curves())),
             Reason::Shows
         );
-        // Nothing comes after a failure.
+        // Nothing follows a failure.
         let failed = answer(Stage::Full, Err("why".to_owned()));
         assert_eq!(Reason::of(&failed), Reason::Shows);
     }

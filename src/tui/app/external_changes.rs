@@ -1,4 +1,4 @@
-//! What goes out of the designer and comes in from other programs: the clipboard, the file as others change it.
+//! Exchange with other programs: the clipboard, and changes of the file by others.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -8,18 +8,18 @@ use crate::files::Opened;
 use crate::model::grouped;
 use crate::tui::keys::{FileCommand, ModelCommand};
 
-/// The longest text that is sent to a clipboard, bytes; terminals drop longer ones without a word.
+/// The longest text that is sent to a clipboard, bytes; terminals silently discard longer ones.
 const MOST_COPIED: usize = 74_000;
 
-/// What another program did to the model's file.
+/// How another program changed the model's file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Outside {
-    /// It holds what was opened or saved here.
+pub enum ExternalChange {
+    /// It holds the text that was opened or saved here.
     #[default]
     Same,
-    /// It holds something else.
+    /// It holds another text.
     Changed,
-    /// It is gone.
+    /// It was removed.
     Gone,
 }
 
@@ -50,12 +50,12 @@ impl App {
     }
 
     fn copy(&mut self, text: String, what: &str) -> Vec<Effect> {
-        // Whether it arrives, no terminal says.
+        // Terminals do not acknowledge it.
         self.done(format!("sent to the terminal's clipboard: {what}"));
         vec![Effect::Copy(text)]
     }
 
-    /// Looks whether the file is still as it was.
+    /// Checks whether the file is unchanged.
     pub(super) fn compare(&mut self) -> Vec<Effect> {
         let compare = |path: &Path| Effect::Compare {
             path: path.to_owned(),
@@ -65,27 +65,27 @@ impl App {
         path.map(compare).into_iter().collect()
     }
 
-    pub(super) fn note_outside(&mut self, outside: Outside) {
-        if outside == self.outside {
+    pub(super) fn note_external_change(&mut self, outside: ExternalChange) {
+        if outside == self.external_change {
             return;
         }
-        self.outside = outside;
+        self.external_change = outside;
         let name = self.document.source().name();
         match outside {
-            Outside::Same => self.done(format!("{name} is again as it was")),
-            Outside::Changed => {
+            ExternalChange::Same => self.done(format!("{name} is again as it was")),
+            ExternalChange::Changed => {
                 let key = self.keys.key_of(FileCommand::Reload);
                 self.refuse(format!(
                     "{name} was changed on disk by another program: {key} reads it again"
                 ));
             }
-            Outside::Gone => {
+            ExternalChange::Gone => {
                 self.refuse(format!("{name} is no more on disk; saving writes it again"));
             }
         }
     }
 
-    /// Reads the file again; asks first where something is not saved.
+    /// Reloads the file; with unsaved changes, asks first.
     pub(super) fn reload(&mut self) -> Vec<Effect> {
         if self.document.source().path().is_some() {
             return self.leave(Next::Reload);
@@ -101,7 +101,7 @@ impl App {
     }
 
     pub(super) fn reloaded(&mut self, opened: Opened) {
-        self.outside = Outside::Same;
+        self.external_change = ExternalChange::Same;
         if opened.text == self.document.saved_text() {
             return self.done("the file is as it was");
         }

@@ -5,7 +5,7 @@ use ratatui::layout::{Constraint, Layout};
 use ratatui::text::{Line, Span};
 
 use super::band::fit_words;
-use super::boxes::{middle, open_box};
+use super::dialogs::{middle, open_dialog};
 use super::text::{cut, width};
 use crate::model::counted;
 use crate::tui::app::{App, List, MOTION, Measured, Reference, Rows};
@@ -20,7 +20,7 @@ type Entry = (bool, String, String);
 pub(super) fn draw(frame: &mut Frame<'_>, app: &App, mut list: List, theme: Theme) -> (List, Rows) {
     let entries = entries(app);
     let place = middle(frame.area(), entries.len().max(3) + 1);
-    let inside = open_box(frame, place, " Beside the model ", theme);
+    let inside = open_dialog(frame, place, " Beside the model ", theme);
     let [above, below] =
         Layout::vertical([Constraint::Fill(1), Constraint::Length(1)]).areas(inside);
     list.set_rows(entries.len());
@@ -50,7 +50,7 @@ pub(super) fn draw(frame: &mut Frame<'_>, app: &App, mut list: List, theme: Them
             frame.buffer_mut().set_style(line, theme.selection());
         }
     }
-    let answers = app.keys.hints(Scope::Beside, RowKind::Group);
+    let answers = app.keys.hints(Scope::Comparison, RowKind::Group);
     frame.render_widget(hints(answers, theme, columns), below);
     (list, Rows { area: above, first })
 }
@@ -71,8 +71,8 @@ fn hints(answers: Vec<(String, &'static str)>, theme: Theme, columns: usize) -> 
 }
 
 fn entries(app: &App) -> Vec<Entry> {
-    let references = app.beside.references.iter().map(reference);
-    let measured = app.beside.measured.iter();
+    let references = app.comparison.references.iter().map(reference);
+    let measured = app.comparison.measured.iter();
     references
         .chain(measured.map(|one| measurement(app, one)))
         .collect()
@@ -95,7 +95,7 @@ fn reference(one: &Reference) -> Entry {
 
 fn measurement(app: &App, one: &Measured) -> Entry {
     let points = one.curve.frequencies.len();
-    let mut fits = app.beside.fits.iter();
+    let mut fits = app.comparison.fits.iter();
     let fit = fits.find(|fitted| fitted.measured == one.id);
     let stands = app.measured_shown().any(|(other, _)| other.id == one.id);
     let what = match fit {

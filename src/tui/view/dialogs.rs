@@ -6,7 +6,7 @@ use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Clear, Padding, Paragraph};
 
 use super::text::{cut, width, wrapped};
-use super::{Panels, beside, help, palette, prompt, questions};
+use super::{Panels, comparison, confirm, help, palette, prompt};
 use crate::escape::shown_path;
 use crate::model::{Fault, MOST_SHOWN};
 use crate::presets;
@@ -31,7 +31,7 @@ pub(super) fn draw(
     let Some(overlay) = &app.overlay else {
         return (None, None);
     };
-    let columns = usize::from(boxed_width(frame.area()));
+    let columns = usize::from(dialog_width(frame.area()));
     let answers = |scope| app.keys.hints(scope, RowKind::Group);
     let (list, rows) = match overlay {
         Overlay::Prompt(prompt) => {
@@ -42,11 +42,11 @@ pub(super) fn draw(
         }
         Overlay::Unsaved { next, .. } => {
             let source = app.document.source().name();
-            questions::draw_unsaved(frame, *next, &source, answers(Scope::Unsaved), theme);
+            confirm::draw_unsaved(frame, *next, &source, answers(Scope::Unsaved), theme);
             return (None, None);
         }
         Overlay::Replace { path, reason, .. } => {
-            questions::draw_replace(frame, reason, path, answers(Scope::Replace), theme);
+            confirm::draw_replace(frame, reason, path, answers(Scope::Replace), theme);
             return (None, None);
         }
         Overlay::Help(list) => {
@@ -67,23 +67,23 @@ pub(super) fn draw(
             let lines = fault_lines(faults, theme, columns);
             return (Some(draw_reader(frame, &title, lines, *list, theme)), None);
         }
-        Overlay::Beside(list) => beside::draw(frame, app, *list, theme),
+        Overlay::Comparison(list) => comparison::draw(frame, app, *list, theme),
         Overlay::Palette(palette) => palette::draw(frame, palette, app.document.model(), theme),
         Overlay::Presets(list) => draw_presets(frame, *list, theme),
         Overlay::Recovery { lost, list } => {
-            questions::draw_recovery(frame, lost, *list, answers(Scope::Recovery), theme)
+            confirm::draw_recovery(frame, lost, *list, answers(Scope::Recovery), theme)
         }
     };
     (Some(list), Some(rows))
 }
 
 /// Columns of text in a centred box.
-pub(super) fn boxed_width(area: Rect) -> u16 {
+pub(super) fn dialog_width(area: Rect) -> u16 {
     area.width.min(WIDEST).saturating_sub(FRAME)
 }
 
 /// Clears a place and draws a border around it; what is inside.
-pub(super) fn open_box(frame: &mut Frame<'_>, area: Rect, title: &str, theme: Theme) -> Rect {
+pub(super) fn open_dialog(frame: &mut Frame<'_>, area: Rect, title: &str, theme: Theme) -> Rect {
     let block = Block::bordered()
         .border_style(theme.accent())
         .title(Span::styled(
@@ -118,7 +118,7 @@ fn middle_of_width(area: Rect, lines: usize, widest: u16) -> Rect {
 fn draw_presets(frame: &mut Frame<'_>, mut list: List, theme: Theme) -> (List, Rows) {
     let place = middle(frame.area(), presets::ALL.len());
     let title = format!(" Presets  {} of {} ", list.row + 1, list.rows);
-    let inside = open_box(frame, place, &title, theme);
+    let inside = open_dialog(frame, place, &title, theme);
     list.height = usize::from(inside.height);
     let names = presets::ALL
         .iter()
@@ -161,7 +161,7 @@ fn draw_reader(
     list.rows = lines.len().saturating_sub(list.height) + 1;
     list.row = list.row.min(list.rows - 1);
     let more = lines.len() > list.height;
-    let inside = open_box(frame, place, title, theme);
+    let inside = open_dialog(frame, place, title, theme);
     if more {
         let last = (list.row + list.height).min(lines.len());
         let text = format!(" {} to {last} of {} ", list.row + 1, lines.len());

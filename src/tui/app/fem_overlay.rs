@@ -1,4 +1,4 @@
-//! The finite-element curves beside the exact ones.
+//! Finite-element curves, drawn over the exact ones.
 
 use super::Trace;
 use super::curves::traces;
@@ -7,42 +7,42 @@ use crate::worker::{Difference, WitnessAnswer, WitnessMember};
 
 /// Finite-element curves of one state of the model.
 #[derive(Debug)]
-pub struct WitnessPicture {
+pub struct FemPicture {
     /// The model's generation.
     pub generation: u64,
-    /// In the order of the picture's members.
-    pub members: Vec<WitnessCurves>,
+    /// In the order of the members of the picture.
+    pub members: Vec<FemCurves>,
 }
 
 /// Finite-element curves of the model, or of one member of a study.
 #[derive(Debug)]
-pub struct WitnessCurves {
+pub struct FemCurves {
     /// How many elements the beam has.
     pub elements: usize,
     /// Hz.
     pub frequencies: Vec<f64>,
     /// In the order of the model's responses.
     pub traces: Vec<Trace>,
-    /// The largest difference of each to the exact one, if they can be compared.
+    /// The largest difference of each response to the exact solution, if they can be compared.
     pub differences: Vec<Option<Difference>>,
 }
 
-/// Whether there are finite-element curves.
+/// The state of the finite-element overlay.
 #[derive(Debug, Default)]
-pub enum Witness {
-    /// They are not wanted.
+pub enum FemOverlay {
+    /// Off.
     #[default]
     Off,
-    /// They are in work, or wait for the exact ones; with those of before.
-    Waiting(Option<WitnessPicture>),
-    /// They are there.
-    Shown(WitnessPicture),
-    /// There are none, and why.
+    /// In work, or waiting for the exact curves; with the previous ones.
+    Waiting(Option<FemPicture>),
+    /// Solved.
+    Shown(FemPicture),
+    /// Failed, and why.
     Failed(String),
 }
 
-impl Witness {
-    /// Wanted, or not wanted any more; whether they are now.
+impl FemOverlay {
+    /// Turns the overlay on or off; returns whether it is on now.
     pub(super) fn toggle(&mut self) -> bool {
         let wanted = matches!(self, Self::Off);
         *self = if wanted {
@@ -53,7 +53,7 @@ impl Witness {
         wanted
     }
 
-    /// The model has changed: what there is belongs to an older one.
+    /// The model has changed: the curves belong to an older one.
     pub(super) fn outdate(&mut self) {
         *self = match std::mem::take(self) {
             Self::Off => Self::Off,
@@ -63,20 +63,20 @@ impl Witness {
         };
     }
 
-    /// Another model was opened: what there is says nothing of it.
+    /// Another model was opened: the curves do not apply to it.
     pub(super) fn forget(&mut self) {
         if !matches!(self, Self::Off) {
             *self = Self::Waiting(None);
         }
     }
 
-    /// Takes an answer about the model with this generation.
+    /// Stores an answer for the model with this generation.
     pub(super) fn take(&mut self, answer: WitnessAnswer, generation: u64, model: &Checked) {
         if matches!(self, Self::Off) || answer.generation != generation {
             return;
         }
         *self = match answer.result {
-            Ok(members) => Self::Shown(WitnessPicture {
+            Ok(members) => Self::Shown(FemPicture {
                 generation,
                 members: members.into_iter().map(|one| curves(one, model)).collect(),
             }),
@@ -85,7 +85,7 @@ impl Witness {
     }
 
     /// The curves to draw, if there are any.
-    pub fn picture(&self) -> Option<&WitnessPicture> {
+    pub fn picture(&self) -> Option<&FemPicture> {
         match self {
             Self::Off | Self::Failed(_) | Self::Waiting(None) => None,
             Self::Shown(picture) | Self::Waiting(Some(picture)) => Some(picture),
@@ -93,8 +93,8 @@ impl Witness {
     }
 }
 
-fn curves(member: WitnessMember, model: &Checked) -> WitnessCurves {
-    WitnessCurves {
+fn curves(member: WitnessMember, model: &Checked) -> FemCurves {
+    FemCurves {
         elements: member.elements,
         traces: traces(model, &member.frf, Vec::new()),
         frequencies: member.frf.frequencies,

@@ -1,4 +1,4 @@
-//! New subsystems, and names that are not taken.
+//! New subsystems, and unused names.
 
 use std::f64::consts::PI;
 
@@ -31,19 +31,19 @@ pub(super) fn response_names(model: &Model) -> Vec<&str> {
         .collect()
 }
 
-/// A name that is not taken: the wanted one, or with the next free number at its end.
+/// An unused name: the wanted one, or with the next free number at its end.
 pub(super) fn free_name(wanted: &str, taken: &[&str]) -> String {
     if !taken.contains(&wanted) {
         return wanted.to_owned();
     }
     let stem = wanted.trim_end_matches(|c: char| c.is_ascii_digit());
-    // `S1` counts on as `S2`; a name without a number gets one after a space.
+    // `S1` becomes `S2`; a name without a number gets one after a space.
     let stem = if stem.len() < wanted.len() {
         stem.to_owned()
     } else {
         format!("{wanted} ")
     };
-    // One more number than there are names is always free.
+    // Of n + 1 numbers, at least one is unused by n names.
     let numbered = |number: usize| format!("{stem}{number}");
     let free = (2..taken.len() + 2)
         .map(numbered)
@@ -51,7 +51,7 @@ pub(super) fn free_name(wanted: &str, taken: &[&str]) -> String {
     free.unwrap_or_else(|| numbered(taken.len() + 2))
 }
 
-/// A subsystem at mid-span, of a twentieth of the beam's mass, in resonance at the middle of the sweep.
+/// A subsystem at mid-span with 5 % of the beam's mass, in resonance at the middle of the sweep.
 pub(super) fn new_subsystem(model: &Model) -> Subsystem {
     let beam = &model.beam;
     let mass = two_digits(MASS_SHARE * beam.material.density * beam.section.area * beam.length);

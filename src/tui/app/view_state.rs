@@ -1,4 +1,4 @@
-//! What is remembered for the next time: options, and how each model was looked at last.
+//! The stored view state: options, and the last view of each model.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -11,11 +11,11 @@ use crate::tui::tree::{self, Node};
 use crate::tui::user::memory::{Memory, View};
 use crate::unit::{Form, FrequencyUnit};
 
-/// How many open groups are remembered.
+/// The most open groups that are stored.
 const MOST_OPEN: usize = 200;
 
 impl App {
-    /// Takes up what is remembered.
+    /// Restores the stored options and view.
     pub fn recall(&mut self, memory: Memory) {
         if let Some(decibels) = memory.options.decibels {
             self.curves.decibels = decibels;
@@ -29,7 +29,7 @@ impl App {
         self.recall_view();
     }
 
-    /// What is to be remembered, this model's view included.
+    /// The state to be stored, with this model's view.
     pub fn remembered(&self) -> Memory {
         let mut memory = self.memory.clone();
         memory.options = self.turned.clone();
@@ -39,21 +39,21 @@ impl App {
         memory
     }
 
-    /// The next theme.
+    /// Selects the next theme.
     pub(super) fn next_theme(&mut self) {
         self.theme = self.theme.next();
         self.turned.theme = Some(self.theme.word().to_owned());
         self.done(format!("theme: {}", self.theme.name()));
     }
 
-    /// Remembers how the model was looked at, before another one is opened.
-    pub(super) fn remember_view(&mut self) {
+    /// Stores the view of the model, before another one is opened.
+    pub(super) fn store_view(&mut self) {
         if let Some(view) = self.view() {
             self.memory.remember(view);
         }
     }
 
-    /// How the model is looked at; none for one that cannot be known again.
+    /// The view of the model; none if its source has no identity.
     fn view(&self) -> Option<View> {
         let source = key(self.document.source())?;
         let model = Arc::clone(self.document.model());
@@ -84,7 +84,7 @@ impl App {
         })
     }
 
-    /// Looks at the model as it was looked at last.
+    /// Restores the last view of the model.
     pub(super) fn recall_view(&mut self) {
         let view = key(self.document.source()).and_then(|source| self.memory.view(&source));
         let Some(view) = view.cloned() else {
@@ -117,7 +117,7 @@ impl App {
         let possible = |(_, value): &(String, f64)| value.is_normal() && *value > 0.0;
         let references = view.decibel_references.into_iter();
         self.display.decibel_references = references.filter(possible).collect();
-        // There is no reference at the start that a difference could be counted from.
+        // A new session has no reference for a difference.
         let mut views = ChartView::ALL.into_iter();
         self.display.view = views
             .find(|known| view.view.as_deref() == Some(known.name()))
@@ -143,7 +143,7 @@ impl App {
     }
 }
 
-/// How a model is known again; nothing that came through a pipe is.
+/// The identity of a source; a pipe has none.
 fn key(source: &Source) -> Option<String> {
     match source.absolute() {
         Source::File(path) => Some(path.to_str()?.to_owned()),
@@ -152,7 +152,7 @@ fn key(source: &Source) -> Option<String> {
     }
 }
 
-/// A row's label and those of the groups that hold it, from the outermost on.
+/// The labels of a row and of its parents, outermost first.
 fn trail(model: &Model, node: Node) -> Vec<String> {
     let mut trail = node
         .parent()

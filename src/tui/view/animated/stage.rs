@@ -10,7 +10,7 @@ use super::*;
 use crate::files::{Opened, Source};
 use crate::presets;
 use crate::solve::operating::operating;
-use crate::tui::app::Look;
+use crate::tui::app::BeamView;
 use crate::tui::ascii;
 use crate::tui::options::{Environment, Marker, Options};
 
@@ -24,7 +24,7 @@ pub(in crate::tui::view) fn preset(name: &str) -> Model {
 }
 
 /// An app that looks at what a model does at a frequency, Hz.
-pub(in crate::tui::view) fn looking(model: Model, frequency: f64, look: Look) -> App {
+pub(in crate::tui::view) fn looking(model: Model, frequency: f64, look: BeamView) -> App {
     let model = Checked::new(model).unwrap();
     let found = operating(&model, frequency, 101);
     let mut app = App::new(Opened {
@@ -33,9 +33,9 @@ pub(in crate::tui::view) fn looking(model: Model, frequency: f64, look: Look) ->
         source: Source::Stdin,
     });
     app.curves.cursor = Some(frequency);
-    app.looking.look = Some(look);
-    app.looking.operating = Some((Arc::clone(app.model()), Arc::new(found)));
-    app.looking.generation = app.curves.generation;
+    app.beam_view.shown = Some(look);
+    app.beam_view.operating = Some((Arc::clone(app.model()), Arc::new(found)));
+    app.beam_view.generation = app.curves.generation;
     app
 }
 
@@ -60,7 +60,7 @@ pub(in crate::tui::view) fn screen(
 }
 
 /// Draws a panel at sizes from a cell to a large screen, in every set of characters.
-pub(in crate::tui::view) fn draws_at_any_size(draw: Draw, look: Look) {
+pub(in crate::tui::view) fn draws_at_any_size(draw: Draw, look: BeamView) {
     let environment = Environment {
         locale: Some("C.UTF-8".to_owned()),
         ..Environment::default()

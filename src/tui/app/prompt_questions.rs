@@ -1,4 +1,4 @@
-//! What is typed that is no parameter of the model: a frequency, the value of 0 dB, factors, names, files.
+//! Prompts that set no parameter of the model: a frequency, the 0 dB reference, factors, names, files.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -13,58 +13,58 @@ use crate::tui::scene::ChartView;
 use crate::tui::tree;
 use crate::unit::{FrequencyUnit, ValueUnit};
 
-/// More curves than these cannot be told apart.
+/// The most curves that can be distinguished on the chart.
 const MOST_CURVES: usize = 12;
 
-/// What is asked for in a box, beside values of parameters and files of models.
+/// What a prompt asks for, other than values of parameters and paths of models.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Question {
     /// The frequency of the cursor.
     Frequency(FrequencyUnit),
-    /// The value of 0 dB in a unit.
+    /// The 0 dB reference in a unit.
     DecibelReference(String),
     /// Factors or values of a parameter.
     Factors {
-        /// The parameter in words.
+        /// The parameter as text.
         subject: String,
-        /// Which one it is.
+        /// The parameter.
         id: ParameterId,
         /// The unit of its values.
         unit: Unit,
     },
-    /// Another name for the compared entry with this name.
+    /// Another name for the reference or measured curve with this name.
     Name(String),
     /// The file of a model to compare with.
     ReferenceFile,
     /// The file of a measured curve.
     MeasuredFile,
-    /// What the columns of a measured file are.
+    /// The description of the columns of a measured file.
     Columns {
         /// The file.
         path: PathBuf,
-        /// What it does not say, and what it holds, in words.
+        /// What the file lacks and what it holds, as text.
         seen: String,
         /// Its columns and first rows.
         preview: Vec<String>,
     },
-    /// Which curves of a file are shown that holds more than there is room for.
+    /// Which curves to show from a file with more than the limit.
     Curves(Arc<Vec<Curve>>),
-    /// The file to which what is on the screen goes.
+    /// The file for an export of the screen.
     Export,
-    /// Between which bounds a search may move parameters.
+    /// The bounds of a variable.
     Bounds {
-        /// The parameter in words.
+        /// The parameter as text.
         subject: String,
-        /// The paths that move together.
+        /// The paths that change together.
         paths: Vec<Pattern>,
         /// The unit of the bounds.
         unit: Unit,
-        /// The variable that gets other bounds; none for a new one.
+        /// The variable to change; none for a new one.
         index: Option<usize>,
     },
-    /// What is sought.
+    /// The objective of a search.
     Objective {
-        /// The response and the band in words.
+        /// The response and the band as text.
         subject: String,
         /// The response.
         response: String,
@@ -74,7 +74,7 @@ pub enum Question {
 }
 
 impl Question {
-    /// The title of the box, and what may be typed.
+    /// The title of the dialog, and the accepted input.
     pub fn words(&self, complete: &str) -> (String, String) {
         let (title, allowed) = match self {
             Self::Frequency(unit) => (
@@ -143,7 +143,7 @@ impl Question {
         (format!(" {title} "), allowed)
     }
 
-    /// Whether a file's path is typed.
+    /// Whether the input is a path.
     pub(super) fn is_path(&self) -> bool {
         matches!(
             self,
@@ -157,8 +157,8 @@ impl App {
         self.overlay = Some(Overlay::Prompt(Prompt::new(Purpose::Ask(question), text)));
     }
 
-    /// Takes what was typed; what is to be done then.
-    pub(super) fn answer_ask(&mut self, question: &Question, text: &str) -> Vec<Effect> {
+    /// Handles the typed answer; returns the effects.
+    pub(super) fn answer_question(&mut self, question: &Question, text: &str) -> Vec<Effect> {
         let taken = match question {
             Question::Frequency(unit) => self.go_to_frequency(text, *unit),
             Question::DecibelReference(unit) => self.take_decibel_reference(unit, text),
@@ -173,7 +173,7 @@ impl App {
                 }
             }
             Question::Curves(curves) => self.take_chosen(curves, text),
-            Question::Name(old) => self.name_beside(old, text),
+            Question::Name(old) => self.rename_entry(old, text),
             _ if text.is_empty() && question.is_path() => Err("type a file's path".to_owned()),
             Question::ReferenceFile => return vec![Effect::OpenReference(path_of_text(text))],
             Question::MeasuredFile => {
@@ -188,8 +188,8 @@ impl App {
             Ok(()) => {
                 self.overlay = match question {
                     Question::Name(_) => {
-                        let row = self.beside.row_of(text).unwrap_or(0);
-                        Some(Overlay::Beside(List::new(self.beside_rows(), row)))
+                        let row = self.comparison.row_of(text).unwrap_or(0);
+                        Some(Overlay::Comparison(List::new(self.comparison_rows(), row)))
                     }
                     _ => None,
                 };
@@ -202,7 +202,7 @@ impl App {
     fn go_to_frequency(&mut self, text: &str, unit: FrequencyUnit) -> Result<(), String> {
         let frequency = read_frequency(text, unit)?;
         let sweep = self.model().sweep;
-        // What went through another unit may miss an end by a rounding error.
+        // A conversion between units may miss an end by a rounding error.
         let near = frequency.clamp(sweep.from, sweep.to);
         if (frequency - near).abs() > 1e-12 * near || frequency.is_nan() {
             return Err(format!(
@@ -260,7 +260,7 @@ impl App {
         }
     }
 
-    /// Makes a study of what was typed, shows it, and leaves it in the model.
+    /// Adds a study from the typed text to the model, and shows it.
     fn take_factors(&mut self, id: ParameterId, unit: Unit, text: &str) -> Result<(), String> {
         let (operation, values) = read_factors(text, unit)?;
         let now = edit::get(self.model(), id);
@@ -297,7 +297,7 @@ impl App {
     }
 }
 
-/// A name for a study of a path that no other one has.
+/// An unused name for a study of a path.
 fn free_study_name(model: &Model, path: &str) -> String {
     let base = path.replace(['.', '_'], " ");
     let taken = |name: &str| model.studies.iter().any(|study| study.name == name);
@@ -305,11 +305,11 @@ fn free_study_name(model: &Model, path: &str) -> String {
         1 => base.clone(),
         number => format!("{base} {number}"),
     });
-    // Finitely many names are taken.
+    // The number of used names is finite.
     names.find(|name| !taken(name)).unwrap_or_default()
 }
 
-/// A value of 0 dB in a unit: a number, or one with another unit of the same quantity.
+/// A 0 dB reference in a unit: a number, or one with another unit of the same quantity.
 fn read_decibel_reference(text: &str, unit: &str) -> Result<f64, String> {
     let refusal = || {
         entry::decimal_comma(text).unwrap_or_else(|| {
@@ -338,7 +338,7 @@ fn read_factors(text: &str, unit: Unit) -> Result<(Operation, Vec<f64>), String>
     } else {
         unit
     };
-    // Between commas a value may have a unit behind a space.
+    // Between commas, a value may have a unit after a space.
     let commas = rest.contains([',', ';']);
     let parts = |c: char| c == ',' || c == ';' || (!commas && c.is_whitespace());
     let words = rest.split(parts).map(str::trim);
@@ -372,13 +372,13 @@ fn number_of(word: &str, operation: Operation, unit: Unit) -> Result<f64, String
     plain(word, unit).map_err(refusal)
 }
 
-/// A number with or without unit, not a change of another one.
+/// A number with or without unit, but not a relative change.
 fn plain(text: &str, unit: Unit) -> Result<f64, String> {
-    // A change of nothing is no number.
+    // A relative change alone is not a number.
     entry::number(text, f64::NAN, &unit)
 }
 
-/// A typed frequency, Hz: a number in `unit`, or with a unit of its own.
+/// A typed frequency, Hz: a number in `unit`, or with its own unit.
 fn read_frequency(text: &str, unit: FrequencyUnit) -> Result<f64, String> {
     let text = text.trim();
     let own = FrequencyUnit::SHOWN

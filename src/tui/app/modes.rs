@@ -18,7 +18,7 @@ pub struct ModeRow {
     pub damping_ratio: f64,
     /// What kind of motion it is.
     pub kind: ModeKind,
-    /// Who moves.
+    /// The shares of beam and masses in the motion.
     pub shares: Shares,
 }
 
@@ -31,25 +31,25 @@ pub struct ModeList {
     pub to: f64,
     /// By rising frequency.
     pub rows: Vec<ModeRow>,
-    /// Whether these are known to be all.
+    /// Whether the list is known to be complete.
     pub completeness: Completeness,
-    /// How many more they are than in the state of the model before; none where that cannot be compared.
+    /// The change of their number since the previous state of the model; none if it cannot be compared.
     pub change: Option<isize>,
     modes: Arc<Modes>,
 }
 
-/// The modes and what is done with them.
+/// The state of the modes.
 #[derive(Debug, Default)]
-pub struct Modal {
-    /// The modes solved last; they may be older than the model.
+pub struct ModesState {
+    /// The modes solved last, possibly of an older model.
     pub list: Option<ModeList>,
     /// The shape solved last.
     pub shape: Option<Shape>,
-    /// What shape was asked for last.
+    /// The last request for a shape.
     asked: Option<AskedShape>,
 }
 
-/// The question for a shape, with the model that it is about.
+/// A request for a shape, with its model.
 #[derive(Debug)]
 struct AskedShape {
     generation: u64,
@@ -65,7 +65,7 @@ impl AskedShape {
 }
 
 impl ModeList {
-    /// Why a peak may be missing, in words; none where the modes are certain.
+    /// Why a peak may be missing; none if the list is certain.
     pub fn doubt(&self) -> Option<String> {
         match &self.completeness {
             Completeness::Certain => None,
@@ -78,7 +78,7 @@ impl ModeList {
         }
     }
 
-    /// Whether a mode lies in a range that is open.
+    /// Whether a mode is in a range that is not certain.
     pub fn is_open_at(&self, row: &ModeRow) -> bool {
         match &self.completeness {
             Completeness::Open(gaps) => gaps
@@ -89,8 +89,8 @@ impl ModeList {
     }
 }
 
-impl Modal {
-    /// Takes the modes of a newer state of the model, or the same ones with their count.
+impl ModesState {
+    /// Stores the modes of a newer state of the model, or the same modes with their count.
     pub(super) fn take(&mut self, generation: u64, found: ModalModel) {
         let ModalModel { modes, shares } = found;
         let rows: Vec<ModeRow> = modes
@@ -107,9 +107,9 @@ impl Modal {
         let before = self.list.as_ref().filter(|list| list.to == modes.to);
         let more = |before: &ModeList| rows.len().cast_signed() - before.rows.len().cast_signed();
         let change = match before {
-            // A study of the same model says nothing new.
+            // A study of the same model changes nothing.
             Some(before) if Arc::ptr_eq(&before.modes, &modes) => before.change,
-            // The count adds to what changed since the model before.
+            // The count adds to the change since the previous model.
             Some(before) if before.generation == generation => {
                 before.change.map(|change| change + more(before))
             }
@@ -126,8 +126,8 @@ impl Modal {
         });
     }
 
-    /// The request for the shape of a mode of the model with this generation: once each, and again where the count found
-    /// other modes.
+    /// The request for the shape of a mode of the model with this generation: once, and again if the count found other
+    /// modes.
     pub(super) fn want_shape(
         &mut self,
         generation: u64,
@@ -156,22 +156,22 @@ impl Modal {
         })
     }
 
-    /// The generation of the model whose modes are listed.
+    /// The generation of the listed modes.
     pub(super) fn generation(&self) -> Option<u64> {
         self.list.as_ref().map(|list| list.generation)
     }
 
-    /// The modes of the model with this generation, once they are solved and counted.
+    /// The modes of the model with this generation, once solved and counted.
     pub(super) fn counted_modes(&self, generation: u64) -> Option<Arc<Modes>> {
         let list = self.list.as_ref()?;
         let is_counted = list.completeness != Completeness::Uncounted;
         (list.generation == generation && is_counted).then(|| Arc::clone(&list.modes))
     }
 
-    /// Takes a shape, unless another one was asked for since.
+    /// Stores a shape, unless another one was requested since.
     ///
     /// # Errors
-    /// Why there is no shape, in a line.
+    /// Why there is no shape, in one line.
     pub(super) fn take_shape(&mut self, answer: ShapeAnswer) -> Result<(), String> {
         let asked = self.asked.as_ref();
         let Some(asked) = asked.filter(|asked| asked.is(answer.generation, answer.index)) else {

@@ -1,4 +1,4 @@
-//! Other programs: the clipboard, a file that changes, unsaved changes that were found.
+//! Other programs: the clipboard, a changed file, recovered changes.
 
 use crate::model::checked;
 use std::time::Duration;
@@ -54,13 +54,13 @@ fn a_change_of_the_file_is_noticed_once_and_read_as_a_step() {
     assert!(
         matches!(&effects[..], [Effect::Compare { text, .. }] if text == app.document.saved_text())
     );
-    app.reply(Reply::Compared(Outside::Changed));
-    assert_eq!(app.outside, Outside::Changed);
+    app.reply(Reply::Compared(ExternalChange::Changed));
+    assert_eq!(app.external_change, ExternalChange::Changed);
     assert!(
         matches!(&app.message, Some(Message::Refused(text)) if text.contains("changed on disk"))
     );
     app.message = None;
-    app.reply(Reply::Compared(Outside::Changed));
+    app.reply(Reply::Compared(ExternalChange::Changed));
     assert_eq!(app.message, None);
     select(&mut app, "subsystems.S1.mass");
     keys(&mut app, "+");
@@ -74,7 +74,7 @@ fn a_change_of_the_file_is_noticed_once_and_read_as_a_step() {
         text: text.clone(),
         source: Source::File("mine.toml".into()),
     })));
-    assert_eq!(app.outside, Outside::Same);
+    assert_eq!(app.external_change, ExternalChange::Same);
     assert!(!app.document.is_changed());
     assert_eq!(number(&app, "beam.length"), 4.0);
     assert_eq!(app.document.text(), text);
@@ -204,7 +204,7 @@ fn a_save_that_was_given_up_quits_nothing_later() {
 fn a_file_that_is_gone_is_saved_although_nothing_was_changed() {
     let mut app = of_file();
     assert!(keys(&mut app, "s").is_empty());
-    app.reply(Reply::Compared(Outside::Gone));
+    app.reply(Reply::Compared(ExternalChange::Gone));
     assert!(matches!(keys(&mut app, "s")[..], [Effect::Save { .. }]));
 }
 

@@ -1,4 +1,4 @@
-//! What is looked at below the chart: how the beam moves and what acts in it at the cursor, and drawings of it.
+//! The view of the beam below the chart: its motion and internal forces at the cursor, and drawings.
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -7,15 +7,15 @@ use super::request::LastRequest;
 use super::{App, ModeKind};
 use crate::model::Checked;
 use crate::solve::operating::Operating;
-use crate::tui::keys::LookCommand;
+use crate::tui::keys::BeamViewCommand;
 use crate::worker::{OperatingAnswer, OperatingRequest, Request};
 
-/// Frames of a period.
+/// Frames per period.
 const FRAMES: u32 = 24;
 
-/// What shows below the chart.
+/// The kind of view below the chart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Look {
+pub enum BeamView {
     /// The shape of the selected mode.
     Mode,
     /// The operating deflection at the cursor.
@@ -28,45 +28,45 @@ pub enum Look {
     Torque,
     /// The bimoment.
     Bimoment,
-    /// Where power comes from and goes to.
+    /// Power input and dissipation.
     Power,
-    /// The beam with what it carries.
+    /// The beam with supports, loads and subsystems.
     Structure,
     /// The cross-section.
     Section,
 }
 
-/// The moment of its period at which something that oscillates is shown.
+/// The phase of the period at which an oscillation is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Moment {
     /// The frame of the period.
     frame: u32,
-    /// Whether it goes on by itself.
+    /// Whether the animation runs.
     pub runs: bool,
 }
 
-/// What is looked at below the chart.
+/// The state of the view below the chart.
 #[derive(Debug, Default)]
-pub struct Looking {
-    /// What shows.
-    pub look: Option<Look>,
-    /// When in its period.
+pub struct BeamViewState {
+    /// The visible view.
+    pub shown: Option<BeamView>,
+    /// The phase of the animation.
     pub moment: Moment,
-    /// What the beam of a model does at the cursor, as it was solved last.
+    /// The operating state at the cursor that was solved last, with its model.
     pub operating: Option<(Arc<Checked>, Arc<Operating>)>,
-    /// The generation of the model it was solved for.
+    /// The generation of that model.
     pub generation: u64,
-    /// Why nothing is known, where the last question failed.
+    /// Why the last request failed.
     pub failure: Option<String>,
-    /// With the model that it is about.
+    /// The last request, with its model.
     asked: LastRequest<(OperatingKey, Arc<Checked>)>,
 }
 
-/// What was requested: the model's generation, and the frequency, Hz.
+/// The key of a request: the model's generation, and the frequency, Hz.
 type OperatingKey = (u64, f64);
 
-impl Looking {
-    /// Another model was opened: what is known says nothing of it.
+impl BeamViewState {
+    /// Another model was opened: the results do not apply to it.
     pub(super) fn forget(&mut self) {
         self.operating = None;
         self.failure = None;
@@ -75,19 +75,19 @@ impl Looking {
 }
 
 impl Moment {
-    /// One frame further.
+    /// Advances by one frame.
     fn step(&mut self) {
         self.frame = (self.frame + 1) % FRAMES;
     }
 
-    /// The angle of its period that is shown, rad.
+    /// The phase angle shown, rad.
     pub fn angle(self) -> f64 {
         f64::from(self.frame) / f64::from(FRAMES) * TAU
     }
 }
 
-impl Look {
-    /// What a key goes through at the cursor.
+impl BeamView {
+    /// The views that the `operating` key cycles through.
     const OPERATING: [Self; 6] = [
         Self::Deflection,
         Self::Moments,
@@ -97,12 +97,12 @@ impl Look {
         Self::Power,
     ];
 
-    /// Whether it is of one frequency.
+    /// Whether the view shows the state at one frequency.
     pub fn is_operating(self) -> bool {
         Self::OPERATING.contains(&self)
     }
 
-    /// Whether it changes within a period.
+    /// Whether the view changes within a period.
     pub fn moves(self) -> bool {
         self == Self::Mode || (self.is_operating() && self != Self::Power)
     }
@@ -111,125 +111,126 @@ impl Look {
 impl App {
     /// Shows or hides the shape of the selected mode.
     pub(super) fn toggle_shape(&mut self) {
-        let shows = self.looking.look == Some(Look::Mode);
-        self.look_at((!shows).then_some(Look::Mode));
+        let shows = self.beam_view.shown == Some(BeamView::Mode);
+        self.show_beam_view((!shows).then_some(BeamView::Mode));
     }
 
     pub(super) fn next_operating(&mut self) {
-        let place = Look::OPERATING
+        let place = BeamView::OPERATING
             .iter()
-            .position(|look| Some(*look) == self.looking.look);
+            .position(|look| Some(*look) == self.beam_view.shown);
         let next = place.map_or(0, |place| place + 1);
         if place.is_none() && self.curves.cursor.is_none() {
             self.move_cursor(1.0);
         }
-        self.look_at(Look::OPERATING.get(next).copied());
+        self.show_beam_view(BeamView::OPERATING.get(next).copied());
     }
 
     pub(super) fn next_drawing(&mut self) {
-        self.look_at(match self.looking.look {
-            Some(Look::Structure) => Some(Look::Section),
-            Some(Look::Section) => None,
-            _ => Some(Look::Structure),
+        self.show_beam_view(match self.beam_view.shown {
+            Some(BeamView::Structure) => Some(BeamView::Section),
+            Some(BeamView::Section) => None,
+            _ => Some(BeamView::Structure),
         });
     }
 
-    fn look_at(&mut self, look: Option<Look>) {
-        let goes_on = look.is_some_and(Look::moves) && self.looking.look.is_some_and(Look::moves);
+    fn show_beam_view(&mut self, look: Option<BeamView>) {
+        let goes_on =
+            look.is_some_and(BeamView::moves) && self.beam_view.shown.is_some_and(BeamView::moves);
         if !goes_on {
-            self.looking.moment = Moment::default();
+            self.beam_view.moment = Moment::default();
         }
-        self.looking.look = look;
+        self.beam_view.shown = look;
     }
 
-    /// Lets what shows move, or stand still; the selected mode where nothing that moves shows.
+    /// Starts or stops the animation; shows the selected mode if the visible view cannot move.
     pub(super) fn animate(&mut self) {
-        if std::mem::take(&mut self.looking.moment.runs) {
+        if std::mem::take(&mut self.beam_view.moment.runs) {
             return;
         }
-        let look = self.looking.look.filter(|look| look.moves());
-        if look.is_none_or(|look| look == Look::Mode) {
+        let look = self.beam_view.shown.filter(|look| look.moves());
+        if look.is_none_or(|look| look == BeamView::Mode) {
             let row = self.tables.modes.row;
-            let kind = self.modal.list.as_ref().map(|list| list.rows.get(row));
+            let kind = self.modes.list.as_ref().map(|list| list.rows.get(row));
             match kind.map(|row| row.map(|row| row.kind)) {
                 None => return self.refuse("the modes are not solved yet"),
                 Some(None) => return self.refuse("there is no mode to move"),
-                Some(Some(ModeKind::Oscillating)) => self.look_at(Some(Look::Mode)),
+                Some(Some(ModeKind::Oscillating)) => self.show_beam_view(Some(BeamView::Mode)),
                 Some(Some(_)) => return self.refuse("the selected mode does not oscillate"),
             }
         }
-        self.looking.moment.runs = true;
+        self.beam_view.moment.runs = true;
     }
 
     pub(super) fn step_phase(&mut self) {
-        if !self.looking.look.is_some_and(Look::moves) {
+        if !self.beam_view.shown.is_some_and(BeamView::moves) {
             return self.refuse("nothing that moves shows");
         }
-        self.looking.moment.runs = false;
-        self.looking.moment.step();
+        self.beam_view.moment.runs = false;
+        self.beam_view.moment.step();
         self.done(format!("{} deg further in the period", 360 / FRAMES));
     }
 
-    /// A frame further, of what moves by itself.
+    /// Advances the animation by a frame, if it runs.
     pub(super) fn next_frame(&mut self) {
-        if self.looking.moment.runs {
-            self.looking.moment.step();
+        if self.beam_view.moment.runs {
+            self.beam_view.moment.step();
         }
     }
 
-    /// What moves by itself stands still, because the line carries too few frames.
+    /// Stops the animation, because the connection is too slow for it.
     pub fn stop_moving(&mut self) {
-        if std::mem::take(&mut self.looking.moment.runs) {
-            let key = self.keys.key_of(LookCommand::PhaseStep);
+        if std::mem::take(&mut self.beam_view.moment.runs) {
+            let key = self.keys.key_of(BeamViewCommand::PhaseStep);
             self.refuse(format!(
                 "the line is too slow for what moves: {key} goes a step further"
             ));
         }
     }
 
-    /// Whether something on the screen moves by itself.
+    /// Whether something on the screen is animated.
     pub fn moves(&self) -> bool {
-        let shows = match self.looking.look {
-            Some(Look::Mode) => self.mode_oscillates(),
+        let shows = match self.beam_view.shown {
+            Some(BeamView::Mode) => self.mode_oscillates(),
             Some(look) if look.moves() => self.operating().is_some(),
             _ => false,
         };
-        self.looking.moment.runs && self.overlay.is_none() && !self.unseen && shows
+        self.beam_view.moment.runs && self.overlay.is_none() && !self.unseen && shows
     }
 
-    /// Whether the shape that shows is of a mode that oscillates.
+    /// Whether the visible shape is of an oscillating mode.
     fn mode_oscillates(&self) -> bool {
         let oscillates = || {
-            let shape = self.modal.shape.as_ref()?;
-            let row = self.modal.list.as_ref()?.rows.get(shape.mode)?;
+            let shape = self.modes.shape.as_ref()?;
+            let row = self.modes.list.as_ref()?.rows.get(shape.mode)?;
             Some(row.kind == ModeKind::Oscillating)
         };
         oscillates() == Some(true)
     }
 
-    /// What the beam does at the cursor, where that is known and belongs to it.
+    /// The operating state, if it is solved for this model and cursor.
     pub fn operating(&self) -> Option<&Operating> {
-        let (_, operating) = self.looking.operating.as_ref()?;
+        let (_, operating) = self.beam_view.operating.as_ref()?;
         Some(operating)
     }
 
-    /// Whether what is known of the beam at the cursor belongs to an older model or another frequency.
+    /// Whether the operating state is of an older model or another frequency.
     pub fn operating_is_stale(&self) -> bool {
-        self.looking.generation != self.curves.generation
+        self.beam_view.generation != self.curves.generation
             || self.operating().map(|one| one.frequency) != self.curves.cursor
     }
 
-    /// Asks what the beam does at the cursor, if that shows.
+    /// Requests the operating state at the cursor, if it is visible.
     pub(super) fn want_operating(&mut self) -> Option<Request> {
-        self.looking.look.filter(|look| look.is_operating())?;
+        self.beam_view.shown.filter(|look| look.is_operating())?;
         let frequency = self.curves.cursor?;
         let key = (self.curves.generation, frequency);
-        if self.looking.asked.is(|(asked, _)| *asked == key) {
+        if self.beam_view.asked.is(|(asked, _)| *asked == key) {
             return None;
         }
         let (serial, model) = (self.next_serial(), Arc::clone(self.document.model()));
         let asked = (key, Arc::clone(&model));
-        self.looking.asked.sent(serial, asked);
+        self.beam_view.asked.sent(serial, asked);
         Some(Request::Operating(OperatingRequest {
             serial,
             model,
@@ -237,13 +238,13 @@ impl App {
         }))
     }
 
-    /// Takes what was asked last.
+    /// Stores the answer to the last request.
     pub(super) fn take_operating(&mut self, answer: OperatingAnswer) {
-        let Some(((generation, _), model)) = self.looking.asked.answered(answer.serial) else {
+        let Some(((generation, _), model)) = self.beam_view.asked.answered(answer.serial) else {
             return;
         };
-        self.looking.generation = *generation;
-        (self.looking.operating, self.looking.failure) = match answer.result {
+        self.beam_view.generation = *generation;
+        (self.beam_view.operating, self.beam_view.failure) = match answer.result {
             Ok(operating) => (Some((Arc::clone(model), operating)), None),
             Err(reason) => (None, Some(reason)),
         };

@@ -8,7 +8,7 @@ use ratatui::layout::{Constraint, Layout};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::Paragraph;
 
-use super::boxes::{boxed_width, middle, open_box};
+use super::dialogs::{dialog_width, middle, open_dialog};
 use super::text::{cut, width, wrapped};
 use crate::escape::shown_path;
 use crate::tui::app::{List, Lost, Next, ReplaceReason, Rows};
@@ -84,10 +84,10 @@ pub(super) fn draw_recovery(
     theme: Theme,
 ) -> (List, Rows) {
     const WORDS: &str = "A designer ended without saving. Its changes were kept:";
-    let words = wrapped(WORDS, usize::from(boxed_width(frame.area())));
+    let words = wrapped(WORDS, usize::from(dialog_width(frame.area())));
     let place = middle(frame.area(), words.len() + lost.len() + 3);
     let title = format!(" Unsaved changes  {} of {} ", list.row + 1, lost.len());
-    let inside = open_box(frame, place, &title, theme);
+    let inside = open_dialog(frame, place, &title, theme);
     let [head, rows, foot] = Layout::vertical([
         Constraint::Length(words.len() as u16 + 1),
         Constraint::Fill(1),
@@ -135,11 +135,11 @@ fn ago(age: Duration) -> String {
 /// A question with the keys that answer it.
 fn draw(frame: &mut Frame<'_>, title: &str, text: &str, answers: Answers<'_>, theme: Theme) {
     let area = frame.area();
-    let columns = usize::from(boxed_width(area));
+    let columns = usize::from(dialog_width(area));
     let mut lines: Vec<Line<'_>> = wrapped(text, columns).into_iter().map(Line::from).collect();
     lines.push(Line::default());
     lines.push(answer_line(answers, theme));
-    let inside = open_box(frame, middle(area, lines.len()), title, theme);
+    let inside = open_dialog(frame, middle(area, lines.len()), title, theme);
     frame.render_widget(Paragraph::new(lines), inside);
 }
 

@@ -1,4 +1,4 @@
-//! What stands on the chart beside the model: frozen and loaded references, and measured curves.
+//! Curves to compare with the model: frozen and loaded references, and measured curves.
 
 use std::sync::Arc;
 
@@ -7,48 +7,48 @@ use super::request::LastRequest;
 use super::{App, List, Overlay, Picture, Question, Shown, Stage};
 use crate::files::Opened;
 use crate::model::Checked;
-use crate::tui::keys::{BesideCommand, CompareCommand, CurvesCommand};
+use crate::tui::keys::{CompareCommand, ComparisonCommand, CurvesCommand};
 use crate::worker::{ReferenceAnswer, Request, Subject};
 
-/// More references than these cannot be told apart.
+/// The most references that can be distinguished on the chart.
 const MOST_REFERENCES: usize = 8;
 
 /// The curves of another state of the model, or of another model.
 #[derive(Debug)]
 pub struct Reference {
-    /// Its number, never given again.
+    /// A unique number.
     pub id: u64,
     /// Its name in the legend.
     pub name: String,
-    /// The model they are of.
+    /// The model.
     pub model: Arc<Checked>,
-    /// The study whose members they are.
+    /// The study that is shown, if any.
     pub study: Option<usize>,
-    /// The curves; none as long as they are solved.
+    /// The curves; none until they are solved.
     pub picture: Option<Arc<Picture>>,
-    /// Whether they show.
+    /// Whether they are visible.
     pub shown: bool,
-    /// Why there are none.
+    /// Why solving failed.
     pub failure: Option<String>,
-    /// The curves are those of another model than the one it has now.
+    /// Whether the curves belong to the previous model of this reference.
     outdated: bool,
 }
 
 impl Reference {
-    /// Shows another model under a new number: what is there shows until its curves are solved.
+    /// Replaces the model, with a new id: the old curves stay visible until the new ones are solved.
     pub(super) fn renew(&mut self, id: u64, model: Arc<Checked>) {
         (self.id, self.model, self.failure, self.outdated) = (id, model, None, true);
     }
 }
 
-/// What stands on the chart beside the model.
+/// References and measured curves.
 #[derive(Debug, Default)]
-pub struct Beside {
+pub struct Comparison {
     /// Older ones first.
     pub references: Vec<Reference>,
     /// Curves from files.
     pub measured: Vec<Measured>,
-    /// The reference that is being solved.
+    /// The reference in work.
     asked: Option<u64>,
     pub(super) measured_asked: LastRequest<SampleKey>,
     pub(super) sample: Option<Sample>,
@@ -57,23 +57,23 @@ pub struct Beside {
     pub(super) fit_key: Option<FitKey>,
 }
 
-impl Beside {
-    /// The references that show.
+impl Comparison {
+    /// The visible references.
     pub fn shown(&self) -> impl Iterator<Item = &Reference> {
         self.references.iter().filter(|one| one.shown)
     }
 
-    /// The first of them that has curves: differences are to it.
+    /// The first visible reference with curves: the differences are relative to it.
     pub fn first_shown(&self) -> Option<&Reference> {
         self.shown().find(|one| one.picture.is_some())
     }
 
-    /// The numbers of those that show.
+    /// The ids of the visible references.
     pub(super) fn shown_ids(&self) -> Vec<u64> {
         self.shown().map(|one| one.id).collect()
     }
 
-    /// Takes the curves of a loaded model.
+    /// Stores the curves of a reference.
     pub(super) fn take(&mut self, answer: ReferenceAnswer) {
         self.asked = None;
         let mut references = self.references.iter_mut();
@@ -88,7 +88,7 @@ impl Beside {
         }
     }
 
-    /// A name that no entry has: `name`, `name 2`, ...
+    /// The first unused name of `name`, `name 2`, ...
     pub(super) fn free_name(&self, name: &str) -> String {
         let taken = |name: &str| {
             self.references.iter().any(|one| one.name == name)
@@ -96,22 +96,22 @@ impl Beside {
         };
         let numbered = (2..).map(|number| format!("{name} {number}"));
         let mut names = std::iter::once(name.to_owned()).chain(numbered);
-        // Finitely many names are taken.
+        // The number of used names is finite.
         names
             .find(|name| !taken(name))
             .unwrap_or_else(|| name.to_owned())
     }
 }
 
-impl Beside {
-    /// The row of an entry of the list by its name, which no other one has.
+impl Comparison {
+    /// The row of an entry by its unique name.
     pub(super) fn row_of(&self, name: &str) -> Option<usize> {
         let references = self.references.iter().map(|one| &one.name);
         let measured = self.measured.iter().map(|one| &one.name);
         references.chain(measured).position(|known| known == name)
     }
 
-    /// The name of an entry of the list, and whether it shows.
+    /// The name and the visibility of an entry.
     fn entry(&mut self, row: usize) -> Option<(&mut String, &mut bool)> {
         match row.checked_sub(self.references.len()) {
             None => self
@@ -127,9 +127,9 @@ impl Beside {
 }
 
 impl App {
-    /// The model and the references that show, to be solved at the same frequencies.
+    /// The model and the visible references, to be solved at the same frequencies.
     pub(super) fn compared_subjects(&self) -> Vec<Subject> {
-        let references = self.beside.shown().map(|one| Subject {
+        let references = self.comparison.shown().map(|one| Subject {
             generation: one.id,
             model: Arc::clone(&one.model),
             study: one.study,
@@ -137,7 +137,7 @@ impl App {
         std::iter::once(self.subject()).chain(references).collect()
     }
 
-    /// Keeps the curves as a reference.
+    /// Freezes the curves as a reference.
     pub(super) fn freeze(&mut self) {
         let picture = match (&self.curves.shown, self.curves.picture()) {
             (Shown::Picture(_), Some(picture)) => Arc::clone(picture),
@@ -150,14 +150,14 @@ impl App {
         if let Some(name) = self.add_reference("before", model, self.curves.study, Some(picture)) {
             self.document.seal();
             let key = self.keys.key_of(CurvesCommand::Unfreeze);
-            let list = self.keys.key_of(CompareCommand::Beside);
+            let list = self.keys.key_of(CompareCommand::List);
             self.done(format!(
                 "curves frozen as {name}; {key} drops it, {list} lists all"
             ));
         }
     }
 
-    /// Adds a reference; its name, or none where there are too many.
+    /// Adds a reference; returns its name, or none at the limit.
     pub(super) fn add_reference(
         &mut self,
         name: &str,
@@ -165,16 +165,16 @@ impl App {
         study: Option<usize>,
         picture: Option<Arc<Picture>>,
     ) -> Option<String> {
-        if self.beside.references.len() == MOST_REFERENCES {
-            let list = self.keys.key_of(CompareCommand::Beside);
+        if self.comparison.references.len() == MOST_REFERENCES {
+            let list = self.keys.key_of(CompareCommand::List);
             self.refuse(format!(
                 "{MOST_REFERENCES} references are the most: {list} lists them, to drop some"
             ));
             return None;
         }
-        let name = self.beside.free_name(name);
+        let name = self.comparison.free_name(name);
         let id = self.next_serial();
-        self.beside.references.push(Reference {
+        self.comparison.references.push(Reference {
             id,
             name: name.clone(),
             model,
@@ -187,9 +187,9 @@ impl App {
         Some(name)
     }
 
-    /// Drops the newest reference.
+    /// Removes the newest reference.
     pub(super) fn unfreeze(&mut self) {
-        if let Some(dropped) = self.beside.references.pop() {
+        if let Some(dropped) = self.comparison.references.pop() {
             self.done(format!("reference {} dropped", dropped.name));
         } else {
             let key = self.keys.key_of(CurvesCommand::Freeze);
@@ -197,7 +197,7 @@ impl App {
         }
     }
 
-    /// Takes a model that was opened to compare with.
+    /// Adds an opened model as a reference.
     pub(super) fn take_reference(&mut self, opened: Opened) {
         let name = opened.source.name();
         self.overlay = None;
@@ -206,20 +206,20 @@ impl App {
         }
     }
 
-    /// Asks for the curves of a loaded reference that has none, one at a time.
+    /// Requests the curves of a reference that needs them, one at a time.
     pub(super) fn want_reference(&mut self) -> Option<Request> {
-        if self.beside.asked.is_some() {
+        if self.comparison.asked.is_some() {
             return None;
         }
-        let mut references = self.beside.references.iter();
-        // What was frozen before its modes were counted gets that too.
+        let mut references = self.comparison.references.iter();
+        // A reference that was frozen before its modes were counted needs the count, too.
         let lacks = |one: &&Reference| {
             let picture = one.picture.as_ref();
             let lacks = picture.is_none_or(|picture| picture.stage < Stage::Counted);
             (lacks || one.outdated) && one.failure.is_none()
         };
         let one = references.find(lacks)?;
-        self.beside.asked = Some(one.id);
+        self.comparison.asked = Some(one.id);
         Some(Request::Reference(Subject {
             generation: one.id,
             model: Arc::clone(&one.model),
@@ -227,90 +227,94 @@ impl App {
         }))
     }
 
-    /// Lists what stands beside the model.
-    pub(super) fn open_beside(&mut self) {
-        let rows = self.beside_rows();
-        self.overlay = Some(Overlay::Beside(List::new(rows, 0)));
+    /// Opens the list of references and measured curves.
+    pub(super) fn open_comparison(&mut self) {
+        let rows = self.comparison_rows();
+        self.overlay = Some(Overlay::Comparison(List::new(rows, 0)));
     }
 
-    /// How many entries the list has: references, then measured curves.
-    pub(super) fn beside_rows(&self) -> usize {
-        self.beside.references.len() + self.beside.measured.len()
+    /// The number of entries: references, then measured curves.
+    pub(super) fn comparison_rows(&self) -> usize {
+        self.comparison.references.len() + self.comparison.measured.len()
     }
 
-    /// Does what a key asks for in the list.
-    pub(super) fn beside_command(&mut self, command: BesideCommand) {
-        let Some(Overlay::Beside(list)) = &self.overlay else {
+    /// Runs a command of the list.
+    pub(super) fn comparison_command(&mut self, command: ComparisonCommand) {
+        let Some(Overlay::Comparison(list)) = &self.overlay else {
             return;
         };
         let row = list.row;
-        let listed = row < self.beside_rows();
+        let listed = row < self.comparison_rows();
         match command {
-            BesideCommand::Cancel => self.overlay = None,
-            BesideCommand::AddReference => {
+            ComparisonCommand::Cancel => self.overlay = None,
+            ComparisonCommand::AddReference => {
                 self.ask_question(Question::ReferenceFile, String::new());
             }
-            BesideCommand::AddMeasured => self.ask_question(Question::MeasuredFile, String::new()),
-            BesideCommand::Accept | BesideCommand::Rename | BesideCommand::Delete if !listed => {
+            ComparisonCommand::AddMeasured => {
+                self.ask_question(Question::MeasuredFile, String::new());
+            }
+            ComparisonCommand::Accept | ComparisonCommand::Rename | ComparisonCommand::Delete
+                if !listed =>
+            {
                 self.refuse("nothing is listed yet");
             }
-            BesideCommand::Accept => self.turn_beside(row),
-            BesideCommand::Rename => {
-                let name = self.beside_name(row).cloned().unwrap_or_default();
+            ComparisonCommand::Accept => self.toggle_entry(row),
+            ComparisonCommand::Rename => {
+                let name = self.entry_name(row).cloned().unwrap_or_default();
                 self.ask_question(Question::Name(name.clone()), name);
             }
-            BesideCommand::Delete => self.drop_beside(row),
+            ComparisonCommand::Delete => self.remove_entry(row),
         }
     }
 
     /// Shows or hides an entry of the list.
-    fn turn_beside(&mut self, row: usize) {
-        let shown = self.beside.entry(row).map(|(_, shown)| shown);
+    fn toggle_entry(&mut self, row: usize) {
+        let shown = self.comparison.entry(row).map(|(_, shown)| shown);
         if let Some(shown) = shown {
             *shown = !*shown;
         }
     }
 
-    fn beside_name(&mut self, row: usize) -> Option<&String> {
-        self.beside.entry(row).map(|(name, _)| &*name)
+    fn entry_name(&mut self, row: usize) -> Option<&String> {
+        self.comparison.entry(row).map(|(name, _)| &*name)
     }
 
-    fn drop_beside(&mut self, row: usize) {
-        match row.checked_sub(self.beside.references.len()) {
-            None => drop(self.beside.references.remove(row)),
-            Some(measured) => drop(self.beside.measured.remove(measured)),
+    fn remove_entry(&mut self, row: usize) {
+        match row.checked_sub(self.comparison.references.len()) {
+            None => drop(self.comparison.references.remove(row)),
+            Some(measured) => drop(self.comparison.measured.remove(measured)),
         }
-        let rows = self.beside_rows();
-        if let Some(Overlay::Beside(list)) = &mut self.overlay {
-            // The selection stays on its entry where another one was dropped.
+        let rows = self.comparison_rows();
+        if let Some(Overlay::Comparison(list)) = &mut self.overlay {
+            // The selection stays on its entry if another one is removed.
             list.row -= usize::from(row < list.row);
             list.set_rows(rows);
         }
     }
 
-    /// Drops the reference with a number, if there is one.
+    /// Removes the reference with an id, if it exists.
     pub(super) fn drop_reference(&mut self, id: u64) {
-        let mut references = self.beside.references.iter();
+        let mut references = self.comparison.references.iter();
         if let Some(row) = references.position(|one| one.id == id) {
-            self.drop_beside(row);
+            self.remove_entry(row);
         }
     }
 
-    /// Gives an entry of the list another name.
+    /// Renames an entry.
     ///
     /// # Errors
-    /// Why the name is not taken, in a line.
-    pub(super) fn name_beside(&mut self, old: &str, name: &str) -> Result<(), String> {
+    /// Why the name is refused, in one line.
+    pub(super) fn rename_entry(&mut self, old: &str, name: &str) -> Result<(), String> {
         if name.is_empty() {
             return Err("type a name".to_owned());
         }
-        if name != old && self.beside.free_name(name) != name {
+        if name != old && self.comparison.free_name(name) != name {
             return Err(format!("{name} is another one's name"));
         }
-        let Some(row) = self.beside.row_of(old) else {
+        let Some(row) = self.comparison.row_of(old) else {
             return Err(format!("{old} is no longer listed"));
         };
-        if let Some((known, _)) = self.beside.entry(row) {
+        if let Some((known, _)) = self.comparison.entry(row) {
             name.clone_into(known);
         }
         Ok(())

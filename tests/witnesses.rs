@@ -13,10 +13,10 @@ use beamtune::model::{
     Support, Target,
 };
 use beamtune::solve::Cancelled;
-use beamtune::solve::chain::{self, NotApplicable};
 use beamtune::solve::compare::differences;
 use beamtune::solve::fem::{self, FiniteElements};
 use beamtune::solve::sensitivity::Differentiator;
+use beamtune::solve::transfer_matrix::{self, NotApplicable};
 use beamtune::{presets, solve};
 use num_complex::Complex64;
 
@@ -260,7 +260,7 @@ fn elements_that_are_cancelled_give_nothing() {
         fem::sweep(&model, 20, &HERTZ, &AtomicBool::new(true)),
         Err(Cancelled)
     );
-    let cancelled = chain::sweep(&model, &HERTZ, &AtomicBool::new(true));
+    let cancelled = transfer_matrix::sweep(&model, &HERTZ, &AtomicBool::new(true));
     assert_eq!(cancelled, Ok(Err(Cancelled)));
 }
 
@@ -328,7 +328,9 @@ fn natural_frequencies_are_those_of_the_literature_case() {
 /// The least number of right digits of the chain, of all responses, at each frequency.
 fn digits(model: &Model, hertz: &[f64]) -> Vec<f64> {
     let exact = solve::sweep(model, hertz, &never()).unwrap();
-    let frf = chain::sweep(model, hertz, &never()).unwrap().unwrap();
+    let frf = transfer_matrix::sweep(model, hertz, &never())
+        .unwrap()
+        .unwrap();
     let found = differences(model, &exact, &frf);
     (0..hertz.len())
         .map(|row| {
@@ -376,7 +378,7 @@ fn the_chain_agrees_on_presets_at_low_frequencies() {
 
 #[test]
 fn the_chain_says_where_the_papers_formulas_divide_by_zero() {
-    let solve = |model: &Model| chain::sweep(model, &[10.0], &never()).map(|_| ());
+    let solve = |model: &Model| transfer_matrix::sweep(model, &[10.0], &never()).map(|_| ());
     assert_eq!(
         solve(&preset("symmetric_section")),
         Err(NotApplicable::NoOffset)

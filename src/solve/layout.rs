@@ -1,6 +1,6 @@
 //! A model as the two witnesses see it: what lies at which place of the beam, and what is read there.
 //!
-//! Shared by [`fem`](super::fem) and [`chain`](super::chain) and by nothing of the exact solver, whose own `plan`
+//! Shared by [`fem`](super::fem) and [`transfer_matrix`](super::transfer_matrix) and by nothing of the exact solver, whose own `plan`
 //! they are to be independent of.
 
 use num_complex::Complex64;

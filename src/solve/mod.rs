@@ -1,7 +1,7 @@
 //! Exact frequency responses of a checked model: pure numerics, without input or output.
 //!
 //! [`sweep()`] is the entrance. Inside, `plan` lays a model out along x, `attachment` is a subsystem as the beam sees it,
-//! `lanes` the kernel that solves a plan; `solution` is what it gives for a whole model, `limit` finds the value at a
+//! `kernel` the kernel that solves a plan; `solution` is what it gives for a whole model, `limit` finds the value at a
 //! resonance that nothing excites.
 //!
 //! Method: the waves of Chen & Liu, Mathematics 2022, 10(16), 2849, in a recursion of reflections instead of the
@@ -13,7 +13,7 @@
 //! beam does at one frequency: motions, internal forces, power. [`sensitivity`] has the exact derivatives of the responses,
 //! modes and peaks by every parameter. [`form`] brings a response to its six forms.
 //!
-//! Two witnesses of it share none of its formulas: [`fem`], finite elements, and [`chain`], the paper's own product.
+//! Two witnesses of it share none of its formulas: [`fem`], finite elements, and [`transfer_matrix`], the paper's own product.
 //! `layout` lays a model out for both, [`compare`] says how far they are from the exact responses.
 //!
 //! # Example
@@ -41,12 +41,10 @@
 mod attachment;
 pub mod band;
 mod cancelled;
-pub mod chain;
 pub mod compare;
 mod energy;
 pub mod fem;
-mod kept;
-mod lanes;
+mod kernel;
 mod layout;
 mod limit;
 mod linear;
@@ -61,12 +59,14 @@ pub mod sensitivity;
 mod solution;
 mod springs;
 mod sweep;
+mod sweep_cache;
+pub mod transfer_matrix;
 mod waves;
 
 pub use cancelled::Cancelled;
-pub use kept::Kept;
-pub use lanes::{Instructions, Work, work};
+pub use kernel::{Instructions, Work, work};
 pub use reference::Reference;
 #[doc(hidden)]
 pub use sweep::sweep_with;
 pub use sweep::{Column, ColumnKind, Frf, frequencies, sweep, sweep_alone};
+pub use sweep_cache::SweepCache;

@@ -1,7 +1,7 @@
 //! What supports and springs are to the beam, said once for the solver, the count of modes and the derivatives: their
 //! dynamic stiffnesses, and how far the springs of a subsystem are stretched.
 //!
-//! The kernel of `lanes` has the same in its own arithmetic; the two witnesses have words of their own on purpose.
+//! The kernel of `kernel` has the same in its own arithmetic; the two witnesses have words of their own on purpose.
 
 use num_complex::Complex64;
 

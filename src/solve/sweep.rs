@@ -7,7 +7,7 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::Cancelled;
-use super::lanes::{Instructions, MOST_LANES, Prepared, Solver};
+use super::kernel::{Instructions, MOST_LANES, Prepared, Solver};
 use super::limit;
 use super::plan::Plan;
 use crate::model::{Model, Quantity, Response, Spacing, Sweep};

@@ -416,7 +416,7 @@ mod tests {
     fn waves_decay_or_travel_to_the_right() {
         for loss in [0.0, 0.02, 1.5] {
             let beam = BeamConstants::new(&paper_beam(loss, 2.2783e-8, 0.0619));
-            for kappa in crate::solve::lanes::waves(&beam, Complex64::from(600.0)).kappa {
+            for kappa in crate::solve::kernel::waves(&beam, Complex64::from(600.0)).kappa {
                 assert!(
                     kappa.re > 0.0 || (kappa.re == 0.0 && kappa.im > 0.0),
                     "{kappa}"

@@ -2,8 +2,8 @@
 
 use num_complex::Complex64;
 
+use super::candidate::{Candidate, Moved, Slopes};
 use super::search::Function;
-use super::trial::{Moved, Slopes, Trial};
 use crate::model::schema::SubsystemKey;
 use crate::model::{Group, Limit, Model, ParameterId};
 use crate::solve::Cancelled;
@@ -34,18 +34,18 @@ impl Bound {
     }
 
     /// The numbers that must not be above 0; those far below may be left out.
-    pub(super) fn values(&self, trial: &Trial) -> Result<Vec<f64>, Cancelled> {
+    pub(super) fn values(&self, candidate: &Candidate) -> Result<Vec<f64>, Cancelled> {
         Ok(match self {
-            Self::AddedMass { at_most } => vec![added_mass(&trial.model) / at_most - 1.0],
+            Self::AddedMass { at_most } => vec![added_mass(&candidate.model) / at_most - 1.0],
             Self::NoMode { band } => {
                 let inside = |frequency: &f64| depth(*frequency, *band);
-                match intruders(trial, *band)? {
+                match intruders(candidate, *band)? {
                     Some(all) => all.iter().map(inside).collect(),
                     None => vec![f64::INFINITY],
                 }
             }
             Self::StaticDeflection { response, at_most } => {
-                let deflection = at_rest(trial, *response)?.norm();
+                let deflection = at_rest(candidate, *response)?.norm();
                 vec![deflection / at_most - 1.0]
             }
         })
@@ -54,30 +54,30 @@ impl Bound {
     /// The same with derivatives by the coordinates, which move `moved`.
     pub(super) fn functions(
         &self,
-        trial: &Trial,
+        candidate: &Candidate,
         slopes: &Slopes,
         moved: &[Moved],
     ) -> Result<Vec<Function>, Cancelled> {
         Ok(match self {
-            Self::AddedMass { at_most } => vec![added_mass_function(trial, moved, *at_most)],
-            Self::NoMode { band } => modes_in(trial, moved, *band)?,
+            Self::AddedMass { at_most } => vec![added_mass_function(candidate, moved, *at_most)],
+            Self::NoMode { band } => modes_in(candidate, moved, *band)?,
             Self::StaticDeflection { response, at_most } => {
-                vec![deflection(trial, slopes, *response, *at_most)]
+                vec![deflection(candidate, slopes, *response, *at_most)]
             }
         })
     }
 
     /// What a person wants to know: the mass, kg; the frequency of the mode that is deepest in the band or nearest to it,
     /// Hz; the deflection, in the response's unit.
-    pub(super) fn reading(&self, trial: &Trial) -> Result<f64, Cancelled> {
+    pub(super) fn reading(&self, candidate: &Candidate) -> Result<f64, Cancelled> {
         Ok(match self {
-            Self::AddedMass { .. } => added_mass(&trial.model),
+            Self::AddedMass { .. } => added_mass(&candidate.model),
             Self::NoMode { band } => {
-                let all = undamped(&trial.model, SEEN * band[1], trial.cancel)?;
+                let all = undamped(&candidate.model, SEEN * band[1], candidate.cancel)?;
                 let deeper = |a: &f64, b: &f64| depth(*a, *band).total_cmp(&depth(*b, *band));
                 all.into_iter().flatten().max_by(deeper).unwrap_or(f64::NAN)
             }
-            Self::StaticDeflection { response, .. } => at_rest(trial, *response)?.norm(),
+            Self::StaticDeflection { response, .. } => at_rest(candidate, *response)?.norm(),
         })
     }
 }
@@ -98,10 +98,10 @@ fn added_mass(model: &Model) -> f64 {
     model.attached().map(|subsystem| subsystem.mass).sum()
 }
 
-fn added_mass_function(trial: &Trial, moved: &[Moved], at_most: f64) -> Function {
+fn added_mass_function(candidate: &Candidate, moved: &[Moved], at_most: f64) -> Function {
     let is_added = |id: ParameterId| match id.group {
         Group::Subsystem(i) => {
-            id.row == SubsystemKey::Mass as usize && trial.model.subsystems[i].enabled
+            id.row == SubsystemKey::Mass as usize && candidate.model.subsystems[i].enabled
         }
         _ => false,
     };
@@ -110,7 +110,7 @@ fn added_mass_function(trial: &Trial, moved: &[Moved], at_most: f64) -> Function
         masses.map(|(_, rate)| rate / at_most).sum()
     };
     Function {
-        value: added_mass(&trial.model) / at_most - 1.0,
+        value: added_mass(&candidate.model) / at_most - 1.0,
         gradient: moved.iter().map(of).collect(),
     }
 }
@@ -122,11 +122,11 @@ fn depth(frequency: f64, [from, to]: [f64; 2]) -> f64 {
 
 /// The undamped modes in a band (Hz); none where there are too many below its end. Where the count of Wittrick &
 /// Williams is the same at both ends, no search begins.
-fn intruders(trial: &Trial, [from, to]: [f64; 2]) -> Result<Option<Vec<f64>>, Cancelled> {
-    if count(&trial.model, from) == count(&trial.model, to) {
+fn intruders(candidate: &Candidate, [from, to]: [f64; 2]) -> Result<Option<Vec<f64>>, Cancelled> {
+    if count(&candidate.model, from) == count(&candidate.model, to) {
         return Ok(Some(Vec::new()));
     }
-    let all = undamped(&trial.model, to, trial.cancel)?;
+    let all = undamped(&candidate.model, to, candidate.cancel)?;
     let inside = |all: Vec<f64>| {
         let inside = all.into_iter().filter(|one| *one > from && *one < to);
         inside.collect()
@@ -135,11 +135,15 @@ fn intruders(trial: &Trial, [from, to]: [f64; 2]) -> Result<Option<Vec<f64>>, Ca
 }
 
 /// How deep each mode in a band, or within its width on both sides, is in it.
-fn modes_in(trial: &Trial, moved: &[Moved], band: [f64; 2]) -> Result<Vec<Function>, Cancelled> {
+fn modes_in(
+    candidate: &Candidate,
+    moved: &[Moved],
+    band: [f64; 2],
+) -> Result<Vec<Function>, Cancelled> {
     let [from, to] = band;
     let width = to - from;
-    let model = without_damping(&trial.model);
-    let near = modes(&model, to + width, trial.cancel)?;
+    let model = without_damping(&candidate.model);
+    let near = modes(&model, to + width, candidate.cancel)?;
     if near.are_too_many() {
         return Ok(vec![Function::worst(moved.len())]);
     }
@@ -183,18 +187,18 @@ fn lowest(model: &Model) -> Option<f64> {
 }
 
 /// A response at rest; infinite where the beam can move freely.
-pub(super) fn at_rest(trial: &Trial, response: usize) -> Result<Complex64, Cancelled> {
-    let Some(lowest) = lowest(&trial.model) else {
+pub(super) fn at_rest(candidate: &Candidate, response: usize) -> Result<Complex64, Cancelled> {
+    let Some(lowest) = lowest(&candidate.model) else {
         return Ok(Complex64::from(f64::INFINITY));
     };
     let places = [1.0, 2.0, 3.0, 4.0].map(|times| times * lowest);
-    let values = trial.values(response, &places)?;
+    let values = candidate.values(response, &places)?;
     let terms = values.iter().zip(TO_REST);
     Ok(terms.map(|(value, weight)| weight * value).sum())
 }
 
-fn deflection(trial: &Trial, slopes: &Slopes, response: usize, at_most: f64) -> Function {
-    let Some(lowest) = lowest(&trial.model) else {
+fn deflection(candidate: &Candidate, slopes: &Slopes, response: usize, at_most: f64) -> Function {
+    let Some(lowest) = lowest(&candidate.model) else {
         return Function {
             value: f64::INFINITY,
             gradient: slopes.by_coordinate(|_| 0.0),

@@ -26,22 +26,22 @@
 //! assert!(model::read(&better).is_ok());
 //! ```
 
+mod candidate;
 mod coordinates;
-mod figures;
 mod limits;
+mod merit;
+mod objectives;
 mod problem;
 mod report;
-mod robust;
 mod run;
 pub mod search;
 mod spread;
-mod terrain;
-mod trial;
 pub mod words;
+mod worst_case;
 
+pub use merit::MeritFunction;
 pub use problem::{Problem, check_match};
-pub use report::{Achieved, Kept, Moved, WorstCase};
+pub use report::{Achieved, LimitOutcome, Moved, WorstCase};
 pub use run::{Options, Status, Tuned, default_budget, run};
 pub use search::{Phase, Place, Stop};
 pub use spread::{Spread, spread};
-pub use terrain::Terrain;

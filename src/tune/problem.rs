@@ -3,10 +3,10 @@
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
+use super::candidate::{Candidate, Moved};
 use super::coordinates::Coordinate;
-use super::figures::{self, Figure};
 use super::limits::{self, Bound};
-use super::trial::{Moved, Trial};
+use super::objectives::{self, Figure};
 use crate::model::{
     Aim, Combine, Fault, Limit, Model, Objective, Quantity, Response, Tune, check_state, edit, path,
 };
@@ -196,12 +196,12 @@ impl Problem {
     /// The model on trial at a point; `deviation` is how far each variable is from its value, in tolerances: from -1 to
     /// 1, nothing for none. None where the model is impossible, which variables within their bounds may make it together, or
     /// where it has more modes than are listed.
-    pub(super) fn trial<'a>(
+    pub(super) fn candidate<'a>(
         &self,
         x: &[f64],
         deviation: &[f64],
         cancel: &'a AtomicBool,
-    ) -> Result<Option<Trial<'a>>, Cancelled> {
+    ) -> Result<Option<Candidate<'a>>, Cancelled> {
         let mut whole = self.given.clone();
         self.set(&mut whole, x, deviation);
         if !check_state(&whole).is_empty() {
@@ -209,7 +209,7 @@ impl Problem {
         }
         let mut model = self.bare.clone();
         self.set(&mut model, x, deviation);
-        Trial::new(model, self.modes_to, cancel)
+        Candidate::new(model, self.modes_to, cancel)
     }
 
     /// A possible model of the same structure on trial; none where it has more modes than are listed.
@@ -217,7 +217,7 @@ impl Problem {
         &self,
         model: &Model,
         cancel: &'a AtomicBool,
-    ) -> Result<Option<Trial<'a>>, Cancelled> {
+    ) -> Result<Option<Candidate<'a>>, Cancelled> {
         let bare = Model {
             beam: model.beam,
             supports: model.supports,
@@ -225,15 +225,15 @@ impl Problem {
             forces: model.forces.clone(),
             ..self.bare.clone()
         };
-        Trial::new(bare, self.modes_to, cancel)
+        Candidate::new(bare, self.modes_to, cancel)
     }
 
     /// The given model itself on trial; none where it has more modes than are listed.
     pub(super) fn trial_as_given<'a>(
         &self,
         cancel: &'a AtomicBool,
-    ) -> Result<Option<Trial<'a>>, Cancelled> {
-        Trial::new(self.bare.clone(), self.modes_to, cancel)
+    ) -> Result<Option<Candidate<'a>>, Cancelled> {
+        Candidate::new(self.bare.clone(), self.modes_to, cancel)
     }
 
     /// What each coordinate moves at a point, and how fast.
@@ -334,7 +334,7 @@ fn restless(model: &Model, tune: &Tune) -> Vec<Fault> {
         };
         let place = format!("tune.limits.{}", index + 1);
         let of = model.responses.iter().find(|one| one.name == *response);
-        if !of.is_some_and(|one| figures::is_displacement(&one.quantity)) {
+        if !of.is_some_and(|one| objectives::is_displacement(&one.quantity)) {
             let message = format!("{response:?} is no displacement; must be one");
             faults.push(Fault::new(&place, message));
         }

@@ -4,12 +4,12 @@ use std::sync::atomic::AtomicBool;
 
 use fastrand::Rng;
 
+use super::candidate::Candidate;
+use super::merit::figures_at;
 use super::problem::{Aimed, Problem};
-use super::robust::{corners, uncertain};
 use super::run::place;
 use super::search::{Certainty, Merit, Place};
-use super::terrain::figures_at;
-use super::trial::Trial;
+use super::worst_case::{corners, uncertain};
 use crate::model::path::Pattern;
 use crate::model::{Limit, Objective};
 use crate::solve::Cancelled;
@@ -48,7 +48,7 @@ pub struct Moved {
 
 /// What a limit says of the tuned model.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Kept {
+pub struct LimitOutcome {
     /// The limit.
     pub limit: Limit,
     /// The mass, kg; the natural frequency that lies deepest in the band or nearest to it, Hz (NaN where there is none near);
@@ -74,15 +74,18 @@ pub struct WorstCase {
 }
 
 /// What each objective is on a model on trial.
-pub(super) fn achieved(problem: &Problem, trial: &Trial) -> Result<Vec<Achieved>, Cancelled> {
+pub(super) fn achieved(
+    problem: &Problem,
+    candidate: &Candidate,
+) -> Result<Vec<Achieved>, Cancelled> {
     /// As near as two ways to a peak come.
     const NEAR: f64 = 1e-6;
     let of = |aimed: &Aimed| {
-        let read = aimed.figure.read(trial)?;
-        let highest = aimed.figure.highest(trial)?;
+        let read = aimed.figure.read(candidate)?;
+        let highest = aimed.figure.highest(candidate)?;
         Ok(Achieved {
             objective: aimed.objective.clone(),
-            unit: aimed.figure.unit(&trial.model),
+            unit: aimed.figure.unit(&candidate.model),
             // A pole is infinite even where the response does not move in its mode but by rounding.
             overlooked: Some(highest)
                 .filter(|level| level.is_finite() && *level > read.figure * (1.0 + NEAR)),
@@ -117,16 +120,19 @@ pub(super) fn moved(problem: &Problem, x: &[f64], certainty: &Certainty) -> Vec<
 }
 
 /// What each limit says of a model on trial.
-pub(super) fn kept(problem: &Problem, trial: &Trial) -> Result<Vec<Kept>, Cancelled> {
+pub(super) fn kept(
+    problem: &Problem,
+    candidate: &Candidate,
+) -> Result<Vec<LimitOutcome>, Cancelled> {
     /// What rounding of a search that ends on a limit leaves.
     const ROUNDING: f64 = 1e-9;
     let limits = problem.tune().limits.iter().zip(&problem.bounds);
     limits
         .map(|(limit, bound)| {
-            let values = bound.values(trial)?;
-            Ok(Kept {
+            let values = bound.values(candidate)?;
+            Ok(LimitOutcome {
                 limit: limit.clone(),
-                value: bound.reading(trial)?,
+                value: bound.reading(candidate)?,
                 holds: values.iter().all(|value| *value <= ROUNDING),
             })
         })

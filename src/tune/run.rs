@@ -2,12 +2,12 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::figures::{Figure, Matching};
+use super::merit::{Matched, MeritFunction};
+use super::objectives::{Figure, Matching};
 use super::problem::Problem;
-use super::report::{Achieved, Kept, Moved, WorstCase, achieved, kept, moved, worst_case};
-use super::robust::uncertain;
+use super::report::{Achieved, LimitOutcome, Moved, WorstCase, achieved, kept, moved, worst_case};
 use super::search::{self, Certainty, Control, Phase, Place, Progress, Stop, fit, minimise};
-use super::terrain::{Matched, Terrain};
+use super::worst_case::uncertain;
 use crate::model::Model;
 use crate::solve::Cancelled;
 
@@ -52,7 +52,7 @@ pub struct Tuned {
     /// Each variable.
     pub variables: Vec<Moved>,
     /// Each limit, of the tuned model.
-    pub limits: Vec<Kept>,
+    pub limits: Vec<LimitOutcome>,
     /// Where variables have tolerances, the worst over them.
     pub worst_case: Option<WorstCase>,
     /// Models evaluated.
@@ -88,15 +88,15 @@ pub fn run(
         .budget
         .unwrap_or_else(|| default_budget(problem.variables()));
     let in_words = |cancelled: Cancelled| cancelled.to_string();
-    let scaled = Terrain::new(problem, &start, &never).map_err(in_words)?;
-    let terrain = scaled.until(cancel);
+    let scaled = MeritFunction::new(problem, &start, &never).map_err(in_words)?;
+    let merit_function = scaled.until(cancel);
     let mut search = Search {
-        terrain: &terrain,
+        merit_function: &merit_function,
         options: *options,
         budget,
         evaluations: 0,
         tell,
-        start: terrain.start,
+        start: merit_function.start,
     };
     let found = match only_curve(problem) {
         Some(curve) => search.fit(curve, &start),
@@ -142,7 +142,7 @@ struct Found {
 
 /// A search on its way.
 struct Search<'a> {
-    terrain: &'a Terrain<'a>,
+    merit_function: &'a MeritFunction<'a>,
     options: Options,
     budget: usize,
     evaluations: usize,
@@ -153,18 +153,18 @@ struct Search<'a> {
 
 impl Search<'_> {
     fn minimise(&mut self, start: &[f64], budget: usize) -> Found {
-        let terrain = self.terrain;
-        let figure = |goal: f64| terrain.figure(goal);
+        let merit_function = self.merit_function;
+        let figure = |goal: f64| merit_function.figure(goal);
         let options = search::Options {
             seed: self.options.seed,
         };
         let mut tell = self.teller(&figure, f64::INFINITY);
         let control = Control {
-            cancel: terrain.cancel,
+            cancel: merit_function.cancel,
             budget,
             tell: &mut tell,
         };
-        let outcome = minimise(terrain, start, options, control);
+        let outcome = minimise(merit_function, start, options, control);
         drop(tell);
         self.evaluations += outcome.evaluations;
         Found {
@@ -195,16 +195,23 @@ impl Search<'_> {
     }
 
     fn descend(&mut self, curve: &Matching, start: &[f64], best: f64) -> Found {
-        let terrain = self.terrain;
+        let merit_function = self.merit_function;
         let figure = |sum: f64| curve.of_squares(sum);
         let budget = self.budget.saturating_sub(self.evaluations);
         let mut tell = self.teller(&figure, best);
         let control = Control {
-            cancel: terrain.cancel,
+            cancel: merit_function.cancel,
             budget,
             tell: &mut tell,
         };
-        let estimate = fit(&Matched { terrain, curve }, start, control);
+        let estimate = fit(
+            &Matched {
+                merit_function,
+                curve,
+            },
+            start,
+            control,
+        );
         drop(tell);
         self.evaluations += estimate.evaluations;
         Found {
@@ -229,7 +236,7 @@ impl Search<'_> {
                 start: self.start,
                 best: figure(progress.merit.goal).min(best),
                 is_possible: progress.merit.is_possible(),
-                model: self.terrain.problem.tuned(&progress.best),
+                model: self.merit_function.problem.tuned(&progress.best),
             };
             (self.tell)(&status);
         }
@@ -244,16 +251,16 @@ fn report(
     never: &AtomicBool,
 ) -> Result<Option<Tuned>, Cancelled> {
     let given = problem.trial_as_given(never)?;
-    let trial = problem.trial_of(&problem.tuned(&found.x), never)?;
-    let Some((given, trial)) = given.zip(trial) else {
+    let candidate = problem.trial_of(&problem.tuned(&found.x), never)?;
+    let Some((given, candidate)) = given.zip(candidate) else {
         return Ok(None);
     };
     Ok(Some(Tuned {
         model: problem.tuned(&found.x),
         before: achieved(problem, &given)?,
-        after: achieved(problem, &trial)?,
+        after: achieved(problem, &candidate)?,
         variables: moved(problem, &found.x, &found.certainty),
-        limits: kept(problem, &trial)?,
+        limits: kept(problem, &candidate)?,
         worst_case: if uncertain(problem).is_empty() {
             None
         } else {

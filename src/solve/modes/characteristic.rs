@@ -3,17 +3,17 @@
 //! With the state (q, p) carried from the six solutions that the left support allows to the six equations of the right
 //! one, the determinant of these equations times the determinants of the blocked masses is an entire function of omega
 //! whose zeros are the natural frequencies, as often as they occur: real without damping, complex with it. The
-//! recursion of reflections (see [`lanes`](super::super::lanes)) gives it as a product of small determinants,
+//! recursion of reflections (see [`kernel`](super::super::kernel)) gives it as a product of small determinants,
 //!
 //! `F = det(left) det(right) prod(omega^4 m^2 det(station)) exp(L sum kappa) / (det[Q; M] det[S; P])`
 //!
 //! in which the choice of each wave's sign and scale cancels. No growing exponential occurs in a factor. The kernel of
-//! the sweeps computes it at several frequencies at once (see [`lanes`](super::super::lanes)).
+//! the sweeps computes it at several frequencies at once (see [`kernel`](super::super::kernel)).
 
 use num_complex::Complex64;
 use rayon::prelude::*;
 
-use super::super::lanes::{MOST_LANES, Prepared, Solver, waves};
+use super::super::kernel::{MOST_LANES, Prepared, Solver, waves};
 use super::super::linear::Magnified;
 use super::super::plan::Plan;
 use crate::model::Model;

@@ -10,13 +10,13 @@ use std::sync::atomic::{AtomicBool, AtomicUsize};
 use num_complex::Complex64;
 use rayon::prelude::*;
 
+use super::aberth::Tracker;
+use super::argument_principle::{Remainder, Unsettled};
 use super::blocked::Blocked;
 use super::characteristic::{Characteristic, inverse};
-use super::contour::{Remainder, Unsettled};
 use super::eigenspace::{Circle, roots_inside};
 use super::neighbours::{neighbours, with_images};
 use super::regions::Regions;
-use super::tracker::Tracker;
 use super::types::{Completeness, Mode, ModeKind};
 use super::{is_hysteretic, rigid, with_damping_times};
 use crate::model::Model;

@@ -18,7 +18,7 @@ use super::pencil::{Pair, pairs};
 use crate::model::{
     BeamMotion, Force, MassMotion, Measure, Model, Place, Quantity, Response, Target,
 };
-use crate::solve::lanes::{Prepared, Solver, waves};
+use crate::solve::kernel::{Prepared, Solver, waves};
 use crate::solve::plan::Plan;
 use crate::solve::quadrature::{Node, nodes};
 use crate::solve::waves::BeamConstants;

@@ -9,17 +9,18 @@
 //! separates them into `motion`s, and `orthogonal` makes these bi-orthogonal. `shape` is what people see, with the
 //! integrals along the beam.
 
+mod aberth;
+mod argument_principle;
 mod blocked;
 mod bound;
 mod bracket;
 mod characteristic;
-mod contour;
-mod count;
 mod damped;
+mod dynamic_stiffness;
 mod eigenspace;
 mod group;
-mod inertia;
 mod loads;
+mod matrix_inertia;
 mod motion;
 mod neighbours;
 mod orthogonal;
@@ -29,11 +30,10 @@ mod regions;
 mod rigid;
 mod series;
 mod shape;
-mod span;
 mod station;
-mod tracker;
 mod types;
 mod undamped;
+mod wittrick_williams;
 
 use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
@@ -55,7 +55,7 @@ pub fn count(model: &Model, frequency: f64) -> usize {
     if bound::is_beyond(model, omega) {
         return usize::MAX;
     }
-    count::Counter::new(model).below(omega)
+    wittrick_williams::Counter::new(model).below(omega)
 }
 
 /// All undamped natural frequencies up to `to` (Hz, > 0), in Hz, rising, as often as they occur; rigid-body modes are
@@ -159,7 +159,7 @@ pub fn follow(model: &Model, before: &Modes, cancel: &AtomicBool) -> Result<Mode
     }
     let moving = moving(before);
     if is_damped(model) && !moving.is_empty() {
-        let counter = count::Counter::new(model);
+        let counter = wittrick_williams::Counter::new(model);
         let search = damped::Search::new(model, counter.rigid(), TAU * before.to, cancel);
         let followed = collected(&counter, before.to, &search.follow(&moving)?);
         if balance(&followed) == balance(before) {
@@ -203,7 +203,7 @@ pub fn certify(model: &Model, found: &Modes, cancel: &AtomicBool) -> Result<Mode
             return Ok(found.clone());
         }
     }
-    let counter = count::Counter::new(model);
+    let counter = wittrick_williams::Counter::new(model);
     let search = damped::Search::new(model, counter.rigid(), TAU * found.to, cancel);
     let counted = search.certify(&moving(found), TAU * found.to)?;
     let counted = match counted.completeness {
@@ -243,7 +243,7 @@ fn moving(list: &Modes) -> Vec<Mode> {
 }
 
 /// The rigid-body modes and those found, parted at `to`, Hz.
-fn collected(counter: &count::Counter, to: f64, found: &damped::Found) -> Modes {
+fn collected(counter: &wittrick_williams::Counter, to: f64, found: &damped::Found) -> Modes {
     let still = Mode {
         omega: num_complex::Complex64::ZERO,
         kind: ModeKind::RigidBody,

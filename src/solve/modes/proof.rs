@@ -8,7 +8,7 @@
 use num_complex::Complex64;
 use rayon::prelude::*;
 
-use super::contour::Unsettled;
+use super::argument_principle::Unsettled;
 use super::damped::{CLOSE, OVERDAMPED, Search};
 use super::eigenspace::Circle;
 use super::neighbours::{Neighbours, neighbours, with_images};

@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
-use super::contour::{COUNTED_ANGLES, Sector, Unsettled};
+use super::argument_principle::{COUNTED_ANGLES, Sector, Unsettled};
 use super::damped::Search;
 use super::eigenspace::Circle;
 use super::types::Gap;

@@ -3,7 +3,7 @@
 //! Forces follow from what the inertia took on the way (`S' = -(m w + d psi)`, `T' = -(d w + b psi)`) and not from
 //! third derivatives: so nothing cancels where the span moves as a rigid body.
 
-use super::span::{Field, Transfer};
+use super::dynamic_stiffness::{Field, Transfer};
 
 /// Terms of the power series: 1.5^26 / 26! is below 1e-22.
 const TERMS: usize = 26;

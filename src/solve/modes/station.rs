@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Matrix6, SymmetricEigen, Vector3, Vector6};
 
-use super::inertia::eliminate;
+use super::matrix_inertia::eliminate;
 use super::rigid::RigidMotion;
 use crate::model::{BeamMotion, Elastic, Restraint, Subsystem, Support};
 use crate::solve::springs::{Stretch, restraint_stiffness, rows};

@@ -2,8 +2,8 @@ use num_complex::Complex64;
 use proptest::prelude::*;
 
 use super::characteristic::Characteristic;
-use super::count::Counter;
 use super::without_damping;
+use super::wittrick_williams::Counter;
 use crate::model::{
     Beam, Elastic, Material, Model, Restraint, Section, Spacing, Spring, Subsystem, Support,
     Supports, Sweep,

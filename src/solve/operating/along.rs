@@ -3,7 +3,7 @@
 use num_complex::Complex64;
 
 use crate::model::{BeamMotion, Model, Restraint, Support};
-use crate::solve::lanes::Prepared;
+use crate::solve::kernel::Prepared;
 use crate::solve::linear::ZERO;
 use crate::solve::local::Local;
 use crate::solve::plan::Plan;

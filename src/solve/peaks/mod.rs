@@ -10,7 +10,7 @@
 
 mod fit;
 mod grid;
-mod lacks;
+mod missing_points;
 mod resolve;
 mod table;
 

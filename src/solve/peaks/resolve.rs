@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::fit::{Sample, samples};
 use super::grid::{Feature, Mark, by_centre, in_order, is_on_pole, missing};
-use super::lacks::{Lacks, hidden};
+use super::missing_points::{MissingPoints, hidden};
 use super::{centre, half_width};
 use crate::model::Model;
 use crate::solve::modes::{ModeKind, Modes};
@@ -109,9 +109,9 @@ fn next_points(frf: &Frf, modes: &[Feature], most: usize) -> Vec<f64> {
         .par_iter()
         .map(|column| (column.kind, samples(&frf.frequencies, column)))
         .collect();
-    let lacks: Vec<Lacks> = curves
+    let lacks: Vec<MissingPoints> = curves
         .par_iter()
-        .map(|(kind, samples)| Lacks::new(*kind, samples, modes, most))
+        .map(|(kind, samples)| MissingPoints::new(*kind, samples, modes, most))
         .collect();
     let unsettled: Vec<Mark> = lacks.iter().flat_map(|l| l.extrema.concat()).collect();
     if !unsettled.is_empty() {

@@ -3,7 +3,7 @@
 use num_complex::Complex64;
 
 use crate::model::{BeamMotion, Measure, Model, Place, Quantity, Target};
-use crate::solve::lanes::Prepared;
+use crate::solve::kernel::Prepared;
 use crate::solve::linear::ZERO;
 use crate::solve::plan::{Event, Output, Plan};
 

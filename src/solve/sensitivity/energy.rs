@@ -16,7 +16,7 @@ use super::product::Product;
 use super::{Differentiator, Gradient, forces, mass_stations};
 use crate::model::Model;
 use crate::solve::energy::{SpanEnergy, Sum};
-use crate::solve::lanes::Prepared;
+use crate::solve::kernel::Prepared;
 use crate::solve::linear::ZERO;
 use crate::solve::plan::{Event, Plan};
 use crate::solve::quadrature::{Node, nodes};

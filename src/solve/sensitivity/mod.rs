@@ -12,19 +12,19 @@ mod effect;
 mod energy;
 mod field;
 mod forces;
-mod lack;
 mod mean_square;
 mod mode;
 mod overlap;
 mod parameters;
 mod peak;
 mod product;
+mod unavailable;
 
 use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
-use super::lanes::Prepared;
+use super::kernel::Prepared;
 use super::linear::ZERO;
 use super::plan::{Event, Plan};
 use super::solution::Solution;
@@ -34,13 +34,13 @@ pub use effect::{Figure, Sensitivity, effects};
 use adjoint::{Adjoint, Motion, Reading, factor};
 use field::{Field, Reader, Setting};
 use forces::Force;
-pub use lack::lack;
 pub use mean_square::MeanSquareGradient;
 pub use mode::ModeGradient;
 use overlap::Spans;
 use parameters::Parameters;
 pub use peak::PeakGradient;
 use product::Product;
+pub use unavailable::unavailable;
 
 /// The derivatives of one response at one frequency.
 #[derive(Debug, Clone, PartialEq)]

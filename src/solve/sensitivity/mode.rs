@@ -15,7 +15,7 @@ use super::overlap::Spans;
 use super::product::Product;
 use super::{Differentiator, mass_stations};
 use crate::model::{Force, Model};
-use crate::solve::lanes::{Prepared, waves};
+use crate::solve::kernel::{Prepared, waves};
 use crate::solve::linear::ZERO;
 use crate::solve::modes::{Group, ModeKind, Modes, eigenvalues};
 use crate::solve::plan::Plan;

@@ -11,7 +11,7 @@ use num_complex::Complex64;
 
 use super::Differentiator;
 use super::adjoint::Adjoint;
-use crate::solve::lanes::Solver;
+use crate::solve::kernel::Solver;
 use crate::solve::linear::ZERO;
 
 /// Chebyshev points of an interval.

@@ -2,8 +2,8 @@
 
 use fastrand::Rng;
 
-use super::global::{Known, Share, evolve};
-use super::ledger::Ledger;
+use super::budget::Budget;
+use super::differential_evolution::{Known, Share, evolve};
 use super::local;
 use super::types::{Control, Landscape, Merit, Options, Outcome, Phase, Stop};
 
@@ -22,16 +22,16 @@ pub fn minimise<'a>(
     control: Control<'a>,
 ) -> Outcome {
     let start: Vec<f64> = start.iter().map(|x| x.clamp(0.0, 1.0)).collect();
-    let mut ledger = Ledger::new(landscape, &start, control);
-    let first = ledger.merits(std::slice::from_ref(&start), Phase::Start);
+    let mut budget = Budget::new(landscape, &start, control);
+    let first = budget.merits(std::slice::from_ref(&start), Phase::Start);
     let merit = first.first().copied().unwrap_or(Merit::WORST);
     let stop = if start.is_empty() {
         Stop::Converged
     } else {
         let seed = Known { x: start, merit };
-        rounds(&mut ledger, &mut Rng::with_seed(options.seed), seed)
+        rounds(&mut budget, &mut Rng::with_seed(options.seed), seed)
     };
-    outcome(&ledger, merit, stop)
+    outcome(&budget, merit, stop)
 }
 
 /// Walks downhill from a start only, with derivatives: what it finds is the least nearby.
@@ -39,16 +39,16 @@ pub fn minimise<'a>(
 /// As of [`minimise`], the result is never worse than the start.
 pub fn descend<'a>(landscape: &'a dyn Landscape, start: &[f64], control: Control<'a>) -> Outcome {
     let start: Vec<f64> = start.iter().map(|x| x.clamp(0.0, 1.0)).collect();
-    let mut ledger = Ledger::new(landscape, &start, control);
-    let first = ledger.merits(std::slice::from_ref(&start), Phase::Start);
+    let mut budget = Budget::new(landscape, &start, control);
+    let first = budget.merits(std::slice::from_ref(&start), Phase::Start);
     let merit = first.first().copied().unwrap_or(Merit::WORST);
-    let reason = local::descend(&mut ledger, vec![start]);
-    let stop = ledger.ended().or(reason).unwrap_or(Stop::Converged);
-    outcome(&ledger, merit, stop)
+    let reason = local::descend(&mut budget, vec![start]);
+    let stop = budget.ended().or(reason).unwrap_or(Stop::Converged);
+    outcome(&budget, merit, stop)
 }
 
-fn outcome(ledger: &Ledger<'_>, start: Merit, stop: Stop) -> Outcome {
-    let best = ledger.best();
+fn outcome(budget: &Budget<'_>, start: Merit, stop: Stop) -> Outcome {
+    let best = budget.best();
     Outcome {
         x: best.best.clone(),
         merit: best.merit,
@@ -59,21 +59,21 @@ fn outcome(ledger: &Ledger<'_>, start: Merit, stop: Stop) -> Outcome {
 }
 
 /// Global and local search in turn, the first from the start, until turns find nothing better.
-fn rounds(ledger: &mut Ledger<'_>, random: &mut Rng, start: Known) -> Stop {
+fn rounds(budget: &mut Budget<'_>, random: &mut Rng, start: Known) -> Stop {
     /// Turns in a row that may find nothing.
     const PATIENCE: usize = 2;
     let mut seeds = vec![start];
     let mut stop = Stop::NotFinite;
     let mut fruitless = 0;
     while fruitless < PATIENCE {
-        let before = ledger.best().merit;
-        let population = evolve(ledger, random, &seeds, share(ledger));
-        let starts = distinct(&seeds, &population, walks(ledger));
-        let reason = local::descend(ledger, starts);
-        if let Some(reason) = ledger.ended() {
+        let before = budget.best().merit;
+        let population = evolve(budget, random, &seeds, share(budget));
+        let starts = distinct(&seeds, &population, walks(budget));
+        let reason = local::descend(budget, starts);
+        if let Some(reason) = budget.ended() {
             return reason;
         }
-        if is_better(ledger.best().merit, before) {
+        if is_better(budget.best().merit, before) {
             fruitless = 0;
             stop = reason.unwrap_or(stop);
         } else {
@@ -89,8 +89,8 @@ fn rounds(ledger: &mut Ledger<'_>, random: &mut Rng, start: Known) -> Stop {
 }
 
 /// What the global search of a turn may use.
-fn share(ledger: &Ledger<'_>) -> Share {
-    let (variables, left) = (ledger.variables(), ledger.left());
+fn share(budget: &Budget<'_>) -> Share {
+    let (variables, left) = (budget.variables(), budget.left());
     // Downhill takes some tens of evaluations a variable; what a small budget leaves beside that is for looking around.
     let part = if left < 50 * variables { 4 } else { 2 };
     let evaluations = left / part;
@@ -101,9 +101,9 @@ fn share(ledger: &Ledger<'_>) -> Share {
 }
 
 /// How many walks downhill the rest of the budget is good for.
-fn walks(ledger: &Ledger<'_>) -> usize {
+fn walks(budget: &Budget<'_>) -> usize {
     const MOST: usize = 6;
-    (ledger.left() / (20 * ledger.variables())).clamp(1, MOST)
+    (budget.left() / (20 * budget.variables())).clamp(1, MOST)
 }
 
 /// The points to go downhill from: the best ones that lie apart, and the seeds.

@@ -3,20 +3,20 @@
 //! [`minimise`] looks all over the box first and goes downhill from the best points then, [`descend`] only goes downhill;
 //! [`fit`] is least squares with the uncertainty of what it finds.
 
-mod certainty;
-mod descent;
-mod global;
+mod budget;
+mod covariance;
+mod differential_evolution;
 mod hessian;
-mod ledger;
+mod least_squares;
 mod local;
 mod minimise;
 mod pairing;
-mod quadratic;
-mod squares;
+mod qp;
+mod sqp;
 mod types;
 
+pub use least_squares::fit;
 pub use minimise::{descend, minimise};
-pub use squares::fit;
 pub use types::{
     Certainty, Control, Estimate, Evaluation, Fit, Function, Landscape, Merit, Options, Outcome,
     Phase, Place, Progress, Residuals, Stop,

@@ -2,7 +2,7 @@
 
 use nalgebra::DVector;
 
-use super::quadratic::slope_along;
+use super::qp::slope_along;
 use super::types::Function;
 
 /// For each function at the end of a step the index of the same one at its start, where there is one.

@@ -1,0 +1,110 @@
+//! The widest band below a level.
+
+use super::super::candidate::{Candidate, Slopes, growth};
+use super::super::search::Function;
+use super::curve::{Curve, Turn};
+use super::{Band, Read};
+use crate::solve::Cancelled;
+
+/// What the widest band below a level leaves of the whole band, Hz.
+///
+/// Where nothing is below the level it is the whole band times 1 + ln(min |H| / level): continuous where the curve
+/// touches the level, and with a direction above it.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::tune) struct Width {
+    pub(super) response: usize,
+    pub(super) band: Band,
+    /// The level, in the response's unit.
+    pub(super) below: f64,
+}
+
+/// What of a curve is below the level.
+enum Found {
+    /// The widest band below it, Hz.
+    Widest([f64; 2]),
+    /// Nothing: where the lowest point is, Hz, and how high.
+    Nothing(f64, f64),
+}
+
+impl Width {
+    /// The figure, and the ends of the widest band or the frequency of the lowest point.
+    pub(super) fn read(&self, candidate: &Candidate) -> Result<Read, Cancelled> {
+        let whole = self.band[1] - self.band[0];
+        Ok(match self.find(candidate)? {
+            Found::Widest([from, to]) => Read {
+                figure: whole - (to - from),
+                places: vec![from, to],
+            },
+            Found::Nothing(at, least) => Read {
+                figure: whole * (1.0 + (least / self.below).ln()),
+                places: vec![at],
+            },
+        })
+    }
+
+    /// The figure with its derivatives: an edge f of |H(f, p)| = level moves by -(d|H|/dp) / (d|H|/df), an end of the
+    /// band does not move.
+    pub(super) fn functions(
+        &self,
+        candidate: &Candidate,
+        slopes: &Slopes,
+    ) -> Result<Vec<Function>, Cancelled> {
+        let whole = self.band[1] - self.band[0];
+        Ok(vec![match self.find(candidate)? {
+            Found::Widest(edges) => {
+                let [from, to] = edges.map(|edge| self.shift(slopes, edge));
+                Function {
+                    value: whole - (edges[1] - edges[0]),
+                    gradient: from.iter().zip(&to).map(|(from, to)| from - to).collect(),
+                }
+            }
+            Found::Nothing(at, least) => {
+                let size = slopes.size(&slopes.response(self.response, at));
+                Function {
+                    value: whole * (1.0 + (least / self.below).ln()),
+                    gradient: size
+                        .gradient
+                        .iter()
+                        .map(|slope| whole * slope / least)
+                        .collect(),
+                }
+            }
+        }])
+    }
+
+    /// How an edge (Hz) moves with the coordinates.
+    fn shift(&self, slopes: &Slopes, edge: f64) -> Vec<f64> {
+        if self.band.contains(&edge) {
+            return slopes.by_coordinate(|_| 0.0);
+        }
+        let gradient = slopes.response(self.response, edge);
+        let steepness = growth(&gradient, gradient.by_frequency);
+        slopes.by_coordinate(|index| -growth(&gradient, gradient.by_parameter[index]) / steepness)
+    }
+
+    fn find(&self, candidate: &Candidate) -> Result<Found, Cancelled> {
+        let curve = Curve::new(candidate, self.response, self.band)?;
+        // What passes the level between two points shows at an extremum.
+        let maxima = curve.extrema(Turn::Maximum, |size| size < self.below)?;
+        let minima = curve.extrema(Turn::Minimum, |size| size >= self.below)?;
+        let curve = curve.with(&[maxima, minima].concat());
+        let mut ends = vec![self.band[0]];
+        ends.extend(curve.crossings(self.below)?);
+        ends.push(self.band[1]);
+        let is_below = curve
+            .points
+            .first()
+            .is_some_and(|first| first.size < self.below);
+        let bands = ends.windows(2).skip(usize::from(!is_below)).step_by(2);
+        let widest = bands.max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
+        if let Some([from, to]) = widest {
+            return Ok(Found::Widest([*from, *to]));
+        }
+        let lowest = curve.points.iter().min_by(|a, b| a.size.total_cmp(&b.size));
+        Ok(
+            lowest.map_or(Found::Nothing(self.band[0], f64::NAN), |point| {
+                Found::Nothing(point.frequency, point.size)
+            }),
+        )
+    }
+}

@@ -40,6 +40,7 @@
 
 mod attachment;
 pub mod band;
+mod beam_state;
 mod cancelled;
 pub mod compare;
 mod energy;
@@ -48,7 +49,6 @@ mod kernel;
 mod layout;
 mod limit;
 mod linear;
-mod local;
 pub mod modes;
 pub mod operating;
 pub mod peaks;

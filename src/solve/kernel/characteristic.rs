@@ -7,55 +7,14 @@
 use super::complex::Complex;
 use super::elementary::decay;
 use super::ends::{reflection_with, right_determinant};
-use super::number::{Arithmetic, MOST_LANES, Real, part};
+use super::number::{Arithmetic, Real, part};
+use super::product::ScaledProduct;
 use super::recursion::{Prepared, Room};
 use super::reflection::Side;
 use super::station::{Forces, Unknowns};
 use super::waves::Waves;
 use crate::solve::linear::Magnified;
 use crate::solve::plan::Event;
-
-/// A product at each frequency, of any size.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Product<A> {
-    mantissa: Complex<A>,
-    /// Powers of two that stand before the mantissa.
-    exponents: [i64; MOST_LANES],
-}
-
-impl<A: Arithmetic> Product<A> {
-    pub(super) const ONE: Self = Self {
-        mantissa: Complex::ONE,
-        exponents: [0; MOST_LANES],
-    };
-
-    /// Times a number.
-    #[inline(always)]
-    pub(super) fn times(&mut self, factor: Complex<A>) {
-        let product = self.mantissa * factor;
-        let scale = product.size().inverse_power_of_two();
-        self.mantissa = product.scaled(scale);
-        let scales = scale.lanes();
-        for lane in 0..A::LANES {
-            self.exponents[lane] += 1023 - (scales[lane].to_bits() >> 52) as i64;
-        }
-    }
-
-    /// The logarithms and directions; `growth` is a logarithm to add to each.
-    #[inline(always)]
-    fn write(&self, growth: Real<A>, out: &mut [Magnified]) {
-        let growth = growth.lanes();
-        for (lane, out) in out.iter_mut().enumerate() {
-            let mantissa = self.mantissa.lane(lane);
-            let norm = mantissa.norm();
-            let power = self.exponents[lane] as f64 * std::f64::consts::LN_2;
-            *out = Magnified {
-                log: norm.ln() + power + growth[lane],
-                direction: mantissa / norm,
-            };
-        }
-    }
-}
 
 impl<A: Arithmetic> Room<A> {
     /// Writes F for some waves; its logarithm is minus infinity where it is zero, and not a number where it cannot be
@@ -75,7 +34,7 @@ impl<A: Arithmetic> Room<A> {
     ) {
         let plan = &prepared.plan;
         this.prepare_spans(plan, waves);
-        let mut product = Product::ONE;
+        let mut product = ScaledProduct::ONE;
         let square = waves.omega * waves.omega;
         let fourth = square * square;
         let mut forces = Forces::NONE;

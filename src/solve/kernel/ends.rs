@@ -2,10 +2,10 @@
 
 use num_complex::Complex64;
 
-use super::characteristic::Product;
 use super::complex::{Complex, Matrix};
 use super::linear::{solve, solve_with_determinant, solve_with_margin};
 use super::number::{Arithmetic, Real, part};
+use super::product::ScaledProduct;
 use super::reflection::{Amplitudes, Reflection, Side, entry, reach};
 use super::waves::Waves;
 use crate::model::{BeamMotion, Restraint};
@@ -115,14 +115,14 @@ pub(super) fn reflection_with<A: Arithmetic>(
     waves: &Waves<A>,
     end: &End,
     side: Side,
-    determinant: Option<&mut Product<A>>,
+    determinant: Option<&mut ScaledProduct<A>>,
 ) -> Reflection<A> {
     A::outlined(Reflect((waves, end, side, determinant)))
 }
 
 #[inline(always)]
 fn reflection_inlined<A: Arithmetic>(
-    (waves, end, side, mut determinant): (&Waves<A>, &End, Side, Option<&mut Product<A>>),
+    (waves, end, side, mut determinant): (&Waves<A>, &End, Side, Option<&mut ScaledProduct<A>>),
 ) -> Reflection<A> {
     let mut out = Reflection::NONE;
     let coupled = reflect::<A, 4, 5>(waves, (end, side), 0, determinant.is_some(), &mut out);
@@ -197,14 +197,14 @@ pub(super) fn right_determinant<A: Arithmetic>(
     waves: &Waves<A>,
     end: &End,
     at: &Reflection<A>,
-    product: &mut Product<A>,
+    product: &mut ScaledProduct<A>,
 ) {
     A::outlined(RightDeterminant((waves, end, at, product)));
 }
 
 #[inline(always)]
 fn right_determinant_inlined<A: Arithmetic>(
-    (waves, end, at, product): (&Waves<A>, &End, &Reflection<A>, &mut Product<A>),
+    (waves, end, at, product): (&Waves<A>, &End, &Reflection<A>, &mut ScaledProduct<A>),
 ) {
     let mut system = RightSystem::NONE;
     system.set(waves, end, at);
@@ -333,7 +333,7 @@ fn finite_where_resolved<A: Arithmetic>(
 
 part!(
     Reflect ['a, A: Arithmetic] ['a, A]
-    (&'a Waves<A>, &'a End, Side, Option<&'a mut Product<A>>) -> Reflection<A>,
+    (&'a Waves<A>, &'a End, Side, Option<&'a mut ScaledProduct<A>>) -> Reflection<A>,
     reflection_inlined
 );
 
@@ -357,6 +357,6 @@ part!(
 
 part!(
     RightDeterminant ['a, A: Arithmetic] ['a, A]
-    (&'a Waves<A>, &'a End, &'a Reflection<A>, &'a mut Product<A>) -> (),
+    (&'a Waves<A>, &'a End, &'a Reflection<A>, &'a mut ScaledProduct<A>) -> (),
     right_determinant_inlined
 );

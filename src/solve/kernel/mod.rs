@@ -33,6 +33,7 @@ mod linear;
 mod number;
 mod operation_count;
 mod portable;
+mod product;
 mod read;
 mod recursion;
 mod reflection;

@@ -4,10 +4,10 @@
 //! and theta. Here they are solved for the three stretches of the channels alone, and the shapes Q are those of the
 //! channels: what a channel's force sends is the transpose of what stretches it.
 
-use super::characteristic::Product;
 use super::complex::{Complex, Matrix};
 use super::linear::{solve, solve_with_determinant};
 use super::number::{Arithmetic, Real, part};
+use super::product::ScaledProduct;
 use super::reflection::{Amplitudes, Reflection, entry};
 use super::waves::Waves;
 use crate::solve::attachment::{Attachment, UNKNOWNS};
@@ -36,7 +36,7 @@ pub(super) struct Unknowns<'a, A> {
     pub(super) forces: &'a mut Forces<A>,
     pub(super) turn: Option<&'a mut Turn<A>>,
     /// What is multiplied by the determinant of their system, of a subsystem without loads.
-    pub(super) determinant: Option<&'a mut Product<A>>,
+    pub(super) determinant: Option<&'a mut ScaledProduct<A>>,
 }
 
 /// Stretches of the channels by each wave: w + `z_b` psi and `y_u` psi by the coupled ones; v by the other two is 1.
@@ -275,7 +275,7 @@ fn unknowns<A: Arithmetic>(
     springs: &Springs<A>,
     attachment: &Attachment,
     receptance: &Matrix<A, CHANNELS, CHANNELS>,
-    determinant: Option<&mut Product<A>>,
+    determinant: Option<&mut ScaledProduct<A>>,
 ) -> (Matrix<A, UNKNOWNS, CHANNELS>, [Complex<A>; UNKNOWNS]) {
     let mut out = [[Complex::ZERO; CHANNELS]; UNKNOWNS];
     let mut forced = [Complex::ZERO; UNKNOWNS];
@@ -381,7 +381,7 @@ fn system<A: Arithmetic>(
 /// Multiplies a product by the determinant of [`system`] without its scales.
 #[inline(always)]
 fn multiply_unscaled<A: Arithmetic>(
-    product: &mut Product<A>,
+    product: &mut ScaledProduct<A>,
     determinant: Complex<A>,
     springs: &Springs<A>,
     scale: &[Real<A>; UNKNOWNS],

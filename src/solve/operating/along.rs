@@ -3,9 +3,9 @@
 use num_complex::Complex64;
 
 use crate::model::{BeamMotion, Model, Restraint, Support};
+use crate::solve::beam_state::BeamState;
 use crate::solve::kernel::Prepared;
 use crate::solve::linear::ZERO;
-use crate::solve::local::Local;
 use crate::solve::plan::Plan;
 use crate::solve::solution::Solution;
 use crate::solve::waves::Amplitudes;
@@ -84,9 +84,9 @@ impl<'a> Along<'a> {
     }
 
     /// What the beam does at a place: `Q (a + b)`, `S (b - a)`, `P (a - b)` and `M (a + b)` of the waves there.
-    pub(super) fn at(&self, spot: Spot) -> Local {
+    pub(super) fn at(&self, spot: Spot) -> BeamState {
         let (a, b) = self.waves_at(spot);
-        let mut local = Local::new(&self.solution.waves, &a, &b);
+        let mut local = BeamState::new(&self.solution.waves, &a, &b);
         self.hold(spot.position, &mut local.motion);
         local
     }

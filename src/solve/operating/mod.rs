@@ -12,17 +12,18 @@
 //! -F, and the power that flows in +x is `-1/2 Re sum p_i conj(i omega q_i)`.
 
 mod along;
-mod mass;
 mod power;
-mod reaction;
 
 use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
-use super::local::Local;
-use super::plan::Plan;
-use crate::model::Model;
+use super::beam_state::BeamState;
+use super::linear::ZERO;
+use super::plan::{End, Event, Plan};
+use super::solution::MassSolution;
+use super::springs::{restraint_stiffness, springs, stiffness, stretches};
+use crate::model::{BeamMotion, Model, Subsystem};
 use along::Along;
 
 /// What a model does at one frequency.
@@ -125,19 +126,82 @@ pub fn operating(model: &Model, frequency: f64, points: usize) -> Operating {
     let plan = Plan::new(&bare);
     let along = Along::new(&bare, &plan, omega);
     let places = along.places(points);
-    let locals: Vec<Local> = places.iter().map(|place| along.at(*place)).collect();
-    let masses = mass::masses(&along);
+    let locals: Vec<BeamState> = places.iter().map(|place| along.at(*place)).collect();
+    let masses = masses(&along);
     Operating {
         frequency,
         positions: places.iter().map(|place| place.position).collect(),
         motion: columns(&locals, |local| &local.motion),
         forces: columns(&locals, |local| &local.force),
-        reactions: reaction::reactions(&along),
+        reactions: reactions(&along),
         power: power::power(&along, &masses, &locals),
         masses,
     }
 }
 
-fn columns(locals: &[Local], of: impl Fn(&Local) -> &[Complex64; 6]) -> [Vec<Complex64>; 6] {
+fn columns(
+    locals: &[BeamState],
+    of: impl Fn(&BeamState) -> &[Complex64; 6],
+) -> [Vec<Complex64>; 6] {
     std::array::from_fn(|row| locals.iter().map(|local| of(local)[row]).collect())
+}
+
+/// The enabled subsystems, in the order of the model.
+fn masses(along: &Along<'_>) -> Vec<MassState> {
+    let attached: Vec<&Subsystem> = along.model.attached().collect();
+    // Stations lie by rising place, those at one place in the order of the model.
+    let mut order: Vec<usize> = (0..attached.len()).collect();
+    order.sort_by(|&a, &b| attached[a].position.total_cmp(&attached[b].position));
+    let stations = along.plan.stations.iter().zip(&along.solution.masses);
+    let solved = stations.filter(|(station, _)| matches!(station.event, Event::Attachment(_)));
+    let mut states: Vec<(usize, MassState)> = order
+        .into_iter()
+        .zip(solved)
+        .map(|(index, (_, solved))| {
+            let subsystem = attached[index];
+            let [w, psi, v, ..] = along.at(along.spot(subsystem.position)).motion;
+            let omega = along.omega.into();
+            let MassSolution { forces, motion } = *solved;
+            let stretches = stretches(omega, subsystem, [motion, [w, psi, v]], forces);
+            let springs = springs(subsystem);
+            let state = MassState {
+                name: subsystem.name.clone(),
+                position: subsystem.position,
+                motion,
+                mount: [w, psi, v],
+                forces: std::array::from_fn(|spring| {
+                    stiffness(omega, springs[spring]) * stretches[spring]
+                }),
+                stretches,
+            };
+            (index, state)
+        })
+        .collect();
+    states.sort_by_key(|(index, _)| *index);
+    states.into_iter().map(|(_, state)| state).collect()
+}
+
+/// The forces of the left and of the right support, along the six motions.
+fn reactions(along: &Along<'_>) -> [[Complex64; 6]; 2] {
+    let [left, right] = along.ends().map(|spot| along.at(spot));
+    [
+        reaction(along, &along.plan.left, &left, -1.0),
+        reaction(along, &along.plan.right, &right, 1.0),
+    ]
+}
+
+/// Of one support; `outward` is the sign with which the internal forces balance what acts on the end.
+fn reaction(along: &Along<'_>, end: &End, local: &BeamState, outward: f64) -> [Complex64; 6] {
+    BeamMotion::ALL.map(|motion| {
+        let row = motion as usize;
+        // Without warping stiffness no bimoment reaches a support.
+        if motion == BeamMotion::PsiSlope && along.plan.beam.without_warping() {
+            return ZERO;
+        }
+        match restraint_stiffness(along.omega.into(), end.support[motion]) {
+            None => outward * local.force[row] - end.load[row],
+            Some(k) if k == ZERO => ZERO,
+            Some(k) => -k * local.motion[row],
+        }
+    })
 }

@@ -9,16 +9,16 @@ use num_complex::Complex64;
 use super::along::Along;
 use super::{Damper, Input, MassState, Power};
 use crate::model::{BeamMotion, Force, Place, Target};
+use crate::solve::beam_state::BeamState;
 use crate::solve::energy::{SpanEnergy, Sum};
 use crate::solve::linear::ZERO;
-use crate::solve::local::Local;
 use crate::solve::springs::springs;
 
 /// The spring words of the model file, in the order of [`MassState::forces`].
 const SPRINGS: [&str; 4] = ["y_left", "y_right", "z_left", "z_right"];
 
 /// All powers; `locals` are the places of the flow.
-pub(super) fn power(along: &Along<'_>, masses: &[MassState], locals: &[Local]) -> Power {
+pub(super) fn power(along: &Along<'_>, masses: &[MassState], locals: &[BeamState]) -> Power {
     let forces = along.model.forces.iter().enumerate();
     Power {
         inputs: forces
@@ -123,7 +123,7 @@ fn material(along: &Along<'_>) -> f64 {
     0.5 * along.omega * loss_factor * twice.resolved()
 }
 
-fn flow(omega: f64, local: &Local) -> f64 {
+fn flow(omega: f64, local: &BeamState) -> f64 {
     let pairs = local.force.iter().zip(&local.motion);
     -pairs
         .map(|(force, moved)| mean(omega, *force, *moved))

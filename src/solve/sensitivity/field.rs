@@ -3,7 +3,7 @@
 use num_complex::Complex64;
 
 use crate::model::{BeamMotion, Model, Restraint, Subsystem};
-use crate::solve::local::Local;
+use crate::solve::beam_state::BeamState;
 use crate::solve::plan::{End, Plan};
 use crate::solve::solution::{MassSolution, Solution, SpanWaves};
 use crate::solve::springs::{springs, stiffness, stretches};
@@ -27,7 +27,7 @@ pub(super) struct Field {
     /// The six motions of the left and of the right end.
     pub(super) ends: [[Complex64; 6]; 2],
     /// What the beam does just inside the right end.
-    pub(super) edge: Local,
+    pub(super) edge: BeamState,
     /// Where `Gamma_0` = 0, the torques that warping would feel first.
     pub(super) kinks: Kinks,
     /// The enabled subsystems, in the order of the model.
@@ -78,15 +78,15 @@ impl<'a> Reader<'a> {
     }
 
     /// Just right of the left end of a span.
-    pub(super) fn start(&self, span: usize) -> Local {
+    pub(super) fn start(&self, span: usize) -> BeamState {
         let SpanWaves { a, b } = &self.spans[span];
-        Local::new(self.waves, a, &self.decayed(span, b))
+        BeamState::new(self.waves, a, &self.decayed(span, b))
     }
 
     /// Just left of the right end of a span: of the station that the span leads to.
-    pub(super) fn end(&self, span: usize) -> Local {
+    pub(super) fn end(&self, span: usize) -> BeamState {
         let SpanWaves { a, b } = &self.spans[span];
-        Local::new(self.waves, &self.decayed(span, a), b)
+        BeamState::new(self.waves, &self.decayed(span, a), b)
     }
 
     fn decayed(&self, span: usize, amplitudes: &Amplitudes) -> Amplitudes {
@@ -152,7 +152,7 @@ impl Kinks {
     }
 }
 
-fn torque(local: &Local) -> Complex64 {
+fn torque(local: &BeamState) -> Complex64 {
     local.force[BeamMotion::Psi as usize]
 }
 

@@ -15,7 +15,6 @@ mod forces;
 mod mean_square;
 mod mode;
 mod overlap;
-mod parameters;
 mod peak;
 mod product;
 mod unavailable;
@@ -28,7 +27,8 @@ use super::kernel::Prepared;
 use super::linear::ZERO;
 use super::plan::{Event, Plan};
 use super::solution::Solution;
-use crate::model::{BeamMotion, Model, ParameterId};
+use crate::model::schema::Kind;
+use crate::model::{BeamMotion, Group, Model, ParameterId, edit};
 pub use effect::{Figure, Sensitivity, effects};
 
 use adjoint::{Adjoint, Motion, Reading, factor};
@@ -37,7 +37,6 @@ use forces::Force;
 pub use mean_square::MeanSquareGradient;
 pub use mode::ModeGradient;
 use overlap::Spans;
-use parameters::Parameters;
 pub use peak::PeakGradient;
 use product::Product;
 pub use unavailable::unavailable;
@@ -226,4 +225,34 @@ fn mass_stations(model: &Model, plan: &Plan) -> Vec<usize> {
         masses[subsystem] = station;
     }
     masses
+}
+
+/// Numbers with the parameters that they are of.
+#[derive(Debug, Default)]
+struct Parameters {
+    ids: Vec<ParameterId>,
+    /// SI.
+    values: Vec<f64>,
+}
+
+impl Parameters {
+    /// Those of the beam, of supports that are not fixed, and of the subsystems and forces that are enabled.
+    fn of(model: &Model) -> Self {
+        let ids = ParameterId::all(model).into_iter();
+        let numbers = ids
+            .filter(|id| id.key().kind == Kind::Number && acts(model, id.group))
+            .filter_map(|id| Some((id, edit::number(model, id).ok()?)));
+        let (ids, values) = numbers.unzip();
+        Self { ids, values }
+    }
+}
+
+/// Whether responses depend on the numbers of a table.
+fn acts(model: &Model, group: Group) -> bool {
+    match group {
+        Group::Beam | Group::Material | Group::Section | Group::Motion(..) => true,
+        Group::Subsystem(index) => model.subsystems[index].enabled,
+        Group::Force(index) => model.forces[index].enabled,
+        _ => false,
+    }
 }

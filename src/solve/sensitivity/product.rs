@@ -18,8 +18,8 @@ use super::field::{Field, MassField, Setting};
 use super::overlap::Overlap;
 use crate::model::schema::{BeamKey, ElasticKey, MaterialKey, SectionKey, SubsystemKey};
 use crate::model::{BeamMotion, Restraint, Subsystem, Support};
+use crate::solve::beam_state::BeamState;
 use crate::solve::linear::ZERO;
-use crate::solve::local::Local;
 use crate::solve::springs::{rows, springs};
 
 /// A field and the adjoint one, with the integrals of their product.
@@ -105,7 +105,7 @@ impl Product<'_> {
     }
 
     /// The right end just beyond the loads that stay where they are.
-    fn beyond(&self, field: &Field, held: &[Complex64; 6]) -> Local {
+    fn beyond(&self, field: &Field, held: &[Complex64; 6]) -> BeamState {
         let beam = &self.setting.plan.beam;
         let mut edge = field.edge.clone();
         for (force, held) in edge.force.iter_mut().zip(held) {

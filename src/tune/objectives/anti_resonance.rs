@@ -5,7 +5,7 @@ use num_complex::Complex64;
 use super::super::candidate::{Candidate, Slopes};
 use super::super::search::Function;
 use super::curve::{Curve, Turn};
-use super::{Band, Read};
+use super::value::{Band, ObjectiveValue};
 use crate::solve::Cancelled;
 use crate::solve::sensitivity::Differentiator;
 
@@ -31,17 +31,17 @@ enum Found {
 
 impl AntiResonance {
     /// The distance, and where the zero is.
-    pub(super) fn read(&self, candidate: &Candidate) -> Result<Read, Cancelled> {
+    pub(super) fn read(&self, candidate: &Candidate) -> Result<ObjectiveValue, Cancelled> {
         // Without derivatives by parameters, only to follow the zero.
         let slopes = Differentiator::new(&candidate.model);
         Ok(match self.find(candidate, &slopes)? {
-            Found::Zero(zero) => Read {
+            Found::Zero(zero) => ObjectiveValue {
                 figure: (zero.re - self.at).abs(),
                 places: vec![zero.re],
             },
             Found::None(highest) => {
                 let sizes = candidate.sizes(self.response, &[self.at, highest])?;
-                Read {
+                ObjectiveValue {
                     figure: self.far() * (1.0 + sizes[0] / sizes[1]),
                     places: Vec::new(),
                 }

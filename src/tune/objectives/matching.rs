@@ -5,7 +5,7 @@ use num_complex::Complex64;
 
 use super::super::candidate::{Candidate, Slopes, growth};
 use super::super::search::{Function, Residuals};
-use super::Read;
+use super::value::ObjectiveValue;
 use crate::model::Compare;
 use crate::solve::Cancelled;
 
@@ -22,10 +22,10 @@ pub(in crate::tune) struct Matching {
 
 impl Matching {
     /// The root mean square.
-    pub(super) fn read(&self, candidate: &Candidate) -> Result<Read, Cancelled> {
+    pub(super) fn read(&self, candidate: &Candidate) -> Result<ObjectiveValue, Cancelled> {
         let values = candidate.values(self.response, &self.frequencies)?;
         let squares: f64 = self.differences(&values).iter().map(|one| one * one).sum();
-        Ok(Read {
+        Ok(ObjectiveValue {
             figure: self.of_squares(squares),
             places: Vec::new(),
         })

@@ -2,7 +2,7 @@
 
 use super::super::candidate::{Candidate, Slopes};
 use super::super::search::Function;
-use super::{Band, Read};
+use super::value::{Band, ObjectiveValue};
 use crate::solve::Cancelled;
 use crate::solve::band::levels;
 
@@ -15,14 +15,14 @@ pub(in crate::tune) struct MeanSquare {
 
 impl MeanSquare {
     /// The mean; infinite where an undamped resonance lies in the band.
-    pub(super) fn read(&self, candidate: &Candidate) -> Result<Read, Cancelled> {
+    pub(super) fn read(&self, candidate: &Candidate) -> Result<ObjectiveValue, Cancelled> {
         let levels = levels(
             &candidate.model,
             candidate.modes(),
             self.band,
             candidate.cancel,
         )?;
-        Ok(Read {
+        Ok(ObjectiveValue {
             figure: levels[self.response].mean_square,
             places: Vec::new(),
         })

@@ -6,6 +6,7 @@ mod matching;
 mod mean_square;
 mod peak;
 mod target;
+mod value;
 mod width;
 
 use std::path::Path;
@@ -14,6 +15,7 @@ use anti_resonance::AntiResonance;
 pub(super) use matching::Matching;
 use mean_square::MeanSquare;
 use peak::Peak;
+pub(super) use value::ObjectiveValue;
 use width::Width;
 
 use super::candidate::{Candidate, Slopes};
@@ -21,18 +23,6 @@ use super::search::Function;
 use crate::model::{Aim, Compare, Fault, Measure, Model, Objective, Quantity, Unit};
 use crate::solve::Cancelled;
 use crate::solve::band::levels;
-
-/// From and to, Hz.
-type Band = [f64; 2];
-
-/// A figure of one model.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Read {
-    /// In the figure's unit.
-    pub(super) figure: f64,
-    /// Where it is, Hz: the highest peak, the ends of the widest band, the anti-resonance.
-    pub(super) places: Vec<f64>,
-}
 
 /// What an objective asks for of a model whose responses are known by their places.
 #[derive(Debug, Clone)]
@@ -113,7 +103,7 @@ impl Figure {
     }
 
     /// The figure of a model.
-    pub(super) fn read(&self, candidate: &Candidate) -> Result<Read, Cancelled> {
+    pub(super) fn read(&self, candidate: &Candidate) -> Result<ObjectiveValue, Cancelled> {
         match self {
             Self::Peak(figure) => figure.read(candidate),
             Self::MeanSquare(figure) => figure.read(candidate),

@@ -3,7 +3,7 @@
 use super::super::candidate::{Candidate, Slopes};
 use super::super::search::Function;
 use super::curve::{Curve, Point, Turn};
-use super::{Band, Read};
+use super::value::{Band, ObjectiveValue};
 use crate::solve::Cancelled;
 
 /// A maximum lower than this share of the highest point cannot be the highest: points lie so near that none misses a
@@ -25,10 +25,10 @@ pub(in crate::tune) struct Peak {
 
 impl Peak {
     /// The highest point, with where it is.
-    pub(super) fn read(&self, candidate: &Candidate) -> Result<Read, Cancelled> {
+    pub(super) fn read(&self, candidate: &Candidate) -> Result<ObjectiveValue, Cancelled> {
         let tops = self.tops(candidate, LIKELY)?;
         let highest = tops.first();
-        Ok(Read {
+        Ok(ObjectiveValue {
             figure: highest.map_or(f64::NAN, |top| top.size),
             places: highest.map(|top| top.frequency).into_iter().collect(),
         })

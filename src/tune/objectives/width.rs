@@ -3,7 +3,7 @@
 use super::super::candidate::{Candidate, Slopes, growth};
 use super::super::search::Function;
 use super::curve::{Curve, Turn};
-use super::{Band, Read};
+use super::value::{Band, ObjectiveValue};
 use crate::solve::Cancelled;
 
 /// What the widest band below a level leaves of the whole band, Hz.
@@ -28,14 +28,14 @@ enum Found {
 
 impl Width {
     /// The figure, and the ends of the widest band or the frequency of the lowest point.
-    pub(super) fn read(&self, candidate: &Candidate) -> Result<Read, Cancelled> {
+    pub(super) fn read(&self, candidate: &Candidate) -> Result<ObjectiveValue, Cancelled> {
         let whole = self.band[1] - self.band[0];
         Ok(match self.find(candidate)? {
-            Found::Widest([from, to]) => Read {
+            Found::Widest([from, to]) => ObjectiveValue {
                 figure: whole - (to - from),
                 places: vec![from, to],
             },
-            Found::Nothing(at, least) => Read {
+            Found::Nothing(at, least) => ObjectiveValue {
                 figure: whole * (1.0 + (least / self.below).ln()),
                 places: vec![at],
             },

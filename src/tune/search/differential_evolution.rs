@@ -143,15 +143,15 @@ fn generation(budget: &mut Budget<'_>, random: &mut Rng, population: &mut [Membe
             .compare(&population[b].known.merit)
     });
     let trials: Vec<(Vec<f64>, Rates)> = (0..count)
-        .map(|index| candidate(random, population, &order, index))
+        .map(|index| trial(random, population, &order, index))
         .collect();
     let (points, rates): (Vec<_>, Vec<_>) = trials.into_iter().unzip();
     let merits = budget.merits(&points, Phase::Global);
     let members = population.iter_mut().zip(known(points, &merits)).zip(rates);
-    for ((member, candidate), rates) in members {
-        if candidate.merit.compare(&member.known.merit) != Ordering::Greater {
+    for ((member, trial), rates) in members {
+        if trial.merit.compare(&member.known.merit) != Ordering::Greater {
             *member = Member {
-                known: candidate,
+                known: trial,
                 rates,
             };
         }
@@ -160,7 +160,7 @@ fn generation(budget: &mut Budget<'_>, random: &mut Rng, population: &mut [Membe
 
 /// A trial point: the member moved towards one of the best and along a difference of two others, and crossed with itself.
 /// `order` is by falling merit.
-fn candidate(
+fn trial(
     random: &mut Rng,
     population: &[Member],
     order: &[usize],

@@ -4,7 +4,7 @@ use fastrand::Rng;
 
 use super::budget::Budget;
 use super::differential_evolution::{Known, Share, evolve};
-use super::local;
+use super::sqp::Sqp;
 use super::types::{Control, Landscape, Merit, Options, Outcome, Phase, Stop};
 
 /// Seeks the point of the unit box where the sum of the largest functions is least and all limits are met.
@@ -42,7 +42,7 @@ pub fn descend<'a>(landscape: &'a dyn Landscape, start: &[f64], control: Control
     let mut budget = Budget::new(landscape, &start, control);
     let first = budget.merits(std::slice::from_ref(&start), Phase::Start);
     let merit = first.first().copied().unwrap_or(Merit::WORST);
-    let reason = local::descend(&mut budget, vec![start]);
+    let reason = descend_all(&mut budget, vec![start]);
     let stop = budget.ended().or(reason).unwrap_or(Stop::Converged);
     outcome(&budget, merit, stop)
 }
@@ -69,7 +69,7 @@ fn rounds(budget: &mut Budget<'_>, random: &mut Rng, start: Known) -> Stop {
         let before = budget.best().merit;
         let population = evolve(budget, random, &seeds, share(budget));
         let starts = distinct(&seeds, &population, walks(budget));
-        let reason = local::descend(budget, starts);
+        let reason = descend_all(budget, starts);
         if let Some(reason) = budget.ended() {
             return reason;
         }
@@ -134,4 +134,54 @@ fn is_better(now: Merit, before: Merit) -> bool {
     let goal = before.goal - now.goal;
     now.is_better_than(&before)
         && (violation > 0.0 || goal.is_nan() || goal > DIGITS * before.goal.abs())
+}
+
+/// Walks downhill from every start until all have stopped, and tells why the best of them did; none where none began.
+///
+/// A walk that comes to where a better one is ends there.
+fn descend_all(budget: &mut Budget<'_>, starts: Vec<Vec<f64>>) -> Option<Stop> {
+    let mut walks: Vec<Sqp> = starts.into_iter().map(Sqp::new).collect();
+    while budget.ended().is_none() {
+        let points: Vec<Vec<f64>> = walks
+            .iter()
+            .filter_map(Sqp::ask)
+            .map(<[f64]>::to_vec)
+            .collect();
+        if points.is_empty() {
+            break;
+        }
+        let evaluations = budget.evaluations(&points, Phase::Local);
+        let walking = walks.iter_mut().filter(|walk| walk.ask().is_some());
+        for (walk, evaluation) in walking.zip(evaluations) {
+            walk.tell(evaluation);
+        }
+        drop_followers(&mut walks);
+    }
+    let merit = |walk: &Sqp| walk.merit().unwrap_or(Merit::WORST);
+    let best = walks.iter().min_by(|a, b| merit(a).compare(&merit(b)))?;
+    best.stopped()
+}
+
+/// Ends every walk that is where another, better one is.
+fn drop_followers(walks: &mut Vec<Sqp>) {
+    const TOGETHER: f64 = 1e-3;
+    let mut index = 0;
+    while index < walks.len() {
+        let walk = &walks[index];
+        let follows = walk.ask().is_some()
+            && walks.iter().enumerate().any(|(i, other)| {
+                let (Some(own), Some(others)) = (walk.merit(), other.merit()) else {
+                    return false;
+                };
+                let apart = walk.x().iter().zip(other.x()).map(|(a, b)| (a - b).abs());
+                // Of two that are equal the first goes on.
+                let order = others.compare(&own).then(i.cmp(&index));
+                order.is_lt() && apart.fold(0.0, f64::max) < TOGETHER
+            });
+        if follows {
+            walks.remove(index);
+        } else {
+            index += 1;
+        }
+    }
 }

@@ -8,7 +8,6 @@ mod covariance;
 mod differential_evolution;
 mod hessian;
 mod least_squares;
-mod local;
 mod minimise;
 mod pairing;
 mod qp;

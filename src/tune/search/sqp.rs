@@ -52,13 +52,13 @@ enum Next {
     /// The start is to be evaluated.
     Start,
     /// A trial point is.
-    Candidate(Candidate),
+    Trial(Trial),
     /// Nothing.
     Stopped(Stop),
 }
 
 #[derive(Debug)]
-struct Candidate {
+struct Trial {
     x: Vec<f64>,
     /// The model's step; its decrease is what a corrected one is held against too.
     step: Step,
@@ -84,7 +84,7 @@ impl Sqp {
     pub(super) fn ask(&self) -> Option<&[f64]> {
         match &self.next {
             Next::Start => Some(&self.x),
-            Next::Candidate(candidate) => Some(&candidate.x),
+            Next::Trial(trial) => Some(&trial.x),
             Next::Stopped(_) => None,
         }
     }
@@ -114,7 +114,7 @@ impl Sqp {
             Next::Stopped(stop) => self.next = Next::Stopped(stop),
             Next::Start if there.is_finite() => self.begin(there),
             Next::Start => {}
-            Next::Candidate(candidate) => self.judge(candidate, there),
+            Next::Trial(trial) => self.judge(trial, there),
         }
     }
 
@@ -130,42 +130,42 @@ impl Sqp {
     }
 
     /// Takes a trial point, corrects it or makes the trust region smaller.
-    fn judge(&mut self, candidate: Candidate, there: Evaluation) {
+    fn judge(&mut self, trial: Trial, there: Evaluation) {
         let Some(here) = &self.here else { return };
         if !there.is_finite() {
-            self.shrink(0.25 * candidate.step.d.amax());
+            self.shrink(0.25 * trial.step.d.amax());
             return;
         }
         let (before, after) = (self.height(here), self.height(&there));
         let rounding = ROUNDING * self.size(here);
         let gained = before - after;
-        let d = difference(&candidate.x, &self.x);
+        let d = difference(&trial.x, &self.x);
         // What is far above, as beside a pole, says nothing of the curvature here.
-        let is_near = -gained <= FAR * candidate.step.decrease;
-        if is_near && let Some(change) = change(&candidate.step, here, &there, (&d, self.penalty)) {
+        let is_near = -gained <= FAR * trial.step.decrease;
+        if is_near && let Some(change) = change(&trial.step, here, &there, (&d, self.penalty)) {
             self.hessian.learn(&d, &change);
         }
-        let is_rounding = candidate.step.decrease <= rounding && gained >= -rounding;
+        let is_rounding = trial.step.decrease <= rounding && gained >= -rounding;
         let ratio = if is_rounding {
             1.0
         } else {
-            gained / candidate.step.decrease
+            gained / trial.step.decrease
         };
         if ratio >= 1e-4 {
-            self.accept(candidate, there, ratio, is_rounding);
+            self.accept(trial, there, ratio, is_rounding);
         } else {
-            self.refuse(&candidate, &there, &d);
+            self.refuse(&trial, &there, &d);
         }
     }
 
-    fn accept(&mut self, candidate: Candidate, there: Evaluation, ratio: f64, is_rounding: bool) {
-        let length = candidate.step.d.amax();
+    fn accept(&mut self, trial: Trial, there: Evaluation, ratio: f64, is_rounding: bool) {
+        let length = trial.step.d.amax();
         if ratio >= 0.75 && length > 0.8 * self.radius {
             self.radius = (2.5 * self.radius).min(1.0);
         } else if ratio < 0.25 {
             self.radius = 0.5 * length;
         }
-        self.x = candidate.x;
+        self.x = trial.x;
         self.stand(there);
         let slower = length > 0.5 * self.last_length;
         self.last_length = length;
@@ -176,17 +176,17 @@ impl Sqp {
         }
     }
 
-    fn refuse(&mut self, candidate: &Candidate, there: &Evaluation, d: &DVector<f64>) {
-        if !candidate.corrected
-            && let Some(corrected) = self.corrected(candidate, there, d)
+    fn refuse(&mut self, trial: &Trial, there: &Evaluation, d: &DVector<f64>) {
+        if !trial.corrected
+            && let Some(corrected) = self.corrected(trial, there, d)
         {
-            self.next = Next::Candidate(corrected);
+            self.next = Next::Trial(corrected);
             return;
         }
         if let Some(here) = &mut self.here {
             add_cuts(here, there, d);
         }
-        self.shrink(0.3 * candidate.step.d.amax());
+        self.shrink(0.3 * trial.step.d.amax());
     }
 
     fn shrink(&mut self, radius: f64) {
@@ -221,7 +221,7 @@ impl Sqp {
             }
             return;
         }
-        self.next = Next::Candidate(Candidate {
+        self.next = Next::Trial(Trial {
             x: self.moved(&step.d),
             step,
             corrected: false,
@@ -291,12 +291,7 @@ impl Sqp {
 
     /// The trial point with the pieces moved so that they meet what was found there; none where that leads to the same
     /// point or nowhere.
-    fn corrected(
-        &self,
-        candidate: &Candidate,
-        there: &Evaluation,
-        d: &DVector<f64>,
-    ) -> Option<Candidate> {
+    fn corrected(&self, trial: &Trial, there: &Evaluation, d: &DVector<f64>) -> Option<Trial> {
         const SAME: f64 = 1e-3;
         let here = self.here.as_ref()?;
         let moved = Evaluation {
@@ -311,9 +306,9 @@ impl Sqp {
         let step = self.step_of(&pieces(&moved, self.penalty))?;
         let x = self.moved(&step.d);
         let apart = (&step.d - d).amax();
-        (step.decrease > 0.0 && apart > SAME * d.amax()).then(|| Candidate {
+        (step.decrease > 0.0 && apart > SAME * d.amax()).then(|| Trial {
             x,
-            step: candidate.step.clone(),
+            step: trial.step.clone(),
             corrected: true,
         })
     }

@@ -8,14 +8,14 @@ use crate::model::BeamMotion;
 
 /// What the beam does at a place.
 #[derive(Debug, Clone)]
-pub(super) struct Local {
+pub(super) struct BeamState {
     /// w, psi, v and their slopes.
     pub(super) motion: [Complex64; 6],
     /// `S_w`, T, `S_v`, `M_w`, B, `M_v`.
     pub(super) force: [Complex64; 6],
 }
 
-impl Local {
+impl BeamState {
     /// `Q (a + b)`, `S (b - a)`, `P (a - b)` and `M (a + b)`; no bimoment where the section resists no warping.
     pub(super) fn new(waves: &Waves, a: &Amplitudes, b: &Amplitudes) -> Self {
         let sum: Amplitudes = std::array::from_fn(|wave| a[wave] + b[wave]);

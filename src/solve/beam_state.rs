@@ -1,4 +1,4 @@
-//! Motions and internal forces at a place of the beam, from the waves there.
+//! Motions and internal forces at a point of the beam, from the waves there.
 
 use num_complex::Complex64;
 
@@ -6,7 +6,7 @@ use super::linear::ZERO;
 use super::waves::{Amplitudes, Waves, reach};
 use crate::model::BeamMotion;
 
-/// What the beam does at a place.
+/// Motions and internal forces at a point.
 #[derive(Debug, Clone)]
 pub(super) struct BeamState {
     /// w, psi, v and their slopes.
@@ -16,7 +16,7 @@ pub(super) struct BeamState {
 }
 
 impl BeamState {
-    /// `Q (a + b)`, `S (b - a)`, `P (a - b)` and `M (a + b)`; no bimoment where the section resists no warping.
+    /// `Q (a + b)`, `S (b - a)`, `P (a - b)` and `M (a + b)`; no bimoment if the section has no warping stiffness.
     pub(super) fn new(waves: &Waves, a: &Amplitudes, b: &Amplitudes) -> Self {
         let sum: Amplitudes = std::array::from_fn(|wave| a[wave] + b[wave]);
         let difference: Amplitudes = std::array::from_fn(|wave| a[wave] - b[wave]);

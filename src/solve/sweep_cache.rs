@@ -1,8 +1,9 @@
-//! Sweeps of a model that is edited in one place: what lies left and right of the place is kept from edit to edit.
+//! Sweeps of a model that is edited in one place: the parts left and right of the place are solved once and cached.
 //!
-//! Two models that differ in one subsystem, force, response or support have the same stations along x up to some place,
-//! and again from some place on. What acts from there is the same for both: see [`super::kernel`]. So after the first edit
-//! of a place the next ones cost as much as a beam with what is there, however many subsystems lie beside it.
+//! Two models that differ in one subsystem, force, response or support have the same stations along x up to some
+//! position, and again from some position on. Both sides act on the substructure between them in the same way: see
+//! [`super::kernel`]. So after the first edit of a place the next ones cost as much as a beam with the edited
+//! substructure only, for any number of other subsystems.
 
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
@@ -16,16 +17,16 @@ use super::plan::{Output, Plan};
 use super::sweep::{Frf, angular, chunk_length, fill_limits, over_chunks, solved, sweep_prepared};
 use crate::model::Model;
 
-/// Fewer stations beside an edited place are solved as fast as looked up.
+/// With fewer stations on the sides a full solution is as fast as the cached one.
 const FEWEST_STATIONS: usize = 8;
 
-/// Frequencies a chunk of a sweep between sides: whole groups.
+/// Frequencies per chunk of a sweep with cached sides: whole groups.
 const CHUNK: usize = 8 * MOST_LANES;
 
-/// So many are solved between sides on one thread before another has woken.
+/// One thread solves this many with cached sides before another one wakes up.
 const ALONE: usize = 32 * MOST_LANES;
 
-/// What is kept between the sweeps of a model that is edited.
+/// The cache between the sweeps of a model that is edited.
 #[derive(Debug, Default)]
 pub struct SweepCache {
     /// The newest plan that was solved.
@@ -33,7 +34,7 @@ pub struct SweepCache {
     cached: Option<CachedSides>,
 }
 
-/// What lies beside a part of a plan.
+/// The solved sides of a part of a plan.
 #[derive(Debug)]
 struct CachedSides {
     plan: Plan,
@@ -55,9 +56,9 @@ struct Part {
 impl SweepCache {
     /// The same as [`super::sweep()`]: solves a checked model at each frequency (Hz, > 0).
     ///
-    /// A model that differs from the last one in one place is solved from what is kept of the rest, which is found first
-    /// where it is not there yet (as much work as two sweeps; with an enabled response `E_V`, which every place along the
-    /// beam adds to, as four to five).
+    /// A model that differs from the last one in one place is solved from the cached sides. If they are not cached yet,
+    /// they are solved first (as much work as two sweeps; with an enabled response `E_V`, to which every point of the
+    /// beam contributes, four to five).
     ///
     /// # Errors
     /// `cancel` became true before the end.
@@ -81,7 +82,7 @@ impl SweepCache {
         }
     }
 
-    /// The same from what is kept alone; none where that does not serve.
+    /// The same from the cache only; `None` if the cache does not fit the model.
     ///
     /// # Errors
     /// `cancel` became true before the end.
@@ -98,7 +99,7 @@ impl SweepCache {
         from_sides(model, plan, cached, frequencies, cancel).map(Some)
     }
 
-    /// Finds what lies beside the place in which a model is going to be edited, so that its next sweep need not.
+    /// Solves the sides of the place that the next edit changes, so that the sweep after it finds them in the cache.
     ///
     /// `edited` is the model after such an edit.
     ///
@@ -118,37 +119,37 @@ impl SweepCache {
         self.keep(&plan, &edited, frequencies, cancel)
     }
 
-    /// Whether what lies beside an edit that makes a model `edited` serves another model, too.
+    /// Whether the sides for the edit from `model` to `edited` also fit another model.
     pub fn would_serve(model: &Model, edited: &Model, other: &Model) -> bool {
         let [plan, edited, other] = [model, edited, other].map(Plan::new);
         let part = common(&plan, &edited).and_then(|common| part(common, &plan, &edited));
         part.is_some_and(|part| serves(&edited, part, &other))
     }
 
-    /// Whether what is kept serves a model.
+    /// Whether the cache fits a model.
     pub fn knows(&self, model: &Model, frequencies: &[f64]) -> bool {
         self.reaches(&Plan::new(model), frequencies)
     }
 
-    /// Bytes that are kept.
+    /// Bytes in the cache.
     pub fn bytes(&self) -> usize {
         let sides = self.cached.iter().flat_map(|cached| &cached.sides);
         sides.map(SideBatch::bytes).sum()
     }
 
-    /// Whether what is kept serves a plan.
+    /// Whether the cache fits a plan.
     fn reaches(&self, plan: &Plan, frequencies: &[f64]) -> bool {
         self.cached_for(plan, frequencies).is_some()
     }
 
-    /// What is kept for a plan, and which part of the plan it lies beside.
+    /// The cached sides for a plan, and the part of the plan between them.
     fn cached_for(&self, plan: &Plan, frequencies: &[f64]) -> Option<(&CachedSides, Part)> {
         let cached = self.cached.as_ref()?;
         let serves = cached.frequencies == frequencies && serves(&cached.plan, cached.part, plan);
         serves.then_some((cached, cached.part))
     }
 
-    /// Keeps what two plans have in common beside the place in which they differ, if that is much.
+    /// Caches the common sides of two plans around the part in which they differ, if they are long enough.
     fn keep(
         &mut self,
         one: &Plan,
@@ -159,7 +160,7 @@ impl SweepCache {
         let Some(part) = common(one, other).and_then(|common| part(common, one, other)) else {
             return Ok(());
         };
-        // What was kept for another place would only take room.
+        // The sides of another place would only use memory.
         self.cached = None;
         let substructure = substructure(other.clone(), part, other);
         let sides = keep(&substructure, frequencies, cancel)?;
@@ -173,7 +174,7 @@ impl SweepCache {
     }
 }
 
-/// The responses of a plan from what lies beside a part of it.
+/// The responses of a plan from the cached sides of a part of it.
 fn from_sides(
     model: &Model,
     plan: Plan,
@@ -200,7 +201,7 @@ fn from_sides(
     Ok(frf)
 }
 
-/// Whether what lies beside a part of a plan lies beside a part of another, too.
+/// Whether the cached sides of a part of a plan are also sides of another plan.
 fn serves(known: &Plan, part: Part, plan: &Plan) -> bool {
     let Part { left, right } = part;
     let has_energy = known.wants_energy || !plan.wants_energy;
@@ -212,8 +213,8 @@ fn serves(known: &Plan, part: Part, plan: &Plan) -> bool {
     })
 }
 
-/// The stations that two plans have in common, from the left and from the right; none where the beam is another, or
-/// where a response is read at two stations, between which a side could end. No stations where the ends differ.
+/// The stations that two plans have in common, from the left and from the right; `None` if the beam differs, or if a
+/// response is read at two stations, because a side could end between them. No stations on a side whose end differs.
 fn common(one: &Plan, other: &Plan) -> Option<Part> {
     if one.beam != other.beam || one.has_means() || other.has_means() {
         return None;
@@ -251,7 +252,7 @@ fn common(one: &Plan, other: &Plan) -> Option<Part> {
     })
 }
 
-/// The least station, counted by `place` from one of the ends, at which two lists of what is read differ.
+/// The first station, counted by `place` from one of the ends, at which two lists of outputs differ.
 fn first_difference(
     one: &[(usize, Output)],
     other: &[(usize, Output)],
@@ -272,7 +273,7 @@ fn first_difference(
         .unwrap_or(usize::MAX)
 }
 
-/// The part in which two plans differ; none where what lies beside it is not worth keeping.
+/// The part in which two plans differ; `None` if its sides are too short to cache.
 fn part(common: Part, one: &Plan, other: &Plan) -> Option<Part> {
     let most = one.stations.len().min(other.stations.len());
     let is_same = |count| common.left >= count && common.right >= count;
@@ -280,7 +281,7 @@ fn part(common: Part, one: &Plan, other: &Plan) -> Option<Part> {
         return None;
     }
     let left = common.left.min(most);
-    // Where nothing differs, or a station was added beside an equal one, both sides may claim the same stations.
+    // If nothing differs, or if a station was added next to an equal one, both sides may claim the same stations.
     let right = common.right.min(most - left);
     (left + right >= FEWEST_STATIONS).then_some(Part { left, right })
 }
@@ -303,7 +304,7 @@ fn substructure(plan: Plan, part: Part, known: &Plan) -> Substructure {
     }
 }
 
-/// Where each output comes from: its number among those on its side, in the order of the known plan.
+/// The source of each output: its index among those of its side, in the order of the known plan.
 fn sources(plan: &Plan, range: &Range<usize>, known: &Plan, part: Part) -> Vec<Source> {
     let from_right = known.stations.len() - part.right;
     let on_side = |is_there: &dyn Fn(usize) -> bool, shift: usize| -> Vec<Output> {
@@ -334,7 +335,7 @@ fn sources(plan: &Plan, range: &Range<usize>, known: &Plan, part: Part) -> Vec<S
     plan.outputs.iter().map(source).collect()
 }
 
-/// The sides at each group of frequencies.
+/// The sides for each group of frequencies.
 fn keep(
     substructure: &Substructure,
     frequencies: &[f64],

@@ -1,8 +1,8 @@
 //! The characteristic function of a model at several complex frequencies at once.
 //!
-//! The same entire function of omega as in [`crate::solve::modes`], where its meaning is, up to a constant factor:
-//! `F = det(left) det(right) prod(omega^4 det(station)) exp(L sum kappa)`. The determinant of the right
-//! end is that for b' = N^-1 b, and so it is already divided by `det[Q; M] det[S; P]`, the product of the entries of N^-1.
+//! The same entire function of omega as in [`crate::solve::modes`], which explains it, up to a constant factor: `F =
+//! det(left) det(right) prod(omega^4 det(station)) exp(L sum kappa)`. The determinant of the right end is that for b' =
+//! N^-1 b, so it is already divided by `det[Q; M] det[S; P]`, the product of the entries of N^-1.
 
 use super::complex::Complex;
 use super::elementary::decay;
@@ -17,8 +17,7 @@ use crate::solve::linear::Magnified;
 use crate::solve::plan::Event;
 
 impl<A: Arithmetic> Room<A> {
-    /// Writes F for some waves; its logarithm is minus infinity where it is zero, and not a number where it cannot be
-    /// computed.
+    /// Writes F for some waves; its logarithm is minus infinity if F is zero, and NaN if it cannot be computed.
     pub(super) fn characteristic(
         &mut self,
         prepared: &Prepared,

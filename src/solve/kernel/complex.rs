@@ -1,4 +1,4 @@
-//! Complex numbers of several frequencies at once: real parts beside real parts, imaginary beside imaginary.
+//! Complex numbers of several frequencies at once: separate vectors of real and of imaginary parts.
 
 use std::ops::{Add, AddAssign, Mul, Neg, Sub};
 
@@ -70,7 +70,7 @@ impl<A: Arithmetic> Complex<A> {
         }
     }
 
-    /// Writes the numbers at the first few frequencies.
+    /// Writes the numbers at the first frequencies, as many as fit.
     #[inline(always)]
     pub(super) fn write(self, to: &mut [Complex64]) {
         let (re, im) = (self.re.lanes(), self.im.lanes());
@@ -112,7 +112,7 @@ impl<A: Arithmetic> Complex<A> {
         }
     }
 
-    /// self + by a.
+    /// self + a times the real number `by`.
     #[inline(always)]
     pub(super) fn plus_scaled(self, by: Real<A>, a: Self) -> Self {
         Self {
@@ -138,7 +138,7 @@ impl<A: Arithmetic> Complex<A> {
         }
     }
 
-    /// k + i self c: the stiffness of a spring with a damper at the frequency that this is.
+    /// k + i self c: the stiffness of a spring with a damper; self is the angular frequency.
     #[inline(always)]
     pub(super) fn damped_stiffness(self, stiffness: f64, damping: f64) -> Self {
         let damping = Real::splat(damping);
@@ -148,7 +148,7 @@ impl<A: Arithmetic> Complex<A> {
         }
     }
 
-    /// This or its negative, whichever has Re >= 0.
+    /// The number or its negative, whichever has Re >= 0.
     #[inline(always)]
     pub(super) fn in_right_half(self) -> Self {
         Self::where_less(self.re, Real::ZERO, -self, self)
@@ -176,10 +176,10 @@ impl<A: Arithmetic> Complex<A> {
         }
     }
 
-    /// The root with Re > 0, or Re = 0 and the sign of the imaginary part, + where that is zero.
+    /// The root with Re > 0, or with Re = 0 and the sign of the imaginary part, + if that is zero.
     #[inline(always)]
     pub(super) fn sqrt(self) -> Self {
-        // A zero of either sign must not choose the branch.
+        // The sign of a zero must not choose the branch.
         let im = self.im + Real::ZERO;
         let larger = ((self.norm_sqr().sqrt() + self.re.abs()) * Real::splat(0.5)).sqrt();
         // Zero has no direction.
@@ -194,14 +194,14 @@ impl<A: Arithmetic> Complex<A> {
         }
     }
 
-    /// This or its negative, whichever makes the sum with another number the larger one.
+    /// The number or its negative, whichever makes the sum with another number larger.
     #[inline(always)]
     pub(super) fn along(self, other: Self) -> Self {
         let along = self.re.multiply_add(other.re, self.im * other.im);
         Self::where_less(along, Real::ZERO, -self, self)
     }
 
-    /// `yes` where `a` is less than `b`, else `no`.
+    /// `yes` where `a` is less than `b`, otherwise `no`.
     #[inline(always)]
     pub(super) fn where_less(a: Real<A>, b: Real<A>, yes: Self, no: Self) -> Self {
         Self {

@@ -1,4 +1,4 @@
-//! Which instructions the kernel may use, found when the program runs.
+//! Selection of the instruction set of the kernel at run time.
 
 use num_complex::Complex64;
 
@@ -12,21 +12,21 @@ use super::vectors::{Avx2, Avx512};
 use super::waves::Waves;
 use crate::solve::linear::Magnified;
 
-/// Sets of instructions that the kernel is made for.
+/// Instruction sets for which the kernel is compiled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Instructions {
     /// Vectors of 512 bits: eight frequencies at once.
     #[cfg(target_arch = "x86_64")]
     Avx512,
-    /// Vectors of 256 bits and multiplications that add: four.
+    /// Vectors of 256 bits and fused multiply-add: four.
     #[cfg(target_arch = "x86_64")]
     Avx2,
-    /// What every processor has: four, by whatever vectors the program was compiled for.
+    /// The instructions of every processor: four, with the vectors of the compilation target.
     Portable,
 }
 
 impl Instructions {
-    /// Those of this processor, the best ones first.
+    /// Those of this processor, the fastest first.
     pub fn available() -> Vec<Self> {
         let mut all = Vec::new();
         #[cfg(target_arch = "x86_64")]
@@ -43,7 +43,7 @@ impl Instructions {
     }
 }
 
-/// A workspace for one thread, with the instructions it uses.
+/// A workspace for one thread, with its instruction set.
 #[derive(Debug)]
 pub(in crate::solve) enum Solver {
     #[cfg(target_arch = "x86_64")]
@@ -53,7 +53,7 @@ pub(in crate::solve) enum Solver {
     Portable(Bench<Portable>),
 }
 
-/// The sides of a part of the beam, by the instructions they were found with.
+/// The sides of a part of the beam, in the arithmetic that solved them.
 #[derive(Debug, Clone)]
 pub(in crate::solve) enum SideBatch {
     #[cfg(target_arch = "x86_64")]
@@ -76,7 +76,7 @@ macro_rules! for_each {
     };
 }
 
-/// Room, and what comes out of it.
+/// Workspace and outputs.
 #[derive(Debug)]
 pub(in crate::solve) struct Bench<A> {
     waves: Box<Waves<A>>,
@@ -95,14 +95,14 @@ impl<A: Arithmetic> Default for Bench<A> {
 }
 
 impl Default for Solver {
-    /// With the best instructions that the processor has.
+    /// With the fastest instruction set of the processor.
     fn default() -> Self {
         Self::new(Instructions::available()[0])
     }
 }
 
 impl Solver {
-    /// With some instructions, which the processor must have.
+    /// With an instruction set, which the processor must have.
     pub(in crate::solve) fn new(instructions: Instructions) -> Self {
         assert!(
             Instructions::available().contains(&instructions),
@@ -137,7 +137,7 @@ impl Solver {
         for_each!(self, bench => bench.characteristic(prepared, omegas, out));
     }
 
-    /// The sides of a part of the beam at some angular frequencies, rad/s, for each group of them that is solved at once.
+    /// The sides of a part of the beam at some angular frequencies, rad/s, for each group that is solved at once.
     pub(in crate::solve) fn keep(
         &mut self,
         substructure: &Substructure,
@@ -152,7 +152,7 @@ impl Solver {
         }
     }
 
-    /// [`Self::solve`] from what was kept, beginning with the frequency of a number, which begins a group.
+    /// [`Self::solve`] with cached sides, from the frequency with the index `first`, which begins a group.
     pub(in crate::solve) fn solve_substructure(
         &mut self,
         substructure: &Substructure,
@@ -171,9 +171,9 @@ impl SideBatch {
     }
 }
 
-/// An arithmetic whose sides can be kept beside those of others.
+/// An arithmetic whose sides can be cached.
 pub(in crate::solve) trait Kind: Arithmetic {
-    /// The sides, where they were found with this arithmetic.
+    /// The sides, if this arithmetic solved them.
     fn sides(kept: &SideBatch) -> Option<&Sides<Self>>;
 }
 
@@ -276,7 +276,7 @@ impl<A: Kind> Bench<A> {
         this.out.resize(plan.outputs.len(), Complex::ZERO);
         let groups = omegas.chunks(A::LANES).zip(kept);
         for (index, (group, kept)) in groups.enumerate() {
-            // The processor does not change while the program runs.
+            // Cannot happen: the processor does not change while the program runs.
             let Some(sides) = A::sides(kept) else {
                 return this.solve(&substructure.prepared, omegas, out);
             };
@@ -287,7 +287,7 @@ impl<A: Kind> Bench<A> {
         }
     }
 
-    /// Writes what came out of a group of a number.
+    /// Writes the outputs of a group.
     #[inline(always)]
     fn write(&self, group: usize, out: &mut [&mut [Complex64]]) {
         let first = group * A::LANES;
@@ -298,7 +298,7 @@ impl<A: Kind> Bench<A> {
     }
 }
 
-/// A group of angular frequencies, rad/s, filled up with the last of them.
+/// A group of angular frequencies, rad/s, padded with the last of them.
 #[inline(always)]
 fn filled_up<A: Arithmetic>(omegas: &[Complex64]) -> Complex<A> {
     let last = omegas.len() - 1;

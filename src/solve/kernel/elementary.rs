@@ -6,16 +6,16 @@
 use super::complex::Complex;
 use super::number::{Arithmetic, MOST_LANES, Real, part};
 
-/// Adding it rounds a number below 2^51 to an integer, which then stands in the low bits.
+/// Adding it rounds a number below 2^51 to an integer in the low bits.
 const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
 /// Beyond it the reduction of an angle loses digits.
 const LARGEST: f64 = 1e6;
 
-/// exp(-re) (cos im - i sin im): how a wave decays and turns over `re + i im`.
+/// exp(-re) (cos im - i sin im): decay and phase of a wave for `re + i im`.
 #[inline(always)]
 pub(super) fn decay<A: Arithmetic>(re: Real<A>, im: Real<A>) -> Complex<A> {
-    // Without damping a wave either decays or turns.
+    // Without damping a wave either decays or propagates.
     if !Real::ZERO.is_less_somewhere(im.abs()) {
         return Complex::from_real(exp(-re));
     }
@@ -80,7 +80,7 @@ pub(super) fn sin_cos<A: Arithmetic>(x: Real<A>) -> (Real<A>, Real<A>) {
     reduced_sin_cos(x)
 }
 
-/// Of numbers of any size.
+/// For numbers of any size.
 #[inline(always)]
 fn far_sin_cos<A: Arithmetic>((x,): (Real<A>,)) -> (Real<A>, Real<A>) {
     let (sin, cos) = reduced_sin_cos(x);
@@ -154,7 +154,7 @@ fn cosine<A: Arithmetic>(r: Real<A>) -> Real<A> {
     for coefficient in &SERIES[1..] {
         sum = sum.multiply_add(square, Real::splat(*coefficient));
     }
-    // 1 - square/2 loses what the rounding of the difference took away.
+    // 1 - square/2, corrected by the rounding error of the difference.
     let half = square * Real::splat(0.5);
     let near_one = Real::ONE - half;
     let lost = (Real::ONE - near_one) - half;

@@ -11,11 +11,11 @@ use super::waves::Waves;
 use crate::model::{BeamMotion, Restraint};
 use crate::solve::plan::End;
 
-/// A margin of the last system below which its answer is rounding alone: the model has no damping and is at a resonance to
-/// the last digits of the frequency.
+/// Below this margin of the last system its solution is only rounding: the model has no damping and is at a resonance
+/// to the last digits of the frequency.
 const RESONANT: f64 = 1e-14;
 
-/// The motions of an end: first those that the coupled waves carry, then those of the other two.
+/// The motions of an end: first those of the coupled waves, then those of the other two.
 const MOTIONS: [BeamMotion; 6] = [
     BeamMotion::W,
     BeamMotion::Psi,
@@ -25,14 +25,14 @@ const MOTIONS: [BeamMotion; 6] = [
     BeamMotion::VSlope,
 ];
 
-/// The equation of one motion of an end for the waves that leave it and those that arrive at it: four or two of them,
-/// from the first that carries the motion on.
+/// The equation of one motion of an end for the outgoing and the incoming waves: four or two of them, from the first
+/// that moves it on.
 #[derive(Debug, Clone)]
 struct EndRow<A> {
     of_leaving: [Complex<A>; 4],
     of_arriving: [Complex<A>; 4],
     load: Complex<A>,
-    /// A power of two by which all of it is scaled.
+    /// A power of two that scales the row.
     scale: Real<A>,
 }
 
@@ -44,8 +44,8 @@ impl<A: Arithmetic> EndRow<A> {
         scale: Real::ONE,
     };
 
-    /// Becomes K q - p = F at the left end. At the right end p has the other sign; there the waves that leave go left, so
-    /// that forces and slopes change theirs too, and the equation is the same but for the load of a slope.
+    /// Becomes K q - p = F at the left end. At the right end p has the other sign; there the outgoing waves go left, so
+    /// forces and slopes also change sign, and the equation is the same except for the load of a slope.
     fn set(&mut self, waves: &Waves<A>, end: &End, motion: BeamMotion, side: Side) {
         A::outlined(SetRow((self, waves, end, motion, side)));
     }
@@ -73,7 +73,7 @@ impl<A: Arithmetic> EndRow<A> {
             this.of_arriving[wave - from] = arriving;
             largest = largest.max(leaving.size());
         }
-        // So that rows in different units compare.
+        // Makes rows in different units comparable.
         let by = largest.inverse_power_of_two();
         for k in 0..to - from {
             this.of_leaving[k] = this.of_leaving[k].scaled(by);
@@ -85,7 +85,7 @@ impl<A: Arithmetic> EndRow<A> {
     }
 }
 
-/// The dynamic stiffness that a motion of an end meets, 1 or 0 before the internal force, and the load.
+/// The dynamic stiffness of a motion of an end, the factor (1 or 0) of the internal force, and the load.
 #[inline(always)]
 fn restraint<A: Arithmetic>(
     omega: Complex<A>,
@@ -94,7 +94,7 @@ fn restraint<A: Arithmetic>(
 ) -> (Complex<A>, Real<A>, Complex64) {
     let load = end.load[motion as usize];
     match end.support[motion] {
-        // A fixed motion is zero whatever acts along it.
+        // A fixed motion is zero under any load.
         Restraint::Fixed => (Complex::ONE, Real::ZERO, Complex64::ZERO),
         Restraint::Free => (Complex::ZERO, Real::ONE, load),
         Restraint::Elastic(elastic) => {
@@ -105,12 +105,12 @@ fn restraint<A: Arithmetic>(
     }
 }
 
-/// The reflection of an end, for who looks at it.
+/// The reflection of an end, for an observer who looks at it.
 pub(super) fn reflection<A: Arithmetic>(waves: &Waves<A>, end: &End, side: Side) -> Reflection<A> {
     reflection_with(waves, end, side, None)
 }
 
-/// The same; multiplies a product by the determinant of the equations for the waves that leave.
+/// The same; also multiplies a product by the determinant of the equations for the outgoing waves.
 pub(super) fn reflection_with<A: Arithmetic>(
     waves: &Waves<A>,
     end: &End,
@@ -134,7 +134,7 @@ fn reflection_inlined<A: Arithmetic>(
     out
 }
 
-/// The block of `N` waves from `first` on, and its determinant where that is wanted; `R` is `N` + 1.
+/// The block of `N` waves from `first` on, and its determinant if requested; `R` is `N` + 1.
 #[inline(always)]
 fn reflect<A: Arithmetic, const N: usize, const R: usize>(
     waves: &Waves<A>,
@@ -165,7 +165,7 @@ fn reflect<A: Arithmetic, const N: usize, const R: usize>(
     };
     for row in 0..N {
         for column in row..N {
-            // Symmetric but for rounding, of which the mean has less.
+            // Symmetric up to rounding; the mean halves the rounding error.
             let mean = (right[row][column] + right[column][row]).scaled(Real::splat(0.5));
             out.r[entry(first + row, first + column)] = mean;
         }
@@ -174,7 +174,7 @@ fn reflect<A: Arithmetic, const N: usize, const R: usize>(
     determinant
 }
 
-/// b' at the right end, from what lies left of it; not finite at an undamped resonance.
+/// b' at the right end, from the reflection on its left; not finite at an undamped resonance.
 pub(super) fn right_end<A: Arithmetic>(
     waves: &Waves<A>,
     end: &End,
@@ -221,7 +221,7 @@ fn right_determinant_inlined<A: Arithmetic>(
 struct RightSystem<A> {
     of_b: Matrix<A, 6, 6>,
     right: Matrix<A, 6, 1>,
-    /// The largest sizes that were summed to an entry of each column.
+    /// For each column the largest magnitude among the summands of its entries.
     terms: [Real<A>; 6],
     /// Powers of two by which the rows are scaled.
     scales: [Real<A>; 6],
@@ -272,7 +272,7 @@ impl<A: Arithmetic> RightSystem<A> {
     }
 }
 
-/// b' where what lies left of a point and what lies right of it meet; not finite at an undamped resonance.
+/// b' where the reflections of both sides of a point meet; not finite at an undamped resonance.
 pub(super) fn join<A: Arithmetic>(
     waves: &Waves<A>,
     left: &Reflection<A>,
@@ -289,7 +289,7 @@ fn join_inlined<A: Arithmetic>(
     let mut load = [[Complex::ZERO; 1]; 6];
     let mut terms = [Real::ZERO; 6];
     for row in 0..6 {
-        // R N N^-1: back to the waves themselves.
+        // R N N^-1: back to unscaled waves.
         let mut back = [Complex::ZERO; 6];
         load[row][0] = right.s[row];
         for wave in 0..6 {
@@ -315,7 +315,7 @@ fn join_inlined<A: Arithmetic>(
     finite_where_resolved(&mut of_b, &mut load, &terms)
 }
 
-/// The solution; infinite where it would be rounding alone.
+/// The solution; infinite if it would be only rounding.
 #[inline(always)]
 fn finite_where_resolved<A: Arithmetic>(
     of_b: &mut Matrix<A, 6, 6>,

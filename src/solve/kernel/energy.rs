@@ -1,7 +1,7 @@
 //! The vibration energy `E_V` at several frequencies at once; the equations are those of [`crate::solve::energy`].
 //!
-//! Both forms of a span are Hermitian, and shapes that move w and psi do not overlap with those that move v: 13 of their
-//! 36 entries are kept. The exponentials are those of the span, multiplied.
+//! Both forms of a span are Hermitian, and shapes that move w and psi do not overlap with those that move v: 13 of
+//! their 36 entries are stored. The exponentials are products of those of the span.
 
 use super::complex::Complex;
 use super::number::{Arithmetic, Real, part};
@@ -13,16 +13,16 @@ use crate::solve::waves::BeamConstants;
 /// Pairs of waves that overlap.
 pub(super) const PAIRS: usize = 13;
 
-/// What the energy of a span is made of, for one length.
+/// The energy forms of spans of one length.
 #[derive(Debug, Clone)]
 pub(super) struct Form<A> {
-    /// Of waves that travel the same way.
+    /// Waves that travel in the same direction.
     pub(super) same: [Complex<A>; PAIRS],
-    /// Of waves that travel against each other.
+    /// Waves that travel in opposite directions.
     pub(super) against: [Complex<A>; PAIRS],
 }
 
-/// A sum, and the size of what was summed.
+/// A sum, and the sum of the magnitudes of its terms.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sum<A> {
     value: Real<A>,
@@ -111,7 +111,7 @@ impl<A: Arithmetic> Form<A> {
                 for j in i..to {
                     let same = a[i].conj_times(a[j]) + b[i].conj_times(b[j]);
                     let against = a[i].conj_times(b[j]) + b[i].conj_times(a[j]);
-                    // Off the diagonal an entry stands for two.
+                    // An off-diagonal entry counts twice.
                     let times = Real::splat(if i == j { 1.0 } else { 2.0 });
                     let same = (this.same[pair] * same).re * times;
                     let against = (this.against[pair] * against).re * times;
@@ -125,11 +125,11 @@ impl<A: Arithmetic> Form<A> {
 }
 
 impl<A: Arithmetic> Form<A> {
-    /// The energy of a span if each of its waves were alone, at least an eighth of the size of what `of` sums: a form that
-    /// is nowhere negative is at most its diagonal times the waves that overlap, of which there are eight.
+    /// The energy of a span if each of its waves were alone, at least an eighth of the magnitudes that `of` sums: a
+    /// positive semidefinite form is at most its diagonal times the number of overlapping waves, which is eight.
     #[inline(always)]
     pub(super) fn apart(&self, a: &Amplitudes<A>, b: &Amplitudes<A>) -> Real<A> {
-        /// Where the pair of each wave with itself is kept.
+        /// Index of the pair of each wave with itself.
         const OWN: [usize; 6] = [0, 4, 7, 9, 10, 12];
         let mut sum = Real::ZERO;
         for wave in 0..6 {
@@ -146,14 +146,14 @@ impl<A: Arithmetic> Sum<A> {
         terms: Real::ZERO,
     };
 
-    /// Adds another sum: its value, and the size of what it was summed from.
+    /// Adds another sum: its value, and the magnitudes of its terms.
     #[inline(always)]
     pub(super) fn add(&mut self, value: Real<A>, terms: Real<A>) {
         self.value = self.value + value;
         self.terms = self.terms + terms;
     }
 
-    /// The sum; NaN where its terms cancel to their last digits.
+    /// The sum; NaN if its terms cancel to their last digits.
     #[inline(always)]
     pub(super) fn resolved(self) -> Real<A> {
         let least = self.terms * Real::splat(LEAST_SHARE);
@@ -184,7 +184,7 @@ fn mean_difference_inlined<A: Arithmetic>(
         return direct;
     }
     let along = z.scaled(Real::splat(length));
-    // 1 - z/2 (1 - z/3 (1 - ...)): 16 terms leave less than 1e-18.
+    // 1 - z/2 (1 - z/3 (1 - ...)): after 16 terms the remainder is below 1e-18.
     let mut sum = Complex::ONE;
     for k in (2..=17).rev() {
         let part = along.scaled(Real::splat(1.0 / f64::from(k)));

@@ -1,10 +1,11 @@
-//! Small dense systems at several frequencies at once: elimination with partial pivoting, each frequency for itself.
+//! Small dense systems at several frequencies at once: elimination with partial pivoting, independent for each
+//! frequency.
 
 use super::complex::{Complex, Matrix};
 use super::number::{Arithmetic, Real, part};
 
-/// Solves `a x = b` in place of `b`. The rows come scaled so that they compare. A singular `a` gives values that are
-/// not finite, except 0 for an unknown with a zero pivot and a zero right-hand side.
+/// Solves `a x = b` in place of `b`. The caller scales the rows so that they are comparable. A singular `a` gives
+/// values that are not finite, except 0 for an unknown with a zero pivot and a zero right-hand side.
 pub(super) fn solve<A: Arithmetic, const N: usize, const R: usize>(
     a: &mut Matrix<A, N, N>,
     b: &mut Matrix<A, N, R>,
@@ -45,8 +46,8 @@ fn solve_with_determinant_inlined<A: Arithmetic, const N: usize, const R: usize>
     determinant
 }
 
-/// [`solve`], and how far `a` is from singular: the least share that a pivot is of `terms`, the largest sizes that were
-/// summed to an entry of each column.
+/// [`solve`], and how far `a` is from singular: the smallest ratio of a pivot to `terms`, for each column the largest
+/// magnitude among the summands of its entries.
 pub(super) fn solve_with_margin<A: Arithmetic, const N: usize, const R: usize>(
     a: &mut Matrix<A, N, N>,
     b: &mut Matrix<A, N, R>,
@@ -70,8 +71,8 @@ fn solve_with_margin_inlined<A: Arithmetic, const N: usize, const R: usize>(
     margin
 }
 
-/// Brings the row with the largest entry of a column up to the diagonal, at each frequency the one that is largest there;
-/// the sign that this gives the determinant.
+/// Moves the row with the largest entry of a column to the diagonal, independently at each frequency; returns the sign
+/// of this exchange for the determinant.
 #[inline(always)]
 fn bring_up_pivot<A: Arithmetic, const N: usize, const R: usize>(
     a: &mut Matrix<A, N, N>,
@@ -82,7 +83,7 @@ fn bring_up_pivot<A: Arithmetic, const N: usize, const R: usize>(
     let mut largest = a[column][column].size();
     for row in column + 1..N {
         let size = a[row][column].size();
-        // Seldom: the order of the rows suits most systems.
+        // Rare: the order of the rows suits most systems.
         if largest.is_less_somewhere(size) {
             for k in column..N {
                 exchange(largest, size, a, (column, row), k);
@@ -121,7 +122,7 @@ fn eliminate<A: Arithmetic, const N: usize, const R: usize>(
     let pivot = a[column][column];
     let mut inverse = pivot.inverse();
     if pivot.size().is_less_somewhere(least()) {
-        // The column below it is zero, too.
+        // The column below it is also zero.
         inverse = Complex::where_less(pivot.size(), least(), Complex::ZERO, inverse);
     }
     a[column][column] = inverse;
@@ -136,13 +137,13 @@ fn eliminate<A: Arithmetic, const N: usize, const R: usize>(
     }
 }
 
-/// Less than any pivot but zero.
+/// Smaller than any pivot but zero.
 #[inline(always)]
 fn least<A: Arithmetic>() -> Real<A> {
     Real::splat(f64::MIN_POSITIVE)
 }
 
-/// An unknown from its right-hand side where a pivot may be zero, whose `inverse` is then zero, too.
+/// An unknown from its right-hand side; a zero pivot has the `inverse` zero.
 #[inline(always)]
 fn over_zero<A: Arithmetic>(right: Complex<A>, inverse: Complex<A>) -> Complex<A> {
     let infinite = Complex::from_real(Real::splat(f64::INFINITY));

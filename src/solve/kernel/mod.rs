@@ -1,22 +1,21 @@
 //! The kernel: responses, the characteristic function and whole solutions at several complex frequencies at once.
 //!
-//! A number here is the numbers of eight or four frequencies ([`number`], [`complex`]): each line works on all of them
-//! with one instruction where the processor has vectors of 512 or 256 bits (`vectors`; any other processor: `portable`),
-//! and takes the same decisions for each as if it were alone. `dispatch` finds what the processor has when the program
-//! runs. A whole [`solution`] is the instance with one lane.
+//! A number here holds the values of eight or four frequencies ([`number`], [`complex`]): each operation works on all
+//! of them with one instruction if the processor has vectors of 512 or 256 bits (`vectors`; other processors:
+//! `portable`), and decides for each of them as if it were alone. `dispatch` selects the instruction set at run time. A
+//! whole [`solution`] uses a single lane.
 //!
-//! At every point the right-going amplitudes are carried as `a = R b + s`, seen looking left (`reflection`); only decaying
-//! exponentials occur, so nothing is lost however long the beam or high the frequency, where a product of transfer
-//! matrices loses digits like `exp(2 kappa L)` (Chen & Liu 2022, Eq. 48). `waves` and `roots` give the waves, `ends` the
-//! supports, `station` the subsystems, `recursion` sweeps to the right and back, `read` gives what is read, `energy`
-//! integrates what moved. Cost and memory are linear in the stations.
+//! At every point the right-going amplitudes are `a = R b + s`, seen looking left (`reflection`); only decaying
+//! exponentials occur, so no digits are lost for any length of beam or frequency, while a product of transfer matrices
+//! loses digits like `exp(2 kappa L)` (Chen & Liu 2022, Eq. 48). `waves` and `roots` compute the waves, `ends` the
+//! supports, `station` the subsystems, `recursion` sweeps to the right and back, `read` evaluates the responses,
+//! `energy` integrates along the spans. Cost and memory are linear in the number of stations.
 //!
-//! `sides` is the cache of what lies left and right of an edited place: `carry` takes waves over it, `combinations` and
-//! `quadratic` give the energy that they leave there. `characteristic` is the function whose zeros are the natural
-//! frequencies.
+//! `substructure` solves an edited part of the beam between cached sides. `characteristic` is the function whose zeros
+//! are the natural frequencies.
 //!
-//! What saves work: reflections are symmetric; nothing is solved for what a load radiates; a subsystem is solved for its
-//! three stretches instead of six waves; unread intermediate results are not stored.
+//! Savings: reflections are symmetric; the radiation of a load needs no solution of a system; a subsystem is solved for
+//! its three stretches instead of six waves; unread intermediate results are not stored.
 
 #![allow(
     clippy::inline_always,

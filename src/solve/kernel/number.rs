@@ -1,19 +1,20 @@
 //! Numbers of several frequencies at once.
 //!
-//! Every operation is one instruction where the processor has vectors, once it is inlined into a function that may use
-//! them: hence `#[inline(always)]`, here and up to the next [`Part`], and neither closures nor iterators in between.
+//! Every operation is one vector instruction, if it is inlined into a function with that target feature: hence
+//! `#[inline(always)]`, here and up to the next [`Part`], and neither closures nor iterators in between.
 
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// The most frequencies that any processor solves at once; a multiple of what each does.
+/// The most frequencies in a group on any processor; a multiple of every group size.
 pub(in crate::solve) const MOST_LANES: usize = 8;
 
-/// A part of the kernel, with what it works on: all in one piece the kernel would take minutes to compile.
+/// A part of the kernel and its arguments, compiled as a separate function: in one piece the kernel would take minutes
+/// to compile.
 pub(in crate::solve) trait Part {
     type Output;
 
-    /// To be `#[inline(always)]`: see [`part!`].
+    /// Must be `#[inline(always)]`: see [`part!`].
     fn run(self) -> Self::Output;
 }
 
@@ -34,13 +35,13 @@ macro_rules! part {
 }
 pub(super) use part;
 
-/// The numbers of a few frequencies side by side, as a kind of processor works on them.
+/// The numbers of a few frequencies as a vector of one kind of processor.
 ///
-/// Their bits count as unsigned integers where a method says so.
+/// Some methods work on their bits as unsigned integers.
 pub(in crate::solve) trait Arithmetic:
     Copy + Debug + Send + Sync + 'static
 {
-    /// How many; a divisor of [`MOST_LANES`].
+    /// Number of lanes; a divisor of [`MOST_LANES`].
     const LANES: usize;
     const ZERO: Self;
     const ONE: Self;
@@ -66,22 +67,22 @@ pub(in crate::solve) trait Arithmetic:
     /// c - self b.
     fn subtract_product(self, b: Self, c: Self) -> Self;
 
-    /// `yes` where this is less than `than`, else `no`.
+    /// `yes` where this is less than `than`, otherwise `no`.
     fn where_less(self, than: Self, yes: Self, no: Self) -> Self;
 
-    /// `yes` where the sign bit is set, else `no`.
+    /// `yes` where the sign bit is set, otherwise `no`.
     fn where_signed(self, yes: Self, no: Self) -> Self;
 
-    /// Whether this is less than `than` in some lane.
+    /// Whether this is less than `than` in any lane.
     fn is_less_somewhere(self, than: Self) -> bool;
 
-    /// Bits that both have.
+    /// Bitwise and.
     fn and(self, other: Self) -> Self;
 
-    /// Bits that one of them has.
+    /// Bitwise or.
     fn or(self, other: Self) -> Self;
 
-    /// Bits in which they differ.
+    /// Bitwise exclusive or.
     fn xor(self, other: Self) -> Self;
 
     /// The sum of the bits as integers.
@@ -90,10 +91,10 @@ pub(in crate::solve) trait Arithmetic:
     /// The difference of the bits as integers.
     fn minus_bits(self, other: Self) -> Self;
 
-    /// The bits `by` places higher.
+    /// The bits shifted left by `by`.
     fn shifted(self, by: u32) -> Self;
 
-    /// Runs a part of the kernel as a function of its own, with the instructions of this arithmetic.
+    /// Runs a part of the kernel as a separate function, with the instructions of this arithmetic.
     fn outlined<P: Part>(part: P) -> P::Output;
 }
 
@@ -157,7 +158,7 @@ impl<A: Arithmetic> Real<A> {
         self.where_less(other, other, self)
     }
 
-    /// `yes` where this is less than `than`, else `no`.
+    /// `yes` where this is less than `than`, otherwise `no`.
     #[inline(always)]
     pub(super) fn where_less(self, than: Self, yes: Self, no: Self) -> Self {
         Self(self.0.where_less(than.0, yes.0, no.0))
@@ -169,7 +170,7 @@ impl<A: Arithmetic> Real<A> {
         Self(self.abs().0.or(sign.0.and(Self::of_bits(SIGN).0)))
     }
 
-    /// Whether this is less than `than` at some frequency.
+    /// Whether this is less than `than` at any frequency.
     #[inline(always)]
     pub(super) fn is_less_somewhere(self, than: Self) -> bool {
         self.0.is_less_somewhere(than.0)
@@ -178,42 +179,42 @@ impl<A: Arithmetic> Real<A> {
     /// A power of two within a factor of two below 1 / self, for positive finite numbers.
     #[inline(always)]
     pub(super) fn inverse_power_of_two(self) -> Self {
-        /// Twice the exponent of 1, in its place.
+        /// Twice the exponent bits of 1.
         const TWICE_ONE: u64 = 2046 << 52;
         const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
         let exponent = self.0.and(Self::of_bits(EXPONENT).0);
         Self(Self::of_bits(TWICE_ONE).0.minus_bits(exponent))
     }
 
-    /// Two to an integer that stands in the low bits.
+    /// Two to the power of an integer in the low bits.
     #[inline(always)]
     pub(super) fn power_of_two(self) -> Self {
-        /// The exponent of 1.
+        /// The exponent bits of 1.
         const ONE: u64 = 1023;
         Self(self.0.plus_bits(Self::of_bits(ONE).0).shifted(52))
     }
 
-    /// `yes` where the bit of a place is set, else `no`.
+    /// `yes` where the bit with the index `place` is set, otherwise `no`.
     #[inline(always)]
     pub(super) fn where_bit(self, place: u32, yes: Self, no: Self) -> Self {
         Self(self.0.shifted(63 - place).where_signed(yes.0, no.0))
     }
 
-    /// With the other sign where the bit of a place of `bits` is set.
+    /// With the other sign where the bit of `bits` with the index `place` is set.
     #[inline(always)]
     pub(super) fn turned_by_bit(self, bits: Self, place: u32) -> Self {
         let sign = bits.0.shifted(63 - place).and(Self::of_bits(SIGN).0);
         Self(self.0.xor(sign))
     }
 
-    /// With one more in the low bits.
+    /// With the low bits incremented by one.
     #[inline(always)]
     pub(super) fn next_bits(self) -> Self {
         Self(self.0.plus_bits(Self::of_bits(1).0))
     }
 }
 
-/// The bit of the sign.
+/// The sign bit.
 const SIGN: u64 = 1 << 63;
 
 /// An operation of two numbers.

@@ -1,4 +1,4 @@
-//! How much arithmetic a sweep takes: the kernel run with numbers that count.
+//! Number of arithmetic operations of a sweep: the kernel runs with numbers that count.
 
 use std::cell::Cell;
 
@@ -19,14 +19,14 @@ thread_local! {
 /// Operations on real numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Work {
-    /// Multiplications that add, multiplications and additions: each takes a processor as long as a multiplication that
-    /// adds. Comparisons, changes of sign and absolute values are not counted.
+    /// Fused multiply-adds, multiplications and additions: each takes as long as a fused multiply-add. Comparisons,
+    /// changes of sign and absolute values do not count.
     pub multiply_adds: f64,
     /// Divisions and square roots.
     pub divisions: f64,
 }
 
-/// The thread that computes.
+/// The counter of this thread.
 #[derive(Debug, Clone, Copy)]
 struct Counter;
 
@@ -42,10 +42,10 @@ impl Notes for Counter {
     }
 }
 
-/// The operations that a sweep of a checked model takes at a frequency, on average over some (Hz, > 0), with some
-/// instructions: where more frequencies are solved at once, some of them wait for others.
+/// The operations per frequency of a sweep of a checked model, on average over some frequencies (Hz, > 0), with an
+/// instruction set: with more frequencies in a group, some of them wait for others.
 ///
-/// What does not depend on the frequency is not counted.
+/// Work that does not depend on the frequency does not count.
 pub fn work(model: &Model, frequencies: &[f64], instructions: Instructions) -> Work {
     match instructions {
         #[cfg(target_arch = "x86_64")]
@@ -66,7 +66,7 @@ fn counted<const LANES: usize>(model: &Model, frequencies: &[f64]) -> Work {
     let groups = frequencies.chunks_exact(LANES);
     let count = groups.len() as f64;
     for group in groups {
-        // An operation of a group is one of each of its frequencies.
+        // An operation on a group counts once for each of its frequencies.
         let mut omega = [0.0; MOST_LANES];
         for lane in 0..LANES {
             omega[lane] = std::f64::consts::TAU * group[lane];

@@ -1,31 +1,32 @@
-//! The arithmetic of any processor: loops over arrays, which a compiler turns into vectors where there always are some.
+//! The arithmetic of any processor: loops over arrays, from which a compiler makes vector instructions if the target
+//! has them.
 
 use std::fmt::Debug;
 use std::marker::PhantomData;
 
 use super::number::{Arithmetic, MOST_LANES, Part};
 
-/// The arithmetic where nothing better is known.
+/// The default arithmetic.
 pub(in crate::solve) type Portable = Array<Silent, 4>;
 
 /// The arithmetic of a single frequency.
 pub(super) type One = Array<Silent, 1>;
 
-/// Numbers side by side.
+/// Numbers of several lanes.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(32))]
 pub(in crate::solve) struct Array<N, const LANES: usize>([f64; LANES], PhantomData<N>);
 
-/// Who takes note of what is computed.
+/// A counter of operations.
 pub(in crate::solve) trait Notes: Copy + Debug + Send + Sync + 'static {
-    /// An operation that costs as much as a multiplication that adds.
+    /// An operation as cheap as a fused multiply-add.
     fn operation();
 
     /// A division or a square root.
     fn division();
 }
 
-/// Nobody.
+/// Counts nothing.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::solve) struct Silent;
 
@@ -37,7 +38,7 @@ impl Notes for Silent {
     fn division() {}
 }
 
-/// With one rounding where every processor of the kind has an instruction for it.
+/// With one rounding on targets with an instruction for it.
 #[inline(always)]
 fn multiply_add(a: f64, b: f64, c: f64) -> f64 {
     if cfg!(target_arch = "aarch64") {
@@ -54,7 +55,7 @@ impl<N: Notes, const LANES: usize> Array<N, LANES> {
     }
 }
 
-/// A method that makes each lane from the same lanes of others.
+/// A method that computes each lane from the same lanes of its arguments.
 macro_rules! by_lane {
     ($name:ident($this:ident $(, $other:ident)*) $lane:expr $(, $note:expr)?) => {
         #[inline(always)]

@@ -8,7 +8,7 @@ use crate::solve::linear::Magnified;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ScaledProduct<A> {
     mantissa: Complex<A>,
-    /// Powers of two that stand before the mantissa.
+    /// Exponents of two that scale the mantissa.
     exponents: [i64; MOST_LANES],
 }
 
@@ -30,7 +30,7 @@ impl<A: Arithmetic> ScaledProduct<A> {
         }
     }
 
-    /// The logarithms and directions; `growth` is a logarithm to add to each.
+    /// The logarithms and directions; `growth` is added to each logarithm.
     #[inline(always)]
     pub(super) fn write(&self, growth: Real<A>, out: &mut [Magnified]) {
         let growth = growth.lanes();

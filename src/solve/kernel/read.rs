@@ -1,4 +1,4 @@
-//! What is read at a station, at several frequencies at once.
+//! Responses at a station, at several frequencies at once.
 
 use super::complex::Complex;
 use super::number::{Arithmetic, Real, part};
@@ -9,12 +9,12 @@ use crate::model::{BeamMotion, MassMotion, Measure};
 use crate::solve::attachment::Attachment;
 use crate::solve::plan::{Event, Output};
 
-/// What of a solution is asked for.
+/// The requested part of a solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Part {
     /// All of it.
     Whole,
-    /// What waves that arrive make of it, without any load.
+    /// The contribution of the incoming waves, without any load.
     FromWaves,
 }
 
@@ -115,7 +115,7 @@ impl<A: Arithmetic> State<A> {
                 .omega
                 .damped_stiffness(spring.stiffness, spring.damping)
         };
-        // What the waves say of a held motion is rounding.
+        // A fixed motion from the waves is only rounding.
         let [w_held, psi_held, v_held] = attachment.held;
         let unheld = |is_held: bool, motion| {
             if is_held {

@@ -14,19 +14,19 @@ use super::waves::{Constants, Waves};
 use crate::model::BeamMotion;
 use crate::solve::plan::{Event, Output, Plan};
 
-/// A plan, with what its waves need that does not depend on the frequency.
+/// A plan, with the frequency-independent constants of its waves.
 #[derive(Debug)]
 pub(in crate::solve) struct Prepared {
     pub(in crate::solve) plan: Plan,
     pub(super) constants: Constants,
-    /// For each station the number of those before it where a response is read, if one is read there.
+    /// For each station its index among the stations with outputs, if it has any.
     pub(super) reads: Vec<Option<usize>>,
     /// Stations where a response is read.
     read: usize,
 }
 
 impl Prepared {
-    /// To be read where the plan's outputs are.
+    /// With outputs where the plan has them.
     pub(in crate::solve) fn new(plan: Plan) -> Self {
         let mut is_read = vec![false; plan.stations.len()];
         for output in &plan.outputs {
@@ -45,7 +45,7 @@ impl Prepared {
         Self::reading(plan, is_read)
     }
 
-    /// To be read at every station.
+    /// With outputs at every station.
     pub(in crate::solve) fn whole(plan: Plan) -> Self {
         let is_read = vec![true; plan.stations.len()];
         Self::reading(plan, is_read)
@@ -66,7 +66,7 @@ impl Prepared {
         }
     }
 
-    /// Where the reflection beside a station is kept, if it is: see [`Room::lefts`].
+    /// Index of the reflection that is stored for a station, if any: see [`Room::lefts`].
     #[inline(always)]
     pub(super) fn kept(&self, station: usize) -> Option<usize> {
         if self.plan.wants_energy {
@@ -77,22 +77,22 @@ impl Prepared {
     }
 }
 
-/// Room for a few frequencies; reused, so that a sweep does not allocate.
+/// Workspace for a few frequencies; reused, so that a sweep does not allocate.
 #[derive(Debug)]
 pub(super) struct Room<A> {
     /// exp(-kappa l) of each distinct span.
     pub(super) decays: Vec<Amplitudes<A>>,
-    /// The energy of each distinct span, where it is wanted.
+    /// The energy of each distinct span, if requested.
     pub(super) forms: Vec<Form<A>>,
-    /// The reflection of the left end, where the energy is wanted.
+    /// The reflection of the left end, if the energy is requested.
     start: Box<Reflection<A>>,
-    /// The forces at each station, where an attachment is.
+    /// The forces at each station with an attachment.
     pub(super) forces: Vec<Forces<A>>,
-    /// What lies left of each station where something is read; of every one where the energy is wanted.
+    /// The reflection left of each station with outputs; of every station if the energy is requested.
     pub(super) lefts: Vec<Reflection<A>>,
-    /// Theta at each station where something is read, where an attachment is.
+    /// Theta at each station with outputs and an attachment.
     pub(super) turns: Vec<Turn<A>>,
-    /// What was found at each station where something is read.
+    /// The solution at each station with outputs.
     pub(super) states: Vec<State<A>>,
 }
 
@@ -151,7 +151,7 @@ impl<A: Arithmetic> Room<A> {
         }
     }
 
-    /// A response that is read at a station, which has been swept over.
+    /// A response at a station that the sweep has passed.
     #[inline(always)]
     pub(super) fn read(
         &self,
@@ -184,7 +184,7 @@ impl<A: Arithmetic> Room<A> {
         self.states.resize(read, State::NONE);
     }
 
-    /// What the spans need.
+    /// Prepares all spans.
     #[inline(always)]
     pub(super) fn prepare_spans(&mut self, plan: &Plan, waves: &Waves<A>) {
         self.decays.resize(plan.lengths.len(), [Complex::ONE; 6]);
@@ -200,7 +200,7 @@ impl<A: Arithmetic> Room<A> {
         }
     }
 
-    /// What the spans of a part and beside it need.
+    /// Prepares the spans of a part and those next to it.
     #[inline(always)]
     pub(super) fn prepare_part(
         &mut self,
@@ -223,7 +223,7 @@ impl<A: Arithmetic> Room<A> {
         }
     }
 
-    /// Carries the reflection that looks left over some stations, each with the span before it.
+    /// Moves the left-looking reflection over some stations, each with the span before it.
     #[inline(always)]
     pub(super) fn sweep_right(
         &mut self,
@@ -256,8 +256,8 @@ impl<A: Arithmetic> Room<A> {
         }
     }
 
-    /// Carries b' back over some stations, each with the span after it, keeping what is read; adds the energy of those
-    /// spans where it is wanted.
+    /// Moves b' back over some stations, each with the span after it, and stores the solution at stations with outputs;
+    /// adds the energy of those spans if requested.
     #[inline(always)]
     pub(super) fn sweep_left(
         &mut self,
@@ -293,7 +293,7 @@ impl<A: Arithmetic> Room<A> {
         }
     }
 
-    /// Carries b' to the left over a station; what the station sends to the right, before N.
+    /// Moves b' to the left over a station; returns what the station sends to the right, before N.
     #[inline(always)]
     pub(super) fn cross(
         &mut self,
@@ -323,8 +323,8 @@ impl<A: Arithmetic> Room<A> {
         }
     }
 
-    /// Carries b' to the left over the span before a station, beyond which `start` lies; adds the energy of the span where
-    /// it is wanted.
+    /// Moves b' to the left over the span before a station; `start` is the reflection at the other end of the span.
+    /// Adds the energy of the span if requested.
     #[inline(always)]
     pub(super) fn cross_span(
         &mut self,
@@ -358,7 +358,7 @@ impl<A: Arithmetic> Room<A> {
     }
 }
 
-/// exp(-kappa l); 1 over no length, also for the wave that decays at once.
+/// exp(-kappa l); 1 over the length 0, also for the wave that decays at once.
 fn set_decays<A: Arithmetic>(waves: &Waves<A>, length: f64, out: &mut Amplitudes<A>) {
     A::outlined(SetDecays((waves, length, out)));
 }

@@ -1,9 +1,9 @@
 //! The reflection at several frequencies at once, in its symmetric form.
 //!
-//! Seen from a point to one side, the waves that leave it are `a = R b + s`. With `b' = N^-1 b` in place of b, N what
-//! a jump radiates ([`super::waves`]), the reflection `R N` is a symmetric matrix, by reciprocity: of its 36 entries 21
-//! are kept and worked on. What a jump f of the internal forces adds to b' is `Q^T f`, the transpose of what moves.
-//! The same code looks left and right: there only the jumps of moments change their sign.
+//! Looking from a point to one side, the waves from that side are `a = R b + s`. With `b' = N^-1 b` instead of b, where
+//! N is the radiation of a jump ([`super::waves`]), the reflection `R N` is a symmetric matrix, by reciprocity: 21 of
+//! its 36 entries are stored. A jump f of the internal forces adds `Q^T f` to b', with the transpose of the
+//! displacement matrix. The same code looks left and right: only the jumps of moments change their sign.
 
 use super::complex::Complex;
 use super::number::{Arithmetic, part};
@@ -24,7 +24,7 @@ pub(super) struct Reflection<A> {
     pub(super) s: Amplitudes<A>,
 }
 
-/// Where an entry of a symmetric matrix is kept.
+/// Index of an entry of a symmetric matrix.
 #[inline(always)]
 pub(super) const fn entry(row: usize, column: usize) -> usize {
     let (low, high) = if row < column {
@@ -35,14 +35,14 @@ pub(super) const fn entry(row: usize, column: usize) -> usize {
     low * (11 - low) / 2 + high
 }
 
-/// To which side a reflection looks.
+/// The direction in which a reflection looks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Side {
     Left,
     Right,
 }
 
-/// Columns of the waves that a row (w, psi, v) of Q, S, P or M can reach.
+/// Columns of the waves that contribute to a row (w, psi, v) of Q, S, P or M.
 #[inline(always)]
 pub(super) const fn reach(row: usize) -> (usize, usize) {
     if row < 2 { (0, 4) } else { (4, 6) }
@@ -54,7 +54,7 @@ impl<A: Arithmetic> Reflection<A> {
         s: [Complex::ZERO; 6],
     };
 
-    /// The waves that leave for given b'.
+    /// The outgoing waves for given b'.
     #[inline(always)]
     pub(super) fn at(&self, b: &Amplitudes<A>) -> Amplitudes<A> {
         self.part(b, true)
@@ -96,8 +96,8 @@ impl<A: Arithmetic> Reflection<A> {
         }
     }
 
-    /// Past loads along the six motions, which jump the internal forces by f and moments by m:
-    /// `s <- s + (1 + R) X f + (1 - R) Y m`, m with the other sign to the right.
+    /// Over loads along the six motions, which make the internal forces jump by f and the moments by m: `s <- s + (1 +
+    /// R) X f + (1 - R) Y m`, m with the other sign to the right.
     pub(super) fn load(&mut self, waves: &Waves<A>, jumps: &Jumps<A>, side: Side) {
         A::outlined(Load((self, waves, jumps, side)));
     }
@@ -126,7 +126,7 @@ impl Side {
     }
 }
 
-/// What jumps of the internal forces and moments do to the waves, before N.
+/// The effect of jumps of the internal forces and moments on the waves, before N.
 #[derive(Debug, Clone)]
 pub(super) struct Jumps<A> {
     /// Q^T f.
@@ -136,7 +136,7 @@ pub(super) struct Jumps<A> {
 }
 
 impl<A: Arithmetic> Jumps<A> {
-    /// Of loads along the six motions: p(x+) = p(x-) - F.
+    /// The jumps of loads along the six motions: p(x+) = p(x-) - F.
     pub(super) fn of_load(waves: &Waves<A>, load: &[num_complex::Complex64; 6]) -> Self {
         A::outlined(OfLoad((waves, load)))
     }
@@ -154,7 +154,7 @@ impl<A: Arithmetic> Jumps<A> {
             for wave in from..to {
                 jumps.even[wave] =
                     jumps.even[wave].plus_product(waves.displacement[row][wave], force);
-                // A bimoment on a section without warping turns the warping wave alone.
+                // A bimoment on a section without warping stiffness excites only the warping wave.
                 if row == 1 && waves.without_warping && wave > 0 {
                     continue;
                 }

@@ -1,10 +1,10 @@
 //! The four roots h = kappa^2 of the state equation of the coupled waves, at several frequencies at once.
 //!
-//! They come in pairs, evanescent and travelling: `(h - h_w)(gamma h - tau) = coupling / D(h)` with
-//! `D = (h + h_w)(slope h + offset)`. Sought is by how much the coupling shifts a root from where it is without, u:
-//! `h - h_w` of bending's or `gamma h - tau` of torsion's. Of the quadratic in u with D held the root that does not
-//! cancel is taken, and from there Newton's steps: so u has all its digits, and each step but one division. All four
-//! roots step together, for the processor would wait for each alone.
+//! They come in pairs, evanescent and travelling: `(h - h_w)(gamma h - tau) = coupling / D(h)` with `D = (h +
+//! h_w)(slope h + offset)`. The unknown is u, the shift of a root by the coupling: `h - h_w` for the bending root or
+//! `gamma h - tau` for the torsion root. The start is the root without cancellation of the quadratic in u with fixed D,
+//! followed by Newton steps: so u has all its digits, and each step needs one division. All four roots step together to
+//! use the processor's parallelism.
 
 use super::complex::Complex;
 use super::number::{Arithmetic, Real, part};
@@ -31,7 +31,7 @@ pub(super) struct Root<A> {
     pub(super) from_torsion: Complex<A>,
 }
 
-/// A root in the making: `u (p u + q) D(start + along u) = right`.
+/// A root during the iteration: `u (p u + q) D(start + along u) = right`.
 #[derive(Debug, Clone, Copy)]
 struct Sought<A> {
     u: Complex<A>,
@@ -44,11 +44,11 @@ struct Sought<A> {
     right: Complex<A>,
 }
 
-/// Of two pairs torsion's one, then bending's.
+/// For each of two pairs the torsion root, then the bending root.
 type Four<T> = [[T; 2]; 2];
 
-/// Of the evanescent and the travelling pair the root that is torsion's without coupling, then bending's; 1 where these
-/// are not four roots, else 0.
+/// For the evanescent and the travelling pair the root that becomes torsion without coupling, then the bending root; 1
+/// where these are not four roots, otherwise 0.
 pub(super) fn roots<A: Arithmetic>(pairs: &[Pair<A>; 2]) -> (Four<Root<A>>, Real<A>) {
     A::outlined(Roots((pairs,)))
 }
@@ -72,8 +72,8 @@ fn roots_inlined<A: Arithmetic>((pairs,): (&[Pair<A>; 2],)) -> (Four<Root<A>>, R
     (roots, astray(pairs, &sought))
 }
 
-/// 1 where two of the four roots are the same one, or one is none: all shifts together are zero, as the coefficient of
-/// h^3 says, which does not depend on the coupling. Happens where strong damping and coupling meet.
+/// 1 where two of the four roots coincide, or one is invalid: the sum of all shifts is zero, because the coefficient of
+/// h^3 does not depend on the coupling. Happens with strong damping and coupling.
 #[inline(always)]
 fn astray<A: Arithmetic>(pairs: &[Pair<A>; 2], sought: &Four<Sought<A>>) -> Real<A> {
     const MOST: f64 = 1e-5;
@@ -88,13 +88,13 @@ fn astray<A: Arithmetic>(pairs: &[Pair<A>; 2], sought: &Four<Sought<A>>) -> Real
 }
 
 impl<A: Arithmetic> Pair<A> {
-    /// tau - gamma `h_w`: how far the roots are apart without coupling.
+    /// tau - gamma `h_w`: the distance of the roots without coupling.
     #[inline(always)]
     fn apart(&self) -> Complex<A> {
         self.tau.minus_product(self.gamma, self.h_w)
     }
 
-    /// The root that is torsion's without coupling, and bending's.
+    /// The root that becomes torsion without coupling, and the bending root.
     #[inline(always)]
     fn sought(&self) -> [Sought<A>; 2] {
         let apart = self.apart();
@@ -103,7 +103,7 @@ impl<A: Arithmetic> Pair<A> {
         let (right, right_of_torsion) = (self.right_at(self.h_w), self.right_at(start));
         let root = (self.gamma * right).plus_product(half, half).sqrt();
         let root = root.along(half);
-        // Of the same sign as the other one, so that both roots are found where neither is the larger.
+        // With the sign of the other root, so that both roots are found if neither is larger.
         let product = self.gamma * right_of_torsion;
         let root_of_torsion = product.plus_product(half, half).sqrt().along(root);
         let bending = Sought {
@@ -134,10 +134,10 @@ impl<A: Arithmetic> Pair<A> {
         self.coupling * divisor.inverse()
     }
 
-    /// A step of Newton's; whether one more is needed at some frequency.
+    /// A Newton step; returns whether any frequency needs another one.
     #[inline(always)]
     fn step(&self, sought: &mut Sought<A>) -> bool {
-        /// The share of u below which a step is the last, squared: what is left is of the size of its square.
+        /// The fraction of u below which a step is the last, squared: the remainder is about its square.
         const NEAR: f64 = 1e-18;
         let Sought { u, p, q, along, .. } = *sought;
         let h = sought.start.plus_product(along, u);
@@ -150,16 +150,16 @@ impl<A: Arithmetic> Pair<A> {
         let residual = (-sought.right).plus_product(product, divisor);
         let change = (of_product * divisor).plus_product(product, of_divisor);
         let step = residual * change.inverse();
-        // Where nothing changes the roots coincide, uncoupled.
+        // If nothing changes, the roots coincide without coupling.
         let step = Complex::where_less(Real::ZERO, change.norm_sqr(), step, Complex::ZERO);
         let (size, near) = (step.norm_sqr(), u.norm_sqr() * Real::splat(NEAR));
-        // Each frequency stops by itself, so that none depends on its neighbours.
+        // Each frequency stops independently of its neighbours.
         sought.u = Complex::where_less(near, sought.last, u - step, u);
         sought.last = near.where_less(sought.last, size, sought.last);
         near.is_less_somewhere(sought.last)
     }
 
-    /// Torsion's root, then bending's.
+    /// The torsion root, then the bending root.
     #[inline(always)]
     fn roots(&self, sought: &[Sought<A>; 2]) -> [Root<A>; 2] {
         let [torsion, bending] = sought;
@@ -178,7 +178,8 @@ impl<A: Arithmetic> Pair<A> {
     }
 }
 
-/// A distance; 1 where it vanishes: two roots that meet without coupling are bending bending's and torsion's.
+/// A distance; 1 if it vanishes: of two roots that meet without coupling the bending root is purely bending and the
+/// torsion root purely torsion.
 #[inline(always)]
 fn present<A: Arithmetic>(distance: Complex<A>) -> Complex<A> {
     Complex::where_less(Real::ZERO, distance.norm_sqr(), distance, Complex::ONE)

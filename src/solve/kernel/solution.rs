@@ -17,9 +17,9 @@ use crate::solve::solution::{MassSolution, Solution, SpanWaves};
 use crate::solve::waves::{self, BeamConstants, WARPING_WAVE};
 
 impl Prepared {
-    /// Everything that moves at the angular frequency `omega`, rad/s (positive, or complex where a mode or a zero is
-    /// searched), of a plan that is prepared as a [whole](Self::whole). Where the model has no finite answer (no damping,
-    /// exactly at a resonance) the values are not finite.
+    /// The solution at the angular frequency `omega`, rad/s (positive, or complex in the search for a mode or a zero),
+    /// of a plan that is prepared as a [whole](Self::whole). If the model has no finite response (no damping, exactly
+    /// at a resonance), the values are not finite.
     pub(in crate::solve) fn solution(&self, omega: Complex64) -> Solution {
         let mut waves = Waves::<One>::NONE;
         waves.set(&self.constants, Complex::splat(omega));
@@ -79,8 +79,8 @@ impl Room<One> {
         }
     }
 
-    /// Adds what subsystems at an end do to motions that its support holds: it is felt between them and the support alone,
-    /// in spans of no length, and left out of the sweep.
+    /// Adds the effect of subsystems at an end on motions that its support fixes: it exists only between them and the
+    /// support, in spans of the length 0, and the sweep leaves it out.
     fn add_held_forces(&self, plan: &Plan, waves: &Waves<One>, spans: &mut [SpanWaves]) {
         for (index, station) in plan.stations.iter().enumerate() {
             let Event::Attachment(attachment) = &station.event else {
@@ -118,7 +118,7 @@ fn span_waves(waves: &Waves<One>, a: &Amplitudes<One>, mut b: Amplitudes<One>) -
 }
 
 impl<A: Arithmetic> Waves<A> {
-    /// Those of the first lane.
+    /// The values of the first lane.
     fn plain(&self) -> waves::Waves {
         let mut kappa = plain(&self.kappa);
         if self.without_warping {

@@ -1,8 +1,8 @@
-//! A subsystem at several frequencies at once: what it makes of the reflection that passes it.
+//! A subsystem at several frequencies at once: its effect on a reflection.
 //!
-//! The unknowns are those of [`crate::solve::attachment`], where their equations are: the forces of the three channels,
-//! and theta. Here they are solved for the three stretches of the channels alone, and the shapes Q are those of the
-//! channels: what a channel's force sends is the transpose of what stretches it.
+//! The unknowns and equations are those of [`crate::solve::attachment`]: the forces of the three channels, and theta.
+//! Here they are solved only for the three stretches of the channels, and the shapes Q are those of the channels: the
+//! radiation of a channel's force is the transpose of its stretch.
 
 use super::complex::{Complex, Matrix};
 use super::linear::{solve, solve_with_determinant};
@@ -30,16 +30,16 @@ pub(super) struct Turn<A> {
     pub(super) forced: Complex<A>,
 }
 
-/// What is kept of the unknowns of a subsystem.
+/// The stored unknowns of a subsystem.
 #[derive(Debug)]
 pub(super) struct Unknowns<'a, A> {
     pub(super) forces: &'a mut Forces<A>,
     pub(super) turn: Option<&'a mut Turn<A>>,
-    /// What is multiplied by the determinant of their system, of a subsystem without loads.
+    /// The product to be multiplied by the determinant of their system, for a subsystem without loads.
     pub(super) determinant: Option<&'a mut ScaledProduct<A>>,
 }
 
-/// Stretches of the channels by each wave: w + `z_b` psi and `y_u` psi by the coupled ones; v by the other two is 1.
+/// Stretches of the channels by each wave: w + `z_b` psi and `y_u` psi for the coupled ones; v for the other two is 1.
 #[derive(Debug, Clone)]
 pub(super) struct Stretches<A> {
     y: [Complex<A>; 4],
@@ -47,7 +47,7 @@ pub(super) struct Stretches<A> {
     difference: [Complex<A>; 4],
 }
 
-/// The stretches, none of them by a motion that a support holds.
+/// The stretches, without motions that a support fixes.
 #[inline(always)]
 pub(super) fn stretches<A: Arithmetic>(waves: &Waves<A>, attachment: &Attachment) -> Stretches<A> {
     stretches_without(waves, attachment, attachment.held)
@@ -95,7 +95,7 @@ struct Springs<A> {
     arms: [f64; 2],
     /// omega^2 J.
     inertia: Complex<A>,
-    /// What makes theta a force, N/rad.
+    /// The stiffness that scales theta to a force, N/rad.
     to_force: Real<A>,
     /// Nothing turns the mass.
     is_idle: bool,
@@ -131,7 +131,7 @@ impl<A: Arithmetic> Springs<A> {
         }
     }
 
-    /// The forces of the channels at stretches.
+    /// The forces of the channels for given stretches.
     #[inline(always)]
     fn times(&self, stretch: [Complex<A>; CHANNELS]) -> [Complex<A>; CHANNELS] {
         [
@@ -144,11 +144,11 @@ impl<A: Arithmetic> Springs<A> {
 
 /// The beam where a subsystem is attached.
 struct Contact<A> {
-    /// Stretches by b'.
+    /// Stretches per b'.
     moved: Matrix<A, CHANNELS, 6>,
-    /// Stretches with nothing arriving.
+    /// Stretches without incoming waves.
     still: [Complex<A>; CHANNELS],
-    /// Stretches by the forces of the channels; symmetric.
+    /// Stretches per force of the channels; symmetric.
     receptance: Matrix<A, CHANNELS, CHANNELS>,
 }
 
@@ -202,7 +202,7 @@ impl<A: Arithmetic> Contact<A> {
         contact
     }
 
-    /// An unknown as a function of b', from what the stretches and the loads make of it.
+    /// An unknown as a function of b', from the stretches and the loads.
     #[inline(always)]
     fn unknown(
         &self,
@@ -225,7 +225,7 @@ impl<A: Arithmetic> Contact<A> {
 }
 
 impl<A: Arithmetic> Reflection<A> {
-    /// Past a subsystem.
+    /// Over a subsystem.
     pub(super) fn attach(
         &mut self,
         waves: &Waves<A>,
@@ -269,7 +269,7 @@ impl<A: Arithmetic> Reflection<A> {
     }
 }
 
-/// The unknowns by the stretches of the channels, and by loads on the mass.
+/// The unknowns per stretch of the channels, and for the loads on the mass.
 #[inline(always)]
 fn unknowns<A: Arithmetic>(
     springs: &Springs<A>,
@@ -314,7 +314,7 @@ fn unknowns<A: Arithmetic>(
             forced[unknown] = b[unknown][CHANNELS];
         }
     }
-    // The last unknown was theta times a stiffness.
+    // The last unknown is theta times a stiffness.
     let to_angle = Real::ONE / springs.to_force;
     for channel in 0..CHANNELS {
         out[CHANNELS][channel] = out[CHANNELS][channel].scaled(to_angle);
@@ -323,8 +323,8 @@ fn unknowns<A: Arithmetic>(
     (out, forced)
 }
 
-/// The matrix of the unknowns, each channel's force against its stretch and the balance of theta, and the powers of two
-/// by which its rows are scaled so that they compare.
+/// The matrix of the unknowns: for each channel the force against its stretch, and the balance of theta; and the powers
+/// of two that scale its rows to comparable size.
 #[inline(always)]
 fn system<A: Arithmetic>(
     springs: &Springs<A>,
@@ -399,7 +399,7 @@ fn multiply_unscaled<A: Arithmetic>(
     product.times(Complex::from_real(to_force / unscaled));
 }
 
-/// The right-hand sides of unit stretches, in the first three columns.
+/// The right-hand sides for unit stretches, in the first three columns.
 #[inline(always)]
 fn stretched<A: Arithmetic, const R: usize>(
     springs: &Springs<A>,
@@ -420,7 +420,7 @@ impl<A: Arithmetic> Forces<A> {
         forced: [Complex::ZERO; CHANNELS],
     };
 
-    /// The forces for waves b' from the far side, with or without what loads add.
+    /// The forces for waves b' from the far side, with or without loads.
     #[inline(always)]
     pub(super) fn part(&self, b: &Amplitudes<A>, is_forced: bool) -> [Complex<A>; CHANNELS] {
         let mut out = if is_forced {
@@ -443,7 +443,7 @@ impl<A: Arithmetic> Turn<A> {
         forced: Complex::ZERO,
     };
 
-    /// Theta for waves b' from the far side, with or without what loads add.
+    /// Theta for waves b' from the far side, with or without loads.
     #[inline(always)]
     pub(super) fn part(&self, b: &Amplitudes<A>, is_forced: bool) -> Complex<A> {
         let mut out = if is_forced {
@@ -458,7 +458,7 @@ impl<A: Arithmetic> Turn<A> {
     }
 }
 
-/// What the forces of the channels send both ways, before N.
+/// The radiation of the channel forces in both directions, before N.
 #[inline(always)]
 pub(super) fn sent<A: Arithmetic>(
     stretches: &Stretches<A>,

@@ -1,7 +1,7 @@
 //! The kernel against closed forms and finite elements, and its instructions against one another.
 //!
-//! All lose the digits that a model costs: of a response what is left at an anti-resonance, and at low frequencies what
-//! cancels between the waves. So differences are shares of the response and of its largest value.
+//! All lose the digits that the conditioning of a model costs: of a response near an anti-resonance, and at low
+//! frequencies by cancellation between the waves. So differences are relative to the response and to its largest value.
 
 use std::sync::atomic::AtomicBool;
 
@@ -43,8 +43,8 @@ fn lanes(instructions: Instructions, plan: &Plan, frequencies: &[f64]) -> Vec<Co
         .collect()
 }
 
-/// Holds two sets of rows together: within a share of a value and one of the largest of its response; a response that a
-/// symmetry cancels is rounding of the others.
+/// Compares two sets of rows: within a fraction of each value and of the largest of its response; a response that
+/// symmetry makes 0 is the rounding of the others.
 fn assert_near(found: &[Complex64], expected: &[Complex64], width: usize, [own, top]: [f64; 2]) {
     const ROUNDING: f64 = 1e-14;
     let finite = expected.iter().filter(|value| value.is_finite());
@@ -67,7 +67,7 @@ fn assert_near(found: &[Complex64], expected: &[Complex64], width: usize, [own, 
 
 #[test]
 fn each_frequency_is_solved_as_if_it_were_alone() {
-    // Golden: bit for bit, whatever stands beside it and wherever a sweep is cut.
+    // Golden: bit for bit, for any neighbours in a group and any division of a sweep.
     let plan = Plan::new(&read(presets::find("fig05a").unwrap().text).unwrap());
     let all: Vec<f64> = (1..=11).map(|k| 37.0 * f64::from(k)).collect();
     for instructions in Instructions::available() {
@@ -86,7 +86,7 @@ fn random_models_are_solved_as_by_finite_elements() {
     let mut compared = 0;
     for _ in 0..100 {
         let model = random_model(&mut random);
-        // A section without warping carries no bimoment.
+        // A section without warping stiffness carries no bimoment.
         if !check(&model).is_empty() {
             continue;
         }
@@ -105,7 +105,7 @@ fn random_models_are_solved_as_by_finite_elements() {
     assert!(compared > 50, "{compared}");
 }
 
-/// A beam with a bit of everything: any supports, loads of all motions, subsystems that lack springs or inertia.
+/// A beam with all features: any supports, loads of all motions, subsystems without springs or inertia.
 fn random_model(random: &mut fastrand::Rng) -> Model {
     let mut model = read(presets::find("fig05a").unwrap().text).unwrap();
     let some = |random: &mut fastrand::Rng, from: f64, to: f64| from + (to - from) * random.f64();

@@ -1,7 +1,7 @@
-//! The arithmetics of x86-64 processors that have vectors: the only place with `unsafe`.
+//! The arithmetics of x86-64 processors with vectors: the only place with `unsafe`.
 //!
-//! What they buy over [`super::portable`] is measured by `cargo bench --bench kernel`, in the table of instructions.
-//! Left to itself the compiler does not make these vectors of loops as long as they are: it gathers and scatters.
+//! `cargo bench --bench kernel` measures their gain over [`super::portable`] in the table of instructions. The compiler
+//! alone does not make vectors of this length from loops: it gathers and scatters.
 
 #![allow(
     unsafe_code,
@@ -26,12 +26,12 @@ use super::number::{Arithmetic, MOST_LANES, Part};
 #[derive(Debug, Clone, Copy)]
 pub(in crate::solve) struct Avx512(__m512d);
 
-/// Vectors of 256 bits, and multiplications that add.
+/// Vectors of 256 bits, and fused multiply-add.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::solve) struct Avx2(__m256d);
 
 impl Avx512 {
-    /// Whether the processor has its instructions.
+    /// Whether the processor supports its instructions.
     pub(super) fn is_there() -> bool {
         is_x86_feature_detected!("avx512f")
             && is_x86_feature_detected!("avx512dq")
@@ -40,13 +40,13 @@ impl Avx512 {
 }
 
 impl Avx2 {
-    /// Whether the processor has its instructions.
+    /// Whether the processor supports its instructions.
     pub(super) fn is_there() -> bool {
         is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")
     }
 }
 
-/// Methods that are an instruction of vectors each.
+/// Methods that are one vector instruction each.
 macro_rules! instructions {
     ($($method:ident($($argument:ident),*) $instruction:ident,)*) => {
         $(
@@ -59,7 +59,7 @@ macro_rules! instructions {
     };
 }
 
-/// Methods that are an instruction of vectors of integers each.
+/// Methods that are one integer vector instruction each.
 macro_rules! of_integers {
     ($from:ident, $to:ident, $($method:ident $instruction:ident,)*) => {
         $(
@@ -72,7 +72,7 @@ macro_rules! of_integers {
     };
 }
 
-/// What takes and gives other things than vectors.
+/// Methods with arguments or results other than vectors.
 macro_rules! to_and_fro {
     ($lanes:literal, $vector:ident, $features:literal, $splat:ident, $load:ident, $store:ident) => {
         const LANES: usize = $lanes;

@@ -1,7 +1,7 @@
 //! The six waves of the beam at several frequencies at once; the equations are those of [`crate::solve::waves`].
 //!
-//! What a point load radiates is not solved for but follows from reciprocity: a jump f of the internal forces sends
-//! `X f` both ways and a jump m of the internal moments `Y m` to the right and `-Y m` to the left with
+//! The radiation of a point load follows from reciprocity, without a system to solve: a jump f of the internal forces
+//! sends `X f` in both directions and a jump m of the internal moments `Y m` to the right and `-Y m` to the left with
 //! `X = N Q^T`, `Y = N S^T`, where the diagonal N holds `1 / (2 kappa (2 E Iy h W^2 + (2 E G0 h - G J) Psi^2))` of the
 //! coupled waves and `1 / (4 E Iz h kappa)` of the others, h = kappa^2. It is the same for Q, S, P, M of any scale.
 
@@ -12,13 +12,13 @@ use super::number::{Arithmetic, Real, part};
 use super::roots::{Pair, Root, roots};
 use crate::solve::waves::{BeamConstants, WARPING_WAVE, coupled_waves};
 
-/// What the waves of a beam need that does not depend on the frequency.
+/// The frequency-independent constants of the waves of a beam.
 #[derive(Debug, Clone)]
 pub(super) struct Constants {
     beam: BeamConstants,
     /// sqrt(rho A / E Iy), sqrt(rho A / E Iz).
     bending: [Complex64; 2],
-    /// 1 / (E `Gamma_0`); 0 where that is 0.
+    /// 1 / (E `Gamma_0`); 0 if `Gamma_0` is 0.
     inverse_warping: Complex64,
 }
 
@@ -43,7 +43,7 @@ impl Constants {
 pub(super) struct Waves<A> {
     /// Angular frequency, rad/s.
     pub(super) omega: Complex<A>,
-    /// Wave numbers, 1/m; that of the warping wave has no meaning where `without_warping`.
+    /// Wave numbers, 1/m; that of the warping wave is meaningless if `without_warping`.
     pub(super) kappa: [Complex<A>; 6],
     /// Q.
     pub(super) displacement: Matrix<A, 3, 6>,
@@ -53,11 +53,11 @@ pub(super) struct Waves<A> {
     pub(super) force: Matrix<A, 3, 6>,
     /// M.
     pub(super) moment: Matrix<A, 3, 6>,
-    /// N: amplitude by what a jump does to a wave.
+    /// N: the amplitude of each wave per unit of its jump.
     pub(super) radiation: [Complex<A>; 6],
     /// N^-1.
     pub(super) weight: [Complex<A>; 6],
-    /// The warping wave decays over no length.
+    /// The warping wave decays at once.
     pub(super) without_warping: bool,
 }
 
@@ -79,7 +79,7 @@ impl<A: Arithmetic> CoupledWave<A> {
         psi: Complex::ZERO,
     };
 
-    /// Becomes the wave of a root of a pair; the sign of a travelling wave's h is left out.
+    /// Becomes the wave of a root of a pair; the sign of a travelling wave's h is omitted.
     #[inline(always)]
     fn set_shape((this, (beam, omega), pair, root): (&mut Self, At<'_, A>, &Pair<A>, &Root<A>)) {
         let other = pair.offset.plus_product(pair.slope, root.value);
@@ -102,7 +102,7 @@ impl<A: Arithmetic> CoupledWave<A> {
     }
 }
 
-/// Finds the coupled waves one frequency at a time where all lanes together missed them.
+/// Finds the coupled waves one frequency at a time if the solution for all lanes failed.
 #[inline(always)]
 fn recover<A: Arithmetic>(
     (waves, constants, omega, missed): (&mut [CoupledWave<A>; 4], &Constants, Complex<A>, Real<A>),
@@ -119,7 +119,7 @@ fn recover<A: Arithmetic>(
 }
 
 impl<A: Arithmetic> Waves<A> {
-    /// No waves yet; what a row cannot reach stays zero.
+    /// No waves yet; entries that a row cannot reach stay zero.
     pub(super) const NONE: Self = Self {
         omega: Complex::ZERO,
         kappa: [Complex::ZERO; 6],
@@ -226,7 +226,7 @@ impl<A: Arithmetic> Waves<A> {
         this.set_weight(column, norm + norm);
     }
 
-    /// (E `Gamma_0` h - G J) Psi, by the equation of motion where the difference would cancel.
+    /// (E `Gamma_0` h - G J) Psi, from the equation of motion if the difference would cancel.
     #[inline(always)]
     fn torque_over_kappa(
         &self,
@@ -248,7 +248,7 @@ impl<A: Arithmetic> Waves<A> {
         )
     }
 
-    /// The limit `Gamma_0` -> 0: the warping wave turns the rate of twist by one unit at no length.
+    /// The limit `Gamma_0` -> 0: the warping wave changes the rate of twist by one unit within the length 0.
     #[inline(always)]
     fn set_warping_limit(&mut self) {
         for row in 0..3 {
@@ -268,7 +268,7 @@ impl<A: Arithmetic> Waves<A> {
     fn set_bending_v(&mut self, constants: &Constants) {
         let h = (Complex::splat(constants.bending[1]) * self.omega).in_right_half();
         let evanescent = h.sqrt();
-        // The root of -h, decaying or going right.
+        // The root of -h, decaying or right-going.
         let travelling = Complex {
             re: evanescent.im.abs(),
             im: Real::ZERO.where_less(evanescent.im, -evanescent.re, evanescent.re),
@@ -291,7 +291,7 @@ impl<A: Arithmetic> Waves<A> {
     }
 }
 
-/// The shape (W, Psi) from the row whose coefficient is larger; see [`crate::solve::waves`].
+/// The shape (W, Psi) from the row with the larger coefficient; see [`crate::solve::waves`].
 #[inline(always)]
 fn shape<A: Arithmetic>(
     bending: Complex<A>,

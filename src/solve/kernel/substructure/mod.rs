@@ -1,11 +1,12 @@
-//! What lies left and right of a part of the beam, at several frequencies at once, kept so that an edit in between need
-//! not solve it again.
+//! A part of the beam between two solved sides, at several frequencies at once: the sides are cached, so that an edit
+//! of the part does not need to solve them again.
 //!
-//! Either side acts on what is between through its reflection alone. Each response on it is an affine function of the six
-//! waves that come from there, and its energy a quadratic one
-//! ([`quadratic_form`]). So a solution with both sides known
-//! costs as much as a short beam. Of the spans, a side has those between its stations and up to its end of the beam; the
-//! one between its last station and the part belongs to the part, whose edits change its length.
+//! Each side acts on the part only through its reflection. Each response on a side is an affine function of the six
+//! waves that enter it, and its energy a quadratic one. So a solution with both sides known costs as much as a short
+//! beam. A side includes the spans between its stations and up to its end of the beam; the span between its last
+//! station and the part belongs to the part, whose edits change its length.
+//!
+//! `propagation` moves waves over a side; `side_energy` and `quadratic_form` compute its energy.
 
 mod propagation;
 mod quadratic_form;
@@ -35,46 +36,46 @@ struct Affine<A> {
 /// One side of a part of the beam.
 #[derive(Debug, Clone)]
 struct SideResponse<A> {
-    /// Seen from the part.
+    /// Looking from the part.
     reflection: Reflection<A>,
-    /// What is read on the side, in the order of the plan's outputs.
+    /// The responses on the side, in the order of the plan's outputs.
     outputs: Vec<Affine<A>>,
-    /// The energy of the side, where it is wanted.
+    /// The energy of the side, if requested.
     energy: Option<Box<SideEnergy<A>>>,
 }
 
-/// Both sides; none where the part reaches to the end of the beam.
+/// Both sides; `None` if the part extends to the end of the beam.
 #[derive(Debug, Clone)]
 pub(in crate::solve) struct Sides<A> {
     left: Option<SideResponse<A>>,
     right: Option<SideResponse<A>>,
 }
 
-/// Where a response comes from.
+/// The source of a response.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::solve) enum Source {
     /// The part between the sides.
     Substructure,
-    /// The left side, and its number among the outputs there.
+    /// The left side, and the index among its outputs.
     Left(usize),
-    /// The right side.
+    /// The right side, and the index among its outputs.
     Right(usize),
 }
 
-/// A plan whose stations outside of a part are known from before.
+/// A plan with a part between two solved sides.
 #[derive(Debug)]
 pub(in crate::solve) struct Substructure {
     pub(in crate::solve) prepared: Prepared,
     /// The stations of the part.
     pub(in crate::solve) part: Range<usize>,
-    /// Where each output comes from.
+    /// The source of each output.
     pub(in crate::solve) sources: Vec<Source>,
-    /// The station and the number of each output that is read at one, by rising station.
+    /// The station and the index of each output that is read at one, by ascending station.
     pub(in crate::solve) read: Vec<(usize, usize)>,
 }
 
 impl Substructure {
-    /// The numbers of the outputs that are read at a station.
+    /// The indices of the outputs that are read at a station.
     pub(in crate::solve::kernel) fn read_at(&self, station: usize) -> impl Iterator<Item = usize> {
         let first = self.read.partition_point(|(at, _)| *at < station);
         let from_there = self.read[first..].iter();
@@ -101,7 +102,7 @@ impl<A: Arithmetic> Affine<A> {
 }
 
 impl<A> Sides<A> {
-    /// Bytes that it takes.
+    /// Size in bytes.
     pub(in crate::solve::kernel) fn bytes(&self) -> usize {
         let sides = [&self.left, &self.right].into_iter().flatten();
         size_of::<Self>() + sides.map(SideResponse::bytes).sum::<usize>()
@@ -109,7 +110,7 @@ impl<A> Sides<A> {
 }
 
 impl<A> SideResponse<A> {
-    /// Bytes that it takes elsewhere.
+    /// Size of its heap memory, bytes.
     fn bytes(&self) -> usize {
         let energy = self.energy.iter().map(|energy| size_of_val(&**energy));
         size_of_val(&*self.outputs) + energy.sum::<usize>()
@@ -117,7 +118,7 @@ impl<A> SideResponse<A> {
 }
 
 impl<A: Arithmetic> Room<A> {
-    /// What lies beside the stations of `part`, at the angular frequencies `omega`, rad/s.
+    /// Solves the sides of `part`, at the angular frequencies `omega`, rad/s.
     #[inline(always)]
     pub(in crate::solve::kernel) fn sides(
         &mut self,
@@ -153,7 +154,7 @@ impl<A: Arithmetic> Room<A> {
         Sides { left, right }
     }
 
-    /// Carries the reflection that looks right from the right end to the part.
+    /// Moves the right-looking reflection from the right end to the part.
     #[inline(always)]
     fn sweep_from_right(
         &mut self,
@@ -178,14 +179,14 @@ impl<A: Arithmetic> Room<A> {
                 Event::Load(load) => at.load(waves, &Jumps::of_load(waves, load), Side::Right),
                 Event::Probe => {}
             }
-            // Seen from just left of the station, where everything is read.
+            // Looking from just left of the station, where everything is read.
             if let Some(kept) = substructure.prepared.kept(index) {
                 self.lefts[kept].clone_from(at);
             }
         }
     }
 
-    /// Writes the response of every output at the angular frequencies `omega`, rad/s, of a plan whose sides are known.
+    /// Writes the response of every output at the angular frequencies `omega`, rad/s, of a plan with solved sides.
     #[inline(always)]
     pub(in crate::solve::kernel) fn solve_substructure(
         &mut self,

@@ -1,5 +1,5 @@
-//! What six waves that come from a part of the beam, each of size 1 alone, and then the loads beside it make of a side:
-//! carried from the part to the end of the beam, as amplitudes are in [`crate::solve::kernel::recursion`].
+//! Propagation over a side of seven cases: each of six waves that come from the part, of size 1 and alone, and the
+//! loads of the side; from the part to the end of the beam, with the amplitudes of [`crate::solve::kernel::recursion`].
 
 use super::quadratic_form::{ARRIVALS, Carried, FORCED, QuadraticForm, arriving};
 use super::side_energy::SideEnergy;
@@ -14,27 +14,27 @@ use crate::solve::kernel::station::{CHANNELS, Forces, sent, stretches};
 use crate::solve::kernel::waves::Waves;
 use crate::solve::plan::Event;
 
-/// A side, the reflection of its end of the beam, and what is to be carried there.
+/// A side, the reflection of its end of the beam, and the cases to propagate.
 struct Task<'a, A> {
     substructure: &'a Substructure,
     waves: &'a Waves<A>,
     side: Side,
     end: &'a Reflection<A>,
     inwards: Carried<A>,
-    /// To be found, where they are wanted.
+    /// Results, if requested.
     outputs: Option<&'a mut [Affine<A>]>,
 }
 
-/// What a station makes of the arrivals.
+/// The response of a station to the arrivals.
 struct Crossing<A> {
-    /// The forces of the channels, where a subsystem is.
+    /// The forces of the channels, for a subsystem.
     forces: [[Complex<A>; CHANNELS]; ARRIVALS],
-    /// What it sends back, before N.
+    /// The waves it sends back, before N.
     back: Carried<A>,
 }
 
 impl<A: Arithmetic> Room<A> {
-    /// Finds the outputs and the energy of a side that ends in `end`; the reflection has been carried over it.
+    /// Computes the outputs and the energy of a side that ends in `end`; its reflection is already known.
     #[inline(always)]
     pub(super) fn carry(
         &mut self,
@@ -58,7 +58,7 @@ impl<A: Arithmetic> Room<A> {
         }
     }
 
-    /// Carries arrivals to the end of a side; their energy, where it is wanted.
+    /// Moves arrivals to the end of a side; returns their energy, if requested.
     fn carried(&mut self, task: Task<'_, A>) -> QuadraticForm<A> {
         A::outlined(Carry((self, task)))
     }
@@ -70,14 +70,14 @@ impl<A: Arithmetic> Room<A> {
         let mut energy = QuadraticForm::ZERO;
         let mut crossing = Crossing::NONE;
         let mut outwards = [[Complex::ZERO; 6]; ARRIVALS];
-        // What entered the span towards the part.
+        // The waves that enter the span in the direction of the part.
         let mut entered = outwards;
         let first = substructure.part.end;
         let count = match side {
             Side::Left => substructure.part.start,
             Side::Right => plan.stations.len() - first,
         };
-        // Of each station its number and those of the spans towards the part and away from it.
+        // For each station its index and those of the spans towards the part and away from it.
         for step in 0..count {
             let (index, before, after) = match side {
                 Side::Left => (count - 1 - step, count - step, count - 1 - step),
@@ -108,8 +108,8 @@ impl<A: Arithmetic> Room<A> {
         energy
     }
 
-    /// Carries what arrives at a station over it and takes down what is read there; writes what comes back from it to the
-    /// span towards the part, where the energy is wanted.
+    /// Moves the arrivals over a station and stores the responses there; writes the waves that return to the span
+    /// towards the part, if the energy is requested.
     #[inline(always)]
     fn carry_over(
         &mut self,
@@ -124,7 +124,7 @@ impl<A: Arithmetic> Room<A> {
         let Some(kept) = prepared.kept(index) else {
             return;
         };
-        // The reflection is kept, and the state read, just left of the station.
+        // The reflection is stored, and the state read, just left of the station.
         let there = match task.side {
             Side::Left => &task.inwards,
             Side::Right => &before,
@@ -152,7 +152,7 @@ impl<A: Arithmetic> Room<A> {
         }
     }
 
-    /// Carries what arrives at a station over it.
+    /// Moves the arrivals over a station.
     #[inline(always)]
     fn cross_all(&self, task: &mut Task<'_, A>, index: usize, crossing: &mut Crossing<A>) {
         let waves = task.waves;
@@ -171,7 +171,7 @@ impl<A: Arithmetic> Room<A> {
         }
     }
 
-    /// Takes down what is read at a station for what was just carried over it.
+    /// Stores the responses at a station for the arrivals that just passed it.
     #[inline(always)]
     fn collect(
         &self,
@@ -207,7 +207,7 @@ impl<A: Arithmetic> Crossing<A> {
         back: [[Complex::ZERO; 6]; ARRIVALS],
     };
 
-    /// Of a subsystem; what arrives there is carried over it.
+    /// For a subsystem; moves its arrivals over it.
     fn attachment(
         &mut self,
         waves: &Waves<A>,
@@ -237,7 +237,7 @@ impl<A: Arithmetic> Crossing<A> {
     }
 }
 
-/// What a reflection returns of each arrival.
+/// The reflection of each arrival.
 fn returned<A: Arithmetic>(at: &Reflection<A>, inwards: &Carried<A>, outwards: &mut Carried<A>) {
     A::outlined(Returned((at, inwards, outwards)));
 }

@@ -1,32 +1,32 @@
 //! The energy of one side of a part of the beam as a function of the six waves that come from the part.
 //!
-//! The waves in a span of the side are affine in those six: `x = X y` with `y = (b', 1)`, X a column for each of the six
-//! alone and one for the loads of the side alone. The energy of the span is a Hermitian form of x ([`crate::solve::kernel::energy`]), so
-//! that of the side is `y* G y` with G the sum of `X* F X` over its spans: 7x7 and Hermitian, of which the upper triangle
-//! is kept. In a span the forms S of waves that travel the same way and C of those against each other are both
-//! Hermitian, so that sums and differences of the two ways do not mix, which halves the work:
-//! `a* S a + b* S b + 2 Re(a* C b) = ((a + b)* (S + C) (a + b) + (a - b)* (S - C) (a - b)) / 2`.
+//! The waves in a span of the side are affine in those six: `x = X y` with `y = (b', 1)`, where X has a column for each
+//! of the six alone and one for the loads of the side alone. The energy of the span is a Hermitian form of x
+//! ([`crate::solve::kernel::energy`]), so that of the side is `y* G y` with G the sum of `X* F X` over its spans: 7x7
+//! and Hermitian, stored as its upper triangle. In a span the forms S of waves in the same direction and C of waves in
+//! opposite directions are both Hermitian, so that sums and differences of the two directions do not mix, which halves
+//! the work: `a* S a + b* S b + 2 Re(a* C b) = ((a + b)* (S + C) (a + b) + (a - b)* (S - C) (a - b)) / 2`.
 //!
-//! How much cancels is told by the squares alone: `sum_k S_kk |x_k|^2` over the waves of a span and `sum_j |y_j|^2` times
-//! that of each column over the arrivals. For a form that is nowhere negative this is at least a 56th of what a fresh
-//! solve sums up as the size of its terms (an eighth for the eight waves that overlap, a seventh for the arrivals), and
-//! more where what arrives cancels, too.
+//! The squares alone measure the cancellation: `sum_k S_kk |x_k|^2` over the waves of a span and `sum_j |y_j|^2` times
+//! that of each column over the arrivals. For a positive semidefinite form this is at least a 56th of the magnitudes
+//! that a full solution sums (an eighth for the eight overlapping waves, a seventh for the arrivals), and more if the
+//! arrivals also cancel.
 
 use crate::solve::kernel::complex::{Complex, Matrix};
 use crate::solve::kernel::energy::{Form, Sum};
 use crate::solve::kernel::number::{Arithmetic, Real, part};
 use crate::solve::kernel::reflection::Amplitudes;
 
-/// What arrives at a side: six waves, and its loads.
+/// The arrivals at a side: six waves, and its loads.
 pub(super) const ARRIVALS: usize = 7;
 
-/// The number of what the loads of the side make, after those of the waves.
+/// Index of the loads of the side, after the waves.
 pub(super) const FORCED: usize = 6;
 
 /// Entries of a Hermitian 7x7 matrix.
 const ENTRIES: usize = ARRIVALS * (ARRIVALS + 1) / 2;
 
-/// Pairs of the coupled waves; those of the others follow.
+/// Pairs of the coupled waves; those of the others follow from them.
 const COUPLED: usize = 10;
 
 /// Waves at a place for each of the arrivals alone.
@@ -37,12 +37,12 @@ pub(super) type Carried<A> = [Amplitudes<A>; ARRIVALS];
 pub(super) struct QuadraticForm<A> {
     /// G: the rows of its upper triangle.
     pub(super) products: [Complex<A>; ENTRIES],
-    /// The energy of each arrival alone if also the waves that it becomes in each span were alone: what is summed before
-    /// anything cancels.
+    /// The energy of each arrival alone, with each of the waves that it becomes in each span alone: the magnitudes that
+    /// are summed before cancellation.
     pub(super) apart: [Real<A>; ARRIVALS],
 }
 
-/// Each of the six waves, of size 1 and alone; none of them last.
+/// Each of the six waves, of size 1 and alone; the last column is zero.
 #[inline(always)]
 pub(super) fn arriving<A: Arithmetic>() -> Carried<A> {
     let mut out = [[Complex::ZERO; 6]; ARRIVALS];
@@ -52,7 +52,7 @@ pub(super) fn arriving<A: Arithmetic>() -> Carried<A> {
     out
 }
 
-/// Where an entry of the upper triangle of an `N` x `N` matrix is kept.
+/// Index of an entry of the upper triangle of an `N` x `N` matrix.
 #[inline(always)]
 pub(super) const fn upper<const N: usize>(row: usize, column: usize) -> usize {
     row * (2 * N - 1 - row) / 2 + column
@@ -64,7 +64,7 @@ impl<A: Arithmetic> QuadraticForm<A> {
         apart: [Real::ZERO; ARRIVALS],
     };
 
-    /// Adds a span: what starts at one of its ends, and against it what starts at the other.
+    /// Adds a span: the waves that start at one of its ends, and those that start at the other.
     pub(super) fn add(&mut self, form: &Form<A>, one: &Carried<A>, other: &Carried<A>) {
         A::outlined(Add((self, form, one, other)));
     }
@@ -147,7 +147,7 @@ impl<A: Arithmetic> QuadraticForm<A> {
                 let entry = this.products[upper::<ARRIVALS>(row, column)];
                 of_row = of_row.plus_product(entry, arrivals[column]);
             }
-            // Off the diagonal an entry stands for two.
+            // An off-diagonal entry counts twice.
             let own = this.products[upper::<ARRIVALS>(row, row)].re;
             let of_row = (of_row + of_row).plus_scaled(own, arrivals[row]);
             value = value + arrivals[row].conj_times(of_row).re;

@@ -1,13 +1,13 @@
-//! What arrives at a side of a part of the beam, combined so that the energy of the side keeps its digits.
+//! The energy of a side of a part of the beam, in combinations of the arrivals that preserve its digits.
 //!
-//! At low frequencies waves of size 1 move a side far, each by itself, and most of that cancels between them and what the
-//! loads do: in a quadratic form of b' it would cancel squared, and cost up to twice the digits that the motions lose. So
-//! the energy is found twice. Its form of b', `b'* G b' + 2 Re(b'* g) + c`, gives Cholesky's factor `G = U* U` and the
-//! waves `-G^-1 g` for which the side moves least. Then these, with the loads, and the columns of `U^-1`, without them, are
-//! carried over the side instead of single waves. In `u = U (b' + G^-1 g)` the form is close to |u|^2 and a constant,
-//! where nothing cancels; the digits that rounding took from U and from the waves matter no more, since the second form is
-//! found for them as they are. (The same is done to orthogonalise columns by "`CholeskyQR2`": Yamamoto et al., Electronic
-//! Transactions on Numerical Analysis 44 (2015), 306-326.)
+//! At low frequencies each wave of size 1 alone moves a side far, and most of that cancels between the waves and the
+//! loads: a quadratic form of b' would lose up to twice as many digits as the motions. So the energy is computed twice.
+//! Its form in b', `b'* G b' + 2 Re(b'* g) + c`, gives the Cholesky factor `G = U* U` and the waves `-G^-1 g` for which
+//! the side moves least. Then these, with the loads, and the columns of `U^-1`, without them, propagate over the side
+//! instead of single waves. In `u = U (b' + G^-1 g)` the form is close to |u|^2 and a constant, without cancellation;
+//! rounding errors of U and of the waves no longer matter, because the second form is computed for them as they are.
+//! (The same method orthogonalises columns as "`CholeskyQR2`": Yamamoto et al., Electronic Transactions on Numerical
+//! Analysis 44 (2015), 306-326.)
 
 use super::quadratic_form::{ARRIVALS, Carried, FORCED, QuadraticForm, arriving, upper};
 use crate::solve::kernel::complex::Complex;
@@ -15,7 +15,7 @@ use crate::solve::kernel::energy::Sum;
 use crate::solve::kernel::number::{Arithmetic, Real, part};
 use crate::solve::kernel::reflection::{Amplitudes, ENTRIES};
 
-/// Six combinations u of what arrives at a side: `b' = still + U^-1 u`.
+/// Six combinations u of the arrivals at a side: `b' = still + U^-1 u`.
 #[derive(Debug, Clone)]
 struct Combinations<A> {
     /// The waves for which the side moves least.
@@ -28,12 +28,12 @@ struct Combinations<A> {
 #[derive(Debug, Clone)]
 pub(super) struct SideEnergy<A> {
     combinations: Combinations<A>,
-    /// By the combinations.
+    /// In terms of the combinations.
     by: QuadraticForm<A>,
 }
 
 impl<A: Arithmetic> SideEnergy<A> {
-    /// From the energy by single waves, and `carried`, which finds it for other arrivals.
+    /// From the energy in single waves; `carried` computes it for other arrivals.
     #[inline(always)]
     pub(super) fn new(
         by_waves: &QuadraticForm<A>,
@@ -52,7 +52,8 @@ impl<A: Arithmetic> SideEnergy<A> {
 }
 
 impl<A: Arithmetic> Combinations<A> {
-    /// Those for an energy by single waves, and the waves of each of them alone; last those for which the side moves least.
+    /// The combinations for an energy in single waves, and the waves of each of them alone; last those for which the
+    /// side moves least.
     fn of(energy: &QuadraticForm<A>) -> (Self, Carried<A>) {
         A::outlined(Of((energy,)))
     }
@@ -111,7 +112,7 @@ impl<A: Arithmetic> Combinations<A> {
 /// The rows of Cholesky's factor U, and last in each `U^-* g`.
 #[inline(always)]
 fn factors<A: Arithmetic>(energy: &QuadraticForm<A>) -> [[Complex<A>; ARRIVALS]; 6] {
-    /// Least share of what was summed that a pivot may be: below it is rounding.
+    /// The smallest accepted ratio of a pivot to the magnitudes of its terms: below it is rounding.
     const LEAST: f64 = 1e-14;
     let mut rows = [[Complex::ZERO; ARRIVALS]; 6];
     for row in 0..6 {

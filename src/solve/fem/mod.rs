@@ -1,18 +1,18 @@
-//! The conventional finite elements that bear witness for the exact solver.
+//! Conventional finite elements, an independent reference for the exact solver.
 //!
-//! Bernoulli-Euler bending of w and v and torsion with warping of psi, each by Hermite's cubics: two nodes an element,
-//! six unknowns a node (w, psi, v and their slopes), consistent mass with the coupling by `z_c`, three unknowns more for
-//! the mass of every subsystem (Chen & Liu, Mathematics 2022, 10(16), 2849, Section 3 and Appendix E). The receptance
-//! follows from `((1 + i eta) K + K_s + i omega C - omega^2 M) x = F` at each frequency. The matrices are made from the
-//! shape functions and the stretches of the springs; no formula of the exact solver is used.
+//! Bernoulli-Euler bending of w and v and torsion with warping of psi, each with Hermite cubics: two nodes per element,
+//! six unknowns per node (w, psi, v and their slopes), consistent mass with the coupling by `z_c`, three more unknowns
+//! for the mass of every subsystem (Chen & Liu, Mathematics 2022, 10(16), 2849, Section 3 and Appendix E). The
+//! receptance follows from `((1 + i eta) K + K_s + i omega C - omega^2 M) x = F` at each frequency. The matrices come
+//! from the shape functions and the stretches of the springs, without any formula of the exact solver.
 //!
-//! A natural frequency comes out too high by a share of (k h)^4 / 1440 where k is the wave number of its mode and h the
-//! length of an element, so every smooth measure of the error falls with the fourth power of h, as long as rounding (which
-//! grows like h^-4 towards low frequencies) allows.
+//! A natural frequency is too high by a fraction (k h)^4 / 1440, where k is the wave number of its mode and h the
+//! length of an element, so every smooth measure of the error falls with the fourth power of h, until rounding (which
+//! grows like h^-4 towards low frequencies) dominates.
 //!
-//! Without warping stiffness (`Gamma_0` = 0) the elements are the same, less the term of psi''. A torque then makes the
-//! rate of twist jump, so each place inside the beam has two unknowns psi', whose mean is what is read; and what holds
-//! psi' at an end leaves the twist beside it alone.
+//! Without warping stiffness (`Gamma_0` = 0) the elements are the same without the term of psi''. A torque then makes
+//! the rate of twist jump, so each position inside the beam has two unknowns psi', and a response reads their mean; a
+//! restraint of psi' at an end does not affect the twist next to it.
 
 mod assembly;
 mod band;
@@ -31,25 +31,25 @@ use super::layout::Layout;
 use super::sweep::{Frf, one_by_one};
 use crate::model::Model;
 
-/// Elements a length of 2 pi / kappa of the shortest wave, travelling or decaying, at the top of the sweep.
+/// Elements per wavelength 2 pi / kappa of the shortest wave, travelling or decaying, at the top of the sweep.
 const ELEMENTS_A_WAVE: f64 = 60.0;
 /// The fewest and the most elements that [`default_elements`] gives.
 const BOUNDS: (f64, f64) = (16.0, 1000.0);
-/// Places nearer than this share of the length are one: an element so much shorter than the others would cost the
-/// digits that it gives.
+/// Positions closer than this fraction of the length are merged: an element so much shorter than the others would cost
+/// more digits than it adds.
 const MERGE: f64 = 1e-6;
 
 /// A model with its mesh.
 #[derive(Debug, Clone)]
 pub struct FiniteElements<'a> {
     layout: Layout<'a>,
-    /// Elements in each span between the places where something acts or is read.
+    /// Elements in each span between the positions of loads, subsystems and responses.
     divisions: Vec<usize>,
 }
 
 impl<'a> FiniteElements<'a> {
-    /// Divides the beam of a checked model into about `elements` elements of nearly equal length, with a node wherever
-    /// there is a subsystem, a load or a response: at least one element a span, so there may be more than asked.
+    /// Divides the beam of a checked model into about `elements` elements of nearly equal length, with a node at every
+    /// subsystem, load and response: at least one element per span, so there may be more than requested.
     pub fn new(model: &'a Model, elements: usize) -> Self {
         let layout = Layout::new(model, MERGE * model.beam.length);
         let per_length = elements.max(1) as f64 / model.beam.length;
@@ -70,7 +70,7 @@ impl<'a> FiniteElements<'a> {
         }
     }
 
-    /// How many elements there are.
+    /// The number of elements.
     pub fn elements(&self) -> usize {
         self.divisions.iter().sum()
     }
@@ -92,9 +92,9 @@ impl<'a> FiniteElements<'a> {
         )
     }
 
-    /// The lowest `count` undamped natural frequencies, Hz, rising; rigid-body ones near 0.
+    /// The lowest `count` undamped natural frequencies, Hz, ascending; rigid-body ones near 0.
     ///
-    /// Dense: meant for some hundred elements. Loss factor and dampers are left out.
+    /// Dense: for some hundred elements. Ignores loss factor and dampers.
     pub fn natural_frequencies(&self, count: usize) -> Vec<f64> {
         let system = System::new(&self.layout, &self.divisions);
         lowest_frequencies(self.layout.model, &system, count)
@@ -119,8 +119,8 @@ pub fn natural_frequencies(model: &Model, elements: usize, count: usize) -> Vec<
     FiniteElements::new(model, elements).natural_frequencies(count)
 }
 
-/// Elements enough for the model's sweep: 60 a wave of the shortest bending, torsion or warping wave at its highest
-/// frequency, taken as if bending and torsion were not coupled; at least 16, at most 1,000.
+/// Enough elements for the model's sweep: 60 per wavelength of the shortest bending, torsion or warping wave at its
+/// highest frequency, without the coupling of bending and torsion; at least 16, at most 1,000.
 pub fn default_elements(model: &Model) -> usize {
     let (section, material) = (&model.beam.section, &model.beam.material);
     let (e, g, density) = (
@@ -145,8 +145,8 @@ pub fn default_elements(model: &Model) -> usize {
     (ELEMENTS_A_WAVE * waves).clamp(BOUNDS.0, BOUNDS.1).ceil() as usize
 }
 
-/// The lowest `count` undamped natural frequencies, Hz, rising; rigid-body ones are near 0. As many as there are
-/// unknowns at most, and none where the arithmetic fails.
+/// The lowest `count` undamped natural frequencies, Hz, ascending; rigid-body ones are near 0. At most as many as
+/// unknowns, and none if the arithmetic fails.
 ///
 /// K x = lambda M x is solved as the largest mu of `M x = mu (K + sigma M) x`, lambda = 1/mu - sigma: K may be singular
 /// (rigid-body motions) and M too (a mass without moment of inertia), their sum is not.

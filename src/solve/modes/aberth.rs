@@ -1,18 +1,18 @@
-//! One root of the characteristic function on its way, by the steps of Newton and Aberth.
+//! A root of the characteristic function during the iteration of Newton and Aberth.
 
 use num_complex::Complex64;
 
 use super::characteristic::inverse;
 
-/// A root on its way.
+/// A root during the iteration.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Tracker {
     pub(super) z: Complex64,
-    /// How many roots move together as one, equal or nearly so.
+    /// How many equal or nearly equal roots move together.
     pub(super) count: usize,
     /// Whether it stays on the imaginary axis, where the function is real.
     on_axis: bool,
-    /// Whether the other side of the imaginary axis is the mirror image.
+    /// Whether the mirror image at the imaginary axis is also a root.
     mirrored: bool,
     last_step: f64,
     pub(super) arrived: bool,
@@ -31,10 +31,10 @@ impl Tracker {
         }
     }
 
-    /// One step of Aberth, count / (F'/F - push), with `newton` = F/F' where it is.
+    /// One step of Aberth, count / (F'/F - push), with `newton` = F/F' at the current point.
     pub(super) fn step(&mut self, newton: Complex64, push: Complex64) {
         const ROUNDING: f64 = 1e-14;
-        // Two roots in one place are seen to the root of the rounding only.
+        // A double root can only be computed to the square root of the rounding error.
         const STALLED: f64 = 1e-6;
         const LONGEST: f64 = 0.3;
         let size = self.z.norm();
@@ -48,7 +48,8 @@ impl Tracker {
         if !relative.is_finite() {
             return;
         }
-        // Rounding of the function shows as steps that no longer shrink. A push can stop a tracker off any root.
+        // When F is dominated by rounding, the steps no longer shrink. A push can stop the iteration away from any
+        // root.
         let stopped = relative < ROUNDING || relative > 0.5 * self.last_step;
         self.arrived = stopped && relative < STALLED && alone.norm() < STALLED * size;
         self.last_step = relative;

@@ -1,9 +1,10 @@
 //! How many roots of the characteristic function are missing from a list: the argument principle along a closed path.
 //!
-//! The function is divided by the distances to all roots of the list, so that the phase of what remains turns once for
-//! each root inside that the list lacks, and hardly at all where it lacks none: a complete list is certified by a few dozen
-//! points. A path is looked at more closely where the logarithm's slope between its points is not smooth; a root that
-//! is close to the path shows so, also a double one; where the function is rounding this does not end, and is reported.
+//! The function is divided by the distances to all roots of the list, so that the phase of the quotient makes one turn
+//! for each root inside that is missing from the list, and hardly changes if none is: a few dozen points certify a
+//! complete list. A path is refined where the slope of the logarithm between its points is not smooth; this also
+//! detects a root close to the path, even a double one; where the function is only rounding the refinement would not
+//! end, and the path is reported as unsettled.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -19,11 +20,11 @@ use crate::solve::linear::Magnified;
 /// Why a path has no count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Unsettled {
-    /// The request is cancelled.
+    /// The request was cancelled.
     Cancelled(Cancelled),
-    /// The function is rounding there.
+    /// The function is only rounding there.
     Noise,
-    /// The work allowed is used up.
+    /// The work limit is reached.
     Spent,
 }
 
@@ -33,21 +34,21 @@ impl From<Cancelled> for Unsettled {
     }
 }
 
-/// The characteristic function over the distances to what is known.
+/// The characteristic function divided by the distances to the known roots.
 pub(super) struct Remainder<'a> {
     pub(super) characteristic: &'a Characteristic,
     /// The roots of the list with their mirror images; rad/s.
     pub(super) known: Vec<Complex64>,
     /// How many roots lie at 0.
     pub(super) at_zero: usize,
-    /// The roots of blocked masses beyond the list: near each of them lies one of the function.
+    /// The roots of blocked masses beyond the list: each has a root of the function near it.
     pub(super) masses: Vec<Complex64>,
-    /// How many more points may be looked at.
+    /// How many more points may be evaluated.
     pub(super) budget: &'a AtomicUsize,
     pub(super) cancel: &'a AtomicBool,
 }
 
-/// A place on the path as ln omega, and the logarithm of the function there (its phase up to whole turns).
+/// A point on the path as ln omega, and the logarithm of the function there (its phase up to whole turns).
 #[derive(Debug, Clone, Copy)]
 struct Look {
     at: Complex64,
@@ -61,17 +62,18 @@ pub(super) struct Sector {
     pub(super) angles: [f64; 2],
 }
 
-/// The angles of the sector in which roots are counted, rad: it reaches below the real axis, where no root is, and beyond
-/// the imaginary one, so that roots on the axes lie inside.
+/// The angles of the sector in which roots are counted, rad: it extends below the real axis, where there is no root,
+/// and beyond the imaginary one, so that roots on the axes are inside.
 pub(super) const COUNTED_ANGLES: [f64; 2] = [-0.1, FRAC_PI_2 + 0.12];
 
 impl Remainder<'_> {
-    /// Roots that the list lacks in the disc up to `radius` (rad/s), counted in the right half of the plane and on the
-    /// imaginary axis; negative where it has too many. Without a loss factor the left half is the mirror image.
+    /// The number of roots missing from the list in the disc up to `radius` (rad/s), counted in the right half of the
+    /// plane and on the imaginary axis; negative if the list has too many. Without a loss factor the left half is the
+    /// mirror image.
     pub(super) fn in_disc(&self, radius: f64, hysteretic: bool) -> Result<i64, Unsettled> {
         if !hysteretic {
             let right = Complex64::new(radius.ln(), -FRAC_PI_2);
-            // There is no root below the real axis, so that half of the circle is enough.
+            // There is no root below the real axis, so half of the circle is enough.
             let turned = self.turned(&[right, right + Complex64::I * PI])?;
             return whole(turned / PI);
         }
@@ -79,7 +81,7 @@ impl Remainder<'_> {
         let inner = (0.2 * nearest.fold(radius, f64::min)).max(self.characteristic.slowest());
         let inner = inner.min(0.5 * radius).ln();
         let outer = radius.ln();
-        // Past 0 on its left, where no root lies below the axis either.
+        // Passes 0 on its left, where there is also no root below the axis.
         let path = [
             Complex64::new(outer, COUNTED_ANGLES[0]),
             Complex64::new(outer, COUNTED_ANGLES[1]),
@@ -90,7 +92,7 @@ impl Remainder<'_> {
         whole(self.turned(&path)? / TAU)
     }
 
-    /// Roots that the list lacks in a sector.
+    /// The number of roots missing from the list in a sector.
     pub(super) fn in_sector(&self, sector: &Sector) -> Result<i64, Unsettled> {
         let [[low, high], [from, to]] = [sector.radii, sector.angles];
         let corners = [
@@ -104,7 +106,7 @@ impl Remainder<'_> {
         whole(self.turned(&path)? / TAU)
     }
 
-    /// Roots that the list lacks within `radius` of `centre`, rad/s; the circle is a polygon.
+    /// The number of roots missing from the list within `radius` of `centre`, rad/s; the circle is a polygon.
     pub(super) fn in_circle(&self, centre: Complex64, radius: f64) -> Result<i64, Unsettled> {
         const CORNERS: usize = 16;
         let corner = |index: usize| {
@@ -115,8 +117,9 @@ impl Remainder<'_> {
         whole(self.turned(&path)? / TAU)
     }
 
-    /// By how much the sums of the powers 1 to `count` of the list's roots within `radius` of `centre` (rad/s; powers of
-    /// the distance over the radius) fall short, where none is missing there: -p times the mean of `z^p ln f`.
+    /// The amount by which the sums of the powers 1 to `count` of the list's roots within `radius` of `centre` (rad/s;
+    /// powers of the distance over the radius) differ from the exact ones, if none is missing there: -p times the mean
+    /// of `z^p ln f`.
     pub(super) fn power_sums(
         &self,
         centre: Complex64,
@@ -146,9 +149,9 @@ impl Remainder<'_> {
         Ok((1..=count).map(sum).collect())
     }
 
-    /// How far the phase turns along a path of straight lines in ln omega, rad.
+    /// The change of the phase along a path of straight lines in ln omega, rad.
     fn turned(&self, corners: &[Complex64]) -> Result<f64, Unsettled> {
-        /// Between two looks, by the growth of the waves, rad: a full turn cannot hide.
+        /// Between two points, from the growth of the waves, rad: small enough that a full turn cannot be missed.
         const TURN: f64 = 1.2;
         const LONGEST: f64 = 0.2;
         const MOST_ROUNDS: usize = 24;
@@ -196,7 +199,7 @@ impl Remainder<'_> {
     }
 
     fn look(&self, places: &[Complex64]) -> Result<Vec<Look>, Unsettled> {
-        /// Places between two looks at whether the request is cancelled.
+        /// Points between two checks for cancellation.
         const AT_ONCE: usize = 512;
         let spent = |left: usize| left.checked_sub(places.len());
         if self
@@ -236,7 +239,7 @@ impl Remainder<'_> {
     }
 }
 
-/// The whole number that a count of turns is; noise where it is none.
+/// The nearest integer to a number of turns; `Noise` if it is not close to one.
 fn whole(turns: f64) -> Result<i64, Unsettled> {
     const RESOLVED: f64 = 0.05;
     let count = turns.round();
@@ -247,15 +250,15 @@ fn whole(turns: f64) -> Result<i64, Unsettled> {
     }
 }
 
-/// The change of the logarithm, its phase the smaller way round.
+/// The change of the logarithm, with its phase in (-pi, pi].
 fn step(from: Look, to: Look) -> Complex64 {
     let change = to.log - from.log;
     let turns = (change.im / TAU).round();
     change - Complex64::new(0.0, turns * TAU)
 }
 
-/// Which intervals between looks are too long. The slope along the path is that of an analytic function: it is
-/// smooth round a corner too.
+/// The intervals between points that are too long. The slope along the path is that of an analytic function: it is also
+/// smooth at a corner.
 fn rough(looks: &[Look]) -> Vec<bool> {
     const TURN: f64 = 1.0;
     const BEND: f64 = 0.4;
@@ -272,7 +275,7 @@ fn rough(looks: &[Look]) -> Vec<bool> {
         let bend = steps[index] / lengths[index] - steps[index - 1] / lengths[index - 1];
         let (before, after) = (lengths[index - 1].norm(), lengths[index].norm());
         if bend.norm() * before.min(after) > BEND {
-            // The longer one hides more.
+            // The longer interval can miss more.
             rough[index] |= after >= 0.5 * before;
             rough[index - 1] |= before >= 0.5 * after;
         }

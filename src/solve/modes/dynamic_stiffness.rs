@@ -1,17 +1,17 @@
 //! A span of the undamped beam at one frequency, in real numbers: transfer matrix, dynamic stiffness, clamped count.
 //!
-//! Everything is without dimension: lengths in units of a reference length, twist times the radius of gyration,
+//! All numbers are dimensionless: lengths in units of a reference length, twist times the radius of gyration,
 //! stiffnesses over `E Iy / length^3`. Degrees of freedom are (w, psi, v, w', psi', v'), as in
 //! [`BeamMotion`](crate::model::BeamMotion). The solutions are power series of the equations of motion (Chen & Liu,
-//! Mathematics 2022, 10(16), 2849, Eqs. 11 to 13): no wave is needed, so that this count is independent of the
-//! frequency responses. Motions that nothing couples are kept apart, each with a step of its own.
+//! Mathematics 2022, 10(16), 2849, Eqs. 11 to 13): they use no waves, so this count is independent of the frequency
+//! responses. Uncoupled motions are separate, each with its own step.
 
 use nalgebra::{Matrix6, SMatrix};
 
 use super::matrix_inertia::eliminate;
 use super::series::{bending, coupled, twist};
 
-/// The coefficients of the equations of motion, without dimension.
+/// The dimensionless coefficients of the equations of motion.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Field {
     /// `E Iz / E Iy`.
@@ -37,16 +37,16 @@ pub(super) struct Transfer<const N: usize> {
     pub(super) d: SMatrix<f64, N, N>,
 }
 
-/// A span as its two ends see it.
+/// A span in terms of its two ends.
 #[derive(Debug, Clone)]
 pub(super) struct Span {
     /// Dynamic stiffness: left end on itself, left on right, right on itself.
     pub(super) ends: Ends<6>,
-    /// Where the span is short against every wave: its dynamic stiffness would lose digits where it is rigid.
+    /// If the span is short compared with every wave: its dynamic stiffness would lose digits where it is rigid.
     pub(super) transfer: Option<Transfer<6>>,
 }
 
-/// The dynamic stiffness over both ends, and the modes below the frequency with both clamped.
+/// The dynamic stiffness over both ends, and the number of modes below the frequency with both clamped.
 #[derive(Debug, Clone)]
 pub(super) struct Ends<const N: usize> {
     pub(super) left: SMatrix<f64, N, N>,
@@ -58,7 +58,7 @@ pub(super) struct Ends<const N: usize> {
 /// k l of the first mode of a clamped beam.
 const FIRST_CLAMPED: f64 = 4.730;
 
-/// The longest k l over which the power series converge fast.
+/// The longest k l for which the power series converge fast.
 const CONVERGENT: f64 = 1.5;
 
 impl Field {
@@ -99,8 +99,8 @@ impl Field {
         span
     }
 
-    /// In how many pieces a span is crossed. Where warping decays over far less than a wave of bending, halves short
-    /// enough for it would be so stiff in bending that rounding hides the inertia: then each piece is a transfer.
+    /// The number of pieces of a span. If warping decays over much less than a bending wavelength, halves short enough
+    /// for it would be so stiff in bending that rounding hides the inertia: then each piece is a transfer matrix.
     pub(super) fn pieces(&self, length: f64) -> usize {
         const MOST_HALVINGS: u32 = 12;
         const HARMLESS: u32 = 1;
@@ -118,8 +118,8 @@ impl Field {
 
     /// Whether w and psi, clamped, have no mode below the frequency over a length, and their series converge fast.
     ///
-    /// The mass matrix of the two is at most twice its diagonal, so that each uncoupled clamped mode with twice its
-    /// mass is a lower bound.
+    /// The mass matrix of the two is at most twice its diagonal, so each uncoupled clamped mode with twice its mass is
+    /// a lower bound.
     fn is_short(&self, length: f64) -> bool {
         let k = (FIRST_CLAMPED / length).powi(4);
         let twisting = self.warping * k + self.torsion * (std::f64::consts::PI / length).powi(2);
@@ -127,7 +127,7 @@ impl Field {
         no_mode && length * self.largest_wave_number() < CONVERGENT
     }
 
-    /// An upper bound of the wave numbers of w and psi: the coupling moves a squared one by less than the larger.
+    /// An upper bound of the wave numbers of w and psi: the coupling changes a squared one by less than the larger.
     fn largest_wave_number(&self) -> f64 {
         let root = (self.torsion * self.torsion + 4.0 * self.polar * self.warping).sqrt();
         let twisting = if self.warping == 0.0 {
@@ -139,12 +139,12 @@ impl Field {
     }
 }
 
-/// Bending with `k^4` = mass over stiffness: its first clamped mode is far beyond where the series converge fast.
+/// Bending with `k^4` = mass over stiffness: its first clamped mode is far above the range of fast convergence.
 fn is_short_in_bending(k4: f64, length: f64) -> bool {
     length * k4.sqrt().sqrt() < CONVERGENT
 }
 
-/// How often a length is halved until it is short.
+/// The number of halvings until a length is short.
 fn halvings(length: f64, is_short: impl Fn(f64) -> bool) -> u32 {
     let mut halvings = 0;
     while !is_short(length / 2.0_f64.powi(halvings as i32)) {
@@ -153,7 +153,7 @@ fn halvings(length: f64, is_short: impl Fn(f64) -> bool) -> u32 {
     halvings
 }
 
-/// A span joined from two halves until these are short; the transfer of one that is short itself.
+/// A span joined from two halves until these are short; the transfer matrix of a span that is short itself.
 ///
 /// The count of the joints: Wittrick & Williams, Q. J. Mech. Appl. Math. 24 (1971) 263-284.
 fn joined<const N: usize>(
@@ -171,7 +171,7 @@ fn joined<const N: usize>(
 }
 
 impl Span {
-    /// Puts motions that nothing couples to the others into their rows.
+    /// Copies motions without coupling to the others into their rows.
     fn put<const N: usize>(
         &mut self,
         rows: [usize; N],
@@ -208,7 +208,7 @@ impl<const N: usize> Transfer<N> {
         }
     }
 
-    /// The dynamic stiffness: `B^-1 A`, `-B^-1`, `D B^-1`. B is regular where no clamped mode is near.
+    /// The dynamic stiffness: `B^-1 A`, `-B^-1`, `D B^-1`. B is regular if no clamped mode is near.
     fn stiffness(&self) -> Ends<N> {
         let inverse = self.b.try_inverse().unwrap_or_else(SMatrix::zeros);
         Ends {
@@ -221,7 +221,7 @@ impl<const N: usize> Transfer<N> {
 }
 
 impl<const N: usize> Ends<N> {
-    /// Two of them, one after the other.
+    /// Two pieces, one after the other.
     fn doubled(&self) -> Self {
         let joint = eliminate(&(self.right + self.left), &SMatrix::<f64, N, N>::identity());
         let from_right = joint.solution * self.across;
@@ -229,7 +229,7 @@ impl<const N: usize> Ends<N> {
             left: symmetric(self.left - self.across * joint.solution * self.across.transpose()),
             across: -self.across * from_right,
             right: symmetric(self.right - self.across.transpose() * from_right),
-            // Of a beam of astronomical length there are more than can be counted.
+            // A beam of astronomical length has more than a count can hold.
             clamped: self
                 .clamped
                 .saturating_mul(2)
@@ -238,7 +238,7 @@ impl<const N: usize> Ends<N> {
     }
 }
 
-/// The symmetric part: what rounding left is no stiffness.
+/// The symmetric part: the rest is rounding.
 pub(super) fn symmetric<const N: usize>(a: SMatrix<f64, N, N>) -> SMatrix<f64, N, N> {
     0.5 * (a + a.transpose())
 }

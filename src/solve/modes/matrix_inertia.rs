@@ -1,29 +1,29 @@
-//! The inertia of a small symmetric matrix: how many of its eigenvalues are negative.
+//! The inertia of a small symmetric matrix: the number of its negative eigenvalues.
 //!
-//! Sylvester's law: a congruence keeps it, so it is read off the 1x1 and 2x2 pivots of a symmetric elimination. The
-//! pivots are those of Bunch & Parlett, SIAM J. Numer. Anal. 8 (1971) 639-655: the elimination is backward stable, so
-//! that the count is that of a matrix within rounding of the given one.
+//! By Sylvester's law a congruence preserves it, so it follows from the 1x1 and 2x2 pivots of a symmetric elimination.
+//! The pivots are those of Bunch & Parlett, SIAM J. Numer. Anal. 8 (1971) 639-655: the elimination is backward stable,
+//! so the count is that of a matrix within rounding of the given one.
 
 use nalgebra::SMatrix;
 
 /// (1 + sqrt 17) / 8: the least growth of the entries (Bunch & Parlett 1971).
 const ALPHA: f64 = 0.640_388_203_202_208;
 
-/// A symmetric matrix taken apart: its count of negative eigenvalues, and its inverse times `right`.
+/// The elimination of a symmetric matrix: its number of negative eigenvalues, and its inverse times `right`.
 #[derive(Debug)]
 pub(super) struct Eliminated<const N: usize, const R: usize> {
-    /// How many eigenvalues are below 0.
+    /// The number of eigenvalues below 0.
     pub(super) negatives: usize,
     /// `a^-1 right`.
     pub(super) solution: SMatrix<f64, N, R>,
 }
 
-/// How many eigenvalues of a symmetric matrix are negative.
+/// The number of negative eigenvalues of a symmetric matrix.
 pub(super) fn negatives<const N: usize>(a: &SMatrix<f64, N, N>) -> usize {
     eliminate(a, &SMatrix::<f64, N, 0>::zeros()).negatives
 }
 
-/// Eliminates a symmetric `a` with `right` beside it. Only the size of an entry chooses a pivot: scale first.
+/// Eliminates a symmetric `a` together with `right`. The pivots depend on the size of the entries: scale first.
 pub(super) fn eliminate<const N: usize, const R: usize>(
     a: &SMatrix<f64, N, N>,
     right: &SMatrix<f64, N, R>,
@@ -64,7 +64,7 @@ struct Work<const N: usize, const R: usize> {
 }
 
 impl<const N: usize, const R: usize> Work<N, R> {
-    /// Brings the pivot of the part from `first` on to its front; returns its size, 1 or 2.
+    /// Moves the pivot of the part from `first` on to its front; returns its size, 1 or 2.
     fn choose(&mut self, first: usize) -> usize {
         let (mut diagonal, mut other) = ((first, 0.0), (first, first, 0.0));
         for row in first..N {
@@ -80,7 +80,7 @@ impl<const N: usize, const R: usize> Work<N, R> {
         if diagonal.1 >= ALPHA * other.2 {
             self.swap(first, diagonal.0);
             if diagonal.1 == 0.0 {
-                // Singular to the last digit: as good as a little above.
+                // Singular up to rounding: counts as slightly positive.
                 self.a[(first, first)] = f64::EPSILON;
             }
             return 1;
@@ -99,7 +99,7 @@ impl<const N: usize, const R: usize> Work<N, R> {
         }
     }
 
-    /// A 2x2 pivot is chosen where its determinant is negative: one eigenvalue of each sign.
+    /// A 2x2 pivot is chosen only if its determinant is negative: one eigenvalue of each sign.
     fn negatives(&self, first: usize, size: usize) -> usize {
         usize::from(size == 2 || self.a[(first, first)] < 0.0)
     }
@@ -111,7 +111,7 @@ impl<const N: usize, const R: usize> Work<N, R> {
             return [x[0] / p, 0.0];
         }
         let (q, r) = (self.a[(first + 1, first)], self.a[(first + 1, first + 1)]);
-        // By q first: its square may be far from the range of p r.
+        // Divides by q first: its square may have a very different size than p r.
         let determinant = (p / q) * r - q;
         [
             ((r / q) * x[0] - x[1]) / determinant,
@@ -119,7 +119,7 @@ impl<const N: usize, const R: usize> Work<N, R> {
         ]
     }
 
-    /// Takes the pivot's rows out of all rows below.
+    /// Eliminates the pivot's columns from all rows below.
     fn subtract(&mut self, first: usize, size: usize) {
         let last = first + size - 1;
         for row in last + 1..N {

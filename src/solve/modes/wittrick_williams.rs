@@ -1,9 +1,10 @@
-//! How many undamped modes lie below a frequency: the algorithm of Wittrick & Williams.
+//! The number of undamped modes below a frequency, by the algorithm of Wittrick & Williams.
 //!
-//! `J = J_0 + s(K_D)` (Wittrick & Williams, Q. J. Mech. Appl. Math. 24 (1971) 263-284): `s` counts the negative
-//! eigenvalues of the dynamic stiffness over all stations, and `J_0` the modes with every station clamped, of the spans
-//! between them and of each subsystem's mass. The stations are eliminated from left to right, so that no matrix is
-//! larger than 6x6 and the cost is linear in their number. Nothing is shared with the frequency responses.
+//! `J = J_0 + s(K_D)` (Wittrick & Williams, Q. J. Mech. Appl. Math. 24 (1971) 263-284): `s` is the number of negative
+//! eigenvalues of the dynamic stiffness over all stations, and `J_0` the number of modes with every station clamped, of
+//! the spans between them and of each subsystem's mass. The stations are eliminated from left to right, so that no
+//! matrix is larger than 6x6 and the cost is linear in their number. The count shares nothing with the frequency
+//! responses.
 
 use std::ops::Range;
 
@@ -15,21 +16,21 @@ use super::rigid;
 use super::station::{End, Mass, Units};
 use crate::model::{Beam, Model};
 
-/// A model laid out to be counted.
+/// A model laid out for the count.
 #[derive(Debug, Clone)]
 pub(super) struct Counter {
     beam: Beam,
     left: End,
     right: End,
-    /// By rising x; subsystems at one place follow each other.
+    /// By ascending x; subsystems at one position are adjacent.
     masses: Vec<Mass>,
-    /// The ends and the places of the masses, by rising x: which of `masses` are there.
+    /// The ends and the positions of the masses, by ascending x: the indices of their `masses`.
     nodes: Vec<Range<usize>>,
     /// The lengths between the nodes, m: one less.
     spans: Vec<f64>,
     /// The longest span: where the elimination from the left meets that from the right.
     longest: usize,
-    /// How many modes have the frequency 0.
+    /// Number of modes at frequency 0.
     rigid: usize,
 }
 
@@ -63,16 +64,16 @@ impl Counter {
         counter
     }
 
-    /// How many modes have the frequency 0.
+    /// Number of modes at frequency 0.
     pub(super) fn rigid(&self) -> usize {
         self.rigid
     }
 
-    /// How many modes lie below the angular frequency `omega` > 0, rad/s, those at 0 included.
+    /// Number of modes below the angular frequency `omega` > 0, rad/s, those at 0 included.
     ///
-    /// Left and right part meet within the longest span, at no simple share of it: at an end, or at a middle, the modes
-    /// of the part with that point clamped may be those of the whole (a clamped and a free beam have the same), and the
-    /// count would lose half its digits there.
+    /// The left and the right part meet within the longest span, at an irregular fraction of it: with a clamp at an end
+    /// or in the middle the modes of a part may coincide with those of the whole (a clamped and a free beam have the
+    /// same), and the count would lose half its digits there.
     pub(super) fn below(&self, omega: f64) -> usize {
         const SHARE: f64 = 0.414_2;
         let mut march = March {
@@ -123,7 +124,7 @@ impl Counter {
     }
 }
 
-/// Whether the warping of an end dies out within so little of the beam that no digit of a count shows it.
+/// Whether the warping of an end decays within so little of the beam that it does not affect the count.
 fn decays_at_once(beam: &Beam) -> bool {
     const NEGLIGIBLE: f64 = 1e-12;
     let (material, section) = (&beam.material, &beam.section);
@@ -131,7 +132,7 @@ fn decays_at_once(beam: &Beam) -> bool {
         < NEGLIGIBLE * material.shear_modulus * section.torsion_constant * beam.length.powi(2)
 }
 
-/// The masses at each place, ends included, and the lengths between the places.
+/// The masses at each position, ends included, and the lengths between the positions.
 fn nodes(masses: &[Mass], length: f64) -> (Vec<Range<usize>>, Vec<f64>) {
     let mut nodes = Vec::new();
     let mut spans = Vec::new();
@@ -165,13 +166,13 @@ struct March<'a> {
     field: Field,
     /// The last span and its length, for the next of that length.
     known: Option<(f64, Span)>,
-    /// Negative pivots, and modes of clamped spans and blocked masses, so far.
+    /// Number of negative pivots, and of modes of clamped spans and blocked masses, so far.
     count: usize,
 }
 
 impl March<'_> {
-    /// From an end over nodes, each with the span behind it, and a share of the last span; returns the dynamic
-    /// stiffness of all that was passed, in a frame that points away from the end.
+    /// From an end over nodes, each with the span behind it, and a fraction of the last span; returns the dynamic
+    /// stiffness of this part, in a frame that points away from the end.
     fn over(&mut self, end: &End, path: &[(usize, usize)], share: f64) -> Matrix6<f64> {
         let mut stiffness = end.stiffness(self.omega, &self.units);
         let mut fixed = end.fixed();
@@ -195,7 +196,7 @@ impl March<'_> {
         }
     }
 
-    /// Carries the stiffness over a span.
+    /// Moves the stiffness over a span.
     fn cross(&mut self, length: f64, stiffness: &mut Matrix6<f64>, mut fixed: [bool; 6]) {
         let pieces = self.field.pieces(length / self.units.length);
         let length = length / pieces as f64;
@@ -211,13 +212,13 @@ impl March<'_> {
     }
 }
 
-/// A stiffness in the frame that points the other way: slopes change their sign.
+/// A stiffness in the opposite frame: slopes change their sign.
 fn mirrored(stiffness: &Matrix6<f64>) -> Matrix6<f64> {
     let sign = |row: usize| if row < 3 { 1.0 } else { -1.0 };
     Matrix6::from_fn(|i, j| sign(i) * sign(j) * stiffness[(i, j)])
 }
 
-/// Carries the stiffness over a span; returns the count of what was eliminated and of the clamped span.
+/// Moves the stiffness over a span; returns the count of the eliminated end and of the clamped span.
 fn cross(span: &Span, stiffness: &mut Matrix6<f64>, fixed: [bool; 6]) -> usize {
     let ends = &span.ends;
     let mut node = ends.left + *stiffness;
@@ -234,7 +235,7 @@ fn cross(span: &Span, stiffness: &mut Matrix6<f64>, fixed: [bool; 6]) -> usize {
     }
     let eliminated = eliminate(&node, &across);
     let by_transfer = span.transfer.as_ref().and_then(|transfer| {
-        // Only its columns' span counts, so that any regular scale will do.
+        // Only the span of its columns matters, so any regular scale is possible.
         let moved_on = transfer.a * moved + transfer.b * force;
         Some((transfer.c * moved + transfer.d * force) * moved_on.try_inverse()?)
     });
@@ -244,7 +245,7 @@ fn cross(span: &Span, stiffness: &mut Matrix6<f64>, fixed: [bool; 6]) -> usize {
     ends.clamped.saturating_add(eliminated.negatives)
 }
 
-/// Takes fixed motions out of a stiffness: no coupling, and a positive pivot that counts nothing.
+/// Removes fixed motions from a stiffness: no coupling, and a positive pivot that does not count.
 fn hold(stiffness: &mut Matrix6<f64>, fixed: [bool; 6]) {
     for row in (0..6).filter(|&row| fixed[row]) {
         stiffness.row_mut(row).fill(0.0);

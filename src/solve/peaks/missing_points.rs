@@ -1,22 +1,22 @@
-//! What the samples of one response lack.
+//! The points that the grid of one response still needs at its extrema.
 
 use super::NEAREST;
 use super::fit::{Fit, Sample, Turn, turns};
 use super::grid::{Feature, Mark, fits_between, is_on_pole};
 use crate::solve::ColumnKind;
 
-/// What the extrema of one response lack.
+/// The missing points of one response.
 #[derive(Debug, Default)]
 pub(super) struct MissingPoints {
-    /// The points that each extremum lacks which no sample is near enough to.
+    /// The points that each extremum without close samples needs.
     pub(super) extrema: Vec<Vec<Mark>>,
-    /// The minima that samples are near enough to.
+    /// The minima with close samples.
     pub(super) dips: Vec<Feature>,
 }
 
 impl MissingPoints {
-    /// Looks at all turns; nothing is put on an undamped mode. `modes` are by rising centre. Where more than `most`
-    /// extrema lack something, none does.
+    /// Checks all extrema; no point is on an undamped mode. `modes` are by ascending centre. With more than `most`
+    /// incomplete extrema, no points are added.
     pub(super) fn new(
         kind: ColumnKind,
         samples: &[Sample],
@@ -45,9 +45,9 @@ impl MissingPoints {
     }
 }
 
-/// The middles of steps between samples within which |H| may turn twice, or once within the first or the last step: by a
-/// fit it falls at a sample though the samples say that it rises, or the other way. None where there are more than
-/// `most`, which is rounding.
+/// The middles of steps between samples within which |H| may have two extrema, or one within the first or the last
+/// step: a fit has the opposite slope at a sample than the samples have. None if there are more than `most`, which is
+/// rounding noise.
 pub(super) fn hidden(kind: ColumnKind, samples: &[Sample], most: usize) -> Vec<f64> {
     let mut steps = Vec::new();
     let last = samples.len().saturating_sub(3);
@@ -79,13 +79,13 @@ pub(super) fn hidden(kind: ColumnKind, samples: &[Sample], most: usize) -> Vec<f
     steps.into_iter().filter_map(middle).collect()
 }
 
-/// True where a slope, as a change over a bracket, is against the way of the samples by more than 0.01 dB.
+/// True if a slope, as a change over a bracket, is opposite to the trend of the samples by more than 0.01 dB.
 fn is_against(slope: f64, way: f64) -> bool {
     const LEAST: f64 = 2e-3;
     slope.abs() > LEAST && (slope > 0.0) != (way > 0.0) && way != 0.0
 }
 
-/// True where a turn is no more than rounding, or its top as good as flat: all three within 0.002 dB and in phase.
+/// True if an extremum is only rounding, or its top is flat: all three samples within 0.002 dB and in phase.
 fn is_flat(three: &[Sample]) -> bool {
     const FLAT: f64 = 2e-4;
     let middle = three[1];
@@ -93,12 +93,12 @@ fn is_flat(three: &[Sample]) -> bool {
     !differs(&three[0]) && !differs(&three[2])
 }
 
-/// What is missing about an extremum between three samples: a point at it, and one near it on each side, which make
-/// the next fit hold.
+/// The missing points of an extremum between three samples: a point at it, and one near it on each side, to make the
+/// next fit accurate.
 fn points_at(three: &[Sample], extremum: Feature) -> Vec<Mark> {
-    /// How near those at its sides are, in half-widths. A zero next to a peak distorts a wider fit.
+    /// The distance of the points at its sides, in half-widths. A zero next to a peak distorts a wider fit.
     const SIDE: f64 = 0.125;
-    /// How much farther a point may be that serves as such.
+    /// The factor by which an existing point may be farther and still be used.
     const FARTHEST: f64 = 1.5;
     let [left, middle, right] = [0, 1, 2].map(|i| three[i].frequency);
     let (centre, clearance) = (extremum.centre, extremum.clearance());
@@ -137,7 +137,7 @@ fn points_at(three: &[Sample], extremum: Feature) -> Vec<Mark> {
     points.into_iter().map(mark).collect()
 }
 
-/// The middle of the longer side of a lopsided bracket, on which a fit alone may creep towards the extremum.
+/// The middle of the longer side of an asymmetric bracket, on which a fit alone may converge very slowly.
 fn halving([left, middle, right]: [f64; 3]) -> Option<f64> {
     const LOPSIDED: f64 = 4.0;
     let sides = [middle - left, right - middle];

@@ -1,14 +1,14 @@
-//! The method of the paper itself: a chain of 12x12 transfer matrices.
+//! The method of the paper: a product of 12x12 transfer matrices.
 //!
-//! Chen & Liu, *Mathematics* 2022, 10(16), 2849, Sections 2.1 and 2.2 with Appendices A to D, equation by equation; the
-//! slips of the print are mended, supports may act on all six motions, several loads may act at once. `springs` condenses
-//! a subsystem (Eqs. 1 to 10), `shapes` has the roots, ratios and shape functions (Eqs. 19 to 29), `boundary` the ends
+//! Chen & Liu, *Mathematics* 2022, 10(16), 2849, Sections 2.1 and 2.2 with Appendices A to D, equation by equation;
+//! misprints are corrected, supports may act on all six motions, several loads may act at once. `springs` condenses a
+//! subsystem (Eqs. 1 to 10), `shapes` has the roots, ratios and shape functions (Eqs. 19 to 29), `boundary` the ends
 //! (Appendix C), and here are the interfaces, the product and the closed form (Eqs. 36 to 75).
 //!
-//! **It loses digits, and is meant to.** The growing and the decaying part of sinh and cosh part like e^(2 beta l), and
-//! double precision keeps sixteen digits: on the paper's beam eleven are right at 100 Hz, three at 350 Hz and none at
-//! 1 kHz. Nothing is done about that here: this module shows the paper's method as it is, where it holds and where not.
-//! [`solve::sweep`](super::sweep()) is what the program uses; this chain is never taken in its place.
+//! **It loses digits on purpose.** The ratio of the growing and the decaying part of sinh and cosh is e^(2 beta l), and
+//! double precision has sixteen digits: on the paper's beam eleven are right at 100 Hz, three at 350 Hz and none at 1
+//! kHz. This module shows the paper's method unchanged, where it is accurate and where it is not. The program uses
+//! [`solve::sweep`](super::sweep()) and never this method instead.
 
 mod boundary;
 mod shapes;
@@ -26,12 +26,12 @@ use super::layout::{Layout, Reading, derivative};
 use super::sweep::{Frf, one_by_one};
 use crate::model::{BeamMotion, Model};
 
-/// Twelve integration constants, or what stands beside twelve equations.
+/// Twelve integration constants, or twelve right-hand sides.
 type Vector = SVector<Complex64, 12>;
 /// The factors of a 12x12 matrix.
 type Factors = LU<Complex64, Const<12>, Const<12>>;
 
-/// The solution of 12x12 equations; not finite where they are singular.
+/// The solution of 12x12 equations; not finite if they are singular.
 fn solve<const K: usize>(
     factors: &Factors,
     right: SMatrix<Complex64, 12, K>,
@@ -40,7 +40,7 @@ fn solve<const K: usize>(
     factors.solve(&right).unwrap_or_else(undefined)
 }
 
-/// Why the paper's formulas do not hold for a model.
+/// Why the paper's formulas do not apply to a model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NotApplicable {
     /// The centroid is at the shear centre: Eqs. (18) and (25) divide by `z_c`.
@@ -60,8 +60,8 @@ impl std::fmt::Display for NotApplicable {
 
 /// Solves a checked model at each frequency (Hz, > 0) by the paper's closed form, on all cores.
 ///
-/// Values and units are those of [`solve::sweep`](super::sweep()), with as many digits as the method leaves: none at
-/// all at high frequencies, where values may not even be finite.
+/// Values and units are those of [`solve::sweep`](super::sweep()), with the digits of this method: none at high
+/// frequencies, where values may not even be finite.
 ///
 /// # Errors
 /// The paper's formulas divide by a zero of the model; inside, `cancel` became true before the end.
@@ -85,11 +85,11 @@ pub fn sweep(
     ))
 }
 
-/// A beam cut into segments wherever something acts between or at its ends.
+/// A beam divided into segments at its subsystems and loads.
 #[derive(Debug)]
 struct Chain<'a> {
     layout: Layout<'a>,
-    /// The places (of the layout) between segments.
+    /// The positions (of the layout) between segments.
     stations: Vec<usize>,
     /// Where each segment begins, m; one more than stations.
     starts: Vec<f64>,
@@ -97,7 +97,7 @@ struct Chain<'a> {
     lengths: Vec<f64>,
 }
 
-/// What holds at one frequency.
+/// The solution at one frequency.
 struct Solution {
     omega: f64,
     shapes: Shapes,
@@ -177,7 +177,7 @@ impl<'a> Chain<'a> {
     }
 
     /// `H_i` of Eq. (45) and `H_F F` of Eqs. (55) and (71) of the station at a segment's end: displacements, slopes and
-    /// moments go on, forces jump by what springs and loads give (Eqs. 36 to 40, 51 to 53 and 67 to 69).
+    /// moments are continuous, forces jump by those of springs and loads (Eqs. 36 to 40, 51 to 53 and 67 to 69).
     fn interface(
         &self,
         solution: &Solution,
@@ -208,7 +208,7 @@ impl<'a> Chain<'a> {
         (solve(at_start, left), solve(at_start, jump))
     }
 
-    /// The loads at a place; those at the ends belong to the boundary conditions.
+    /// The loads at a position; those at the ends belong to the boundary conditions.
     fn inner_load(&self, place: usize) -> [Complex64; 6] {
         match self.layout.support(place) {
             None => self.layout.loads[place],
@@ -233,7 +233,7 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// Displacements, slopes and forces at a place: Eq. (49).
+    /// Displacements, slopes and forces at a position: Eq. (49).
     fn state(&self, solution: &Solution, place: usize) -> Vector {
         let x = self.layout.positions[place];
         let segment = self.starts.partition_point(|&start| start <= x) - 1;
@@ -252,8 +252,8 @@ fn moved_row(motion: BeamMotion) -> usize {
     DISPLACEMENTS[motion % 3] + motion / 3
 }
 
-/// The row among the derivatives that goes with the force or moment along a motion, and the force of 1 there: the rows of
-/// W'' and V'' are curvatures.
+/// The row of the derivatives that corresponds to the force or moment along a motion, and the force per unit of it: the
+/// rows of W'' and V'' are curvatures.
 fn conjugate(shapes: &Shapes, motion: BeamMotion) -> (usize, Complex64) {
     match motion {
         BeamMotion::W | BeamMotion::Psi | BeamMotion::V => {
@@ -265,15 +265,15 @@ fn conjugate(shapes: &Shapes, motion: BeamMotion) -> (usize, Complex64) {
     }
 }
 
-/// Nodes and weights of Gauss and Legendre's rule of eight points on [-1, 1], the positive half (Abramowitz & Stegun
-/// 1964, Table 25.4); exact to the degree 15.
+/// Nodes and weights of the eight-point Gauss-Legendre rule on [-1, 1], the positive half (Abramowitz & Stegun 1964,
+/// Table 25.4); exact to the degree 15.
 const RULE: [(f64, f64); 4] = [
     (0.183_434_642_495_649_8, 0.362_683_783_378_362),
     (0.525_532_409_916_329, 0.313_706_645_877_887_3),
     (0.796_666_477_413_626_7, 0.222_381_034_453_374_47),
     (0.960_289_856_497_536_3, 0.101_228_536_290_376_26),
 ];
-/// The most that beta x grows in a panel: the rule is then right to the last digits.
+/// The largest beta x of a panel: the rule is then accurate to the last digits.
 const PANEL: f64 = 1.0;
 
 /// `E_V` = int rho A (|W|^2 + |V|^2) + rho `I_0` |Psi|^2 dx (Section 4.2), kg m2.

@@ -8,8 +8,8 @@ use crate::model::Beam;
 /// A 12x12 matrix over the integration constants of a segment, `c_1` to `c_12`.
 pub(super) type Matrix = SMatrix<Complex64, 12, 12>;
 
-/// A pair of shape functions: sinh and cosh of beta x where h of Eq. (21) is positive, sin and cos where it is
-/// negative (the print has sinh and cosh for all four, but the roots 3 and 4 are imaginary).
+/// A pair of shape functions: sinh and cosh of beta x if h of Eq. (21) is positive, sin and cos if it is negative (the
+/// paper prints sinh and cosh for all four, but the roots 3 and 4 are imaginary).
 #[derive(Debug, Clone, Copy)]
 struct Pair {
     beta: Complex64,
@@ -75,7 +75,7 @@ impl Shapes {
             torsion * mass,
             Complex64::from(mass * polar - coupling * coupling),
         ];
-        // What the roots would be without coupling.
+        // The roots without coupling.
         let bend = (mass / bending_y).sqrt();
         let root = (torsion * torsion + 4.0 * warping * polar).sqrt();
         let twist = [
@@ -150,11 +150,11 @@ impl Shapes {
     }
 }
 
-/// The four roots of a quartic (coefficients by falling power) from guesses, by the simultaneous iteration of Ehrlich
-/// (1967) and Aberth (1973).
+/// The four roots of a quartic (coefficients by descending power) from starting values, by the simultaneous iteration
+/// of Ehrlich (1967) and Aberth (1973).
 fn quartic(coefficients: &[Complex64; 5], guesses: [Complex64; 4]) -> [Complex64; 4] {
     const MOST_STEPS: usize = 100;
-    // Guesses that coincide would never part.
+    // Equal starting values would stay equal.
     let mut roots: [Complex64; 4] =
         std::array::from_fn(|i| guesses[i] * Complex64::from_polar(1.0, 0.01 * (i + 1) as f64));
     for _ in 0..MOST_STEPS {
@@ -187,7 +187,8 @@ fn quartic(coefficients: &[Complex64; 5], guesses: [Complex64; 4]) -> [Complex64
 mod tests {
     use super::*;
 
-    /// Expected: the coefficients are multiplied out from the roots, which lie as those of a beam at a low frequency.
+    /// Expected: the coefficients are multiplied out from the roots, which are similar to those of a beam at a low
+    /// frequency.
     #[test]
     fn roots_of_very_different_size_are_found() {
         let roots = [8.0, 0.03, -0.031, -2e-6];

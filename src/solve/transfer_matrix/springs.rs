@@ -1,12 +1,12 @@
-//! Effective springs: a subsystem condensed to what the beam meets (Chen & Liu 2022, Section 2.1 and Appendix A).
+//! Effective springs: a subsystem condensed to its effect on the beam (Chen & Liu 2022, Section 2.1 and Appendix A).
 
 use num_complex::Complex64;
 
 use crate::model::{Spring, Subsystem};
 
-/// The eight effective springs of Eqs. (1) and (2), and what a load on the mass makes of them, at one frequency.
+/// The eight effective springs of Eqs. (1) and (2), and the effect of a load on the mass, at one frequency.
 ///
-/// Signs are the paper's: a spring's force acts on the beam, so that a resting spring has a negative effective one.
+/// Signs are the paper's: a spring's force acts on the beam, so a spring has a negative effective one at rest.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct EffectiveSprings {
     y_left: Complex64,
@@ -39,7 +39,7 @@ impl EffectiveSprings {
         let along_z = s.mass * rate * rate + x1 + x2;
         let about_x = s.inertia * rate * rate + x1 * left * left + x2 * right * right;
         let mixed = x1 * left - x2 * right;
-        // Delta, with k + (rate) c in its last entry, where c is printed twice.
+        // Delta, with k + (rate) c in its last entry, where the paper prints c twice.
         let delta = along_z * about_x - mixed * mixed;
         Self {
             y_left,
@@ -114,8 +114,8 @@ impl EffectiveSprings {
         ]
     }
 
-    /// `F_e^w`, `T_e^psi` and `F_e^v` of Eqs. (67) to (69): what a load on the mass does to the beam through the springs
-    /// while the beam is held, N and N m.
+    /// `F_e^w`, `T_e^psi` and `F_e^v` of Eqs. (67) to (69): the effect of a load on the mass on the beam through the
+    /// springs while the beam is fixed, N and N m.
     pub(super) fn transmitted(&self, load: &[Complex64; 3]) -> [Complex64; 3] {
         let [y, z, theta] = self.motion(&[Complex64::ZERO; 3], load);
         // Eqs. (A1) and (A2).

@@ -1,4 +1,4 @@
-//! One model on trial: what it answers, and how its answers change with the coordinates.
+//! One candidate model: its responses, and their derivatives by the coordinates.
 
 use std::sync::atomic::AtomicBool;
 
@@ -11,17 +11,17 @@ use crate::solve::modes::{Modes, uncertified};
 use crate::solve::sensitivity::{Differentiator, Gradient};
 use crate::solve::{Cancelled, sweep};
 
-/// A model on trial.
+/// A candidate model.
 pub(super) struct Candidate<'a> {
     pub(super) model: Model,
-    /// Up to where some objective asks for them.
+    /// Up to the highest frequency that an objective needs.
     modes: Modes,
     pub(super) cancel: &'a AtomicBool,
 }
 
 impl<'a> Candidate<'a> {
-    /// A possible model, with its modes up to `to` (Hz): they say where points must lie, so that no proof that they are
-    /// all is waited for. None where they are more than are listed.
+    /// A valid model, with its modes up to `to` (Hz): they only determine grid points, so the proof of their
+    /// completeness is skipped. `None` if there are too many modes to list.
     pub(super) fn new(
         model: Model,
         to: Option<f64>,
@@ -38,7 +38,7 @@ impl<'a> Candidate<'a> {
         }))
     }
 
-    /// Its modes, up to where some objective asks for them.
+    /// Its modes, up to the highest frequency that an objective needs.
     pub(super) fn modes(&self) -> &Modes {
         &self.modes
     }
@@ -70,18 +70,18 @@ impl<'a> Candidate<'a> {
     }
 }
 
-/// The parameters that a coordinate moves, and how fast.
+/// The parameters that a coordinate changes, and their rates.
 pub(super) type Moved = Vec<(ParameterId, f64)>;
 
-/// How the answers of a model on trial change with the coordinates.
+/// The derivatives of the responses of a candidate by the coordinates.
 pub(super) struct Slopes {
     differentiator: Differentiator,
-    /// For each coordinate the parameters that it moves, by their place in the differentiator, and how fast.
+    /// For each coordinate the parameters that it changes, by their index in the differentiator, and their rates.
     rates: Vec<Vec<(usize, f64)>>,
 }
 
 impl Slopes {
-    /// Of a model; `moved` are for each coordinate the parameters that it moves, and how fast.
+    /// For a model; `moved` are for each coordinate the parameters that it changes, and their rates.
     pub(super) fn new(model: &Model, moved: &[Moved]) -> Self {
         let differentiator = Differentiator::new(model);
         let known: std::collections::HashMap<ParameterId, usize> = differentiator
@@ -90,7 +90,7 @@ impl Slopes {
             .enumerate()
             .map(|(index, id)| (*id, index))
             .collect();
-        // What is not there changes nothing: a subsystem that is disabled.
+        // A disabled subsystem has no effect.
         let place = |(id, rate): &(ParameterId, f64)| Some((*known.get(id)?, *rate));
         let rates = moved
             .iter()
@@ -106,7 +106,7 @@ impl Slopes {
         &self.differentiator
     }
 
-    /// A derivative by the parameters as one by the coordinates.
+    /// Converts a derivative by the parameters to one by the coordinates.
     pub(super) fn by_coordinate(&self, by_parameter: impl Fn(usize) -> f64) -> Vec<f64> {
         let of = |rates: &Vec<(usize, f64)>| {
             let terms = rates
@@ -123,14 +123,14 @@ impl Slopes {
             .response_at(response, Complex64::from(frequency))
     }
 
-    /// Those at several frequencies (Hz), on all cores.
+    /// The same at several frequencies (Hz), on all cores.
     pub(super) fn responses(&self, response: usize, frequencies: &[f64]) -> Vec<Gradient> {
         let at = frequencies.par_iter();
         at.map(|frequency| self.response(response, *frequency))
             .collect()
     }
 
-    /// The magnitude of a response at a fixed frequency, or at an extremum, where that moves at no cost.
+    /// The magnitude of a response at a fixed frequency, or at an extremum, whose shift has no first-order effect.
     pub(super) fn size(&self, gradient: &Gradient) -> Function {
         Function {
             value: gradient.value.norm(),
@@ -139,7 +139,7 @@ impl Slopes {
     }
 }
 
-/// The derivative of |H| by what H changes by `rate` with.
+/// The derivative of |H| for the derivative `rate` of H.
 pub(super) fn growth(gradient: &Gradient, rate: Complex64) -> f64 {
     let size = gradient.value.norm();
     if size == 0.0 {

@@ -1,4 +1,4 @@
-//! What the tuned model must keep, as numbers that must not be above 0, with their derivatives.
+//! The limits of the tuned model, as numbers that must not be above 0, with their derivatives.
 
 use num_complex::Complex64;
 
@@ -9,19 +9,19 @@ use crate::model::{Group, Limit, Model, ParameterId};
 use crate::solve::Cancelled;
 use crate::solve::modes::{count, modes, undamped, without_damping};
 
-/// A limit of a model whose responses are known by their places.
+/// A limit of a model, with its responses by index.
 #[derive(Debug, Clone)]
 pub(super) enum Bound {
     /// (mass - most) / most of all enabled subsystems together.
     AddedMass { at_most: f64 },
-    /// For each undamped mode how far it is inside the band, over the width of the band; negative outside.
+    /// For each undamped mode its depth inside the band, over the width of the band; negative outside.
     NoMode { band: [f64; 2] },
     /// (|H| at rest - most) / most.
     StaticDeflection { response: usize, at_most: f64 },
 }
 
 impl Bound {
-    /// The bound of a limit; `place` gives the place of a response by its name.
+    /// The bound of a limit; `place` gives the index of a response by its name.
     pub(super) fn new(limit: &Limit, place: impl Fn(&str) -> usize) -> Self {
         match limit {
             Limit::AddedMass { at_most } => Self::AddedMass { at_most: *at_most },
@@ -33,7 +33,7 @@ impl Bound {
         }
     }
 
-    /// The numbers that must not be above 0; those far below may be left out.
+    /// The numbers that must not be above 0; those far below may be omitted.
     pub(super) fn values(&self, candidate: &Candidate) -> Result<Vec<f64>, Cancelled> {
         Ok(match self {
             Self::AddedMass { at_most } => vec![added_mass(&candidate.model) / at_most - 1.0],
@@ -51,7 +51,7 @@ impl Bound {
         })
     }
 
-    /// The same with derivatives by the coordinates, which move `moved`.
+    /// The same with derivatives by the coordinates, which change `moved`.
     pub(super) fn functions(
         &self,
         candidate: &Candidate,
@@ -67,8 +67,8 @@ impl Bound {
         })
     }
 
-    /// What a person wants to know: the mass, kg; the frequency of the mode that is deepest in the band or nearest to it,
-    /// Hz; the deflection, in the response's unit.
+    /// The value for display: the mass, kg; the frequency of the mode deepest in the band or nearest to it, Hz; the
+    /// deflection, in the response's unit.
     pub(super) fn reading(&self, candidate: &Candidate) -> Result<f64, Cancelled> {
         Ok(match self {
             Self::AddedMass { .. } => added_mass(&candidate.model),
@@ -82,10 +82,10 @@ impl Bound {
     }
 }
 
-/// The modes up to so many times the end of a band are looked at.
+/// The search for modes extends to this multiple of the end of a band.
 const SEEN: f64 = 2.0;
 
-/// Up to where a limit asks for the modes, Hz; none where it asks for none.
+/// The highest frequency up to which a limit needs the modes, Hz; `None` if it needs none.
 pub(super) fn looks_to(limit: &Limit) -> Option<f64> {
     match limit {
         Limit::NoMode { to, .. } => Some(SEEN * to),
@@ -115,13 +115,13 @@ fn added_mass_function(candidate: &Candidate, moved: &[Moved], at_most: f64) -> 
     }
 }
 
-/// How deep a frequency lies in a band, over its width: 0.5 in the middle, 0 at the ends, negative outside.
+/// The depth of a frequency inside a band, over its width: 0.5 in the middle, 0 at the ends, negative outside.
 fn depth(frequency: f64, [from, to]: [f64; 2]) -> f64 {
     (frequency - from).min(to - frequency) / (to - from)
 }
 
-/// The undamped modes in a band (Hz); none where there are too many below its end. Where the count of Wittrick &
-/// Williams is the same at both ends, no search begins.
+/// The undamped modes in a band (Hz); `None` if there are too many below its end. If the count of Wittrick & Williams
+/// is the same at both ends, there is no search.
 fn intruders(candidate: &Candidate, [from, to]: [f64; 2]) -> Result<Option<Vec<f64>>, Cancelled> {
     if count(&candidate.model, from) == count(&candidate.model, to) {
         return Ok(Some(Vec::new()));
@@ -134,7 +134,7 @@ fn intruders(candidate: &Candidate, [from, to]: [f64; 2]) -> Result<Option<Vec<f
     Ok(all.map(inside))
 }
 
-/// How deep each mode in a band, or within its width on both sides, is in it.
+/// The depth of each mode in a band, or within its width on both sides.
 fn modes_in(
     candidate: &Candidate,
     moved: &[Moved],
@@ -167,11 +167,11 @@ fn modes_in(
     Ok(inside.map(function).collect())
 }
 
-/// The weights by which a cubic through f, 2 f, 3 f and 4 f is 0 Hz's value.
+/// The weights of a cubic through f, 2 f, 3 f and 4 f for its value at 0 Hz.
 const TO_REST: [f64; 4] = [4.0, -6.0, 4.0, -1.0];
 
-/// The lowest frequency from which the response at rest is drawn: a hundredth of the first mode's or less, so that the
-/// cubic errs by less than 1e-5. None where a mode is at 0 Hz: such a beam has no rest.
+/// The lowest frequency of the extrapolation to the response at rest: a hundredth of the first mode's or less, so that
+/// the error of the cubic is below 1e-5. `None` if a mode is at 0 Hz: such a beam has no rest position.
 fn lowest(model: &Model) -> Option<f64> {
     const SHARE: f64 = 50.0;
     const HIGHEST: f64 = 1.0;
@@ -186,7 +186,7 @@ fn lowest(model: &Model) -> Option<f64> {
     None
 }
 
-/// A response at rest; infinite where the beam can move freely.
+/// A response at rest; infinite if the beam can move freely.
 pub(super) fn at_rest(candidate: &Candidate, response: usize) -> Result<Complex64, Cancelled> {
     let Some(lowest) = lowest(&candidate.model) else {
         return Ok(Complex64::from(f64::INFINITY));

@@ -1,4 +1,4 @@
-//! A problem as a landscape: one number to be small, with derivatives, over the worst case of the tolerances.
+//! The merit function of a problem: one number to minimise, with derivatives, over the worst case of the tolerances.
 
 use std::sync::atomic::AtomicBool;
 
@@ -10,7 +10,7 @@ use super::worst_case::deviations;
 use crate::model::Combine;
 use crate::solve::Cancelled;
 
-/// A problem that is searched: a [`Landscape`] over its unit box.
+/// The merit function of a problem: a [`Landscape`] over its unit box.
 #[derive(Debug)]
 pub struct MeritFunction<'a> {
     pub(super) problem: &'a Problem,
@@ -20,16 +20,16 @@ pub struct MeritFunction<'a> {
     pub(super) start: f64,
 }
 
-/// How a combined figure is brought to the number that is searched.
+/// The scale from a combined figure to the minimised number.
 #[derive(Debug, Clone, Copy)]
 enum Scale {
-    /// Its natural logarithm: changes count relative to what is left.
+    /// Its natural logarithm: changes count relative to the current value.
     Logarithm,
-    /// Over a constant, about what it is at the start.
+    /// Divided by a constant, about its value at the start.
     Over(f64),
 }
 
-/// What one model on trial gives: the figure of each objective and what the limits say.
+/// The values of one candidate: the figure of each objective and the values of the limits.
 pub(super) struct Figures {
     pub(super) figures: Vec<f64>,
     pub(super) limits: Vec<f64>,
@@ -37,13 +37,13 @@ pub(super) struct Figures {
 
 /// The same as functions.
 pub(super) struct Sloped {
-    /// Of each objective; the largest is its figure.
+    /// For each objective; the largest is its figure.
     pub(super) figures: Vec<Vec<Function>>,
     pub(super) limits: Vec<Function>,
 }
 
 impl Figures {
-    /// Those of no model: worse than any other.
+    /// The values of an invalid model: worse than any other.
     fn worst(problem: &Problem) -> Self {
         Self {
             figures: vec![f64::INFINITY; problem.aims.len()],
@@ -53,7 +53,7 @@ impl Figures {
 }
 
 impl Sloped {
-    /// Those of no model: worse than any other.
+    /// The values of an invalid model: worse than any other.
     fn worst(problem: &Problem) -> Self {
         let worst = Function::worst(problem.variables());
         Self {
@@ -64,7 +64,7 @@ impl Sloped {
 }
 
 impl<'a> MeritFunction<'a> {
-    /// Scaled by what is at `start`.
+    /// Scaled by the figure at `start`.
     ///
     /// # Errors
     /// `cancel` became true before the end.
@@ -90,12 +90,12 @@ impl<'a> MeritFunction<'a> {
         Ok(merit_function)
     }
 
-    /// The same that ends where `cancel` becomes true.
+    /// The same with another `cancel` flag.
     pub(super) fn until<'b>(&'b self, cancel: &'b AtomicBool) -> MeritFunction<'b> {
         MeritFunction { cancel, ..*self }
     }
 
-    /// The combined figure of a goal, as a person knows it.
+    /// The combined figure of a goal, for display.
     pub fn figure(&self, goal: f64) -> f64 {
         match self.scale {
             Scale::Logarithm => goal.exp(),
@@ -103,7 +103,7 @@ impl<'a> MeritFunction<'a> {
         }
     }
 
-    /// Whether the largest of all functions is sought, not a sum.
+    /// Whether the merit is the largest of all functions, not a sum.
     fn is_one_term(&self) -> bool {
         let problem = self.problem;
         problem.aims.len() == 1 || problem.tune().combine == Combine::Worst
@@ -117,7 +117,7 @@ impl<'a> MeritFunction<'a> {
         }
     }
 
-    /// What is searched of a figure; a weighted sum is that of its parts.
+    /// The scaled figure; a weighted sum is that of its parts.
     fn scaled(&self, aim: usize, figure: f64) -> f64 {
         let weighted = figure * self.weight(aim);
         match self.scale {
@@ -173,7 +173,7 @@ impl<'a> MeritFunction<'a> {
     }
 }
 
-/// The figures of the model at a point, off by deviations, and what the limits say.
+/// The figures of the model at a point with deviations, and the values of the limits.
 pub(super) fn figures_at(
     problem: &Problem,
     x: &[f64],
@@ -186,7 +186,7 @@ pub(super) fn figures_at(
     }
 }
 
-/// The figures of a model on trial and what the limits say.
+/// The figures of a candidate and the values of the limits.
 fn figures(problem: &Problem, candidate: &Candidate) -> Result<Figures, Cancelled> {
     let aims = problem.aims.iter();
     let figures: Result<Vec<f64>, Cancelled> = aims

@@ -1,18 +1,19 @@
-//! The worst case over tolerances: each variable with one may come out that much higher or lower.
+//! The worst case over tolerances: each variable with a tolerance may deviate by it in both directions.
 //!
-//! The worst is sought among the corners of the box of tolerances: a response far from a kink changes one way with each
-//! parameter over a few percent. All corners are looked at up to 16; of more, those that the derivatives point to.
+//! The worst case is searched among the corners of the box of tolerances: far from a kink a response is monotonic in
+//! each parameter over a few percent. Up to 16 corners are all evaluated; of more, those to which the derivatives
+//! point.
 
 use super::merit::{MeritFunction, Sloped};
 use super::problem::Problem;
 use super::search::Function;
 use crate::solve::Cancelled;
 
-/// All corners of so many variables with tolerances are looked at in the search.
+/// The search evaluates all corners of up to this number of variables with tolerances.
 const MOST_FULL: usize = 4;
 
-/// The deviations of all variables, in tolerances, from -1 to 1, whose worst counts at a point; one of nothing but 0
-/// where no variable has a tolerance. The same at the same point.
+/// The deviations of all variables, in tolerances, from -1 to 1, whose worst case counts at a point; only zeros if no
+/// variable has a tolerance. The same at the same point.
 pub(super) fn deviations(
     merit_function: &MeritFunction,
     x: &[f64],
@@ -44,8 +45,8 @@ pub(super) fn corners(problem: &Problem, uncertain: &[usize]) -> Vec<Vec<f64>> {
     (0..1_usize << uncertain.len()).map(corner).collect()
 }
 
-/// From the middle to the corner that the derivatives of each objective's largest function, and of each limit, point to,
-/// and on from there until no new corner comes up.
+/// From the middle to the corner to which the derivatives of each objective's largest function, and of each limit,
+/// point, and on from there until no new corner appears.
 fn pointed_to(
     merit_function: &MeritFunction,
     x: &[f64],
@@ -72,11 +73,11 @@ fn pointed_to(
     Ok(known)
 }
 
-/// The corner to which a function grows.
+/// The corner at which a function is largest, to first order.
 fn corner_of(problem: &Problem, function: &Function, x: &[f64], uncertain: &[usize]) -> Vec<f64> {
     let mut corner = vec![0.0; x.len()];
     for &variable in uncertain {
-        // A tolerance is a share of the value, whatever its sign.
+        // A tolerance is a fraction of the value, for either sign.
         let value = problem.coordinates[variable].value(x[variable]);
         let grows = function.gradient[variable] * value >= 0.0;
         corner[variable] = if grows { 1.0 } else { -1.0 };

@@ -1,8 +1,8 @@
 //! A complex band matrix and its factors.
 //!
-//! Pivoting within the band follows Golub & Van Loan, *Matrix Computations*, Section 4.3.3: rows that change places
-//! widen the upper band from b to 2b and no more. The matrices are symmetric, but indefinite above the first
-//! resonance, so that a symmetric elimination without pivoting could lose digits.
+//! Pivoting within the band follows Golub & Van Loan, *Matrix Computations*, Section 4.3.3: row exchanges widen the
+//! upper band from b to at most 2b. The matrices are symmetric, but indefinite above the first resonance, so that a
+//! symmetric elimination without pivoting could lose digits.
 
 use num_complex::Complex64;
 

@@ -1,10 +1,10 @@
 //! The modes inside a circle in the plane of omega: roots and motions, several at once, equal ones included.
 //!
-//! Between loads F and the answers to them, `H(omega) = F^T D(omega)^-1 F` has a pole at each root,
+//! For loads F and their responses, `H(omega) = F^T D(omega)^-1 F` has a pole at each root,
 //! `-x x^T / (2 omega_k (omega - omega_k))` with `x = F^T phi` and `phi^T (2 omega M - i C) phi = 2 omega`. The contour
-//! integrals of H and of `omega H` along the circle hold the poles inside and nothing else, so that as many independent
-//! loads as roots make a small pencil whose eigenvalues are the roots (Beyn, Linear Algebra Appl. 436 (2012) 3839-3863;
-//! Sakurai & Sugiura, J. Comput. Appl. Math. 159 (2003) 119-128). The integral of the answers gives the motions.
+//! integrals of H and of `omega H` along the circle contain only the poles inside, so as many independent loads as roots
+//! give a small pencil whose eigenvalues are the roots (Beyn, Linear Algebra Appl. 436 (2012) 3839-3863; Sakurai &
+//! Sugiura, J. Comput. Appl. Math. 159 (2003) 119-128). The integral of the responses gives the motions.
 
 use nalgebra::DMatrix;
 use num_complex::Complex64;
@@ -245,7 +245,7 @@ impl Moments {
                 integrals(model, responses, forces, circle, solver)
             })
             .collect();
-        // Imaginary parts are rounding, of which equal modes would be made.
+        // The imaginary parts are rounding, but would mix equal modes.
         let is_real = !is_damped(model);
         let count = loads.len();
         let form = |power: usize| {

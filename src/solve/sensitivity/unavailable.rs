@@ -4,7 +4,7 @@ use super::{Figure, Sensitivity};
 use crate::model::Model;
 use crate::solve::sweep_alone;
 
-/// In words why some of the sensitivities of a figure are not known; none where all are.
+/// Explains why some of the sensitivities of a figure are unknown; `None` if all are known.
 pub fn unavailable(model: &Model, figure: &Figure, found: &[Sensitivity]) -> Option<String> {
     let empty = found.iter().filter(|one| has_empty_cell(figure, one));
     let (empty, all) = (empty.count(), found.len());
@@ -18,7 +18,7 @@ pub fn unavailable(model: &Model, figure: &Figure, found: &[Sensitivity]) -> Opt
     })
 }
 
-/// Whether a figure has a value that is missing for a parameter.
+/// Whether a value of a figure is missing for a parameter.
 fn has_empty_cell(figure: &Figure, one: &Sensitivity) -> bool {
     match figure {
         Figure::Level { .. } | Figure::Band { .. } => one.level.is_none(),
@@ -27,7 +27,7 @@ fn has_empty_cell(figure: &Figure, one: &Sensitivity) -> bool {
     }
 }
 
-/// Why nothing is known of a figure.
+/// Why all sensitivities of a figure are unknown.
 fn reason(model: &Model, figure: &Figure) -> String {
     match figure {
         Figure::Level {
@@ -82,7 +82,7 @@ mod tests {
         assert_eq!(words(&level(20.0)), None);
         let beyond = words(&level(1e308)).unwrap();
         assert!(beyond.contains("not finite at 1e308 Hz"), "{beyond}");
-        // Far below the first resonance the response only rises.
+        // Far below the first resonance the response only increases.
         let no_peak = words(&Figure::Peak {
             response: 0,
             frequency: 0.5,

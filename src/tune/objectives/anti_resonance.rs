@@ -1,4 +1,4 @@
-//! How far the nearest anti-resonance is from where it is wanted.
+//! The distance of the nearest anti-resonance from its target.
 
 use num_complex::Complex64;
 
@@ -11,8 +11,8 @@ use crate::solve::sensitivity::Differentiator;
 
 /// The distance from `at` to the nearest complex zero z of the response with Re z in the band, |Re z - at|, Hz.
 ///
-/// Where the band has none it is the larger distance from `at` to an end, times 1 + |H(at)| / the highest |H| in the
-/// band: a response that is small at `at` comes near to having a zero there.
+/// If the band has none, it is the larger distance from `at` to an end, times 1 + |H(at)| / the highest |H| in the
+/// band: a response that is small at `at` is close to having a zero there.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::tune) struct AntiResonance {
     pub(super) response: usize,
@@ -21,18 +21,18 @@ pub(in crate::tune) struct AntiResonance {
     pub(super) at: f64,
 }
 
-/// What there is in a band.
+/// The result of the search in a band.
 enum Found {
     /// A zero, Hz.
     Zero(Complex64),
-    /// None, and where the highest point is, Hz.
+    /// No zero, and the frequency of the highest point, Hz.
     None(f64),
 }
 
 impl AntiResonance {
-    /// The distance, and where the zero is.
+    /// The distance, and the frequency of the zero.
     pub(super) fn read(&self, candidate: &Candidate) -> Result<ObjectiveValue, Cancelled> {
-        // Without derivatives by parameters, only to follow the zero.
+        // No derivatives by parameters, only by the frequency.
         let slopes = Differentiator::new(&candidate.model);
         Ok(match self.find(candidate, &slopes)? {
             Found::Zero(zero) => ObjectiveValue {
@@ -49,7 +49,7 @@ impl AntiResonance {
         })
     }
 
-    /// The distance to both sides, of which one is positive, with dz/dp = -(dH/dp) / (dH/df) at the zero.
+    /// The distance to both sides, one of which is positive, with dz/dp = -(dH/dp) / (dH/df) at the zero.
     pub(super) fn functions(
         &self,
         candidate: &Candidate,
@@ -105,7 +105,7 @@ impl AntiResonance {
         ))
     }
 
-    /// The zero that Newton's method finds from a frequency (Hz), if it lies in the band.
+    /// The zero that Newton's method finds from a frequency (Hz), if it is in the band.
     fn zero(&self, slopes: &Differentiator, start: f64) -> Option<Complex64> {
         const MOST_STEPS: usize = 30;
         const ROUNDING: f64 = 1e-13;

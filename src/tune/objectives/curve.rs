@@ -1,9 +1,9 @@
-//! The magnitude of a response in a band, with its maxima, minima and the places where it passes a level.
+//! The magnitude of a response in a band, with its maxima, minima and level crossings.
 //!
-//! Points lie as near together as the half-power bands of the modes ask for, so that no extremum hides between them.
-//! Each extremum is then drawn in by parabolas through 1/|H|^2 (a minimum: |H|^2), which is a parabola next to a lone
-//! mode (a zero), with golden steps where they do not help, in the manner of Brent, Algorithms for Minimization without
-//! Derivatives, 1973, chapter 5.
+//! The grid is as dense as the half-power bands of the modes need, so that no extremum is missed. Each extremum is then
+//! refined by parabolas through 1/|H|^2 (a minimum: |H|^2), which is a parabola next to an isolated mode (a zero), with
+//! golden-section steps if they do not help, following Brent, Algorithms for Minimization without Derivatives, 1973,
+//! chapter 5.
 
 use super::super::candidate::Candidate;
 use crate::solve::{Cancelled, peaks};
@@ -17,7 +17,7 @@ pub(super) struct Point {
     pub(super) size: f64,
 }
 
-/// Which extrema are meant.
+/// The kind of extremum.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Turn {
     Maximum,
@@ -28,18 +28,18 @@ pub(super) enum Turn {
 pub(super) struct Curve<'a> {
     candidate: &'a Candidate<'a>,
     response: usize,
-    /// By rising frequency, the ends of the band included.
+    /// By ascending frequency, the ends of the band included.
     pub(super) points: Vec<Point>,
 }
 
-/// Steps of the grid that the modes' points are added to.
+/// Steps of the base grid, to which the modes' points are added.
 const STEPS: usize = 24;
 
-/// The points beside the ends of a band, in steps: an extremum there shows in them.
+/// The points next to the ends of a band, in steps: they reveal an extremum there.
 const BESIDE: f64 = 1e-3;
 
 impl<'a> Curve<'a> {
-    /// Solves a response in a band (Hz, rising).
+    /// Solves a response in a band (Hz, ascending).
     pub(super) fn new(
         candidate: &'a Candidate<'a>,
         response: usize,
@@ -57,7 +57,7 @@ impl<'a> Curve<'a> {
         Ok(Self {
             candidate,
             response,
-            // Not finite exactly on an undamped mode alone: its neighbours stand for it.
+            // Not finite only exactly at an undamped mode: its neighbours represent it.
             points: points.filter(|point| point.size.is_finite()).collect(),
         })
     }
@@ -70,7 +70,8 @@ impl<'a> Curve<'a> {
             .fold(0.0, f64::max)
     }
 
-    /// The extrema next to the points whose sizes `wanted` says, by rising frequency; the ends of the band are none.
+    /// The extrema next to the points that `wanted` selects by size, by ascending frequency; without the ends of the
+    /// band.
     pub(super) fn extrema(
         &self,
         turn: Turn,
@@ -89,7 +90,7 @@ impl<'a> Curve<'a> {
         self.drawn_in(turn, brackets.collect())
     }
 
-    /// Narrows brackets until each has its extremum.
+    /// Narrows brackets until each is reduced to its extremum.
     fn drawn_in(&self, turn: Turn, mut brackets: Vec<Bracket>) -> Result<Vec<Point>, Cancelled> {
         const MOST_ROUNDS: usize = 60;
         let power = if self.candidate.is_energy(self.response) {
@@ -119,7 +120,7 @@ impl<'a> Curve<'a> {
         Ok(brackets.into_iter().map(|bracket| bracket.middle).collect())
     }
 
-    /// The points with others put among them.
+    /// The points merged with others.
     pub(super) fn with(mut self, others: &[Point]) -> Self {
         self.points.extend_from_slice(others);
         self.points
@@ -128,7 +129,7 @@ impl<'a> Curve<'a> {
         self
     }
 
-    /// Where (Hz) the curve passes a level between points on both sides of it, rising.
+    /// The frequencies (Hz) at which the curve passes a level between points on both sides of it, ascending.
     pub(super) fn crossings(&self, level: f64) -> Result<Vec<f64>, Cancelled> {
         const MOST_ROUNDS: usize = 80;
         let pairs = self.points.windows(2);
@@ -151,7 +152,7 @@ impl<'a> Curve<'a> {
     }
 }
 
-/// Three points of which the middle one is the best.
+/// Three points; the middle one is the best.
 #[derive(Debug, Clone, Copy)]
 struct Bracket {
     left: Point,
@@ -170,12 +171,12 @@ impl Bracket {
         }
     }
 
-    /// Where to look next; none once the extremum is known. `depth` makes every extremum a minimum.
+    /// The next frequency; `None` once the extremum is known. `depth` makes every extremum a minimum.
     fn next(&mut self, round: usize, depth: impl Fn(f64) -> f64) -> Option<f64> {
         /// In half-widths: 1e-14 of the height.
         const NEAR: f64 = 1e-7;
         const FINEST: f64 = 4.0 * f64::EPSILON;
-        /// One step in so many cuts the longer side, whatever the parabola says.
+        /// Every so many steps one divides the longer side, independently of the parabola.
         const CUT: usize = 4;
         if self.settled {
             return None;
@@ -228,20 +229,20 @@ impl Bracket {
     }
 }
 
-/// Two points on both sides of a level, drawn together by the Illinois method (Dowell & Jarratt, BIT 1971, 11, 168).
+/// Two points on both sides of a level, narrowed by the Illinois method (Dowell & Jarratt, BIT 1971, 11, 168).
 #[derive(Debug, Clone, Copy)]
 struct Crossing {
     /// Hz.
     ends: [f64; 2],
-    /// ln(|H| / level), of either sign; halved where an end stays.
+    /// ln(|H| / level), of either sign; halved while an end stays.
     heights: [f64; 2],
-    /// Which end was replaced last.
+    /// The end replaced last.
     last: Option<usize>,
 }
 
 impl Crossing {
     fn new(ends: [Point; 2], level: f64) -> Self {
-        /// Of a zero, ln has no number.
+        /// ln of zero is not a number.
         const DEEPEST: f64 = -700.0;
         Self {
             ends: ends.map(|end| end.frequency),
@@ -277,7 +278,7 @@ impl Crossing {
         self.last = Some(end);
     }
 
-    /// The end that is nearer to the level.
+    /// The end nearer to the level.
     fn place(&self) -> f64 {
         let [left, right] = self.heights.map(f64::abs);
         self.ends[usize::from(right < left)]

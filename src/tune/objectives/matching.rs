@@ -1,4 +1,4 @@
-//! How far a response is from a measured curve.
+//! The difference of a response from a measured curve.
 
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
@@ -16,7 +16,7 @@ pub(in crate::tune) struct Matching {
     pub(super) compare: Compare,
     /// The measured frequencies in the band, Hz.
     pub(super) frequencies: Vec<f64>,
-    /// What the response should be there, in its unit.
+    /// The target values of the response there, in its unit.
     pub(super) values: Vec<Complex64>,
 }
 
@@ -36,7 +36,7 @@ impl Matching {
         (sum / self.frequencies.len() as f64).sqrt()
     }
 
-    /// The root mean square with its derivatives; at 0 it has none, and they are given as 0.
+    /// The root mean square with its derivatives; at 0 it has none, and they are set to 0.
     pub(super) fn functions(&self, slopes: &Slopes) -> Vec<Function> {
         let Residuals { values, jacobian } = self.residuals(slopes);
         let count = self.frequencies.len() as f64;
@@ -52,8 +52,8 @@ impl Matching {
         }]
     }
 
-    /// The differences with their derivatives: of levels in dB one a frequency; of complex values real and imaginary
-    /// part, over the root mean square of what was measured.
+    /// The differences with their derivatives: of levels in dB one per frequency; of complex values real and imaginary
+    /// part, over the root mean square of the measured values.
     pub(in crate::tune) fn residuals(&self, slopes: &Slopes) -> Residuals {
         let gradients = slopes.responses(self.response, &self.frequencies);
         let values: Vec<Complex64> = gradients.iter().map(|one| one.value).collect();
@@ -85,7 +85,7 @@ impl Matching {
         }
     }
 
-    /// Those of no model: nothing of the curve is met.
+    /// The residuals of an invalid model.
     pub(in crate::tune) fn worst_residuals(&self, variables: usize) -> Residuals {
         let count = self.frequencies.len();
         Residuals {
@@ -111,7 +111,7 @@ impl Matching {
         }
     }
 
-    /// The root mean square of what was measured.
+    /// The root mean square of the measured values.
     fn scale(&self) -> f64 {
         let squares: f64 = self.values.iter().map(Complex64::norm_sqr).sum();
         (squares / self.values.len() as f64).sqrt()

@@ -1,4 +1,4 @@
-//! The mean of a response's squared magnitude over a band; of an energy the mean of itself.
+//! The mean of a response's squared magnitude over a band; for an energy the mean of the energy itself.
 
 use super::super::candidate::{Candidate, Slopes};
 use super::super::search::Function;
@@ -14,7 +14,7 @@ pub(in crate::tune) struct MeanSquare {
 }
 
 impl MeanSquare {
-    /// The mean; infinite where an undamped resonance lies in the band.
+    /// The mean; infinite if an undamped resonance lies in the band.
     pub(super) fn read(&self, candidate: &Candidate) -> Result<ObjectiveValue, Cancelled> {
         let levels = levels(
             &candidate.model,
@@ -28,7 +28,7 @@ impl MeanSquare {
         })
     }
 
-    /// The mean with its derivatives, integrated with it.
+    /// The mean with its derivatives, integrated together.
     pub(super) fn functions(
         &self,
         candidate: &Candidate,

@@ -1,4 +1,4 @@
-//! The figures that objectives ask for: each with a value, and with functions of the coordinates whose largest it is.
+//! The figures of objectives: each with a value, and with functions of the coordinates whose largest it is.
 
 mod anti_resonance;
 mod curve;
@@ -24,7 +24,7 @@ use crate::model::{Aim, Compare, Fault, Measure, Model, Objective, Quantity, Uni
 use crate::solve::Cancelled;
 use crate::solve::band::levels;
 
-/// What an objective asks for of a model whose responses are known by their places.
+/// The figure of an objective, with its response by index.
 #[derive(Debug, Clone)]
 pub(super) enum Figure {
     Peak(Peak),
@@ -35,10 +35,10 @@ pub(super) enum Figure {
 }
 
 impl Figure {
-    /// The figure of an objective; `response` is the place of its response in `model`, `folder` that of the model file.
+    /// The figure of an objective; `response` is the index of its response in `model`, `folder` that of the model file.
     ///
     /// # Errors
-    /// The measured curve cannot be read, or is of something else than the response.
+    /// The measured curve cannot be read, or has another quantity than the response.
     pub(super) fn new(
         model: &Model,
         objective: &Objective,
@@ -65,7 +65,7 @@ impl Figure {
         })
     }
 
-    /// The highest frequency up to which it needs the modes, Hz; none where it needs none.
+    /// The highest frequency up to which it needs the modes, Hz; `None` if it needs none.
     pub(super) fn modes_to(&self) -> Option<f64> {
         match self {
             Self::Peak(Peak { band, .. })
@@ -76,7 +76,7 @@ impl Figure {
         }
     }
 
-    /// Whether it is above 0 by nature, so that its logarithm is sought best.
+    /// Whether it is always above 0, so that the search works best with its logarithm.
     pub(super) fn is_positive(&self) -> bool {
         matches!(self, Self::Peak(_) | Self::MeanSquare(_))
     }
@@ -113,7 +113,7 @@ impl Figure {
         }
     }
 
-    /// Functions of the coordinates whose largest is the figure, or becomes it nearby.
+    /// Functions of the coordinates; the largest is the figure, and others may become the largest nearby.
     pub(super) fn functions(
         &self,
         candidate: &Candidate,
@@ -128,7 +128,7 @@ impl Figure {
         }
     }
 
-    /// The highest level in the band of a peak, found another way: by the quadrature's samples; minus infinity for
+    /// The highest level in the band of a peak, from the independent samples of the quadrature; minus infinity for
     /// other figures.
     pub(super) fn highest(&self, candidate: &Candidate) -> Result<f64, Cancelled> {
         let Self::Peak(Peak { response, band }) = self else {

@@ -6,11 +6,11 @@ use super::curve::{Curve, Point, Turn};
 use super::value::{Band, ObjectiveValue};
 use crate::solve::Cancelled;
 
-/// A maximum lower than this share of the highest point cannot be the highest: points lie so near that none misses a
-/// top by more.
+/// A maximum below this fraction of the highest point cannot be the highest: points are dense enough that none is
+/// farther below its peak.
 const LIKELY: f64 = 0.8;
 
-/// A maximum lower than this share of the highest does not become the highest by a step of the search.
+/// A maximum below this fraction of the highest does not become the highest within a step of the search.
 const RELEVANT: f64 = 0.2;
 
 /// Most maxima whose derivatives are taken.
@@ -24,7 +24,7 @@ pub(in crate::tune) struct Peak {
 }
 
 impl Peak {
-    /// The highest point, with where it is.
+    /// The highest point, with its frequency.
     pub(super) fn read(&self, candidate: &Candidate) -> Result<ObjectiveValue, Cancelled> {
         let tops = self.tops(candidate, LIKELY)?;
         let highest = tops.first();
@@ -34,7 +34,7 @@ impl Peak {
         })
     }
 
-    /// The magnitude at each top: to first order a maximum moves at no cost (envelope theorem).
+    /// The magnitude at each top: to first order the shift of a maximum has no effect (envelope theorem).
     pub(super) fn functions(
         &self,
         candidate: &Candidate,
@@ -46,7 +46,7 @@ impl Peak {
         Ok(gradients.iter().map(|one| slopes.size(one)).collect())
     }
 
-    /// The local maxima and the ends of the band as high as a share of the highest, from the highest down.
+    /// The local maxima and the ends of the band above a fraction of the highest, in descending order.
     fn tops(&self, candidate: &Candidate, share: f64) -> Result<Vec<Point>, Cancelled> {
         let curve = Curve::new(candidate, self.response, self.band)?;
         let least = share * curve.highest();

@@ -1,4 +1,4 @@
-//! A measured curve as what a response should be.
+//! A measured curve as the target of a response.
 
 use std::path::Path;
 
@@ -10,7 +10,7 @@ use crate::model::{Aim, Compare, Fault, Model, Objective};
 use crate::solve::Reference;
 use crate::unit::Kind;
 
-/// What a response should be at the measured frequencies in a band.
+/// The target values of a response at the measured frequencies in a band.
 ///
 /// # Errors
 /// The file cannot be read, has no such curve, is of another quantity, or leaves nothing to compare.
@@ -76,7 +76,7 @@ fn read(path: &Path, name: &str, columns: Option<&str>) -> Result<Vec<Curve>, Fa
     }
 }
 
-/// What a file leaves open, and how it is answered.
+/// The answers to questions that a file leaves open.
 fn asked(seen: &Inspection) -> String {
     let mut known = seen.preview();
     if known.is_empty() {
@@ -90,7 +90,7 @@ fn asked(seen: &Inspection) -> String {
     )
 }
 
-/// The curve of a name; without one that of the response's name, or the only one.
+/// The curve with a name; without a name that of the response's name, or the only one.
 fn choose<'a>(all: &'a [Curve], curve: Option<&str>, response: &str) -> Result<&'a Curve, String> {
     let named = |name: &str| all.iter().find(|one| one.name == name);
     let found = match (curve, all) {
@@ -115,8 +115,8 @@ fn choose<'a>(all: &'a [Curve], curve: Option<&str>, response: &str) -> Result<&
     })
 }
 
-/// The values of a measured curve in the form and unit of a response, for the loads as they are given. What nothing is
-/// known of is taken for the response itself.
+/// The values of a measured curve in the form and unit of a response, for the loads of the model. Unknown properties
+/// count as those of the response itself.
 fn in_form_of(model: &Model, curve: &Curve, response: usize) -> Result<Vec<Complex64>, String> {
     let quantity = model.responses.get(response).map(|one| &one.quantity);
     let Some(Kind::Motion(own)) = curve.kind else {

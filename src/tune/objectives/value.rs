@@ -3,11 +3,11 @@
 /// From and to, Hz.
 pub(super) type Band = [f64; 2];
 
-/// A figure of one model.
+/// The value of an objective for one model.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::tune) struct ObjectiveValue {
     /// In the figure's unit.
     pub(in crate::tune) figure: f64,
-    /// Where it is, Hz: the highest peak, the ends of the widest band, the anti-resonance.
+    /// Its frequencies, Hz: the highest peak, the ends of the widest band, the anti-resonance.
     pub(in crate::tune) places: Vec<f64>,
 }

@@ -6,10 +6,10 @@ use super::curve::{Curve, Turn};
 use super::value::{Band, ObjectiveValue};
 use crate::solve::Cancelled;
 
-/// What the widest band below a level leaves of the whole band, Hz.
+/// The part of the band outside its widest part below a level, Hz.
 ///
-/// Where nothing is below the level it is the whole band times 1 + ln(min |H| / level): continuous where the curve
-/// touches the level, and with a direction above it.
+/// If nothing is below the level, it is the whole band times 1 + ln(min |H| / level): continuous where the curve
+/// touches the level, and with a gradient above it.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::tune) struct Width {
     pub(super) response: usize,
@@ -18,11 +18,11 @@ pub(in crate::tune) struct Width {
     pub(super) below: f64,
 }
 
-/// What of a curve is below the level.
+/// The part of a curve below the level.
 enum Found {
     /// The widest band below it, Hz.
     Widest([f64; 2]),
-    /// Nothing: where the lowest point is, Hz, and how high.
+    /// None: the frequency of the lowest point, Hz, and its magnitude.
     Nothing(f64, f64),
 }
 
@@ -42,8 +42,8 @@ impl Width {
         })
     }
 
-    /// The figure with its derivatives: an edge f of |H(f, p)| = level moves by -(d|H|/dp) / (d|H|/df), an end of the
-    /// band does not move.
+    /// The figure with its derivatives: that of an edge f of |H(f, p)| = level is -(d|H|/dp) / (d|H|/df), an end of the
+    /// band is constant.
     pub(super) fn functions(
         &self,
         candidate: &Candidate,
@@ -72,7 +72,7 @@ impl Width {
         }])
     }
 
-    /// How an edge (Hz) moves with the coordinates.
+    /// The derivative of an edge (Hz) by the coordinates.
     fn shift(&self, slopes: &Slopes, edge: f64) -> Vec<f64> {
         if self.band.contains(&edge) {
             return slopes.by_coordinate(|_| 0.0);
@@ -84,7 +84,7 @@ impl Width {
 
     fn find(&self, candidate: &Candidate) -> Result<Found, Cancelled> {
         let curve = Curve::new(candidate, self.response, self.band)?;
-        // What passes the level between two points shows at an extremum.
+        // A crossing and return between two points appears at an extremum.
         let maxima = curve.extrema(Turn::Maximum, |size| size < self.below)?;
         let minima = curve.extrema(Turn::Minimum, |size| size >= self.below)?;
         let curve = curve.with(&[maxima, minima].concat());

@@ -1,4 +1,4 @@
-//! What a search has used of its budget and what was best, and points evaluated on all cores.
+//! The evaluations of a search: on all cores, with its budget and its best point.
 
 use std::sync::atomic::Ordering::Relaxed;
 
@@ -7,17 +7,17 @@ use rayon::prelude::*;
 use super::types::{Control, Evaluation, Landscape, Merit, Phase, Progress, Stop};
 use crate::solve::Cancelled;
 
-/// The books of one search.
+/// The budget and the progress of one search.
 pub(super) struct Budget<'a> {
     landscape: &'a dyn Landscape,
     control: Control<'a>,
     best: Progress,
-    /// Set where the search must end.
+    /// Set when the search must end.
     ended: Option<Stop>,
 }
 
 impl<'a> Budget<'a> {
-    /// Nothing evaluated yet; the best point is the start.
+    /// No evaluations yet; the best point is the start.
     pub(super) fn new(landscape: &'a dyn Landscape, start: &[f64], control: Control<'a>) -> Self {
         Self {
             landscape,
@@ -37,23 +37,22 @@ impl<'a> Budget<'a> {
         self.landscape.variables()
     }
 
-    /// Evaluations still allowed.
+    /// Number of evaluations left.
     pub(super) fn left(&self) -> usize {
         self.control.budget - self.best.evaluations
     }
 
-    /// What was best, and how many evaluations were used.
+    /// The best point, and the number of evaluations.
     pub(super) fn best(&self) -> &Progress {
         &self.best
     }
 
-    /// Why the search must end; none while it may go on.
+    /// Why the search must end; `None` while it may continue.
     pub(super) fn ended(&self) -> Option<Stop> {
         self.ended
     }
 
-    /// The merits of points, in their order. Where the budget does not reach for all of them, of the first ones; where it
-    /// is cancelled, none.
+    /// The merits of points, in their order. If the budget is too small, those of the first points; if cancelled, none.
     pub(super) fn merits(&mut self, points: &[Vec<f64>], phase: Phase) -> Vec<Merit> {
         self.batch(points, phase, |landscape, x| {
             landscape.merit(x).map(|merit| (merit, merit))
@@ -68,14 +67,15 @@ impl<'a> Budget<'a> {
         })
     }
 
-    /// Evaluates points on all cores and books them in their order, so that the number of threads changes no result.
+    /// Evaluates points on all cores and records them in their order, so that the number of threads does not change the
+    /// result.
     fn batch<T: Send>(
         &mut self,
         points: &[Vec<f64>],
         phase: Phase,
         of: impl Fn(&dyn Landscape, &[f64]) -> Result<(Merit, T), Cancelled> + Sync,
     ) -> Vec<T> {
-        /// Points a thread between two words to the caller.
+        /// Points per thread between two progress reports.
         const SHARE: usize = 4;
         let allowed = &points[..points.len().min(self.left())];
         let landscape = self.landscape;

@@ -18,7 +18,7 @@ pub(super) fn certainty(residuals: &Residuals, places: &[Place]) -> Certainty {
     if inside.is_empty() {
         return Certainty::Covariance(covariance);
     }
-    // Columns of one length: what is singular does not depend on the units then.
+    // Columns of equal length: so the singularity does not depend on the units.
     let lengths: Vec<f64> = inside
         .iter()
         .map(|&i| residuals.jacobian.column(i).norm())

@@ -1,8 +1,8 @@
-//! A search all over the unit box: differential evolution.
+//! The global search in the unit box: differential evolution.
 //!
 //! Storn & Price, Differential evolution, J. Global Optim. 1997, 11, 341-359, in the form current-to-pbest/1/bin of
-//! Zhang & Sanderson, JADE, IEEE Trans. Evol. Comput. 2009, 13, 945-958, with rates that adapt themselves as of Brest et
-//! al., IEEE Trans. Evol. Comput. 2006, 10, 646-657. Limits go by the rules of Deb ([`Merit::compare`]).
+//! Zhang & Sanderson, JADE, IEEE Trans. Evol. Comput. 2009, 13, 945-958, with the self-adaptive rates of Brest et al.,
+//! IEEE Trans. Evol. Comput. 2006, 10, 646-657. Limits follow the rules of Deb ([`Merit::compare`]).
 
 use std::cmp::Ordering;
 
@@ -11,24 +11,24 @@ use fastrand::Rng;
 use super::budget::Budget;
 use super::types::{Merit, Phase};
 
-/// A point that was evaluated.
+/// An evaluated point.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Known {
     pub(super) x: Vec<f64>,
     pub(super) merit: Merit,
 }
 
-/// How much a global search may use.
+/// The share of a global search.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Share {
-    /// Points kept at a time.
+    /// Size of the population.
     pub(super) size: usize,
-    /// Evaluations at most.
+    /// Largest number of evaluations.
     pub(super) evaluations: usize,
 }
 
-/// The points of the last generation, best first. It starts from a Latin hypercube with the seeds among it, and ends
-/// where its share or the ledger is used up, the points have come together or nothing better is found any more.
+/// The points of the last generation, best first. It starts from a Latin hypercube with the seeds, and ends when its
+/// share or the budget is used up, the points have converged or nothing better is found.
 pub(super) fn evolve(
     budget: &mut Budget<'_>,
     random: &mut Rng,
@@ -62,7 +62,7 @@ pub(super) fn evolve(
     population.into_iter().map(|member| member.known).collect()
 }
 
-/// Points and what they are worth; without those that were not evaluated.
+/// Points with their merits; without those that were not evaluated.
 fn known(points: Vec<Vec<f64>>, merits: &[Merit]) -> impl Iterator<Item = Known> {
     points
         .into_iter()
@@ -70,7 +70,7 @@ fn known(points: Vec<Vec<f64>>, merits: &[Merit]) -> impl Iterator<Item = Known>
         .map(|(x, &merit)| Known { x, merit })
 }
 
-/// So many points of which every coordinate has one in each of equally wide intervals (`McKay` et al.,
+/// Latin hypercube: so many points of which every coordinate has one in each of equally wide intervals (`McKay` et al.,
 /// Technometrics 1979, 21, 239-245).
 fn latin_hypercube(random: &mut Rng, points: usize, variables: usize) -> Vec<Vec<f64>> {
     let mut all = vec![vec![0.0; variables]; points];
@@ -84,7 +84,7 @@ fn latin_hypercube(random: &mut Rng, points: usize, variables: usize) -> Vec<Vec
     all
 }
 
-/// One of the population with its own rates.
+/// A member of the population with its own rates.
 #[derive(Debug, Clone)]
 struct Member {
     known: Known,
@@ -105,15 +105,15 @@ impl Member {
 /// The rates of differential evolution.
 #[derive(Debug, Clone, Copy)]
 struct Rates {
-    /// F, what a difference is multiplied by.
+    /// F, the factor of a difference.
     scale: f64,
-    /// CR, how likely a coordinate changes.
+    /// CR, the probability that a coordinate changes.
     crossing: f64,
 }
 
 impl Rates {
-    /// New ones, now and then: each with probability 0.1, F from 0.1 to 1 and CR from 0 to 1 (Brest et al., equations 5
-    /// and 6).
+    /// New ones at random: each with probability 0.1, F from 0.1 to 1 and CR from 0 to 1 (Brest et al., equations 5 and
+    /// 6).
     fn varied(self, random: &mut Rng) -> Self {
         const OFTEN: f64 = 0.1;
         let drawn = [(); 4].map(|()| random.f64());
@@ -132,8 +132,8 @@ impl Rates {
     }
 }
 
-/// One trial point for each of the first `count` members; a member gives way to a trial that is not worse. All random
-/// numbers are drawn before anything is evaluated, so that no thread changes what comes.
+/// One trial point for each of the first `count` members; a trial that is not worse replaces its member. All random
+/// numbers are drawn before the evaluations, so that threads do not affect the result.
 fn generation(budget: &mut Budget<'_>, random: &mut Rng, population: &mut [Member], count: usize) {
     let mut order: Vec<usize> = (0..population.len()).collect();
     order.sort_by(|&a, &b| {
@@ -158,8 +158,8 @@ fn generation(budget: &mut Budget<'_>, random: &mut Rng, population: &mut [Membe
     }
 }
 
-/// A trial point: the member moved towards one of the best and along a difference of two others, and crossed with itself.
-/// `order` is by falling merit.
+/// A trial point: the member moved towards one of the best and along a difference of two others, and crossed with
+/// itself. `order` is by descending merit.
 fn trial(
     random: &mut Rng,
     population: &[Member],
@@ -182,7 +182,7 @@ fn trial(
                 return own[i];
             }
             let moved = own[i] + rates.scale * (towards[i] - own[i] + first[i] - second[i]);
-            // Halfway to a bound that it would pass (Zhang & Sanderson).
+            // Halfway to a bound that it would cross (Zhang & Sanderson).
             if moved < 0.0 {
                 0.5 * own[i]
             } else if moved > 1.0 {
@@ -195,7 +195,7 @@ fn trial(
     (x, rates)
 }
 
-/// An index that is none of these few.
+/// An index that is none of the given ones.
 fn other(random: &mut Rng, count: usize, but: &[usize]) -> usize {
     loop {
         let index = random.usize(..count);
@@ -205,7 +205,7 @@ fn other(random: &mut Rng, count: usize, but: &[usize]) -> usize {
     }
 }
 
-/// Whether it is of use to go on.
+/// Whether to continue.
 #[derive(Default)]
 struct Watch {
     best: Option<Merit>,
@@ -214,7 +214,7 @@ struct Watch {
 
 impl Watch {
     fn is_over(&mut self, population: &[Member]) -> bool {
-        /// Generations without anything notably better.
+        /// Generations without notable improvement.
         const PATIENCE: usize = 40;
         let merits = population.iter().map(|member| member.known.merit);
         let Some(now) = merits.min_by(Merit::compare) else {
@@ -238,7 +238,7 @@ fn is_notably_better(now: Merit, before: Merit) -> bool {
         || now.violation == before.violation && falls(now.goal, before.goal)
 }
 
-/// True where every coordinate of all points is within a small range: what is left is for a local search.
+/// True if every coordinate of all points is within a small range: the rest is for a local search.
 fn is_together(population: &[Member]) -> bool {
     const RANGE: f64 = 1e-3;
     let variables = population.first().map_or(0, |member| member.known.x.len());

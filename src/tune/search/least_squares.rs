@@ -1,10 +1,10 @@
-//! Least squares in the unit box, and how well its variables are known.
+//! Least squares in the unit box, and the uncertainty of its variables.
 //!
-//! Levenberg and Marquardt's method with the scaling of More, The Levenberg-Marquardt algorithm: implementation and theory,
-//! Lecture Notes in Mathematics 630, 1978, 105-116; its damping goes by the gain as of Nielsen, Damping parameter in
-//! Marquardt's method, IMM-REP-1999-05, Technical University of Denmark, 1999. Steps are cut at the bounds of the box
-//! (Kanzow, Yamashita & Fukushima, J. Comput. Appl. Math. 2004, 172, 375-397); a variable at a bound that the sum of
-//! squares would fall beyond is held there.
+//! The Levenberg-Marquardt method with the scaling of More, The Levenberg-Marquardt algorithm: implementation and
+//! theory, Lecture Notes in Mathematics 630, 1978, 105-116; its damping depends on the gain as in Nielsen, Damping
+//! parameter in Marquardt's method, IMM-REP-1999-05, Technical University of Denmark, 1999. Steps are cut at the bounds
+//! of the box (Kanzow, Yamashita & Fukushima, J. Comput. Appl. Math. 2004, 172, 375-397); a variable stays at a bound
+//! beyond which the sum of squares would decrease.
 
 use std::sync::atomic::Ordering::Relaxed;
 
@@ -15,11 +15,11 @@ use super::types::{
     Certainty, Control, Estimate, Fit, Merit, Phase, Place, Progress, Residuals, Stop,
 };
 
-/// Seeks the point of the unit box where the sum of squared residuals is least, from a point with a coordinate from 0 to
-/// 1 for every variable, and tells how well the residuals determine it.
+/// Minimises the sum of squared residuals in the unit box, from a point with a coordinate from 0 to 1 for every
+/// variable, and computes how well the residuals determine it.
 ///
-/// In [`Progress`] the goal is the sum of squares. Cancelled, or at the end of the budget, the best point so far is the
-/// result.
+/// In [`Progress`] the goal is the sum of squares. If cancelled, or at the end of the budget, the best point so far is
+/// the result.
 pub fn fit<'a>(problem: &'a dyn Fit, start: &[f64], control: Control<'a>) -> Estimate {
     let mut search = Search {
         problem,
@@ -66,7 +66,7 @@ fn is_finite(residuals: &Residuals) -> bool {
     numbers.all(|number| number.is_finite()) && residuals.values.norm_squared().is_finite()
 }
 
-/// Where the search stands.
+/// The current point of the search.
 struct Here {
     x: Vec<f64>,
     residuals: Residuals,
@@ -93,7 +93,7 @@ impl Here {
         self.x.iter().map(place).collect()
     }
 
-    /// The variables that may move: not at a bound beyond which the sum would fall.
+    /// The free variables: not at a bound beyond which the sum would decrease.
     fn free(&self) -> Vec<usize> {
         // Half of the gradient of the sum of squares.
         let gradient = self.residuals.jacobian.tr_mul(&self.residuals.values);
@@ -138,7 +138,7 @@ impl Search<'_> {
 
     fn descend(&mut self, mut here: Here) -> (Here, Stop) {
         let mut damping = Damping::FIRST;
-        // Every column's largest length so far (More, section 5).
+        // The largest length so far of every column (More, section 5).
         let mut scale = DVector::zeros(here.x.len());
         self.tell(&here);
         while damping.value < Damping::MOST {
@@ -150,7 +150,7 @@ impl Search<'_> {
             if step.amax() <= LEAST_STEP || (0.0..=ROUNDING * here.sum).contains(&expected) {
                 return (here, Stop::Converged);
             }
-            // Where bounds cut the step, it may lead up.
+            // If bounds cut the step, it may lead upwards.
             if expected < 0.0 {
                 damping.raise();
                 continue;
@@ -176,12 +176,12 @@ impl Search<'_> {
     }
 }
 
-/// A step as short as this is none.
+/// A step this short counts as none.
 const LEAST_STEP: f64 = 1e-14;
-/// A change of the sum of squares below this part of it is rounding.
+/// A change of the sum of squares below this fraction of it is rounding.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// How much steps are held back (Nielsen, equation 2.4).
+/// The damping of steps (Nielsen, equation 2.4).
 struct Damping {
     value: f64,
     factor: f64,
@@ -192,16 +192,16 @@ impl Damping {
         value: 1e-3,
         factor: 2.0,
     };
-    /// Beyond it a step is nothing.
+    /// With more damping a step is negligible.
     const MOST: f64 = 1e20;
 
-    /// After a step that gained this part of what was expected.
+    /// After a step that gained this fraction of the expected decrease.
     fn ease(&mut self, gain: f64) {
         self.value *= (1.0 - (2.0 * gain - 1.0).powi(3)).max(1.0 / 3.0);
         self.factor = 2.0;
     }
 
-    /// After a step that gained nothing.
+    /// After a step without gain.
     fn raise(&mut self) {
         self.value *= self.factor;
         self.factor *= 2.0;
@@ -209,7 +209,7 @@ impl Damping {
 }
 
 impl Here {
-    /// The damped step within the box; none where nothing may move or nothing matters.
+    /// The damped step within the box; `None` if no variable is free or none has an effect.
     fn step(&self, scale: &DVector<f64>, damping: f64) -> Option<DVector<f64>> {
         let free = self.free();
         let free: Vec<usize> = free.into_iter().filter(|&i| scale[i] > 0.0).collect();
@@ -227,7 +227,7 @@ impl Here {
             matrix.view_mut((0, column), (rows, 1)).copy_from(&jacobian);
             matrix[(rows + column, column)] = damping.sqrt();
         }
-        // By QR, as J^T J would square the condition (More, section 3).
+        // By QR, because J^T J would square the condition number (More, section 3).
         let qr = matrix.qr();
         let scaled = qr.r().solve_upper_triangular(&qr.q().tr_mul(&right))?;
         let mut step = DVector::zeros(self.x.len());
@@ -238,7 +238,7 @@ impl Here {
         Some(step)
     }
 
-    /// The point at the end of a step; on a bound exactly where rounding would leave it beside.
+    /// The point at the end of a step; exactly on a bound if rounding would put it next to it.
     fn moved(&self, step: &DVector<f64>) -> Vec<f64> {
         const BESIDE: f64 = 1e-12;
         let ends = self.x.iter().zip(step.iter()).map(|(x, d)| x + d);
@@ -250,7 +250,7 @@ impl Here {
         .collect()
     }
 
-    /// By how much the sum of squares falls along a step if the residuals are linear.
+    /// The decrease of the sum of squares along a step if the residuals are linear.
     fn expected(&self, step: &DVector<f64>) -> f64 {
         let change = &self.residuals.jacobian * step;
         -(2.0 * change.dot(&self.residuals.values) + change.norm_squared())

@@ -1,4 +1,4 @@
-//! The whole search: all over the box, then downhill from the best points, as long as that finds more.
+//! The whole search: globally, then locally from the best points, while that finds improvements.
 
 use fastrand::Rng;
 
@@ -7,14 +7,14 @@ use super::differential_evolution::{Known, Share, evolve};
 use super::sqp::Sqp;
 use super::types::{Control, Landscape, Merit, Options, Outcome, Phase, Stop};
 
-/// Seeks the point of the unit box where the sum of the largest functions is least and all limits are met.
+/// Minimises the sum of the largest functions in the unit box, subject to all limits.
 ///
-/// Differential evolution looks all over the box, then sequential quadratic programming goes downhill from the start and
-/// from the best points that differ; with derivatives where it matters. Both are repeated with fresh points until that
-/// finds nothing better. Where the budget is small, most of it is for the walks downhill.
+/// Differential evolution searches globally, then sequential quadratic programming goes downhill from the start and
+/// from the best distinct points, with derivatives. Both are repeated with new points until they find nothing better. A
+/// small budget is used mostly for the local searches.
 ///
-/// `start` has a coordinate from 0 to 1 for every variable. The same seed gives the same result on any number of threads.
-/// The result is never worse than the start, also where it is cancelled.
+/// `start` has a coordinate from 0 to 1 for every variable. The same seed gives the same result on any number of
+/// threads. The result is never worse than the start, also if the search is cancelled.
 pub fn minimise<'a>(
     landscape: &'a dyn Landscape,
     start: &[f64],
@@ -34,9 +34,9 @@ pub fn minimise<'a>(
     outcome(&budget, merit, stop)
 }
 
-/// Walks downhill from a start only, with derivatives: what it finds is the least nearby.
+/// Only a local search from a start, with derivatives: finds a local minimum.
 ///
-/// As of [`minimise`], the result is never worse than the start.
+/// As for [`minimise`], the result is never worse than the start.
 pub fn descend<'a>(landscape: &'a dyn Landscape, start: &[f64], control: Control<'a>) -> Outcome {
     let start: Vec<f64> = start.iter().map(|x| x.clamp(0.0, 1.0)).collect();
     let mut budget = Budget::new(landscape, &start, control);
@@ -58,9 +58,9 @@ fn outcome(budget: &Budget<'_>, start: Merit, stop: Stop) -> Outcome {
     }
 }
 
-/// Global and local search in turn, the first from the start, until turns find nothing better.
+/// Alternates global and local search, the first from the start, until they find nothing better.
 fn rounds(budget: &mut Budget<'_>, random: &mut Rng, start: Known) -> Stop {
-    /// Turns in a row that may find nothing.
+    /// Consecutive rounds without improvement.
     const PATIENCE: usize = 2;
     let mut seeds = vec![start];
     let mut stop = Stop::NotFinite;
@@ -82,16 +82,16 @@ fn rounds(budget: &mut Budget<'_>, random: &mut Rng, start: Known) -> Stop {
                 stop = reason.unwrap_or(stop);
             }
         }
-        // Later turns look elsewhere: what is known already would only draw them to it.
+        // Later rounds search elsewhere: known points would only attract them.
         seeds.clear();
     }
     stop
 }
 
-/// What the global search of a turn may use.
+/// The share of the global search in a round.
 fn share(budget: &Budget<'_>) -> Share {
     let (variables, left) = (budget.variables(), budget.left());
-    // Downhill takes some tens of evaluations a variable; what a small budget leaves beside that is for looking around.
+    // A local search takes some tens of evaluations per variable; the rest of a small budget is for the global search.
     let part = if left < 50 * variables { 4 } else { 2 };
     let evaluations = left / part;
     Share {
@@ -100,13 +100,13 @@ fn share(budget: &Budget<'_>) -> Share {
     }
 }
 
-/// How many walks downhill the rest of the budget is good for.
+/// The number of local searches that the rest of the budget allows.
 fn walks(budget: &Budget<'_>) -> usize {
     const MOST: usize = 6;
     (budget.left() / (20 * budget.variables())).clamp(1, MOST)
 }
 
-/// The points to go downhill from: the best ones that lie apart, and the seeds.
+/// The starts of local searches: the best points that are apart, and the seeds.
 fn distinct(seeds: &[Known], population: &[Known], most: usize) -> Vec<Vec<f64>> {
     const APART: f64 = 0.05;
     let mut starts: Vec<Vec<f64>> = Vec::new();
@@ -136,9 +136,10 @@ fn is_better(now: Merit, before: Merit) -> bool {
         && (violation > 0.0 || goal.is_nan() || goal > DIGITS * before.goal.abs())
 }
 
-/// Walks downhill from every start until all have stopped, and tells why the best of them did; none where none began.
+/// Runs a local search from every start until all have stopped, and returns why the best of them did; `None` if none
+/// began.
 ///
-/// A walk that comes to where a better one is ends there.
+/// A search that comes close to a better one ends.
 fn descend_all(budget: &mut Budget<'_>, starts: Vec<Vec<f64>>) -> Option<Stop> {
     let mut walks: Vec<Sqp> = starts.into_iter().map(Sqp::new).collect();
     while budget.ended().is_none() {
@@ -162,7 +163,7 @@ fn descend_all(budget: &mut Budget<'_>, starts: Vec<Vec<f64>>) -> Option<Stop> {
     best.stopped()
 }
 
-/// Ends every walk that is where another, better one is.
+/// Ends every search that is close to another, better one.
 fn drop_followers(walks: &mut Vec<Sqp>) {
     const TOGETHER: f64 = 1e-3;
     let mut index = 0;
@@ -174,7 +175,7 @@ fn drop_followers(walks: &mut Vec<Sqp>) {
                     return false;
                 };
                 let apart = walk.x().iter().zip(other.x()).map(|(a, b)| (a - b).abs());
-                // Of two that are equal the first goes on.
+                // Of two equal ones the first continues.
                 let order = others.compare(&own).then(i.cmp(&index));
                 order.is_lt() && apart.fold(0.0, f64::max) < TOGETHER
             });

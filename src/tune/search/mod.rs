@@ -1,7 +1,7 @@
-//! The search itself, which knows nothing of beams: points of a unit box, values and derivatives there.
+//! The search itself, independent of beams: points of a unit box, values and derivatives there.
 //!
-//! [`minimise`] looks all over the box first and goes downhill from the best points then, [`descend`] only goes downhill;
-//! [`fit`] is least squares with the uncertainty of what it finds.
+//! [`minimise`] searches globally (`differential_evolution`) and then locally from the best points (`sqp`, with the
+//! step of `qp`), [`descend`] only locally; [`fit`] is least squares with the uncertainty of its result (`covariance`).
 
 mod budget;
 mod covariance;

@@ -1,4 +1,4 @@
-//! The step of a local search: a convex quadratic plus a sum of largest linear pieces, least within bounds.
+//! The step of a local search: minimum of a convex quadratic plus a sum of largest linear pieces, within bounds.
 //!
 //! minimise 1/2 d^T B d + the sum over terms of max (f + g^T d) over the pieces of the term, subject to l <= d <= u; in
 //! epigraph form (a variable t for each term; Madsen, J. Inst. Math. Appl. 1975, 16, 321-328), by the interior-point method
@@ -10,7 +10,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::types::Function;
 
-/// What is least at the step sought.
+/// The function to minimise.
 pub(super) struct QuadraticProgram<'a> {
     /// B, positive definite.
     pub(super) hessian: &'a DMatrix<f64>,
@@ -20,26 +20,26 @@ pub(super) struct QuadraticProgram<'a> {
     pub(super) bounds: &'a [[f64; 2]],
 }
 
-/// Where it is least.
+/// The minimum.
 #[derive(Debug, Clone)]
 pub(super) struct Step {
     /// d.
     pub(super) d: DVector<f64>,
-    /// How much each piece of each term weighs there: not negative, 1 together in every term.
+    /// The weight of each piece of each term there: not negative, with the sum 1 in every term.
     pub(super) weights: Vec<Vec<f64>>,
-    /// By how much it is less than at d = 0; not negative.
+    /// The decrease from d = 0; not negative.
     pub(super) decrease: f64,
 }
 
 impl QuadraticProgram<'_> {
-    /// The step; none where the arithmetic fails.
+    /// The step; `None` if the arithmetic fails.
     ///
-    /// The accuracy of an interior point is relative to the size of the bounds. Where the step is far shorter, it is
-    /// sought again within narrower bounds, so that its digits are right however short it is.
+    /// The accuracy of the interior-point method is relative to the size of the bounds. If the step is much shorter, it
+    /// is computed again within narrower bounds, so that a step of any length is accurate.
     pub(super) fn solve(&self) -> Option<Step> {
         const SHORT: f64 = 0.01;
         const ROOM: f64 = 20.0;
-        /// Where rounding left no step at all.
+        /// If rounding leaves no step at all.
         const LOST: f64 = 1e-3;
         const TIMES: usize = 5;
         let mut radius = self.reach();
@@ -68,8 +68,8 @@ impl QuadraticProgram<'_> {
         ends.fold(0.0, |reach, end| reach.max(end.abs()))
     }
 
-    /// The step with coordinates of at most `radius`. All is divided by the radius and by the steepest slope, so that the
-    /// solver sees numbers near 1.
+    /// The step with coordinates of at most `radius`. All numbers are divided by the radius and by the steepest slope,
+    /// so that the solver works with numbers near 1.
     fn within(&self, radius: f64) -> Option<Step> {
         let bounds: Vec<[f64; 2]> = self
             .bounds
@@ -105,7 +105,7 @@ impl QuadraticProgram<'_> {
         }
         let mut decrease = self.decrease(&d);
         if decrease.is_nan() || decrease < 0.0 {
-            // Rounding, where no step is better than none.
+            // Rounding, if no step is better than none.
             d.fill(0.0);
             decrease = 0.0;
         }
@@ -133,7 +133,7 @@ impl QuadraticProgram<'_> {
         }
     }
 
-    /// By how much the model is less at d than at 0.
+    /// The decrease of the model from 0 to d.
     fn decrease(&self, d: &DVector<f64>) -> f64 {
         let linear: f64 = self
             .terms
@@ -141,7 +141,7 @@ impl QuadraticProgram<'_> {
             .filter(|term| !term.is_empty())
             .map(|term| {
                 let before = largest(term);
-                // The difference of each piece first: it keeps its digits where the step is short.
+                // The difference of each piece first: it keeps its digits for a short step.
                 let changes = term
                     .iter()
                     .map(|f| (f.value - before) + slope_along(f, d.as_slice()));
@@ -151,7 +151,7 @@ impl QuadraticProgram<'_> {
         linear - 0.5 * d.dot(&(self.hessian * d))
     }
 
-    /// The pieces that can be the largest of their term somewhere within the bounds.
+    /// The pieces that can be the largest of their term anywhere within the bounds.
     fn pieces(&self, bounds: &[[f64; 2]]) -> Vec<Piece<'_>> {
         let mut pieces = Vec::new();
         for (term, functions) in self.terms.iter().enumerate() {
@@ -186,7 +186,7 @@ pub(super) fn slope_along(function: &Function, d: &[f64]) -> f64 {
     function.gradient.iter().zip(d).map(|(g, d)| g * d).sum()
 }
 
-/// The least and the largest value of a linear piece within bounds.
+/// The smallest and the largest value of a linear piece within bounds.
 fn range(function: &Function, bounds: &[[f64; 2]]) -> [f64; 2] {
     let mut range = [function.value; 2];
     for (slope, &[lower, upper]) in function.gradient.iter().zip(bounds) {
@@ -196,12 +196,12 @@ fn range(function: &Function, bounds: &[[f64; 2]]) -> [f64; 2] {
     range
 }
 
-/// A linear piece that counts.
+/// An active linear piece.
 struct Piece<'a> {
     term: usize,
     index: usize,
     function: &'a Function,
-    /// Its value less the largest of its term; not positive.
+    /// Its value minus the largest of its term; not positive.
     below: f64,
 }
 
@@ -286,7 +286,7 @@ fn interior_point(
     .ok()?;
     solver.solve();
     let solution = solver.solution;
-    // The last digits of its tolerances are often out of reach; what it has then is good.
+    // It often cannot reach the last digits of its tolerances; its result is still good.
     let usable = matches!(
         solution.status,
         SolverStatus::Solved | SolverStatus::AlmostSolved | SolverStatus::InsufficientProgress
@@ -295,7 +295,7 @@ fn interior_point(
     (usable && finite(&solution.x) && finite(&solution.z)).then_some((solution.x, solution.z))
 }
 
-/// Columns of the entries that are not 0.
+/// Columns of the non-zero entries.
 fn sparse(matrix: &DMatrix<f64>) -> CscMatrix<f64> {
     let (mut starts, mut rows, mut values) = (vec![0], Vec::new(), Vec::new());
     for column in matrix.column_iter() {

@@ -1,12 +1,13 @@
-//! One walk downhill with derivatives: sequential quadratic programming for a sum of largest functions.
+//! One local search with derivatives: sequential quadratic programming for a sum of largest functions.
 //!
-//! Every step is least for a quadratic model with the linear pieces of all functions, within a trust region (Han, Math.
-//! Programming 1981, 20, 1-13; Fletcher, Practical Methods of Optimization, 2nd ed., 1987, section 14.4). Limits count by an
-//! exact penalty, a limit c as the term max(0, rho c); rho rises until the linear pieces can meet the limits (Byrd,
-//! Nocedal & Waltz, Optim. Methods Softw. 2008, 23, 197-213). Where a trial point is worse though the model is better, the
-//! curvature of the pieces is corrected once (Fletcher, second-order correction) before the region shrinks.
+//! Every step minimises a quadratic model with the linear pieces of all functions, within a trust region (Han, Math.
+//! Programming 1981, 20, 1-13; Fletcher, Practical Methods of Optimization, 2nd ed., 1987, section 14.4). Limits enter
+//! by an exact penalty, a limit c as the term max(0, rho c); rho increases until the linear pieces can meet the limits
+//! (Byrd, Nocedal & Waltz, Optim. Methods Softw. 2008, 23, 197-213). If a trial point is worse though the model is
+//! better, the curvature of the pieces is corrected once (Fletcher, second-order correction) before the region shrinks.
 //!
-//! The walk asks for points and is told what they are: who drives it evaluates, so that several walk on all cores.
+//! The search asks for points and receives their evaluations: the caller evaluates, so that several searches share all
+//! cores.
 
 use nalgebra::DVector;
 
@@ -17,25 +18,25 @@ use super::types::{Evaluation, Function, Merit, Stop};
 
 /// Half the width of the first trust region.
 const FIRST_RADIUS: f64 = 0.1;
-/// A trust region as small as this has nothing left to find.
+/// A trust region this small cannot improve any more.
 const LEAST_RADIUS: f64 = 1e-9;
-/// A step as short as this is none.
+/// A step this short counts as none.
 const LEAST_STEP: f64 = 1e-9;
-/// Differences of values below this part of them are rounding.
+/// Differences of values below this fraction of them are rounding.
 const ROUNDING: f64 = 1e-13;
-/// A trial point is far above where it rises by more than this many times what it should fall.
+/// A trial point is far above if its increase is more than this multiple of the predicted decrease.
 const FAR: f64 = 10.0;
-/// Limits are met by so much more than asked, in lengths of the box, that rounding does not break them.
+/// Limits are met with this margin, in lengths of the box, so that rounding does not break them.
 const MARGIN: f64 = 1e-10;
 
-/// One walk.
+/// One local search.
 #[derive(Debug)]
 pub(super) struct Sqp {
-    /// Where it stands.
+    /// The current point.
     x: Vec<f64>,
-    /// What is there, with cuts from trial points; none before the first evaluation.
+    /// Its evaluation, with cuts from trial points; `None` before the first evaluation.
     here: Option<Evaluation>,
-    /// How many functions of each term were found there; cuts follow them.
+    /// The number of functions of each term that belong to it; cuts follow them.
     own: Vec<usize>,
     hessian: Hessian,
     radius: f64,
@@ -46,21 +47,21 @@ pub(super) struct Sqp {
     next: Next,
 }
 
-/// What comes next.
+/// The next action.
 #[derive(Debug)]
 enum Next {
-    /// The start is to be evaluated.
+    /// Evaluate the start.
     Start,
-    /// A trial point is.
+    /// Evaluate a trial point.
     Trial(Trial),
-    /// Nothing.
+    /// None.
     Stopped(Stop),
 }
 
 #[derive(Debug)]
 struct Trial {
     x: Vec<f64>,
-    /// The model's step; its decrease is what a corrected one is held against too.
+    /// The model's step; a corrected step is also compared with its decrease.
     step: Step,
     corrected: bool,
 }
@@ -80,7 +81,7 @@ impl Sqp {
         }
     }
 
-    /// The point to evaluate next; none where it has stopped.
+    /// The point to evaluate next; `None` if the search has stopped.
     pub(super) fn ask(&self) -> Option<&[f64]> {
         match &self.next {
             Next::Start => Some(&self.x),
@@ -89,17 +90,17 @@ impl Sqp {
         }
     }
 
-    /// Where it stands.
+    /// The current point.
     pub(super) fn x(&self) -> &[f64] {
         &self.x
     }
 
-    /// How good that is; none before the first evaluation.
+    /// Its merit; `None` before the first evaluation.
     pub(super) fn merit(&self) -> Option<Merit> {
         self.here.as_ref().map(Evaluation::merit)
     }
 
-    /// Why it stopped; none while it walks.
+    /// Why it stopped; `None` while it runs.
     pub(super) fn stopped(&self) -> Option<Stop> {
         match self.next {
             Next::Stopped(stop) => Some(stop),
@@ -107,7 +108,7 @@ impl Sqp {
         }
     }
 
-    /// Takes the evaluation of the point that it asked for.
+    /// Takes the evaluation of the requested point.
     pub(super) fn tell(&mut self, evaluation: Evaluation) {
         let there = with_margin(evaluation);
         match std::mem::replace(&mut self.next, Next::Stopped(Stop::NotFinite)) {
@@ -129,7 +130,7 @@ impl Sqp {
         self.propose();
     }
 
-    /// Takes a trial point, corrects it or makes the trust region smaller.
+    /// Takes a trial point, corrects it or shrinks the trust region.
     fn judge(&mut self, trial: Trial, there: Evaluation) {
         let Some(here) = &self.here else { return };
         if !there.is_finite() {
@@ -140,7 +141,7 @@ impl Sqp {
         let rounding = ROUNDING * self.size(here);
         let gained = before - after;
         let d = difference(&trial.x, &self.x);
-        // What is far above, as beside a pole, says nothing of the curvature here.
+        // A point far above, as next to a pole, says nothing about the curvature here.
         let is_near = -gained <= FAR * trial.step.decrease;
         if is_near && let Some(change) = change(&trial.step, here, &there, (&d, self.penalty)) {
             self.hessian.learn(&d, &change);
@@ -198,14 +199,14 @@ impl Sqp {
         }
     }
 
-    /// Ends the walk where nothing better is near.
+    /// Ends the search if nothing better is near.
     fn finish(&mut self, stop: Stop) {
         let mut limits = self.here.iter().flat_map(|here| &here.limits);
         let possible = limits.all(|limit| limit.value <= margin(limit));
         self.next = Next::Stopped(if possible { stop } else { Stop::LimitsUnmet });
     }
 
-    /// Seeks the next step.
+    /// Computes the next step.
     fn propose(&mut self) {
         let Some(step) = self.steered() else {
             self.finish(Stop::NoProgress);
@@ -213,7 +214,7 @@ impl Sqp {
         };
         let length = step.d.amax();
         if length <= LEAST_STEP && length < self.radius {
-            // Cuts come from farther away and may be wrong here: they cannot say that this is the least.
+            // Cuts come from farther away and may be wrong here: they cannot prove a minimum.
             if self.drop_cuts() {
                 self.shrink(0.3 * self.radius);
             } else {
@@ -228,7 +229,7 @@ impl Sqp {
         });
     }
 
-    /// Leaves nothing but the functions that were found here; false where there is nothing else.
+    /// Removes all functions that do not belong to this point; false if there are no others.
     fn drop_cuts(&mut self) -> bool {
         let Some(here) = &mut self.here else {
             return false;
@@ -241,7 +242,7 @@ impl Sqp {
         dropped
     }
 
-    /// Stands at an evaluated point.
+    /// Moves to an evaluated point.
     fn stand(&mut self, here: Evaluation) {
         self.own = here.terms.iter().map(Vec::len).collect();
         self.here = Some(here);
@@ -289,8 +290,8 @@ impl Sqp {
         quadratic.solve()
     }
 
-    /// The trial point with the pieces moved so that they meet what was found there; none where that leads to the same
-    /// point or nowhere.
+    /// The trial point for pieces shifted to the values at the refused point; `None` if it is the same point or there
+    /// is no step.
     fn corrected(&self, trial: &Trial, there: &Evaluation, d: &DVector<f64>) -> Option<Trial> {
         const SAME: f64 = 1e-3;
         let here = self.here.as_ref()?;
@@ -318,13 +319,13 @@ impl Sqp {
         coordinates.map(|(x, d)| (x + d).clamp(0.0, 1.0)).collect()
     }
 
-    /// Goal and penalty together: what must fall.
+    /// Goal and penalty together: the value to decrease.
     fn height(&self, evaluation: &Evaluation) -> f64 {
         let merit = evaluation.merit();
         merit.goal + self.penalty * merit.violation
     }
 
-    /// The size of the numbers that the height is made of.
+    /// The magnitude of the summands of the height.
     fn size(&self, evaluation: &Evaluation) -> f64 {
         let largest = |term: &Vec<Function>| term.iter().map(|f| f.value.abs()).fold(0.0, f64::max);
         let terms: f64 = evaluation.terms.iter().map(largest).sum();
@@ -332,7 +333,7 @@ impl Sqp {
     }
 }
 
-/// An evaluation with limits drawn in by the margin, without functions that are minus infinity.
+/// An evaluation with limits tightened by the margin, without functions that are minus infinity.
 fn with_margin(mut evaluation: Evaluation) -> Evaluation {
     for limit in &mut evaluation.limits {
         limit.value += margin(limit);
@@ -344,7 +345,7 @@ fn with_margin(mut evaluation: Evaluation) -> Evaluation {
     evaluation
 }
 
-/// By how much a limit is drawn in.
+/// The amount by which a limit is tightened.
 fn margin(limit: &Function) -> f64 {
     MARGIN * DVector::from_column_slice(&limit.gradient).norm()
 }
@@ -384,8 +385,8 @@ fn difference(to: &[f64], from: &[f64]) -> DVector<f64> {
     DVector::from_iterator(to.len(), to.iter().zip(from).map(|(to, from)| to - from))
 }
 
-/// The change of the Lagrangian's gradient along a step d, by the weights that the step's pieces have; none where the
-/// pieces that weigh are not found at its end.
+/// The change of the Lagrangian's gradient along a step d, by the weights of the step's pieces; `None` if the pieces
+/// with weight are not found at its end.
 fn change(
     step: &Step,
     here: &Evaluation,
@@ -411,7 +412,7 @@ fn add_change(
     (before, after): (&[Function], &[Function]),
     d: &DVector<f64>,
 ) -> Option<()> {
-    /// The part of the weight that may be lost.
+    /// The fraction of the weight that may be lost.
     const LOST: f64 = 0.02;
     let mut lost: f64 = weights.iter().sum();
     let all = lost;
@@ -428,8 +429,8 @@ fn add_change(
     (lost <= LOST * all).then_some(())
 }
 
-/// The functions of one term seen from the start of a step, moved so that their linear pieces meet what was found at its
-/// end.
+/// The functions of one term relative to the start of a step, shifted so that their linear pieces equal the values at
+/// its end.
 fn moved_pieces(here: &[Function], there: &[Function], d: &DVector<f64>) -> Vec<Function> {
     let pairs = pairs(here, there, d);
     let unpaired = |i: &usize| !pairs.contains(&Some(*i));
@@ -446,7 +447,7 @@ fn moved_pieces(here: &[Function], there: &[Function], d: &DVector<f64>) -> Vec<
     kept.chain(moved).collect()
 }
 
-/// Adds the functions of a refused point that were not seen from here, as linear pieces not above what is here.
+/// Adds the functions of a refused point that are unknown here, as linear pieces not above the values here.
 fn add_cuts(here: &mut Evaluation, there: &Evaluation, d: &DVector<f64>) {
     for (here, there) in here.terms.iter_mut().zip(&there.terms) {
         let top = here.iter().map(|f| f.value).reduce(f64::max);

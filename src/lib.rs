@@ -5,7 +5,7 @@
 //!
 //! | module | what is in it | may use |
 //! | --- | --- | --- |
-//! | [`unit`] | units: of parameters and their typed numbers, of responses (what moves, its measure, per which load), of frequencies and phases; symbols, prefixes, factors to SI | `words` |
+//! | [`unit`](mod@unit) | units: of parameters and their typed numbers, of responses (what moves, its measure, per which load), of frequencies and phases; symbols, prefixes, factors to SI | `words` |
 //! | [`model`] | what the engineer edits: plain types in SI, TOML in and out, rules, parameter paths | `unit`, `words` |
 //! | [`presets`] | the figures of the paper and more, embedded | `model` |
 //! | `files` | files of models and of the user: opened, saved atomically, where they are, what a model was opened from | `model`, `presets`, `escape` |

@@ -11,7 +11,7 @@
 //! [`modes`] finds the natural frequencies and damped modes; [`peaks`] refines the frequency grid at peaks and
 //! anti-resonances and lists the peaks; [`band`] computes levels in a band. [`operating()`](operating::operating) gives
 //! the state of the whole beam at one frequency: motions, internal forces, power. [`sensitivity`] has the exact
-//! derivatives of the responses, modes and peaks by every parameter. [`form`] converts a response to its six forms.
+//! derivatives of the responses, modes and peaks by every parameter.
 //!
 //! Two reference methods share none of its formulas: [`fem`], finite elements, and [`transfer_matrix`], the product of
 //! matrices of the paper. `layout` lays a model out for both, [`compare`] computes their differences from the exact

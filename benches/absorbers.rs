@@ -14,7 +14,7 @@ use std::time::Instant;
 use beamtune::model::{self, Aim, Combine, Hold, Model, Objective, Tune, Variable};
 use beamtune::presets;
 use beamtune::tune::search::Landscape;
-use beamtune::tune::{Options, Problem, Terrain, default_budget, run};
+use beamtune::tune::{MeritFunction, Options, Problem, default_budget, run};
 use fastrand::Rng;
 use rayon::prelude::*;
 
@@ -61,8 +61,8 @@ fn model() -> Model {
 
 /// Differential evolution, rand/1/bin with F = 0.7 and CR = 0.9 (Storn & Price, J. Global Optim. 1997, 11, 341), from random
 /// points; the least goal.
-fn plain(terrain: &Terrain<'_>, evaluations: usize, seed: u64) -> f64 {
-    let n = terrain.variables();
+fn plain(merit_function: &MeritFunction<'_>, evaluations: usize, seed: u64) -> f64 {
+    let n = merit_function.variables();
     let size = 10 * n;
     let mut random = Rng::with_seed(seed);
     let mut points: Vec<Vec<f64>> = (0..size)
@@ -70,7 +70,7 @@ fn plain(terrain: &Terrain<'_>, evaluations: usize, seed: u64) -> f64 {
         .collect();
     let goals = |points: &[Vec<f64>]| -> Vec<f64> {
         let all = points.par_iter();
-        all.map(|x| terrain.merit(x).unwrap().goal).collect()
+        all.map(|x| merit_function.merit(x).unwrap().goal).collect()
     };
     let mut known = goals(&points);
     for _ in 1..evaluations / size {
@@ -92,9 +92,9 @@ fn plain(terrain: &Terrain<'_>, evaluations: usize, seed: u64) -> f64 {
                     .collect()
             })
             .collect();
-        for (i, (trial, goal)) in trials.iter().zip(goals(&trials)).enumerate() {
+        for (i, (candidate, goal)) in trials.iter().zip(goals(&trials)).enumerate() {
             if goal <= known[i] {
-                (points[i], known[i]) = (trial.clone(), goal);
+                (points[i], known[i]) = (candidate.clone(), goal);
             }
         }
     }
@@ -120,12 +120,12 @@ fn main() {
         start.elapsed().as_secs_f64()
     );
     let point = problem.point_of(problem.model());
-    let terrain = Terrain::new(&problem, &point, &NEVER).unwrap();
+    let merit_function = MeritFunction::new(&problem, &point, &NEVER).unwrap();
     let start = Instant::now();
     let mut best = f64::INFINITY;
     for seed in 1..=RESTARTS {
-        let goal = plain(&terrain, 10 * budget / RESTARTS, seed as u64);
-        best = best.min(terrain.figure(goal));
+        let goal = plain(&merit_function, 10 * budget / RESTARTS, seed as u64);
+        best = best.min(merit_function.figure(goal));
         println!("plain, restart {seed}: best so far {best:.6e} m");
     }
     println!(

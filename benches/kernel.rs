@@ -2,7 +2,7 @@
 //!
 //! Side by side in one run, each the shortest of several times: the exact solver and its witnesses; the processor's peak
 //! of independent multiplications that add, with the vectors that the kernel uses, and how near the kernel comes to it;
-//! what each set of instructions takes, hence what the `unsafe` in `src/solve/lanes/vectors.rs` buys; how the time grows
+//! what each set of instructions takes, hence what the `unsafe` in `src/solve/kernel/vectors.rs` buys; how the time grows
 //! with the number of subsystems; what an edit of each kind costs beside a model with one subsystem, and what is kept
 //! for it.
 
@@ -20,7 +20,9 @@ use beamtune::model::{
     BeamMotion, Model, Place, Quantity, Restraint, Spacing, Sweep, Target, read,
 };
 use beamtune::presets;
-use beamtune::solve::{Instructions, Kept, chain, fem, frequencies, sweep, sweep_with, work};
+use beamtune::solve::{
+    Instructions, SweepCache, fem, frequencies, sweep, sweep_with, transfer_matrix, work,
+};
 
 static NEVER: AtomicBool = AtomicBool::new(false);
 
@@ -96,8 +98,11 @@ fn fem_curves() {
     for _ in 0..10 {
         exact = exact.min(shortest(3, || sweep(&checked(&model), &all, &NEVER)) / 2000.0);
         finite = finite.min(shortest(1, || elements.sweep(&some, &NEVER)) / 100.0);
-        product =
-            product.min(shortest(1, || chain::sweep(&checked(&model), &some, &NEVER)) / 100.0);
+        product = product.min(
+            shortest(1, || {
+                transfer_matrix::sweep(&checked(&model), &some, &NEVER)
+            }) / 100.0,
+        );
     }
     let [exact, finite, product] = [exact, finite, product].map(|time| time * 1e6);
     println!("All cores, us a frequency, and times the exact solver:");
@@ -112,7 +117,7 @@ fn fem_curves() {
     for frequency in [100.0, 400.0, 1000.0] {
         let [one, other] = [
             sweep(&checked(&model), &[frequency], &NEVER).unwrap(),
-            chain::sweep(&checked(&model), &[frequency], &NEVER)
+            transfer_matrix::sweep(&checked(&model), &[frequency], &NEVER)
                 .unwrap()
                 .unwrap(),
         ];
@@ -387,7 +392,7 @@ fn edits() {
         "edited", "first ms", "next ms", "one subs. ms", "ratio", "kept bytes"
     );
     for (name, edit) in EDITS {
-        let (mut model, mut kept) = (thousand.clone(), Kept::default());
+        let (mut model, mut kept) = (thousand.clone(), SweepCache::default());
         kept.sweep(&checked(&model), &all, &NEVER).unwrap();
         let mut next = || {
             edit(&mut model);

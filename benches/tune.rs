@@ -13,7 +13,7 @@ use std::sync::atomic::AtomicBool;
 use beamtune::model::{self, Aim, Combine, Model, Objective, Tune, Variable};
 use beamtune::presets;
 use beamtune::tune::search::Landscape;
-use beamtune::tune::{Problem, Terrain};
+use beamtune::tune::{MeritFunction, Problem};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use rayon::prelude::*;
 
@@ -73,19 +73,20 @@ fn benches(criterion: &mut Criterion) {
     for (name, aim) in aims {
         let problem = Problem::new(&checked(&absorbers(aim)), Path::new(".")).unwrap();
         let start = problem.point_of(problem.model());
-        let terrain = Terrain::new(&problem, &start, &NEVER).unwrap();
+        let merit_function = MeritFunction::new(&problem, &start, &NEVER).unwrap();
         let points = points(problem.variables());
         group.throughput(Throughput::Elements(points.len() as u64));
         group.bench_function(format!("{name}, value"), |bencher| {
             bencher.iter(|| {
                 let all = black_box(&points).par_iter();
-                all.map(|x| terrain.merit(x).unwrap().goal).sum::<f64>()
+                all.map(|x| merit_function.merit(x).unwrap().goal)
+                    .sum::<f64>()
             });
         });
         group.bench_function(format!("{name}, with derivatives"), |bencher| {
             bencher.iter(|| {
                 let all = black_box(&points).par_iter();
-                all.map(|x| terrain.evaluate(x).unwrap().terms.len())
+                all.map(|x| merit_function.evaluate(x).unwrap().terms.len())
                     .sum::<usize>()
             });
         });

@@ -5,13 +5,13 @@
 //!
 //! | module | what is in it | may use |
 //! | --- | --- | --- |
-//! | [`unit`] | units: of parameters and their typed numbers, of responses (what moves, its measure, per which load), of frequencies and phases; symbols, prefixes, factors to SI | `words` |
+//! | [`unit`](mod@unit) | units: of parameters and their typed numbers, of responses (what moves, its measure, per which load), of frequencies and phases; symbols, prefixes, factors to SI | `words` |
 //! | [`model`] | what the engineer edits: plain types in SI, TOML in and out, rules, parameter paths | `unit`, `words` |
 //! | [`presets`] | the figures of the paper and more, embedded | `model` |
 //! | `files` | files of models and of the user: opened, saved atomically, where they are, what a model was opened from | `model`, `presets`, `escape` |
-//! | [`solve`] | the exact solver: waves, subsystems, a recursion of reflections; [modes](solve::modes) and [peaks](solve::peaks) from it; [exact derivatives](solve::sensitivity); two witnesses, [finite elements](solve::fem) and [the paper's chain](solve::chain) | `model`, `unit` |
+//! | [`solve`] | the exact solver: waves, subsystems, a recursion of reflections; [modes](solve::modes) and [peaks](solve::peaks) from it; [exact derivatives](solve::sensitivity); two reference methods, [finite elements](solve::fem) and [the transfer matrices of the paper](solve::transfer_matrix) | `model`, `unit` |
 //! | [`measured`] | measured curves from CSV and universal files (UFF 58), how well a model fits them; universal files out | `model`, `unit`, `files` |
-//! | [`tune`] | what `[tune]` asks for: variables, objectives, limits, tolerances; [the search](tune::search) for it | `model`, `unit`, `solve`, `measured` |
+//! | [`tune`] | optimisation: variables, objectives, limits, tolerances, and [the search](tune::search) | `model`, `unit`, `solve`, `measured` |
 //! | `worker` | the background threads: newest request wins | `model`, `solve`, `tune` |
 //! | `tui` | the designer: state and commands (`tui::app`), keys, views, the chart, the terminal and its bytes (`tui::backend`), what is kept for the user (`tui::user`) | all above |
 //! | `words` | enums whose values have words in files | nothing |

@@ -17,10 +17,10 @@ use beamtune::model::{
     Support, Target,
 };
 use beamtune::solve::Cancelled;
-use beamtune::solve::chain::{self, NotApplicable};
 use beamtune::solve::compare::differences;
 use beamtune::solve::fem::{self, FiniteElements};
 use beamtune::solve::sensitivity::Differentiator;
+use beamtune::solve::transfer_matrix::{self, NotApplicable};
 use beamtune::{presets, solve};
 use num_complex::Complex64;
 
@@ -273,7 +273,7 @@ fn elements_that_are_cancelled_give_nothing() {
         fem::sweep(&checked(&model), 20, &HERTZ, &AtomicBool::new(true)),
         Err(Cancelled)
     );
-    let cancelled = chain::sweep(&checked(&model), &HERTZ, &AtomicBool::new(true));
+    let cancelled = transfer_matrix::sweep(&checked(&model), &HERTZ, &AtomicBool::new(true));
     assert_eq!(cancelled, Ok(Err(Cancelled)));
 }
 
@@ -341,7 +341,7 @@ fn natural_frequencies_are_those_of_the_literature_case() {
 /// The least number of right digits of the chain, of all responses, at each frequency.
 fn digits(model: &Model, hertz: &[f64]) -> Vec<f64> {
     let exact = solve::sweep(&checked(model), hertz, &never()).unwrap();
-    let frf = chain::sweep(&checked(model), hertz, &never())
+    let frf = transfer_matrix::sweep(&checked(model), hertz, &never())
         .unwrap()
         .unwrap();
     let found = differences(&checked(model), &exact, &frf);
@@ -391,7 +391,8 @@ fn the_chain_agrees_on_presets_at_low_frequencies() {
 
 #[test]
 fn the_chain_says_where_the_papers_formulas_divide_by_zero() {
-    let solve = |model: &Model| chain::sweep(&checked(model), &[10.0], &never()).map(|_| ());
+    let solve =
+        |model: &Model| transfer_matrix::sweep(&checked(model), &[10.0], &never()).map(|_| ());
     assert_eq!(
         solve(&preset("symmetric_section")),
         Err(NotApplicable::NoOffset)

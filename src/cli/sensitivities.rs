@@ -13,7 +13,7 @@ use super::{Failure, Sets, say, source};
 use crate::model::{Checked, edit, path};
 use crate::solve::modes::{MOST_MODES, Modes, modes};
 use crate::solve::peaks::{Peak, peaks, resolved};
-use crate::solve::sensitivity::{Figure, Sensitivity, effects, lack};
+use crate::solve::sensitivity::{Figure, Sensitivity, effects, unavailable};
 use crate::solve::{Cancelled, frequencies, sweep};
 
 #[derive(Debug, Args)]
@@ -71,7 +71,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     csv::write(arguments.output.as_deref(), |out| {
         write(out, &model, &found)
     })?;
-    if let Some(reason) = lack(&model, &figure, &found) {
+    if let Some(reason) = unavailable(&model, &figure, &found) {
         // The cells that are there are right all the same.
         say(&format!("warning: {reason}"));
     }

@@ -10,9 +10,9 @@ use clap::Args;
 
 use super::{Failure, Sets, frequency, print, source};
 use crate::model::Checked;
-use crate::solve::chain::{self, NotApplicable};
 use crate::solve::compare::{Difference, differences};
 use crate::solve::fem::{self, FiniteElements};
+use crate::solve::transfer_matrix::{self, NotApplicable};
 use crate::solve::{self, Frf};
 
 mod report;
@@ -106,7 +106,7 @@ fn find(model: &Checked, elements: usize, frequencies: &[f64]) -> Result<Finding
     };
     progress("transfer matrices");
     let start = Instant::now();
-    let chain = match chain::sweep(model, frequencies, &never) {
+    let chain = match transfer_matrix::sweep(model, frequencies, &never) {
         Ok(frf) => Ok(witness(start, &frf?)),
         Err(reason) => Err(reason),
     };

@@ -17,7 +17,7 @@ use crate::model::{Spring, Subsystem};
 /// Unknowns of an attachment: the forces of the three channels, and theta.
 pub(super) const UNKNOWNS: usize = 4;
 
-/// A subsystem, with everything that does not depend on the frequency.
+/// A subsystem: everything that does not depend on the frequency.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Attachment {
     pub(super) mass: f64,
@@ -29,7 +29,7 @@ pub(super) struct Attachment {
     pub(super) mount_z: f64,
     pub(super) arm_left: f64,
     pub(super) arm_right: f64,
-    /// Whether a support holds w, psi and v of the beam at its place.
+    /// Whether a support fixes w, psi and v of the beam at its position.
     pub(super) held: [bool; 3],
     /// Loads on the mass along (y, z, theta), N and N m.
     pub(super) load: [Complex64; 3],

@@ -1,7 +1,7 @@
 //! Levels of the responses in a band of frequencies: the maximum and the mean square.
 //!
-//! `places` cuts the band where the modes ask for it, `quadrature` integrates |H|^2 over the pieces, all responses at
-//! once, and `maximum` draws in the highest points of what was sampled for it.
+//! `places` divides the band near the modes, `quadrature` integrates |H|^2 over the pieces for all responses together,
+//! and `maximum` refines the highest points of its samples.
 
 mod maximum;
 mod places;
@@ -18,18 +18,18 @@ use crate::model::Checked;
 pub struct Level {
     /// The largest |H|, or the largest `E_V`, in the unit of the response; infinite at an undamped resonance.
     pub maximum: f64,
-    /// Where that is, Hz.
+    /// Frequency of the maximum, Hz.
     pub at: f64,
-    /// `1/(f2 - f1) int |H|^2 df`, in the unit of the response squared; of an energy the mean of `E_V` itself. Infinite
-    /// where an undamped resonance lies in the band.
+    /// `1/(f2 - f1) int |H|^2 df`, in the unit of the response squared; for an energy the mean of `E_V` itself.
+    /// Infinite if an undamped resonance lies in the band.
     pub mean_square: f64,
 }
 
-/// The levels of each enabled response in `band` (Hz, rising, > 0), in the order of the model.
+/// The levels of each enabled response in `band` (Hz, ascending, > 0), in the order of the model.
 ///
-/// `modes` are the model's, up to the end of the band or higher. The integral is adaptive Gauss-Kronrod quadrature
-/// (7 and 15 points; Kronrod 1965, with the error estimate of QUADPACK, Piessens et al. 1983) to a relative 1e-8, or as
-/// near as 30,000 frequencies bring it.
+/// `modes` are the modes of the model up to the end of the band or higher. The integral is adaptive Gauss-Kronrod
+/// quadrature (7 and 15 points; Kronrod 1965, with the error estimate of QUADPACK, Piessens et al. 1983) with a
+/// relative tolerance of 1e-8 and a limit of 30,000 frequencies.
 ///
 /// # Errors
 /// `cancel` became true before the end.
@@ -58,7 +58,7 @@ pub fn levels(
     Ok(levels.map(level).collect())
 }
 
-/// The frequencies (Hz) and weights by which the mean square of a model's responses comes out; empty where an undamped
+/// The frequencies (Hz) and weights of the quadrature for the mean square of a model's responses; empty if an undamped
 /// resonance lies in the band.
 pub(super) fn rule(
     model: &Checked,
@@ -76,7 +76,7 @@ pub(super) fn rule(
 
 /// The first undamped resonance in the band that each response shows, Hz.
 ///
-/// Near it a response grows like 1 / distance; one that does not move in that mode stays as it is.
+/// Near it a response grows like 1 / distance; a response that does not move in that mode stays constant.
 fn poles(
     model: &Checked,
     modes: &Modes,
@@ -89,7 +89,7 @@ fn poles(
     let responses = model.responses.iter().filter(|response| response.enabled);
     let mut poles = vec![None; responses.count()];
     for pole in places::poles(modes, band) {
-        // From the side that lies in the band.
+        // Step into the band.
         let side = if pole > 0.5 * (band[0] + band[1]) {
             -1.0
         } else {
@@ -108,7 +108,7 @@ fn poles(
     Ok(poles)
 }
 
-/// What is averaged: |H|^2, or an energy itself.
+/// The averaged quantity: |H|^2, or an energy itself.
 fn power(column: &Column, row: usize) -> f64 {
     match column.kind {
         ColumnKind::Complex => column.values[row].norm_sqr(),
@@ -116,12 +116,12 @@ fn power(column: &Column, row: usize) -> f64 {
     }
 }
 
-/// What the responses do at one frequency.
+/// The responses at one frequency.
 #[derive(Debug, Clone)]
 struct Sample {
     /// Hz.
     frequency: f64,
-    /// What is averaged of each response.
+    /// The averaged quantity of each response.
     powers: Vec<f64>,
 }
 

@@ -1,14 +1,14 @@
-//! The end of work that its flag cancels.
+//! The error of cancelled work.
 
 use std::fmt;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// The flag of the work became true before its end: there is no result.
+/// The cancel flag became true before the end of the work: there is no result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Cancelled;
 
 impl Cancelled {
-    /// Lets the work go on.
+    /// Returns `Ok` while the work may continue.
     ///
     /// # Errors
     /// The flag is true.

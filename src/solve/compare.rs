@@ -1,17 +1,17 @@
-//! How far a witness's responses are from the exact ones.
+//! The difference between the responses of a reference method and the exact ones.
 
 use num_complex::Complex64;
 
 use super::sweep::{ColumnKind, Frf};
 use crate::model::{BeamMotion, Checked, MassMotion, Measure, Quantity, Target};
 
-/// A motion smaller than this share of the largest one at the same frequency is rounding, in both methods.
+/// A motion below this fraction of the largest one at the same frequency is rounding error, in both methods.
 const RESOLVED: f64 = 1e-12;
 
 /// The difference of one response at one frequency.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Difference {
-    /// |other - exact| / |exact|; infinite where only the other is not finite, or only the exact one is 0.
+    /// |other - exact| / |exact|; infinite if only the other is not finite, or only the exact one is 0.
     pub relative: f64,
     /// The difference of the levels, dB, never negative.
     pub decibels: f64,
@@ -19,12 +19,12 @@ pub struct Difference {
     pub absolute: f64,
 }
 
-/// Differences of every response (outer) at every frequency (inner) of two solutions of the same model at the same
+/// Differences of every response (outer) at every frequency (inner) between two solutions of the same model at the same
 /// frequencies; `None` where the exact response is not finite.
 ///
-/// Responses that both solutions have below 1e-12 of the largest motion at a frequency (rotations taken times the beam's
-/// length, velocities and accelerations as displacements) differ by rounding alone: by symmetry they may be 0, and are
-/// taken as equal.
+/// If both solutions of a response are below 1e-12 of the largest motion at a frequency (rotations times the beam's
+/// length, velocities and accelerations as displacements), they differ only by rounding: symmetry may make them 0. They
+/// count as equal.
 pub fn differences(model: &Checked, exact: &Frf, other: &Frf) -> Vec<Vec<Option<Difference>>> {
     let quantities: Vec<&Quantity> = model
         .responses
@@ -84,10 +84,11 @@ impl Difference {
     }
 }
 
-/// What makes motions of any kind comparable: metres of displacement, of a rotation at one beam's length.
+/// The factor that makes motions of all kinds comparable: to metres of displacement, for a rotation at a distance of
+/// one beam length.
 fn scale(quantity: &Quantity, length: f64, frequency: f64) -> f64 {
     let Quantity::Motion(target, measure) = quantity else {
-        // An energy is no motion.
+        // An energy is not a motion.
         return 0.0;
     };
     let arm = match target {

@@ -6,7 +6,7 @@ use super::linear::{Matrix, ZERO, zeros};
 use super::plan::Plan;
 use super::waves::{Amplitudes, Waves};
 
-/// What an energy of a span is made of, for each distinct span length at one frequency.
+/// The energy forms of a span, for each distinct span length at one frequency.
 ///
 /// With amplitudes a at the span's left end and b at its right end the displacements are
 /// `Q (exp(-kappa x) a + exp(-kappa (l - x)) b)`, so that the energy is the Hermitian form
@@ -19,9 +19,9 @@ pub(super) struct SpanEnergy {
 /// The Hermitian form of a span.
 #[derive(Debug)]
 struct Form {
-    /// A: waves that travel the same way.
+    /// A: waves that travel in the same direction.
     same: Matrix<6, 6>,
-    /// C: waves that travel against each other.
+    /// C: waves that travel in opposite directions.
     against: Matrix<6, 6>,
 }
 
@@ -68,10 +68,10 @@ impl SpanEnergy {
     }
 }
 
-/// The least share that an energy is of the terms it is summed from.
+/// The smallest accepted ratio of an energy to the sum of the magnitudes of its terms.
 pub(super) const LEAST_SHARE: f64 = 1e-12;
 
-/// A sum, and the size of what was summed.
+/// A sum, and the sum of the magnitudes of its terms.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Sum {
     value: f64,
@@ -85,7 +85,7 @@ impl Sum {
         self.terms += other.terms;
     }
 
-    /// The sum; NaN where its terms cancel to their last digits, as on a beam that is very short against its waves.
+    /// The sum; NaN if its terms cancel to their last digits, as on a beam that is very short compared with its waves.
     pub(super) fn resolved(self) -> f64 {
         if self.value < LEAST_SHARE * self.terms {
             f64::NAN
@@ -95,11 +95,11 @@ impl Sum {
     }
 }
 
-/// What stands before the product of each pair of waves.
+/// The factors of the product of each pair of waves.
 struct Weights {
-    /// Of waves that travel the same way.
+    /// Waves that travel in the same direction.
     same: Matrix<6, 6>,
-    /// Of waves that travel against each other.
+    /// Waves that travel in opposite directions.
     against: Matrix<6, 6>,
 }
 
@@ -131,7 +131,7 @@ fn strain_weights(plan: &Plan, waves: &Waves) -> Weights {
     let (mut same, mut against) = (zeros::<6, 6>(), zeros::<6, 6>());
     for i in 0..6 {
         for j in 0..6 {
-            // The wave that decays over no length stores nothing.
+            // A wave that decays at once stores no energy.
             if waves.kappa[i].re.is_infinite() || waves.kappa[j].re.is_infinite() {
                 continue;
             }
@@ -140,7 +140,7 @@ fn strain_weights(plan: &Plan, waves: &Waves) -> Weights {
                 .zip(stiffness)
                 .map(|(curvature, stiffness)| stiffness * curvature[i].conj() * curvature[j])
                 .sum();
-            // The rate of twist of a wave that goes left has the other sign.
+            // The rate of twist of a left-going wave has the opposite sign.
             let twist = plan.beam.torsion.re * rate[i].conj() * rate[j];
             same[i][j] = bending + twist;
             against[i][j] = bending - twist;
@@ -161,13 +161,13 @@ fn form(waves: &Waves, weights: &Weights, length: f64, decay: &Amplitudes) -> Fo
     };
     for i in 0..6 {
         for j in 0..6 {
-            // Also passes over the wave without displacement and without finite wave number.
+            // Also skips the wave without displacement and without finite wave number.
             if weights.same[i][j] == ZERO && weights.against[i][j] == ZERO {
                 continue;
             }
             let (left, right) = (waves.kappa[i].conj(), waves.kappa[j]);
             form.same[i][j] = weights.same[i][j] * length * mean_decay((left + right) * length);
-            // int exp(-left x) exp(-right (l - x)) dx, drawn from the slower of the two.
+            // int exp(-left x) exp(-right (l - x)) dx, with the exponential of the slower one factored out.
             let against = if left.re >= right.re {
                 decay[j] * mean_decay((left - right) * length)
             } else {
@@ -185,7 +185,7 @@ pub(super) fn mean_decay(z: Complex64) -> Complex64 {
     if z.norm() > SERIES_BELOW {
         return (1.0 - (-z).exp()) / z;
     }
-    // 1 - z/2 (1 - z/3 (1 - ...)): 16 terms leave less than 1e-18.
+    // 1 - z/2 (1 - z/3 (1 - ...)): after 16 terms the remainder is below 1e-18.
     (2..=17)
         .rev()
         .fold(Complex64::ONE, |sum, k| 1.0 - sum * z / f64::from(k))

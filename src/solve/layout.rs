@@ -1,7 +1,8 @@
-//! A model as the two witnesses see it: what lies at which place of the beam, and what is read there.
+//! A model as the two reference methods see it: the positions along the beam with their subsystems and loads, and the
+//! positions of the responses.
 //!
-//! Shared by [`fem`](super::fem) and [`chain`](super::chain) and by nothing of the exact solver, whose own `plan`
-//! they are to be independent of.
+//! [`fem`](super::fem) and [`transfer_matrix`](super::transfer_matrix) share it. The exact solver does not use it: they
+//! must be independent of its `plan`.
 
 use num_complex::Complex64;
 
@@ -9,27 +10,27 @@ use crate::model::{
     BeamMotion, MassMotion, Measure, Model, Place, Quantity, Restraint, Subsystem, Support, Target,
 };
 
-/// The places of a beam and what happens there.
+/// The positions along a beam and what is attached there.
 #[derive(Debug, Clone)]
 pub(super) struct Layout<'a> {
     pub(super) model: &'a Model,
-    /// Places nearer than this are one, m.
+    /// Positions closer than this are merged, m.
     merge: f64,
-    /// Distances from the left end, m, rising; the first is 0 and the last the length.
+    /// Distances from the left end, m, ascending; the first is 0 and the last the length.
     pub(super) positions: Vec<f64>,
-    /// Loads along the six motions at each place, N and N m.
+    /// Loads along the six motions at each position, N and N m.
     pub(super) loads: Vec<[Complex64; 6]>,
-    /// The enabled subsystems, by rising place.
+    /// The enabled subsystems, by ascending position.
     pub(super) masses: Vec<Mass<'a>>,
     /// Where each enabled response is read.
     pub(super) readings: Vec<Reading>,
 }
 
-/// A subsystem at a place.
+/// A subsystem at a position.
 #[derive(Debug, Clone)]
 pub(super) struct Mass<'a> {
     pub(super) subsystem: &'a Subsystem,
-    /// Index of its place.
+    /// Index of its position.
     pub(super) place: usize,
     /// Loads along (y, z, theta), N and N m.
     pub(super) load: [Complex64; 3],
@@ -38,18 +39,18 @@ pub(super) struct Mass<'a> {
 /// Where a response is read.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Reading {
-    /// A motion of the beam at a place.
+    /// A motion of the beam at a position.
     Beam(usize, BeamMotion, Measure),
     /// A motion of the mass with this index.
     Mass(usize, MassMotion, Measure),
-    /// A motion that is held: nothing moves.
+    /// A fixed motion, always 0.
     Held,
     /// `E_V`.
     Energy,
 }
 
 impl<'a> Layout<'a> {
-    /// Lays out a checked model; places nearer than `merge` (m) to their left neighbour are taken as one with it.
+    /// Lays out a checked model; merges a position closer than `merge` (m) to its left neighbour with it.
     pub(super) fn new(model: &'a Model, merge: f64) -> Self {
         let mut layout = Self {
             model,
@@ -118,7 +119,7 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// The support at a place, where it is an end.
+    /// The support at a position, if it is an end.
     pub(super) fn support(&self, place: usize) -> Option<&'a Support> {
         match place {
             0 => Some(&self.model.supports.left),
@@ -127,8 +128,8 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// Whether a support leaves no motion. Without warping stiffness the least spring or inertia holds the rate of
-    /// twist: over a length that vanishes with the warping constant, at no cost of energy.
+    /// Whether a support fixes the motion. Without warping stiffness any spring or inertia fixes the rate of twist:
+    /// over a length that vanishes with the warping constant, without energy.
     pub(super) fn holds(&self, support: &Support, motion: BeamMotion) -> bool {
         match support[motion] {
             Restraint::Fixed => true,
@@ -146,7 +147,7 @@ impl<'a> Layout<'a> {
         self.model.beam.section.warping_constant == 0.0
     }
 
-    /// Index of the place at a distance from the left end: the last that does not lie beyond it, or the right end.
+    /// Index of the position at a distance from the left end: the last one not beyond it, or the right end.
     fn place(&self, x: f64) -> usize {
         if self.model.beam.length - x <= self.merge {
             return self.positions.len() - 1;
@@ -163,7 +164,7 @@ impl<'a> Layout<'a> {
     }
 }
 
-/// (i omega)^n of a measure.
+/// (i omega)^n for a displacement, velocity or acceleration.
 pub(super) fn derivative(omega: f64, measure: Measure) -> Complex64 {
     let rate = Complex64::new(0.0, omega);
     match measure {
@@ -181,7 +182,7 @@ fn distance(model: &Model, place: Place) -> f64 {
     }
 }
 
-/// The distinct places, rising, ends included.
+/// The distinct positions, ascending, ends included.
 fn positions(model: &Model, merge: f64) -> Vec<f64> {
     let beam_place = |target: &Target| match target {
         Target::Beam(place, _) => Some(distance(model, *place)),
@@ -199,7 +200,7 @@ fn positions(model: &Model, merge: f64) -> Vec<f64> {
     let length = model.beam.length;
     let mut places = vec![0.0];
     for x in all {
-        // The last place is the right end itself.
+        // The last position is the right end itself.
         let last = places.last().copied().unwrap_or(0.0);
         if x - last > merge && length - x > merge {
             places.push(x);

@@ -1,25 +1,25 @@
-//! Responses exactly at a resonance that nothing excites: the equations say 0 / 0 there, the response is finite.
+//! Responses exactly at a resonance that no load excites: the equations give 0 / 0, but the response is finite.
 //!
-//! A mode without damping whose shape no load works on, as where a force acts on its node or across its plane, leaves a
-//! removable singularity. Its value follows from frequencies on both sides. Where the mode is excited the same
-//! frequencies show its pole, and the value stays what it is: not finite.
+//! If no load does work on the shape of an undamped mode, for example because the force acts at its node or
+//! perpendicular to its plane, the response has a removable singularity. Its value is interpolated from frequencies on
+//! both sides. If the mode is excited, the same frequencies show its pole, and the value stays not finite.
 
 use num_complex::Complex64;
 
 use super::sweep::Frf;
 
-/// The relative distance of the nearer frequencies on both sides: rounding is 1e-16 of this, the share of a resonance
-/// farther away than a thousandth less than 1e-8 of the response.
+/// The relative distance of the nearer frequencies on both sides: rounding is 1e-16 of it, and a resonance farther away
+/// than a thousandth contributes less than 1e-8 of the response.
 const STEP: f64 = 1e-6;
 
 /// In steps.
 const BESIDE: [f64; 4] = [-2.0, -1.0, 1.0, 2.0];
 
-/// More rows than these are no resonances: the numbers are beyond the range of the arithmetic.
+/// With more rows than this the cause is not a resonance: the numbers are outside the range of the arithmetic.
 const MOST_ROWS: usize = 64;
 
-/// Puts the limit into every value that is not finite and has one; `solve` writes the columns' values at frequencies
-/// (Hz).
+/// Replaces every value that is not finite by its limit, if it has one; `solve` writes the columns' values at
+/// frequencies (Hz).
 pub(super) fn fill(frf: &mut Frf, solve: impl Fn(&[f64]) -> Frf) {
     let rows = frf.singular_rows();
     if rows.len() > MOST_ROWS {
@@ -39,11 +39,11 @@ pub(super) fn fill(frf: &mut Frf, solve: impl Fn(&[f64]) -> Frf) {
     }
 }
 
-/// The value in the middle of four, at [`BESIDE`]; none where they show a pole between them.
+/// The value in the middle of four, at [`BESIDE`]; `None` if they show a pole between them.
 fn between(values: &[Complex64]) -> Option<Complex64> {
-    /// The share of a simple pole in the values that rounding makes.
+    /// The fraction of a simple pole that rounding can produce.
     const NEGLIGIBLE: f64 = 1e-8;
-    /// That of a double pole, which the curvature next to another resonance looks like.
+    /// The same for a double pole, which the curvature next to another resonance resembles.
     const NEGLIGIBLE_DOUBLE: f64 = 1e-5;
     let &[far_left, left, right, far_right] = values else {
         return None;
@@ -51,7 +51,7 @@ fn between(values: &[Complex64]) -> Option<Complex64> {
     let size = values.iter().map(|value| value.norm()).fold(0.0, f64::max);
     let [even, far_even] = [0.5 * (left + right), 0.5 * (far_left + far_right)];
     let [odd, far_odd] = [0.5 * (right - left), 0.5 * (far_right - far_left)];
-    // A simple pole c / step, as of a motion: what is odd halves with twice the distance, instead of doubling.
+    // A simple pole c / step, as of a motion: the odd part halves at twice the distance, instead of doubling.
     let simple = (2.0 * odd - far_odd).norm() / 1.5;
     // A double pole c / step^2, as of an energy.
     let double = (even - far_even).norm() / 0.75;
@@ -78,7 +78,7 @@ mod tests {
 
     #[test]
     fn a_pole_has_none() {
-        // Closed form: c / x and c / x^2 beside 1, their shares at the nearest frequencies 1e-6 and more.
+        // Closed form: c / x and c / x^2 added to 1, with fractions of 1e-6 and more at the nearest frequencies.
         for strength in [1e-12, 1e-3, 1e6] {
             let simple = at_steps(|x| Complex64::from(1.0 + strength / x));
             assert!(between(&simple).is_none(), "{strength}");

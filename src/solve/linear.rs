@@ -1,4 +1,4 @@
-//! Small matrices of complex numbers, and numbers of any size.
+//! Small complex matrices, and complex numbers with a logarithmic magnitude.
 
 use num_complex::Complex64;
 
@@ -13,12 +13,12 @@ pub(super) const fn zeros<const R: usize, const C: usize>() -> Matrix<R, C> {
     [[ZERO; C]; R]
 }
 
-/// A size that is cheaper than the modulus and within a factor of sqrt 2 of it.
+/// A cheap magnitude within a factor of sqrt 2 of the modulus.
 pub(super) fn size(z: Complex64) -> f64 {
     z.re.abs() + z.im.abs()
 }
 
-/// A number of any size: its natural logarithm's real part, and its direction.
+/// A complex number as the logarithm of its magnitude and its direction; it cannot overflow.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Magnified {
     /// ln |z|.
@@ -41,7 +41,7 @@ impl Magnified {
         self.direction *= z / norm;
     }
 
-    /// This over another.
+    /// The quotient.
     pub(super) fn over(&self, other: &Self) -> Self {
         Self {
             log: self.log - other.log,
@@ -49,7 +49,7 @@ impl Magnified {
         }
     }
 
-    /// This over another, as a number.
+    /// The quotient as an ordinary number.
     pub(super) fn ratio(&self, other: &Self) -> Complex64 {
         self.direction * other.direction.conj() * (self.log - other.log).exp()
     }

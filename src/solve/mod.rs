@@ -1,20 +1,21 @@
 //! Exact frequency responses of a checked model: pure numerics, without input or output.
 //!
-//! [`sweep()`] is the entrance. Inside, `plan` lays a model out along x, `attachment` is a subsystem as the beam sees it,
-//! `lanes` the kernel that solves a plan; `solution` is what it gives for a whole model, `limit` finds the value at a
-//! resonance that nothing excites.
+//! [`sweep()`] is the entry point. Inside, `plan` lays a model out along x, `attachment` is a subsystem as the beam
+//! sees it, `kernel` solves a plan; `solution` is its result for a whole model, `limit` finds the value at a resonance
+//! that no load excites, `sweep_cache` reuses what one edit leaves unchanged.
 //!
 //! Method: the waves of Chen & Liu, Mathematics 2022, 10(16), 2849, in a recursion of reflections instead of the
 //! paper's product of 12x12 transfer matrices, which loses all digits above a few hundred hertz. No matrix is larger
 //! than 6x6.
 //!
-//! [`modes`] finds the natural frequencies and damped modes; [`peaks`] puts points where peaks and anti-resonances need
-//! them, and lists the peaks; [`band`] tells levels in a band. [`operating()`](operating::operating) says what the whole
-//! beam does at one frequency: motions, internal forces, power. [`sensitivity`] has the exact derivatives of the responses,
-//! modes and peaks by every parameter. [`form`] brings a response to its six forms.
+//! [`modes`] finds the natural frequencies and damped modes; [`peaks`] refines the frequency grid at peaks and
+//! anti-resonances and lists the peaks; [`band`] computes levels in a band. [`operating()`](operating::operating) gives
+//! the state of the whole beam at one frequency: motions, internal forces, power. [`sensitivity`] has the exact
+//! derivatives of the responses, modes and peaks by every parameter.
 //!
-//! Two witnesses of it share none of its formulas: [`fem`], finite elements, and [`chain`], the paper's own product.
-//! `layout` lays a model out for both, [`compare`] says how far they are from the exact responses.
+//! Two reference methods share none of its formulas: [`fem`], finite elements, and [`transfer_matrix`], the product of
+//! matrices of the paper. `layout` lays a model out for both, [`compare`] computes their differences from the exact
+//! responses.
 //!
 //! # Example
 //!
@@ -40,17 +41,15 @@
 
 mod attachment;
 pub mod band;
+mod beam_state;
 mod cancelled;
-pub mod chain;
 pub mod compare;
 mod energy;
 pub mod fem;
-mod kept;
-mod lanes;
+mod kernel;
 mod layout;
 mod limit;
 mod linear;
-mod local;
 pub mod modes;
 pub mod operating;
 pub mod peaks;
@@ -61,12 +60,14 @@ pub mod sensitivity;
 mod solution;
 mod springs;
 mod sweep;
+mod sweep_cache;
+pub mod transfer_matrix;
 mod waves;
 
 pub use cancelled::Cancelled;
-pub use kept::Kept;
-pub use lanes::{Instructions, Work, work};
+pub use kernel::{Instructions, Work, work};
 pub use reference::Reference;
 #[doc(hidden)]
 pub use sweep::sweep_with;
 pub use sweep::{Column, ColumnKind, Frf, frequencies, sweep, sweep_alone};
+pub use sweep_cache::SweepCache;

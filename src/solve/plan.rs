@@ -1,4 +1,4 @@
-//! A model laid out for the solver: what happens along x, in order, and where each response is read.
+//! A model laid out for the solver: the stations along x, in order, and the station of each response.
 
 use num_complex::Complex64;
 
@@ -9,13 +9,13 @@ use crate::model::{
     BeamMotion, Elastic, MassMotion, Measure, Model, Place, Quantity, Restraint, Support, Target,
 };
 
-/// Everything about a model that does not depend on the frequency.
+/// The part of a model that does not depend on the frequency.
 #[derive(Debug, Clone)]
 pub(super) struct Plan {
     pub(super) beam: BeamConstants,
     pub(super) left: End,
     pub(super) right: End,
-    /// What lies along the beam, by rising x.
+    /// The stations along the beam, by ascending x.
     pub(super) stations: Vec<Station>,
     /// The distinct lengths between stations, m.
     pub(super) lengths: Vec<f64>,
@@ -35,7 +35,7 @@ pub(super) struct End {
     pub(super) load: [Complex64; 6],
 }
 
-/// Something at a place of the beam.
+/// Something at a position of the beam.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Station {
     /// Distance from the left end, m.
@@ -43,14 +43,14 @@ pub(super) struct Station {
     pub(super) event: Event,
 }
 
-/// What is at a station.
+/// The kind of a station.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Event {
     /// A subsystem.
     Attachment(Box<Attachment>),
     /// Loads along the six motions.
     Load([Complex64; 6]),
-    /// Nothing but a place to look at.
+    /// Only a position to read a response.
     Probe,
 }
 
@@ -69,17 +69,17 @@ pub(super) enum Output {
         motion: MassMotion,
         measure: Measure,
     },
-    /// The rate of twist where a torque may make it jump: without warping stiffness, at a load or a subsystem between the
-    /// ends.
+    /// The rate of twist where a torque may make it jump: without warping stiffness, at a load or a subsystem between
+    /// the ends.
     ///
-    /// Its value is the mean of both sides, the limit of a warping constant that goes to 0: warping makes the same layer
-    /// on both sides of the torque. At an end it is what the beam does just inside the end.
+    /// Its value is the mean of both sides, the limit for a warping constant that goes to 0: warping makes the same
+    /// boundary layer on both sides of the torque. At an end it is the value just inside the end.
     MeanTwistRate {
-        /// Just before and just after everything at that place.
+        /// Just before and just after everything at that position.
         stations: [usize; 2],
         measure: Measure,
     },
-    /// A motion that a support holds: nothing moves.
+    /// A motion that a support fixes, always 0.
     Held,
     /// `E_V`.
     Energy,
@@ -91,13 +91,13 @@ impl Plan {
         self.spans[self.stations.len()]
     }
 
-    /// Whether a response is read at two stations.
+    /// Whether any response is read at two stations.
     pub(super) fn has_means(&self) -> bool {
         let mut outputs = self.outputs.iter();
         outputs.any(|output| matches!(output, Output::MeanTwistRate { .. }))
     }
 
-    /// What is read at which single station, by rising station.
+    /// The outputs that are read at one station, by ascending station.
     pub(super) fn reads(&self) -> Vec<(usize, Output)> {
         let at_station = |output: &Output| output.station().map(|station| (station, *output));
         let mut reads: Vec<_> = self.outputs.iter().filter_map(at_station).collect();
@@ -105,7 +105,7 @@ impl Plan {
         reads
     }
 
-    /// The same on a beam of a length, m, with more places to look at, m from the left end.
+    /// The same on a beam of another length, m, with additional probes, m from the left end.
     pub(super) fn with_probes(&self, places: impl Iterator<Item = f64>, length: f64) -> Self {
         let probe = |position| Station {
             position,
@@ -116,7 +116,7 @@ impl Plan {
         plan.stations
             .sort_by(|a, b| a.position.total_cmp(&b.position));
         (plan.lengths, plan.spans) = spans(&plan.stations, length);
-        // They go by the stations' old numbers.
+        // The outputs refer to the old station numbers.
         plan.outputs = Vec::new();
         plan
     }
@@ -132,20 +132,20 @@ impl Plan {
     }
 }
 
-/// A spring, damper and inertia that are not there.
+/// An absent spring, damper and inertia.
 const FREE: Elastic = Elastic {
     stiffness: 0.0,
     damping: 0.0,
     inertia: 0.0,
 };
 
-/// A plan in the making: stations in order of creation, to be sorted by x.
+/// A plan under construction: stations in order of creation, before they are sorted by x.
 struct Layout<'a> {
     model: &'a Model,
     left: End,
     right: End,
     stations: Vec<Station>,
-    /// The probes before everything else at their places: the first of the stations.
+    /// The probes before everything else at their positions: the first stations.
     first_probes: usize,
     /// Station of each subsystem, by name.
     masses: std::collections::HashMap<&'a str, usize>,
@@ -156,7 +156,7 @@ impl<'a> Layout<'a> {
     fn new(model: &'a Model) -> Self {
         let without_warping = model.beam.section.warping_constant == 0.0;
         let end = |mut support: Support| {
-            // Without warping stiffness the least restraint holds the rate of twist.
+            // Without warping stiffness any restraint fixes the rate of twist.
             let twist = &mut support[BeamMotion::PsiSlope];
             if without_warping && !matches!(*twist, Restraint::Free | Restraint::Elastic(FREE)) {
                 *twist = Restraint::Fixed;
@@ -177,7 +177,7 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// Without warping stiffness a rate of twist is also read before what acts at its place, but for the left end.
+    /// Without warping stiffness a rate of twist is also read before what acts at its position, except at the left end.
     fn place_first_probes(&mut self) {
         if self.model.beam.section.warping_constant != 0.0 {
             return;
@@ -220,13 +220,13 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// Whether a support holds a motion at a distance from the left end, m.
+    /// Whether a support fixes a motion at a distance from the left end, m.
     fn is_held(&self, x: f64, motion: BeamMotion) -> bool {
         let held = |end: &End| end.support[motion] == Restraint::Fixed;
         (x == 0.0 && held(&self.left)) || (x == self.model.beam.length && held(&self.right))
     }
 
-    /// A load at an end goes into its support's equations, where a fixed motion takes it exactly.
+    /// A load at an end is part of its support's equations, where a fixed motion takes it exactly.
     fn place_loads(&mut self) {
         for force in self.model.forces.iter().filter(|f| f.enabled) {
             let value = Complex64::from_polar(force.amplitude, force.phase.to_radians());
@@ -366,7 +366,7 @@ impl<'a> Layout<'a> {
 }
 
 impl Output {
-    /// The one station where it is read.
+    /// The station at which it is read, if it is one.
     pub(super) const fn station(self) -> Option<usize> {
         match self {
             Self::Beam { station, .. } | Self::Mass { station, .. } => Some(station),
@@ -396,7 +396,7 @@ impl Output {
     }
 }
 
-/// The distinct span lengths, and which of them lies left of each station and of the right end.
+/// The distinct span lengths, and the index of the span left of each station and of the right end.
 fn spans(stations: &[Station], length: f64) -> (Vec<f64>, Vec<usize>) {
     let mut lengths = Vec::new();
     let mut known = std::collections::HashMap::new();

@@ -1,15 +1,15 @@
-//! Quadrature along the beam: the nodes and weights of integrals of the product of two solutions, exact to rounding.
+//! Quadrature along the beam: nodes and weights for integrals of the product of two solutions, exact to rounding.
 
 use num_complex::Complex64;
 
-/// A panel this long against a wave: 16 points integrate the product of two such waves to 1e-15, as the error term of
-/// the rule says for `exp(14 t)` over [0, 1].
+/// The length of a panel relative to a wave: 16 points integrate the product of two such waves to 1e-15, according to
+/// the error term of the rule for `exp(14 t)` over [0, 1].
 const PANEL: f64 = 7.0;
 
-/// A wave that has decayed by exp(-37) is gone.
+/// A wave that has decayed by exp(-37) is negligible.
 const GONE: f64 = 37.0;
 
-/// Positive nodes on [-1, 1] and weights of the 16-point rule of Gauss and Legendre.
+/// Positive nodes on [-1, 1] and weights of the 16-point Gauss-Legendre rule.
 ///
 /// Source: Abramowitz & Stegun, Handbook of Mathematical Functions (1964), Table 25.4.
 const RULE: [(f64, f64); 8] = [
@@ -32,8 +32,8 @@ pub(super) struct Node {
     pub(super) weight: f64,
 }
 
-/// The nodes between stations on a beam of a length, by rising place; both in m, the stations rising. `kappa` are the wave
-/// numbers, 1/m.
+/// The nodes between stations on a beam, by ascending position; `stations` and the length in m, the stations ascending.
+/// `kappa` are the wave numbers, 1/m.
 pub(super) fn nodes(
     stations: impl IntoIterator<Item = f64>,
     kappa: &[Complex64; 6],
@@ -55,7 +55,8 @@ pub(super) fn nodes(
     nodes
 }
 
-/// The ends of the panels of a span, m from its left end: short at its ends, where waves that decay at once still are.
+/// The ends of the panels of a span, m from its left end: short near the ends of the span, where evanescent waves are
+/// large.
 fn panels(length: f64, kappa: &[Complex64; 6]) -> Vec<f64> {
     if length <= 0.0 {
         return Vec::new();

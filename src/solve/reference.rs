@@ -1,21 +1,21 @@
-//! The force by which responses are divided.
+//! The reference force for normalised responses.
 
 use num_complex::Complex64;
 
 use crate::model::Checked;
 use crate::unit::Load;
 
-/// The one force of a model by which its responses can be divided.
+/// The only force of a model, by which its responses can be divided.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reference {
-    /// What it is.
+    /// Its kind.
     pub load: Load,
     /// Its complex amplitude, zero to peak, N, N m or N m2.
     pub amplitude: Complex64,
 }
 
 impl Reference {
-    /// The only enabled force of a model; none where there are several, or where it is 0.
+    /// The only enabled force of a model; `None` if there are several, or if it is 0.
     pub fn of(model: &Checked) -> Option<Self> {
         let mut forces = model.forces.iter().filter(|force| force.enabled);
         let (force, None) = (forces.next()?, forces.next()) else {

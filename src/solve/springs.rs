@@ -1,7 +1,7 @@
-//! What supports and springs are to the beam, said once for the solver, the count of modes and the derivatives: their
-//! dynamic stiffnesses, and how far the springs of a subsystem are stretched.
+//! Supports and springs as the beam sees them, for the solver, the mode count and the derivatives: their dynamic
+//! stiffnesses, and the stretches of the springs of a subsystem.
 //!
-//! The kernel of `lanes` has the same in its own arithmetic; the two witnesses have words of their own on purpose.
+//! `kernel` has the same in its own arithmetic; the two reference methods have their own on purpose.
 
 use num_complex::Complex64;
 
@@ -23,7 +23,7 @@ pub(super) fn stiffness(omega: Complex64, spring: Spring) -> Complex64 {
     spring.stiffness + Complex64::I * omega * spring.damping
 }
 
-/// k + i omega c - omega^2 m of what restrains a motion, in the units of [`Elastic`]; none where the motion is fixed.
+/// k + i omega c - omega^2 m of the restraint of a motion, in the units of [`Elastic`]; `None` if the motion is fixed.
 pub(super) fn restraint_stiffness(omega: Complex64, restraint: Restraint) -> Option<Complex64> {
     match restraint {
         Restraint::Fixed => None,
@@ -42,7 +42,7 @@ pub(super) fn restraint_stiffness(omega: Complex64, restraint: Restraint) -> Opt
     }
 }
 
-/// A spring, and its stretch as a row over the motions: how far the mass's end is ahead of the beam's.
+/// A spring, and its stretch as a row over the motions: the displacement of the mass's end relative to the beam's.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Stretch {
     pub(super) spring: Spring,
@@ -52,7 +52,7 @@ pub(super) struct Stretch {
     pub(super) beam: [f64; 3],
 }
 
-/// The two y springs, which are stretched alike, as one; the left and the right z spring (Chen & Liu 2022, Appendix A).
+/// The two y springs, whose stretches are equal, as one; the left and the right z spring (Chen & Liu 2022, Appendix A).
 pub(super) fn rows(subsystem: &Subsystem) -> [Stretch; 3] {
     let along_z = |spring: Spring, arm: f64, mount: f64| Stretch {
         spring,
@@ -74,9 +74,9 @@ pub(super) fn rows(subsystem: &Subsystem) -> [Stretch; 3] {
 }
 
 impl Stretch {
-    /// What adds up to the stretch, m, of motions (y, z, theta) and (w, psi, v).
+    /// The terms of the stretch, m, for motions (y, z, theta) and (w, psi, v).
     fn terms(&self, [mass, [w, psi, v]]: [[Complex64; 3]; 2]) -> [Complex64; 6] {
-        // What has no share may be infinite.
+        // A motion with the factor 0 may be infinite.
         let of = |share: f64, moved: Complex64| if share == 0.0 { ZERO } else { share * moved };
         let ([y, z, theta], [of_w, of_psi, of_v]) = (self.mass, self.beam);
         [
@@ -89,7 +89,7 @@ impl Stretch {
         ]
     }
 
-    /// The stretch, m, of motions (y, z, theta) and (w, psi, v).
+    /// The stretch, m, for motions (y, z, theta) and (w, psi, v).
     pub(super) fn of(&self, moved: [[Complex64; 3]; 2]) -> Complex64 {
         self.terms(moved).iter().sum()
     }
@@ -97,8 +97,8 @@ impl Stretch {
 
 /// The stretches of the four springs, m.
 ///
-/// Either from what moves (`moved`: the mass's y, z, theta and the beam's w, psi, v) or from what the springs carry: of
-/// a stiff spring the first, of a soft one the second is a small difference of large numbers.
+/// Either from the motions (`moved`: the mass's y, z, theta and the beam's w, psi, v) or from the spring forces: for a
+/// stiff spring the first, for a soft one the second is a small difference of large numbers.
 pub(super) fn stretches(
     omega: Complex64,
     subsystem: &Subsystem,
@@ -108,7 +108,7 @@ pub(super) fn stretches(
     let [across, left, right] = rows(subsystem).map(|row| row.terms(moved));
     let [of_left, of_right, of_z_left, of_z_right] =
         springs(subsystem).map(|spring| stiffness(omega, spring));
-    // What the beam does to the mass: the y springs, and the sum and the difference of the z springs.
+    // The forces of the beam on the mass: the y springs, and the sum and the difference of the z springs.
     let [force, sum, difference] = channels;
     let y = better(&across, &[-force], of_left + of_right);
     [
@@ -119,7 +119,7 @@ pub(super) fn stretches(
     ]
 }
 
-/// The stretches of the four springs, m, from what moves alone.
+/// The stretches of the four springs, m, from the motions only.
 pub(super) fn geometric_stretches(
     subsystem: &Subsystem,
     moved: [[Complex64; 3]; 2],
@@ -128,7 +128,7 @@ pub(super) fn geometric_stretches(
     [y, y, left, right]
 }
 
-/// The sum of `lengths`, or that of `forces` over a stiffness: whichever sums smaller terms.
+/// The sum of `lengths`, or that of `forces` over a stiffness: the one with the smaller terms.
 fn better(lengths: &[Complex64], forces: &[Complex64], stiffness: Complex64) -> Complex64 {
     let size = |terms: &[Complex64]| -> f64 { terms.iter().map(|term| term.norm()).sum() };
     if size(forces) < size(lengths) * stiffness.norm() {

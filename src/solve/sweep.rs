@@ -7,7 +7,7 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::Cancelled;
-use super::lanes::{Instructions, MOST_LANES, Prepared, Solver};
+use super::kernel::{Instructions, MOST_LANES, Prepared, Solver};
 use super::limit;
 use super::plan::Plan;
 use crate::model::{Checked, Model, Quantity, Response, Spacing, Sweep};
@@ -15,7 +15,7 @@ use crate::model::{Checked, Model, Quantity, Response, Spacing, Sweep};
 /// Frequency responses of a model: one column for each enabled response, one value for each frequency.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Frf {
-    /// Hz, rising.
+    /// Hz, ascending.
     pub frequencies: Vec<f64>,
     /// In the order of the model's enabled responses.
     pub columns: Vec<Column>,
@@ -26,13 +26,13 @@ pub struct Frf {
 pub struct Column {
     /// The response's name.
     pub name: String,
-    /// What its values are.
+    /// The kind of its values.
     pub kind: ColumnKind,
-    /// As many as frequencies; an energy has no imaginary part.
+    /// One value per frequency; an energy has no imaginary part.
     pub values: Vec<Complex64>,
 }
 
-/// What the values of a column are.
+/// The kind of the values of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ColumnKind {
     /// A complex amplitude, zero to peak.
@@ -42,7 +42,7 @@ pub enum ColumnKind {
 }
 
 impl Frf {
-    /// The frequencies (Hz) at which some response is not finite: an undamped model exactly at a resonance.
+    /// The frequencies (Hz) at which any response is not finite: an undamped model exactly at a resonance.
     pub fn singular(&self) -> Vec<f64> {
         let rows = self.singular_rows().into_iter();
         rows.map(|row| self.frequencies[row]).collect()
@@ -59,7 +59,7 @@ impl Frf {
         rows.filter(|&row| !finite(row)).collect()
     }
 
-    /// The rows of two responses of the same model, by rising frequency.
+    /// Merges the rows of two responses of the same model, by ascending frequency.
     #[must_use]
     pub fn merged(&self, other: &Self) -> Self {
         let split = self.frequencies.len();
@@ -73,7 +73,7 @@ impl Frf {
         let mut order: Vec<usize> = (0..both.len())
             .filter(|&row| row < split || !is_known(&both[row]))
             .collect();
-        // Stable, and fast on two rising runs.
+        // A stable sort, and fast for two ascending runs.
         order.sort_by(|&a, &b| both[a].total_cmp(&both[b]));
         let columns = self.columns.iter().zip(&other.columns);
         let columns = columns.map(|(one, other)| Column {
@@ -110,7 +110,7 @@ pub fn frequencies(sweep: &Sweep) -> Vec<f64> {
         .collect()
 }
 
-/// Angular frequencies, rad/s, of frequencies, Hz.
+/// Angular frequencies, rad/s, from frequencies, Hz.
 pub(super) fn angular(frequencies: &[f64]) -> Vec<Complex64> {
     let omega = |&frequency: &f64| Complex64::from(std::f64::consts::TAU * frequency);
     frequencies.iter().map(omega).collect()
@@ -118,7 +118,7 @@ pub(super) fn angular(frequencies: &[f64]) -> Vec<Complex64> {
 
 /// Solves a checked model at each frequency (Hz, > 0).
 ///
-/// The work is shared among all cores in chunks; `cancel` is looked at between chunks.
+/// All cores share the work in chunks; `cancel` is checked between chunks.
 ///
 /// # Errors
 /// `cancel` became true before the end.
@@ -143,19 +143,19 @@ pub(super) fn sweep_prepared(
     Ok(frf)
 }
 
-/// Finds what is finite of the rows at a resonance that nothing excites.
+/// Finds the finite values of the rows at a resonance that no load excites.
 pub(super) fn fill_limits(model: &Model, prepared: &Prepared, frf: &mut Frf) {
     limit::fill(frf, |frequencies| {
         solved_alone(Instructions::available()[0], model, prepared, frequencies)
     });
 }
 
-/// [`sweep`] on this thread alone: sooner there where waking others takes longer.
+/// [`sweep`] on the calling thread only: faster for short sweeps, which end before other threads wake up.
 pub fn sweep_alone(model: &Checked, frequencies: &[f64]) -> Frf {
     sweep_with(Instructions::available()[0], model, frequencies)
 }
 
-/// [`sweep`] on this thread alone, with instructions that the processor has: to measure and compare them.
+/// [`sweep`] on the calling thread only, with a given instruction set of the processor, for benchmarks and comparisons.
 pub fn sweep_with(instructions: Instructions, model: &Checked, frequencies: &[f64]) -> Frf {
     let prepared = Prepared::new(Plan::new(model));
     let mut frf = solved_alone(instructions, model, &prepared, frequencies);
@@ -178,9 +178,9 @@ fn solved_alone(
     }
 }
 
-/// Gives `solve` each chunk of frequencies (Hz), with the place of its first one and its own of `rooms`.
+/// Gives `solve` each chunk of frequencies (Hz), with the index of its first frequency and its own element of `rooms`.
 ///
-/// Chunks that follow each other on a core use the same workspace.
+/// Consecutive chunks on a core use the same workspace.
 pub(super) fn over_chunks<W: Default + Send, R: Send>(
     frequencies: &[f64],
     chunk: usize,
@@ -203,7 +203,7 @@ pub(super) fn over_chunks<W: Default + Send, R: Send>(
         })
 }
 
-/// The responses of a model, which `solve` writes for a chunk of frequencies (Hz) at a time, each to its own column.
+/// The responses of a model; `solve` writes them for a chunk of frequencies (Hz) at a time, each to its own column.
 pub(super) fn solved<W: Default + Send>(
     model: &Model,
     frequencies: &[f64],
@@ -225,7 +225,7 @@ pub(super) fn solved<W: Default + Send>(
     };
     if let Some(room) = (chunks == 1).then(|| rooms.pop()).flatten() {
         Cancelled::check(cancel)?;
-        // It is solved here before another thread has woken.
+        // This thread solves it before another one wakes up.
         solve(&mut W::default(), 0, frequencies, room);
     } else {
         over_chunks(frequencies, chunk, rooms.into_par_iter(), cancel, &solve)?;
@@ -236,7 +236,7 @@ pub(super) fn solved<W: Default + Send>(
     })
 }
 
-/// A column for each enabled response of a model, in its order, with room for values.
+/// A column for each enabled response of a model, in its order, with zeros.
 fn columns(model: &Model, count: usize) -> Vec<Column> {
     let responses = model.responses.iter().filter(|r| r.enabled);
     let column = |response: &Response| Column {
@@ -251,15 +251,15 @@ fn columns(model: &Model, count: usize) -> Vec<Column> {
     responses.map(column).collect()
 }
 
-/// The responses of a model, which `solve` writes for a frequency (Hz) at a time: one value for each enabled response, in
-/// the order of the model.
+/// The responses of a model; `solve` writes them for one frequency (Hz) at a time: one value for each enabled response,
+/// in the order of the model.
 pub(super) fn one_by_one<W: Default + Send>(
     model: &Model,
     frequencies: &[f64],
     cancel: &AtomicBool,
     solve: &(impl Fn(&mut W, f64, &mut [Complex64]) + Sync),
 ) -> Result<Frf, Cancelled> {
-    /// A few, so that a cancelled sweep ends soon.
+    /// Few, so that a cancelled sweep ends soon.
     const CHUNK: usize = 4;
     let solve = |(workspace, row): &mut (W, Vec<Complex64>),
                  _,
@@ -276,7 +276,7 @@ pub(super) fn one_by_one<W: Default + Send>(
     solved(model, frequencies, CHUNK, cancel, &solve)
 }
 
-/// Frequencies a chunk: about a millisecond of work, so that a cancelled sweep ends soon.
+/// Frequencies per chunk: about a millisecond of work, so that a cancelled sweep ends soon.
 pub(super) fn chunk_length(plan: &Plan) -> usize {
     const STATIONS_A_CHUNK: usize = 1000;
     let groups = STATIONS_A_CHUNK / (plan.stations.len() + 1) / MOST_LANES;

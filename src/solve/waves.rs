@@ -9,10 +9,10 @@ use num_complex::Complex64;
 use super::linear::{Matrix, ZERO, size};
 use crate::model::Beam;
 
-/// Index of the wave that carries the warping of the section; with `Gamma_0` = 0 it decays over no length.
+/// Index of the warping wave; with `Gamma_0` = 0 it decays at once.
 pub(super) const WARPING_WAVE: usize = 0;
 
-/// What the solver needs to know of a beam, as complex stiffnesses and masses per length.
+/// The complex stiffnesses and masses per length of a beam.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct BeamConstants {
     /// E `I_y` (1 + i eta), N m2.
@@ -29,7 +29,7 @@ pub(super) struct BeamConstants {
     pub(super) polar: f64,
     /// rho A `z_c`, kg.
     pub(super) coupling: f64,
-    /// Radius of gyration about the shear centre, m: weighs twist against displacement.
+    /// Radius of gyration about the shear centre, m: scales twist to displacement.
     pub(super) radius: f64,
 }
 
@@ -51,7 +51,7 @@ impl BeamConstants {
         }
     }
 
-    /// True where `Gamma_0` = 0: the section resists no rate of twist.
+    /// True if `Gamma_0` = 0: the section has no warping stiffness.
     pub(super) fn without_warping(&self) -> bool {
         self.warping == ZERO
     }
@@ -60,7 +60,7 @@ impl BeamConstants {
 /// The waves at one frequency.
 #[derive(Debug, Clone)]
 pub(super) struct Waves {
-    /// Wave numbers, 1/m; the warping wave's real part is infinite where `Gamma_0` = 0.
+    /// Wave numbers, 1/m; the warping wave's real part is infinite if `Gamma_0` = 0.
     pub(super) kappa: [Complex64; 6],
     /// Q: displacements.
     pub(super) displacement: Matrix<3, 6>,
@@ -68,7 +68,7 @@ pub(super) struct Waves {
     pub(super) slope: Matrix<3, 6>,
     /// P: internal forces (`S_w`, T, `S_v`).
     pub(super) force: Matrix<3, 6>,
-    /// M: internal moments (`M_w`, B, `M_v`). Where `Gamma_0` = 0 the row of B is the warping wave alone.
+    /// M: internal moments (`M_w`, B, `M_v`). If `Gamma_0` = 0 only the warping wave has an entry in the row of B.
     pub(super) moment: Matrix<3, 6>,
 }
 
@@ -84,12 +84,12 @@ pub(super) struct CoupledWave {
 pub(super) type Amplitudes = [Complex64; 6];
 
 impl Waves {
-    /// True where `Gamma_0` = 0: the warping wave decays over no length.
+    /// True if `Gamma_0` = 0: the warping wave decays at once.
     pub(super) fn without_warping(&self) -> bool {
         self.kappa[WARPING_WAVE].re.is_infinite()
     }
 
-    /// exp(-kappa l) over a length, m; 1 over no length, also for the wave that decays at once.
+    /// exp(-kappa l) over a length, m; 1 over the length 0, also for the wave that decays at once.
     pub(super) fn decay(&self, length: f64) -> Amplitudes {
         self.kappa.map(|kappa| {
             if length == 0.0 {
@@ -103,7 +103,7 @@ impl Waves {
     }
 }
 
-/// Columns of the waves that a row (w, psi, v) of Q, S, P or M can reach.
+/// Columns of the waves that contribute to a row (w, psi, v) of Q, S, P or M.
 pub(super) const fn reach(row: usize) -> std::ops::Range<usize> {
     if row < 2 { 0..4 } else { 4..6 }
 }
@@ -178,8 +178,8 @@ fn coupled_wave(
     }
 }
 
-/// Whether four waves are four roots: at complex omega, where two roots of different pairs come close, both iterations
-/// may end on one of them, or on none.
+/// Whether four waves are four roots: at complex omega, where two roots of different pairs are close, both iterations
+/// may converge to the same one, or to none.
 fn are_right(beam: &BeamConstants, [a, b, d]: [Complex64; 3], waves: &[CoupledWave; 4]) -> bool {
     const ROUNDING: f64 = 1e-13;
     const SAME: f64 = 1e-6;
@@ -200,7 +200,7 @@ fn are_right(beam: &BeamConstants, [a, b, d]: [Complex64; 3], waves: &[CoupledWa
     })
 }
 
-/// All four waves at once by the simultaneous iteration of Aberth (Math. Comp. 27 (1973) 339-344) on the product form.
+/// All four waves together by the simultaneous iteration of Aberth (Math. Comp. 27 (1973) 339-344) on the product form.
 fn separated(
     beam: &BeamConstants,
     [a, b, d]: [Complex64; 3],
@@ -212,7 +212,7 @@ fn separated(
         let torsion = (beam.warping * h - beam.torsion) * h - b;
         [bending, torsion]
     };
-    // Starts that coincide would move together.
+    // Equal starting values would stay equal.
     let mut roots: [Complex64; 4] =
         std::array::from_fn(|index| starts[index] * Complex64::new(1.0, 1e-3 * index as f64));
     for _ in 0..MOST_STEPS {
@@ -263,8 +263,8 @@ struct Root {
     from_torsion: Complex64,
 }
 
-/// Solves `(h - h_w)(gamma h - tau) = g(h)` for its two roots by secant steps on h -> root of the quadratic with g held:
-/// the root that is torsion's without coupling first (infinite where gamma = 0), then the bending one.
+/// Solves `(h - h_w)(gamma h - tau) = g(h)` for its two roots by secant steps on h -> root of the quadratic with fixed
+/// g: first the root that becomes torsion without coupling (infinite if gamma = 0), then the bending one.
 fn pair(
     h_w: Complex64,
     tau: Complex64,
@@ -295,7 +295,7 @@ fn pair(
         }
     };
     let first = if gamma == ZERO {
-        // The warping wave decays over no length; its shape is set by the limit.
+        // The warping wave decays at once; its shape follows from the limit.
         Root {
             value: Complex64::ONE,
             from_bending: Complex64::ONE,
@@ -307,8 +307,8 @@ fn pair(
     [first, settle(h_w, bending)]
 }
 
-/// Of `half + sqrt(half^2 + square)` and the difference the larger one, which never cancels. Where both vanish (equal
-/// roots without coupling) any number does: it only tells the torsion wave from the bending wave.
+/// The larger one of `half + sqrt(half^2 + square)` and the difference, without cancellation. If both vanish (equal
+/// roots without coupling) any number is valid: it only distinguishes the torsion wave from the bending wave.
 fn larger_sum(half: Complex64, square: Complex64) -> Complex64 {
     let root = (half * half + square).sqrt();
     let sum = if (half.conj() * root).re >= 0.0 {
@@ -416,7 +416,7 @@ mod tests {
     fn waves_decay_or_travel_to_the_right() {
         for loss in [0.0, 0.02, 1.5] {
             let beam = BeamConstants::new(&paper_beam(loss, 2.2783e-8, 0.0619));
-            for kappa in crate::solve::lanes::waves(&beam, Complex64::from(600.0)).kappa {
+            for kappa in crate::solve::kernel::waves(&beam, Complex64::from(600.0)).kappa {
                 assert!(
                     kappa.re > 0.0 || (kappa.re == 0.0 && kappa.im > 0.0),
                     "{kappa}"

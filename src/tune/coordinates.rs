@@ -3,12 +3,12 @@
 use crate::model::edit::{self, Value};
 use crate::model::{Checked, Fault, Hold, Model, ParameterId, Spacing, Variable};
 
-/// One variable: a coordinate of the unit box, and what it sets.
+/// One variable: a coordinate of the unit box, and its parameters.
 #[derive(Debug, Clone)]
 pub(super) struct Coordinate {
     pub(super) variable: Variable,
     spacing: Spacing,
-    /// The parameters it moves with the values they have in the model, the first first.
+    /// Its parameters with their values in the model, the leading one first.
     pub(super) parameters: Vec<(ParameterId, f64)>,
 }
 
@@ -16,9 +16,9 @@ impl Coordinate {
     /// Resolves the paths of a variable.
     ///
     /// # Errors
-    /// A path matches no number, or a ratio is held to a first parameter that is 0.
+    /// A path matches no number, or a ratio refers to a first parameter that is 0.
     pub(super) fn new(model: &Checked, variable: &Variable) -> Result<Self, Fault> {
-        // Refuses a ratio to 0.
+        // Rejects a ratio to 0.
         variable.applied(model, variable.min)?;
         Ok(Self {
             spacing: variable.spacing(model),
@@ -47,7 +47,7 @@ impl Coordinate {
         }
     }
 
-    /// The coordinate of a value of the first parameter, at a bound where it lies beyond.
+    /// The coordinate of a value of the first parameter, at a bound if it is outside.
     pub(super) fn coordinate(&self, value: f64) -> f64 {
         let (min, max) = (self.variable.min, self.variable.max);
         let value = value.clamp(min, max);
@@ -66,7 +66,7 @@ impl Coordinate {
         }
     }
 
-    /// What each parameter is when the first one has a value.
+    /// The value of each parameter for a value of the first one.
     pub(super) fn values(&self, first: f64) -> impl Iterator<Item = (ParameterId, f64)> {
         let start = self.start();
         let of = move |value: f64| match self.variable.hold {
@@ -80,7 +80,7 @@ impl Coordinate {
         })
     }
 
-    /// How each parameter moves with the first one.
+    /// The derivative of each parameter by the first one.
     pub(super) fn rates(&self) -> impl Iterator<Item = (ParameterId, f64)> {
         let start = self.start();
         let all = self.parameters.iter().enumerate();
@@ -93,7 +93,7 @@ impl Coordinate {
         })
     }
 
-    /// Sets its parameters in a model that has them.
+    /// Sets its parameters in a model of the same structure.
     pub(super) fn set(&self, model: &mut Model, first: f64) {
         for (id, value) in self.values(first) {
             let set = edit::put(model, id, Value::Number(value));

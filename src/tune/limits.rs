@@ -1,27 +1,27 @@
-//! What the tuned model must keep, as numbers that must not be above 0, with their derivatives.
+//! The limits of the tuned model, as numbers that must not be above 0, with their derivatives.
 
 use num_complex::Complex64;
 
+use super::candidate::{Candidate, Moved, Slopes};
 use super::search::Function;
-use super::trial::{Moved, Slopes, Trial};
 use crate::model::schema::SubsystemKey;
 use crate::model::{Checked, Group, Limit, ParameterId};
 use crate::solve::Cancelled;
 use crate::solve::modes::{count, modes, undamped, without_damping};
 
-/// A limit of a model whose responses are known by their places.
+/// A limit of a model, with its responses by index.
 #[derive(Debug, Clone)]
 pub(super) enum Bound {
     /// (mass - most) / most of all enabled subsystems together.
     AddedMass { at_most: f64 },
-    /// For each undamped mode how far it is inside the band, over the width of the band; negative outside.
+    /// For each undamped mode its depth inside the band, over the width of the band; negative outside.
     NoMode { band: [f64; 2] },
     /// (|H| at rest - most) / most.
     StaticDeflection { response: usize, at_most: f64 },
 }
 
 impl Bound {
-    /// The bound of a limit; `place` gives the place of a response by its name.
+    /// The bound of a limit; `place` gives the index of a response by its name.
     pub(super) fn new(limit: &Limit, place: impl Fn(&str) -> usize) -> Self {
         match limit {
             Limit::AddedMass { at_most } => Self::AddedMass { at_most: *at_most },
@@ -33,59 +33,59 @@ impl Bound {
         }
     }
 
-    /// The numbers that must not be above 0; those far below may be left out.
-    pub(super) fn values(&self, trial: &Trial) -> Result<Vec<f64>, Cancelled> {
+    /// The numbers that must not be above 0; those far below may be omitted.
+    pub(super) fn values(&self, candidate: &Candidate) -> Result<Vec<f64>, Cancelled> {
         Ok(match self {
-            Self::AddedMass { at_most } => vec![added_mass(&trial.model) / at_most - 1.0],
+            Self::AddedMass { at_most } => vec![added_mass(&candidate.model) / at_most - 1.0],
             Self::NoMode { band } => {
                 let inside = |frequency: &f64| depth(*frequency, *band);
-                match intruders(trial, *band)? {
+                match intruders(candidate, *band)? {
                     Some(all) => all.iter().map(inside).collect(),
                     None => vec![f64::INFINITY],
                 }
             }
             Self::StaticDeflection { response, at_most } => {
-                let deflection = at_rest(trial, *response)?.norm();
+                let deflection = at_rest(candidate, *response)?.norm();
                 vec![deflection / at_most - 1.0]
             }
         })
     }
 
-    /// The same with derivatives by the coordinates, which move `moved`.
+    /// The same with derivatives by the coordinates, which change `moved`.
     pub(super) fn functions(
         &self,
-        trial: &Trial,
+        candidate: &Candidate,
         slopes: &Slopes,
         moved: &[Moved],
     ) -> Result<Vec<Function>, Cancelled> {
         Ok(match self {
-            Self::AddedMass { at_most } => vec![added_mass_function(trial, moved, *at_most)],
-            Self::NoMode { band } => modes_in(trial, moved, *band)?,
+            Self::AddedMass { at_most } => vec![added_mass_function(candidate, moved, *at_most)],
+            Self::NoMode { band } => modes_in(candidate, moved, *band)?,
             Self::StaticDeflection { response, at_most } => {
-                vec![deflection(trial, slopes, *response, *at_most)]
+                vec![deflection(candidate, slopes, *response, *at_most)]
             }
         })
     }
 
-    /// What a person wants to know: the mass, kg; the frequency of the mode that is deepest in the band or nearest to it,
-    /// Hz; the deflection, in the response's unit.
-    pub(super) fn reading(&self, trial: &Trial) -> Result<f64, Cancelled> {
+    /// The value for display: the mass, kg; the frequency of the mode deepest in the band or nearest to it, Hz; the
+    /// deflection, in the response's unit.
+    pub(super) fn reading(&self, candidate: &Candidate) -> Result<f64, Cancelled> {
         Ok(match self {
-            Self::AddedMass { .. } => added_mass(&trial.model),
+            Self::AddedMass { .. } => added_mass(&candidate.model),
             Self::NoMode { band } => {
-                let all = undamped(&trial.model, SEEN * band[1], trial.cancel)?;
+                let all = undamped(&candidate.model, SEEN * band[1], candidate.cancel)?;
                 let deeper = |a: &f64, b: &f64| depth(*a, *band).total_cmp(&depth(*b, *band));
                 all.into_iter().flatten().max_by(deeper).unwrap_or(f64::NAN)
             }
-            Self::StaticDeflection { response, .. } => at_rest(trial, *response)?.norm(),
+            Self::StaticDeflection { response, .. } => at_rest(candidate, *response)?.norm(),
         })
     }
 }
 
-/// The modes up to so many times the end of a band are looked at.
+/// The search for modes extends to this multiple of the end of a band.
 const SEEN: f64 = 2.0;
 
-/// Up to where a limit asks for the modes, Hz; none where it asks for none.
+/// The highest frequency up to which a limit needs the modes, Hz; `None` if it needs none.
 pub(super) fn looks_to(limit: &Limit) -> Option<f64> {
     match limit {
         Limit::NoMode { to, .. } => Some(SEEN * to),
@@ -98,10 +98,10 @@ fn added_mass(model: &Checked) -> f64 {
     model.attached().map(|subsystem| subsystem.mass).sum()
 }
 
-fn added_mass_function(trial: &Trial, moved: &[Moved], at_most: f64) -> Function {
+fn added_mass_function(candidate: &Candidate, moved: &[Moved], at_most: f64) -> Function {
     let is_added = |id: ParameterId| match id.group {
         Group::Subsystem(i) => {
-            id.row == SubsystemKey::Mass as usize && trial.model.subsystems[i].enabled
+            id.row == SubsystemKey::Mass as usize && candidate.model.subsystems[i].enabled
         }
         _ => false,
     };
@@ -110,23 +110,23 @@ fn added_mass_function(trial: &Trial, moved: &[Moved], at_most: f64) -> Function
         masses.map(|(_, rate)| rate / at_most).sum()
     };
     Function {
-        value: added_mass(&trial.model) / at_most - 1.0,
+        value: added_mass(&candidate.model) / at_most - 1.0,
         gradient: moved.iter().map(of).collect(),
     }
 }
 
-/// How deep a frequency lies in a band, over its width: 0.5 in the middle, 0 at the ends, negative outside.
+/// The depth of a frequency inside a band, over its width: 0.5 in the middle, 0 at the ends, negative outside.
 fn depth(frequency: f64, [from, to]: [f64; 2]) -> f64 {
     (frequency - from).min(to - frequency) / (to - from)
 }
 
-/// The undamped modes in a band (Hz); none where there are too many below its end. Where the count of Wittrick &
-/// Williams is the same at both ends, no search begins.
-fn intruders(trial: &Trial, [from, to]: [f64; 2]) -> Result<Option<Vec<f64>>, Cancelled> {
-    if count(&trial.model, from) == count(&trial.model, to) {
+/// The undamped modes in a band (Hz); `None` if there are too many below its end. If the count of Wittrick & Williams
+/// is the same at both ends, there is no search.
+fn intruders(candidate: &Candidate, [from, to]: [f64; 2]) -> Result<Option<Vec<f64>>, Cancelled> {
+    if count(&candidate.model, from) == count(&candidate.model, to) {
         return Ok(Some(Vec::new()));
     }
-    let all = undamped(&trial.model, to, trial.cancel)?;
+    let all = undamped(&candidate.model, to, candidate.cancel)?;
     let inside = |all: Vec<f64>| {
         let inside = all.into_iter().filter(|one| *one > from && *one < to);
         inside.collect()
@@ -134,12 +134,16 @@ fn intruders(trial: &Trial, [from, to]: [f64; 2]) -> Result<Option<Vec<f64>>, Ca
     Ok(all.map(inside))
 }
 
-/// How deep each mode in a band, or within its width on both sides, is in it.
-fn modes_in(trial: &Trial, moved: &[Moved], band: [f64; 2]) -> Result<Vec<Function>, Cancelled> {
+/// The depth of each mode in a band, or within its width on both sides.
+fn modes_in(
+    candidate: &Candidate,
+    moved: &[Moved],
+    band: [f64; 2],
+) -> Result<Vec<Function>, Cancelled> {
     let [from, to] = band;
     let width = to - from;
-    let model = without_damping(&trial.model);
-    let near = modes(&model, to + width, trial.cancel)?;
+    let model = without_damping(&candidate.model);
+    let near = modes(&model, to + width, candidate.cancel)?;
     if near.are_too_many() {
         return Ok(vec![Function::worst(moved.len())]);
     }
@@ -163,11 +167,11 @@ fn modes_in(trial: &Trial, moved: &[Moved], band: [f64; 2]) -> Result<Vec<Functi
     Ok(inside.map(function).collect())
 }
 
-/// The weights by which a cubic through f, 2 f, 3 f and 4 f is 0 Hz's value.
+/// The weights of a cubic through f, 2 f, 3 f and 4 f for its value at 0 Hz.
 const TO_REST: [f64; 4] = [4.0, -6.0, 4.0, -1.0];
 
-/// The lowest frequency from which the response at rest is drawn: a hundredth of the first mode's or less, so that the
-/// cubic errs by less than 1e-5. None where a mode is at 0 Hz: such a beam has no rest.
+/// The lowest frequency of the extrapolation to the response at rest: a hundredth of the first mode's or less, so that
+/// the error of the cubic is below 1e-5. `None` if a mode is at 0 Hz: such a beam has no rest position.
 fn lowest(model: &Checked) -> Option<f64> {
     const SHARE: f64 = 50.0;
     const HIGHEST: f64 = 1.0;
@@ -182,19 +186,19 @@ fn lowest(model: &Checked) -> Option<f64> {
     None
 }
 
-/// A response at rest; infinite where the beam can move freely.
-pub(super) fn at_rest(trial: &Trial, response: usize) -> Result<Complex64, Cancelled> {
-    let Some(lowest) = lowest(&trial.model) else {
+/// A response at rest; infinite if the beam can move freely.
+pub(super) fn at_rest(candidate: &Candidate, response: usize) -> Result<Complex64, Cancelled> {
+    let Some(lowest) = lowest(&candidate.model) else {
         return Ok(Complex64::from(f64::INFINITY));
     };
     let places = [1.0, 2.0, 3.0, 4.0].map(|times| times * lowest);
-    let values = trial.values(response, &places)?;
+    let values = candidate.values(response, &places)?;
     let terms = values.iter().zip(TO_REST);
     Ok(terms.map(|(value, weight)| weight * value).sum())
 }
 
-fn deflection(trial: &Trial, slopes: &Slopes, response: usize, at_most: f64) -> Function {
-    let Some(lowest) = lowest(&trial.model) else {
+fn deflection(candidate: &Candidate, slopes: &Slopes, response: usize, at_most: f64) -> Function {
+    let Some(lowest) = lowest(&candidate.model) else {
         return Function {
             value: f64::INFINITY,
             gradient: slopes.by_coordinate(|_| 0.0),

@@ -1,11 +1,12 @@
-//! Parameters sought for what a curve should be: what `[tune]` of a model file asks for, and the search for it.
+//! Optimisation of parameters: what `[tune]` of a model file asks for, and the search for it.
 //!
-//! [`Problem`] makes of a model and its `[tune]` points of a unit box (`coordinates`), figures of its responses
-//! (`figures`, each with exact derivatives) and `limits`; `terrain` makes of these the one number that [`search`] makes
-//! small, over the worst case of the tolerances where there are some (`robust`). [`run()`] is the entrance, `report` what
-//! it says. [`spread()`] tells what tolerances make of the curves.
+//! [`Problem`] turns a model and its `[tune]` into points of a unit box (`coordinates`), figures of its responses
+//! (`objectives`, each with exact derivatives) and `limits`; `merit` combines these into the one number that [`search`]
+//! minimises, over the worst case of the tolerances if there are any (`worst_case`). A `candidate` is one model of the
+//! search. [`run()`] is the entry point, `report` its result. [`spread()`] computes the effect of tolerances on the
+//! curves.
 //!
-//! Nothing here knows a clock or a terminal. The same seed gives the same result on any number of threads.
+//! Nothing here depends on a clock or a terminal. The same seed gives the same result on any number of threads.
 //!
 //! # Example
 //!
@@ -26,22 +27,22 @@
 //! assert!(model::read(&better).is_ok());
 //! ```
 
+mod candidate;
 mod coordinates;
-mod figures;
 mod limits;
+mod merit;
+mod objectives;
 mod problem;
 mod report;
-mod robust;
 mod run;
 pub mod search;
 mod spread;
-mod terrain;
-mod trial;
 pub mod words;
+mod worst_case;
 
+pub use merit::MeritFunction;
 pub use problem::{Problem, check_match};
-pub use report::{Achieved, Kept, Moved, WorstCase};
+pub use report::{Achieved, LimitOutcome, Moved, WorstCase};
 pub use run::{Options, Status, Tuned, default_budget, run};
 pub use search::{Phase, Place, Stop};
 pub use spread::{Spread, spread};
-pub use terrain::Terrain;

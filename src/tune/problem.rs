@@ -1,12 +1,12 @@
-//! What `[tune]` asks for of a model: variables as coordinates, objectives as figures, limits as bounds.
+//! The problem that `[tune]` of a model defines: variables as coordinates, objectives as figures, limits as bounds.
 
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
+use super::candidate::{Candidate, Moved};
 use super::coordinates::Coordinate;
-use super::figures::{self, Figure};
 use super::limits::{self, Bound};
-use super::trial::{Moved, Trial};
+use super::objectives::{self, Figure};
 use crate::model::{
     Aim, Checked, Combine, Fault, Limit, Model, Objective, Quantity, Response, Tune, check_state,
     edit, path,
@@ -14,18 +14,18 @@ use crate::model::{
 use crate::solve::Cancelled;
 use crate::solve::modes::{MOST_MODES, are_too_many, count};
 
-/// What is sought: a model and its `[tune]`, ready to be searched.
+/// A model and its `[tune]`, ready for the search.
 #[derive(Debug, Clone)]
 pub struct Problem {
-    /// The model as it was given.
+    /// The original model.
     given: Checked,
-    /// The same with nothing but the responses that are asked for, so that trials are cheap.
+    /// The same with only the required responses, so that candidates are cheap.
     bare: Checked,
     tune: Tune,
     pub(super) coordinates: Vec<Coordinate>,
     pub(super) aims: Vec<Aimed>,
     pub(super) bounds: Vec<Bound>,
-    /// Modes are needed up to this, Hz.
+    /// The modes are required up to this frequency, Hz.
     pub(super) modes_to: Option<f64>,
 }
 
@@ -36,11 +36,11 @@ pub(super) struct Aimed {
     pub(super) figure: Figure,
 }
 
-/// Reads the measured curve that an objective asks for; any other objective asks for none.
+/// Reads the measured curve of an objective, if it has one.
 ///
 /// # Errors
-/// The curve cannot be read, needs an answer on its columns, is of something else than the response, or has nothing in
-/// the band.
+/// The curve cannot be read, needs an answer about its columns, has another quantity than the response, or has no
+/// points in the band.
 pub fn check_match(model: &Checked, objective: &Objective, folder: &Path) -> Result<(), Fault> {
     let Some(name) = objective.response.as_ref() else {
         return Ok(());
@@ -56,9 +56,9 @@ impl Problem {
     /// Prepares a checked model; measured curves are read from `folder`, that of the model file.
     ///
     /// # Errors
-    /// All that stands in the way, with what would be accepted: there is no `[tune]`, a variable that moves nothing, a
-    /// measured curve that cannot be read or is of something else, a limit of the deflection at rest of a beam that can
-    /// move freely.
+    /// All faults, with the accepted alternatives: there is no `[tune]`, a variable that changes nothing, a measured
+    /// curve that cannot be read or has another quantity, a limit of the deflection at rest of a beam that can move
+    /// freely.
     pub fn new(model: &Checked, folder: &Path) -> Result<Self, Vec<Fault>> {
         let Some(tune) = &model.tune else {
             let message = "is missing; must have variables and an objective";
@@ -113,12 +113,12 @@ impl Problem {
         })
     }
 
-    /// The model as it was given.
+    /// The original model.
     pub fn model(&self) -> &Checked {
         &self.given
     }
 
-    /// What is asked for.
+    /// The `[tune]` of the model.
     pub fn tune(&self) -> &Tune {
         &self.tune
     }
@@ -128,14 +128,14 @@ impl Problem {
         self.coordinates.len()
     }
 
-    /// The model at a point of the unit box; all that no variable moves is as it was given.
+    /// The model at a point of the unit box; everything else is as in the original.
     pub fn model_at(&self, x: &[f64]) -> Model {
         let mut model = self.given.clone().into_inner();
         self.set(&mut model, x, &[]);
         model
     }
 
-    /// The same at a point that was on trial, so that it is possible; the given model to the last bit at its own point.
+    /// The same at a point that was a candidate, so that it is possible; at its own point exactly the original model.
     pub(super) fn tuned(&self, x: &[f64]) -> Checked {
         self.given.derived(|model| {
             for (one, value) in self.coordinates.iter().zip(self.values(x)) {
@@ -144,7 +144,7 @@ impl Problem {
         })
     }
 
-    /// The first parameter of each variable at a point; where that is the point of the given model, to the last bit.
+    /// The first parameter of each variable at a point; at the point of the original model its exact values.
     pub(super) fn values(&self, x: &[f64]) -> Vec<f64> {
         let all = self.coordinates.iter().zip(x);
         all.map(|(one, x)| {
@@ -159,7 +159,7 @@ impl Problem {
         .collect()
     }
 
-    /// The point of a model of the same structure; a value beyond its bounds counts as at them.
+    /// The point of a model of the same structure; a value outside its bounds counts as at the bound.
     pub fn point_of(&self, model: &Checked) -> Vec<f64> {
         let value = |one: &Coordinate| {
             let first = one.parameters.first();
@@ -169,7 +169,7 @@ impl Problem {
         self.coordinates.iter().map(value).collect()
     }
 
-    /// Paths of the variables whose value in the given model lies beyond their bounds: the search starts at the bound.
+    /// Paths of the variables whose original value is outside their bounds: the search starts at the bound.
     pub fn outside(&self) -> Vec<String> {
         let beyond = self
             .coordinates
@@ -181,7 +181,7 @@ impl Problem {
             .collect()
     }
 
-    /// How the figures are combined: a sum, or the largest.
+    /// The combination of figures: a sum, or the largest.
     pub(super) fn combined(&self, figures: &[f64]) -> f64 {
         if let [one] = figures {
             return *one;
@@ -194,46 +194,46 @@ impl Problem {
         }
     }
 
-    /// The model on trial at a point; `deviation` is how far each variable is from its value, in tolerances: from -1 to
-    /// 1, nothing for none. None where the model is impossible, which variables within their bounds may make it together, or
-    /// where it has more modes than are listed.
-    pub(super) fn trial<'a>(
+    /// The candidate at a point; `deviation` is the deviation of each variable from its value, in tolerances: from -1
+    /// to 1, empty for none. `None` if the model is invalid, which is possible for a combination of variables within
+    /// their bounds, or if it has too many modes to list.
+    pub(super) fn candidate<'a>(
         &self,
         x: &[f64],
         deviation: &[f64],
         cancel: &'a AtomicBool,
-    ) -> Result<Option<Trial<'a>>, Cancelled> {
+    ) -> Result<Option<Candidate<'a>>, Cancelled> {
         let mut whole = self.given.clone().into_inner();
         self.set(&mut whole, x, deviation);
         if !check_state(&whole).is_empty() {
             return Ok(None);
         }
         let model = self.bare.derived(|model| self.set(model, x, deviation));
-        Trial::new(model, self.modes_to, cancel)
+        Candidate::new(model, self.modes_to, cancel)
     }
 
-    /// A possible model of the same structure on trial; none where it has more modes than are listed.
+    /// A valid model of the same structure as a candidate; `None` if it has too many modes to list.
     pub(super) fn trial_of<'a>(
         &self,
         model: &Checked,
         cancel: &'a AtomicBool,
-    ) -> Result<Option<Trial<'a>>, Cancelled> {
+    ) -> Result<Option<Candidate<'a>>, Cancelled> {
         let bare = model.derived(|model| {
             model.responses.clone_from(&self.bare.responses);
             (model.studies, model.tune) = (Vec::new(), None);
         });
-        Trial::new(bare, self.modes_to, cancel)
+        Candidate::new(bare, self.modes_to, cancel)
     }
 
-    /// The given model itself on trial; none where it has more modes than are listed.
+    /// The original model as a candidate; `None` if it has too many modes to list.
     pub(super) fn trial_as_given<'a>(
         &self,
         cancel: &'a AtomicBool,
-    ) -> Result<Option<Trial<'a>>, Cancelled> {
-        Trial::new(self.bare.clone(), self.modes_to, cancel)
+    ) -> Result<Option<Candidate<'a>>, Cancelled> {
+        Candidate::new(self.bare.clone(), self.modes_to, cancel)
     }
 
-    /// What each coordinate moves at a point, and how fast.
+    /// The parameters that each coordinate changes at a point, and their rates.
     pub(super) fn moved(&self, x: &[f64], deviation: &[f64]) -> Vec<Moved> {
         let all = self.coordinates.iter().zip(x).enumerate();
         all.map(|(index, (one, x))| {
@@ -243,7 +243,7 @@ impl Problem {
         .collect()
     }
 
-    /// By how much a deviation multiplies a variable.
+    /// The factor of a variable for a deviation.
     pub(super) fn factor(&self, index: usize, deviation: &[f64]) -> f64 {
         let share = deviation.get(index).copied().unwrap_or(0.0);
         1.0 + 0.01 * self.coordinates[index].variable.tolerance * share
@@ -260,14 +260,14 @@ fn within(place: &str, fault: &Fault) -> Fault {
     Fault::new(place, format!("{}: {}", fault.path, fault.message))
 }
 
-/// The place of a response by its name.
+/// The index of a response by its name.
 fn place_of(model: &Checked, name: &str) -> usize {
     let place = model.responses.iter().position(|one| one.name == name);
     place.unwrap_or_default()
 }
 
-/// The model with nothing but the responses that are asked for, and for each objective the place of its own. The energy
-/// of the beam is added where no response gives it.
+/// The model with only the required responses, and for each objective the index of its own. The energy of the beam is
+/// added if no response gives it.
 fn bare(model: &Checked, tune: &Tune) -> (Checked, Vec<usize>) {
     let mut names: Vec<&str> = tune
         .objectives
@@ -304,7 +304,7 @@ fn bare(model: &Checked, tune: &Tune) -> (Checked, Vec<usize>) {
     (bare, places)
 }
 
-/// Limits on modes that are too many to be listed.
+/// Faults of limits on modes that are too many to list.
 fn crowded(model: &Checked, tune: &Tune) -> Vec<Fault> {
     let limits = tune.limits.iter().enumerate();
     let crowded = limits.filter_map(|(index, limit)| {
@@ -317,9 +317,9 @@ fn crowded(model: &Checked, tune: &Tune) -> Vec<Fault> {
     crowded.collect()
 }
 
-/// Limits of a deflection at rest that there is not.
+/// Faults of limits of a deflection at rest of a beam that has none.
 fn restless(model: &Checked, tune: &Tune) -> Vec<Fault> {
-    /// Hz; what is slower is a rigid body.
+    /// Hz; a slower motion is that of a rigid body.
     const SLOWEST: f64 = 1e-4;
     let mut faults = Vec::new();
     for (index, limit) in tune.limits.iter().enumerate() {
@@ -328,7 +328,7 @@ fn restless(model: &Checked, tune: &Tune) -> Vec<Fault> {
         };
         let place = format!("tune.limits.{}", index + 1);
         let of = model.responses.iter().find(|one| one.name == *response);
-        if !of.is_some_and(|one| figures::is_displacement(&one.quantity)) {
+        if !of.is_some_and(|one| objectives::is_displacement(&one.quantity)) {
             let message = format!("{response:?} is no displacement; must be one");
             faults.push(Fault::new(&place, message));
         }

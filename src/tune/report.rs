@@ -1,89 +1,92 @@
-//! What is said of a model that was tuned: what each objective came to, how each variable moved, what each limit says.
+//! The results of tuning: the figure of each objective, the change of each variable, the value of each limit.
 
 use std::sync::atomic::AtomicBool;
 
 use fastrand::Rng;
 
+use super::candidate::Candidate;
+use super::merit::figures_at;
 use super::problem::{Aimed, Problem};
-use super::robust::{corners, uncertain};
 use super::run::place;
 use super::search::{Certainty, Merit, Place};
-use super::terrain::figures_at;
-use super::trial::Trial;
+use super::worst_case::{corners, uncertain};
 use crate::model::path::Pattern;
 use crate::model::{Limit, Objective};
 use crate::solve::Cancelled;
 
-/// What an objective came to.
+/// The result of an objective.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Achieved {
     /// The objective.
     pub objective: Objective,
-    /// Its figure: of a peak |H|; of a mean square, in the unit squared, the mean; of a width what it leaves of the band; of
+    /// Its figure: of a peak |H|; of a mean square, in the unit squared, the mean; of a width the rest of the band; of
     /// an anti-resonance its distance; of a measured curve the root mean square of the difference.
     pub figure: f64,
-    /// The figure's unit; empty where it has none.
+    /// The figure's unit; empty if it has none.
     pub unit: String,
-    /// Where it is, Hz: the highest peak, both ends of the widest band, the anti-resonance. Empty for the others, and
-    /// where there is none.
+    /// Its frequencies, Hz: the highest peak, both ends of the widest band, the anti-resonance. Empty for the others,
+    /// and if there is none.
     pub places: Vec<f64>,
-    /// The highest level in the band where that is above the figure: a peak that the search did not see.
+    /// The highest level in the band if that is above the figure: a peak that the search missed.
     pub overlooked: Option<f64>,
 }
 
-/// How a variable moved.
+/// The change of a variable.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Moved {
-    /// Its paths, as they stand in `[tune]`.
+    /// Its paths, as written in `[tune]`.
     pub paths: Vec<String>,
-    /// The first parameter in the model as given, in its unit.
+    /// The first parameter in the original model, in its unit.
     pub before: f64,
     /// The first parameter in the tuned model, in its unit.
     pub after: f64,
-    /// Its standard uncertainty, in its unit, where a measured curve was matched and determines it.
+    /// Its standard uncertainty, in its unit, if a measured curve was matched and determines it.
     pub uncertainty: Option<f64>,
-    /// Where it is between its bounds.
+    /// Its position between its bounds.
     pub place: Place,
 }
 
-/// What a limit says of the tuned model.
+/// The result of a limit for the tuned model.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Kept {
+pub struct LimitOutcome {
     /// The limit.
     pub limit: Limit,
-    /// The mass, kg; the natural frequency that lies deepest in the band or nearest to it, Hz (NaN where there is none near);
-    /// the deflection, in the response's unit.
+    /// The mass, kg; the natural frequency deepest in the band or nearest to it, Hz (NaN if there is none near); the
+    /// deflection, in the response's unit.
     pub value: f64,
-    /// Whether it is kept.
+    /// Whether it is met.
     pub holds: bool,
 }
 
 /// The worst over the tolerances.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WorstCase {
-    /// The worst combined figure over the tolerances about the model as given, once within the bounds.
+    /// The worst combined figure over the tolerances about the original model, moved into the bounds.
     pub before: f64,
     /// The worst combined figure over the tolerances about the tuned model.
     pub after: f64,
-    /// Corners of the box of tolerances that were looked at; 0 where there are too many.
+    /// Number of evaluated corners of the box of tolerances; 0 if there are too many.
     pub corners: usize,
-    /// Random points of the box that were looked at.
+    /// Number of evaluated random points of the box.
     pub samples: usize,
     /// Whether all limits hold at all of them.
     pub is_possible: bool,
 }
 
-/// What each objective is on a model on trial.
-pub(super) fn achieved(problem: &Problem, trial: &Trial) -> Result<Vec<Achieved>, Cancelled> {
-    /// As near as two ways to a peak come.
+/// The result of each objective for a candidate.
+pub(super) fn achieved(
+    problem: &Problem,
+    candidate: &Candidate,
+) -> Result<Vec<Achieved>, Cancelled> {
+    /// Tolerance between two ways to compute a peak.
     const NEAR: f64 = 1e-6;
     let of = |aimed: &Aimed| {
-        let read = aimed.figure.read(trial)?;
-        let highest = aimed.figure.highest(trial)?;
+        let read = aimed.figure.read(candidate)?;
+        let highest = aimed.figure.highest(candidate)?;
         Ok(Achieved {
             objective: aimed.objective.clone(),
-            unit: aimed.figure.unit(&trial.model),
-            // A pole is infinite even where the response does not move in its mode but by rounding.
+            unit: aimed.figure.unit(&candidate.model),
+            // A pole is infinite even if the response moves in its mode only by rounding.
             overlooked: Some(highest)
                 .filter(|level| level.is_finite() && *level > read.figure * (1.0 + NEAR)),
             figure: read.figure,
@@ -93,7 +96,7 @@ pub(super) fn achieved(problem: &Problem, trial: &Trial) -> Result<Vec<Achieved>
     problem.aims.iter().map(of).collect()
 }
 
-/// How each variable moved.
+/// The change of each variable.
 pub(super) fn moved(problem: &Problem, x: &[f64], certainty: &Certainty) -> Vec<Moved> {
     let after = problem.values(x);
     let all = problem.coordinates.iter().enumerate();
@@ -116,17 +119,20 @@ pub(super) fn moved(problem: &Problem, x: &[f64], certainty: &Certainty) -> Vec<
     .collect()
 }
 
-/// What each limit says of a model on trial.
-pub(super) fn kept(problem: &Problem, trial: &Trial) -> Result<Vec<Kept>, Cancelled> {
-    /// What rounding of a search that ends on a limit leaves.
+/// The result of each limit for a candidate.
+pub(super) fn kept(
+    problem: &Problem,
+    candidate: &Candidate,
+) -> Result<Vec<LimitOutcome>, Cancelled> {
+    /// Rounding error of a search that ends on a limit.
     const ROUNDING: f64 = 1e-9;
     let limits = problem.tune().limits.iter().zip(&problem.bounds);
     limits
         .map(|(limit, bound)| {
-            let values = bound.values(trial)?;
-            Ok(Kept {
+            let values = bound.values(candidate)?;
+            Ok(LimitOutcome {
                 limit: limit.clone(),
-                value: bound.reading(trial)?,
+                value: bound.reading(candidate)?,
                 holds: values.iter().all(|value| *value <= ROUNDING),
             })
         })
@@ -148,7 +154,7 @@ pub(super) fn worst_case(
         all = corners(problem, &uncertain);
     }
     let corners = all.len();
-    // Not the seed of the search: what it found must not depend on the points it is judged by.
+    // Not the seed of the search: its result must not depend on the points that judge it.
     let mut random = Rng::with_seed(1);
     for _ in 0..SAMPLES {
         let one = (0..problem.variables()).map(|_| 2.0 * random.f64() - 1.0);

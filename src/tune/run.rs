@@ -1,81 +1,80 @@
-//! The search for what `[tune]` asks for, from a model to the tuned one with all that is to be said of it.
+//! The whole tuning, from a model to the tuned one with its report.
 
 use std::sync::atomic::AtomicBool;
 
-use super::figures::{Figure, Matching};
+use super::merit::{Matched, MeritFunction};
+use super::objectives::{Figure, Matching};
 use super::problem::Problem;
-use super::report::{Achieved, Kept, Moved, WorstCase, achieved, kept, moved, worst_case};
-use super::robust::uncertain;
+use super::report::{Achieved, LimitOutcome, Moved, WorstCase, achieved, kept, moved, worst_case};
 use super::search::{self, Certainty, Control, Phase, Place, Progress, Stop, fit, minimise};
-use super::terrain::{Matched, Terrain};
+use super::worst_case::uncertain;
 use crate::model::Checked;
 use crate::solve::Cancelled;
 
-/// How to search.
+/// Options of the search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Options {
     /// Seed of the random numbers; the same gives the same result on any number of threads.
     pub seed: u64,
-    /// At most so many evaluations; none: by the number of variables, see [`default_budget`].
+    /// The largest number of evaluations; `None`: by the number of variables, see [`default_budget`].
     pub budget: Option<usize>,
 }
 
-/// How far a search is. Figures are as a person knows them, in the unit of the objective; of several objectives they are
-/// combined.
+/// The progress of a search. Figures are for display, in the unit of the objective; several objectives are combined.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Status {
-    /// Models evaluated.
+    /// Number of evaluated models.
     pub evaluations: usize,
-    /// At most so many.
+    /// The largest number of evaluations.
     pub budget: usize,
-    /// What is running.
+    /// The running phase.
     pub phase: Phase,
     /// The figure of the start.
     pub start: f64,
     /// The best figure so far.
     pub best: f64,
-    /// Whether the best so far keeps all limits.
+    /// Whether the best so far meets all limits.
     pub is_possible: bool,
     /// The best model so far.
     pub model: Checked,
 }
 
-/// What a search came to.
+/// The result of a search.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tuned {
-    /// The given model with the variables at their best.
+    /// The original model with the best values of the variables.
     pub model: Checked,
-    /// The figure of each objective of the given model.
+    /// The figure of each objective of the original model.
     pub before: Vec<Achieved>,
     /// The figure of each objective of the tuned model.
     pub after: Vec<Achieved>,
     /// Each variable.
     pub variables: Vec<Moved>,
     /// Each limit, of the tuned model.
-    pub limits: Vec<Kept>,
-    /// Where variables have tolerances, the worst over them.
+    pub limits: Vec<LimitOutcome>,
+    /// If variables have tolerances, the worst case over them.
     pub worst_case: Option<WorstCase>,
-    /// Models evaluated.
+    /// Number of evaluated models.
     pub evaluations: usize,
-    /// The seed it was found with.
+    /// The seed of the search.
     pub seed: u64,
     /// Why the search stopped.
     pub stop: Stop,
 }
 
-/// How many evaluations a search may take where nothing else is said.
+/// The default number of evaluations of a search.
 pub const fn default_budget(variables: usize) -> usize {
     const FIRST: usize = 500;
     const EACH: usize = 500;
     FIRST + EACH * variables
 }
 
-/// Searches the best model. `tell` is told of each improvement and now and then; the search waits for it. Where `cancel`
-/// becomes true the best so far is the result. It is never worse than the model as given, once that is within the
+/// Searches for the best model. Calls `tell` for each improvement and regularly in between; the search waits for it. If
+/// `cancel` becomes true, the best so far is the result. It is never worse than the original model, moved into the
 /// variables' bounds.
 ///
 /// # Errors
-/// Says that the objective has no finite value, not even where the search looked.
+/// A message if the objective has no finite value at any point of the search.
 pub fn run(
     problem: &Problem,
     options: &Options,
@@ -88,15 +87,15 @@ pub fn run(
         .budget
         .unwrap_or_else(|| default_budget(problem.variables()));
     let in_words = |cancelled: Cancelled| cancelled.to_string();
-    let scaled = Terrain::new(problem, &start, &never).map_err(in_words)?;
-    let terrain = scaled.until(cancel);
+    let scaled = MeritFunction::new(problem, &start, &never).map_err(in_words)?;
+    let merit_function = scaled.until(cancel);
     let mut search = Search {
-        terrain: &terrain,
+        merit_function: &merit_function,
         options: *options,
         budget,
         evaluations: 0,
         tell,
-        start: terrain.start,
+        start: merit_function.start,
     };
     let found = match only_curve(problem) {
         Some(curve) => search.fit(curve, &start),
@@ -119,7 +118,7 @@ pub fn run(
     })
 }
 
-/// The measured curve, where it alone is to be met: least squares.
+/// The measured curve, if it is the only objective: least squares.
 fn only_curve(problem: &Problem) -> Option<&Matching> {
     let [only] = &problem.aims[..] else {
         return None;
@@ -132,7 +131,7 @@ fn only_curve(problem: &Problem) -> Option<&Matching> {
     (problem.bounds.is_empty() && is_exact).then_some(curve)
 }
 
-/// The best point, and what is known of it.
+/// The best point with its results.
 struct Found {
     x: Vec<f64>,
     figure: f64,
@@ -140,9 +139,9 @@ struct Found {
     certainty: Certainty,
 }
 
-/// A search on its way.
+/// A running search.
 struct Search<'a> {
-    terrain: &'a Terrain<'a>,
+    merit_function: &'a MeritFunction<'a>,
     options: Options,
     budget: usize,
     evaluations: usize,
@@ -153,18 +152,18 @@ struct Search<'a> {
 
 impl Search<'_> {
     fn minimise(&mut self, start: &[f64], budget: usize) -> Found {
-        let terrain = self.terrain;
-        let figure = |goal: f64| terrain.figure(goal);
+        let merit_function = self.merit_function;
+        let figure = |goal: f64| merit_function.figure(goal);
         let options = search::Options {
             seed: self.options.seed,
         };
         let mut tell = self.teller(&figure, f64::INFINITY);
         let control = Control {
-            cancel: terrain.cancel,
+            cancel: merit_function.cancel,
             budget,
             tell: &mut tell,
         };
-        let outcome = minimise(terrain, start, options, control);
+        let outcome = minimise(merit_function, start, options, control);
         drop(tell);
         self.evaluations += outcome.evaluations;
         Found {
@@ -175,7 +174,7 @@ impl Search<'_> {
         }
     }
 
-    /// Least squares downhill from the start; then all over the box; then downhill from the best that was found there.
+    /// Least squares from the start; then the global search; then least squares from its best point.
     fn fit(&mut self, curve: &Matching, start: &[f64]) -> Found {
         let first = self.descend(curve, start, f64::INFINITY);
         let left = self.budget.saturating_sub(self.evaluations);
@@ -195,16 +194,23 @@ impl Search<'_> {
     }
 
     fn descend(&mut self, curve: &Matching, start: &[f64], best: f64) -> Found {
-        let terrain = self.terrain;
+        let merit_function = self.merit_function;
         let figure = |sum: f64| curve.of_squares(sum);
         let budget = self.budget.saturating_sub(self.evaluations);
         let mut tell = self.teller(&figure, best);
         let control = Control {
-            cancel: terrain.cancel,
+            cancel: merit_function.cancel,
             budget,
             tell: &mut tell,
         };
-        let estimate = fit(&Matched { terrain, curve }, start, control);
+        let estimate = fit(
+            &Matched {
+                merit_function,
+                curve,
+            },
+            start,
+            control,
+        );
         drop(tell);
         self.evaluations += estimate.evaluations;
         Found {
@@ -215,7 +221,7 @@ impl Search<'_> {
         }
     }
 
-    /// Tells what the search tells, as a person knows it; `figure` makes the figure of a goal.
+    /// Reports the progress of the search for display; `figure` converts a goal to a figure.
     fn teller<'b>(
         &'b mut self,
         figure: &'b impl Fn(f64) -> f64,
@@ -229,14 +235,14 @@ impl Search<'_> {
                 start: self.start,
                 best: figure(progress.merit.goal).min(best),
                 is_possible: progress.merit.is_possible(),
-                model: self.terrain.problem.tuned(&progress.best),
+                model: self.merit_function.problem.tuned(&progress.best),
             };
             (self.tell)(&status);
         }
     }
 }
 
-/// All that is to be said of the best point; none where the model has more modes than are listed.
+/// The report on the best point; `None` if the model has too many modes to list.
 fn report(
     problem: &Problem,
     start: &[f64],
@@ -244,16 +250,16 @@ fn report(
     never: &AtomicBool,
 ) -> Result<Option<Tuned>, Cancelled> {
     let given = problem.trial_as_given(never)?;
-    let trial = problem.trial_of(&problem.tuned(&found.x), never)?;
-    let Some((given, trial)) = given.zip(trial) else {
+    let candidate = problem.trial_of(&problem.tuned(&found.x), never)?;
+    let Some((given, candidate)) = given.zip(candidate) else {
         return Ok(None);
     };
     Ok(Some(Tuned {
         model: problem.tuned(&found.x),
         before: achieved(problem, &given)?,
-        after: achieved(problem, &trial)?,
+        after: achieved(problem, &candidate)?,
         variables: moved(problem, &found.x, &found.certainty),
-        limits: kept(problem, &trial)?,
+        limits: kept(problem, &candidate)?,
         worst_case: if uncertain(problem).is_empty() {
             None
         } else {
@@ -265,9 +271,9 @@ fn report(
     }))
 }
 
-/// Where a coordinate is.
+/// The position of a coordinate between its bounds.
 pub(super) fn place(x: f64) -> Place {
-    /// What a bound leaves to rounding.
+    /// Tolerance of a bound for rounding.
     const NEAR: f64 = 1e-9;
     if x <= NEAR {
         Place::AtMin

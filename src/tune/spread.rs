@@ -1,4 +1,4 @@
-//! What tolerances make of the responses: quantiles over random models.
+//! The effect of tolerances on the responses: quantiles over random models.
 
 use std::sync::atomic::AtomicBool;
 
@@ -9,29 +9,29 @@ use super::coordinates::Coordinate;
 use crate::model::{Checked, Fault, Model, Tune};
 use crate::solve::{Cancelled, sweep};
 
-/// Where the magnitude of one response lies, in its unit, a value a frequency.
+/// The distribution of the magnitude of one response, in its unit, one value per frequency.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spread {
     /// The response's name.
     pub name: String,
-    /// What 5 % of the models stay below.
+    /// The 5 % quantile.
     pub low: Vec<f64>,
-    /// What half of them stay below.
+    /// The median.
     pub median: Vec<f64>,
-    /// What 95 % of them stay below.
+    /// The 95 % quantile.
     pub high: Vec<f64>,
 }
 
-/// The quantiles that are given.
+/// The probabilities of the quantiles.
 const QUANTILES: [f64; 3] = [0.05, 0.5, 0.95];
 
-/// The 5, 50 and 95 % quantiles of |H| of every enabled response at some frequencies (Hz), over `samples` models whose
-/// variables lie anywhere within their tolerances about the model's own values, all equally likely and independent of
-/// each other; the same for the same seed. Quantiles are drawn linearly between the sorted values (Hyndman & Fan, The
-/// American Statistician 1996, 50, 361, definition 7).
+/// The 5, 50 and 95 % quantiles of |H| of every enabled response at some frequencies (Hz), over `samples` models with
+/// independent and uniform deviations of the variables within their tolerances about the model's own values; the same
+/// for the same seed. Quantiles are interpolated linearly between the sorted values (Hyndman & Fan, The American
+/// Statistician 1996, 50, 361, definition 7).
 ///
 /// # Errors
-/// A variable moves nothing, or tolerances together make an impossible model; inside, `cancel` became true before the
+/// A variable changes nothing, or tolerances together make an invalid model; inside, `cancel` became true before the
 /// end.
 pub fn spread(
     model: &Checked,
@@ -40,7 +40,7 @@ pub fn spread(
     frequencies: &[f64],
     cancel: &AtomicBool,
 ) -> Result<Result<Vec<Spread>, Cancelled>, Fault> {
-    /// Values held at a time.
+    /// Values in memory at a time.
     const MOST_VALUES: usize = 4_000_000;
     let models = models(model, tune, samples, seed)?;
     let names = model.responses.iter().filter(|response| response.enabled);

@@ -1,16 +1,16 @@
-//! What a tuning asks for in words, with units.
+//! Descriptions of `[tune]` in words, with units.
 
 use crate::model::edit::Value;
 use crate::model::schema::{AIMS, Access, Choice, LIMITS, Wording};
 use crate::model::{Hold, Limit, Model, Objective, Parameter, Spacing, Unit, Variable};
 use crate::unit::Kind;
 
-/// Two numbers with one unit, that in which the larger is shown: `0.1..100 MN/m`.
+/// Two numbers with one unit, in which the larger is shown: `0.1..100 MN/m`.
 pub fn range(from: f64, to: f64, unit: Unit) -> String {
     let large = if from.abs() > to.abs() { from } else { to };
     let shown = unit.format(large);
     let number = shown.split(' ').next().unwrap_or_default();
-    // The unit that is shown is a power of ten of the own one.
+    // The unit for display is a power of ten of the parameter's.
     let power = number
         .parse::<f64>()
         .map_or(0.0, |number| (large / number).log10().round());
@@ -25,7 +25,7 @@ pub fn band(objective: &Objective) -> String {
     range(objective.from, objective.to, Unit::HERTZ)
 }
 
-/// A level of a response in its unit: `1e-7 m`. Without a unit where there is no such motion.
+/// A level of a response in its unit: `1e-7 m`. Without a unit if there is no such motion.
 pub fn level(model: &Model, response: &str, value: f64) -> String {
     let found = model.responses.iter().find(|one| one.name == response);
     let dimension = found.and_then(|one| one.quantity.kind(None).motion());
@@ -34,7 +34,7 @@ pub fn level(model: &Model, response: &str, value: f64) -> String {
     format!("{number} {unit}").trim_end().to_owned()
 }
 
-/// The parameter whose bounds a variable has; none where it has no value now.
+/// The parameter to which the bounds of a variable apply; `None` if it has no value now.
 pub fn first_parameter(model: &Model, variable: &Variable) -> Option<Parameter> {
     let (first, _) = variable.parameters(model).ok()?.into_iter().next()?;
     Parameter::of(model, first).ok()
@@ -46,7 +46,7 @@ pub fn bounds(model: &Model, variable: &Variable) -> String {
     range(variable.min, variable.max, unit)
 }
 
-/// Everything about a variable, a line for each thing.
+/// The description of a variable, one line per property.
 pub fn variable(model: &Model, variable: &Variable) -> String {
     let parameters = variable.parameters(model).unwrap_or_default();
     let together = match (parameters.len(), variable.hold) {
@@ -77,7 +77,7 @@ pub fn variable(model: &Model, variable: &Variable) -> String {
     lines.join("\n")
 }
 
-/// Everything about an objective, its weight on a line of its own.
+/// The description of an objective, with its weight on a separate line.
 pub fn objective(model: &Model, objective: &Objective) -> String {
     let text = of_objective(model, objective, |wording| wording.whole);
     if objective.weight == 1.0 {
@@ -128,7 +128,7 @@ fn in_words<T>(
             .iter()
             .find(|(key, _)| key.key == wanted)
             .map_or_else(String::new, |(key, access)| match access {
-                // What has no unit of its own has that of the response.
+                // A value without its own unit has that of the response.
                 Access::Number(get, _) if key.unit == Unit::ONE => level(model, response, get(of)),
                 Access::Number(get, _) => key.unit.format(get(of)),
                 Access::Word(get, _) => key.spoken[get(of)].to_owned(),
@@ -138,8 +138,7 @@ fn in_words<T>(
     })
 }
 
-/// A wording in which values take the places of the keys in braces. What stands in brackets is left out where a value
-/// in it is empty.
+/// A wording with values in place of the keys in braces. A part in brackets is left out if a value in it is empty.
 fn filled(wording: &str, value: impl Fn(&str) -> String) -> String {
     let mut text = String::new();
     for (index, piece) in wording.split(['[', ']']).enumerate() {

@@ -8,7 +8,7 @@ use super::ExpectRequest;
 use super::curves::{spread, timed};
 use super::members::Labelled;
 use crate::model::{Checked, Sweep};
-use crate::solve::{Cancelled, Frf, Kept, frequencies, sweep};
+use crate::solve::{Cancelled, Frf, SweepCache, frequencies, sweep};
 
 /// Shared by the threads that solve curves, those that resolve them and those that prepare for an edit.
 #[derive(Debug, Clone, Default)]
@@ -25,7 +25,7 @@ struct Known {
 #[derive(Debug, Default)]
 struct Member {
     /// What lies beside the edits, for the frequencies of the sweep.
-    kept: Kept,
+    kept: SweepCache,
     few: Option<Few>,
     peaks: Option<Peaks>,
     /// Solved last, at all frequencies of its sweep.
@@ -40,7 +40,7 @@ struct Few {
     sweep: Sweep,
     /// Hz, rising.
     frequencies: Vec<f64>,
-    kept: Kept,
+    kept: SweepCache,
 }
 
 /// The frequencies between those of the sweep at which the last resolved curves have a peak or an anti-resonance.
@@ -136,7 +136,7 @@ impl Memory {
         let (_, edited) = solved.first()?;
         let pending = self.of(0, |member| member.pending.clone());
         let comes = |ExpectRequest { model, edited: one }: ExpectRequest| {
-            Kept::would_serve(&model, &one, edited)
+            SweepCache::would_serve(&model, &one, edited)
         };
         if pending.is_some_and(comes) {
             return None;
@@ -200,7 +200,7 @@ impl Memory {
         cancel: &AtomicBool,
     ) -> Result<(), Cancelled> {
         let found = |frequencies: &[f64]| {
-            let mut kept = Kept::default();
+            let mut kept = SweepCache::default();
             kept.expect(model, edited, frequencies, cancel)?;
             Ok(kept.knows(edited, frequencies).then_some(kept))
         };

@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use super::lane::guarded;
 use crate::model::Checked;
 use crate::solve::Cancelled;
-use crate::solve::sensitivity::{Figure, Sensitivity, effects, lack};
+use crate::solve::sensitivity::{Figure, Sensitivity, effects, unavailable};
 
 /// What is to be differentiated of which model.
 #[derive(Debug, Clone)]
@@ -39,7 +39,7 @@ pub(super) fn answer(
     let found = result.as_ref().ok();
     Ok(SensitivityAnswer {
         serial: request.serial,
-        lack: found.and_then(|found| lack(&request.model, &request.figure, found)),
+        lack: found.and_then(|found| unavailable(&request.model, &request.figure, found)),
         result,
     })
 }

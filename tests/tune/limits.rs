@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 
 use beamtune::model::{Hold, Limit, Model, Variable};
 use beamtune::tune::search::{Landscape, Merit};
-use beamtune::tune::{Problem, Terrain, Tuned};
+use beamtune::tune::{MeritFunction, Problem, Tuned};
 
 use crate::absorber::{self, ABSORBER, MASS, STIFFNESS, mean_square, receptance_on, tuned};
 
@@ -166,10 +166,13 @@ fn a_trial_with_too_many_modes_is_the_worst() {
     let problem = Problem::new(&checked(&model), Path::new(".")).unwrap();
     let never = AtomicBool::new(false);
     let mut point = problem.point_of(&checked(&model));
-    let terrain = Terrain::new(&problem, &point, &never).unwrap();
+    let merit_function = MeritFunction::new(&problem, &point, &never).unwrap();
     point[2] = 0.0;
-    assert_eq!(terrain.merit(&point), Ok(Merit::WORST));
-    assert_eq!(terrain.evaluate(&point).unwrap().merit(), Merit::WORST);
+    assert_eq!(merit_function.merit(&point), Ok(Merit::WORST));
+    assert_eq!(
+        merit_function.evaluate(&point).unwrap().merit(),
+        Merit::WORST
+    );
 }
 
 /// Closed form: each variable is possible at its bounds, the largest area and the least polar moment together are not:
@@ -185,12 +188,20 @@ fn a_trial_that_variables_make_impossible_together_is_the_worst() {
     let problem = Problem::new(&checked(&model), Path::new(".")).unwrap();
     let never = AtomicBool::new(false);
     let mut point = problem.point_of(&checked(&model));
-    let terrain = Terrain::new(&problem, &point, &never).unwrap();
+    let merit_function = MeritFunction::new(&problem, &point, &never).unwrap();
     (point[2], point[3]) = (1.0, 0.0);
-    assert_eq!(terrain.merit(&point), Ok(Merit::WORST));
-    assert_eq!(terrain.evaluate(&point).unwrap().merit(), Merit::WORST);
+    assert_eq!(merit_function.merit(&point), Ok(Merit::WORST));
+    assert_eq!(
+        merit_function.evaluate(&point).unwrap().merit(),
+        Merit::WORST
+    );
     point[3] = 1.0;
-    assert!(terrain.merit(&point).unwrap().is_better_than(&Merit::WORST));
+    assert!(
+        merit_function
+            .merit(&point)
+            .unwrap()
+            .is_better_than(&Merit::WORST)
+    );
 }
 
 /// Expected: by its wave numbers the beam has more modes than are listed up to there.

@@ -4,7 +4,7 @@ use crate::cli::padded;
 use crate::escape::escape;
 use crate::model::{Aim, Checked, Limit, Unit, Variable, counted, path};
 use crate::tune::words::{bounds, first_parameter, level, of_objective, range};
-use crate::tune::{Achieved, Kept, Moved, Place, Tuned, WorstCase};
+use crate::tune::{Achieved, LimitOutcome, Moved, Place, Tuned, WorstCase};
 
 /// One thing that was changed or reached.
 struct Row {
@@ -239,7 +239,7 @@ fn limits(model: &Checked, tuned: &Tuned) -> Vec<Row> {
         .collect()
 }
 
-fn limit(model: &Checked, kept: &Kept) -> Row {
+fn limit(model: &Checked, kept: &LimitOutcome) -> Row {
     let (what, after, wanted) = match &kept.limit {
         Limit::AddedMass { at_most } => {
             let mass = |value| Unit::KILOGRAM.format(value);

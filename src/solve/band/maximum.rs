@@ -1,4 +1,4 @@
-//! The highest point of each response in a band, drawn in from the samples of the integral.
+//! The highest point of each response in a band, refined from the samples of the integral.
 
 use std::sync::atomic::AtomicBool;
 
@@ -6,17 +6,17 @@ use super::{Sample, samples};
 use crate::model::{Checked, Quantity};
 use crate::solve::Cancelled;
 
-/// A local maximum lower than this share of the highest sample is not the highest point: samples lie so near that none
-/// misses a top by more.
+/// A local maximum below this fraction of the highest sample cannot be the highest point: samples are dense enough that
+/// none is farther below its peak.
 const LIKELY: f64 = 0.5;
 
-/// Most of them that are looked at; a response with more is rounding.
+/// The most maxima to refine; a response with more of them is rounding noise.
 const MOST_TOPS: usize = 8;
 
-/// Each round leaves a quarter of the bracket: enough to make 1e-12 of the height out of a step.
+/// Each round reduces the bracket to a quarter: enough to reach 1e-12 of the height.
 const ROUNDS: usize = 10;
 
-/// Frequencies inside a bracket that a round looks at.
+/// Frequencies per round inside a bracket.
 const INSIDE: usize = 7;
 
 /// A highest point.
@@ -50,7 +50,7 @@ struct Bracket {
     best: [f64; 2],
 }
 
-/// The highest point of each response; `solved` are by rising frequency and lie inside the band.
+/// The highest point of each response; `solved` are by ascending frequency and inside the band.
 pub(super) fn tops(
     model: &Checked,
     solved: &[Sample],
@@ -84,7 +84,7 @@ pub(super) fn tops(
     Ok(responses.enumerate().map(top).collect())
 }
 
-/// The samples that may be next to the highest point of a response, each between its neighbours.
+/// The samples that may be next to the highest point of a response, each with its neighbours.
 fn likely(all: &[Sample], response: usize) -> Vec<Bracket> {
     let power = |index: usize| all[index].powers[response];
     let highest = (0..all.len()).map(power).fold(0.0, f64::max);
@@ -108,7 +108,7 @@ fn likely(all: &[Sample], response: usize) -> Vec<Bracket> {
     tops.into_iter().map(bracket).collect()
 }
 
-/// Looks closer at each bracket and leaves the steps beside its highest point.
+/// Samples each bracket more finely and shrinks it to the neighbours of its highest point.
 fn narrow(model: &Checked, brackets: &mut [Bracket], cancel: &AtomicBool) -> Result<(), Cancelled> {
     let inside = |bracket: &Bracket| -> [f64; INSIDE] {
         let [from, to] = bracket.ends;

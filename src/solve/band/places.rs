@@ -1,16 +1,16 @@
-//! Where a band is cut for its integral: near a resonance in steps that grow with the distance from it.
+//! Division of a band for its integral: near a resonance in steps that grow with the distance from it.
 
 use crate::solve::modes::{ModeKind, Modes};
 use crate::solve::peaks::{centre, half_width, is_pole};
 
-/// How near to the end of a band a pole counts as in it, relative.
+/// Relative distance within which a pole next to a band counts as inside.
 const AT_END: f64 = 1e-9;
 
-/// Steps away from a resonance grow by this factor: a piece is then as long as three times its distance from the
-/// resonance, where fifteen points give eleven digits.
+/// The steps away from a resonance grow by this factor: a piece is then three times as long as its distance from the
+/// resonance, and fifteen points give eleven digits.
 const GROWTH: f64 = 4.0;
 
-/// A resonance beside which a response varies over some width, both Hz.
+/// A resonance and the width over which responses vary near it, both Hz.
 #[derive(Debug, Clone, Copy)]
 struct Resonance {
     centre: f64,
@@ -24,19 +24,19 @@ pub(super) fn poles(modes: &Modes, band: [f64; 2]) -> impl Iterator<Item = f64> 
     all.filter(|mode| is_pole(mode)).map(centre).filter(inside)
 }
 
-/// The ends of a band and the places between them at which to cut it, Hz, rising.
+/// The ends of a band and the division points between them, Hz, ascending.
 pub(super) fn cuts(modes: &Modes, band: [f64; 2]) -> Vec<f64> {
     let resonances = resonances(modes, band);
     let mut cuts: Vec<f64> = poles(modes, band).collect();
     for (index, one) in resonances.iter().enumerate() {
-        // Beyond the middle the neighbour's steps are the finer ones.
+        // Beyond the middle the neighbour's steps are finer.
         let middle = |other: &Resonance| 0.5 * (one.centre + other.centre);
         let left = index
             .checked_sub(1)
             .map_or(0.0, |left| middle(&resonances[left]));
         let right = resonances.get(index + 1).map_or(f64::INFINITY, middle);
         let (low, high) = (left.max(band[0]), right.min(band[1]));
-        // No piece holds two resonances.
+        // Each piece holds at most one resonance.
         cuts.push(high);
         let mut step = one.width;
         while one.centre - step > low || one.centre + step < high {
@@ -55,18 +55,18 @@ pub(super) fn cuts(modes: &Modes, band: [f64; 2]) -> Vec<f64> {
     cuts
 }
 
-/// All modes by rising centre; those that fall together are one, as narrow as the narrowest.
+/// All modes by ascending centre; coinciding ones are merged, with the smallest width.
 fn resonances(modes: &Modes, band: [f64; 2]) -> Vec<Resonance> {
-    /// The least of any, relative to its frequency: rounding makes as much.
+    /// The smallest relative width of a mode: rounding.
     const LEAST: f64 = 1e-9;
-    /// Of an undamped mode, relative to its frequency: what responses do that it does not move.
+    /// The relative width of an undamped mode, for responses that do not move in it.
     const UNDAMPED: f64 = 0.01;
     let all = modes.modes.iter().chain(&modes.beyond).map(|mode| {
         let (centre, half_width) = match mode.kind {
             ModeKind::RigidBody => (0.0, 0.0),
             ModeKind::Oscillating | ModeKind::Overdamped => (centre(mode), half_width(mode)),
         };
-        // From outside of the band the nearest of it is what counts.
+        // For a mode outside of the band the nearest point of the band counts.
         let outside = (band[0] - centre).max(centre - band[1]).max(0.0);
         let least = if half_width == 0.0 { UNDAMPED } else { LEAST };
         Resonance {

@@ -6,17 +6,17 @@ use super::{Sample, samples};
 use crate::model::Checked;
 use crate::solve::Cancelled;
 
-/// What is asked of every mean, relative.
+/// Relative tolerance of every mean.
 const TOLERANCE: f64 = 1e-8;
 
-/// Most frequencies that are solved.
+/// Most frequencies.
 const MOST_FREQUENCIES: usize = 30_000;
 
-/// Frequencies of a piece.
+/// Frequencies per piece.
 const NODES: usize = 15;
 
-/// Nodes of the rule on [-1, 1], those that are not negative, with the weights of the 15-point rule and of the 7-point
-/// rule (none where it has no node). Source: QUADPACK (Piessens et al. 1983), routine QK15.
+/// The non-negative nodes of the rule on [-1, 1], with the weights of the 15-point rule and of the 7-point rule (`None`
+/// if it has no such node). Source: QUADPACK (Piessens et al. 1983), routine QK15.
 const RULE: [(f64, f64, f64); 8] = [
     (0.0, 0.209_482_141_084_727_83, 0.417_959_183_673_469_4),
     (0.207_784_955_007_898_47, 0.204_432_940_075_298_9, 0.0),
@@ -45,9 +45,9 @@ const RULE: [(f64, f64, f64); 8] = [
 pub(super) struct Integral {
     /// The mean of each response's power.
     pub(super) means: Vec<f64>,
-    /// All that was solved, by rising frequency.
+    /// All solved samples, by ascending frequency.
     pub(super) samples: Vec<Sample>,
-    /// The frequencies (Hz) from which the means come, with their weights, which add up to 1.
+    /// The frequencies (Hz) of the means with their weights, whose sum is 1.
     pub(super) rule: Vec<[f64; 2]>,
 }
 
@@ -59,12 +59,12 @@ struct Piece {
     estimates: Vec<Estimate>,
 }
 
-/// A piece that is to be integrated.
+/// A piece to be integrated.
 #[derive(Debug)]
 struct Wanted {
     from: f64,
     to: f64,
-    /// What is known of the piece whose half it is.
+    /// The result for the piece of which it is a half, if any.
     whole: Option<Vec<Estimate>>,
 }
 
@@ -74,12 +74,12 @@ struct Estimate {
     value: f64,
     /// The difference of the two rules.
     difference: f64,
-    /// About what the value may err; 0 where all that is left is rounding.
+    /// The estimated error of the value; 0 if only rounding is left.
     error: f64,
 }
 
-/// The means over the pieces between `cuts` (Hz, rising). A response with a pole has no finite mean and is not waited
-/// for.
+/// The means over the pieces between `cuts` (Hz, ascending). A response with a pole has no finite mean and does not
+/// delay convergence.
 pub(super) fn integrate(
     model: &Checked,
     cuts: &[f64],
@@ -130,13 +130,13 @@ fn total(pieces: &[Piece], response: usize, of: impl Fn(&Estimate) -> f64) -> f6
         .sum()
 }
 
-/// The pieces that must be halved, and the others.
+/// The pieces to halve, and the others.
 fn split(pieces: Vec<Piece>, poles: &[Option<f64>]) -> (Vec<Piece>, Vec<Piece>) {
     let share = |response: usize| {
         let allowed = TOLERANCE * total(&pieces, response, |estimate| estimate.value);
         let left = total(&pieces, response, |estimate| estimate.error);
         let waits = poles[response].is_none() && left > allowed;
-        // Some piece errs more than its share as long as all together do.
+        // While the total error is too large, some piece exceeds its share.
         waits.then(|| allowed / pieces.len() as f64)
     };
     let shares: Vec<Option<f64>> = (0..poles.len()).map(share).collect();
@@ -218,7 +218,7 @@ impl Estimate {
         }
     }
 
-    /// Halving makes a smooth response's difference many times smaller; where it does not, the rest is rounding.
+    /// Halving reduces a smooth response's difference many times; if not, the rest is rounding.
     fn settled_beside(self, whole: Option<Self>) -> Self {
         let stays = whole.is_some_and(|whole| self.difference > 0.125 * whole.difference);
         Self {

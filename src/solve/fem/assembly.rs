@@ -1,4 +1,4 @@
-//! The matrices K, C and M of the whole model, as one band, with its loads and readings.
+//! The matrices K, C and M of the whole model, as one band, with its loads and outputs.
 
 use num_complex::Complex64;
 
@@ -7,7 +7,7 @@ use super::mesh::{Mesh, Unknown};
 use crate::model::{BeamMotion, Measure, Restraint, Spring, Subsystem};
 use crate::solve::layout::{Layout, Reading};
 
-/// What resists a stretch: what a frequency makes one complex stiffness of.
+/// The resistance to a stretch: the terms of its complex stiffness.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Resistance {
     /// The beam's own stiffness, which the loss factor makes complex.
@@ -28,12 +28,12 @@ impl Resistance {
     }
 }
 
-/// A stretch, a sum of unknowns times `factors`, and what resists it: an element's strain or a spring.
+/// A stretch, a sum of unknowns times `factors`, and its resistance: an element's strain or a spring.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Stretch {
     pub(super) unknowns: [usize; 6],
     pub(super) factors: [f64; 6],
-    /// How many of the six are used.
+    /// The number of used entries, up to six.
     pub(super) terms: usize,
     pub(super) by: Resistance,
 }
@@ -46,16 +46,16 @@ pub(super) struct Inertia {
     pub(super) value: f64,
 }
 
-/// Where a response is read in the solution.
+/// The output of a response in the solution.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Source {
     Held,
-    /// The mean of two unknowns, which are the same but for a psi' that jumps.
+    /// The mean of two unknowns, which are equal except for a psi' that jumps.
     Motion([usize; 2], Measure),
     Energy,
 }
 
-/// An element in the energy: the unknowns of (w, psi, v), and the span that it lies in.
+/// An element in the energy: the unknowns of (w, psi, v), and its span.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Element {
     pub(super) fields: [[Unknown; 4]; 3],
@@ -64,8 +64,8 @@ pub(super) struct Element {
 
 /// A meshed model.
 ///
-/// K is the sum of `factors^T k factors` over all stretches, never stored as such: the entries of an assembled K
-/// cancel against each other on a smooth shape, the stretches do not.
+/// K is the sum of `factors^T k factors` over all stretches, never stored as a matrix: the entries of an assembled K
+/// cancel against each other for a smooth shape, the stretches do not.
 #[derive(Debug, Clone, Default)]
 pub(super) struct System {
     pub(super) unknowns: usize,
@@ -162,7 +162,7 @@ impl System {
         }
     }
 
-    /// Adds a stretch of at most six unknowns; those that are held do not move.
+    /// Adds a stretch of at most six unknowns; fixed ones do not move.
     fn add_stretch(&mut self, unknowns: &[Unknown], factors: &[f64], by: Resistance) {
         if [by.elastic, by.stiffness, by.damping] == [0.0; 3] {
             return;
@@ -231,7 +231,7 @@ impl System {
         }
     }
 
-    /// The entries of the undamped stiffness matrix, to be added up.
+    /// The entries of the undamped stiffness matrix, to be summed.
     pub(super) fn stiffness(&self, mut add: impl FnMut(usize, usize, f64)) {
         for stretch in &self.stretches {
             let k = stretch.by.elastic + stretch.by.stiffness;
@@ -239,7 +239,7 @@ impl System {
         }
     }
 
-    /// The entries of the mass matrix, to be added up.
+    /// The entries of the mass matrix, to be summed.
     pub(super) fn mass(&self, mut add: impl FnMut(usize, usize, f64)) {
         for inertia in &self.inertias {
             add(inertia.row, inertia.column, inertia.value);
@@ -256,7 +256,7 @@ impl Stretch {
             .map(|(&unknown, factor)| (unknown, factor))
     }
 
-    /// Gives the products of the factors by pairs of unknowns.
+    /// Passes on the products of the factors by pairs of unknowns.
     pub(super) fn products(&self, mut give: impl FnMut(usize, usize, f64)) {
         for (row, of_row) in self.pairs() {
             for (column, of_column) in self.pairs() {
@@ -283,7 +283,7 @@ fn springs(s: &Subsystem) -> [(Spring, [f64; 6]); 4] {
     ]
 }
 
-/// Loads on the unknowns; those on motions that are held go into the ground.
+/// Loads on the unknowns; those on fixed motions go into the ground.
 fn loads(layout: &Layout, mesh: &Mesh) -> Vec<Complex64> {
     let mut out = vec![Complex64::ZERO; mesh.unknowns];
     let mut add = |unknowns: &[Unknown], loads: &[Complex64]| {

@@ -1,8 +1,8 @@
 //! A complex band matrix and its factors.
 //!
-//! Pivoting within the band follows Golub & Van Loan, *Matrix Computations*, Section 4.3.3: rows that change places
-//! widen the upper band from b to 2b and no more. The matrices are symmetric, but indefinite above the first
-//! resonance, so that a symmetric elimination without pivoting could lose digits.
+//! Pivoting within the band follows Golub & Van Loan, *Matrix Computations*, Section 4.3.3: row exchanges widen the
+//! upper band from b to at most 2b. The matrices are symmetric, but indefinite above the first resonance, so that a
+//! symmetric elimination without pivoting could lose digits.
 
 use num_complex::Complex64;
 
@@ -11,16 +11,16 @@ use num_complex::Complex64;
 pub(super) struct Band {
     unknowns: usize,
     half_width: usize,
-    /// Rows of `3 half_width + 1`, from the lowest column that may be there; the last `half_width` are for pivoting.
+    /// Rows of `3 half_width + 1`, from the lowest possible column; the last `half_width` are for pivoting.
     entries: Vec<Complex64>,
-    /// The row that came to each diagonal.
+    /// The row exchanged with each diagonal row.
     pivots: Vec<usize>,
-    /// The last column that rows brought up so far may reach.
+    /// The last column that the exchanged rows so far may reach.
     reach: usize,
 }
 
 impl Band {
-    /// Makes all entries zero, of a matrix of this size.
+    /// Sets the size and makes all entries zero.
     pub(super) fn clear(&mut self, unknowns: usize, half_width: usize) {
         self.unknowns = unknowns;
         self.half_width = half_width;
@@ -29,14 +29,14 @@ impl Band {
             .resize(unknowns * (3 * half_width + 1), Complex64::ZERO);
     }
 
-    /// Row `row` from the lowest column within the band, `2 half_width + 1` entries; those outside the matrix are not
-    /// looked at.
+    /// Row `row` from the lowest column within the band, `2 half_width + 1` entries; those outside the matrix are
+    /// ignored.
     pub(super) fn row_mut(&mut self, row: usize) -> &mut [Complex64] {
         let start = row * (3 * self.half_width + 1);
         &mut self.entries[start..=start + 2 * self.half_width]
     }
 
-    /// Where an entry is; `column` within the band.
+    /// Index of an entry; `column` within the band.
     fn at(&self, row: usize, column: usize) -> usize {
         row * (3 * self.half_width + 1) + column + self.half_width - row
     }
@@ -53,7 +53,7 @@ impl Band {
 
     /// Replaces the matrix by its factors.
     ///
-    /// Blocks that are not coupled stay so: nothing is added where the factor is exactly zero.
+    /// Uncoupled blocks stay uncoupled: a factor of exactly zero adds nothing.
     pub(super) fn factor(&mut self) {
         self.pivots.clear();
         self.reach = 0;
@@ -63,7 +63,7 @@ impl Band {
         }
     }
 
-    /// Exchanges rows so that the largest entry of the pivot's column stands on the diagonal.
+    /// Exchanges rows so that the largest entry of the pivot's column is on the diagonal.
     fn bring_largest(&mut self, pivot: usize) {
         let mut best = pivot;
         let mut largest = -1.0;
@@ -83,7 +83,7 @@ impl Band {
         self.pivots.push(best);
     }
 
-    /// Subtracts the pivot's row from those below, where the factors stay.
+    /// Subtracts the pivot's row from those below and stores the factors there.
     fn eliminate(&mut self, pivot: usize) {
         let width = self.reach - pivot;
         let diagonal = self.at(pivot, pivot);
@@ -103,8 +103,8 @@ impl Band {
         }
     }
 
-    /// Turns `x` from the right-hand side into the solution, by the factors; a singular matrix gives values that are
-    /// not finite.
+    /// Solves for the right-hand side `x` in place, with the factors; a singular matrix gives values that are not
+    /// finite.
     pub(super) fn solve(&self, x: &mut [Complex64]) {
         for pivot in 0..self.unknowns {
             x.swap(pivot, self.pivots[pivot]);

@@ -1,10 +1,10 @@
-//! The cubic shape functions of Hermite, and what an element of them stores.
+//! The cubic Hermite shape functions, and the energy of an element with them.
 
-/// Coefficients of a cubic of s = x / h in [0, 1], by rising power.
+/// Coefficients of a cubic of s = x / h in [0, 1], by ascending power.
 type Cubic = [f64; 4];
 
-/// The four cubics whose value or slope (d/ds) is 1 at one end and 0 in the other three places: value and slope at
-/// the left end, value and slope at the right end.
+/// The four cubics with 1 for one and 0 for the other three of: value and slope (d/ds) at the left end, value and slope
+/// at the right end.
 const SHAPES: [Cubic; 4] = [
     [1.0, 0.0, -3.0, 2.0],
     [0.0, 1.0, -2.0, 1.0],
@@ -22,10 +22,10 @@ pub(super) struct Strain {
 
 /// The strain energy `1/2 int (bending u''^2 + torsion u'^2) dx` of a cubic u over an element of length `h`, as squares.
 ///
-/// With t in [-1/2, 1/2] along the element, turn = u'(h) - u'(0), rise = u(h) - u(0) and lag = h (u'(0) + u'(h))/2 - rise,
-/// the cubic has `h u' = rise + turn h t + lag (6 t^2 - 1/2)`. The three functions of t are orthogonal with the squares
-/// 1, 1/12 and 1/5, their derivatives with 0, 1 and 12. Unlike the entries of the stiffness matrix, which cancel when they
-/// meet a smooth shape, turn, rise and lag are small where the strain is.
+/// With t in [-1/2, 1/2] along the element, turn = u'(h) - u'(0), rise = u(h) - u(0) and lag = h (u'(0) + u'(h))/2 -
+/// rise, the cubic has `h u' = rise + turn h t + lag (6 t^2 - 1/2)`. The three functions of t are orthogonal with the
+/// squares 1, 1/12 and 1/5, their derivatives with 0, 1 and 12. The entries of the stiffness matrix cancel for a smooth
+/// shape; turn, rise and lag are small when the strain is.
 pub(super) fn strains(h: f64, bending: f64, torsion: f64) -> [Strain; 3] {
     [
         Strain {

@@ -3,14 +3,14 @@
 use crate::model::{BeamMotion, Subsystem};
 use crate::solve::layout::Layout;
 
-/// The number of an unknown; `None` where a support holds the motion.
+/// The number of an unknown; `None` if a support fixes the motion.
 pub(super) type Unknown = Option<usize>;
 
-/// A node: the numbers of (w, psi, v, w', psi', v') as the elements on its two sides know them.
+/// A node: the numbers of (w, psi, v, w', psi', v') for the elements on its two sides.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Node {
     pub(super) of_left_element: [Unknown; 6],
-    /// Differs in psi' alone, and only without warping stiffness: a torque makes the rate of twist jump there.
+    /// Differs only in psi', and only without warping stiffness: a torque makes the rate of twist jump there.
     pub(super) of_right_element: [Unknown; 6],
 }
 
@@ -19,9 +19,9 @@ pub(super) struct Node {
 pub(super) struct Mesh {
     pub(super) unknowns: usize,
     pub(super) nodes: Vec<Node>,
-    /// The span that each element lies in, by rising x.
+    /// The span of each element, by ascending x.
     pub(super) spans: Vec<usize>,
-    /// The node of each place of the layout.
+    /// The node of each position of the layout.
     pub(super) places: Vec<usize>,
     /// The numbers of (y, z, theta) of each subsystem of the layout.
     pub(super) masses: Vec<[Unknown; 3]>,
@@ -62,8 +62,8 @@ impl Mesh {
     fn add_place(&mut self, layout: &Layout, place: usize) {
         let support = layout.support(place);
         let numbers = BeamMotion::ALL.map(|motion| {
-            // What holds psi' of a section without warping stiffness acts over no length: the twist beside it does
-            // not know, so the cubic's slope stays free. (Held, it would spoil the order of convergence.)
+            // A restraint of psi' of a section without warping stiffness acts over a length of 0 and does not affect
+            // the twist next to it, so the cubic's slope stays free. (Fixing it would reduce the order of convergence.)
             let unknown_to_elements = motion == BeamMotion::PsiSlope && layout.without_warping();
             let held = support.is_some_and(|support| layout.holds(support, motion));
             (unknown_to_elements || !held).then(|| self.next())
@@ -88,8 +88,8 @@ impl Mesh {
     }
 }
 
-/// Whether a mass has anything to turn: an inertia, or a z spring or damper on an arm. Else theta has no equation, and
-/// is said to be 0.
+/// Whether the rotation of a mass has an inertia, or a z spring or damper on an arm. Otherwise theta has no equation,
+/// and is 0.
 fn can_turn(subsystem: &Subsystem) -> bool {
     let turned = |spring: crate::model::Spring, arm: f64| {
         arm != 0.0 && (spring.stiffness != 0.0 || spring.damping != 0.0)

@@ -1,27 +1,27 @@
-//! The conventional finite elements that bear witness for the exact solver.
+//! Conventional finite elements, an independent reference for the exact solver.
 //!
-//! Bernoulli-Euler bending of w and v and torsion with warping of psi, each by Hermite's cubics: two nodes an element,
-//! six unknowns a node (w, psi, v and their slopes), consistent mass with the coupling by `z_c`, three unknowns more for
-//! the mass of every subsystem (Chen & Liu, Mathematics 2022, 10(16), 2849, Section 3 and Appendix E). The receptance
-//! follows from `((1 + i eta) K + K_s + i omega C - omega^2 M) x = F` at each frequency. The matrices are made from the
-//! shape functions and the stretches of the springs; no formula of the exact solver is used.
+//! Bernoulli-Euler bending of w and v and torsion with warping of psi, each with Hermite cubics: two nodes per element,
+//! six unknowns per node (w, psi, v and their slopes), consistent mass with the coupling by `z_c`, three more unknowns
+//! for the mass of every subsystem (Chen & Liu, Mathematics 2022, 10(16), 2849, Section 3 and Appendix E). The
+//! receptance follows from `((1 + i eta) K + K_s + i omega C - omega^2 M) x = F` at each frequency. The matrices come
+//! from the shape functions and the stretches of the springs, without any formula of the exact solver.
 //!
-//! A natural frequency comes out too high by a share of (k h)^4 / 1440 where k is the wave number of its mode and h the
-//! length of an element, so every smooth measure of the error falls with the fourth power of h, as long as rounding (which
-//! grows like h^-4 towards low frequencies) allows.
+//! A natural frequency is too high by a fraction (k h)^4 / 1440, where k is the wave number of its mode and h the
+//! length of an element, so every smooth measure of the error falls with the fourth power of h, until rounding (which
+//! grows like h^-4 towards low frequencies) dominates.
 //!
-//! Without warping stiffness (`Gamma_0` = 0) the elements are the same, less the term of psi''. A torque then makes the
-//! rate of twist jump, so each place inside the beam has two unknowns psi', whose mean is what is read; and what holds
-//! psi' at an end leaves the twist beside it alone.
+//! Without warping stiffness (`Gamma_0` = 0) the elements are the same without the term of psi''. A torque then makes
+//! the rate of twist jump, so each position inside the beam has two unknowns psi', and a response reads their mean; a
+//! restraint of psi' at an end does not affect the twist next to it.
 
 mod assembly;
 mod band;
 mod hermite;
 mod mesh;
-mod natural;
 mod solution;
 mod twofold;
 
+use nalgebra::{Cholesky, DMatrix};
 use std::sync::atomic::AtomicBool;
 
 use self::assembly::System;
@@ -31,25 +31,25 @@ use super::layout::Layout;
 use super::sweep::{Frf, one_by_one};
 use crate::model::{Checked, Model};
 
-/// Elements a length of 2 pi / kappa of the shortest wave, travelling or decaying, at the top of the sweep.
+/// Elements per wavelength 2 pi / kappa of the shortest wave, travelling or decaying, at the top of the sweep.
 const ELEMENTS_A_WAVE: f64 = 60.0;
 /// The fewest and the most elements that [`default_elements`] gives.
 const BOUNDS: (f64, f64) = (16.0, 1000.0);
-/// Places nearer than this share of the length are one: an element so much shorter than the others would cost the
-/// digits that it gives.
+/// Positions closer than this fraction of the length are merged: an element so much shorter than the others would cost
+/// more digits than it adds.
 const MERGE: f64 = 1e-6;
 
 /// A model with its mesh.
 #[derive(Debug, Clone)]
 pub struct FiniteElements<'a> {
     layout: Layout<'a>,
-    /// Elements in each span between the places where something acts or is read.
+    /// Elements in each span between the positions of loads, subsystems and responses.
     divisions: Vec<usize>,
 }
 
 impl<'a> FiniteElements<'a> {
-    /// Divides the beam of a checked model into about `elements` elements of nearly equal length, with a node wherever
-    /// there is a subsystem, a load or a response: at least one element a span, so there may be more than asked.
+    /// Divides the beam of a checked model into about `elements` elements of nearly equal length, with a node at every
+    /// subsystem, load and response: at least one element per span, so there may be more than requested.
     pub fn new(model: &'a Model, elements: usize) -> Self {
         let layout = Layout::new(model, MERGE * model.beam.length);
         let per_length = elements.max(1) as f64 / model.beam.length;
@@ -70,7 +70,7 @@ impl<'a> FiniteElements<'a> {
         }
     }
 
-    /// How many elements there are.
+    /// The number of elements.
     pub fn elements(&self) -> usize {
         self.divisions.iter().sum()
     }
@@ -92,12 +92,12 @@ impl<'a> FiniteElements<'a> {
         )
     }
 
-    /// The lowest `count` undamped natural frequencies, Hz, rising; rigid-body ones near 0.
+    /// The lowest `count` undamped natural frequencies, Hz, ascending; rigid-body ones near 0.
     ///
-    /// Dense: meant for some hundred elements. Loss factor and dampers are left out.
+    /// Dense: for some hundred elements. Ignores loss factor and dampers.
     pub fn natural_frequencies(&self, count: usize) -> Vec<f64> {
         let system = System::new(&self.layout, &self.divisions);
-        natural::frequencies(self.layout.model, &system, count)
+        lowest_frequencies(self.layout.model, &system, count)
     }
 }
 
@@ -119,8 +119,8 @@ pub fn natural_frequencies(model: &Checked, elements: usize, count: usize) -> Ve
     FiniteElements::new(model, elements).natural_frequencies(count)
 }
 
-/// Elements enough for the model's sweep: 60 a wave of the shortest bending, torsion or warping wave at its highest
-/// frequency, taken as if bending and torsion were not coupled; at least 16, at most 1,000.
+/// Enough elements for the model's sweep: 60 per wavelength of the shortest bending, torsion or warping wave at its
+/// highest frequency, without the coupling of bending and torsion; at least 16, at most 1,000.
 pub fn default_elements(model: &Checked) -> usize {
     let (section, material) = (&model.beam.section, &model.beam.material);
     let (e, g, density) = (
@@ -143,4 +143,42 @@ pub fn default_elements(model: &Checked) -> usize {
     };
     let waves = model.beam.length * bending.max(twist) / std::f64::consts::TAU;
     (ELEMENTS_A_WAVE * waves).clamp(BOUNDS.0, BOUNDS.1).ceil() as usize
+}
+
+/// The lowest `count` undamped natural frequencies, Hz, ascending; rigid-body ones are near 0. At most as many as
+/// unknowns, and none if the arithmetic fails.
+///
+/// K x = lambda M x is solved as the largest mu of `M x = mu (K + sigma M) x`, lambda = 1/mu - sigma: K may be singular
+/// (rigid-body motions) and M too (a mass without moment of inertia), their sum is not.
+fn lowest_frequencies(model: &Model, system: &System, count: usize) -> Vec<f64> {
+    let shift = shift(model);
+    let mut mass = DMatrix::<f64>::zeros(system.unknowns, system.unknowns);
+    system.mass(|row, column, value| mass[(row, column)] += value);
+    let mut sum = &mass * shift;
+    system.stiffness(|row, column, value| sum[(row, column)] += value);
+    let Some(lower) = Cholesky::new(sum).map(Cholesky::unpack) else {
+        return Vec::new();
+    };
+    // L^-1 M L^-T has the same mu.
+    let reduced = lower
+        .solve_lower_triangular(&mass)
+        .and_then(|half| lower.solve_lower_triangular(&half.transpose()));
+    let Some(reduced) = reduced else {
+        return Vec::new();
+    };
+    let symmetric = (&reduced + reduced.transpose()) * 0.5;
+    let mut largest: Vec<f64> = symmetric.symmetric_eigenvalues().iter().copied().collect();
+    largest.sort_by(|a, b| b.total_cmp(a));
+    largest
+        .iter()
+        .take(count)
+        .map(|mu| (1.0 / mu - shift).max(0.0).sqrt() / std::f64::consts::TAU)
+        .collect()
+}
+
+/// sigma, 1/s2: about lambda of the free beam's first bending mode, (4.73 / L)^4 E I / rho A.
+fn shift(model: &Model) -> f64 {
+    let (section, material) = (&model.beam.section, &model.beam.material);
+    let stiffness = material.young_modulus * section.second_moment_y.min(section.second_moment_z);
+    (4.73 / model.beam.length).powi(4) * stiffness / (material.density * section.area)
 }

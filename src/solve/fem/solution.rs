@@ -1,4 +1,4 @@
-//! The solution of a meshed model at one frequency, by factors of its band and corrections by its residual.
+//! The solution of a meshed model at one frequency, by factors of its band matrix and iterative refinement.
 
 use num_complex::Complex64;
 
@@ -8,14 +8,14 @@ use super::mesh::Unknown;
 use super::twofold::Twofold;
 use crate::solve::layout::derivative;
 
-/// Corrections of a solution at most; two are enough but for the finest meshes next to an undamped resonance.
+/// Most corrections of a solution; two are enough except for the finest meshes next to an undamped resonance.
 const MOST_CORRECTIONS: usize = 12;
-/// A correction that is smaller than this share of the solution is the last.
+/// A correction smaller than this fraction of the solution is the last.
 const CORRECTED: f64 = 1e-11;
-/// A last correction that is larger than this share leaves no solution.
+/// If the last correction is larger than this fraction, there is no solution.
 const UNCERTAIN: f64 = 1e-6;
 
-/// Room for one frequency at a time.
+/// Workspace for one frequency at a time.
 #[derive(Debug, Default)]
 pub(super) struct Workspace {
     matrix: Band,
@@ -23,16 +23,16 @@ pub(super) struct Workspace {
     solution: Twofold,
     /// The residual, then the correction.
     correction: Vec<Complex64>,
-    /// The correction before.
+    /// The previous correction.
     before: Vec<Complex64>,
 }
 
 impl Workspace {
-    /// Solves with the factored matrix, and corrects the solution by its residual until it stands.
+    /// Solves with the factored matrix, and corrects the solution by its residual until it converges.
     ///
-    /// Next to an undamped resonance the factors are wrong in one direction, that of the mode, and corrections shrink (or
-    /// grow) by a constant ratio; every other correction is therefore taken times the sum of the geometric series
-    /// (Aitken). A solution that does not stand is made not finite.
+    /// Next to an undamped resonance the factors are wrong in one direction, that of the mode, and corrections shrink
+    /// (or grow) by a constant ratio; therefore every other correction is multiplied by the sum of the geometric series
+    /// (Aitken). A solution that does not converge is made not finite.
     fn solve(&mut self, system: &System, omega: f64) {
         self.solution.clear(system.unknowns);
         let mut share = f64::INFINITY;
@@ -72,7 +72,7 @@ impl Workspace {
         1.0 / (1.0 - product / square)
     }
 
-    /// Adds the correction; returns its size as a share of the solution's.
+    /// Adds the correction; returns its size relative to the solution.
     fn correct(&mut self, factor: Complex64) -> f64 {
         let (mut change, mut size) = (0.0_f64, 0.0_f64);
         for (index, correction) in self.correction.iter().enumerate() {
@@ -104,8 +104,8 @@ impl System {
         }
     }
 
-    /// Factors the dynamic stiffness, scaled so that each diagonal entry's parts have size 1: forces and moments, beam
-    /// and subsystems then compare in the choice of pivots.
+    /// Factors the dynamic stiffness, scaled so that each diagonal entry's parts have size 1: so forces and moments,
+    /// beam and subsystems are comparable in the choice of pivots.
     fn factor(&self, work: &mut Workspace, omega: f64) {
         work.scale.clear();
         work.scale.resize(self.unknowns, 0.0);
@@ -142,11 +142,10 @@ impl System {
         work.matrix.factor();
     }
 
-    /// What the solution leaves of the loads.
+    /// The residual of the solution.
     ///
-    /// The stretches are taken in twofold precision, so that the residual is right though the solution is smooth: the
-    /// error of an assembled stiffness matrix, which grows with the fourth power of the number of elements, does not
-    /// occur.
+    /// The stretches use twofold precision, so the residual is accurate for a smooth solution: the error of an
+    /// assembled stiffness matrix, which grows with the fourth power of the number of elements, does not occur.
     fn residual(&self, solution: &Twofold, omega: f64, out: &mut Vec<Complex64>) {
         out.clear();
         out.extend(&self.loads);

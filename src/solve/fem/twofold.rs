@@ -5,7 +5,7 @@
 
 use num_complex::Complex64;
 
-/// A vector with twice the digits: what the second part holds is below the last digit of the first.
+/// A vector with twice the digits: the second part is below the last digit of the first.
 #[derive(Debug, Default)]
 pub(super) struct Twofold {
     pub(super) high: Vec<Complex64>,
@@ -13,7 +13,7 @@ pub(super) struct Twofold {
 }
 
 impl Twofold {
-    /// Makes it zero, of a length.
+    /// Sets the length and makes it zero.
     pub(super) fn clear(&mut self, length: usize) {
         for part in [&mut self.high, &mut self.low] {
             part.clear();
@@ -47,7 +47,7 @@ fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, (a - (sum - of_b)) + (b - of_b))
 }
 
-/// A number as two of at most 26 bits.
+/// Splits a number into two of at most 26 bits.
 fn split(a: f64) -> (f64, f64) {
     // 2^27 + 1.
     const SPLITTER: f64 = 134_217_729.0;

@@ -1,7 +1,7 @@
-//! The roots of each mass on its springs with the beam blocked.
+//! The roots of each mass on its springs while the beam is fixed.
 //!
-//! They are zeros of polynomials and known beforehand: each zero of the characteristic function lies near one of theirs,
-//! or belongs to the beam.
+//! They are zeros of polynomials and known in advance: each zero of the characteristic function is near one of them, or
+//! belongs to the beam.
 
 use std::f64::consts::TAU;
 
@@ -29,7 +29,7 @@ impl Blocked {
 
 /// The product of `omega` - root over all roots.
 pub(super) fn distances(roots: &[Complex64], omega: Complex64) -> Magnified {
-    // As many factors as stay within the range of a number.
+    // Multiplies as many factors as fit in the range of a number.
     const AT_ONCE: usize = 16;
     let mut product = Magnified::ONE;
     for roots in roots.chunks(AT_ONCE) {
@@ -41,7 +41,7 @@ pub(super) fn distances(roots: &[Complex64], omega: Complex64) -> Magnified {
 /// m s^2 + c s + k for y and, with arms and products, for z and theta together; omega = -i s.
 fn of_mass(subsystem: &Subsystem) -> Vec<Complex64> {
     let [across, left, right] = rows(subsystem);
-    // Of the z springs over two motions of the mass.
+    // The sums for the z springs over two motions of the mass.
     let sum = |i: usize, j: usize, inertia: f64| {
         let weights = [left, right].map(|row| row.mass[i] * row.mass[j]);
         [
@@ -64,8 +64,8 @@ fn of_mass(subsystem: &Subsystem) -> Vec<Complex64> {
     roots.map(|s| -Complex64::I * s).collect()
 }
 
-/// The roots of a polynomial, its coefficients by rising power, by the iteration of Aberth (Math. Comp. 27 (1973)
-/// 339-344); half the digits where two coincide.
+/// The roots of a polynomial with coefficients by ascending power, by the iteration of Aberth (Math. Comp. 27 (1973)
+/// 339-344); with half the digits if two coincide.
 fn roots(coefficients: &[f64]) -> Vec<Complex64> {
     const MOST_STEPS: usize = 100;
     let Some(last) = coefficients.iter().rposition(|&c| c != 0.0) else {
@@ -74,14 +74,14 @@ fn roots(coefficients: &[f64]) -> Vec<Complex64> {
     let first = coefficients.iter().position(|&c| c != 0.0).unwrap_or(0);
     let zeros = vec![Complex64::ZERO; first];
     let (inner, degree) = (&coefficients[first..=last], last - first);
-    // The roots' geometric mean as the unit.
+    // The unit is the geometric mean of the roots.
     let unit = (inner[0] / inner[degree])
         .abs()
         .powf(1.0 / degree.max(1) as f64);
     let scaled: Vec<f64> = (0..=degree)
         .map(|power| inner[power] * unit.powi(power as i32) / inner[0])
         .collect();
-    // No start is the mirror image of another: symmetric ones would stay so.
+    // No starting value is the mirror image of another: symmetric ones would stay symmetric.
     let start = |index: usize| Complex64::cis(0.4 + TAU * index as f64 / degree as f64);
     let mut roots: Vec<Complex64> = (0..degree).map(start).collect();
     for _ in 0..MOST_STEPS {

@@ -1,32 +1,34 @@
-//! A bound on the work before it begins: about how many modes a beam has below a frequency.
+//! A bound on the work in advance: the approximate number of modes below a frequency.
 //!
-//! Counting halves the beam until its pieces are short against every wave; where a number overflows it would not end.
+//! The count halves the beam until its pieces are short compared with every wave; if a number overflows, it would not
+//! end.
 
 use std::f64::consts::PI;
 
 use super::MOST_MODES;
 use crate::model::Model;
 
-/// Whether a beam has so many modes below an angular frequency (rad/s) that they need not be counted, or numbers beyond
-/// the range of the arithmetic.
+/// Whether a beam has too many modes below an angular frequency (rad/s) to count them, or numbers outside the range of
+/// the arithmetic.
 pub(super) fn is_beyond(model: &Model, omega: f64) -> bool {
-    /// The coupling of w and psi moves a count by less.
+    /// The coupling of w and psi changes a count by less.
     const FAR: f64 = 4.0;
-    // Not a number is beyond, too.
+    // NaN also counts as beyond.
     !matches!(
         half_waves(model, omega).partial_cmp(&(FAR * MOST_MODES as f64)),
         Some(std::cmp::Ordering::Less)
     )
 }
 
-/// How many half waves of uncoupled bending and twist the beam has room for: as many modes, but for a few at its ends.
+/// The number of half waves of uncoupled bending and twist on the beam: equal to the number of modes, except for a few
+/// at its ends.
 fn half_waves(model: &Model, omega: f64) -> f64 {
     let (material, section) = (&model.beam.material, &model.beam.section);
     let bending = |second_moment: f64| {
         let slowness = material.density / material.young_modulus * (section.area / second_moment);
         omega.sqrt() * slowness.sqrt().sqrt()
     };
-    // The wave number k of E G0 k^4 + G J k^2 = omega^2 rho I0, in a form that does not cancel.
+    // The wave number k of E G0 k^4 + G J k^2 = omega^2 rho I0, in a form without cancellation.
     let inertia = material.density * section.polar_moment;
     let torsion = material.shear_modulus * section.torsion_constant;
     let warping = material.young_modulus * section.warping_constant;

@@ -1,21 +1,21 @@
-//! A root of a real function between two places, found a value at a time.
+//! Root finding for a real function between two points, one value at a time.
 
-/// A root between two places at which the function has different signs.
+/// A root between two points at which the function has different signs.
 ///
 /// Chandrupatla, Adv. Eng. Softw. 28 (1997) 145-149: inverse quadratic steps where they are safe, halving elsewhere.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Bracket {
-    /// The newest place, with its value.
+    /// The newest point, with its value.
     a: [f64; 2],
     /// The other side of the root.
     b: [f64; 2],
-    /// The place to look at next.
+    /// The next point to evaluate.
     next: f64,
     is_narrow: bool,
 }
 
 impl Bracket {
-    /// Between two places, each with its value.
+    /// Between two points, each with its value.
     pub(super) fn new(low: [f64; 2], high: [f64; 2]) -> Self {
         Self {
             a: high,
@@ -25,18 +25,18 @@ impl Bracket {
         }
     }
 
-    /// The place whose value narrows it; none where it is narrowed to rounding.
+    /// The next point to evaluate; `None` if the bracket is as narrow as rounding.
     pub(super) fn next(&self) -> Option<f64> {
         (!self.is_narrow).then_some(self.next)
     }
 
-    /// The best place so far.
+    /// The best point so far.
     pub(super) fn root(&self) -> f64 {
         let [a, b] = [self.a, self.b];
         if a[1].abs() < b[1].abs() { a[0] } else { b[0] }
     }
 
-    /// Takes in the value of the place to look at.
+    /// Takes the value of the function at the point [`Self::next`] asked for.
     pub(super) fn insert(&mut self, value: f64) {
         let differ = |x: f64, y: f64| (x < 0.0) != (y < 0.0);
         let c;

@@ -1,22 +1,22 @@
 //! Damped modes: the complex roots of the characteristic function, from the undamped ones or those of a similar model.
 //!
 //! All roots move together by the simultaneous iteration of Aberth (Math. Comp. 27 (1973) 339-344): Newton steps in
-//! which every root pushes the others away. Each root is then proven (see [`proof`](super::proof)). The argument principle
-//! counts what is missing (see [`contour`](super::contour)); the roots of the blocked masses are tried for it, and then
-//! [`regions`](super::regions).
+//! which every root repels the others. Then each root is proven (see [`proof`](super::proof)). The argument principle
+//! counts the missing ones (see [`argument_principle`](super::argument_principle)); the search tries the roots of the
+//! blocked masses for them, and then [`regions`](super::regions).
 
 use std::sync::atomic::{AtomicBool, AtomicUsize};
 
 use num_complex::Complex64;
 use rayon::prelude::*;
 
+use super::aberth::Tracker;
+use super::argument_principle::{Remainder, Unsettled};
 use super::blocked::Blocked;
 use super::characteristic::{Characteristic, inverse};
-use super::contour::{Remainder, Unsettled};
 use super::eigenspace::{Circle, roots_inside};
 use super::neighbours::{neighbours, with_images};
 use super::regions::Regions;
-use super::tracker::Tracker;
 use super::types::{Completeness, Mode, ModeKind};
 use super::{is_hysteretic, rigid, with_damping_times};
 use crate::model::Model;
@@ -29,19 +29,19 @@ pub(super) struct Search<'a> {
     blocked: Blocked,
     /// How many roots lie at 0.
     at_zero: usize,
-    /// Beyond all circles that are looked at, rad/s.
+    /// Larger than the radius of every circle of a count, rad/s.
     reach: f64,
-    /// How many more points the counts may look at.
+    /// How many more points the counts may evaluate.
     budget: AtomicUsize,
     cancel: &'a AtomicBool,
 }
 
-/// Damped roots, and whether they are all.
+/// Damped roots, and whether the list is complete.
 #[derive(Debug, Clone)]
 pub(super) struct Found {
-    /// By rising |omega|, without the rigid-body modes; some beyond the range.
+    /// By ascending |omega|, without the rigid-body modes; some are beyond the range.
     pub(super) modes: Vec<Mode>,
-    /// Of those in the range.
+    /// The completeness within the range.
     pub(super) completeness: Completeness,
 }
 
@@ -63,7 +63,7 @@ impl<'a> Search<'a> {
         to: f64,
         cancel: &'a AtomicBool,
     ) -> Self {
-        /// Stations that a count may cross: some seconds at most.
+        /// The limit of stations that a count may pass: some seconds of work.
         const BUDGET: usize = 40_000_000;
         let stations = 10 + model.attached().count();
         let zeros = 2 * rigid_modes;
@@ -83,14 +83,13 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The roots with |omega| up to `to`, rad/s, from the undamped ones (rad/s, above 0, rising; some beyond `to`, so
-    /// that none is missed that damping slows).
+    /// The roots with |omega| up to `to`, rad/s, from the undamped ones (rad/s, above 0, ascending; some beyond `to`,
+    /// because damping may slow them into the range).
     pub(super) fn continue_undamped(&self, undamped: &[f64], to: f64) -> Result<Found, Cancelled> {
         self.completed(&self.predicted(undamped), to)
     }
 
-    /// The roots from the undamped ones, as [`Self::continue_undamped`] finds them, and from `overdamped`, rad/s; not
-    /// counted.
+    /// The roots from the undamped ones, by [`Self::continue_undamped`], and from `overdamped`, rad/s; without a count.
     pub(super) fn uncertified(
         &self,
         undamped: &[f64],
@@ -101,18 +100,17 @@ impl<'a> Search<'a> {
         self.uncounted(&starts)
     }
 
-    /// The roots that those of a model that differs little lead to, not counted.
+    /// The roots near those of a similar model, without a count.
     pub(super) fn follow(&self, before: &[Mode]) -> Result<Found, Cancelled> {
         self.uncounted(&omegas(before))
     }
 
-    /// The roots with |omega| up to `to`, rad/s, from those that are known: each of them is proven again, and they are
-    /// counted.
+    /// The roots with |omega| up to `to`, rad/s, from known ones: each of them is proven again, and they are counted.
     pub(super) fn certify(&self, known: &[Mode], to: f64) -> Result<Found, Cancelled> {
         self.completed(&omegas(known), to)
     }
 
-    /// The roots that starts lead to.
+    /// The roots to which starting values converge.
     fn uncounted(&self, starts: &[Complex64]) -> Result<Found, Cancelled> {
         let arrived = self.settled(starts, &[])?;
         Ok(Found {
@@ -121,8 +119,8 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// Where the roots go to first order in the damping: one Newton step at a small share of it, scaled up; of roots
-    /// that lie together the eigenspace at that share.
+    /// The roots to first order in the damping: one Newton step at a small fraction of it, scaled up; for roots that
+    /// are close together the eigenspace at that fraction.
     fn predicted(&self, undamped: &[f64]) -> Vec<Complex64> {
         const SHARE: f64 = 1e-3;
         const FARTHEST: f64 = 0.5;
@@ -158,7 +156,7 @@ impl<'a> Search<'a> {
         moved.collect()
     }
 
-    /// The roots that starts lead to, and those that the counts still miss.
+    /// The roots to which starting values converge, and those that the counts still miss.
     fn completed(&self, starts: &[Complex64], to: f64) -> Result<Found, Cancelled> {
         let arrived = self.settled(starts, &[])?;
         let mut roots = self.proven(Vec::new(), &arrived)?;
@@ -187,7 +185,7 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// How many roots the list lacks in the disc up to `outer`, rad/s; none where that cannot be counted.
+    /// The number of roots missing from the list in the disc up to `outer`, rad/s; `None` if the count fails.
     pub(super) fn missing(
         &self,
         roots: &[Complex64],
@@ -200,12 +198,12 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The characteristic function over the distances to the roots and their mirror images.
+    /// The characteristic function divided by the distances to the roots and their mirror images.
     pub(super) fn remainder(&self, roots: &[Complex64]) -> Remainder<'_> {
         self.remainder_of(&with_images(roots, self.is_hysteretic()))
     }
 
-    /// The characteristic function over the distances to some places.
+    /// The characteristic function divided by the distances to some points.
     pub(super) fn remainder_of(&self, roots: &[Complex64]) -> Remainder<'_> {
         Remainder {
             characteristic: &self.characteristic,
@@ -217,21 +215,21 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The roots of the blocked masses beyond the reach of the counts and beyond some roots.
+    /// The roots of the blocked masses outside the circles of the counts and outside some roots.
     fn masses_beyond<'b>(&self, roots: impl Iterator<Item = &'b Complex64>) -> Vec<Complex64> {
         let farthest = roots.map(|root| root.norm()).fold(self.reach, f64::max);
         let masses = self.blocked.roots.iter().copied();
         masses.filter(|root| root.norm() > farthest).collect()
     }
 
-    /// Roots inside a circle that has `count` of them; approximate where others lie beside it, none where noise hides
-    /// them.
+    /// Roots inside a circle that contains `count` of them; approximate if others are close outside, none if noise
+    /// hides them.
     pub(super) fn inside(&self, circle: Circle, count: usize) -> Vec<Complex64> {
         roots_inside(self.model, circle, count).unwrap_or_default()
     }
 
-    /// Moves all starts to roots other than the known ones; those that do not arrive are left out, but for starts that lie
-    /// together: these move as one, to where their number may be proven.
+    /// Moves all starting values to roots other than the known ones. Those that do not converge are left out, except
+    /// starting values that are close together: these move as one to where their number can be proven.
     pub(super) fn settled(
         &self,
         starts: &[Complex64],
@@ -249,7 +247,7 @@ impl<'a> Search<'a> {
             }
         }
         let fixed: Vec<(Complex64, f64)> = known.iter().map(|&z| (z, 1.0)).collect();
-        // Without the roots beyond, of which there may be thousands, steps would be of the wrong size.
+        // Without the roots beyond, possibly thousands, steps would have the wrong size.
         let beyond = self.masses_beyond(starts.iter().chain(known));
         for _ in 0..MOST_STEPS {
             Cancelled::check(self.cancel)?;
@@ -282,7 +280,7 @@ impl<'a> Search<'a> {
             .collect())
     }
 
-    /// The sum of 1 / (z - other) over all other roots, each as often as it counts, mirror images, and those at 0.
+    /// The sum of 1 / (z - other) over all other roots with their multiplicity, mirror images, and those at 0.
     fn push(&self, all: &[(Complex64, f64)], index: usize) -> Complex64 {
         let (z, _) = all[index];
         let mut push = self.at_zero as f64 * inverse(z);
@@ -302,16 +300,16 @@ impl<'a> Search<'a> {
     }
 }
 
-/// A rate that is this small against the range is none.
+/// A rate this small compared with the range counts as 0.
 const STILL: f64 = 1e-14;
 
 /// Roots closer than this (relative) are proven together.
 pub(super) const CLOSE: f64 = 1e-5;
 
-/// How far beyond the range the counts reach at most.
+/// The largest extent of the counts beyond the range.
 const FARTHEST: f64 = 1.08;
 
-/// A root this close to the imaginary axis (relative) lies on it.
+/// A root this close to the imaginary axis (relative) is on it.
 pub(super) const OVERDAMPED: f64 = 1e-7;
 
 /// Rounding of a root on the axis, relative.
@@ -326,7 +324,7 @@ fn omegas(modes: &[Mode]) -> Vec<Complex64> {
     modes.iter().map(|mode| mode.omega).collect()
 }
 
-/// The modes of the roots in the right half of the plane, by rising |omega|.
+/// The modes of the roots in the right half of the plane, by ascending |omega|.
 fn listed(roots: &[Complex64]) -> Vec<Mode> {
     let right = roots
         .iter()
@@ -338,7 +336,7 @@ fn listed(roots: &[Complex64]) -> Vec<Mode> {
 
 /// The mode of a root.
 fn mode(omega: Complex64) -> Mode {
-    // A root that no damper reaches lies on the real axis but for rounding.
+    // A root that no damper affects is on the real axis up to rounding.
     const UNDAMPED: f64 = 1e-13;
     if omega.re < OVERDAMPED * omega.im {
         return Mode {

@@ -1,10 +1,10 @@
 //! The modes inside a circle in the plane of omega: roots and motions, several at once, equal ones included.
 //!
-//! Between loads F and the answers to them, `H(omega) = F^T D(omega)^-1 F` has a pole at each root,
+//! For loads F and their responses, `H(omega) = F^T D(omega)^-1 F` has a pole at each root,
 //! `-x x^T / (2 omega_k (omega - omega_k))` with `x = F^T phi` and `phi^T (2 omega M - i C) phi = 2 omega`. The contour
-//! integrals of H and of `omega H` along the circle hold the poles inside and nothing else, so that as many independent
-//! loads as roots make a small pencil whose eigenvalues are the roots (Beyn, Linear Algebra Appl. 436 (2012) 3839-3863;
-//! Sakurai & Sugiura, J. Comput. Appl. Math. 159 (2003) 119-128). The integral of the answers gives the motions.
+//! integrals of H and of `omega H` along the circle contain only the poles inside, so as many independent loads as roots
+//! give a small pencil whose eigenvalues are the roots (Beyn, Linear Algebra Appl. 436 (2012) 3839-3863; Sakurai &
+//! Sugiura, J. Comput. Appl. Math. 159 (2003) 119-128). The integral of the responses gives the motions.
 
 use nalgebra::DMatrix;
 use num_complex::Complex64;
@@ -18,12 +18,12 @@ use super::pencil::{Pair, pairs};
 use crate::model::{
     BeamMotion, Force, MassMotion, Measure, Model, Place, Quantity, Response, Target,
 };
-use crate::solve::lanes::{Prepared, Solver, waves};
+use crate::solve::kernel::{Prepared, Solver, waves};
 use crate::solve::plan::Plan;
 use crate::solve::quadrature::{Node, nodes};
 use crate::solve::waves::BeamConstants;
 
-/// A circle in the plane of omega, rad/s, and how many points of it are looked at.
+/// A circle in the plane of omega, rad/s, and the number of its points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Circle {
     pub(super) centre: Complex64,
@@ -36,7 +36,7 @@ impl Circle {
     pub(super) fn around(roots: &[Complex64], gap: f64) -> Self {
         const LEAST: f64 = 1e-3;
         const DIGITS: f64 = 26.0;
-        // Roots beyond the end of a list are not known.
+        // Roots beyond the end of a list are unknown.
         const SEEN: f64 = 0.1;
         const ROOM: f64 = 5.0;
         let centre = roots.iter().sum::<Complex64>() / roots.len() as f64;
@@ -45,11 +45,11 @@ impl Circle {
             .map(|root| (root - centre).norm())
             .fold(0.0, f64::max);
         let gap = gap.min((SEEN * centre.norm()).max(ROOM * size));
-        // What lies inside and what lies outside have the same share in the error.
+        // Roots inside and outside contribute equally to the error.
         let radius = (size * gap).sqrt().max(LEAST * gap);
         let share = (size / radius).max(radius / gap);
-        // What lies outside comes into the integral with the place on the circle by a lower power, and there it is seen
-        // against the small differences of the roots.
+        // Roots outside contribute to the integral with the first moment by a lower power, and there the error must be
+        // small compared with the differences of the roots.
         let more = if roots.len() > 1 { 2.0 } else { 0.0 };
         let points = (more + (DIGITS / -share.ln()).ceil()).clamp(2.0, 64.0);
         Self {
@@ -59,8 +59,8 @@ impl Circle {
         }
     }
 
-    /// Its points (angles without the real axis, on which a pole of the answers may lie), as seen from its centre over
-    /// its radius.
+    /// Its points relative to its centre and radius (angles without the real axis, on which a pole of the responses may
+    /// lie).
     fn directions(self) -> impl Iterator<Item = Complex64> {
         let points = self.points as f64;
         let angle = move |index: usize| std::f64::consts::TAU * (index as f64 + 0.5) / points;
@@ -68,11 +68,11 @@ impl Circle {
     }
 }
 
-/// A model with the places where its motion is read.
+/// A model with the positions at which its motion is read.
 #[derive(Debug, Clone)]
 pub(super) struct Probe<'a> {
     model: &'a Model,
-    /// Places to look at, m.
+    /// Positions to read the shape, m.
     pub(super) looked_at: Vec<f64>,
     /// The nodes of the integrals along the beam.
     pub(super) nodes: Vec<Node>,
@@ -91,15 +91,15 @@ impl<'a> Probe<'a> {
         }
     }
 
-    /// The motions of the modes inside a circle that has these roots, rad/s, in their order and bi-orthogonal:
-    /// `phi_i^T ((omega_i + omega_j) M - i C) phi_j = 2 omega_i` for i = j and else 0. None where they cannot be told
-    /// apart from noise.
+    /// The motions of the modes inside a circle that has these roots, rad/s, in their order and bi-orthogonal: `phi_i^T
+    /// ((omega_i + omega_j) M - i C) phi_j = 2 omega_i` for i = j and otherwise 0. `None` if noise hides their
+    /// differences.
     pub(super) fn motions(&self, circle: Circle, roots: &[Complex64]) -> Option<Vec<Motion>> {
         let moments = Moments::new(self.model, &self.responses(), circle, roots.len());
         let mut found = Vec::new();
         let mut motions = Vec::new();
         for (root, Pair { vector, .. }) in nearest(roots, moments.modes()?) {
-            // The integral of the answers is -phi x^T / 2 omega_k, and the vector has x^T y = i sqrt(2 omega_k).
+            // The integral of the responses is -phi x^T / 2 omega_k, and the vector has x^T y = i sqrt(2 omega_k).
             let factor = Complex64::I * (2.0 * root).sqrt();
             let values = moments.answers.iter().zip(vector.iter());
             let mut motion = vec![Complex64::ZERO; moments.answers[0].len()];
@@ -117,18 +117,18 @@ impl<'a> Probe<'a> {
         bi_orthogonalise(self.model, &self.nodes, &found, &mut motions).then_some(motions)
     }
 
-    /// Nothing moves.
+    /// No motion.
     pub(super) fn at_rest(&self) -> Motion {
         self.motion(&vec![Complex64::ZERO; self.responses().len()])
     }
 
-    /// The places along the beam in the order of [`Motion::beam`], m.
+    /// The positions along the beam in the order of [`Motion::beam`], m.
     pub(super) fn places(&self) -> impl Iterator<Item = f64> {
         let nodes = self.nodes.iter().map(|node| node.x);
         self.looked_at.iter().copied().chain(nodes)
     }
 
-    /// What is read, in the order of [`Self::motion`].
+    /// The outputs, in the order of [`Self::motion`].
     fn responses(&self) -> Vec<Response> {
         let mut targets = Vec::new();
         for x in self.places() {
@@ -170,14 +170,14 @@ impl<'a> Probe<'a> {
     }
 }
 
-/// The `count` roots inside a circle, rad/s, by rising |omega|; none where they cannot be told apart from noise.
+/// The `count` roots inside a circle, rad/s, by ascending |omega|; `None` if noise hides their differences.
 pub(super) fn roots_inside(model: &Model, circle: Circle, count: usize) -> Option<Vec<Complex64>> {
     let modes = Moments::new(model, &[], circle, count).modes()?;
     Some(modes.into_iter().map(|(root, _)| root).collect())
 }
 
-/// Loads that excite one each of the modes inside a circle that has these roots, rad/s, in their order; none where they
-/// cannot be told apart from noise.
+/// Loads that each excite one of the modes inside a circle that has these roots, rad/s, in their order; `None` if noise
+/// hides their differences.
 pub(super) fn isolating_loads(
     model: &Model,
     circle: Circle,
@@ -196,7 +196,7 @@ pub(super) fn isolating_loads(
     Some(isolating.collect())
 }
 
-/// To each of some roots the nearest of the modes that is left.
+/// Assigns to each root the nearest of the remaining modes.
 fn nearest(roots: &[Complex64], mut modes: Vec<(Complex64, Pair)>) -> Vec<(Complex64, Pair)> {
     let mut ordered = Vec::new();
     for root in roots {
@@ -209,26 +209,26 @@ fn nearest(roots: &[Complex64], mut modes: Vec<(Complex64, Pair)>) -> Vec<(Compl
     ordered
 }
 
-/// Contour integrals of the answers to some loads.
+/// Contour integrals of the responses to some loads.
 struct Moments {
     circle: Circle,
-    /// All at the same places.
+    /// All at the same positions.
     loads: Vec<Vec<Force>>,
-    /// Of H and of H times the place on the circle, as its centre sees it.
+    /// Of H and of H times the point on the circle, relative to its centre.
     forms: [DMatrix<Complex64>; 2],
     /// Of the responses, by load.
     answers: Vec<Vec<Complex64>>,
 }
 
 impl Moments {
-    /// Of as many loads as modes, which are independent in the modes: rounding is not magnified.
+    /// For as many loads as modes, which are independent in the modes: this does not magnify rounding.
     fn new(model: &Model, responses: &[Response], circle: Circle, count: usize) -> Self {
         const FEW: usize = 4;
         let loads = (0..count).map(|load| loads(model, load)).collect();
         if count == 1 {
             return Self::of(model, responses, circle, loads);
         }
-        // A few points are enough to see how independent they are.
+        // A few points are enough to check their independence.
         let few = Circle {
             points: circle.points.min(FEW),
             ..circle
@@ -245,7 +245,7 @@ impl Moments {
                 integrals(model, responses, forces, circle, solver)
             })
             .collect();
-        // Imaginary parts are rounding, of which equal modes would be made.
+        // The imaginary parts are rounding, but would mix equal modes.
         let is_real = !is_damped(model);
         let count = loads.len();
         let form = |power: usize| {
@@ -267,8 +267,8 @@ impl Moments {
         }
     }
 
-    /// Combinations of the loads that are independent in the modes; none where the loads are so already, or where the
-    /// modes cannot be told apart from noise.
+    /// Combinations of the loads that are independent in the modes; `None` if the loads already are, or if noise hides
+    /// the differences of the modes.
     fn independent(&self) -> Option<Vec<Vec<Force>>> {
         const INDEPENDENT: f64 = 0.03;
         const NOISE: f64 = 1e-11;
@@ -276,7 +276,7 @@ impl Moments {
         if !form.iter().all(|value| value.is_finite()) {
             return None;
         }
-        // Real combinations, so that what a model without damping does stays real.
+        // Real combinations, so that the motions of a model without damping stay real.
         let count = form.ncols();
         let parts = DMatrix::from_fn(2 * count, count, |row, column| {
             if row < count {
@@ -303,9 +303,9 @@ impl Moments {
         )
     }
 
-    /// Each root with its vector, by rising |omega|.
+    /// Each root with its vector, by ascending |omega|.
     fn modes(&self) -> Option<Vec<(Complex64, Pair)>> {
-        // Of a root, relative.
+        // Relative to a root.
         const ROUNDING: f64 = 1e-13;
         let [first, second] = &self.forms;
         let finite = first.iter().chain(second).all(|value| value.is_finite());
@@ -325,8 +325,8 @@ impl Moments {
     }
 }
 
-/// Integrals along the circle, over 2 pi i, of the responses and of what the loads' places do, times 1 and times the
-/// place on the circle.
+/// Integrals along the circle, over 2 pi i, of the responses and of the motions at the loads, times 1 and times the
+/// point on the circle.
 fn integrals(
     model: &Model,
     responses: &[Response],

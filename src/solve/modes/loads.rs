@@ -5,7 +5,7 @@ use num_complex::Complex64;
 
 use crate::model::{BeamMotion, Force, MassMotion, Model, Place, Target};
 
-/// Loads at some places of the beam and on every mass; those of different numbers `load` are independent.
+/// Loads at some positions of the beam and on every mass; those with different numbers `load` are independent.
 pub(super) fn loads(model: &Model, load: usize) -> Vec<Force> {
     const PLACES: [f64; 5] = [0.0, 0.217, 0.471, 0.738, 1.0];
     let section = &model.beam.section;
@@ -26,7 +26,7 @@ pub(super) fn loads(model: &Model, load: usize) -> Vec<Force> {
         let arm = if turn > 0.0 {
             turn
         } else {
-            // It may creep without inertia.
+            // Without inertia it may still creep.
             subsystem.arm_left.abs() + subsystem.arm_right.abs()
         };
         for (motion, arm) in [
@@ -49,9 +49,9 @@ pub(super) fn loads(model: &Model, load: usize) -> Vec<Force> {
         .collect()
 }
 
-/// A number between -1 and 1 for each pair of numbers, without any pattern.
+/// A pseudorandom number between -1 and 1 for each pair of numbers.
 ///
-/// Sines or other smooth functions would not do: sin(a index + b load) has rank 2.
+/// Sines or other smooth functions do not work: sin(a index + b load) has rank 2.
 /// Source of the mixing: Steele, Lea & Flood, OOPSLA 2014, 453-472 (`SplitMix64`).
 fn uneven(index: usize, load: usize) -> f64 {
     let mut bits = (index as u64 + 1)
@@ -63,7 +63,7 @@ fn uneven(index: usize, load: usize) -> f64 {
     (bits >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
 }
 
-/// The sum of loads at the same places, each times its share.
+/// The sum of loads at the same positions, each times its factor.
 pub(super) fn combined(loads: &[Vec<Force>], shares: &DVector<Complex64>) -> Vec<Force> {
     let mut sum = loads[0].clone();
     for (place, force) in sum.iter_mut().enumerate() {

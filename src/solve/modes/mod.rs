@@ -1,25 +1,26 @@
-//! Natural frequencies, damped modes and mode shapes: every list is proven to be complete, or says where it is not.
+//! Natural frequencies, damped modes and mode shapes: every list is proven to be complete, or states its gaps.
 //!
-//! Undamped: `count` says how many modes lie below a frequency (Wittrick & Williams 1971), from `span`, `series`,
-//! `station`, `rigid` and `inertia`; `undamped` compares it with the changes of sign, each narrowed by a `bracket`, of the
-//! `characteristic` function, which comes from the reflections of the frequency responses and shares nothing with the
-//! count. Damped: `damped` moves all roots of that function together, each a `tracker`, takes those for which `proof`
-//! holds, and counts by the argument principle along a `contour` what is missing; `regions` finds it. Close and equal
-//! modes, and all shapes: `eigenspace` integrates responses around a `group` of them (`neighbours` says which), `pencil`
-//! separates them into `motion`s, and `orthogonal` makes these bi-orthogonal. `shape` is what people see, with the
-//! integrals along the beam.
+//! Undamped: `wittrick_williams` counts the modes below a frequency (Wittrick & Williams 1971), from
+//! `dynamic_stiffness`, `series`, `station`, `rigid` and `matrix_inertia`; `undamped` compares this count with the sign
+//! changes, each narrowed by a `bracket`, of the `characteristic` function, which comes from the reflections of the
+//! frequency responses and shares nothing with the count. Damped: `damped` moves all roots of that function together by
+//! the iteration in `aberth`, accepts those with a `proof`, and counts the missing ones by the `argument_principle`;
+//! `regions` finds them. Close and equal modes, and all shapes: `eigenspace` integrates responses around a `group` of
+//! them (chosen by `neighbours`), `pencil` separates them into `motion`s, and `orthogonal` makes these bi-orthogonal.
+//! `shape` gives the shapes for display, with the integrals along the beam.
 
+mod aberth;
+mod argument_principle;
 mod blocked;
 mod bound;
 mod bracket;
 mod characteristic;
-mod contour;
-mod count;
 mod damped;
+mod dynamic_stiffness;
 mod eigenspace;
 mod group;
-mod inertia;
 mod loads;
+mod matrix_inertia;
 mod motion;
 mod neighbours;
 mod orthogonal;
@@ -29,11 +30,10 @@ mod regions;
 mod rigid;
 mod series;
 mod shape;
-mod span;
 mod station;
-mod tracker;
 mod types;
 mod undamped;
+mod wittrick_williams;
 
 use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
@@ -46,8 +46,8 @@ pub use types::{Completeness, Gap, Mode, ModeKind, Modes, Shape, Shares};
 use super::Cancelled;
 use crate::model::{Checked, Model, Restraint};
 
-/// How many undamped modes lie below a frequency (Hz, > 0), rigid-body modes included; `usize::MAX` where that is beyond
-/// all counting.
+/// The number of undamped modes below a frequency (Hz, > 0), rigid-body modes included; `usize::MAX` if there are too
+/// many to count.
 ///
 /// Source: Wittrick & Williams, Q. J. Mech. Appl. Math. 24 (1971) 263-284.
 pub fn count(model: &Checked, frequency: f64) -> usize {
@@ -55,11 +55,11 @@ pub fn count(model: &Checked, frequency: f64) -> usize {
     if bound::is_beyond(model, omega) {
         return usize::MAX;
     }
-    count::Counter::new(model).below(omega)
+    wittrick_williams::Counter::new(model).below(omega)
 }
 
-/// All undamped natural frequencies up to `to` (Hz, > 0), in Hz, rising, as often as they occur; rigid-body modes are
-/// 0. None where there are more than [`MOST_MODES`].
+/// All undamped natural frequencies up to `to` (Hz, > 0), in Hz, ascending, with their multiplicity; rigid-body modes
+/// are 0. `None` if there are more than [`MOST_MODES`].
 ///
 /// Dampers and the loss factor are left out. The list is complete by the count of Wittrick & Williams (1971).
 ///
@@ -78,15 +78,15 @@ pub fn undamped(
     Ok(roots.map(in_hertz))
 }
 
-/// The most modes that are listed: no search for more begins.
+/// The most modes of a list: no search for more begins.
 pub const MOST_MODES: usize = 10_000;
 
-/// Whether more than [`MOST_MODES`] modes lie below a frequency (Hz, > 0), known before any of them is looked for.
+/// Whether more than [`MOST_MODES`] modes are below a frequency (Hz, > 0), checked before the search.
 pub fn are_too_many(model: &Checked, to: f64) -> bool {
     count(model, to) > MOST_MODES
 }
 
-/// All modes up to `to` (Hz, > 0), with damping; none is listed where there are more than [`MOST_MODES`].
+/// All modes up to `to` (Hz, > 0), with damping; the list is empty if there are more than [`MOST_MODES`].
 ///
 /// Sources: Wittrick & Williams (1971) for the undamped ones, Aberth (Math. Comp. 27 (1973) 339-344) and the argument
 /// principle for the damped ones.
@@ -97,9 +97,9 @@ pub fn modes(model: &Checked, to: f64, cancel: &AtomicBool) -> Result<Modes, Can
     solved(model, to, Certificate::Wanted, cancel)
 }
 
-/// The same without the argument principle, for one of many models of a search, or where the count comes later (see
-/// [`certify`]): the oscillating modes that the undamped ones become. What may be missing is never oscillating, and the
-/// list is [`Completeness::Uncounted`] where there is damping.
+/// The same without the argument principle, for the many models of an optimisation, or if the count comes later (see
+/// [`certify`]): the oscillating modes that continue the undamped ones. A mode may be missing, but never an oscillating
+/// one, and the list is [`Completeness::Uncounted`] if there is damping.
 ///
 /// # Errors
 /// `cancel` became true before the end.
@@ -108,11 +108,11 @@ pub fn uncertified(model: &Checked, to: f64, cancel: &AtomicBool) -> Result<Mode
     solved(model, to, Certificate::Unwanted { overdamped }, cancel)
 }
 
-/// Whether a list of damped modes is to be proved complete.
+/// Whether a list of damped modes must be proved complete.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Certificate<'a> {
     Wanted,
-    /// Without a count; these are tried too, as the undamped modes lead to none of them.
+    /// Without a count; these are also tried, because the undamped modes lead to none of them.
     Unwanted {
         overdamped: &'a [Mode],
     },
@@ -147,9 +147,9 @@ fn solved(
     Ok(collected(&counter, to, &found))
 }
 
-/// The same as [`uncertified`] up to `before.to`, faster where the model differs little from that of `before`, whose modes
-/// are followed one by one. Where one of them is lost on the way, or one enters the range that is not among them, the
-/// search starts from the undamped modes. [`certify`] notices what is missing all the same.
+/// The same as [`uncertified`] up to `before.to`, faster if the model differs little from that of `before`, whose modes
+/// it follows one by one. If one of them is lost, or another one enters the range, the search starts from the undamped
+/// modes. [`certify`] detects missing modes in both cases.
 ///
 /// # Errors
 /// `cancel` became true before the end.
@@ -159,7 +159,7 @@ pub fn follow(model: &Checked, before: &Modes, cancel: &AtomicBool) -> Result<Mo
     }
     let moving = moving(before);
     if is_damped(model) && !moving.is_empty() {
-        let counter = count::Counter::new(model);
+        let counter = wittrick_williams::Counter::new(model);
         let search = damped::Search::new(model, counter.rigid(), TAU * before.to, cancel);
         let followed = collected(&counter, before.to, &search.follow(&moving)?);
         if balance(&followed) == balance(before) {
@@ -177,8 +177,9 @@ pub fn follow(model: &Checked, before: &Modes, cancel: &AtomicBool) -> Result<Mo
     )
 }
 
-/// What a list of modes keeps while its model is changed little: how many roots it has in the whole plane (an oscillating
-/// mode may become two overdamped ones), and how many more oscillating modes lie in the range than undamped ones.
+/// An invariant of a list of modes under small changes of its model: the number of roots in the whole plane (an
+/// oscillating mode may become two overdamped ones), and the number of oscillating modes in the range minus that of
+/// undamped ones.
 fn balance(list: &Modes) -> (usize, i64) {
     let is_overdamped = |mode: &&Mode| mode.kind == ModeKind::Overdamped;
     let all = list.modes.iter().chain(&list.beyond);
@@ -191,8 +192,8 @@ fn balance(list: &Modes) -> (usize, i64) {
     (roots.sum(), oscillating as i64 - list.undamped as i64)
 }
 
-/// A list of [`uncertified`] or [`follow`] for this model, with the count of its modes: what was missing is added, and each
-/// mode is proven again. Where none was missing the modes are the same to the last digit. Another list stays as it is.
+/// A list of [`uncertified`] or [`follow`] for this model, after counting its modes: missing ones are added, and each
+/// mode is proven again. If none was missing, the modes are the same to the last digit. Another list stays unchanged.
 ///
 /// # Errors
 /// `cancel` became true before the end.
@@ -203,12 +204,12 @@ pub fn certify(model: &Checked, found: &Modes, cancel: &AtomicBool) -> Result<Mo
             return Ok(found.clone());
         }
     }
-    let counter = count::Counter::new(model);
+    let counter = wittrick_williams::Counter::new(model);
     let search = damped::Search::new(model, counter.rigid(), TAU * found.to, cancel);
     let counted = search.certify(&moving(found), TAU * found.to)?;
     let counted = match counted.completeness {
         Completeness::Certain => collected(&counter, found.to, &counted),
-        // From the undamped modes it may come out certain.
+        // From the undamped modes the result may be certain.
         Completeness::Open(_) | Completeness::Uncounted | Completeness::TooMany => {
             modes(model, found.to, cancel)?
         }
@@ -222,9 +223,9 @@ pub fn certify(model: &Checked, found: &Modes, cancel: &AtomicBool) -> Result<Mo
     })
 }
 
-/// Whether two lists have the same modes, but for rounding.
+/// Whether two lists have the same modes up to rounding.
 fn agree(one: &Modes, other: &Modes) -> bool {
-    /// Of the frequency: no two modes of a list are taken for one, as their number is the same.
+    /// Relative to the frequency: the lists have the same length, so two modes cannot be confused.
     const ROUNDING: f64 = 1e-9;
     let near = |(a, b): (&Mode, &Mode)| {
         a.kind == b.kind && (a.omega - b.omega).norm() <= ROUNDING * a.omega.norm()
@@ -234,7 +235,7 @@ fn agree(one: &Modes, other: &Modes) -> bool {
     same(&one.modes, &other.modes) && same(&one.beyond, &other.beyond)
 }
 
-/// The modes of a list that are not at 0, those beyond the range among them.
+/// The modes of a list that are not at 0, including those beyond the range.
 fn moving(list: &Modes) -> Vec<Mode> {
     let all = list.modes.iter().chain(&list.beyond);
     all.filter(|mode| mode.kind != ModeKind::RigidBody)
@@ -242,8 +243,8 @@ fn moving(list: &Modes) -> Vec<Mode> {
         .collect()
 }
 
-/// The rigid-body modes and those found, parted at `to`, Hz.
-fn collected(counter: &count::Counter, to: f64, found: &damped::Found) -> Modes {
+/// The rigid-body modes and the found ones, split at `to`, Hz.
+fn collected(counter: &wittrick_williams::Counter, to: f64, found: &damped::Found) -> Modes {
     let still = Mode {
         omega: num_complex::Complex64::ZERO,
         kind: ModeKind::RigidBody,
@@ -261,12 +262,12 @@ fn collected(counter: &count::Counter, to: f64, found: &damped::Found) -> Modes 
     }
 }
 
-/// Whether the model has a loss factor: no root is then the mirror image of another.
+/// Whether the model has a loss factor: then no root is the mirror image of another.
 fn is_hysteretic(model: &Model) -> bool {
     model.beam.material.loss_factor != 0.0
 }
 
-/// Whether anything in the model takes energy away.
+/// Whether anything in the model dissipates energy.
 fn is_damped(model: &Model) -> bool {
     with_damping_times(model, 0.0) != *model
 }
@@ -276,7 +277,7 @@ pub fn without_damping(model: &Checked) -> Checked {
     model.derived(|model| *model = with_damping_times(model, 0.0))
 }
 
-/// The model with every damper and the loss factor times a share.
+/// The model with every damper and the loss factor times a fraction.
 fn with_damping_times(model: &Model, share: f64) -> Model {
     let mut model = model.clone();
     model.beam.material.loss_factor *= share;

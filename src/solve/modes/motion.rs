@@ -1,13 +1,13 @@
-//! What a whole model does in a mode: the motion of the beam, its ends and the masses.
+//! The motion of a whole model in a mode: the beam, its ends and the masses.
 
 use num_complex::Complex64;
 
-/// Everything that moves.
+/// The motion at all positions.
 #[derive(Debug, Clone)]
 pub(super) struct Motion {
-    /// (w, psi, v) at the places to look at, then at those of the quadrature.
+    /// (w, psi, v) at the positions of the shape, then at those of the quadrature.
     pub(super) beam: Vec<[Complex64; 3]>,
-    /// (w, psi, v) at the place of each enabled subsystem.
+    /// (w, psi, v) at the position of each enabled subsystem.
     pub(super) stations: Vec<[Complex64; 3]>,
     /// The six motions of the left and of the right end.
     pub(super) ends: [[Complex64; 6]; 2],
@@ -23,7 +23,7 @@ impl Motion {
         scaled
     }
 
-    /// Adds a motion of the same places.
+    /// Adds a motion at the same positions.
     pub(super) fn add(&mut self, other: &Self) {
         let mut other = other.clone();
         for (own, other) in self.values_mut().zip(other.values_mut()) {
@@ -31,7 +31,7 @@ impl Motion {
         }
     }
 
-    /// Leaves out the imaginary parts, where they are rounding.
+    /// Removes the imaginary parts, if they are only rounding.
     pub(super) fn make_real(&mut self) {
         self.values_mut().for_each(|value| value.im = 0.0);
     }

@@ -1,19 +1,19 @@
-//! Which roots lie close together, and how far the next one is.
+//! Groups of close roots, and the distance of the next one.
 
 use num_complex::Complex64;
 
-/// Roots that are found together, and the distance of their mean to any other root, rad/s.
+/// Roots of one group, and the distance of their mean to any other root, rad/s.
 #[derive(Debug, Clone)]
 pub(super) struct Neighbours {
-    /// Their places in the list of all, rising.
+    /// Their indices in the list of all, ascending.
     pub(super) members: Vec<usize>,
-    /// Those of them that are close, which have the same neighbours.
+    /// The close ones among them, which have the same neighbours.
     pub(super) close: Vec<usize>,
     pub(super) gap: f64,
 }
 
-/// The roots that lie with `all[index]` closer together than `close` (relative), one to the next, and more where these
-/// are no nearer to each other than to the next one.
+/// The roots within a chain of relative distances below `close` that includes `all[index]`, and more if these are no
+/// closer to each other than to the next one.
 pub(super) fn neighbours(all: &[Complex64], index: usize, close: f64) -> Neighbours {
     const MOST: usize = 48;
     const APART: f64 = 0.2;
@@ -55,7 +55,7 @@ pub(super) fn neighbours(all: &[Complex64], index: usize, close: f64) -> Neighbo
     }
 }
 
-/// The roots and, where the model has no loss factor, their mirror images at the imaginary axis: these are roots too.
+/// The roots and, if the model has no loss factor, their mirror images at the imaginary axis: these are also roots.
 pub(super) fn with_images(roots: &[Complex64], hysteretic: bool) -> Vec<Complex64> {
     let mut all = roots.to_vec();
     if !hysteretic {

@@ -1,8 +1,8 @@
 //! Bi-orthogonality of the modes of a group, from their motions.
 //!
 //! The modes of a damped system have `phi_i^T ((omega_i + omega_j) M - i C) phi_j = 0` (Foss, J. Appl. Mech. 25 (1958)
-//! 361-364), without damping `phi_i^T M phi_j = 0`. Contour integrals give this up to rounding over the radius of their
-//! circle, which may be small; the integrals of M and C along the beam and over the masses give the rest.
+//! 361-364), without damping `phi_i^T M phi_j = 0`. Contour integrals achieve this up to rounding over the radius of
+//! their circle, which may be small; the integrals of M and C along the beam and over the masses correct the rest.
 
 use nalgebra::DMatrix;
 use num_complex::Complex64;
@@ -12,8 +12,8 @@ use crate::model::{BeamMotion, Model};
 use crate::solve::quadrature::Node;
 use crate::solve::springs::{geometric_stretches, springs};
 
-/// Corrects motions that are nearly bi-orthogonal, with their roots, rad/s: the form above is then `2 omega_i` for i = j
-/// and else 0. False where they are far from that: then they are no modes.
+/// Corrects motions that are nearly bi-orthogonal, with their roots, rad/s: the form above is then `2 omega_i` for i =
+/// j and otherwise 0. Returns false if they are far from that: then they are not modes.
 pub(super) fn bi_orthogonalise(
     model: &Model,
     nodes: &[Node],
@@ -40,7 +40,7 @@ pub(super) fn bi_orthogonalise(
         form = step.transpose() * form * &step;
         weights *= step;
     }
-    // The form is without dimension, each motion over the root of its omega.
+    // The form is dimensionless: each motion is divided by the root of its omega.
     let scaled: Vec<Motion> = motions.to_vec();
     for (j, motion) in motions.iter_mut().enumerate() {
         let weight = |i: usize| weights[(i, j)] * (roots[j].sqrt() / roots[i].sqrt());

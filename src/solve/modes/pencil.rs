@@ -1,8 +1,8 @@
 //! Eigenvalues and vectors of a small pencil of complex symmetric matrices, equal and nearly equal ones included.
 //!
-//! `second y = t first y`, with vectors that are orthogonal under `first` (without conjugation), as the modes of a
-//! damped system are (Foss, J. Appl. Mech. 25 (1958) 361-364). The Schur form separates eigenvalues that lie apart; those
-//! close together span one space, in which the pencil is formed again, centred on their mean and scaled to their spread.
+//! `second y = t first y`, with vectors that are orthogonal under `first` (without conjugation), like the modes of a
+//! damped system (Foss, J. Appl. Mech. 25 (1958) 361-364). The Schur form separates distinct eigenvalues; close ones
+//! share one space, in which the pencil is formed again, centred on their mean and scaled to their spread.
 
 use nalgebra::{DMatrix, DVector, Schur};
 use num_complex::Complex64;
@@ -14,8 +14,9 @@ pub(super) struct Pair {
     pub(super) vector: DVector<Complex64>,
 }
 
-/// All pairs of a pencil whose eigenvalues are about 1 or smaller; none where `first` is singular. Eigenvalues that differ
-/// by less than `noise` are one, which any vectors of their space have: those of rounding may be far from orthogonal.
+/// All pairs of a pencil with eigenvalues of about 1 or smaller; `None` if `first` is singular. Eigenvalues that differ
+/// by less than `noise` count as equal, with any basis of their space: their computed vectors may be far from
+/// orthogonal.
 pub(super) fn pairs(
     first: &DMatrix<Complex64>,
     second: &DMatrix<Complex64>,
@@ -27,7 +28,7 @@ pub(super) fn pairs(
     separated(&symmetric(first), &symmetric(second), noise, DEEPEST)
 }
 
-/// The eigenvalues of `second y = t first y` for each of some matrices `second`, of any size; none where `first` is
+/// The eigenvalues of `second y = t first y` for each of some matrices `second`, of any size; `None` if `first` is
 /// singular, and for a matrix that is not finite.
 pub(in crate::solve) fn eigenvalues(
     first: &DMatrix<Complex64>,
@@ -73,7 +74,7 @@ fn separated(
     let mut groups = groups(&values, CLOSE);
     let apart = groups.len() > 1;
     if !apart {
-        // Nothing lies apart, as beside a defective value: each vector as it is.
+        // No eigenvalue is separate, as near a defective one: the vectors stay as they are.
         groups = (0..count).map(|index| vec![index]).collect();
     }
     let mut pairs = Vec::new();
@@ -111,15 +112,15 @@ fn columns(basis: &DMatrix<Complex64>, value: Complex64) -> Vec<Pair> {
     vectors.map(|vector| Pair { value, vector }).collect()
 }
 
-/// A matrix Z with `Z^T form Z = 1`; none where the form is singular.
+/// A matrix Z with `Z^T form Z = 1`; `None` if the form is singular.
 ///
-/// A vector that is orthogonal to itself, as (1, i) is, has no norm: then the sum of two takes its place.
+/// A vector that is orthogonal to itself, like (1, i), has no norm: then the sum of two replaces it.
 fn orthonormal(form: &DMatrix<Complex64>) -> Option<DMatrix<Complex64>> {
     const SINGULAR: f64 = 1e-15;
     let count = form.nrows();
     let scale = form.norm();
     let mut basis = DMatrix::<Complex64>::identity(count, count);
-    // The form in the vectors that remain.
+    // The form in the remaining vectors.
     let mut rest = form.clone();
     for index in 0..count {
         let (row, column) = largest(&rest, index);
@@ -130,7 +131,7 @@ fn orthonormal(form: &DMatrix<Complex64>) -> Option<DMatrix<Complex64>> {
         rest.swap_rows(index, row);
         rest.swap_columns(index, row);
         if row != column {
-            // `column` is beyond `index`, so that the swap left it where it was.
+            // `column` is beyond `index`, so the swap did not move it.
             let other = basis.column(column).into_owned();
             let mut own = basis.column_mut(index);
             own += other;
@@ -158,7 +159,7 @@ fn orthonormal(form: &DMatrix<Complex64>) -> Option<DMatrix<Complex64>> {
     Some(basis)
 }
 
-/// Where the form is largest from `index` on: on its diagonal, unless another place is far larger.
+/// The position of the largest entry of the form from `index` on: on its diagonal, unless another entry is much larger.
 fn largest(form: &DMatrix<Complex64>, index: usize) -> (usize, usize) {
     const FAR: f64 = 4.0;
     let (mut best, mut other) = ((index, index), (index, index));
@@ -180,7 +181,7 @@ fn largest(form: &DMatrix<Complex64>, index: usize) -> (usize, usize) {
     }
 }
 
-/// The indices of values that lie closer together than `close`, one neighbour to the next.
+/// The indices of values within a chain of distances below `close`.
 pub(super) fn groups(values: &[Complex64], close: f64) -> Vec<Vec<usize>> {
     let mut left: Vec<usize> = (0..values.len()).collect();
     let mut groups = Vec::new();
@@ -202,8 +203,8 @@ pub(super) fn groups(values: &[Complex64], close: f64) -> Vec<Vec<usize>> {
     groups
 }
 
-/// A basis of the space that an upper triangle keeps for some of its diagonal entries (rising), each column with one of
-/// these rows at 1 and the others at 0.
+/// A basis of the invariant space of an upper triangle for some of its diagonal entries (ascending), each column with
+/// one of these rows at 1 and the others at 0.
 fn invariant(t: &DMatrix<Complex64>, group: &[usize]) -> DMatrix<Complex64> {
     let mut space = DMatrix::zeros(t.nrows(), group.len());
     let negligible = f64::EPSILON * t.norm();
@@ -239,7 +240,7 @@ mod tests {
     use super::*;
 
     /// Expected: by construction, `first = X X^T` and `second = X diag(t) X^T`: the values are t, and the vectors the
-    /// columns of X^-T, orthogonal under `first`. Values are equal, differ by 1e-11, or lie apart.
+    /// columns of X^-T, orthogonal under `first`. Values are equal, differ by 1e-11, or are distinct.
     #[test]
     fn equal_and_nearly_equal_values_have_orthogonal_vectors() {
         let entry = |i: usize, j: usize| {

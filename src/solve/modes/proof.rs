@@ -1,30 +1,30 @@
-//! Whether places are roots of the characteristic function: one by one, and in groups where they lie close together.
+//! Proof of roots of the characteristic function: one by one, and in groups if they are close together.
 //!
-//! A root that lies alone is proven by the sign that the function changes through it. Of those close together the argument
-//! principle counts how many lie within a circle, and the eigenspace of that circle says where they are; the contour
-//! integrals of the function over its roots, which are the sums of their powers (Delves & Lyness, Math. Comp. 21 (1967)
-//! 543-560), hold what the eigenspace says against the function itself.
+//! A separate root is proven by the sign change of the function. For close ones the argument principle counts the roots
+//! within a circle, and the eigenspace of that circle locates them; the contour integrals of the function, which are
+//! the sums of the powers of its roots (Delves & Lyness, Math. Comp. 21 (1967) 543-560), verify the result of the
+//! eigenspace.
 
 use num_complex::Complex64;
 use rayon::prelude::*;
 
-use super::contour::Unsettled;
+use super::argument_principle::Unsettled;
 use super::damped::{CLOSE, OVERDAMPED, Search};
 use super::eigenspace::Circle;
 use super::neighbours::{Neighbours, neighbours, with_images};
 use crate::solve::Cancelled;
 use crate::solve::linear::Magnified;
 
-/// What a group of places turns out to be.
+/// The result for a group of candidate points.
 enum Group {
-    /// Roots, all of those within their circle; mirror images among them.
+    /// All roots within the circle, including mirror images.
     Proven(Vec<Complex64>),
-    /// Places nearer to the roots than those before.
+    /// Points nearer to the roots than those before.
     Nearer(Vec<Complex64>),
 }
 
 impl Search<'_> {
-    /// The roots that are, as often as they are: proven ones, and new ones that may be none, or twice in the list.
+    /// The roots with their multiplicity: proven ones, and new candidates, which may be no roots or duplicates.
     pub(super) fn proven(
         &self,
         mut proven: Vec<Complex64>,
@@ -44,7 +44,7 @@ impl Search<'_> {
         Ok(proven)
     }
 
-    /// Adds those of the new places that are roots by themselves; the others come back.
+    /// Adds the new candidates that are separate roots; returns the others.
     fn prove_alone(&self, proven: &mut Vec<Complex64>, new: &[Complex64]) -> Vec<Complex64> {
         let rest: Vec<Complex64> = proven.iter().chain(new).copied().collect();
         let all = with_images(&rest, self.is_hysteretic());
@@ -67,15 +67,15 @@ impl Search<'_> {
         doubtful
     }
 
-    /// Adds the roots of the groups that the doubtful places belong to; places nearer to roots come back where a group
-    /// needs another look.
+    /// Adds the roots of the groups of the doubtful candidates; returns points nearer to roots if a group needs another
+    /// pass.
     fn prove_together(
         &self,
         proven: &mut Vec<Complex64>,
         mut doubtful: Vec<Complex64>,
     ) -> Result<Vec<Complex64>, Cancelled> {
         let mut nearer = Vec::new();
-        // One group after the other: each sees those before it.
+        // One group after the other: each uses the results of those before it.
         while let Some(root) = doubtful.pop() {
             let first = proven.len();
             proven.push(root);
@@ -91,7 +91,7 @@ impl Search<'_> {
                     doubtful.swap_remove(member - first);
                 }
             }
-            // Of mirror images one stands for both; with a loss factor there are none.
+            // Of two mirror images one is enough; with a loss factor there are none.
             let own = |root: &Complex64| self.is_hysteretic() || root.re >= 0.0;
             match settled {
                 Group::Proven(roots) => proven.extend(roots.into_iter().filter(own)),
@@ -101,11 +101,11 @@ impl Search<'_> {
         Ok(nearer)
     }
 
-    /// Roots to the last digit, each if the function changes its sign through it as through a simple root.
+    /// Refines roots to the last digit, each if the function changes its sign through it as through a simple root.
     fn simple(&self, roots: &[Complex64]) -> Vec<Option<Complex64>> {
         const ASIDE: f64 = 1e-7;
         const CROOKED: f64 = 0.1;
-        // Less than this is rounding of the function.
+        // Smaller values are rounding of the function.
         const ROUNDING: f64 = 1e-12;
         let beside = |z: &Complex64| [z - ASIDE * z, *z, z + ASIDE * z];
         let places: Vec<Complex64> = roots.iter().flat_map(beside).collect();
@@ -135,7 +135,7 @@ impl Search<'_> {
         roots.iter().zip(values.chunks(3)).map(polished).collect()
     }
 
-    /// What a group of the places `all` is, mirror images among them.
+    /// The result for a group of the points `all`, including mirror images.
     fn group(&self, all: &[Complex64], group: &Neighbours) -> Result<Group, Cancelled> {
         const NONE: Group = Group::Proven(Vec::new());
         let members: Vec<Complex64> = group.members.iter().map(|&member| all[member]).collect();
@@ -143,7 +143,7 @@ impl Search<'_> {
         let Circles { inner, outer } = circles;
         let missing = match self.remainder_of(all).in_circle(inner.centre, outer) {
             Err(Unsettled::Cancelled(cancelled)) => return Err(cancelled),
-            // What cannot be counted is no proven root: the whole count tells of it.
+            // If the count fails, no root is proven; the total count detects it.
             Err(Unsettled::Noise | Unsettled::Spent) => return Ok(NONE),
             Ok(missing) => missing,
         };
@@ -170,7 +170,7 @@ impl Search<'_> {
         })
     }
 
-    /// A root on the imaginary axis where it is nearly there; with a loss factor none lies on it.
+    /// Moves a root that is almost on the imaginary axis onto it; with a loss factor no root is on it.
     fn on_axis(&self, root: Complex64) -> Complex64 {
         if !self.is_hysteretic() && root.re.abs() < OVERDAMPED * root.im {
             Complex64::new(0.0, root.im)
@@ -180,21 +180,21 @@ impl Search<'_> {
     }
 }
 
-/// What the sums of the powers of roots may differ by, in radii of their circle.
+/// Accepted difference between the sums of the powers of roots, in radii of their circle.
 const EXACT: f64 = 1e-8;
 
-/// The circles round a group.
+/// The circles around a group.
 struct Circles {
-    /// That of the eigenspace.
+    /// The circle of the eigenspace.
     inner: Circle,
-    /// Radius of that of the count, rad/s: there is no root between them.
+    /// Radius of the circle of the count, rad/s: there is no root between them.
     outer: f64,
 }
 
 impl Circles {
-    /// Around the members of a group, with `gap` from their mean to any other place, rad/s.
+    /// Around the members of a group, with `gap` from their mean to any other point, rad/s.
     fn around(members: &[Complex64], gap: f64) -> Self {
-        /// Of a circle in which the function is more than rounding, in gaps.
+        /// The smallest circle in which the function is more than rounding, in gaps.
         const LEAST: f64 = 0.03;
         const DIGITS: f64 = 26.0;
         let mut inner = Circle::around(members, gap);

@@ -1,13 +1,13 @@
-//! Where the roots are that a list lacks: the plane is divided until few are in one part, and these are found there.
+//! Search for missing roots: the plane is divided until each part contains few of them, which are then computed.
 //!
 //! Division by the argument principle: Delves & Lyness, Math. Comp. 21 (1967) 543-560; Kravanja & Van Barel, Computing
-//! the Zeros of Analytic Functions (Springer, 2000). The roots of a part come from the contour integrals of responses.
+//! the Zeros of Analytic Functions (Springer, 2000). The contour integrals of responses give the roots of a part.
 
 use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
-use super::contour::{COUNTED_ANGLES, Sector, Unsettled};
+use super::argument_principle::{COUNTED_ANGLES, Sector, Unsettled};
 use super::damped::Search;
 use super::eigenspace::Circle;
 use super::types::Gap;
@@ -20,23 +20,23 @@ pub(super) struct Regions<'a> {
     outer: f64,
 }
 
-/// What became of a sector.
+/// The result for a sector.
 enum Outcome {
     /// Nothing is missing in it.
     Settled,
-    /// It has to be divided.
+    /// It must be divided.
     Divided([Sector; 2]),
     /// It cannot be settled.
     Open(Option<i64>),
 }
 
 impl<'a> Regions<'a> {
-    /// Of the disc up to `outer`, rad/s.
+    /// For the disc up to `outer`, rad/s.
     pub(super) fn new(search: &'a Search<'a>, outer: f64) -> Self {
         Self { search, outer }
     }
 
-    /// The roots with those that they lack, and what stays open.
+    /// The roots, completed by the missing ones, and the ranges that stay open.
     pub(super) fn completed(
         &self,
         mut roots: Vec<Complex64>,
@@ -61,17 +61,17 @@ impl<'a> Regions<'a> {
             }
         }
         match self.search.missing(&roots, self.outer)? {
-            // All of the list are roots, so that none is missing anywhere.
+            // All entries of the list are roots, so none is missing.
             Some(0) => open.clear(),
             Some(_) if open.is_empty() => open.push((0.0, self.outer, None)),
-            // The parts are counted, each for itself.
+            // The parts are counted separately.
             Some(_) | None => {}
         }
         let gaps = gaps(open, &roots);
         Ok((roots, gaps))
     }
 
-    /// A radius below which nothing is missing, or else the one below which that is not known.
+    /// A radius below which no root is missing, or otherwise the radius below which this is unknown.
     fn inner(&self, roots: &[Complex64]) -> Result<Result<f64, f64>, Cancelled> {
         const SMALLER: f64 = 0.03;
         const TRIES: usize = 4;
@@ -114,14 +114,14 @@ impl<'a> Regions<'a> {
         })
     }
 
-    /// Adds roots near a sector in which some are missing; whether there were any.
+    /// Adds roots near a sector with missing ones; returns whether there were any.
     fn found(
         &self,
         sector: &Sector,
         missing: i64,
         roots: &mut Vec<Complex64>,
     ) -> Result<bool, Cancelled> {
-        // Of roots close together as many as there are subsystems alike.
+        // Identical subsystems have equally many roots close together.
         const MOST: i64 = 12;
         const MOST_CLOSE: i64 = 48;
         const CLOSE: f64 = 0.02;
@@ -156,7 +156,7 @@ impl<'a> Regions<'a> {
         let before = roots.len();
         *roots = self.search.proven(std::mem::take(roots), &starts)?;
         if roots.len() == before {
-            // They may be too rough to be proven.
+            // They may be too inaccurate for the proof.
             let arrived = self.search.settled(&starts, roots)?;
             *roots = self.search.proven(std::mem::take(roots), &arrived)?;
         }
@@ -164,7 +164,7 @@ impl<'a> Regions<'a> {
     }
 }
 
-/// Two parts of a sector, parted where no known root is near.
+/// Two parts of a sector, divided where no known root is near.
 fn divided(sector: &Sector, roots: &[Complex64]) -> [Sector; 2] {
     const SHARES: [f64; 5] = [0.5, 0.45, 0.55, 0.4, 0.6];
     let [length, width] = [sector.radii, sector.angles].map(|[from, to]| to - from);
@@ -198,7 +198,7 @@ fn divided(sector: &Sector, roots: &[Complex64]) -> [Sector; 2] {
     [low, high]
 }
 
-/// Open ranges by rising frequency, those that touch as one.
+/// Open ranges by ascending frequency, adjacent ones merged.
 fn gaps(mut open: Vec<(f64, f64, Option<i64>)>, roots: &[Complex64]) -> Vec<Gap> {
     open.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut joined: Vec<(f64, f64, Option<i64>)> = Vec::new();

@@ -1,4 +1,4 @@
-//! The modes at frequency 0: how the beam and the masses move without stretching a spring.
+//! The modes at frequency 0: motions of the beam and the masses that stretch no spring.
 
 use nalgebra::{DMatrix, SMatrix, SVector, SymmetricEigen};
 
@@ -49,15 +49,15 @@ pub(super) fn motions(model: &Model) -> Vec<RigidMotion> {
     orthonormal(model, [&left, &right], motions)
 }
 
-/// How many of the roots at frequency 0 (two for each mode without damping) dampers move away, to rates above `least`,
-/// 1/s: what is slower is rounding.
+/// The number of roots at frequency 0 (two for each mode without damping) that dampers move away, to rates above
+/// `least`, 1/s: slower ones are rounding.
 pub(super) fn crept(model: &Model, least: f64) -> usize {
     const RESOLVED: f64 = 1e-10;
     let motions = motions(model);
     if motions.is_empty() {
         return 0;
     }
-    // Dampers in the place of springs.
+    // Dampers instead of springs.
     let in_place = |spring: Spring| Spring {
         stiffness: spring.damping,
         damping: 0.0,
@@ -70,7 +70,7 @@ pub(super) fn crept(model: &Model, least: f64) -> usize {
                 y_right: in_place(subsystem.y_right),
                 z_left: in_place(subsystem.z_left),
                 z_right: in_place(subsystem.z_right),
-                // Its stiffness may not be made up for want of inertia.
+                // Its stiffness must not be added as an inertia.
                 inertia: 1.0,
                 ..subsystem.clone()
             })
@@ -80,7 +80,7 @@ pub(super) fn crept(model: &Model, least: f64) -> usize {
         (&model.supports.left, 0.0),
         (&model.supports.right, model.beam.length),
     ];
-    // The damping of each pair, and the size of what is summed to it: a sum that cancels is none.
+    // The damping of each pair, and the magnitude of its terms: a sum that cancels counts as 0.
     let term = |i: usize, j: usize| {
         let (a, b) = (&motions[i], &motions[j]);
         let of_masses = dampers.iter().enumerate().map(|(index, mass)| {
@@ -130,7 +130,7 @@ impl RigidMotion {
     }
 }
 
-/// Makes motions orthogonal in the mass, each of modal mass 1; twice, so that rounding leaves nothing.
+/// Makes motions mass-orthogonal, each of modal mass 1; twice, to remove rounding errors.
 fn orthonormal(model: &Model, ends: [&End; 2], motions: Vec<RigidMotion>) -> Vec<RigidMotion> {
     let mut done: Vec<RigidMotion> = Vec::new();
     for mut motion in motions {
@@ -177,7 +177,7 @@ fn moved(beam: &SVector<f64, 5>, x: f64) -> [f64; 3] {
     [w, psi, v]
 }
 
-/// The stiffness over (w, psi, v, w', v') of a rigid beam at its left end, its masses following.
+/// The stiffness over (w, psi, v, w', v') of a rigid beam at its left end, while its masses follow.
 fn stiffness(left: &End, right: &End, masses: &[Mass], length: f64) -> SMatrix<f64, 5, 5> {
     // A rigid beam has no rate of twist.
     let mut rigid = SMatrix::<f64, 5, 5>::zeros();
@@ -205,7 +205,7 @@ fn stiffness(left: &End, right: &End, masses: &[Mass], length: f64) -> SMatrix<f
     rigid
 }
 
-/// A stiffness as large as any of the model: what is fixed is certainly no mode at frequency 0.
+/// A stiffness as large as any of the model: it makes sure that a fixed motion is not a mode at frequency 0.
 fn held_stiffness(ends: [&End; 2], masses: &[Mass]) -> f64 {
     let springs = ends
         .iter()
@@ -227,7 +227,7 @@ fn rigid_motions(x: f64) -> [SMatrix<f64, 5, 1>; 6] {
     .map(SMatrix::<f64, 5, 1>::from)
 }
 
-/// The motions that a positive semidefinite stiffness does not resist, each motion in its own unit.
+/// The null space of a positive semidefinite stiffness, each motion in its own unit.
 fn still(stiffness: &SMatrix<f64, 5, 5>) -> Vec<SVector<f64, 5>> {
     const RESOLVED: f64 = 1e-11;
     let scale = SVector::<f64, 5>::from_fn(|index, _| {

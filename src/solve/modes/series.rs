@@ -1,9 +1,9 @@
-//! Transfer matrices over a short length by power series: one solution for each unit at the start.
+//! Transfer matrices over a short length by power series: one solution for each unit state at the start.
 //!
-//! Forces follow from what the inertia took on the way (`S' = -(m w + d psi)`, `T' = -(d w + b psi)`) and not from
-//! third derivatives: so nothing cancels where the span moves as a rigid body.
+//! Forces follow from the inertia forces along the length (`S' = -(m w + d psi)`, `T' = -(d w + b psi)`) and not from
+//! third derivatives: so nothing cancels if the span moves as a rigid body.
 
-use super::span::{Field, Transfer};
+use super::dynamic_stiffness::{Field, Transfer};
 
 /// Terms of the power series: 1.5^26 / 26! is below 1e-22.
 const TERMS: usize = 26;
@@ -109,7 +109,7 @@ fn end(field: &Field, h: f64, start: &[[f64; 4]; 2]) -> [[f64; 4]; 2] {
     }
 }
 
-/// The first terms of w: all that follow come from the equation of motion.
+/// The first terms of w: all others follow from the equation of motion.
 fn first_of_w(h: f64, start: &[[f64; 4]; 2]) -> [f64; 4] {
     let [[w, _, slope, _], [force, _, moment, _]] = *start;
     let square = h * h;
@@ -150,8 +150,8 @@ fn bend_and_twist(field: &Field, h: f64, start: &[[f64; 4]; 2]) -> [[f64; 4]; 2]
     end
 }
 
-/// The same without warping stiffness: `-J psi'' = d w + b psi`. The rate of twist is no degree of freedom; a
-/// foundation that nothing else touches stands in its place and adds no mode.
+/// The same without warping stiffness: `-J psi'' = d w + b psi`. The rate of twist is not a degree of freedom; an
+/// independent foundation replaces it and adds no mode.
 fn bend_and_twist_without_warping(field: &Field, h: f64, start: &[[f64; 4]; 2]) -> [[f64; 4]; 2] {
     let square = h * h;
     let [[_, psi, _, rate], [_, torque, _, bimoment]] = *start;
@@ -174,7 +174,7 @@ fn bend_and_twist_without_warping(field: &Field, h: f64, start: &[[f64; 4]; 2]) 
     end
 }
 
-/// The state at the end but for the bimoment.
+/// The state at the end except the bimoment.
 fn end_state(field: &Field, h: f64, start: &[[f64; 4]; 2], sums: &[Sums; 2]) -> [[f64; 4]; 2] {
     let [w, psi] = sums;
     let [force, torque] = [start[1][0], start[1][1]];

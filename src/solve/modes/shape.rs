@@ -1,4 +1,4 @@
-//! How a mode moves, for people to see.
+//! Mode shapes for display.
 
 use std::sync::atomic::AtomicBool;
 
@@ -14,12 +14,12 @@ use crate::model::{BeamMotion, Checked, Model};
 use crate::solve::Cancelled;
 use crate::solve::quadrature::Node;
 
-/// The motion of the mode `index` of `modes` at `points` (2 or more) equal steps along the beam.
+/// The motion of the mode `index` of `modes` at `points` (2 or more) equally spaced positions along the beam.
 ///
 /// Without damping it is real and normalised to modal mass 1: `phi^T M phi = 1`; with damping to bi-orthogonality,
-/// `phi^T (2 omega M - i C) phi = 2 omega` (Foss, J. Appl. Mech. 25 (1958) 361-364), which is the same where C = 0.
-/// Modes that share one frequency are some orthogonal ones of their space, the same whichever of them is asked for.
-/// Where an open list holds a mode that the model does not have, nothing moves.
+/// `phi^T (2 omega M - i C) phi = 2 omega` (Foss, J. Appl. Mech. 25 (1958) 361-364), which is the same for C = 0. Modes
+/// that share one frequency are an orthogonal basis of their space, the same for every requested `index`. For a mode of
+/// an open list that the model does not have the shape is zero.
 pub fn shape(model: &Checked, modes: &Modes, index: usize, points: usize) -> Shape {
     let rigid = rigid_modes(modes);
     let mut shapes = if index < rigid {
@@ -31,7 +31,7 @@ pub fn shape(model: &Checked, modes: &Modes, index: usize, points: usize) -> Sha
     shapes.swap_remove(own.unwrap_or_default()).1
 }
 
-/// [`shape`] of every mode, in the order of `modes`; those that share a frequency are found together.
+/// [`shape`] of every mode, in the order of `modes`; those that share a frequency are computed together.
 ///
 /// # Errors
 /// `cancel` became true before the end.
@@ -44,7 +44,7 @@ pub fn shapes(
     all(model, modes, points, cancel, &|shape| shape)
 }
 
-/// Who moves in each mode, in the order of `modes`.
+/// The energy shares of each mode, in the order of `modes`.
 ///
 /// # Errors
 /// `cancel` became true before the end.
@@ -57,7 +57,7 @@ pub fn shares(
     all(model, modes, FEWEST_POINTS, cancel, &|shape| shape.shares)
 }
 
-/// What `of` makes of the shape of every mode, in the order of `modes`.
+/// The results of `of` for the shape of every mode, in the order of `modes`.
 fn all<T: Send>(
     model: &Model,
     modes: &Modes,
@@ -93,7 +93,7 @@ fn all<T: Send>(
     Ok(all.into_iter().map(|(_, made)| made).collect())
 }
 
-/// `points` (2 or more) places in equal steps along the beam, m.
+/// `points` (2 or more) equally spaced positions along the beam, m.
 fn places(model: &Model, points: usize) -> Vec<f64> {
     let last = points.max(2) - 1;
     (0..=last)
@@ -101,7 +101,7 @@ fn places(model: &Model, points: usize) -> Vec<f64> {
         .collect()
 }
 
-/// The rigid-body modes of a list that has `count` of them, with their indices.
+/// The rigid-body modes of a list with `count` of them, with their indices.
 fn still(model: &Model, count: usize, points: usize) -> Vec<(usize, Shape)> {
     if count == 0 {
         return Vec::new();
@@ -146,7 +146,7 @@ fn moving(model: &Model, group: &Group, points: usize) -> Vec<(usize, Shape)> {
     members.collect()
 }
 
-/// A motion as people see it.
+/// A motion for display.
 fn shaped(model: &Model, probe: &Probe, motion: Motion) -> Shape {
     let positions = probe.looked_at.clone();
     let column = |row: usize| {

@@ -1,13 +1,13 @@
-//! What stands at a station of the undamped beam: an end's support, a subsystem's mass on its springs.
+//! The stations of the undamped beam: the support of an end, the mass of a subsystem on its springs.
 
 use nalgebra::{Matrix3, Matrix6, SymmetricEigen, Vector3, Vector6};
 
-use super::inertia::eliminate;
+use super::matrix_inertia::eliminate;
 use super::rigid::RigidMotion;
 use crate::model::{BeamMotion, Elastic, Restraint, Subsystem, Support};
 use crate::solve::springs::{Stretch, restraint_stiffness, rows};
 
-/// A share of the largest stiffness below which one is rounding.
+/// A stiffness below this fraction of the largest one is rounding.
 const RESOLVED: f64 = 1e-12;
 
 /// An end with its support.
@@ -22,7 +22,7 @@ pub(super) struct Mass {
     pub(super) inertia: [f64; 3],
 }
 
-/// What numbers are measured by at one frequency.
+/// The units of the dimensionless numbers at one frequency.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Units {
     /// m.
@@ -34,7 +34,8 @@ pub(super) struct Units {
 }
 
 impl End {
-    /// Where a section does not warp, the rate of twist is no degree of freedom: it is held at no cost.
+    /// If the section has no warping stiffness, the rate of twist is not a degree of freedom: it is fixed without
+    /// energy.
     pub(super) fn new(support: &Support, warps: bool) -> Self {
         let mut support = *support;
         if !warps {
@@ -48,7 +49,7 @@ impl End {
         self.0.0.map(|restraint| restraint == Restraint::Fixed)
     }
 
-    /// The springs and inertias on the others.
+    /// The springs and inertias of the other motions.
     pub(super) fn elastic(&self) -> [Elastic; 6] {
         self.0.0.map(Restraint::elastic)
     }
@@ -72,7 +73,7 @@ impl Mass {
         }
         let mut inertia = [subsystem.mass, subsystem.mass, subsystem.inertia];
         if subsystem.inertia == 0.0 && stiffness[(2, 2)] == 0.0 {
-            // Nothing turns it and nothing resists: no degree of freedom.
+            // Neither inertia nor stiffness: not a degree of freedom.
             stiffness[(2, 2)] = 1.0;
             inertia[2] = 0.0;
         }
@@ -83,7 +84,7 @@ impl Mass {
         }
     }
 
-    /// The stiffness over (w, psi, v) with the mass eliminated, without dimension, and the count of the blocked mass.
+    /// The dimensionless stiffness over (w, psi, v) with the mass eliminated, and the count of the blocked mass.
     pub(super) fn condensed(&self, omega: f64, units: &Units) -> (Matrix3<f64>, usize) {
         let scale = |index: usize| match index {
             0 | 1 => 1.0,
@@ -104,7 +105,7 @@ impl Mass {
         (condensed, own.negatives)
     }
 
-    /// The static stiffness over (w, psi, v) with the mass following, and how many of its motions meet no spring.
+    /// The static stiffness over (w, psi, v) while the mass follows, and the number of its motions without a spring.
     pub(super) fn condensed_static(&self) -> (Matrix3<f64>, usize) {
         let across = self.stiffness.fixed_view::<3, 3>(0, 3);
         let direct = self.stiffness.fixed_view::<3, 3>(3, 3);
@@ -114,7 +115,7 @@ impl Mass {
             let pulled = across.transpose() * vector;
             condensed -= pulled * pulled.transpose() / *value;
         }
-        // A mass that can follow leaves nothing but rounding.
+        // If the mass can follow, only rounding is left.
         let scale = direct.amax();
         (
             condensed.map(|x| if x.abs() < RESOLVED * scale { 0.0 } else { x }),
@@ -122,7 +123,7 @@ impl Mass {
         )
     }
 
-    /// How the mass follows a static motion (w, psi, v) of the beam.
+    /// The motion of the mass for a static motion (w, psi, v) of the beam.
     pub(super) fn following(&self, beam: &[f64; 3]) -> [f64; 3] {
         let across = self.stiffness.fixed_view::<3, 3>(0, 3);
         let pulled = across * Vector3::from(*beam);
@@ -135,20 +136,20 @@ impl Mass {
         moved.into()
     }
 
-    /// The motions of the mass that meet no spring.
+    /// The motions of the mass that stretch no spring.
     pub(super) fn loose(&self) -> Vec<[f64; 3]> {
         let own = self.own_motions();
         let loose = own.into_iter().filter(|(value, _)| *value == 0.0);
         loose.map(|(_, vector)| vector.into()).collect()
     }
 
-    /// (y, z, theta | w, psi, v) in a rigid motion; `index` is the mass's own.
+    /// (y, z, theta | w, psi, v) in a rigid motion; `index` is that of the mass.
     pub(super) fn stretched(&self, motion: &RigidMotion, index: usize) -> Vector6<f64> {
         let ([y, z, theta], [w, psi, v]) = (motion.masses[index], motion.at(self.position));
         Vector6::new(y, z, theta, w, psi, v)
     }
 
-    /// The principal motions of the mass on its springs with the beam held, and their stiffness: 0 where it is rounding.
+    /// The principal motions of the mass on its springs with the beam fixed, and their stiffness: 0 if it is rounding.
     fn own_motions(&self) -> [(f64, Vector3<f64>); 3] {
         let own = self.stiffness.fixed_view::<3, 3>(0, 0).into_owned();
         let eigen = SymmetricEigen::new(own);

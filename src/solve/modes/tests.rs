@@ -2,16 +2,16 @@ use num_complex::Complex64;
 use proptest::prelude::*;
 
 use super::characteristic::Characteristic;
-use super::count::Counter;
 use super::with_damping_times;
+use super::wittrick_williams::Counter;
 use crate::model::{
     Beam, Elastic, Material, Model, Restraint, Section, Spacing, Spring, Subsystem, Support,
     Supports, Sweep,
 };
 use crate::presets;
 
-/// Expected: the sign of the characteristic function, which comes from the waves, changes at each mode that the
-/// count, which comes from power series and inertia, tells.
+/// Expected: the characteristic function, which comes from the waves, changes its sign at each mode of the count, which
+/// comes from power series and matrix inertia.
 fn assert_agree(model: &Model, frequencies: impl Iterator<Item = f64>) {
     let model = with_damping_times(model, 0.0);
     let counter = Counter::new(&model);
@@ -150,7 +150,7 @@ proptest! {
         assert_agree(&model, (0..40).map(|step| 2.0 * start * (1.0 + 0.1 * f64::from(step)).powi(3)));
     }
 
-    /// Expected: as many modes lie below a low frequency as the rigid motions tell.
+    /// Expected: the count below a low frequency equals the number of rigid motions.
     #[test]
     fn the_modes_at_zero_are_the_rigid_motions(model in models()) {
         let counter = Counter::new(&model);

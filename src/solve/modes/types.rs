@@ -7,13 +7,13 @@ use num_complex::Complex64;
 pub struct Modes {
     /// Upper end of the search, Hz: modes with |omega| up to 2 pi times it.
     pub to: f64,
-    /// How many undamped modes lie below `to`, rigid-body modes included (Wittrick & Williams 1971).
+    /// Number of undamped modes below `to`, rigid-body modes included (Wittrick & Williams 1971).
     pub undamped: usize,
-    /// The modes with damping, by rising |omega|.
+    /// The modes with damping, by ascending |omega|.
     pub modes: Vec<Mode>,
-    /// Some that lie beyond `to`: a change of the model may bring them into the range.
+    /// Some modes beyond `to`: a change of the model may move them into the range.
     pub beyond: Vec<Mode>,
-    /// Whether the damped list is known to hold every mode.
+    /// Whether the damped list is proven to be complete.
     pub completeness: Completeness,
 }
 
@@ -22,20 +22,20 @@ pub struct Modes {
 pub struct Mode {
     /// Complex angular frequency, rad/s: Re >= 0; Im > 0 decays.
     pub omega: Complex64,
-    /// What kind of motion it is.
+    /// The kind of the motion.
     pub kind: ModeKind,
 }
 
-/// What kind of motion a mode is.
+/// The kind of the motion of a mode.
 ///
-/// Without a loss factor the roots omega are mirrored at the imaginary axis, and those on it creep. A loss factor stands
-/// for a hysteretic stiffness `E (1 + i eta)` where Re omega > 0 and its conjugate where Re omega < 0: a mode is then a
-/// root with Re omega >= 0, and an overdamped one is on the axis itself (where the beam takes no part in it). What the
-/// loss factor moves to the right of the axis is listed with a damping ratio near 1; what it moves to the left is no
-/// root of that half-plane.
+/// Without a loss factor the roots omega are symmetric about the imaginary axis, and those on it creep. A loss factor
+/// means a hysteretic stiffness `E (1 + i eta)` for Re omega > 0 and its conjugate for Re omega < 0: a mode is then a
+/// root with Re omega >= 0, and an overdamped one is on the axis itself (if the beam does not move in it). A root that
+/// the loss factor moves to the right of the axis is listed with a damping ratio near 1; one that it moves to the left
+/// is not a root of that half-plane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ModeKind {
-    /// Nothing pulls it back: 0 Hz.
+    /// No restoring force: 0 Hz.
     RigidBody,
     /// It oscillates, decaying or not.
     Oscillating,
@@ -43,21 +43,21 @@ pub enum ModeKind {
     Overdamped,
 }
 
-/// Whether a list of damped modes is known to hold every mode.
+/// Whether a list of damped modes is proven to be complete.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Completeness {
     /// Every mode of the list is proven, and the argument principle counts no other.
     Certain,
-    /// All but what lies in some ranges of frequency, by rising frequency.
+    /// Complete except in some ranges of frequency, by ascending frequency.
     Open(Vec<Gap>),
-    /// Every mode of the list is proven, but they are not counted yet: some may be missing anywhere.
+    /// Every mode of the list is proven, but not yet counted: some may be missing anywhere.
     Uncounted,
-    /// No mode was looked for: there are more than [`MOST_MODES`](super::MOST_MODES).
+    /// No search: there are more than [`MOST_MODES`](super::MOST_MODES).
     TooMany,
 }
 
 impl Modes {
-    /// Those up to 0 Hz: none is asked for.
+    /// The modes up to 0 Hz: an empty list.
     pub const fn none() -> Self {
         Self {
             to: 0.0,
@@ -68,7 +68,7 @@ impl Modes {
         }
     }
 
-    /// Those of a model that has more than [`MOST_MODES`](super::MOST_MODES) up to a frequency, Hz: none is listed.
+    /// The modes of a model with more than [`MOST_MODES`](super::MOST_MODES) up to a frequency, Hz: an empty list.
     pub fn too_many(to: f64) -> Self {
         Self {
             to,
@@ -79,27 +79,27 @@ impl Modes {
         }
     }
 
-    /// Whether none is listed because there are too many.
+    /// Whether the list is empty because there are too many.
     pub fn are_too_many(&self) -> bool {
         self.completeness == Completeness::TooMany
     }
 
-    /// Whether two lists have the same modes to the last digit, whatever is known of their completeness.
+    /// Whether two lists have the same modes to the last digit, for any completeness.
     pub fn has_modes_of(&self, other: &Self) -> bool {
         self.modes == other.modes && self.beyond == other.beyond
     }
 }
 
-/// A range of frequencies in which a list is not settled.
+/// A range of frequencies in which a list may be incomplete.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gap {
     /// Hz, |omega| / 2 pi.
     pub from: f64,
     /// Hz.
     pub to: f64,
-    /// How many modes the list has in it.
+    /// Number of modes of the list in it.
     pub found: usize,
-    /// How many there are by the argument principle; none where rounding hides it, or the work allowed is used up.
+    /// Number of modes by the argument principle; `None` if rounding hides it, or the work limit is reached.
     pub counted: Option<usize>,
 }
 
@@ -120,7 +120,7 @@ impl std::fmt::Display for Gap {
     }
 }
 
-/// As many digits as a person needs to find the range.
+/// As many digits as needed to find the range.
 fn digits(hertz: f64) -> f64 {
     const PLACES: i32 = 4;
     if hertz == 0.0 || !hertz.is_finite() {
@@ -146,24 +146,25 @@ impl Mode {
     }
 }
 
-/// How a mode moves.
+/// A mode shape.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shape {
-    /// Places along the beam, m, rising, from 0 to the length.
+    /// Positions along the beam, m, ascending, from 0 to the length.
     pub positions: Vec<f64>,
-    /// w at each place, m.
+    /// w at each position, m.
     pub w: Vec<Complex64>,
-    /// psi at each place, rad.
+    /// psi at each position, rad.
     pub psi: Vec<Complex64>,
-    /// v at each place, m.
+    /// v at each position, m.
     pub v: Vec<Complex64>,
     /// Motion (y, z, theta) of each enabled subsystem's mass, in the model's order, m and rad.
     pub masses: Vec<[Complex64; 3]>,
-    /// Who moves.
+    /// The shares of the kinetic energy.
     pub shares: Shares,
 }
 
-/// Shares of a mode's kinetic energy; they add up to 1. The beam's is that of its centroid and that about it.
+/// Shares of a mode's kinetic energy, with the sum 1. The beam's consists of the translation of its centroid and the
+/// rotation about it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Shares {
     /// Bending along y: of the centroid, w + `z_c` psi.

@@ -1,8 +1,8 @@
-//! The undamped natural frequencies: none missed by the count, each polished on the characteristic function.
+//! The undamped natural frequencies: complete by the count, each refined on the characteristic function.
 //!
-//! Between two frequencies there are as many roots as the count says. Where the characteristic function, at samples
-//! between them, changes its sign as often, each change holds one root and nothing else does. Where it does not, halves
-//! are counted, and the samples between which a root hides are made denser.
+//! The count gives the number of roots between two frequencies. If the characteristic function, at samples between
+//! them, changes its sign as often, each change contains exactly one root. Otherwise the halves are counted, and the
+//! samples that hide a root are refined.
 
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
@@ -13,15 +13,15 @@ use rayon::prelude::*;
 use super::blocked::Blocked;
 use super::bracket::Bracket;
 use super::characteristic::Characteristic;
-use super::count::Counter;
 use super::eigenspace::{Circle, roots_inside};
 use super::neighbours::neighbours;
+use super::wittrick_williams::Counter;
 use super::{MOST_MODES, with_damping_times};
 use crate::model::Model;
 use crate::solve::Cancelled;
 use crate::solve::linear::Magnified;
 
-/// Relative width to which the count alone brings a root.
+/// Relative width to which the count alone locates a root.
 const NARROW: f64 = 4e-14;
 
 /// Roots closer than this (relative) are separated by their motions: between them the characteristic function is
@@ -51,19 +51,19 @@ struct Sample {
     value: Magnified,
 }
 
-/// Where roots are.
+/// The location of roots.
 #[derive(Debug, Clone, Copy)]
 enum Piece {
     /// One between two samples.
     Single([Sample; 2]),
-    /// One by the count, where the function shows none.
+    /// One by the count, if the function shows none.
     Counted(f64),
     /// Some closer together than [`CLOSE`].
     Group([Counted; 2]),
 }
 
 impl<'a> Search<'a> {
-    /// For a checked model; its dampers and loss factor are left out.
+    /// For a checked model, without its dampers and loss factor.
     pub(super) fn new(model: &Model, cancel: &'a AtomicBool) -> Self {
         let model = with_damping_times(model, 0.0);
         Self {
@@ -74,8 +74,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// All roots from 0 to `to` (rad/s), rising, as often as they occur; rigid-body modes are 0; none where
-    /// they are more than [`MOST_MODES`].
+    /// All roots from 0 to `to` (rad/s), ascending, with their multiplicity; rigid-body modes are 0; `None` if there
+    /// are more than [`MOST_MODES`].
     pub(super) fn up_to(&self, to: f64) -> Result<Option<Vec<f64>>, Cancelled> {
         let rigid = self.counter.rigid();
         let high = self.counted(to);
@@ -97,7 +97,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// A frequency with no mode below it but those at 0. What is slower than any beam moves counts as 0.
+    /// A frequency with no mode below it except those at 0. Anything slower than any beam counts as 0.
     fn floor(&self, high: Counted, rigid: usize) -> Counted {
         const SLOWEST: f64 = 1e-10;
         let mut low = high;
@@ -107,8 +107,8 @@ impl<'a> Search<'a> {
         low
     }
 
-    /// Where to look first: some places for each root, evenly by the modes of bending and by their logarithm, and the
-    /// roots of the blocked masses, near each of which there is one.
+    /// The first samples: some for each root, uniform in the count of bending modes and in its logarithm, and the roots
+    /// of the blocked masses, each of which has a root near it.
     fn places(&self, low: Counted, high: Counted) -> Vec<f64> {
         let count = 8 + 2 * high.below.saturating_sub(low.below);
         let by = |share: f64, forth: fn(f64) -> f64, back: fn(f64) -> f64| {
@@ -135,9 +135,9 @@ impl<'a> Search<'a> {
         places.iter().zip(values).map(sample).collect()
     }
 
-    /// Where the roots between two counted frequencies are, the first and the last of some samples.
+    /// The locations of the roots between two counted frequencies, which are the first and the last of some samples.
     fn pieces(&self, ends: [Counted; 2], samples: &[Sample]) -> Result<Vec<Piece>, Cancelled> {
-        /// More samples between two.
+        /// Number of additional samples between two.
         const DENSER: usize = 8;
         Cancelled::check(self.cancel)?;
         let [low, high] = ends;
@@ -176,7 +176,7 @@ impl<'a> Search<'a> {
         self.pieces(ends, &denser)
     }
 
-    /// The roots between two counted frequencies to the last digits, rising, from where they are.
+    /// The roots between two counted frequencies to the last digits, ascending, from their locations.
     fn separated(&self, ends: [Counted; 2], pieces: &[Piece]) -> Result<Vec<f64>, Cancelled> {
         let places = self.polished(pieces);
         let all: Vec<Complex64> = places.iter().map(|&omega| omega.into()).collect();
@@ -189,7 +189,7 @@ impl<'a> Search<'a> {
             let members = first..first + group.len();
             let around = self.around(ends, &places, &members);
             if around[1].below.saturating_sub(around[0].below) != group.len() {
-                // Samples this close together were rounding.
+                // Samples this close together are rounding.
                 return Ok(None);
             }
             match self.by_motions(&all, &members) {
@@ -204,7 +204,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The places of the roots: single ones to the last digits, the others about.
+    /// The roots: single ones to the last digits, the others approximately.
     fn polished(&self, pieces: &[Piece]) -> Vec<f64> {
         const MOST_STEPS: usize = 100;
         let single = |piece: &Piece| match piece {
@@ -236,7 +236,7 @@ impl<'a> Search<'a> {
                 Piece::Single(_) => singles.next().into_iter().collect(),
                 Piece::Counted(omega) => vec![*omega],
                 Piece::Group([low, high]) => {
-                    // As far apart as they may be.
+                    // The largest possible distance.
                     let count = high.below.saturating_sub(low.below);
                     let share = |index: usize| index as f64 / (count - 1) as f64;
                     let place = |index| low.omega + share(index) * (high.omega - low.omega);
@@ -247,7 +247,7 @@ impl<'a> Search<'a> {
         places.collect()
     }
 
-    /// Counts where a group of places ends: halfway to its neighbours.
+    /// Counts at the ends of a group of roots: halfway to its neighbours.
     fn around(&self, ends: [Counted; 2], places: &[f64], members: &Range<usize>) -> [Counted; 2] {
         const MARGIN: f64 = 1e-3;
         let (first, last) = (places[members.start], places[members.end - 1]);
@@ -265,16 +265,16 @@ impl<'a> Search<'a> {
         ]
     }
 
-    /// The roots of a group from the space of their motions; none where that does not tell them apart.
+    /// The roots of a group from the space of their motions; `None` if that does not separate them.
     fn by_motions(&self, all: &[Complex64], group: &Range<usize>) -> Option<Vec<f64>> {
         let mut close = neighbours(all, group.start, CLOSE);
-        // The group may be found with others next to it.
+        // The group may have others next to it.
         let offset = close
             .members
             .iter()
             .position(|&member| member == group.start)?;
         let mut roots: Vec<Complex64> = close.members.iter().map(|&member| all[member]).collect();
-        // Within a circle as wide as their places are uncertain, and within one as wide as they are.
+        // Within a circle as wide as their uncertainty, and within one as wide as the group.
         for _ in 0..2 {
             let before = roots.iter().sum::<Complex64>() / roots.len() as f64;
             roots = roots_inside(&self.model, Circle::around(&roots, close.gap), roots.len())?;
@@ -315,7 +315,7 @@ impl Sample {
         (self.value.direction.re < 0.0) != (other.value.direction.re < 0.0)
     }
 
-    /// The value as a multiple of the size of another; 0 where it vanishes.
+    /// The value relative to the magnitude of another; 0 if it vanishes.
     fn relative_to(&self, scale: &Magnified) -> f64 {
         if self.value.log == f64::NEG_INFINITY {
             return 0.0;

@@ -3,9 +3,9 @@
 use num_complex::Complex64;
 
 use crate::model::{BeamMotion, Model, Restraint, Support};
-use crate::solve::lanes::Prepared;
+use crate::solve::beam_state::BeamState;
+use crate::solve::kernel::Prepared;
 use crate::solve::linear::ZERO;
-use crate::solve::local::Local;
 use crate::solve::plan::Plan;
 use crate::solve::solution::Solution;
 use crate::solve::waves::Amplitudes;
@@ -19,7 +19,7 @@ pub(super) struct Along<'a> {
     pub(super) solution: Solution,
 }
 
-/// A place, and the span that says what is there: where two spans meet, one for each side.
+/// A position and its span: where two spans meet there is one for each side.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Spot {
     /// m from the left end.
@@ -28,7 +28,7 @@ pub(super) struct Spot {
 }
 
 impl<'a> Along<'a> {
-    /// Solves a model, which asks for no response, at an angular frequency, rad/s.
+    /// Solves a model without responses at an angular frequency, rad/s.
     pub(super) fn new(model: &'a Model, plan: &'a Plan, omega: f64) -> Self {
         Self {
             model,
@@ -38,9 +38,9 @@ impl<'a> Along<'a> {
         }
     }
 
-    /// `points` places in equal steps, and both sides of each place between two spans.
+    /// `points` equally spaced positions, and both sides of each position between two spans.
     pub(super) fn places(&self, points: usize) -> Vec<Spot> {
-        /// A step nearer than this to a joint, relative to the length, is the joint.
+        /// A position closer than this to a joint, relative to the length, counts as the joint.
         const NEAR: f64 = 1e-9;
         let length = self.model.beam.length;
         let near = NEAR * length;
@@ -53,7 +53,7 @@ impl<'a> Along<'a> {
         for span in 0..=last {
             let (from, to) = (self.start_of(span), self.end_of(span));
             let spot = |position| Spot { position, span };
-            // Spans of no length lie between stations at one place, or at an end, whose outer side they are.
+            // Spans of the length 0 are between stations at one position, or at the outer side of an end.
             let inside = grid.iter().filter(|&&x| from + near < x && x < to - near);
             match (from < to, span == 0 || span == last) {
                 (true, _) => {
@@ -68,7 +68,7 @@ impl<'a> Along<'a> {
         places
     }
 
-    /// The first side of the place at a distance from the left end, m.
+    /// The first side of the position at a distance from the left end, m.
     pub(super) fn spot(&self, position: f64) -> Spot {
         let before = |station: &crate::solve::plan::Station| station.position < position;
         Spot {
@@ -83,10 +83,11 @@ impl<'a> Along<'a> {
         [(0.0, 0), (self.model.beam.length, last)].map(|(position, span)| Spot { position, span })
     }
 
-    /// What the beam does at a place: `Q (a + b)`, `S (b - a)`, `P (a - b)` and `M (a + b)` of the waves there.
-    pub(super) fn at(&self, spot: Spot) -> Local {
+    /// The motions and internal forces at a position: `Q (a + b)`, `S (b - a)`, `P (a - b)` and `M (a + b)` of the
+    /// waves there.
+    pub(super) fn at(&self, spot: Spot) -> BeamState {
         let (a, b) = self.waves_at(spot);
-        let mut local = Local::new(&self.solution.waves, &a, &b);
+        let mut local = BeamState::new(&self.solution.waves, &a, &b);
         self.hold(spot.position, &mut local.motion);
         local
     }

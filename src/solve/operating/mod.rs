@@ -1,53 +1,54 @@
-//! What the whole beam does at one frequency: how it moves, what it carries, and where the power goes.
+//! The state of the whole beam at one frequency: motions, internal forces and power.
 //!
-//! `along` reads motions and internal forces off the waves of each span, `mass` the subsystems, `reaction` the
-//! supports, `power` who puts power in and who takes it out. Everything is a complex amplitude, zero to peak, at
-//! `e^{i omega t}`, under all enabled forces as they are given.
+//! `along` evaluates motions and internal forces from the waves of each span, `power` the power balance. Everything is
+//! a complex amplitude, zero to peak, at `e^{i omega t}`, under all enabled forces with their amplitudes.
 //!
 //! Sign convention: with the motions q = (w, psi, v, w', psi', v') the internal forces are
 //! `p = (S_w, T, S_v, M_w, B, M_v)` with `S_w = -E Iy w'''`, `T = G J psi' - E G0 psi'''`, `S_v = -E Iz v'''`,
 //! `M_w = E Iy w''`, `B = E G0 psi''`, `M_v = E Iz v''` (those of Chen & Liu, Mathematics 2022, 10(16), 2849, before
 //! Eq. 30, with the signs that follow from the strain energy).
-//! The part of the beam left of a place acts on the part right of it with -p, so that a force F there makes p jump by
-//! -F, and the power that flows in +x is `-1/2 Re sum p_i conj(i omega q_i)`.
+//! The part of the beam left of a position acts on the part right of it with -p, so a force F there makes p jump by -F,
+//! and the power that flows in +x is `-1/2 Re sum p_i conj(i omega q_i)`.
 
 mod along;
-mod mass;
 mod power;
-mod reaction;
 
 use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
-use super::local::Local;
-use super::plan::Plan;
-use crate::model::Checked;
+use super::beam_state::BeamState;
+use super::linear::ZERO;
+use super::plan::{End, Event, Plan};
+use super::solution::MassSolution;
+use super::springs::{restraint_stiffness, springs, stiffness, stretches};
+use crate::model::{BeamMotion, Checked, Subsystem};
 use along::Along;
 
-/// What a model does at one frequency.
+/// The state of a model at one frequency.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Operating {
     /// Hz.
     pub frequency: f64,
-    /// Distances from the left end, m, rising. A place between two spans stands twice: its left and its right side.
+    /// Distances from the left end, m, ascending. A position between two spans occurs twice: its left and its right
+    /// side.
     pub positions: Vec<f64>,
-    /// The six motions at each place, in the order of [`BeamMotion::ALL`](crate::model::BeamMotion::ALL): m, rad, and
-    /// rad/m for the rate of twist.
+    /// The six motions at each position, in the order of [`BeamMotion::ALL`](crate::model::BeamMotion::ALL): m, rad,
+    /// and rad/m for the rate of twist.
     pub motion: [Vec<Complex64>; 6],
-    /// The internal forces at each place, conjugate to the motions: `S_w` (N), T (N m), `S_v` (N), `M_w` (N m),
-    /// B (N m2), `M_v` (N m).
+    /// The internal forces at each position, conjugate to the motions: `S_w` (N), T (N m), `S_v` (N), `M_w` (N m), B (N
+    /// m2), `M_v` (N m).
     pub forces: [Vec<Complex64>; 6],
     /// The enabled subsystems, in the order of the model.
     pub masses: Vec<MassState>,
-    /// What the left and the right support exert on the beam along the six motions: springs, dampers and inertias
-    /// together, or what holds a fixed motion; N, N m, and N m2 along the rate of twist.
+    /// The forces of the left and the right support on the beam along the six motions: of springs, dampers and inertias
+    /// together, or the reaction of a fixed motion; N, N m, and N m2 along the rate of twist.
     pub reactions: [[Complex64; 6]; 2],
-    /// Where power comes from and goes to.
+    /// The power balance.
     pub power: Power,
 }
 
-/// What a subsystem does.
+/// The state of a subsystem.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MassState {
     /// The subsystem's name.
@@ -58,25 +59,25 @@ pub struct MassState {
     pub motion: [Complex64; 3],
     /// Motion (w, psi, v) of the beam there, m and rad.
     pub mount: [Complex64; 3],
-    /// How far the mass's end of each spring (y left, y right, z left, z right) is ahead of the beam's, m.
+    /// The displacement of the mass's end of each spring (y left, y right, z left, z right) relative to the beam's, m.
     pub stretches: [Complex64; 4],
-    /// `(k + i omega c)` times the stretch, N: each spring and damper push the beam along +y or +z with it, and the
-    /// mass against it.
+    /// `(k + i omega c)` times the stretch, N: each spring and damper exert it on the beam along +y or +z, and the
+    /// opposite on the mass.
     pub forces: [Complex64; 4],
 }
 
 /// Time averages of power, W.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Power {
-    /// What each enabled force puts in, in the order of the model.
+    /// The input power of each enabled force, in the order of the model.
     pub inputs: Vec<Input>,
-    /// What each damper takes out: those of the subsystems in the order of the model, then the left support's and the
-    /// right support's.
+    /// The dissipation of each damper: those of the subsystems in the order of the model, then the left support's and
+    /// the right support's.
     pub dampers: Vec<Damper>,
-    /// What the beam's material takes out by its loss factor: NaN where its strain is nothing but rounding, as in a beam
-    /// that is very short against its waves.
+    /// The dissipation of the beam's material by its loss factor: NaN if its strain is only rounding, as in a beam that
+    /// is very short compared with its waves.
     pub material: f64,
-    /// What flows along the beam in +x at each of [`Operating::positions`].
+    /// The power flow along the beam in +x at each of [`Operating::positions`].
     pub flow: Vec<f64>,
 }
 
@@ -85,56 +86,119 @@ pub struct Power {
 pub struct Input {
     /// Index into the forces of the model.
     pub force: usize,
-    /// W; negative where the force takes power out.
+    /// W; negative if the force extracts power.
     pub power: f64,
 }
 
-/// The power that a damper turns to heat.
+/// The power that a damper dissipates.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Damper {
-    /// Where it is: `S1 y_left`, `left w`.
+    /// Name of the damper: `S1 y_left`, `left w`.
     pub label: String,
     /// W.
     pub power: f64,
 }
 
 impl Power {
-    /// What all forces together put in, W.
+    /// The input power of all forces together, W.
     pub fn input(&self) -> f64 {
         self.inputs.iter().map(|input| input.power).sum()
     }
 
-    /// What dampers and material together take out, W.
+    /// The dissipation of dampers and material together, W.
     pub fn loss(&self) -> f64 {
         self.dampers.iter().map(|damper| damper.power).sum::<f64>() + self.material
     }
 }
 
-/// What a checked model does at a frequency (Hz, > 0), at `points` (2 or more) places in equal steps and on both sides of
-/// every place at which something attaches or acts.
+/// The state of a checked model at a frequency (Hz, > 0), at `points` (2 or more) equally spaced positions and on both
+/// sides of every subsystem and force.
 ///
 /// The waves are those of [`sweep`](super::sweep()). A model without damping exactly at a resonance has no finite
-/// answer: its values are not finite.
+/// solution: its values are not finite.
 pub fn operating(model: &Checked, frequency: f64, points: usize) -> Operating {
     let omega = TAU * frequency;
-    // Places to look at would cut the spans for nothing: between stations the waves are known everywhere.
+    // Responses would divide the spans without need: between stations the waves are known everywhere.
     let bare = model.derived(|model| model.responses.clear());
     let plan = Plan::new(&bare);
     let along = Along::new(&bare, &plan, omega);
     let places = along.places(points);
-    let locals: Vec<Local> = places.iter().map(|place| along.at(*place)).collect();
-    let masses = mass::masses(&along);
+    let locals: Vec<BeamState> = places.iter().map(|place| along.at(*place)).collect();
+    let masses = masses(&along);
     Operating {
         frequency,
         positions: places.iter().map(|place| place.position).collect(),
         motion: columns(&locals, |local| &local.motion),
         forces: columns(&locals, |local| &local.force),
-        reactions: reaction::reactions(&along),
+        reactions: reactions(&along),
         power: power::power(&along, &masses, &locals),
         masses,
     }
 }
 
-fn columns(locals: &[Local], of: impl Fn(&Local) -> &[Complex64; 6]) -> [Vec<Complex64>; 6] {
+fn columns(
+    locals: &[BeamState],
+    of: impl Fn(&BeamState) -> &[Complex64; 6],
+) -> [Vec<Complex64>; 6] {
     std::array::from_fn(|row| locals.iter().map(|local| of(local)[row]).collect())
+}
+
+/// The enabled subsystems, in the order of the model.
+fn masses(along: &Along<'_>) -> Vec<MassState> {
+    let attached: Vec<&Subsystem> = along.model.attached().collect();
+    // Stations are in order of ascending position, those at one position in the order of the model.
+    let mut order: Vec<usize> = (0..attached.len()).collect();
+    order.sort_by(|&a, &b| attached[a].position.total_cmp(&attached[b].position));
+    let stations = along.plan.stations.iter().zip(&along.solution.masses);
+    let solved = stations.filter(|(station, _)| matches!(station.event, Event::Attachment(_)));
+    let mut states: Vec<(usize, MassState)> = order
+        .into_iter()
+        .zip(solved)
+        .map(|(index, (_, solved))| {
+            let subsystem = attached[index];
+            let [w, psi, v, ..] = along.at(along.spot(subsystem.position)).motion;
+            let omega = along.omega.into();
+            let MassSolution { forces, motion } = *solved;
+            let stretches = stretches(omega, subsystem, [motion, [w, psi, v]], forces);
+            let springs = springs(subsystem);
+            let state = MassState {
+                name: subsystem.name.clone(),
+                position: subsystem.position,
+                motion,
+                mount: [w, psi, v],
+                forces: std::array::from_fn(|spring| {
+                    stiffness(omega, springs[spring]) * stretches[spring]
+                }),
+                stretches,
+            };
+            (index, state)
+        })
+        .collect();
+    states.sort_by_key(|(index, _)| *index);
+    states.into_iter().map(|(_, state)| state).collect()
+}
+
+/// The forces of the left and of the right support, along the six motions.
+fn reactions(along: &Along<'_>) -> [[Complex64; 6]; 2] {
+    let [left, right] = along.ends().map(|spot| along.at(spot));
+    [
+        reaction(along, &along.plan.left, &left, -1.0),
+        reaction(along, &along.plan.right, &right, 1.0),
+    ]
+}
+
+/// The forces of one support; `outward` is the sign with which the internal forces balance the forces on the end.
+fn reaction(along: &Along<'_>, end: &End, local: &BeamState, outward: f64) -> [Complex64; 6] {
+    BeamMotion::ALL.map(|motion| {
+        let row = motion as usize;
+        // Without warping stiffness no bimoment reaches a support.
+        if motion == BeamMotion::PsiSlope && along.plan.beam.without_warping() {
+            return ZERO;
+        }
+        match restraint_stiffness(along.omega.into(), end.support[motion]) {
+            None => outward * local.force[row] - end.load[row],
+            Some(k) if k == ZERO => ZERO,
+            Some(k) => -k * local.motion[row],
+        }
+    })
 }

@@ -1,7 +1,7 @@
-//! Who puts power in and who takes it out.
+//! The power balance: input of the forces, dissipation of dampers and material, flow along the beam.
 //!
 //! The time average of the power of a force F on a velocity u, both zero to peak, is `1/2 Re(F conj(u))`. A damper c
-//! turns `1/2 c omega^2 |stretch|^2` to heat, a material with loss factor eta `eta omega` times its mean strain energy
+//! dissipates `1/2 c omega^2 |stretch|^2`, a material with loss factor eta `eta omega` times its mean strain energy
 //! (Cremer, Heckl & Petersson, Structure-Borne Sound, 3rd ed. 2005).
 
 use num_complex::Complex64;
@@ -9,16 +9,16 @@ use num_complex::Complex64;
 use super::along::Along;
 use super::{Damper, Input, MassState, Power};
 use crate::model::{BeamMotion, Force, Place, Target};
+use crate::solve::beam_state::BeamState;
 use crate::solve::energy::{SpanEnergy, Sum};
 use crate::solve::linear::ZERO;
-use crate::solve::local::Local;
 use crate::solve::springs::springs;
 
 /// The spring words of the model file, in the order of [`MassState::forces`].
 const SPRINGS: [&str; 4] = ["y_left", "y_right", "z_left", "z_right"];
 
-/// All powers; `locals` are the places of the flow.
-pub(super) fn power(along: &Along<'_>, masses: &[MassState], locals: &[Local]) -> Power {
+/// All powers; `locals` are the states at the positions of the flow.
+pub(super) fn power(along: &Along<'_>, masses: &[MassState], locals: &[BeamState]) -> Power {
     let forces = along.model.forces.iter().enumerate();
     Power {
         inputs: forces
@@ -90,7 +90,7 @@ fn of_supports(along: &Along<'_>) -> Vec<Damper> {
         let local = along.at(spot);
         for motion in BeamMotion::ALL {
             let damping = support[motion].elastic().damping;
-            // Without warping stiffness the least spring or damper holds the rate of twist, at no cost of energy.
+            // Without warping stiffness any spring or damper fixes the rate of twist, without energy.
             let idle = motion == BeamMotion::PsiSlope && along.plan.beam.without_warping();
             if damping > 0.0 {
                 let moved = if idle {
@@ -108,7 +108,7 @@ fn of_supports(along: &Along<'_>) -> Vec<Damper> {
     dampers
 }
 
-/// What the loss factor costs, from the strain energy in closed form, W.
+/// The dissipation by the loss factor, from the strain energy in closed form, W.
 fn material(along: &Along<'_>) -> f64 {
     let loss_factor = along.model.beam.material.loss_factor;
     if loss_factor == 0.0 {
@@ -123,7 +123,7 @@ fn material(along: &Along<'_>) -> f64 {
     0.5 * along.omega * loss_factor * twice.resolved()
 }
 
-fn flow(omega: f64, local: &Local) -> f64 {
+fn flow(omega: f64, local: &BeamState) -> f64 {
     let pairs = local.force.iter().zip(&local.motion);
     -pairs
         .map(|(force, moved)| mean(omega, *force, *moved))

@@ -1,27 +1,27 @@
 //! The extremum of a response near three neighbouring samples.
 //!
 //! Near a resonance 1/H is almost linear in the frequency, near an anti-resonance H is. So the complex quadratic
-//! through three samples of 1/H (or H) is accurate far beyond a parabola through magnitudes, and the extremum of |H|
-//! is where its modulus is least. It is Muller's interpolation (Muller, Math. Tables Aids Comput. 1956, 10, 208), read
-//! on the real axis. An energy is a sum of squares: the parabola through E (or 1/E) itself takes that place.
+//! through three samples of 1/H (or H) is far more accurate than a parabola through magnitudes, and the extremum of |H|
+//! is at the minimum of its modulus. It is Muller's interpolation (Muller, Math. Tables Aids Comput. 1956, 10, 208),
+//! evaluated on the real axis. An energy is a sum of squares: it uses the parabola through E (or 1/E) itself.
 
 use num_complex::Complex64;
 
 use super::grid::Feature;
 use crate::solve::{Column, ColumnKind};
 
-/// One value of a response.
+/// One sample of a response.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sample {
     /// Hz.
     pub(super) frequency: f64,
-    /// Of the column's unit.
+    /// In the column's unit.
     pub(super) value: Complex64,
     /// |value|.
     pub(super) size: f64,
 }
 
-/// Which way a curve turns.
+/// The kind of an extremum.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Turn {
     /// A peak.
@@ -30,7 +30,7 @@ pub(super) enum Turn {
     Dip,
 }
 
-/// The samples of a column with finite values, by rising frequency.
+/// The samples of a column with finite values, by ascending frequency.
 pub(super) fn samples(frequencies: &[f64], column: &Column) -> Vec<Sample> {
     let all = frequencies.iter().zip(&column.values);
     all.filter(|(_, value)| value.is_finite())
@@ -42,7 +42,7 @@ pub(super) fn samples(frequencies: &[f64], column: &Column) -> Vec<Sample> {
         .collect()
 }
 
-/// The indices of samples at which |H| turns, and which way.
+/// The indices of samples at which |H| has an extremum, and its kind.
 pub(super) fn turns(samples: &[Sample]) -> impl Iterator<Item = (usize, Turn)> {
     samples.windows(3).enumerate().filter_map(|(index, three)| {
         let [left, middle, right] = [0, 1, 2].map(|i| three[i].size);
@@ -62,20 +62,20 @@ pub(super) fn turns(samples: &[Sample]) -> impl Iterator<Item = (usize, Turn)> {
 pub(super) struct Fit {
     kind: ColumnKind,
     turn: Turn,
-    /// Frequency of the middle sample, Hz; differences from it are exact however close the samples are.
+    /// Frequency of the middle sample, Hz; differences from it are exact even for very close samples.
     middle: f64,
-    /// Hz a unit of t.
+    /// Hz per unit of t.
     scale: f64,
     /// |g| of the middle sample.
     unit: f64,
-    /// Of 1, t and t^2.
+    /// The coefficients of 1, t and t^2.
     coefficients: [Complex64; 3],
     /// t of the outer samples.
     outer: [f64; 2],
 }
 
 impl Fit {
-    /// The fit through three samples of rising frequency; none where it is not finite.
+    /// The fit through three samples of ascending frequency; `None` if it is not finite.
     pub(super) fn new(kind: ColumnKind, turn: Turn, samples: &[Sample]) -> Option<Self> {
         let &[a, b, c] = samples else { return None };
         let samples = [a, b, c];
@@ -101,10 +101,10 @@ impl Fit {
         (unit > 0.0 && fit.coefficients.iter().all(|c| c.is_finite())).then_some(fit)
     }
 
-    /// Where |g| is least, and how far from it |g|^2 (of an energy: g) doubles. It lies between the outer samples, as the
-    /// middle one is less; found by golden section.
+    /// The position of the minimum of |g|, and the distance at which |g|^2 (of an energy: g) doubles. It is between the
+    /// outer samples, because the middle one is smaller; found by golden section.
     pub(super) fn extremum(&self) -> Feature {
-        /// Leaves 1e-13 of the bracket.
+        /// Reduces the bracket to 1e-13.
         const STEPS: usize = 62;
         let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
         let [mut left, mut right] = self.outer;
@@ -144,7 +144,7 @@ impl Fit {
         }
     }
 
-    /// The complex frequency (Hz) next to an extremum where g vanishes: of a peak, the mode behind it.
+    /// The complex frequency (Hz) next to an extremum at which g vanishes: for a peak, that of the mode.
     pub(super) fn root(&self, extremum: Feature) -> Complex64 {
         const STEPS: usize = 4;
         if self.kind == ColumnKind::Energy {
@@ -157,7 +157,7 @@ impl Fit {
         self.middle + self.scale * t
     }
 
-    /// Where |g| passes `level` between two frequencies (Hz), by bisection: it is less at `inside`.
+    /// The position between two frequencies (Hz) where |g| passes `level`, by bisection: |g| is smaller at `inside`.
     pub(super) fn crossing(&self, inside: f64, outside: f64, level: f64) -> f64 {
         const STEPS: usize = 50;
         let (mut inside, mut outside) = (self.t(inside), self.t(outside));
@@ -186,7 +186,7 @@ impl Fit {
         constant + t * (first + t * second)
     }
 
-    /// |g| over `unit`; a parabola through energies may be negative where the samples are far apart.
+    /// |g| over `unit`; a parabola through energies may be negative if the samples are far apart.
     fn size(&self, t: f64) -> f64 {
         let g = self.g(t.into());
         match self.kind {
@@ -195,9 +195,9 @@ impl Fit {
         }
     }
 
-    /// How far from the extremum at `t` |g|^2 (of an energy: g) doubles, by its curvature there.
+    /// The distance from the extremum at `t` at which |g|^2 (of an energy: g) doubles, by its curvature there.
     fn half_width(&self, t: f64) -> f64 {
-        /// What is taken where samples far apart tell no width.
+        /// The default if samples are too far apart to give a width.
         const UNKNOWN: f64 = 0.1;
         let [_, first, second] = self.coefficients;
         let g = self.g(t.into());
@@ -234,7 +234,7 @@ mod tests {
         .unwrap()
     }
 
-    /// Closed form: 1/H = c (f - p) of a lone mode is a polynomial, so that the fit has no error.
+    /// Closed form: 1/H = c (f - p) of a single mode is a polynomial, so the fit has no error.
     #[test]
     fn a_lone_mode_is_fitted_exactly() {
         let mode = Complex64::new(100.0, 0.01);

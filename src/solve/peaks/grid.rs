@@ -1,4 +1,4 @@
-//! Points that half-power bands need: close together at a mode or an anti-resonance, farther apart away from it.
+//! Grid points for half-power bands: dense at a mode or an anti-resonance, sparser away from it.
 
 use super::{NEAREST, UNDAMPED};
 
@@ -12,12 +12,12 @@ pub(super) struct Feature {
 }
 
 impl Feature {
-    /// True where nothing rounds it off, so that no point may lie on it.
+    /// True if it is undamped, so that no point may be exactly on it.
     pub(super) fn is_sharp(self) -> bool {
         self.half_width <= UNDAMPED * self.centre
     }
 
-    /// Where points must be: on the centre, or on both sides of a sharp one.
+    /// The required points: on the centre, or on both sides of an undamped one.
     fn marks(self) -> Vec<Mark> {
         let mark = |frequency| Mark {
             frequency,
@@ -31,7 +31,7 @@ impl Feature {
         }
     }
 
-    /// How near (Hz) another point does as well as one that it needs: 0.01 dB at the top of a band.
+    /// The distance (Hz) within which another point replaces a required one: 0.01 dB at the top of a band.
     pub(super) fn clearance(self) -> f64 {
         const NEAR_ENOUGH: f64 = 0.05;
         if self.is_sharp() {
@@ -41,14 +41,14 @@ impl Feature {
         }
     }
 
-    /// The longest step (Hz) that it allows at a distance (Hz) from its centre.
+    /// The longest allowed step (Hz) at a distance (Hz) from its centre.
     fn longest_step(self, distance: f64) -> f64 {
-        /// In half-widths: five points to a half-power band.
+        /// In half-widths: five points per half-power band.
         const IN_BAND: f64 = 0.5;
-        /// In distances: points farther away come at ratios of 2.
+        /// In distances: points farther away have ratios of 2.
         const AWAY: f64 = 0.5;
         let nearest = if self.is_sharp() {
-            // From mark to mark, and some room for rounding.
+            // Between required points, with some tolerance for rounding.
             2.5 * NEAREST * self.centre
         } else {
             IN_BAND * self.half_width
@@ -57,17 +57,17 @@ impl Feature {
     }
 }
 
-/// A point that a feature needs.
+/// A required point of a feature.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Mark {
     /// Hz.
     pub(super) frequency: f64,
-    /// It is not needed where another point is as near as this, Hz.
+    /// Another point within this distance replaces it, Hz.
     pub(super) clearance: f64,
 }
 
 impl Mark {
-    /// A point that no other serves as well as.
+    /// A point that no other can replace.
     pub(super) fn bare(frequency: f64) -> Self {
         Self {
             frequency,
@@ -76,9 +76,9 @@ impl Mark {
     }
 }
 
-/// True where `frequency` (Hz) is nearer to an undamped mode than points may be. `modes` are by rising centre.
+/// True if `frequency` (Hz) is closer to an undamped mode than points may be. `modes` are by ascending centre.
 pub(super) fn is_on_pole(frequency: f64, modes: &[Feature]) -> bool {
-    /// Leaves the points that were put beside it.
+    /// Keeps the points on its two sides.
     const NEARER: f64 = 0.9 * NEAREST;
     let margin = NEARER * frequency;
     let first = modes.partition_point(|mode| mode.centre < frequency - margin);
@@ -88,7 +88,7 @@ pub(super) fn is_on_pole(frequency: f64, modes: &[Feature]) -> bool {
         .any(|mode| mode.is_sharp())
 }
 
-/// The frequencies of marks, rising, without those that another one serves.
+/// The frequencies of required points, ascending, without those that another one replaces.
 pub(super) fn in_order(mut marks: Vec<Mark>) -> Vec<f64> {
     marks.sort_by(|a, b| a.frequency.total_cmp(&b.frequency));
     let mut frequencies: Vec<f64> = Vec::new();
@@ -101,23 +101,24 @@ pub(super) fn in_order(mut marks: Vec<Mark>) -> Vec<f64> {
     frequencies
 }
 
-/// The least distance of two points, relative to their frequency: a few units in the last place.
+/// The smallest distance of two points, relative to their frequency: a few units in the last place.
 const LEAST_GAP: f64 = 16.0 * f64::EPSILON;
 
-/// True where `frequency` lies between two others and is a number of its own, farther than `clearance` from both.
+/// True if `frequency` is strictly between two others, farther than `clearance` from both.
 pub(super) fn fits_between(left: f64, frequency: f64, right: f64, clearance: f64) -> bool {
     let gap = clearance.max(LEAST_GAP * frequency);
     frequency - left > gap && right - frequency > gap
 }
 
-/// Features by rising centre.
+/// Features by ascending centre.
 pub(super) fn by_centre(features: impl IntoIterator<Item = Feature>) -> Vec<Feature> {
     let mut features: Vec<Feature> = features.into_iter().collect();
     features.sort_by(|a, b| a.centre.total_cmp(&b.centre));
     features
 }
 
-/// The points (Hz, rising) to add to a rising grid so that no step is longer than features, by rising centre, allow.
+/// The points (Hz, ascending) to add to an ascending grid so that no step is longer than the features allow, which are
+/// by ascending centre.
 pub(super) fn missing(grid: &[f64], features: &[Feature]) -> Vec<f64> {
     let mut marks: Vec<Mark> = features.iter().flat_map(|f| f.marks()).collect();
     marks.sort_by(|a, b| a.frequency.total_cmp(&b.frequency));
@@ -137,7 +138,7 @@ pub(super) fn missing(grid: &[f64], features: &[Feature]) -> Vec<f64> {
     added
 }
 
-/// Halves a step until no feature finds a part of it too long.
+/// Halves a step until every feature allows its parts.
 fn divide(left: f64, right: f64, features: &[Feature], added: &mut Vec<f64>) {
     let middle = 0.5 * (left + right);
     if fits_between(left, middle, right, 0.0) && is_too_long(left, right, features) {
@@ -147,10 +148,10 @@ fn divide(left: f64, right: f64, features: &[Feature], added: &mut Vec<f64>) {
     }
 }
 
-/// True where some feature allows no step from `left` to `right`. Features are by rising centre.
+/// True if any feature forbids a step from `left` to `right`. Features are by ascending centre.
 fn is_too_long(left: f64, right: f64, features: &[Feature]) -> bool {
     let length = right - left;
-    // A feature farther away than the step is long allows it.
+    // A feature farther away than the length of the step allows it.
     let first = features.partition_point(|f| f.centre < left - length);
     let near = features[first..]
         .iter()
@@ -184,7 +185,7 @@ mod tests {
         }
         assert!(missing(&grid, &features).is_empty());
         assert!(added.contains(&50.0) && !added.contains(&30.0));
-        // Ten octaves from the marks at 1e-9 and 20 from the narrow band, at most four points each.
+        // Ten octaves from the required points at 1e-9 and 20 from the narrow band, at most four points each.
         assert!(added.len() < 250, "{}", added.len());
     }
 }

@@ -1,8 +1,8 @@
 //! Frequency grids on which no peak and no anti-resonance is skipped, and tables of peaks.
 //!
-//! [`resolved`] adds to a solved base grid what the half-power band of every mode needs (`grid`) and then, pass by
-//! pass, what every peak and dip of every response needs (`resolve`, by the three-point fit of `fit`). [`peaks`] reads
-//! the table off such a curve (`table`).
+//! [`resolved`] adds the points for the half-power band of every mode (`grid`) to a solved base grid and then, pass by
+//! pass, the points for every peak and dip of every response (`resolve`, by the three-point fit of `fit`). [`peaks`]
+//! makes the table from such a curve (`table`).
 //!
 //! A mode of angular frequency omega has the centre Re omega / 2 pi and the half-width Im omega / 2 pi: alone it makes
 //! |H| proportional to `1 / |f - centre - i half-width|`, which is 3 dB down at centre +- half-width (Ewins, Modal
@@ -10,7 +10,7 @@
 
 mod fit;
 mod grid;
-mod lacks;
+mod missing_points;
 mod resolve;
 mod table;
 
@@ -19,10 +19,10 @@ pub use table::{Peak, peaks};
 
 use super::modes::{Mode, ModeKind};
 
-/// A damping ratio below which a mode or a zero counts as undamped: rounding makes as much.
+/// A damping ratio below which a mode or a zero counts as undamped: it is rounding.
 const UNDAMPED: f64 = 1e-12;
 
-/// How near to an undamped mode or zero points are put, relative to its frequency.
+/// The distance of points from an undamped mode or zero, relative to its frequency.
 const NEAREST: f64 = 1e-9;
 
 /// Centre of a mode's half-power band, Hz.

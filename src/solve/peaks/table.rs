@@ -10,30 +10,31 @@ use crate::solve::{Column, ColumnKind};
 /// A local maximum of a response's modulus, or of an energy.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Peak {
-    /// Hz; of a pole, the frequency of its mode.
+    /// Hz; for a pole, the frequency of its mode.
     pub frequency: f64,
     /// |H|, in the column's unit; infinite for a pole.
     pub height: f64,
-    /// Phase of the response there, degrees, above -180 and up to 180; none for an energy and for a pole.
+    /// Phase of the response there, degrees, above -180 and up to 180; `None` for an energy and for a pole.
     pub phase: Option<f64>,
-    /// Damping ratio by the half-power band, `(f2 - f1) / 2 f`: |H| is there the height over sqrt 2, an energy half of
-    /// its height. None for a pole, and where the curve rises again or ends before it has fallen so far on both sides.
+    /// Damping ratio by the half-power band, `(f2 - f1) / 2 f`: at its ends |H| is the height over sqrt 2, an energy
+    /// half of its height. `None` for a pole, and if the curve rises again or ends before it has fallen that far on
+    /// both sides.
     pub half_power_damping: Option<f64>,
-    /// Index into [`Modes::modes`] of the mode in whose half-power band the peak lies; of several, the one nearest to
-    /// the complex frequency that fits the peak. It goes by frequency and damping, not by shape.
+    /// Index into [`Modes::modes`] of the mode whose half-power band contains the peak; of several, the one nearest to
+    /// the complex frequency of the fit. It depends on frequency and damping, not on the shape.
     pub mode: Option<usize>,
-    /// True where the half-power band of another mode reaches that of `mode`: neither the height nor the half-power
-    /// damping is then that of one mode.
+    /// True if the half-power band of another mode overlaps that of `mode`: then neither the height nor the half-power
+    /// damping belongs to one mode.
     pub overlaps: bool,
-    /// True where the mode has no damping: the true height is infinite.
+    /// True if the mode has no damping: the true height is infinite.
     pub pole: bool,
 }
 
-/// The peaks of a column by rising frequency, read between the points by a fit.
+/// The peaks of a column by ascending frequency, interpolated between the points by a fit.
 ///
-/// `frequencies` (Hz, rising) and `column` are those of a resolved response (see [`resolved`](super::resolved)),
-/// `modes` those of the model; without modes the table has no poles. A bump lower than 0.01 dB is left out: rounding
-/// makes as much. Values that are not finite are passed over.
+/// `frequencies` (Hz, ascending) and `column` are those of a resolved response (see [`resolved`](super::resolved)),
+/// `modes` those of the model; without modes the table has no poles. Maxima lower than 0.01 dB are left out: they are
+/// rounding. Values that are not finite are skipped.
 pub fn peaks(frequencies: &[f64], column: &Column, modes: &Modes) -> Vec<Peak> {
     let curve = Curve {
         kind: column.kind,
@@ -70,12 +71,12 @@ fn pole_at(three: &[Sample], modes: &Modes) -> Option<Peak> {
 
 /// The half-power band of a mode that has one, as centre and half-width, Hz.
 fn band(mode: &Mode) -> Option<(f64, f64)> {
-    // A mode is known to no more than this, and rounding shifts it.
+    // A mode is not known more exactly than this, and rounding shifts it.
     let margin = NEAREST * centre(mode);
     (mode.kind == ModeKind::Oscillating).then(|| (centre(mode), half_width(mode) + margin))
 }
 
-/// True where another mode's half-power band reaches that of the mode of an index.
+/// True if another mode's half-power band overlaps that of the mode `mode`.
 fn overlaps(index: usize, modes: &Modes) -> bool {
     let Some((f, width)) = band(&modes.modes[index]) else {
         return false;
@@ -85,7 +86,7 @@ fn overlaps(index: usize, modes: &Modes) -> bool {
     others.into_iter().any(|(_, mode)| reaches(mode))
 }
 
-/// The mode in whose band `frequency` lies, nearest to `root`; both Hz.
+/// The mode whose band contains `frequency`, nearest to `root`; both Hz.
 fn mode_at(frequency: f64, root: Complex64, modes: &Modes) -> Option<usize> {
     let inside = |mode: &Mode| band(mode).is_some_and(|(f, width)| (frequency - f).abs() <= width);
     let distance = |mode: &Mode| (Complex64::new(centre(mode), half_width(mode)) - root).norm();
@@ -94,7 +95,7 @@ fn mode_at(frequency: f64, root: Complex64, modes: &Modes) -> Option<usize> {
         .map(|(index, _)| index)
 }
 
-/// A response that is finite everywhere.
+/// A response with finite values everywhere.
 struct Curve {
     kind: ColumnKind,
     samples: Vec<Sample>,
@@ -118,20 +119,20 @@ impl Curve {
         })
     }
 
-    /// The fit around a sample; none around the first and the last.
+    /// The fit around a sample; `None` for the first and the last.
     fn fit(&self, middle: usize) -> Option<Fit> {
         let three = self.samples.get(middle.checked_sub(1)?..=middle + 1)?;
         Fit::new(self.kind, Turn::Peak, three)
     }
 
-    /// True where the curve falls by more than 0.01 dB on both sides of a peak before it rises again.
+    /// True if the curve falls by more than 0.01 dB on both sides of a peak before it rises again.
     fn is_prominent(&self, top: usize) -> bool {
         const LEAST: f64 = 1.0 - 1.15e-3;
         self.falls_below(LEAST * self.samples[top].size, top)
             .is_some()
     }
 
-    /// `(f2 - f1) / 2 f` of a peak of a height at a frequency (Hz).
+    /// `(f2 - f1) / 2 f` of a peak with a height at a frequency (Hz).
     fn half_power_damping(&self, top: usize, frequency: f64, height: f64) -> Option<f64> {
         let level = match self.kind {
             ColumnKind::Complex => height * std::f64::consts::FRAC_1_SQRT_2,
@@ -143,13 +144,13 @@ impl Curve {
         Some(0.5 * (upper - lower) / frequency)
     }
 
-    /// Where (Hz) the curve passes `level` between two neighbouring samples, `inside` above it.
+    /// The frequency (Hz) at which the curve passes `level` between two neighbouring samples, `inside` above it.
     fn crossing(&self, level: f64, inside: usize, outside: usize) -> Option<f64> {
         let [from, to] = [inside, outside].map(|index| self.samples[index].frequency);
         Some(self.fit(inside)?.crossing(from, to, level.recip()))
     }
 
-    /// The nearest samples below `level` before and after a peak; none where the curve rises or ends first.
+    /// The nearest samples below `level` before and after a peak; `None` if the curve rises or ends first.
     fn falls_below(&self, level: f64, top: usize) -> Option<(usize, usize)> {
         let before = self.samples[..top].iter().rev();
         let after = self.samples[top..].iter();
@@ -160,9 +161,9 @@ impl Curve {
     }
 }
 
-/// How many samples come before the first below `level`; none where they rise or end first.
+/// The number of samples before the first below `level`; `None` if they rise or end first.
 fn steps_down<'a>(level: f64, samples: impl Iterator<Item = &'a Sample>) -> Option<usize> {
-    /// A rise by less is rounding.
+    /// A smaller rise is rounding.
     const RISE: f64 = 1.001;
     let mut lowest = f64::INFINITY;
     for (index, sample) in samples.enumerate() {

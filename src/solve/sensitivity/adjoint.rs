@@ -1,48 +1,48 @@
-//! What stands in place of the loads for the adjoint field of a response.
+//! The loads of the adjoint field of a response.
 
 use num_complex::Complex64;
 
 use crate::model::{BeamMotion, Measure, Model, Place, Quantity, Target};
-use crate::solve::lanes::Prepared;
+use crate::solve::kernel::Prepared;
 use crate::solve::linear::ZERO;
 use crate::solve::plan::{Event, Output, Plan};
 
-/// A response, with what its derivatives need that does not depend on the frequency.
+/// A response, with the frequency-independent data of its derivatives.
 #[derive(Debug)]
 pub(super) enum Adjoint {
     /// A motion.
     Motion(Box<Motion>),
-    /// A motion that a support holds.
+    /// A motion that a support fixes.
     Held,
-    /// `E_V`: its loads follow from the motion.
+    /// `E_V`: its adjoint loads follow from the motion.
     Energy,
 }
 
 /// A motion of the beam or of a mass.
 #[derive(Debug)]
 pub(super) struct Motion {
-    /// The plan under a unit load along the motion, as a whole.
+    /// The plan under a unit load along the motion, prepared as a whole.
     pub(super) prepared: Prepared,
     pub(super) measure: Measure,
-    /// Where the motion is read.
+    /// The position of the motion.
     pub(super) reading: Reading,
-    /// The unit load where it stays in its place as the right end moves away from it.
+    /// The unit load, if its position is constant while the right end moves.
     pub(super) held: [Complex64; 6],
 }
 
-/// Where a motion is read.
+/// The position of a motion.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Reading {
     /// Of the beam, at a station.
     Beam(usize, BeamMotion),
     /// The mean rate of twist at two stations: see [`Output::MeanTwistRate`].
     MeanTwistRate([usize; 2]),
-    /// Of the enabled subsystem of an index, along y, z or theta.
+    /// Of the enabled subsystem with this index, along y, z or theta.
     Mass(usize, usize),
 }
 
 impl Adjoint {
-    /// Of each enabled response of a model; `masses` are the stations of its enabled subsystems.
+    /// The adjoints of each enabled response of a model; `masses` are the stations of its enabled subsystems.
     pub(super) fn all(model: &Model, plan: &Plan, masses: &[usize]) -> Vec<Self> {
         let bare = without_loads(plan);
         let responses = model.responses.iter().filter(|response| response.enabled);
@@ -111,7 +111,7 @@ impl Adjoint {
     }
 }
 
-/// The plan with every load at zero; its stations and spans stay.
+/// The plan with all loads at zero and the same stations and spans.
 pub(super) fn without_loads(plan: &Plan) -> Plan {
     let mut bare = plan.clone();
     bare.left.load = [ZERO; 6];

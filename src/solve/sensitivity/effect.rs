@@ -1,4 +1,4 @@
-//! Which parameter matters: how a level, a frequency or a damping ratio moves with the logarithm of each.
+//! The effect of parameters: the change of a level, a frequency or a damping ratio with the logarithm of each.
 
 use std::f64::consts::LN_10;
 use std::sync::Arc;
@@ -11,7 +11,7 @@ use crate::model::{Checked, Group, ParameterId, Quantity, Response};
 use crate::solve::modes::Modes;
 use crate::solve::{Cancelled, Reference};
 
-/// What is to be differentiated.
+/// The quantity to differentiate.
 #[derive(Debug, Clone)]
 pub enum Figure {
     /// The level of a response at a frequency, Hz.
@@ -25,14 +25,14 @@ pub enum Figure {
     Peak {
         /// Index among the enabled responses.
         response: usize,
-        /// Where it is, Hz.
+        /// Its frequency, Hz.
         frequency: f64,
     },
     /// Frequency and damping ratio of a mode.
     Mode {
         /// The model's modes.
         modes: Arc<Modes>,
-        /// The index of one of them.
+        /// The index of the mode.
         index: usize,
     },
     /// The mean-square level of a response in a band.
@@ -46,24 +46,24 @@ pub enum Figure {
     },
 }
 
-/// How a figure moves with the logarithm of a parameter's size: a hundredth of it for 1 % more.
+/// The change of a figure with the logarithm of a parameter's magnitude: a hundredth of it for 1 % more.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sensitivity {
     /// The parameter.
     pub id: ParameterId,
-    /// d(level)/d(ln p), dB; none where there is no level, or none that is finite.
+    /// d(level)/d(ln p), dB; `None` if there is no level or the derivative is not finite.
     pub level: Option<f64>,
-    /// d(frequency)/d(ln p), Hz; of a peak or a mode.
+    /// d(frequency)/d(ln p), Hz; for a peak or a mode.
     pub frequency: Option<f64>,
-    /// d(damping ratio)/d(ln p); of a mode.
+    /// d(damping ratio)/d(ln p); for a mode.
     pub damping_ratio: Option<f64>,
 }
 
-/// How a figure of a checked model moves with each parameter that is not 0, in the order of the model.
+/// The change of a figure of a checked model with each parameter that is not 0, in the order of the model.
 ///
-/// The level of a response is 20 log10 |H| in dB, of an energy or a mean square 10 log10. Where just one force acts, its
-/// amplitude and phase are left out: the response is taken per force. Of a mode that the list does
-/// not have nothing is known.
+/// The level of a response is 20 log10 |H| in dB, of an energy or a mean square 10 log10. With exactly one force its
+/// amplitude and phase are left out: the response is taken per force. For a mode that the list does not have the result
+/// is unknown.
 ///
 /// # Errors
 /// `cancel` became true before the end.
@@ -91,7 +91,7 @@ fn slopes(
     figure: &Figure,
     cancel: &AtomicBool,
 ) -> Result<Slopes, Cancelled> {
-    // An energy has ten decibels a decade, and so has a mean square.
+    // An energy has ten decibels per decade, like a mean square.
     let decibels = |response: usize| match enabled(model, response).map(|one| &one.quantity) {
         Some(Quantity::Energy) => 10.0 / LN_10,
         _ => 20.0 / LN_10,
@@ -137,7 +137,7 @@ fn slopes(
     })
 }
 
-/// Of an extremum that has a finite height; nothing is known of another one.
+/// The derivatives of an extremum with a finite height; unknown for any other.
 fn peak_slopes(
     differentiator: &Differentiator,
     response: usize,
@@ -155,13 +155,13 @@ fn peak_slopes(
     }
 }
 
-/// The derivatives by the logarithms of the parameters; one that is 0 has none.
+/// The derivatives by the logarithms of the parameters; `None` for a parameter of 0.
 fn by_logarithms(
     model: &Checked,
     differentiator: &Differentiator,
     slopes: &Slopes,
 ) -> Vec<Sensitivity> {
-    // A response is shown divided by its force where there is just one: what that force is does not matter then.
+    // With exactly one force the response is shown divided by it, so the force has no effect.
     let one_force = Reference::of(model).is_some();
     let numbers = differentiator.ids().iter().zip(differentiator.values());
     let scaled = |slopes: &Option<Vec<f64>>, index: usize, value: f64| {

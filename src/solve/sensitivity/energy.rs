@@ -1,9 +1,9 @@
 //! The derivatives of the vibration energy `E_V`.
 //!
-//! `E_V = int u^H W u dx` with W = (rho A, rho `I_0`, rho A) on (w, psi, v) is a real function of u, so that
-//! `dE_V = 2 Re int (W conj(u))^T du dx` and what W itself changes. The load `W conj(u)` is spread along the beam: as
-//! point loads at the nodes of a rule that is exact for u and du it gives the same, and its answer lambda consists of
-//! waves between the nodes like every other.
+//! `E_V = int u^H W u dx` with W = (rho A, rho `I_0`, rho A) on (w, psi, v) is a real function of u, so that `dE_V = 2
+//! Re int (W conj(u))^T du dx` plus the change of W itself. The load `W conj(u)` is distributed along the beam: point
+//! loads at the nodes of a quadrature that is exact for u and du have the same effect, and their response lambda
+//! consists of waves between the nodes like any other.
 
 use std::f64::consts::TAU;
 
@@ -16,14 +16,14 @@ use super::product::Product;
 use super::{Differentiator, Gradient, forces, mass_stations};
 use crate::model::Model;
 use crate::solve::energy::{SpanEnergy, Sum};
-use crate::solve::lanes::Prepared;
+use crate::solve::kernel::Prepared;
 use crate::solve::linear::ZERO;
 use crate::solve::plan::{Event, Plan};
 use crate::solve::quadrature::{Node, nodes};
 use crate::solve::solution::{MassSolution, Solution, SpanWaves};
 use crate::solve::waves::Amplitudes;
 
-/// Where the numbers stand that W depends on, in the order of the model file.
+/// The indices of the parameters of W, in the order of the model file.
 const LENGTH: usize = 0;
 const DENSITY: usize = 3;
 const AREA: usize = 5;
@@ -90,7 +90,7 @@ impl Differentiator {
     }
 }
 
-/// `E_V` as the frequency responses have it.
+/// `E_V` with the value of the frequency responses.
 fn energy(plan: &Plan, solution: &Solution) -> f64 {
     let energy = SpanEnergy::vibration(plan, &solution.waves, &solution.decays);
     let mut sum = Sum::default();
@@ -100,7 +100,7 @@ fn energy(plan: &Plan, solution: &Solution) -> f64 {
     sum.resolved()
 }
 
-/// A solution on a plan that has more places to look at.
+/// A solution on a plan with additional stations.
 fn refined(plan: &Plan, fine: &Plan, solution: &Solution) -> Solution {
     let lengths = fine.lengths.iter();
     let decays: Vec<Amplitudes> = lengths.map(|&l| solution.waves.decay(l)).collect();
@@ -108,7 +108,7 @@ fn refined(plan: &Plan, fine: &Plan, solution: &Solution) -> Solution {
     let mut masses = Vec::new();
     let mut first = 0;
     for (span, waves) in solution.spans.iter().enumerate() {
-        // The fine spans up to the station that ends this one.
+        // The fine spans up to the station at the end of this one.
         let end = plan
             .stations
             .get(span)
@@ -161,7 +161,7 @@ struct NodeMotion {
 }
 
 impl Spread {
-    /// Reads a solution of a plan that has the nodes among its stations.
+    /// Reads a solution of a plan whose stations include the nodes.
     fn new(plan: &Plan, solution: &Solution, nodes: &[Node]) -> Self {
         let reader = Reader::new(plan, solution);
         let at = |node: &Node| {
@@ -180,7 +180,7 @@ impl Spread {
         }
     }
 
-    /// The plan under the loads W conj(u) in place of its own.
+    /// The plan with the loads W conj(u) instead of its own.
     fn loaded(&self, plan: &Plan) -> Plan {
         let mut loaded = without_loads(plan);
         for node in &self.nodes {
@@ -198,8 +198,8 @@ impl Spread {
         loaded
     }
 
-    /// What the weights of the energy, and the length of beam that it counts, change: places among the parameters, and
-    /// derivatives.
+    /// The contributions of the parameters in the weights of the energy and of the length of the beam: indices of the
+    /// parameters, and derivatives.
     fn of_weights(&self, model: &Model, u: &Field) -> [(usize, f64); 4] {
         let (mut along, mut about) = (0.0, 0.0);
         for node in &self.nodes {

@@ -1,9 +1,9 @@
-//! What one solution of a plan does at the places where parameters act.
+//! The values of one solution of a plan where parameters act.
 
 use num_complex::Complex64;
 
 use crate::model::{BeamMotion, Model, Restraint, Subsystem};
-use crate::solve::local::Local;
+use crate::solve::beam_state::BeamState;
 use crate::solve::plan::{End, Plan};
 use crate::solve::solution::{MassSolution, Solution, SpanWaves};
 use crate::solve::springs::{springs, stiffness, stretches};
@@ -26,33 +26,33 @@ pub(super) struct Setting<'a> {
 pub(super) struct Field {
     /// The six motions of the left and of the right end.
     pub(super) ends: [[Complex64; 6]; 2],
-    /// What the beam does just inside the right end.
-    pub(super) edge: Local,
-    /// Where `Gamma_0` = 0, the torques that warping would feel first.
+    /// The state just inside the right end.
+    pub(super) edge: BeamState,
+    /// If `Gamma_0` = 0, the torques around which any warping stiffness makes a boundary layer.
     pub(super) kinks: Kinks,
     /// The enabled subsystems, in the order of the model.
     pub(super) masses: Vec<MassField>,
 }
 
-/// The torques, N m, around which warping stiffness, however small, makes a layer.
+/// The torques, N m, around which any warping stiffness makes a boundary layer.
 #[derive(Debug, Default)]
 pub(super) struct Kinks {
-    /// By how much the torque jumps at each place between the ends.
+    /// The jump of the torque at each position between the ends.
     pub(super) jumps: Vec<Complex64>,
-    /// The torque at each end whose rate of twist is held.
+    /// The torque at each end with a fixed rate of twist.
     pub(super) held: Vec<Complex64>,
 }
 
-/// What one solution does at a subsystem.
+/// The values of one solution at a subsystem.
 #[derive(Debug)]
 pub(super) struct MassField {
     /// y, z, theta of the mass.
     pub(super) motion: [Complex64; 3],
     /// The twist psi of the beam there.
     pub(super) twist: Complex64,
-    /// w', psi', v' of the beam there; where the twist has a kink, the mean of both sides.
+    /// w', psi', v' of the beam there; if the twist has a kink, the mean of both sides.
     pub(super) slope: [Complex64; 3],
-    /// How far the mass's end of each spring (y left, y right, z left, z right) is ahead of the beam's, m.
+    /// The displacement of the mass's end of each spring (y left, y right, z left, z right) relative to the beam's, m.
     pub(super) stretches: [Complex64; 4],
     /// `(k + i omega c)` times the stretch, N.
     pub(super) forces: [Complex64; 4],
@@ -78,15 +78,15 @@ impl<'a> Reader<'a> {
     }
 
     /// Just right of the left end of a span.
-    pub(super) fn start(&self, span: usize) -> Local {
+    pub(super) fn start(&self, span: usize) -> BeamState {
         let SpanWaves { a, b } = &self.spans[span];
-        Local::new(self.waves, a, &self.decayed(span, b))
+        BeamState::new(self.waves, a, &self.decayed(span, b))
     }
 
-    /// Just left of the right end of a span: of the station that the span leads to.
-    pub(super) fn end(&self, span: usize) -> Local {
+    /// Just left of the right end of a span, which is the left of its station.
+    pub(super) fn end(&self, span: usize) -> BeamState {
         let SpanWaves { a, b } = &self.spans[span];
-        Local::new(self.waves, &self.decayed(span, a), b)
+        BeamState::new(self.waves, &self.decayed(span, a), b)
     }
 
     fn decayed(&self, span: usize, amplitudes: &Amplitudes) -> Amplitudes {
@@ -136,7 +136,7 @@ impl Kinks {
             }
             first = last;
         }
-        // Inside of what stands at the very ends.
+        // Inside of stations at the ends.
         let left = stations.partition_point(|of| of.position <= 0.0);
         let right = stations.partition_point(|of| of.position < length);
         let ends = [
@@ -152,11 +152,11 @@ impl Kinks {
     }
 }
 
-fn torque(local: &Local) -> Complex64 {
+fn torque(local: &BeamState) -> Complex64 {
     local.force[BeamMotion::Psi as usize]
 }
 
-/// What a solution does at the subsystem of a station.
+/// The values of a solution at the subsystem of a station.
 fn mass(
     setting: &Setting<'_>,
     reader: &Reader<'_>,
@@ -182,10 +182,10 @@ fn mass(
     }
 }
 
-/// The mean of the torque, N m, on both sides of a station together with those at the same place.
+/// The mean of the torque, N m, on both sides of all stations at the position of a station.
 ///
-/// Without warping stiffness psi has a kink at a torque: a force that moves over it meets the mean of both slopes. At an
-/// end a station can only move inwards, past all others there.
+/// Without warping stiffness psi has a kink at a torque: the slope for a force that moves across it is the mean of both
+/// sides. At an end a station can only move inwards, past all others there.
 fn mean_torque(setting: &Setting<'_>, reader: &Reader<'_>, station: usize) -> Complex64 {
     let stations = &setting.plan.stations;
     let x = stations[station].position;

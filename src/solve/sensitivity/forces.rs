@@ -1,4 +1,4 @@
-//! The forces of a model: where each acts, and what a response owes to it.
+//! The forces of a model: their positions, and their contributions to the derivatives of a response.
 
 use num_complex::Complex64;
 
@@ -17,10 +17,10 @@ pub(super) struct Force {
     phase: f64,
 }
 
-/// Where a force acts.
+/// The position of a force.
 #[derive(Debug)]
 enum Site {
-    /// On an end of the beam: 0 left, 1 right; the right one moves with the length where the place says so.
+    /// On an end of the beam: 0 left, 1 right; the right one moves with the length if the model says `right`.
     End {
         end: usize,
         motion: BeamMotion,
@@ -28,7 +28,7 @@ enum Site {
     },
     /// On the beam between its ends, m from the left end.
     Beam { x: f64, motion: BeamMotion },
-    /// On the enabled subsystem of an index, along y, z or theta.
+    /// On the enabled subsystem with this index, along y, z or theta.
     Mass { index: usize, motion: usize },
     /// On a subsystem that is not attached.
     Nowhere,
@@ -88,7 +88,7 @@ impl Force {
     }
 }
 
-/// The sum of the forces that stay where they are as the right end moves away from them.
+/// The sum of the forces whose position is constant while the right end moves.
 pub(super) fn held(forces: &[Force]) -> [Complex64; 6] {
     let mut sum = [ZERO; 6];
     for force in forces {

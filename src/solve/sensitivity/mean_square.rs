@@ -1,4 +1,4 @@
-//! How a mean square in a band moves with the parameters.
+//! The derivatives of a mean square in a band by the parameters.
 
 use std::sync::atomic::AtomicBool;
 
@@ -13,19 +13,20 @@ use crate::solve::{Cancelled, band};
 /// The mean square of a response in a band with its derivatives.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeanSquareGradient {
-    /// As [`band::levels`] has it: `1/(f2 - f1) int |H|^2 df`, of an energy the mean of `E_V` itself. Infinite where an
-    /// undamped resonance lies in the band.
+    /// The value of [`band::levels`]: `1/(f2 - f1) int |H|^2 df`, for an energy the mean of `E_V` itself. Infinite if
+    /// an undamped resonance lies in the band.
     pub value: f64,
-    /// Per SI unit of each parameter (of a phase: per degree), in the order of [`Differentiator::ids`]; NaN where the
+    /// Per SI unit of each parameter (of a phase: per degree), in the order of [`Differentiator::ids`]; NaN if the
     /// value is infinite.
     pub by_parameter: Vec<f64>,
 }
 
 impl Differentiator {
-    /// The mean square of a response, by its index among the enabled ones, in a band (Hz, rising, > 0), with its derivatives.
+    /// The mean square of a response, by its index among the enabled ones, in a band (Hz, ascending, > 0), with its
+    /// derivatives.
     ///
-    /// `modes` are the model's, up to the end of the band or higher. The frequencies are those of [`band::levels`] for this
-    /// response alone.
+    /// `modes` are the modes of the model up to the end of the band or higher. The frequencies are those of
+    /// [`band::levels`] for this response alone.
     ///
     /// # Errors
     /// `cancel` became true before the end.
@@ -50,7 +51,7 @@ impl Differentiator {
             Ok(power.into_iter().map(|share| weight * share).collect())
         };
         let shares: Result<Vec<Vec<f64>>, Cancelled> = rule.par_iter().map(at).collect();
-        // Added in order, so that the sum does not depend on the number of threads.
+        // Sums in order, so that the result does not depend on the number of threads.
         let mut sum = vec![0.0; self.ids().len() + 1];
         for share in shares? {
             sum.iter_mut()
@@ -63,7 +64,7 @@ impl Differentiator {
         })
     }
 
-    /// The model with one of its enabled responses, by its index.
+    /// The model with only one of its enabled responses, by its index.
     fn alone(&self, response: usize) -> Checked {
         self.model.derived(|model| {
             let enabled = model.responses.iter().filter(|of| of.enabled);

@@ -1,61 +1,60 @@
-//! Exact derivatives of the responses by every parameter, by the adjoint.
+//! Exact derivatives of the responses by every parameter, by the adjoint method.
 //!
-//! A response is `r = e^T u` with `D(omega, p) u = F` and D symmetric, so that `dr/dp = lambda^T (dF/dp - (dD/dp) u)` with
-//! `D lambda = e`: for the price of one more solution, under a unit load in the place of the response, come the
-//! derivatives by all parameters. `adjoint` lays out these loads, `field` reads what a solution does where parameters
-//! act, `overlap` integrates products of two solutions along the beam in closed form, `product` puts
-//! `-lambda^T (dD/dp) u` together for every parameter and `forces` adds `lambda^T dF/dp`. Nothing is a difference of
-//! solutions.
+//! A response is `r = e^T u` with `D(omega, p) u = F` and D symmetric, so that `dr/dp = lambda^T (dF/dp - (dD/dp) u)`
+//! with `D lambda = e`: one more solution, under a unit load at the response, gives the derivatives by all parameters.
+//! `adjoint` makes these loads, `field` reads the values of a solution where parameters act, `overlap` integrates
+//! products of two solutions along the beam in closed form, `product` evaluates `-lambda^T (dD/dp) u` for every
+//! parameter and `forces` adds `lambda^T dF/dp`. No derivative is a difference of solutions. `unavailable` explains
+//! missing ones.
 
 mod adjoint;
 mod effect;
 mod energy;
 mod field;
 mod forces;
-mod lack;
 mod mean_square;
 mod mode;
 mod overlap;
-mod parameters;
 mod peak;
 mod product;
+mod unavailable;
 
 use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
-use super::lanes::Prepared;
+use super::kernel::Prepared;
 use super::linear::ZERO;
 use super::plan::{Event, Plan};
 use super::solution::Solution;
-use crate::model::{BeamMotion, Checked, Model, ParameterId};
+use crate::model::schema::Kind;
+use crate::model::{BeamMotion, Checked, Group, Model, ParameterId, edit};
 pub use effect::{Figure, Sensitivity, effects};
 
 use adjoint::{Adjoint, Motion, Reading, factor};
 use field::{Field, Reader, Setting};
 use forces::Force;
-pub use lack::lack;
 pub use mean_square::MeanSquareGradient;
 pub use mode::ModeGradient;
 use overlap::Spans;
-use parameters::Parameters;
 pub use peak::PeakGradient;
 use product::Product;
+pub use unavailable::unavailable;
 
 /// The derivatives of one response at one frequency.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gradient {
-    /// The response, as [`sweep`](super::sweep()) gives it.
+    /// The response, as in [`sweep`](super::sweep()).
     pub value: Complex64,
     /// Its derivative by the frequency, per Hz.
     pub by_frequency: Complex64,
     /// Its derivative by each parameter, per SI unit (of a phase per degree), in the order of [`Differentiator::ids`].
-    /// Of an energy real.
+    /// Real for an energy.
     ///
-    /// A place at an end can only move inwards, and a beam only grow beyond a place at its right end: those derivatives
-    /// are one-sided. A warping constant of 0 can only rise, and where a torque acts between the ends or the
-    /// rate of twist is held it does so with an infinite slope: the value is not finite. The rate of twist of a beam without warping
-    /// stiffness has no adjoint load: its derivatives are NaN, also that by the frequency.
+    /// A position at an end can only move inwards, and a beam can only grow beyond a position at its right end: those
+    /// derivatives are one-sided. A warping constant of 0 can only increase, and if a torque acts between the ends or
+    /// the rate of twist is fixed, the slope is infinite: the value is not finite. The rate of twist of a beam without
+    /// warping stiffness has no adjoint load: its derivatives are NaN, also that by the frequency.
     pub by_parameter: Vec<Complex64>,
 }
 
@@ -63,20 +62,20 @@ pub struct Gradient {
 #[derive(Debug)]
 pub struct Differentiator {
     model: Checked,
-    /// As a whole.
+    /// Prepared as a whole.
     prepared: Prepared,
     parameters: Parameters,
     /// Station of each enabled subsystem, in the order of the model.
     masses: Vec<usize>,
     forces: Vec<Force>,
-    /// Of each enabled response.
+    /// For each enabled response.
     adjoints: Vec<Adjoint>,
 }
 
 /// The solution under the forces of the model, at one frequency.
 struct Forced<'a> {
     setting: Setting<'a>,
-    /// What the beam does just left of each station.
+    /// The state just left of each station.
     solution: Solution,
     spans: Spans,
     field: Field,
@@ -97,18 +96,19 @@ impl Differentiator {
         }
     }
 
-    /// The numbers that responses depend on, in the order of [`ParameterId::all`]: of the beam, of supports that are not
+    /// The numbers that affect responses, in the order of [`ParameterId::all`]: of the beam, of supports that are not
     /// fixed, and of the subsystems and forces that are enabled.
     pub fn ids(&self) -> &[ParameterId] {
         &self.parameters.ids
     }
 
-    /// The numbers themselves, SI (phases in degrees), in the order of [`Self::ids`].
+    /// The values of the parameters, SI (phases in degrees), in the order of [`Self::ids`].
     pub fn values(&self) -> &[f64] {
         &self.parameters.values
     }
 
-    /// The derivatives of each enabled response at a frequency, Hz: above 0, or complex where a mode or a zero is sought.
+    /// The derivatives of each enabled response at a frequency, Hz: above 0, or complex in the search for a mode or a
+    /// zero.
     pub fn at(&self, frequency: Complex64) -> Vec<Gradient> {
         let forced = self.forced(TAU * frequency);
         let adjoints = self.adjoints.iter();
@@ -117,9 +117,9 @@ impl Differentiator {
             .collect()
     }
 
-    /// The same of one response: its index among the enabled ones, which there must be.
+    /// The same for one response, by its index among the enabled ones, which must exist.
     ///
-    /// An energy is real and takes the real part of a frequency.
+    /// For an energy, which is real, only the real part of the frequency counts.
     pub fn response_at(&self, response: usize, frequency: Complex64) -> Gradient {
         self.gradient(&self.forced(TAU * frequency), &self.adjoints[response])
     }
@@ -148,7 +148,7 @@ impl Differentiator {
         }
     }
 
-    /// Of a motion that does not depend on anything.
+    /// The derivatives of a motion that does not depend on anything.
     fn nothing(&self) -> Gradient {
         Gradient {
             value: ZERO,
@@ -215,7 +215,7 @@ impl Differentiator {
 
 /// The station of each enabled subsystem, in the order of the model.
 fn mass_stations(model: &Model, plan: &Plan) -> Vec<usize> {
-    // Stations lie by rising place, those at one place in the order of the model.
+    // Stations are in order of ascending position, those at one position in the order of the model.
     let positions: Vec<f64> = model.attached().map(|of| of.position).collect();
     let mut order: Vec<usize> = (0..positions.len()).collect();
     order.sort_by(|&a, &b| positions[a].total_cmp(&positions[b]));
@@ -226,4 +226,34 @@ fn mass_stations(model: &Model, plan: &Plan) -> Vec<usize> {
         masses[subsystem] = station;
     }
     masses
+}
+
+/// Parameters with their values.
+#[derive(Debug, Default)]
+struct Parameters {
+    ids: Vec<ParameterId>,
+    /// SI.
+    values: Vec<f64>,
+}
+
+impl Parameters {
+    /// The numbers of the beam, of supports that are not fixed, and of the subsystems and forces that are enabled.
+    fn of(model: &Model) -> Self {
+        let ids = ParameterId::all(model).into_iter();
+        let numbers = ids
+            .filter(|id| id.key().kind == Kind::Number && acts(model, id.group))
+            .filter_map(|id| Some((id, edit::number(model, id).ok()?)));
+        let (ids, values) = numbers.unzip();
+        Self { ids, values }
+    }
+}
+
+/// Whether responses depend on the numbers of a table.
+fn acts(model: &Model, group: Group) -> bool {
+    match group {
+        Group::Beam | Group::Material | Group::Section | Group::Motion(..) => true,
+        Group::Subsystem(index) => model.subsystems[index].enabled,
+        Group::Force(index) => model.forces[index].enabled,
+        _ => false,
+    }
 }

@@ -1,10 +1,11 @@
-//! How a mode's frequency and damping move with the parameters.
+//! The derivatives of a mode's frequency and damping by the parameters.
 //!
-//! `d omega/dp = -phi^T (dD/dp) phi / phi^T (dD/d omega) phi` with the mode's motion phi (Lancaster, Numer. Math. 6 (1964)
-//! 377-387). Of modes that share one root the derivatives are the eigenvalues of the pencil of these products between
-//! all of them (Friswell, J. Vib. Acoust. 118 (1996) 390-397). Near its root the answer to a load that excites no other
-//! mode of the group is phi times 1 / distance and a rest that varies slowly: the difference of the answers on both
-//! sides of the root, at two distances, is phi to the fourth power of the distance.
+//! `d omega/dp = -phi^T (dD/dp) phi / phi^T (dD/d omega) phi` with the mode's motion phi (Lancaster, Numer. Math. 6
+//! (1964) 377-387). For modes that share one root the derivatives are the eigenvalues of the pencil of these products
+//! between all of them (Friswell, J. Vib. Acoust. 118 (1996) 390-397). Near its root the response to a load that
+//! excites no other mode of the group is phi times 1 / distance plus a remainder that varies slowly: the difference of
+//! the responses on both sides of the root, at two distances, gives phi with an error of the fourth power of the
+//! distance.
 
 use nalgebra::DMatrix;
 use num_complex::Complex64;
@@ -15,19 +16,19 @@ use super::overlap::Spans;
 use super::product::Product;
 use super::{Differentiator, mass_stations};
 use crate::model::{Force, Model};
-use crate::solve::lanes::{Prepared, waves};
+use crate::solve::kernel::{Prepared, waves};
 use crate::solve::linear::ZERO;
 use crate::solve::modes::{Group, ModeKind, Modes, eigenvalues};
 use crate::solve::plan::Plan;
 use crate::solve::solution::Solution;
 
-/// Distance from the root, as a share of that to the next root, but for the modes of the group.
+/// Distance from the root, as a fraction of that to the next root outside the group.
 const ASIDE: f64 = 1e-3;
 
-/// Roots nearer than this (relative) are one.
+/// Roots closer than this (relative) count as equal.
 const EQUAL: f64 = 1e-11;
 
-/// How a mode moves with each parameter, in the order of [`Differentiator::ids`].
+/// The derivatives of a mode by each parameter, in the order of [`Differentiator::ids`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModeGradient {
     /// Of [`crate::solve::modes::Mode::frequency`], Hz per SI unit (of a phase: per degree).
@@ -37,16 +38,16 @@ pub struct ModeGradient {
 }
 
 impl Differentiator {
-    /// The derivatives of the mode `index` of this model's modes, which there must be.
+    /// The derivatives of the mode `index` of this model's modes, which must exist.
     ///
-    /// Modes that share one root separate as a parameter moves. As its size rises (away from 0), the k-th of them in
-    /// the list stays the k-th by frequency: it has the k-th derivative of the frequency, by rising value. As it falls
-    /// they go the other way, and so have the same derivatives in the opposite order. Modes that only lie near each
-    /// other have their own derivatives.
+    /// Modes that share one root separate when a parameter changes. If its magnitude increases (away from 0), the k-th
+    /// of them in the list stays the k-th by frequency: it has the k-th derivative of the frequency, by ascending
+    /// value. If it decreases, they separate in the opposite order, with the same derivatives. Modes with close but
+    /// different roots have their own derivatives.
     ///
-    /// A rigid-body mode stays at 0 Hz: all are 0, also for a spring of no stiffness, which would lift it with an
-    /// infinite slope. The damping ratio of an overdamped mode stays 1. What an open list has by mistake has no
-    /// derivatives that mean anything, or NaN.
+    /// A rigid-body mode stays at 0 Hz: all its derivatives are 0, also for a spring without stiffness, which would
+    /// raise it with an infinite slope. The damping ratio of an overdamped mode stays 1. For an erroneous entry of an
+    /// open list the derivatives are meaningless, or NaN.
     pub fn mode(&self, modes: &Modes, index: usize) -> ModeGradient {
         let mode = &modes.modes[index];
         if mode.kind == ModeKind::RigidBody {
@@ -95,7 +96,7 @@ impl Differentiator {
             })
         };
         let by_parameter = |parameter: usize| {
-            // Forces come last: no mode depends on them.
+            // Forces are last: no mode depends on them.
             matrix(&|form| form.by_parameter.get(parameter).map_or(ZERO, |by| -by))
         };
         let parameters = 0..self.ids().len();
@@ -115,7 +116,7 @@ impl Differentiator {
     }
 }
 
-/// The eigenvalues of `second y = t first y` for each `second`; none where there are none.
+/// The eigenvalues of `second y = t first y` for each `second`; NaN if the computation fails.
 fn separated(
     first: &DMatrix<Complex64>,
     seconds: &[DMatrix<Complex64>],
@@ -123,12 +124,12 @@ fn separated(
     if first.len() > 1 {
         return eigenvalues(first, seconds);
     }
-    // Also where it is infinite.
+    // Also if it is infinite.
     let alone = |second: &DMatrix<Complex64>| Some(vec![second[(0, 0)] / first[(0, 0)]]);
     Some(seconds.iter().map(alone).collect())
 }
 
-/// Derivatives of roots at `omega` by how the frequency rises with them, then by how the decay does.
+/// Orders derivatives of roots at `omega` by that of the frequency, then by that of the decay.
 fn sorted(mut shifts: Vec<Complex64>, omega: Complex64) -> Vec<Complex64> {
     const ROUNDING: f64 = 1e-9;
     let largest = shifts.iter().map(|shift| shift.norm()).fold(0.0, f64::max);
@@ -141,7 +142,7 @@ fn sorted(mut shifts: Vec<Complex64>, omega: Complex64) -> Vec<Complex64> {
     shifts
 }
 
-/// Not a number: what no derivative is known of.
+/// NaN: an unknown derivative.
 const UNKNOWN: Complex64 = Complex64::new(f64::NAN, f64::NAN);
 
 /// Products of two motions.
@@ -162,7 +163,7 @@ struct Loaded {
 }
 
 impl Loaded {
-    /// Of a model at a root under some forces; `aside` is the distance of the nearer answers from it, rad/s.
+    /// For a model at a root under some forces; `aside` is the distance of the nearer responses from it, rad/s.
     fn new(model: &Model, forces: Vec<Force>, omega: Complex64, aside: f64) -> Self {
         let model = Model {
             forces,
@@ -204,10 +205,10 @@ impl Loaded {
     }
 }
 
-/// The residue of the answers at a root as a motion there, times a number; `aside` is a relative distance.
+/// The residue of the responses at a root as a motion there, times a number; `aside` is a relative distance.
 ///
-/// The points lie on the ray through the root, along which no wave changes its direction. With `u = phi / distance + r0 +
-/// r1 distance + ...` the weights leave phi and what is of the fourth order.
+/// The points are on the ray through the root, along which no wave changes its direction. With
+/// `u = phi / distance + r0 + r1 distance + ...` the weights cancel all terms except phi and those of the fourth order.
 fn motion(plan: &Plan, omega: Complex64, aside: f64) -> Solution {
     let prepared = Prepared::whole(plan.clone());
     let answer = |side: f64| prepared.solution(omega * (1.0 + side * aside));

@@ -13,10 +13,10 @@ use crate::solve::solution::{Solution, SpanWaves};
 use crate::solve::waves::Amplitudes;
 use crate::solve::waves::{WARPING_WAVE, Waves};
 
-/// The blocks of waves that meet: those that carry w and psi, and those that carry v.
+/// The blocks of waves with common motions: those of w and psi, and those of v.
 const BLOCKS: [std::ops::Range<usize>; 2] = [0..4, 4..6];
 
-/// Integrals along the whole beam of products of two fields, each m times what is multiplied.
+/// Integrals along the whole beam of products of two fields, each m times the unit of the product.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Overlap {
     /// w'' w''.
@@ -38,9 +38,9 @@ pub(super) struct Overlap {
 /// The integrals over a span of each pair of waves.
 #[derive(Debug)]
 struct Pairs {
-    /// Of waves that travel the same way.
+    /// Waves that travel in the same direction.
     same: Matrix<6, 6>,
-    /// Of waves that travel against each other.
+    /// Waves that travel in opposite directions.
     against: Matrix<6, 6>,
 }
 
@@ -95,7 +95,7 @@ impl Pairs {
         for block in BLOCKS {
             for i in block.clone() {
                 for j in block.clone() {
-                    // The wave that decays over no length has no part in an integral.
+                    // A wave that decays at once does not contribute to an integral.
                     if waves.without_warping() && (i == WARPING_WAVE || j == WARPING_WAVE) {
                         continue;
                     }
@@ -149,7 +149,7 @@ fn weighed(waves: &Waves, same: &Matrix<6, 6>, against: &Matrix<6, 6>) -> Overla
                 sums.bending_w += squares * w[i] * w[j] * even;
                 sums.bending_v += squares * v[i] * v[j] * even;
                 sums.warping += squares * psi[i] * psi[j] * even;
-                // The rate of twist of a wave that goes left has the other sign.
+                // The rate of twist of a left-going wave has the opposite sign.
                 sums.torsion += rates * psi[i] * psi[j] * odd;
                 sums.translation += (w[i] * w[j] + v[i] * v[j]) * even;
                 sums.coupling += (w[i] * psi[j] + psi[i] * w[j]) * even;
@@ -160,7 +160,7 @@ fn weighed(waves: &Waves, same: &Matrix<6, 6>, against: &Matrix<6, 6>) -> Overla
     sums
 }
 
-/// The wave numbers, 0 in place of one that is infinite: its shape is 0 as well.
+/// The wave numbers, with 0 instead of an infinite one: its shape is also 0.
 fn finite(waves: &Waves) -> Amplitudes {
     let mut kappa = waves.kappa;
     if waves.without_warping() {

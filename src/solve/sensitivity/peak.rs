@@ -1,8 +1,8 @@
-//! How a peak or an anti-resonance of a response moves with the parameters.
+//! The derivatives of a peak or an anti-resonance of a response by the parameters.
 //!
-//! At an extremum f* of P(f) = |H|^2 the height moves by dP/dp alone (the envelope theorem), and f* by
-//! `-(d2P/df dp) / (d2P/df2)`. P and dP/dp are analytic in f on the real axis: they are interpolated in Chebyshev points
-//! around f*, so near together that the series has converged, and the series are differentiated (Trefethen,
+//! At an extremum f* of P(f) = |H|^2 the derivative of the height is dP/dp alone (the envelope theorem), and that of f*
+//! is `-(d2P/df dp) / (d2P/df2)`. P and dP/dp are analytic in f on the real axis: they are interpolated in Chebyshev
+//! points around f*, close enough for the series to converge, and the series are differentiated (Trefethen,
 //! Approximation Theory and Approximation Practice (2013), Chapters 3 and 8).
 
 use std::f64::consts::{PI, TAU};
@@ -11,7 +11,7 @@ use num_complex::Complex64;
 
 use super::Differentiator;
 use super::adjoint::Adjoint;
-use crate::solve::lanes::Solver;
+use crate::solve::kernel::Solver;
 use crate::solve::linear::ZERO;
 
 /// Chebyshev points of an interval.
@@ -21,17 +21,17 @@ const POINTS: usize = 16;
 /// order of [`Differentiator::ids`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct PeakGradient {
-    /// Where it is, Hz.
+    /// Its frequency, Hz.
     pub frequency: f64,
     /// |H|, or `E_V`, there.
     pub height: f64,
     /// The derivatives of the frequency.
     pub frequency_by: Vec<f64>,
-    /// The derivatives of the height; 0 where the height itself is.
+    /// The derivatives of the height; 0 if the height itself is 0.
     pub height_by: Vec<f64>,
 }
 
-/// An interval around a place, Hz.
+/// An interval around a frequency, Hz.
 #[derive(Debug, Clone, Copy)]
 struct Interval {
     middle: f64,
@@ -42,10 +42,10 @@ impl Differentiator {
     /// The derivatives of the extremum (peak, dip or anti-resonance) of |H| or of `E_V` next to a frequency (Hz); the
     /// response by its index among the enabled ones.
     ///
-    /// None where there is no extremum so near that a series about the frequency reaches it, and at an undamped resonance,
-    /// whose height is infinite: see [`Self::mode`].
+    /// `None` if no extremum is close enough for a series about the frequency, and at an undamped resonance, whose
+    /// height is infinite: see [`Self::mode`].
     pub fn peak(&self, response: usize, frequency: f64) -> Option<PeakGradient> {
-        /// A farther extremum is sought again from where it seems to be.
+        /// The search for a more distant extremum restarts at its estimate.
         const NEAR: f64 = 0.25;
         const MOST_MOVES: usize = 8;
         let mut middle = frequency;
@@ -102,7 +102,7 @@ impl Differentiator {
         const LONGEST: f64 = 0.02;
         const SHORTEST: f64 = 1e-11;
         const SHORTER: f64 = 0.5;
-        /// What the last terms may be, relative to the largest.
+        /// The largest accepted last terms, relative to the largest term.
         const CONVERGED: f64 = 1e-10;
         let mut interval = Interval {
             middle,
@@ -177,7 +177,7 @@ fn value(series: &[f64; POINTS], t: f64) -> f64 {
     series[0] + t * one - two
 }
 
-/// Where a series has an extremum in [-1, 1], or the end by which it leaves, by Newton steps from 0.
+/// The position of an extremum of a series in [-1, 1], or the end at which Newton's steps from 0 leave the interval.
 fn extremum(series: &[f64; POINTS]) -> Option<f64> {
     const STEPS: usize = 30;
     const SETTLED: f64 = 1e-13;

@@ -1,9 +1,9 @@
 //! The derivative of a response by every parameter, from two fields: `-lambda^T (dD/dp) u`.
 //!
 //! The beam, its supports and its subsystems are one system `D u = F`, complex and symmetric; a response is `e^T u` and
-//! `lambda` its answer to `e` in place of the loads. So `dr/dp = lambda^T (dF/dp - (dD/dp) u)`. Every spring, damper
-//! and mass is one term of D, and the beam is the bilinear form (the strain and kinetic energies of Vlasov's beam; Chen
-//! & Liu, Mathematics 2022, 10(16), 2849, Section 2, derive their equations from them)
+//! `lambda` the solution for `e` instead of the loads. So `dr/dp = lambda^T (dF/dp - (dD/dp) u)`. Every spring, damper
+//! and mass is one term of D, and the beam is the bilinear form (the strain and kinetic energies of Vlasov's beam, from
+//! which Chen & Liu, Mathematics 2022, 10(16), 2849, Section 2, derive their equations)
 //!
 //! ```text
 //! int E Iz v'' v'' + E Iy w'' w'' + E G0 psi'' psi'' + G J psi' psi'
@@ -18,11 +18,11 @@ use super::field::{Field, MassField, Setting};
 use super::overlap::Overlap;
 use crate::model::schema::{BeamKey, ElasticKey, MaterialKey, SectionKey, SubsystemKey};
 use crate::model::{BeamMotion, Restraint, Subsystem, Support};
+use crate::solve::beam_state::BeamState;
 use crate::solve::linear::ZERO;
-use crate::solve::local::Local;
 use crate::solve::springs::{rows, springs};
 
-/// A field and the adjoint one, with the integrals of their product.
+/// A field and its adjoint, with the integrals of their product.
 pub(super) struct Product<'a> {
     pub(super) setting: Setting<'a>,
     pub(super) lambda: &'a Field,
@@ -32,7 +32,7 @@ pub(super) struct Product<'a> {
 
 impl Product<'_> {
     /// `-lambda^T (dD/dp) u` for the parameters of the beam, the supports and the subsystems, in their order; `held`
-    /// are the loads (of lambda and of u) that stay where they are when the right end moves away from them.
+    /// are the loads (of lambda and of u) whose position is constant while the right end moves.
     pub(super) fn by_parameter(&self, held: [&[Complex64; 6]; 2]) -> Vec<Complex64> {
         let mut all = BeamKey::ALL
             .map(|BeamKey::Length| self.by_length(held))
@@ -75,11 +75,11 @@ impl Product<'_> {
         2.0 * self.setting.omega * mass - Complex64::I * damping
     }
 
-    /// The Hamiltonian at the right end: what the last piece of beam adds when it grows by one metre.
+    /// The Hamiltonian at the right end: the effect of one more metre of beam there.
     ///
-    /// With `-dD/dL` of the beam being minus the density of its form there, and the support and its loads moving on by
-    /// the slopes, `dr/dL = sum (p_u q'_lambda + p_lambda q'_u) - density` over displacements and slopes q with their
-    /// internal forces p (Gelfand & Fomin, Calculus of Variations (1963), Section 13).
+    /// `-dD/dL` of the beam is minus the density of its form there, and the support and its loads move by the slopes,
+    /// so `dr/dL = sum (p_u q'_lambda + p_lambda q'_u) - density` over displacements and slopes q with their internal
+    /// forces p (Gelfand & Fomin, Calculus of Variations (1963), Section 13).
     fn by_length(&self, held: [&[Complex64; 6]; 2]) -> Complex64 {
         let beam = &self.setting.plan.beam;
         let [lambda, u] = [self.lambda, self.u];
@@ -89,7 +89,7 @@ impl Product<'_> {
         for row in 0..3 {
             sum += l.force[row] * u.motion[row + 3] + u.force[row] * l.motion[row + 3];
         }
-        // Both orders of M q'' less the density M M / EI of bending.
+        // M q'' in both orders minus the density M M / EI of bending.
         let stiffnesses = [beam.bending_w, beam.warping, beam.bending_v];
         for (row, stiffness) in stiffnesses.into_iter().enumerate() {
             if stiffness != ZERO {
@@ -104,8 +104,8 @@ impl Product<'_> {
         sum + self.setting.omega * self.setting.omega * inertia
     }
 
-    /// The right end just beyond the loads that stay where they are.
-    fn beyond(&self, field: &Field, held: &[Complex64; 6]) -> Local {
+    /// The right end just beyond the loads whose position is constant.
+    fn beyond(&self, field: &Field, held: &[Complex64; 6]) -> BeamState {
         let beam = &self.setting.plan.beam;
         let mut edge = field.edge.clone();
         for (force, held) in edge.force.iter_mut().zip(held) {
@@ -155,11 +155,11 @@ impl Product<'_> {
         })
     }
 
-    /// Of `Gamma_0`; where that is 0, of one that rises from it.
+    /// The derivative by `Gamma_0`; if that is 0, for an increase from 0.
     ///
-    /// Warping stiffness then makes layers of the thickness sqrt(E `Gamma_0` / G J) at torques and at ends whose rate of
-    /// twist is held. They stiffen the beam by as much, so that the derivative is infinite, except where one of the two
-    /// fields has no torque.
+    /// Warping stiffness then makes boundary layers of the thickness sqrt(E `Gamma_0` / G J) at torques and at ends
+    /// with a fixed rate of twist. They stiffen the beam in proportion to it, so the derivative is infinite, unless one
+    /// of the two fields has no torque.
     fn by_warping(&self, young: Complex64) -> Complex64 {
         let [lambda, u] = [&self.lambda.kinks, &self.u.kinks];
         let sum = |one: &[Complex64], other: &[Complex64]| -> Complex64 {
@@ -192,14 +192,14 @@ impl Product<'_> {
 
     /// The product of the two fields' motions at an end.
     fn at_end(&self, end: usize, motion: BeamMotion) -> Complex64 {
-        // Without warping stiffness the rate of twist is held by the least restraint, or by none at all.
+        // Without warping stiffness any restraint fixes the rate of twist; none has an effect of its own.
         if motion == BeamMotion::PsiSlope && self.setting.plan.beam.without_warping() {
             return ZERO;
         }
         self.lambda.ends[end][motion as usize] * self.u.ends[end][motion as usize]
     }
 
-    /// Minus the product times what k, c and m are multiplied by in `k + i omega c - omega^2 m`.
+    /// Minus the product times the factors of k, c and m in `k + i omega c - omega^2 m`.
     fn dynamic(&self, product: Complex64) -> [Complex64; ElasticKey::ALL.len()] {
         let omega = self.setting.omega;
         ElasticKey::ALL.map(|key| match key {
@@ -209,7 +209,7 @@ impl Product<'_> {
         })
     }
 
-    /// In the order of the rows that are numbers.
+    /// In the order of the rows with numbers.
     fn by_subsystem(
         &self,
         subsystem: &Subsystem,
@@ -220,7 +220,7 @@ impl Product<'_> {
         let [y, z, theta] = products(&lambda.motion, &u.motion);
         let stretches = products(&lambda.stretches, &u.stretches);
         let springs = stretches.map(|stretch| self.dynamic(stretch));
-        // A spring gives its force times how its stretch changes, in both fields.
+        // The derivative by a position is the spring force times the change of its stretch, in both fields.
         let pulled = |force: fn(&MassField) -> Complex64, moved: fn(&MassField) -> Complex64| {
             force(lambda) * moved(u) + force(u) * moved(lambda)
         };
@@ -255,7 +255,7 @@ impl Product<'_> {
 }
 
 impl MassField {
-    /// The work of this field's forces when the other's beam is met a metre farther along.
+    /// The work of this field's forces along the slopes of the other field.
     fn along(&self, subsystem: &Subsystem, other: &Self) -> Complex64 {
         let [across, left, right] = rows(subsystem).map(|row| row.of([[ZERO; 3], other.slope]));
         let [y_left, y_right, z_left, z_right] = self.forces;

@@ -1,4 +1,4 @@
-//! The curvature of a Lagrangian learnt from gradients.
+//! Quasi-Newton approximation of the Hessian of a Lagrangian.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -25,9 +25,9 @@ impl Hessian {
         &self.matrix
     }
 
-    /// Learns from the change of the Lagrangian's gradient along a step.
+    /// Updates with the change of the Lagrangian's gradient along a step.
     pub(super) fn learn(&mut self, step: &DVector<f64>, change: &DVector<f64>) {
-        /// Powell's: the least curvature along the step, as a part of what was known.
+        /// Powell's: the smallest curvature along the step, as a fraction of the known one.
         const LEAST: f64 = 0.2;
         let along = step.dot(change);
         let squared = change.norm_squared();

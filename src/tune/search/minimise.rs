@@ -1,20 +1,20 @@
-//! The whole search: all over the box, then downhill from the best points, as long as that finds more.
+//! The whole search: globally, then locally from the best points, while that finds improvements.
 
 use fastrand::Rng;
 
-use super::global::{Known, Share, evolve};
-use super::ledger::Ledger;
-use super::local;
+use super::budget::Budget;
+use super::differential_evolution::{Known, Share, evolve};
+use super::sqp::Sqp;
 use super::types::{Control, Landscape, Merit, Options, Outcome, Phase, Stop};
 
-/// Seeks the point of the unit box where the sum of the largest functions is least and all limits are met.
+/// Minimises the sum of the largest functions in the unit box, subject to all limits.
 ///
-/// Differential evolution looks all over the box, then sequential quadratic programming goes downhill from the start and
-/// from the best points that differ; with derivatives where it matters. Both are repeated with fresh points until that
-/// finds nothing better. Where the budget is small, most of it is for the walks downhill.
+/// Differential evolution searches globally, then sequential quadratic programming goes downhill from the start and
+/// from the best distinct points, with derivatives. Both are repeated with new points until they find nothing better. A
+/// small budget is used mostly for the local searches.
 ///
-/// `start` has a coordinate from 0 to 1 for every variable. The same seed gives the same result on any number of threads.
-/// The result is never worse than the start, also where it is cancelled.
+/// `start` has a coordinate from 0 to 1 for every variable. The same seed gives the same result on any number of
+/// threads. The result is never worse than the start, also if the search is cancelled.
 pub fn minimise<'a>(
     landscape: &'a dyn Landscape,
     start: &[f64],
@@ -22,33 +22,33 @@ pub fn minimise<'a>(
     control: Control<'a>,
 ) -> Outcome {
     let start: Vec<f64> = start.iter().map(|x| x.clamp(0.0, 1.0)).collect();
-    let mut ledger = Ledger::new(landscape, &start, control);
-    let first = ledger.merits(std::slice::from_ref(&start), Phase::Start);
+    let mut budget = Budget::new(landscape, &start, control);
+    let first = budget.merits(std::slice::from_ref(&start), Phase::Start);
     let merit = first.first().copied().unwrap_or(Merit::WORST);
     let stop = if start.is_empty() {
         Stop::Converged
     } else {
         let seed = Known { x: start, merit };
-        rounds(&mut ledger, &mut Rng::with_seed(options.seed), seed)
+        rounds(&mut budget, &mut Rng::with_seed(options.seed), seed)
     };
-    outcome(&ledger, merit, stop)
+    outcome(&budget, merit, stop)
 }
 
-/// Walks downhill from a start only, with derivatives: what it finds is the least nearby.
+/// Only a local search from a start, with derivatives: finds a local minimum.
 ///
-/// As of [`minimise`], the result is never worse than the start.
+/// As for [`minimise`], the result is never worse than the start.
 pub fn descend<'a>(landscape: &'a dyn Landscape, start: &[f64], control: Control<'a>) -> Outcome {
     let start: Vec<f64> = start.iter().map(|x| x.clamp(0.0, 1.0)).collect();
-    let mut ledger = Ledger::new(landscape, &start, control);
-    let first = ledger.merits(std::slice::from_ref(&start), Phase::Start);
+    let mut budget = Budget::new(landscape, &start, control);
+    let first = budget.merits(std::slice::from_ref(&start), Phase::Start);
     let merit = first.first().copied().unwrap_or(Merit::WORST);
-    let reason = local::descend(&mut ledger, vec![start]);
-    let stop = ledger.ended().or(reason).unwrap_or(Stop::Converged);
-    outcome(&ledger, merit, stop)
+    let reason = descend_all(&mut budget, vec![start]);
+    let stop = budget.ended().or(reason).unwrap_or(Stop::Converged);
+    outcome(&budget, merit, stop)
 }
 
-fn outcome(ledger: &Ledger<'_>, start: Merit, stop: Stop) -> Outcome {
-    let best = ledger.best();
+fn outcome(budget: &Budget<'_>, start: Merit, stop: Stop) -> Outcome {
+    let best = budget.best();
     Outcome {
         x: best.best.clone(),
         merit: best.merit,
@@ -58,22 +58,22 @@ fn outcome(ledger: &Ledger<'_>, start: Merit, stop: Stop) -> Outcome {
     }
 }
 
-/// Global and local search in turn, the first from the start, until turns find nothing better.
-fn rounds(ledger: &mut Ledger<'_>, random: &mut Rng, start: Known) -> Stop {
-    /// Turns in a row that may find nothing.
+/// Alternates global and local search, the first from the start, until they find nothing better.
+fn rounds(budget: &mut Budget<'_>, random: &mut Rng, start: Known) -> Stop {
+    /// Consecutive rounds without improvement.
     const PATIENCE: usize = 2;
     let mut seeds = vec![start];
     let mut stop = Stop::NotFinite;
     let mut fruitless = 0;
     while fruitless < PATIENCE {
-        let before = ledger.best().merit;
-        let population = evolve(ledger, random, &seeds, share(ledger));
-        let starts = distinct(&seeds, &population, walks(ledger));
-        let reason = local::descend(ledger, starts);
-        if let Some(reason) = ledger.ended() {
+        let before = budget.best().merit;
+        let population = evolve(budget, random, &seeds, share(budget));
+        let starts = distinct(&seeds, &population, walks(budget));
+        let reason = descend_all(budget, starts);
+        if let Some(reason) = budget.ended() {
             return reason;
         }
-        if is_better(ledger.best().merit, before) {
+        if is_better(budget.best().merit, before) {
             fruitless = 0;
             stop = reason.unwrap_or(stop);
         } else {
@@ -82,16 +82,16 @@ fn rounds(ledger: &mut Ledger<'_>, random: &mut Rng, start: Known) -> Stop {
                 stop = reason.unwrap_or(stop);
             }
         }
-        // Later turns look elsewhere: what is known already would only draw them to it.
+        // Later rounds search elsewhere: known points would only attract them.
         seeds.clear();
     }
     stop
 }
 
-/// What the global search of a turn may use.
-fn share(ledger: &Ledger<'_>) -> Share {
-    let (variables, left) = (ledger.variables(), ledger.left());
-    // Downhill takes some tens of evaluations a variable; what a small budget leaves beside that is for looking around.
+/// The share of the global search in a round.
+fn share(budget: &Budget<'_>) -> Share {
+    let (variables, left) = (budget.variables(), budget.left());
+    // A local search takes some tens of evaluations per variable; the rest of a small budget is for the global search.
     let part = if left < 50 * variables { 4 } else { 2 };
     let evaluations = left / part;
     Share {
@@ -100,13 +100,13 @@ fn share(ledger: &Ledger<'_>) -> Share {
     }
 }
 
-/// How many walks downhill the rest of the budget is good for.
-fn walks(ledger: &Ledger<'_>) -> usize {
+/// The number of local searches that the rest of the budget allows.
+fn walks(budget: &Budget<'_>) -> usize {
     const MOST: usize = 6;
-    (ledger.left() / (20 * ledger.variables())).clamp(1, MOST)
+    (budget.left() / (20 * budget.variables())).clamp(1, MOST)
 }
 
-/// The points to go downhill from: the best ones that lie apart, and the seeds.
+/// The starts of local searches: the best points that are apart, and the seeds.
 fn distinct(seeds: &[Known], population: &[Known], most: usize) -> Vec<Vec<f64>> {
     const APART: f64 = 0.05;
     let mut starts: Vec<Vec<f64>> = Vec::new();
@@ -134,4 +134,55 @@ fn is_better(now: Merit, before: Merit) -> bool {
     let goal = before.goal - now.goal;
     now.is_better_than(&before)
         && (violation > 0.0 || goal.is_nan() || goal > DIGITS * before.goal.abs())
+}
+
+/// Runs a local search from every start until all have stopped, and returns why the best of them did; `None` if none
+/// began.
+///
+/// A search that comes close to a better one ends.
+fn descend_all(budget: &mut Budget<'_>, starts: Vec<Vec<f64>>) -> Option<Stop> {
+    let mut walks: Vec<Sqp> = starts.into_iter().map(Sqp::new).collect();
+    while budget.ended().is_none() {
+        let points: Vec<Vec<f64>> = walks
+            .iter()
+            .filter_map(Sqp::ask)
+            .map(<[f64]>::to_vec)
+            .collect();
+        if points.is_empty() {
+            break;
+        }
+        let evaluations = budget.evaluations(&points, Phase::Local);
+        let walking = walks.iter_mut().filter(|walk| walk.ask().is_some());
+        for (walk, evaluation) in walking.zip(evaluations) {
+            walk.tell(evaluation);
+        }
+        drop_followers(&mut walks);
+    }
+    let merit = |walk: &Sqp| walk.merit().unwrap_or(Merit::WORST);
+    let best = walks.iter().min_by(|a, b| merit(a).compare(&merit(b)))?;
+    best.stopped()
+}
+
+/// Ends every search that is close to another, better one.
+fn drop_followers(walks: &mut Vec<Sqp>) {
+    const TOGETHER: f64 = 1e-3;
+    let mut index = 0;
+    while index < walks.len() {
+        let walk = &walks[index];
+        let follows = walk.ask().is_some()
+            && walks.iter().enumerate().any(|(i, other)| {
+                let (Some(own), Some(others)) = (walk.merit(), other.merit()) else {
+                    return false;
+                };
+                let apart = walk.x().iter().zip(other.x()).map(|(a, b)| (a - b).abs());
+                // Of two equal ones the first continues.
+                let order = others.compare(&own).then(i.cmp(&index));
+                order.is_lt() && apart.fold(0.0, f64::max) < TOGETHER
+            });
+        if follows {
+            walks.remove(index);
+        } else {
+            index += 1;
+        }
+    }
 }

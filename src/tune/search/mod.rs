@@ -1,22 +1,21 @@
-//! The search itself, which knows nothing of beams: points of a unit box, values and derivatives there.
+//! The search itself, independent of beams: points of a unit box, values and derivatives there.
 //!
-//! [`minimise`] looks all over the box first and goes downhill from the best points then, [`descend`] only goes downhill;
-//! [`fit`] is least squares with the uncertainty of what it finds.
+//! [`minimise`] searches globally (`differential_evolution`) and then locally from the best points (`sqp`, with the
+//! step of `qp`), [`descend`] only locally; [`fit`] is least squares with the uncertainty of its result (`covariance`).
 
-mod certainty;
-mod descent;
-mod global;
+mod budget;
+mod covariance;
+mod differential_evolution;
 mod hessian;
-mod ledger;
-mod local;
+mod least_squares;
 mod minimise;
 mod pairing;
-mod quadratic;
-mod squares;
+mod qp;
+mod sqp;
 mod types;
 
+pub use least_squares::fit;
 pub use minimise::{descend, minimise};
-pub use squares::fit;
 pub use types::{
     Certainty, Control, Estimate, Evaluation, Fit, Function, Landscape, Merit, Options, Outcome,
     Phase, Place, Progress, Residuals, Stop,

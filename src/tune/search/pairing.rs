@@ -1,14 +1,14 @@
-//! Which functions at one point are the same as which at another: their number and order may differ.
+//! Identification of the functions at one point with those at another: their number and order may differ.
 
 use nalgebra::DVector;
 
-use super::quadratic::slope_along;
+use super::qp::slope_along;
 use super::types::Function;
 
-/// For each function at the end of a step the index of the same one at its start, where there is one.
+/// For each function at the end of a step the index of the same one at its start, if there is one.
 ///
-/// The change of a smooth function along a step d is (g0 + g1)^T d / 2 but for |d|^3; the pairs that miss it least, with
-/// gradients that differ least, are taken first.
+/// The change of a smooth function along a step d is (g0 + g1)^T d / 2 up to |d|^3; the pairs with the smallest error,
+/// and the smallest difference of gradients, are taken first.
 pub(super) fn pairs(start: &[Function], end: &[Function], d: &DVector<f64>) -> Vec<Option<usize>> {
     let mut costs: Vec<(f64, usize, usize)> = Vec::new();
     for (i, before) in start.iter().enumerate() {
@@ -30,7 +30,7 @@ pub(super) fn pairs(start: &[Function], end: &[Function], d: &DVector<f64>) -> V
     pairs
 }
 
-/// How much two functions differ from being one; none where they cannot be.
+/// The cost of identifying two functions; `None` if it is impossible.
 fn cost(before: &Function, after: &Function, d: &DVector<f64>) -> Option<f64> {
     let [first, last] = [before, after].map(|f| slope_along(f, d.as_slice()));
     let missed = (after.value - before.value - 0.5 * (first + last)).abs();

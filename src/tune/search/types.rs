@@ -1,4 +1,4 @@
-//! What the searches take and give. Points lie in the unit box: every coordinate between 0 and 1.
+//! Input and output of the searches. Points are in the unit box: every coordinate between 0 and 1.
 
 use std::cmp::Ordering;
 use std::fmt;
@@ -18,7 +18,7 @@ pub struct Function {
 }
 
 impl Function {
-    /// Worse than any other, of so many coordinates.
+    /// Worse than any other, with this number of coordinates.
     pub(in crate::tune) fn worst(variables: usize) -> Self {
         Self {
             value: f64::INFINITY,
@@ -32,16 +32,16 @@ impl Function {
     }
 }
 
-/// What is sought at one point, with derivatives: the sum over the terms of the largest function of each term is to be
-/// small, and every limit at most 0.
+/// The objective at one point, with derivatives: the search minimises the sum over the terms of the largest function of
+/// each term, with every limit at most 0.
 ///
-/// How many functions a term has, and in which order, may change from point to point. One that lies below the largest
-/// of its term should be given as well where it may become the largest nearby. A term without functions counts 0.
+/// The number and the order of the functions of a term may change from point to point. One below the largest of its
+/// term should be included if it may become the largest nearby. A term without functions counts 0.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Evaluation {
     /// Functions of which the largest counts.
     pub terms: Vec<Vec<Function>>,
-    /// What must be at most 0.
+    /// Must be at most 0.
     pub limits: Vec<Function>,
 }
 
@@ -60,7 +60,7 @@ impl Evaluation {
 }
 
 impl Evaluation {
-    /// True where every function can be used.
+    /// True if every function can be used.
     pub(super) fn is_finite(&self) -> bool {
         let mut functions = self.terms.iter().flatten().chain(&self.limits);
         functions.all(Function::is_finite)
@@ -72,12 +72,12 @@ fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || a > b { a } else { b }
 }
 
-/// How good a point is.
+/// The merit of a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Merit {
     /// The sum over the terms of the largest function of each.
     pub goal: f64,
-    /// The sum of the limits that are above 0; 0 where all are met.
+    /// The sum of the limits that are above 0; 0 if all are met.
     pub violation: f64,
 }
 
@@ -96,9 +96,8 @@ impl Merit {
             .fold(0.0, |sum, limit| sum + limit)
     }
 
-    /// Which of two points is better (`Less`), by the rules of Deb (2000): one that meets all limits before one that does
-    /// not; of two that do, the lower goal; of two that do not, the lower violation. A goal or violation that is not a
-    /// number is as infinite.
+    /// Which of two points is better (`Less`), by the rules of Deb (2000): one that meets all limits before one that
+    /// does not; of two that do, the lower goal; of two that do not, the lower violation. NaN counts as infinite.
     ///
     /// Deb, An efficient constraint handling method for genetic algorithms, Comput. Methods Appl. Mech. Engrg. 2000, 186,
     /// 311-338.
@@ -128,19 +127,19 @@ impl Merit {
 /// Residuals at one point, for least squares.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Residuals {
-    /// What should be 0.
+    /// The numbers that should be 0.
     pub values: DVector<f64>,
-    /// Their derivatives by the coordinates of the unit box: a row a residual, a column a variable.
+    /// Their derivatives by the coordinates of the unit box: a row per residual, a column per variable.
     pub jacobian: DMatrix<f64>,
 }
 
-/// What is searched. Points have [`variables`](Self::variables) coordinates, each from 0 to 1. Every method may be called
-/// from many threads at once, gives the same at the same point, and ends early where the search is cancelled.
+/// The function to minimise. Points have [`variables`](Self::variables) coordinates, each from 0 to 1. Every method may
+/// be called from many threads at once, is deterministic, and ends early if the search is cancelled.
 pub trait Landscape: Sync {
     /// The number of coordinates.
     fn variables(&self) -> usize;
 
-    /// How good a point is; cheap, without derivatives. A point without a value has a goal that is infinite or NaN.
+    /// The merit of a point; cheap, without derivatives. A point without a value has a goal that is infinite or NaN.
     ///
     /// # Errors
     /// The search is cancelled.
@@ -153,8 +152,7 @@ pub trait Landscape: Sync {
     fn evaluate(&self, x: &[f64]) -> Result<Evaluation, Cancelled>;
 }
 
-/// Residuals whose sum of squares is to be small. As of [`Landscape`]: any thread, the same at the same point, an
-/// early end where cancelled.
+/// Residuals for a least-squares search. As for [`Landscape`]: any thread, deterministic, an early end if cancelled.
 pub trait Fit: Sync {
     /// The residuals and their derivatives at a point of the unit box.
     ///
@@ -163,12 +161,12 @@ pub trait Fit: Sync {
     fn residuals(&self, x: &[f64]) -> Result<Residuals, Cancelled>;
 }
 
-/// Which part of a search is running.
+/// The running phase of a search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Phase {
     /// The point it starts from.
     Start,
-    /// All over the box.
+    /// Global search.
     Global,
     /// Downhill from the best points, with derivatives.
     Local,
@@ -184,45 +182,45 @@ impl fmt::Display for Phase {
     }
 }
 
-/// How far a search is.
+/// The progress of a search.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Progress {
-    /// Points evaluated, with and without derivatives.
+    /// Number of evaluated points, with and without derivatives.
     pub evaluations: usize,
     /// The best point so far.
     pub best: Vec<f64>,
-    /// How good it is.
+    /// Its merit.
     pub merit: Merit,
-    /// What is running.
+    /// The running phase.
     pub phase: Phase,
 }
 
-/// What a caller holds in hand while a search runs.
+/// The controls of a running search.
 pub struct Control<'a> {
-    /// True ends the search; what was best so far is the result.
+    /// True ends the search; the best so far is the result.
     pub cancel: &'a AtomicBool,
-    /// At most so many evaluations, with and without derivatives together.
+    /// The largest number of evaluations, with and without derivatives together.
     pub budget: usize,
-    /// Told between evaluations; the search waits for it.
+    /// Called between evaluations; the search waits for it.
     pub tell: &'a mut dyn FnMut(&Progress),
 }
 
 /// Why a search stopped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stop {
-    /// No step within rounding leads further down.
+    /// No step larger than rounding leads further down.
     Converged,
-    /// No trial point is better, though the derivatives say that one should be: a kink, or noise in the values.
+    /// No trial point is better, though the derivatives predict one: a kink, or noise in the values.
     NoProgress,
-    /// The limits are not met, and no step nearby meets them better.
+    /// The limits are violated, and no step nearby reduces the violation.
     LimitsUnmet,
-    /// The points of the global search have come together, or find nothing better.
+    /// The points of the global search have converged, or find nothing better.
     Stagnated,
-    /// All evaluations allowed are used.
+    /// The budget is used up.
     Budget,
     /// It was cancelled.
     Cancelled,
-    /// There is no finite value where it starts.
+    /// The start has no finite value.
     NotFinite,
 }
 
@@ -246,69 +244,69 @@ impl fmt::Display for Stop {
     }
 }
 
-/// What a search found.
+/// The result of a search.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
     /// The best point.
     pub x: Vec<f64>,
-    /// How good it is; never worse than the start.
+    /// Its merit; never worse than the start.
     pub merit: Merit,
-    /// How good the point was that it started from; [`Merit::WORST`] where not even that was evaluated.
+    /// The merit of the start; [`Merit::WORST`] if not even that was evaluated.
     pub start: Merit,
-    /// Points evaluated, with and without derivatives.
+    /// Number of evaluated points, with and without derivatives.
     pub evaluations: usize,
     /// Why it stopped.
     pub stop: Stop,
 }
 
-/// What a least-squares search found.
+/// The result of a least-squares search.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Estimate {
     /// The best point.
     pub x: Vec<f64>,
-    /// The sum of the squared residuals there; infinite where it has no value at the start.
+    /// The sum of the squared residuals there; infinite if the start has no value.
     pub sum_of_squares: f64,
     /// The number of residuals.
     pub residuals: usize,
-    /// Where each variable is.
+    /// The position of each variable between its bounds.
     pub places: Vec<Place>,
-    /// How well the variables are known.
+    /// How well the residuals determine the variables.
     pub certainty: Certainty,
-    /// Points evaluated.
+    /// Number of evaluated points.
     pub evaluations: usize,
     /// Why it stopped.
     pub stop: Stop,
 }
 
-/// Where a variable is.
+/// The position of a variable between its bounds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Place {
     /// Between its bounds.
     Inside,
-    /// At its lower bound: the best may lie below.
+    /// At its lower bound: the optimum may be below.
     AtMin,
-    /// At its upper bound: the best may lie above.
+    /// At its upper bound: the optimum may be above.
     AtMax,
 }
 
-/// How well the variables of a fit are known.
+/// How well a fit determines its variables.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Certainty {
-    /// The covariance sigma^2 (J^T J)^-1 in coordinates of the unit box, with sigma^2 = S/(m - n) of the sum of squares S,
-    /// m residuals and n variables between their bounds. A variable at a bound is held there: its row and column are 0.
+    /// The covariance sigma^2 (J^T J)^-1 in coordinates of the unit box, with sigma^2 = S/(m - n) of the sum of squares
+    /// S, m residuals and n variables between their bounds. The row and column of a variable at a bound are 0.
     Covariance(DMatrix<f64>),
     /// There are no more residuals than variables, so that the scatter is unknown.
     TooFewResiduals,
-    /// The residuals do not tell the variables apart: along this direction (unit length) they do not change.
+    /// The residuals cannot distinguish the variables: along this direction (unit length) they do not change.
     Singular {
         /// A unit vector in coordinates of the unit box.
         direction: Vec<f64>,
     },
-    /// Nothing was evaluated with finite values.
+    /// No evaluation had finite values.
     Unknown,
 }
 
-/// How a search is to go.
+/// Options of a search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Options {
     /// Seed of the random numbers; the same gives the same result on any number of threads.

@@ -1,0 +1,213 @@
+//! The vibration energy `E_V` at several frequencies at once; the equations are those of [`crate::solve::energy`].
+//!
+//! Both forms of a span are Hermitian, and shapes that move w and psi do not overlap with those that move v: 13 of
+//! their 36 entries are stored. The exponentials are products of those of the span.
+
+use super::complex::Complex;
+use super::number::{Arithmetic, Real, part};
+use super::reflection::{Amplitudes, reach};
+use super::waves::Waves;
+use crate::solve::energy::LEAST_SHARE;
+use crate::solve::waves::BeamConstants;
+
+/// Pairs of waves that overlap.
+pub(super) const PAIRS: usize = 13;
+
+/// The energy forms of spans of one length.
+#[derive(Debug, Clone)]
+pub(super) struct Form<A> {
+    /// Waves that travel in the same direction.
+    pub(super) same: [Complex<A>; PAIRS],
+    /// Waves that travel in opposite directions.
+    pub(super) against: [Complex<A>; PAIRS],
+}
+
+/// A sum, and the sum of the magnitudes of its terms.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sum<A> {
+    value: Real<A>,
+    terms: Real<A>,
+}
+
+/// rho A (W* W + V* V) + rho `I_0` Psi* Psi of each pair of waves that overlap.
+#[inline(always)]
+pub(super) fn weights<A: Arithmetic>(
+    waves: &Waves<A>,
+    beam: &BeamConstants,
+) -> [Complex<A>; PAIRS] {
+    let (mass, polar) = (Real::splat(beam.mass), Real::splat(beam.polar));
+    let [w, psi, v] = &waves.displacement;
+    let mut out = [Complex::ZERO; PAIRS];
+    let mut pair = 0;
+    for row in [0, 2] {
+        let (from, to) = reach(row);
+        for i in from..to {
+            for j in i..to {
+                out[pair] = if row == 0 {
+                    w[i].conj_times(w[j])
+                        .scaled(mass)
+                        .plus_scaled(polar, psi[i].conj_times(psi[j]))
+                } else {
+                    v[i].conj_times(v[j]).scaled(mass)
+                };
+                pair += 1;
+            }
+        }
+    }
+    out
+}
+
+impl<A: Arithmetic> Form<A> {
+    pub(super) const NONE: Self = Self {
+        same: [Complex::ZERO; PAIRS],
+        against: [Complex::ZERO; PAIRS],
+    };
+
+    /// The form of spans of a length, m.
+    pub(super) fn new(
+        waves: &Waves<A>,
+        weights: &[Complex<A>; PAIRS],
+        length: f64,
+        decay: &Amplitudes<A>,
+    ) -> Self {
+        A::outlined(NewForm((waves, weights, length, decay)))
+    }
+
+    #[inline(always)]
+    fn new_inlined(
+        (waves, weights, length, decay): (&Waves<A>, &[Complex<A>; PAIRS], f64, &Amplitudes<A>),
+    ) -> Self {
+        let mut form = Self::NONE;
+        let mut pair = 0;
+        for row in [0, 2] {
+            let (from, to) = reach(row);
+            for i in from..to {
+                for j in i..to {
+                    let (left, right) = (waves.kappa[i].conj(), waves.kappa[j]);
+                    let (at_left, at_right) = (decay[i].conj(), decay[j]);
+                    let both = at_left * at_right;
+                    form.same[pair] =
+                        weights[pair] * mean_difference(left + right, length, Complex::ONE, both);
+                    form.against[pair] =
+                        weights[pair] * mean_difference(left - right, length, at_right, at_left);
+                    pair += 1;
+                }
+            }
+        }
+        form
+    }
+
+    /// The energy of a span: a at its left end, b at its right end.
+    pub(super) fn of(&self, a: &Amplitudes<A>, b: &Amplitudes<A>, sum: &mut Sum<A>) {
+        A::outlined(Of((self, a, b, sum)));
+    }
+
+    #[inline(always)]
+    fn of_inlined((this, a, b, sum): (&Self, &Amplitudes<A>, &Amplitudes<A>, &mut Sum<A>)) {
+        let mut pair = 0;
+        for row in [0, 2] {
+            let (from, to) = reach(row);
+            for i in from..to {
+                for j in i..to {
+                    let same = a[i].conj_times(a[j]) + b[i].conj_times(b[j]);
+                    let against = a[i].conj_times(b[j]) + b[i].conj_times(a[j]);
+                    // An off-diagonal entry counts twice.
+                    let times = Real::splat(if i == j { 1.0 } else { 2.0 });
+                    let same = (this.same[pair] * same).re * times;
+                    let against = (this.against[pair] * against).re * times;
+                    sum.value = sum.value + same + against;
+                    sum.terms = sum.terms + same.abs() + against.abs();
+                    pair += 1;
+                }
+            }
+        }
+    }
+}
+
+impl<A: Arithmetic> Form<A> {
+    /// The energy of a span if each of its waves were alone, at least an eighth of the magnitudes that `of` sums: a
+    /// positive semidefinite form is at most its diagonal times the number of overlapping waves, which is eight.
+    #[inline(always)]
+    pub(super) fn apart(&self, a: &Amplitudes<A>, b: &Amplitudes<A>) -> Real<A> {
+        /// Index of the pair of each wave with itself.
+        const OWN: [usize; 6] = [0, 4, 7, 9, 10, 12];
+        let mut sum = Real::ZERO;
+        for wave in 0..6 {
+            let squares = a[wave].norm_sqr() + b[wave].norm_sqr();
+            sum = self.same[OWN[wave]].re.multiply_add(squares, sum);
+        }
+        sum
+    }
+}
+
+impl<A: Arithmetic> Sum<A> {
+    pub(super) const ZERO: Self = Self {
+        value: Real::ZERO,
+        terms: Real::ZERO,
+    };
+
+    /// Adds another sum: its value, and the magnitudes of its terms.
+    #[inline(always)]
+    pub(super) fn add(&mut self, value: Real<A>, terms: Real<A>) {
+        self.value = self.value + value;
+        self.terms = self.terms + terms;
+    }
+
+    /// The sum; NaN if its terms cancel to their last digits.
+    #[inline(always)]
+    pub(super) fn resolved(self) -> Real<A> {
+        let least = self.terms * Real::splat(LEAST_SHARE);
+        self.value
+            .where_less(least, Real::splat(f64::NAN), self.value)
+    }
+}
+
+/// `(first - last) / z` with `last = first exp(-z l)`, also near z = 0.
+fn mean_difference<A: Arithmetic>(
+    z: Complex<A>,
+    length: f64,
+    first: Complex<A>,
+    last: Complex<A>,
+) -> Complex<A> {
+    A::outlined(MeanDifference((z, length, first, last)))
+}
+
+#[inline(always)]
+fn mean_difference_inlined<A: Arithmetic>(
+    (z, length, first, last): (Complex<A>, f64, Complex<A>, Complex<A>),
+) -> Complex<A> {
+    const SERIES_BELOW: f64 = 0.5;
+    let limit = Real::splat(SERIES_BELOW * SERIES_BELOW / (length * length));
+    let size = z.norm_sqr();
+    let direct = (first - last) * z.inverse();
+    if !size.is_less_somewhere(limit) {
+        return direct;
+    }
+    let along = z.scaled(Real::splat(length));
+    // 1 - z/2 (1 - z/3 (1 - ...)): after 16 terms the remainder is below 1e-18.
+    let mut sum = Complex::ONE;
+    for k in (2..=17).rev() {
+        let part = along.scaled(Real::splat(1.0 / f64::from(k)));
+        sum = Complex::ONE.minus_product(sum, part);
+    }
+    let series = first * sum.scaled(Real::splat(length));
+    Complex::where_less(size, limit, series, direct)
+}
+
+part!(
+    NewForm ['a, A: Arithmetic] ['a, A]
+    (&'a Waves<A>, &'a [Complex<A>; PAIRS], f64, &'a Amplitudes<A>) -> Form<A>,
+    Form::new_inlined
+);
+
+part!(
+    Of ['a, A: Arithmetic] ['a, A]
+    (&'a Form<A>, &'a Amplitudes<A>, &'a Amplitudes<A>, &'a mut Sum<A>) -> (),
+    Form::of_inlined
+);
+
+part!(
+    MeanDifference [A: Arithmetic] [A]
+    (Complex<A>, f64, Complex<A>, Complex<A>) -> Complex<A>,
+    mean_difference_inlined
+);

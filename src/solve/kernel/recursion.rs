@@ -1,0 +1,411 @@
+//! The responses of a plan at several frequencies at once: reflections to the right end, amplitudes back.
+
+use std::ops::Range;
+
+use super::complex::Complex;
+use super::elementary::decay;
+use super::ends::{reflection, right_end};
+use super::energy::{Form, Sum, weights};
+use super::number::{Arithmetic, Real, part};
+use super::read::{Part, State};
+use super::reflection::{Amplitudes, Jumps, Reflection, Side};
+use super::station::{Forces, Turn, Unknowns, sent, stretches};
+use super::waves::{Constants, Waves};
+use crate::model::BeamMotion;
+use crate::solve::plan::{Event, Output, Plan};
+
+/// A plan, with the frequency-independent constants of its waves.
+#[derive(Debug)]
+pub(in crate::solve) struct Prepared {
+    pub(in crate::solve) plan: Plan,
+    pub(super) constants: Constants,
+    /// For each station its index among the stations with outputs, if it has any.
+    pub(super) reads: Vec<Option<usize>>,
+    /// Stations where a response is read.
+    read: usize,
+}
+
+impl Prepared {
+    /// With outputs where the plan has them.
+    pub(in crate::solve) fn new(plan: Plan) -> Self {
+        let mut is_read = vec![false; plan.stations.len()];
+        for output in &plan.outputs {
+            match output {
+                Output::Beam { station, .. } | Output::Mass { station, .. } => {
+                    is_read[*station] = true;
+                }
+                Output::MeanTwistRate { stations, .. } => {
+                    for station in stations {
+                        is_read[*station] = true;
+                    }
+                }
+                Output::Held | Output::Energy => {}
+            }
+        }
+        Self::reading(plan, is_read)
+    }
+
+    /// With outputs at every station.
+    pub(in crate::solve) fn whole(plan: Plan) -> Self {
+        let is_read = vec![true; plan.stations.len()];
+        Self::reading(plan, is_read)
+    }
+
+    fn reading(plan: Plan, is_read: Vec<bool>) -> Self {
+        let mut read = 0;
+        let number = |is_read: bool| {
+            read += usize::from(is_read);
+            is_read.then_some(read.wrapping_sub(1))
+        };
+        let reads = is_read.into_iter().map(number).collect();
+        Self {
+            constants: Constants::new(&plan.beam),
+            plan,
+            reads,
+            read,
+        }
+    }
+
+    /// Index of the reflection that is stored for a station, if any: see [`Room::lefts`].
+    #[inline(always)]
+    pub(super) fn kept(&self, station: usize) -> Option<usize> {
+        if self.plan.wants_energy {
+            Some(station)
+        } else {
+            self.reads[station]
+        }
+    }
+}
+
+/// Workspace for a few frequencies; reused, so that a sweep does not allocate.
+#[derive(Debug)]
+pub(super) struct Room<A> {
+    /// exp(-kappa l) of each distinct span.
+    pub(super) decays: Vec<Amplitudes<A>>,
+    /// The energy of each distinct span, if requested.
+    pub(super) forms: Vec<Form<A>>,
+    /// The reflection of the left end, if the energy is requested.
+    start: Box<Reflection<A>>,
+    /// The forces at each station with an attachment.
+    pub(super) forces: Vec<Forces<A>>,
+    /// The reflection left of each station with outputs; of every station if the energy is requested.
+    pub(super) lefts: Vec<Reflection<A>>,
+    /// Theta at each station with outputs and an attachment.
+    pub(super) turns: Vec<Turn<A>>,
+    /// The solution at each station with outputs.
+    pub(super) states: Vec<State<A>>,
+}
+
+impl<A: Arithmetic> Default for Room<A> {
+    fn default() -> Self {
+        Self {
+            decays: Vec::new(),
+            forms: Vec::new(),
+            start: Box::new(Reflection::NONE),
+            forces: Vec::new(),
+            lefts: Vec::new(),
+            turns: Vec::new(),
+            states: Vec::new(),
+        }
+    }
+}
+
+impl<A: Arithmetic> Room<A> {
+    /// Writes the response of every output for some waves.
+    #[inline(always)]
+    pub(super) fn solve(&mut self, prepared: &Prepared, waves: &Waves<A>, out: &mut [Complex<A>]) {
+        let plan = &prepared.plan;
+        self.make_room(prepared);
+        self.prepare_spans(plan, waves);
+        let all = 0..plan.stations.len();
+        let mut at = reflection(waves, &plan.left, Side::Left);
+        if plan.wants_energy {
+            (*self.start).clone_from(&at);
+        }
+        self.sweep_right(prepared, waves, all.clone(), &mut at);
+        at.propagate(&self.decays[plan.last_span()]);
+        let mut b = right_end(waves, &plan.right, &at);
+        let mut energy = Sum::ZERO;
+        self.sweep_left(prepared, waves, all, &mut b, &mut energy);
+        if plan.wants_energy {
+            let start = (*self.start).clone();
+            self.cross_span(prepared, waves, (0, &start), &mut b, &mut energy);
+        }
+        let energy = energy.resolved();
+        for (value, output) in out.iter_mut().zip(&plan.outputs) {
+            *value = match output {
+                Output::Energy => Complex::from_real(energy),
+                Output::MeanTwistRate { stations, measure } => {
+                    let [before, after] = stations.map(|station| {
+                        let side = Output::Beam {
+                            station,
+                            motion: BeamMotion::PsiSlope,
+                            measure: *measure,
+                        };
+                        self.read(prepared, waves, side, Part::Whole)
+                    });
+                    (before + after).scaled(Real::splat(0.5))
+                }
+                output => self.read(prepared, waves, *output, Part::Whole),
+            };
+        }
+    }
+
+    /// A response at a station that the sweep has passed.
+    #[inline(always)]
+    pub(super) fn read(
+        &self,
+        prepared: &Prepared,
+        waves: &Waves<A>,
+        output: Output,
+        part: Part,
+    ) -> Complex<A> {
+        let (Output::Beam { station, .. } | Output::Mass { station, .. }) = output else {
+            return Complex::ZERO;
+        };
+        let event = &prepared.plan.stations[station].event;
+        let Some(read) = prepared.reads[station] else {
+            return Complex::ZERO;
+        };
+        self.states[read].response(event, waves, output, part)
+    }
+
+    #[inline(always)]
+    pub(super) fn make_room(&mut self, prepared: &Prepared) {
+        let (plan, read) = (&prepared.plan, prepared.read);
+        let lefts = if plan.wants_energy {
+            plan.stations.len()
+        } else {
+            read
+        };
+        self.forces.resize(plan.stations.len(), Forces::NONE);
+        self.lefts.resize(lefts, Reflection::NONE);
+        self.turns.resize(read, Turn::NONE);
+        self.states.resize(read, State::NONE);
+    }
+
+    /// Prepares all spans.
+    #[inline(always)]
+    pub(super) fn prepare_spans(&mut self, plan: &Plan, waves: &Waves<A>) {
+        self.decays.resize(plan.lengths.len(), [Complex::ONE; 6]);
+        for (decays, &length) in self.decays.iter_mut().zip(&plan.lengths) {
+            set_decays(waves, length, decays);
+        }
+        self.forms.clear();
+        if plan.wants_energy {
+            let weights = weights(waves, &plan.beam);
+            for (&length, decay) in plan.lengths.iter().zip(&self.decays) {
+                self.forms.push(Form::new(waves, &weights, length, decay));
+            }
+        }
+    }
+
+    /// Prepares the spans of a part and those next to it.
+    #[inline(always)]
+    pub(super) fn prepare_part(
+        &mut self,
+        prepared: &Prepared,
+        waves: &Waves<A>,
+        part: &Range<usize>,
+    ) {
+        let plan = &prepared.plan;
+        self.decays.resize(plan.lengths.len(), [Complex::ONE; 6]);
+        for &span in &plan.spans[part.start..=part.end] {
+            set_decays(waves, plan.lengths[span], &mut self.decays[span]);
+        }
+        if plan.wants_energy {
+            let weights = weights(waves, &plan.beam);
+            self.forms.resize(plan.lengths.len(), Form::NONE);
+            for &span in &plan.spans[part.start..=part.end] {
+                self.forms[span] =
+                    Form::new(waves, &weights, plan.lengths[span], &self.decays[span]);
+            }
+        }
+    }
+
+    /// Moves the left-looking reflection over some stations, each with the span before it.
+    #[inline(always)]
+    pub(super) fn sweep_right(
+        &mut self,
+        prepared: &Prepared,
+        waves: &Waves<A>,
+        stations: Range<usize>,
+        at: &mut Reflection<A>,
+    ) {
+        let plan = &prepared.plan;
+        for index in stations {
+            let station = &plan.stations[index];
+            at.propagate(&self.decays[plan.spans[index]]);
+            let read = prepared.reads[index];
+            if let Some(kept) = prepared.kept(index) {
+                self.lefts[kept].clone_from(at);
+            }
+            match &station.event {
+                Event::Attachment(attachment) => {
+                    let turn = read.map(|read| &mut self.turns[read]);
+                    let unknowns = Unknowns {
+                        forces: &mut self.forces[index],
+                        turn,
+                        determinant: None,
+                    };
+                    at.attach(waves, attachment, unknowns);
+                }
+                Event::Load(load) => at.load(waves, &Jumps::of_load(waves, load), Side::Left),
+                Event::Probe => {}
+            }
+        }
+    }
+
+    /// Moves b' back over some stations, each with the span after it, and stores the solution at stations with outputs;
+    /// adds the energy of those spans if requested.
+    #[inline(always)]
+    pub(super) fn sweep_left(
+        &mut self,
+        prepared: &Prepared,
+        waves: &Waves<A>,
+        stations: Range<usize>,
+        b: &mut Amplitudes<A>,
+        energy: &mut Sum<A>,
+    ) {
+        let plan = &prepared.plan;
+        for index in stations.rev() {
+            let station = &plan.stations[index];
+            let span = plan.spans[index + 1];
+            let at_span_end = *b;
+            times(b, &self.decays[span]);
+            let read = prepared.reads[index];
+            let sent = self.cross(index, &station.event, waves, b, read);
+            let Some(kept) = prepared.kept(index) else {
+                continue;
+            };
+            let a = self.lefts[kept].at(b);
+            if let Some(read) = read {
+                let state = &mut self.states[read];
+                state.a = a;
+                state.b = *b;
+                times(&mut state.b, &waves.radiation);
+            }
+            if plan.wants_energy {
+                let mut at_span_start = a;
+                add_product(&mut at_span_start, &sent, &waves.radiation);
+                self.add_energy(span, waves, &at_span_start, &at_span_end, energy);
+            }
+        }
+    }
+
+    /// Moves b' to the left over a station; returns what the station sends to the right, before N.
+    #[inline(always)]
+    pub(super) fn cross(
+        &mut self,
+        index: usize,
+        event: &Event,
+        waves: &Waves<A>,
+        b: &mut Amplitudes<A>,
+        read: Option<usize>,
+    ) -> Amplitudes<A> {
+        match event {
+            Event::Attachment(attachment) => {
+                let forces = self.forces[index].part(b, true);
+                if let Some(read) = read {
+                    self.states[read].forces = forces;
+                    self.states[read].theta = self.turns[read].part(b, true);
+                }
+                let sent = sent(&stretches(waves, attachment), &forces);
+                add(b, &sent);
+                sent
+            }
+            Event::Load(load) => {
+                let jumps = Jumps::of_load(waves, load);
+                add(b, &jumps.sent(Side::Right));
+                jumps.sent(Side::Left)
+            }
+            Event::Probe => [Complex::ZERO; 6],
+        }
+    }
+
+    /// Moves b' to the left over the span before a station; `start` is the reflection at the other end of the span.
+    /// Adds the energy of the span if requested.
+    #[inline(always)]
+    pub(super) fn cross_span(
+        &mut self,
+        prepared: &Prepared,
+        waves: &Waves<A>,
+        (station, start): (usize, &Reflection<A>),
+        b: &mut Amplitudes<A>,
+        energy: &mut Sum<A>,
+    ) {
+        let span = prepared.plan.spans[station];
+        let at_span_end = *b;
+        times(b, &self.decays[span]);
+        if prepared.plan.wants_energy {
+            self.add_energy(span, waves, &start.at(b), &at_span_end, energy);
+        }
+    }
+
+    /// The energy of a span, from a at its left and b' at its right end.
+    #[inline(always)]
+    fn add_energy(
+        &self,
+        span: usize,
+        waves: &Waves<A>,
+        a: &Amplitudes<A>,
+        b: &Amplitudes<A>,
+        energy: &mut Sum<A>,
+    ) {
+        let mut amplitudes = *b;
+        times(&mut amplitudes, &waves.radiation);
+        self.forms[span].of(a, &amplitudes, energy);
+    }
+}
+
+/// exp(-kappa l); 1 over the length 0, also for the wave that decays at once.
+fn set_decays<A: Arithmetic>(waves: &Waves<A>, length: f64, out: &mut Amplitudes<A>) {
+    A::outlined(SetDecays((waves, length, out)));
+}
+
+#[inline(always)]
+fn set_decays_inlined<A: Arithmetic>((waves, length, out): (&Waves<A>, f64, &mut Amplitudes<A>)) {
+    if length == 0.0 {
+        *out = [Complex::ONE; 6];
+        return;
+    }
+    let length = Real::splat(length);
+    for wave in 0..6 {
+        let kappa = waves.kappa[wave].scaled(length);
+        out[wave] = decay(kappa.re, kappa.im);
+    }
+    if waves.without_warping {
+        out[crate::solve::waves::WARPING_WAVE] = Complex::ZERO;
+    }
+}
+
+#[inline(always)]
+pub(super) fn times<A: Arithmetic>(to: &mut Amplitudes<A>, by: &Amplitudes<A>) {
+    for wave in 0..6 {
+        to[wave] = to[wave] * by[wave];
+    }
+}
+
+#[inline(always)]
+pub(super) fn add<A: Arithmetic>(to: &mut Amplitudes<A>, what: &Amplitudes<A>) {
+    for wave in 0..6 {
+        to[wave] += what[wave];
+    }
+}
+
+#[inline(always)]
+pub(super) fn add_product<A: Arithmetic>(
+    to: &mut Amplitudes<A>,
+    a: &Amplitudes<A>,
+    b: &Amplitudes<A>,
+) {
+    for wave in 0..6 {
+        to[wave] = to[wave].plus_product(a[wave], b[wave]);
+    }
+}
+
+part!(
+    SetDecays ['a, A: Arithmetic] ['a, A]
+    (&'a Waves<A>, f64, &'a mut Amplitudes<A>) -> (),
+    set_decays_inlined
+);

@@ -1,0 +1,140 @@
+//! The whole solution of a plan at one frequency: the kernel with one lane.
+
+use num_complex::Complex64;
+
+use super::complex::Complex;
+use super::ends::{reflection, right_end};
+use super::number::Arithmetic;
+use super::portable::One;
+use super::read::Part;
+use super::recursion::{Prepared, Room, add_product, times};
+use super::reflection::{Amplitudes, Side};
+use super::station::{sent, stretches_without};
+use super::waves::{Constants, Waves};
+use crate::model::MassMotion;
+use crate::solve::plan::{Event, Plan};
+use crate::solve::solution::{MassSolution, Solution, SpanWaves};
+use crate::solve::waves::{self, BeamConstants, WARPING_WAVE};
+
+impl Prepared {
+    /// The solution at the angular frequency `omega`, rad/s (positive, or complex in the search for a mode or a zero),
+    /// of a plan that is prepared as a [whole](Self::whole). If the model has no finite response (no damping, exactly
+    /// at a resonance), the values are not finite.
+    pub(in crate::solve) fn solution(&self, omega: Complex64) -> Solution {
+        let mut waves = Waves::<One>::NONE;
+        waves.set(&self.constants, Complex::splat(omega));
+        Room::default().solution(self, &waves)
+    }
+}
+
+/// The waves of a beam at an angular frequency, rad/s.
+pub(in crate::solve) fn waves(beam: &BeamConstants, omega: Complex64) -> waves::Waves {
+    let mut waves = Waves::<One>::NONE;
+    waves.set(&Constants::new(beam), Complex::splat(omega));
+    waves.plain()
+}
+
+impl Room<One> {
+    fn solution(&mut self, prepared: &Prepared, waves: &Waves<One>) -> Solution {
+        let plan = &prepared.plan;
+        self.make_room(prepared);
+        self.prepare_spans(plan, waves);
+        let start = reflection(waves, &plan.left, Side::Left);
+        let mut at = start.clone();
+        self.sweep_right(prepared, waves, 0..plan.stations.len(), &mut at);
+        at.propagate(&self.decays[plan.last_span()]);
+        let mut b = right_end(waves, &plan.right, &at);
+        let mut spans = Vec::new();
+        for (index, station) in plan.stations.iter().enumerate().rev() {
+            let at_span_end = b;
+            times(&mut b, &self.decays[plan.spans[index + 1]]);
+            let sent = self.cross(index, &station.event, waves, &mut b, Some(index));
+            let mut a = self.lefts[index].at(&b);
+            let state = &mut self.states[index];
+            state.a = a;
+            state.b = b;
+            times(&mut state.b, &waves.radiation);
+            add_product(&mut a, &sent, &waves.radiation);
+            spans.push(span_waves(waves, &a, at_span_end));
+        }
+        let at_span_end = b;
+        times(&mut b, &self.decays[plan.spans[0]]);
+        spans.push(span_waves(waves, &start.at(&b), at_span_end));
+        spans.reverse();
+        self.add_held_forces(plan, waves, &mut spans);
+        let stations = plan.stations.iter().zip(&self.states);
+        let masses = stations.map(|(station, state)| match &station.event {
+            Event::Attachment(attachment) => MassSolution {
+                forces: state.forces.map(|force| force.lane(0)),
+                motion: MassMotion::ALL
+                    .map(|motion| state.mass(waves, attachment, motion, Part::Whole).lane(0)),
+            },
+            Event::Load(_) | Event::Probe => MassSolution::default(),
+        });
+        Solution {
+            waves: waves.plain(),
+            decays: self.decays.iter().map(plain).collect(),
+            spans,
+            masses: masses.collect(),
+        }
+    }
+
+    /// Adds the effect of subsystems at an end on motions that its support fixes: it exists only between them and the
+    /// support, in spans of the length 0, and the sweep leaves it out.
+    fn add_held_forces(&self, plan: &Plan, waves: &Waves<One>, spans: &mut [SpanWaves]) {
+        for (index, station) in plan.stations.iter().enumerate() {
+            let Event::Attachment(attachment) = &station.event else {
+                continue;
+            };
+            if attachment.held == [false; 3] {
+                continue;
+            }
+            let held = stretches_without(waves, attachment, attachment.held.map(|held| !held));
+            let mut jump = sent(&held, &self.states[index].forces);
+            times(&mut jump, &waves.radiation);
+            let (outside, sign) = if station.position == 0.0 {
+                (0..index + 1, -1.0)
+            } else {
+                (index + 1..spans.len(), 1.0)
+            };
+            for span in &mut spans[outside] {
+                for wave in 0..6 {
+                    let jump = sign * jump[wave].lane(0);
+                    span.a[wave] += jump;
+                    span.b[wave] -= jump;
+                }
+            }
+        }
+    }
+}
+
+/// The waves of a span from a at its left and b' at its right end.
+fn span_waves(waves: &Waves<One>, a: &Amplitudes<One>, mut b: Amplitudes<One>) -> SpanWaves {
+    times(&mut b, &waves.radiation);
+    SpanWaves {
+        a: plain(a),
+        b: plain(&b),
+    }
+}
+
+impl<A: Arithmetic> Waves<A> {
+    /// The values of the first lane.
+    fn plain(&self) -> waves::Waves {
+        let mut kappa = plain(&self.kappa);
+        if self.without_warping {
+            kappa[WARPING_WAVE] = f64::INFINITY.into();
+        }
+        waves::Waves {
+            kappa,
+            displacement: self.displacement.each_ref().map(plain),
+            slope: self.slope.each_ref().map(plain),
+            force: self.force.each_ref().map(plain),
+            moment: self.moment.each_ref().map(plain),
+        }
+    }
+}
+
+/// The numbers of the first lane.
+fn plain<A: Arithmetic>(amplitudes: &Amplitudes<A>) -> [Complex64; 6] {
+    amplitudes.map(|amplitude| amplitude.lane(0))
+}

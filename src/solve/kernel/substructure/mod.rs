@@ -1,0 +1,252 @@
+//! A part of the beam between two solved sides, at several frequencies at once: the sides are cached, so that an edit
+//! of the part does not need to solve them again.
+//!
+//! Each side acts on the part only through its reflection. Each response on a side is an affine function of the six
+//! waves that enter it, and its energy a quadratic one. So a solution with both sides known costs as much as a short
+//! beam. A side includes the spans between its stations and up to its end of the beam; the span between its last
+//! station and the part belongs to the part, whose edits change its length.
+//!
+//! `propagation` moves waves over a side; `side_energy` and `quadratic_form` compute its energy.
+
+mod propagation;
+mod quadratic_form;
+mod side_energy;
+
+use std::ops::Range;
+
+use crate::solve::kernel::complex::Complex;
+use crate::solve::kernel::ends::{join, reflection, right_end};
+use crate::solve::kernel::energy::Sum;
+use crate::solve::kernel::number::Arithmetic;
+use crate::solve::kernel::read::Part;
+use crate::solve::kernel::recursion::{Prepared, Room, times};
+use crate::solve::kernel::reflection::{Amplitudes, Jumps, Reflection, Side};
+use crate::solve::kernel::station::Unknowns;
+use crate::solve::kernel::waves::Waves;
+use crate::solve::plan::{Event, Output};
+use side_energy::SideEnergy;
+
+/// A response as a function of six waves.
+#[derive(Debug, Clone)]
+struct Affine<A> {
+    from_waves: Amplitudes<A>,
+    forced: Complex<A>,
+}
+
+/// One side of a part of the beam.
+#[derive(Debug, Clone)]
+struct SideResponse<A> {
+    /// Looking from the part.
+    reflection: Reflection<A>,
+    /// The responses on the side, in the order of the plan's outputs.
+    outputs: Vec<Affine<A>>,
+    /// The energy of the side, if requested.
+    energy: Option<Box<SideEnergy<A>>>,
+}
+
+/// Both sides; `None` if the part extends to the end of the beam.
+#[derive(Debug, Clone)]
+pub(in crate::solve) struct Sides<A> {
+    left: Option<SideResponse<A>>,
+    right: Option<SideResponse<A>>,
+}
+
+/// The source of a response.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::solve) enum Source {
+    /// The part between the sides.
+    Substructure,
+    /// The left side, and the index among its outputs.
+    Left(usize),
+    /// The right side, and the index among its outputs.
+    Right(usize),
+}
+
+/// A plan with a part between two solved sides.
+#[derive(Debug)]
+pub(in crate::solve) struct Substructure {
+    pub(in crate::solve) prepared: Prepared,
+    /// The stations of the part.
+    pub(in crate::solve) part: Range<usize>,
+    /// The source of each output.
+    pub(in crate::solve) sources: Vec<Source>,
+    /// The station and the index of each output that is read at one, by ascending station.
+    pub(in crate::solve) read: Vec<(usize, usize)>,
+}
+
+impl Substructure {
+    /// The indices of the outputs that are read at a station.
+    pub(in crate::solve::kernel) fn read_at(&self, station: usize) -> impl Iterator<Item = usize> {
+        let first = self.read.partition_point(|(at, _)| *at < station);
+        let from_there = self.read[first..].iter();
+        from_there
+            .take_while(move |(at, _)| *at == station)
+            .map(|(_, output)| *output)
+    }
+}
+
+impl<A: Arithmetic> Affine<A> {
+    const NONE: Self = Self {
+        from_waves: [Complex::ZERO; 6],
+        forced: Complex::ZERO,
+    };
+
+    #[inline(always)]
+    fn at(&self, waves: &Amplitudes<A>) -> Complex<A> {
+        let mut sum = self.forced;
+        for wave in 0..6 {
+            sum = sum.plus_product(self.from_waves[wave], waves[wave]);
+        }
+        sum
+    }
+}
+
+impl<A> Sides<A> {
+    /// Size in bytes.
+    pub(in crate::solve::kernel) fn bytes(&self) -> usize {
+        let sides = [&self.left, &self.right].into_iter().flatten();
+        size_of::<Self>() + sides.map(SideResponse::bytes).sum::<usize>()
+    }
+}
+
+impl<A> SideResponse<A> {
+    /// Size of its heap memory, bytes.
+    fn bytes(&self) -> usize {
+        let energy = self.energy.iter().map(|energy| size_of_val(&**energy));
+        size_of_val(&*self.outputs) + energy.sum::<usize>()
+    }
+}
+
+impl<A: Arithmetic> Room<A> {
+    /// Solves the sides of `part`, at the angular frequencies `omega`, rad/s.
+    #[inline(always)]
+    pub(in crate::solve::kernel) fn sides(
+        &mut self,
+        substructure: &Substructure,
+        omega: Complex<A>,
+    ) -> Sides<A> {
+        let Substructure { prepared, part, .. } = substructure;
+        let plan = &prepared.plan;
+        let mut waves = Waves::NONE;
+        waves.set(&prepared.constants, omega);
+        self.make_room(prepared);
+        self.prepare_spans(plan, &waves);
+        let (mut left, mut right) = (None, None);
+        if part.start > 0 {
+            let end = reflection(&waves, &plan.left, Side::Left);
+            let mut at = end.clone();
+            self.sweep_right(prepared, &waves, 0..part.start, &mut at);
+            let mut beside =
+                SideResponse::new(at, substructure, |source| matches!(source, Source::Left(_)));
+            self.carry(substructure, &waves, (Side::Left, &end), &mut beside);
+            left = Some(beside);
+        }
+        if part.end < plan.stations.len() {
+            let end = reflection(&waves, &plan.right, Side::Right);
+            let mut at = end.clone();
+            self.sweep_from_right(substructure, &waves, &mut at);
+            let mut beside = SideResponse::new(at, substructure, |source| {
+                matches!(source, Source::Right(_))
+            });
+            self.carry(substructure, &waves, (Side::Right, &end), &mut beside);
+            right = Some(beside);
+        }
+        Sides { left, right }
+    }
+
+    /// Moves the right-looking reflection from the right end to the part.
+    #[inline(always)]
+    fn sweep_from_right(
+        &mut self,
+        substructure: &Substructure,
+        waves: &Waves<A>,
+        at: &mut Reflection<A>,
+    ) {
+        let plan = &substructure.prepared.plan;
+        for index in (substructure.part.end..plan.stations.len()).rev() {
+            at.propagate(&self.decays[plan.spans[index + 1]]);
+            let read = substructure.prepared.reads[index];
+            match &plan.stations[index].event {
+                Event::Attachment(attachment) => {
+                    let turn = read.map(|read| &mut self.turns[read]);
+                    let unknowns = Unknowns {
+                        forces: &mut self.forces[index],
+                        turn,
+                        determinant: None,
+                    };
+                    at.attach(waves, attachment, unknowns);
+                }
+                Event::Load(load) => at.load(waves, &Jumps::of_load(waves, load), Side::Right),
+                Event::Probe => {}
+            }
+            // Looking from just left of the station, where everything is read.
+            if let Some(kept) = substructure.prepared.kept(index) {
+                self.lefts[kept].clone_from(at);
+            }
+        }
+    }
+
+    /// Writes the response of every output at the angular frequencies `omega`, rad/s, of a plan with solved sides.
+    #[inline(always)]
+    pub(in crate::solve::kernel) fn solve_substructure(
+        &mut self,
+        substructure: &Substructure,
+        sides: &Sides<A>,
+        omega: Complex<A>,
+        out: &mut [Complex<A>],
+    ) {
+        let Substructure { prepared, part, .. } = substructure;
+        let plan = &prepared.plan;
+        let mut waves = Waves::NONE;
+        waves.set(&prepared.constants, omega);
+        self.make_room(prepared);
+        self.prepare_part(prepared, &waves, part);
+        let start = match &sides.left {
+            Some(left) => left.reflection.clone(),
+            None => reflection(&waves, &plan.left, Side::Left),
+        };
+        let mut at = start.clone();
+        self.sweep_right(prepared, &waves, part.clone(), &mut at);
+        at.propagate(&self.decays[plan.spans[part.end]]);
+        let mut b = match &sides.right {
+            Some(right) => join(&waves, &at, &right.reflection),
+            None => right_end(&waves, &plan.right, &at),
+        };
+        let mut a = at.at(&b);
+        times(&mut a, &waves.weight);
+        let mut energy = Sum::ZERO;
+        self.sweep_left(prepared, &waves, part.clone(), &mut b, &mut energy);
+        self.cross_span(prepared, &waves, (part.start, &start), &mut b, &mut energy);
+        for (side, arriving) in [(&sides.left, &b), (&sides.right, &a)] {
+            if let Some(known) = side.as_ref().and_then(|side| side.energy.as_deref()) {
+                known.at(arriving, &mut energy);
+            }
+        }
+        let energy = Complex::from_real(energy.resolved());
+        for ((value, output), source) in
+            out.iter_mut().zip(&plan.outputs).zip(&substructure.sources)
+        {
+            *value = match (source, &sides.left, &sides.right) {
+                (Source::Left(index), Some(left), _) => left.outputs[*index].at(&b),
+                (Source::Right(index), _, Some(right)) => right.outputs[*index].at(&a),
+                _ if *output == Output::Energy => energy,
+                _ => self.read(prepared, &waves, *output, Part::Whole),
+            };
+        }
+    }
+}
+
+impl<A: Arithmetic> SideResponse<A> {
+    fn new(
+        reflection: Reflection<A>,
+        substructure: &Substructure,
+        is_there: fn(&Source) -> bool,
+    ) -> Self {
+        let count = substructure.sources.iter().filter(|s| is_there(s)).count();
+        Self {
+            reflection,
+            outputs: vec![Affine::NONE; count],
+            energy: None,
+        }
+    }
+}

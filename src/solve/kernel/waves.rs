@@ -1,0 +1,333 @@
+//! The six waves of the beam at several frequencies at once; the equations are those of [`crate::solve::waves`].
+//!
+//! The radiation of a point load follows from reciprocity, without a system to solve: a jump f of the internal forces
+//! sends `X f` in both directions and a jump m of the internal moments `Y m` to the right and `-Y m` to the left with
+//! `X = N Q^T`, `Y = N S^T`, where the diagonal N holds `1 / (2 kappa (2 E Iy h W^2 + (2 E G0 h - G J) Psi^2))` of the
+//! coupled waves and `1 / (4 E Iz h kappa)` of the others, h = kappa^2. It is the same for Q, S, P, M of any scale.
+
+use num_complex::Complex64;
+
+use super::complex::{Complex, Matrix};
+use super::number::{Arithmetic, Real, part};
+use super::roots::{Pair, Root, roots};
+use crate::solve::waves::{BeamConstants, WARPING_WAVE, coupled_waves};
+
+/// The frequency-independent constants of the waves of a beam.
+#[derive(Debug, Clone)]
+pub(super) struct Constants {
+    beam: BeamConstants,
+    /// sqrt(rho A / E Iy), sqrt(rho A / E Iz).
+    bending: [Complex64; 2],
+    /// 1 / (E `Gamma_0`); 0 if `Gamma_0` is 0.
+    inverse_warping: Complex64,
+}
+
+impl Constants {
+    pub(super) fn new(beam: &BeamConstants) -> Self {
+        let bending =
+            [beam.bending_w, beam.bending_v].map(|stiffness| (beam.mass / stiffness).sqrt());
+        Self {
+            beam: beam.clone(),
+            bending,
+            inverse_warping: if beam.without_warping() {
+                Complex64::ZERO
+            } else {
+                beam.warping.inv()
+            },
+        }
+    }
+}
+
+/// The waves at several frequencies.
+#[derive(Debug, Clone)]
+pub(super) struct Waves<A> {
+    /// Angular frequency, rad/s.
+    pub(super) omega: Complex<A>,
+    /// Wave numbers, 1/m; that of the warping wave is meaningless if `without_warping`.
+    pub(super) kappa: [Complex<A>; 6],
+    /// Q.
+    pub(super) displacement: Matrix<A, 3, 6>,
+    /// S.
+    pub(super) slope: Matrix<A, 3, 6>,
+    /// P.
+    pub(super) force: Matrix<A, 3, 6>,
+    /// M.
+    pub(super) moment: Matrix<A, 3, 6>,
+    /// N: the amplitude of each wave per unit of its jump.
+    pub(super) radiation: [Complex<A>; 6],
+    /// N^-1.
+    pub(super) weight: [Complex<A>; 6],
+    /// The warping wave decays at once.
+    pub(super) without_warping: bool,
+}
+
+/// A beam and the angular frequencies, rad/s.
+type At<'a, A> = (&'a BeamConstants, Complex<A>);
+
+/// A coupled wave: h = kappa^2 and its shape.
+#[derive(Debug, Clone, Copy)]
+struct CoupledWave<A> {
+    h: Complex<A>,
+    w: Complex<A>,
+    psi: Complex<A>,
+}
+
+impl<A: Arithmetic> CoupledWave<A> {
+    const NONE: Self = Self {
+        h: Complex::ZERO,
+        w: Complex::ZERO,
+        psi: Complex::ZERO,
+    };
+
+    /// Becomes the wave of a root of a pair; the sign of a travelling wave's h is omitted.
+    #[inline(always)]
+    fn set_shape((this, (beam, omega), pair, root): (&mut Self, At<'_, A>, &Pair<A>, &Root<A>)) {
+        let other = pair.offset.plus_product(pair.slope, root.value);
+        let bending = Complex::splat(beam.bending_w) * root.from_bending * (root.value + pair.h_w);
+        let torsion = root.from_torsion * other;
+        let inverse = (omega * omega).inverse();
+        let (w, psi) = shape(
+            bending * inverse.scaled(Real::splat(beam.mass.recip())),
+            torsion * inverse.scaled(Real::splat(beam.polar.recip())),
+            beam.coupling / beam.mass,
+            beam.coupling / beam.polar,
+        );
+        let radius = Real::splat(beam.radius * beam.radius);
+        let scale = Real::ONE / psi.norm_sqr().multiply_add(radius, w.norm_sqr()).sqrt();
+        *this = Self {
+            h: root.value,
+            w: w.scaled(scale),
+            psi: psi.scaled(scale),
+        };
+    }
+}
+
+/// Finds the coupled waves one frequency at a time if the solution for all lanes failed.
+#[inline(always)]
+fn recover<A: Arithmetic>(
+    (waves, constants, omega, missed): (&mut [CoupledWave<A>; 4], &Constants, Complex<A>, Real<A>),
+) {
+    let missed = missed.lanes();
+    for lane in (0..A::LANES).filter(|&lane| missed[lane] > 0.0) {
+        let found = coupled_waves(&constants.beam, omega.lane(lane));
+        for (wave, found) in waves.iter_mut().zip(found) {
+            wave.h.set_lane(lane, found.h);
+            wave.w.set_lane(lane, found.w);
+            wave.psi.set_lane(lane, found.psi);
+        }
+    }
+}
+
+impl<A: Arithmetic> Waves<A> {
+    /// No waves yet; entries that a row cannot reach stay zero.
+    pub(super) const NONE: Self = Self {
+        omega: Complex::ZERO,
+        kappa: [Complex::ZERO; 6],
+        displacement: [[Complex::ZERO; 6]; 3],
+        slope: [[Complex::ZERO; 6]; 3],
+        force: [[Complex::ZERO; 6]; 3],
+        moment: [[Complex::ZERO; 6]; 3],
+        radiation: [Complex::ZERO; 6],
+        weight: [Complex::ZERO; 6],
+        without_warping: false,
+    };
+
+    /// Becomes the waves at angular frequencies, rad/s.
+    pub(super) fn set(&mut self, constants: &Constants, omega: Complex<A>) {
+        A::outlined(Set((self, constants, omega)));
+    }
+
+    #[inline(always)]
+    fn set_inlined((this, constants, omega): (&mut Self, &Constants, Complex<A>)) {
+        this.omega = omega;
+        this.without_warping = constants.beam.without_warping();
+        this.set_coupled(constants);
+        if this.without_warping {
+            this.set_warping_limit();
+        }
+        this.set_bending_v(constants);
+    }
+
+    /// The four coupled waves: two evanescent, two travelling.
+    #[inline(always)]
+    fn set_coupled(&mut self, constants: &Constants) {
+        let beam = &constants.beam;
+        let square = self.omega * self.omega;
+        let (b, d) = (
+            square.scaled(Real::splat(beam.polar)),
+            square.scaled(Real::splat(beam.coupling)),
+        );
+        let h_w = (Complex::splat(constants.bending[0]) * self.omega).in_right_half();
+        let warping = Complex::splat(beam.warping);
+        let torsion = Complex::splat(beam.torsion);
+        let half = Real::splat(0.5);
+        let discriminant = torsion * torsion + warping * b.scaled(Real::splat(4.0));
+        let tau = (torsion + discriminant.sqrt()).scaled(half);
+        let t = tau.inverse() * b;
+        let coupling = Complex::splat(beam.bending_w.inv()) * (d * d);
+        let evanescent = Pair {
+            h_w,
+            tau,
+            gamma: warping,
+            inverse_gamma: Complex::splat(constants.inverse_warping),
+            coupling,
+            slope: Complex::ONE,
+            offset: t,
+        };
+        let travelling = Pair {
+            tau: t,
+            gamma: Complex::ONE,
+            inverse_gamma: Complex::ONE,
+            slope: warping,
+            offset: tau,
+            ..evanescent
+        };
+        let pairs = [evanescent, travelling];
+        let (roots, missed) = roots(&pairs);
+        let mut waves = [CoupledWave::NONE; 4];
+        for (column, wave) in waves.iter_mut().enumerate() {
+            let pair = column / 2;
+            let root = &roots[pair][column % 2];
+            A::outlined(SetShape((wave, (beam, self.omega), &pairs[pair], root)));
+            if pair == 1 {
+                wave.h = -wave.h;
+            }
+        }
+        if Real::ZERO.is_less_somewhere(missed) {
+            A::outlined(Recover((&mut waves, constants, self.omega, missed)));
+        }
+        for (column, wave) in waves.iter().enumerate() {
+            A::outlined(SetRows((self, beam, column, wave)));
+        }
+    }
+
+    /// Sets the columns of the matrices of a coupled wave.
+    #[inline(always)]
+    fn set_rows((this, beam, column, wave): (&mut Self, &BeamConstants, usize, &CoupledWave<A>)) {
+        let CoupledWave { h, w, psi } = *wave;
+        let kappa = h.sqrt();
+        let bending_moment = Complex::splat(beam.bending_w) * h * w;
+        let warping = Complex::splat(beam.warping) * h;
+        let bimoment = warping * psi;
+        let torque_over_kappa = this.torque_over_kappa(beam, *wave, warping);
+        this.kappa[column] = kappa;
+        this.displacement[0][column] = w;
+        this.displacement[1][column] = psi;
+        this.slope[0][column] = kappa * w;
+        this.slope[1][column] = kappa * psi;
+        this.force[0][column] = kappa * bending_moment;
+        this.force[1][column] = kappa * torque_over_kappa;
+        this.moment[0][column] = bending_moment;
+        this.moment[1][column] = bimoment;
+        let norm = (this.force[0][column] * w)
+            .plus_product(this.force[1][column], psi)
+            .plus_product(bending_moment, this.slope[0][column])
+            .plus_product(bimoment, this.slope[1][column]);
+        this.set_weight(column, norm + norm);
+    }
+
+    /// (E `Gamma_0` h - G J) Psi, from the equation of motion if the difference would cancel.
+    #[inline(always)]
+    fn torque_over_kappa(
+        &self,
+        beam: &BeamConstants,
+        wave: CoupledWave<A>,
+        warping: Complex<A>,
+    ) -> Complex<A> {
+        let CoupledWave { h, w, psi } = wave;
+        let difference = warping - Complex::splat(beam.torsion);
+        let inertia = psi
+            .scaled(Real::splat(beam.polar))
+            .plus_scaled(Real::splat(beam.coupling), w);
+        let by_motion = inertia * (self.omega * self.omega) * h.inverse();
+        Complex::where_less(
+            Real::splat(0.25 * beam.torsion.norm_sqr()),
+            difference.norm_sqr(),
+            difference * psi,
+            by_motion,
+        )
+    }
+
+    /// The limit `Gamma_0` -> 0: the warping wave changes the rate of twist by one unit within the length 0.
+    #[inline(always)]
+    fn set_warping_limit(&mut self) {
+        for row in 0..3 {
+            self.displacement[row][WARPING_WAVE] = Complex::ZERO;
+            self.slope[row][WARPING_WAVE] = Complex::ZERO;
+            self.force[row][WARPING_WAVE] = Complex::ZERO;
+            self.moment[row][WARPING_WAVE] = Complex::ZERO;
+        }
+        self.kappa[WARPING_WAVE] = Complex::ZERO;
+        self.slope[1][WARPING_WAVE] = Complex::ONE;
+        self.moment[1] = [Complex::ZERO; 6];
+        self.moment[1][WARPING_WAVE] = Complex::ONE;
+        self.set_weight(WARPING_WAVE, Complex::from_real(Real::splat(2.0)));
+    }
+
+    #[inline(always)]
+    fn set_bending_v(&mut self, constants: &Constants) {
+        let h = (Complex::splat(constants.bending[1]) * self.omega).in_right_half();
+        let evanescent = h.sqrt();
+        // The root of -h, decaying or right-going.
+        let travelling = Complex {
+            re: evanescent.im.abs(),
+            im: Real::ZERO.where_less(evanescent.im, -evanescent.re, evanescent.re),
+        };
+        let moment = Complex::splat(constants.beam.bending_v) * h;
+        for (column, kappa, moment) in [(4, evanescent, moment), (5, travelling, -moment)] {
+            self.kappa[column] = kappa;
+            self.displacement[2][column] = Complex::ONE;
+            self.slope[2][column] = kappa;
+            self.force[2][column] = kappa * moment;
+            self.moment[2][column] = moment;
+            self.set_weight(column, (kappa * moment).scaled(Real::splat(4.0)));
+        }
+    }
+
+    #[inline(always)]
+    fn set_weight(&mut self, column: usize, weight: Complex<A>) {
+        self.weight[column] = weight;
+        self.radiation[column] = weight.inverse();
+    }
+}
+
+/// The shape (W, Psi) from the row with the larger coefficient; see [`crate::solve::waves`].
+#[inline(always)]
+fn shape<A: Arithmetic>(
+    bending: Complex<A>,
+    torsion: Complex<A>,
+    d_over_a: f64,
+    d_over_b: f64,
+) -> (Complex<A>, Complex<A>) {
+    let (of_bending, of_torsion) = (bending.norm_sqr(), torsion.norm_sqr());
+    let from_a = Complex::from_real(Real::splat(d_over_a));
+    let from_b = Complex::from_real(Real::splat(d_over_b));
+    (
+        Complex::where_less(of_bending, of_torsion, torsion, from_a),
+        Complex::where_less(of_bending, of_torsion, from_b, bending),
+    )
+}
+
+part!(
+    Set ['a, A: Arithmetic] ['a, A]
+    (&'a mut Waves<A>, &'a Constants, Complex<A>) -> (),
+    Waves::set_inlined
+);
+
+part!(
+    SetShape ['a, A: Arithmetic] ['a, A]
+    (&'a mut CoupledWave<A>, At<'a, A>, &'a Pair<A>, &'a Root<A>) -> (),
+    CoupledWave::set_shape
+);
+
+part!(
+    SetRows ['a, A: Arithmetic] ['a, A]
+    (&'a mut Waves<A>, &'a BeamConstants, usize, &'a CoupledWave<A>) -> (),
+    Waves::set_rows
+);
+
+part!(
+    Recover ['a, A: Arithmetic] ['a, A]
+    (&'a mut [CoupledWave<A>; 4], &'a Constants, Complex<A>, Real<A>) -> (),
+    recover
+);

@@ -1,0 +1,364 @@
+//! What is kept between edits: the same answers as a fresh solve.
+//!
+//! Expected: the fresh solve of the same model, whose own correctness is held elsewhere (literature, high precision).
+//! Differences are shares of the response's largest value: next to an anti-resonance what is left of a response has fewer
+//! digits in either.
+
+#![allow(clippy::unwrap_used)]
+
+#[path = "common/checked.rs"]
+mod checked;
+
+use checked::checked;
+use std::sync::atomic::AtomicBool;
+
+use beamtune::model::{
+    BeamMotion, Force, MassMotion, Measure, Model, Place, Quantity, Response, Restraint, Support,
+    Target, read,
+};
+use beamtune::presets;
+use beamtune::solve::{Cancelled, ColumnKind, Frf, SweepCache, sweep};
+
+#[path = "sweep_cache/energy.rs"]
+mod energy;
+
+static NEVER: AtomicBool = AtomicBool::new(false);
+
+/// A beam with many light subsystems, loads and responses of all kinds on both sides of its middle.
+fn crowded(count: usize) -> Model {
+    let mut model = read(presets::find("fig05a").unwrap().text)
+        .unwrap()
+        .into_inner();
+    let pattern = model.subsystems[0].clone();
+    let share = 3.0 / count as f64;
+    model.subsystems = (1..=count)
+        .map(|index| {
+            let mut subsystem = pattern.clone();
+            subsystem.name = format!("S{index}");
+            subsystem.position = model.beam.length * index as f64 / (count + 1) as f64;
+            subsystem.mass *= share;
+            subsystem.inertia *= share;
+            subsystem
+        })
+        .collect();
+    for (index, motion) in [
+        (3, MassMotion::Y),
+        (count - 2, MassMotion::Theta),
+        (count - 3, MassMotion::Z),
+    ] {
+        let target = Target::Mass(format!("S{index}"), motion);
+        model.responses.push(response(&model, target.clone()));
+        model.forces.push(force(target));
+    }
+    for (at, motion) in [
+        (0.7, BeamMotion::WSlope),
+        (2.9, BeamMotion::PsiSlope),
+        (1.6, BeamMotion::VSlope),
+    ] {
+        let target = Target::Beam(Place::Position(at), motion);
+        model.responses.push(response(&model, target.clone()));
+        model.forces.push(force(target));
+    }
+    model
+}
+
+fn response(model: &Model, target: Target) -> Response {
+    Response {
+        name: format!("R{}", model.responses.len()),
+        enabled: true,
+        quantity: Quantity::Motion(target, Measure::Velocity),
+    }
+}
+
+fn force(target: Target) -> Force {
+    Force {
+        enabled: true,
+        target,
+        amplitude: 0.5,
+        phase: 40.0,
+    }
+}
+
+fn grid() -> Vec<f64> {
+    (0..61).map(|k| 20.0 + 6.1 * f64::from(k)).collect()
+}
+
+fn assert_same(found: &Frf, fresh: &Frf) {
+    assert_eq!(found.frequencies, fresh.frequencies);
+    for (a, b) in found.columns.iter().zip(&fresh.columns) {
+        let top = b
+            .values
+            .iter()
+            .map(|value| value.norm())
+            .fold(0.0, f64::max);
+        assert!(top.is_finite(), "{}", b.name);
+        for (a_value, b_value) in a.values.iter().zip(&b.values) {
+            let distance = (a_value - b_value).norm();
+            // An energy is never next to nothing.
+            let of = if a.kind == ColumnKind::Energy {
+                b_value.norm()
+            } else {
+                top
+            };
+            assert!(distance <= 1e-12 * of, "{}: {a_value} {b_value}", b.name);
+        }
+    }
+}
+
+type Edit = Box<dyn Fn(&mut Model)>;
+
+/// An edit of each kind, in the middle of the beam or at one of its ends.
+fn edits() -> Vec<(&'static str, Edit)> {
+    let move_probe = |model: &mut Model| {
+        for response in &mut model.responses {
+            if let Quantity::Motion(Target::Beam(Place::Position(x), _), _) = &mut response.quantity
+                && (*x - 1.2).abs() < 0.05
+            {
+                *x += 1e-3;
+            }
+        }
+    };
+    let turn_probe = |model: &mut Model| {
+        for response in &mut model.responses {
+            if let Quantity::Motion(Target::Beam(Place::Position(x), motion), _) =
+                &mut response.quantity
+                && *x == 2.0
+                && *motion == BeamMotion::W
+            {
+                *motion = BeamMotion::WSlope;
+            }
+        }
+    };
+    vec![
+        ("a mass", Box::new(|m| m.subsystems[19].mass *= 1.1)),
+        ("an arm", Box::new(|m| m.subsystems[19].arm_left *= 1.1)),
+        (
+            "a position",
+            Box::new(|m| m.subsystems[19].position += 1e-3),
+        ),
+        (
+            "past another",
+            Box::new(|m| m.subsystems[19].position += 0.2),
+        ),
+        ("off", Box::new(|m| m.subsystems[19].enabled ^= true)),
+        ("removed", Box::new(|m| drop(m.subsystems.remove(24)))),
+        ("the first", Box::new(|m| m.subsystems[0].mount_y *= 0.9)),
+        (
+            "the last",
+            Box::new(|m| m.subsystems.last_mut().unwrap().z_left.damping *= 2.0),
+        ),
+        ("an amplitude", Box::new(|m| m.forces[0].amplitude *= 1.1)),
+        ("a phase on a mass", Box::new(|m| m.forces[4].phase += 10.0)),
+        ("a load off", Box::new(|m| m.forces[7].enabled ^= true)),
+        ("a probe", Box::new(move_probe)),
+        ("another motion", Box::new(turn_probe)),
+        (
+            "a response off",
+            Box::new(|m| m.responses[3].enabled ^= true),
+        ),
+        (
+            "left support",
+            Box::new(|m| m.supports.left[BeamMotion::Psi] = Restraint::Fixed),
+        ),
+        (
+            "right support",
+            Box::new(|m| m.supports.right = Support::CLAMPED),
+        ),
+        ("length", Box::new(|m| m.beam.length *= 1.01)),
+        (
+            "modulus",
+            Box::new(|m| m.beam.material.young_modulus *= 1.01),
+        ),
+    ]
+}
+
+#[test]
+fn edits_of_every_kind_are_solved_as_afresh() {
+    for (name, edit) in edits() {
+        let mut model = crowded(40);
+        let mut kept = SweepCache::default();
+        for _ in 0..3 {
+            let fresh = sweep(&checked(&model), &grid(), &NEVER).unwrap();
+            assert_same(
+                &kept.sweep(&checked(&model), &grid(), &NEVER).unwrap(),
+                &fresh,
+            );
+            edit(&mut model);
+        }
+        // The whole beam is another with another material.
+        assert_eq!(kept.bytes() > 0, name != "modulus", "{name}");
+    }
+}
+
+#[test]
+fn edits_one_after_the_other_are_solved_as_afresh() {
+    let mut random = fastrand::Rng::with_seed(5);
+    let mut model = crowded(40);
+    let mut kept = SweepCache::default();
+    let edits = edits();
+    for _ in 0..60 {
+        if random.u8(0..3) > 0 {
+            edits[random.usize(0..edits.len() - 2)].1(&mut model);
+        } else {
+            let index = random.usize(0..model.subsystems.len());
+            model.subsystems[index].mass *= 0.99;
+        }
+        if model.subsystems.len() < 30 {
+            model = crowded(40);
+        }
+        let fresh = sweep(&checked(&model), &grid(), &NEVER).unwrap();
+        assert_same(
+            &kept.sweep(&checked(&model), &grid(), &NEVER).unwrap(),
+            &fresh,
+        );
+    }
+}
+
+/// A section without warping stiffness, which carries no bimoment.
+fn without_warping_stiffness(model: &mut Model) {
+    model.beam.section.warping_constant = 0.0;
+    let bimoment = |force: &Force| matches!(force.target, Target::Beam(_, BeamMotion::PsiSlope));
+    model.forces.retain(|force| !bimoment(force));
+}
+
+/// The same; its rate of twist is read where nothing makes it jump.
+fn without_warping(model: &mut Model) {
+    without_warping_stiffness(model);
+    for response in &mut model.responses {
+        if let Quantity::Motion(Target::Beam(place, BeamMotion::PsiSlope), _) =
+            &mut response.quantity
+        {
+            *place = Place::Position(2.83);
+        }
+    }
+}
+
+#[test]
+fn without_warping_stiffness_edits_are_solved_as_afresh() {
+    let mut model = crowded(40);
+    without_warping(&mut model);
+    let mut kept = SweepCache::default();
+    for _ in 0..3 {
+        model.subsystems[19].mass *= 1.1;
+        let fresh = sweep(&checked(&model), &grid(), &NEVER).unwrap();
+        assert_same(
+            &kept.sweep(&checked(&model), &grid(), &NEVER).unwrap(),
+            &fresh,
+        );
+    }
+    assert!(kept.bytes() > 0);
+}
+
+/// A mean of both sides of a torque is read at two places: nothing is kept for it.
+#[test]
+fn a_rate_of_twist_at_a_torque_is_solved_as_afresh() {
+    let mut model = crowded(40);
+    without_warping_stiffness(&mut model);
+    model.subsystems[19].position = 2.9;
+    let mut kept = SweepCache::default();
+    for _ in 0..3 {
+        model.subsystems[19].mass *= 1.1;
+        let fresh = sweep(&checked(&model), &grid(), &NEVER).unwrap();
+        assert_same(
+            &kept.sweep(&checked(&model), &grid(), &NEVER).unwrap(),
+            &fresh,
+        );
+    }
+    assert_eq!(kept.bytes(), 0);
+}
+
+#[test]
+fn an_expected_edit_finds_everything_there() {
+    let model = crowded(40);
+    let mut edited = model.clone();
+    edited.subsystems[30].mass *= 1.1;
+    let mut kept = SweepCache::default();
+    kept.expect(&checked(&model), &checked(&edited), &grid(), &NEVER)
+        .unwrap();
+    let bytes = kept.bytes();
+    assert!(bytes > 0);
+    let fresh = sweep(&checked(&edited), &grid(), &NEVER).unwrap();
+    assert_same(
+        &kept.sweep(&checked(&edited), &grid(), &NEVER).unwrap(),
+        &fresh,
+    );
+    assert_eq!(kept.bytes(), bytes);
+}
+
+#[test]
+fn a_cancelled_sweep_gives_nothing_and_spoils_nothing() {
+    let cancelled = AtomicBool::new(true);
+    let mut model = crowded(40);
+    let mut kept = SweepCache::default();
+    assert!(kept.sweep(&checked(&model), &grid(), &NEVER).is_ok());
+    model.subsystems[10].mass *= 1.1;
+    assert_eq!(
+        kept.sweep(&checked(&model), &grid(), &cancelled),
+        Err(Cancelled)
+    );
+    let fresh = sweep(&checked(&model), &grid(), &NEVER).unwrap();
+    assert_same(
+        &kept.sweep(&checked(&model), &grid(), &NEVER).unwrap(),
+        &fresh,
+    );
+}
+
+#[test]
+fn nothing_is_kept_of_a_small_model() {
+    let mut model = read(presets::find("fig06").unwrap().text)
+        .unwrap()
+        .into_inner();
+    let mut kept = SweepCache::default();
+    for _ in 0..2 {
+        model.forces[0].amplitude *= 2.0;
+        let fresh = sweep(&checked(&model), &grid(), &NEVER).unwrap();
+        assert_same(
+            &kept.sweep(&checked(&model), &grid(), &NEVER).unwrap(),
+            &fresh,
+        );
+    }
+    assert_eq!(kept.bytes(), 0);
+}
+
+#[test]
+fn what_lies_beside_an_edit_serves_edits_of_the_same_place_alone() {
+    let model = crowded(60);
+    let edited = |number: usize, factor: f64| {
+        let mut model = model.clone();
+        model.subsystems[number].mass *= factor;
+        model
+    };
+    let mut kept = SweepCache::default();
+    kept.expect(
+        &checked(&model),
+        &checked(&edited(30, 1.1)),
+        &grid(),
+        &NEVER,
+    )
+    .unwrap();
+    for (other, there) in [
+        (edited(30, 1.3), true),
+        (model.clone(), true),
+        (edited(31, 1.1), false),
+        (edited(2, 1.1), false),
+    ] {
+        assert_eq!(
+            SweepCache::would_serve(
+                &checked(&model),
+                &checked(&edited(30, 1.1)),
+                &checked(&other)
+            ),
+            there
+        );
+        let recalled = kept.recalled(&checked(&other), &grid(), &NEVER).unwrap();
+        assert_eq!(recalled.is_some(), there);
+        if let Some(found) = recalled {
+            assert_same(&found, &sweep(&checked(&other), &grid(), &NEVER).unwrap());
+        }
+    }
+    // Other frequencies were not prepared for.
+    assert_eq!(
+        kept.recalled(&checked(&model), &grid()[1..], &NEVER),
+        Ok(None)
+    );
+}

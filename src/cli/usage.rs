@@ -9,7 +9,7 @@ use clap::{CommandFactory as _, Parser as _};
 
 use super::{Arguments, Failure, stdout};
 use crate::escape::{escape_lines, shown_path};
-use crate::model::names::nearest;
+use crate::model::spelling::nearest;
 use crate::presets;
 
 /// Answers arguments that were not taken.

@@ -1,16 +1,16 @@
 //! The rules that make a model physically possible.
 
-mod plans;
+mod studies;
 mod target;
 mod tuning;
 
 use super::fault::Fault;
 use super::id::End;
-use super::names::{LONGEST_NAME, element_keys, is_too_long};
 use super::schema::{
     BEAM, FEWEST_POINTS, MATERIAL, MOST_POINTS, Range, Rows, SECTION, SUBSYSTEM, SWEEP, elastic,
 };
-use super::serial::format_number;
+use super::spelling::{LONGEST_NAME, element_keys, is_too_long};
+use super::toml_literal::format_number;
 use super::types::{Beam, BeamMotion, Model, Restraint, Subsystem, Support, Sweep};
 use std::cell::LazyCell;
 use std::collections::HashMap;
@@ -25,7 +25,7 @@ const SIZES: RangeInclusive<f64> = 1e-60..=1e60;
 /// The faults come in the order of the model file, without line and column.
 pub fn check(model: &Model) -> Vec<Fault> {
     let mut faults = check_state(model);
-    plans::check(model, &mut faults);
+    studies::check(model, &mut faults);
     faults
 }
 

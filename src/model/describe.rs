@@ -2,10 +2,10 @@
 
 use super::edit::{Value, directions, get, places, target_of};
 use super::id::{Group, ParameterId};
-use super::names::nearest;
 use super::schema::{FEWEST_POINTS, ForceKey, Kind, MOST_POINTS, SectionKey, SubsystemKey};
+use super::spelling::nearest;
 use super::types::{Model, Quantity, Restraint, Support};
-use crate::unit::{Measure, Unit, entry};
+use crate::unit::{Measure, Unit, value_input};
 
 /// A parameter, with all that a person needs to set it.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,15 +50,15 @@ impl Parameter {
         })
     }
 
-    /// The value that a typed text stands for: a number as by [`entry::number`], a count as by [`entry::count`], `true`
+    /// The value that a typed text stands for: a number as by [`value_input::number`], a count as by [`value_input::count`], `true`
     /// or `false` (or on, off, yes, no), one of the choices, or text as it is.
     ///
     /// # Errors
     /// Says why the text is no value of this parameter and what is accepted.
     pub fn read(&self, text: &str) -> Result<Value, String> {
         match &self.value {
-            Value::Number(old) => entry::number(text, *old, &self.unit).map(Value::Number),
-            Value::Count(old) => entry::count(text, *old).map(Value::Count),
+            Value::Number(old) => value_input::number(text, *old, &self.unit).map(Value::Number),
+            Value::Count(old) => value_input::count(text, *old).map(Value::Count),
             Value::Flag(_) => flag(text).map(Value::Flag),
             Value::Choice(_) => choice(text.trim(), &self.choices, &self.range).map(Value::Choice),
             Value::Text(_) => Ok(Value::Text(text.to_owned())),

@@ -7,10 +7,10 @@
 //! `subsystems.*.y_left.stiffness`, `subsystems.*.*.damping`, `supports.*.psi.stiffness`.
 
 mod find;
-mod miss;
 pub(super) mod pattern;
 #[cfg(test)]
 pub(super) mod sample;
+mod suggestion;
 mod text;
 
 pub(super) use find::Finder;

@@ -3,10 +3,9 @@
 mod list;
 mod loads;
 mod parts;
-mod place;
-mod plans;
 pub(crate) mod reader;
 mod rows;
+mod studies;
 pub(crate) mod table;
 mod tuning;
 pub(crate) mod value;

@@ -319,8 +319,8 @@ macro_rules! rows {
     };
 }
 
-mod plans;
 mod tables;
+mod tuning;
 
-pub use plans::*;
 pub use tables::*;
+pub use tuning::*;

@@ -1,17 +1,19 @@
 //! From a model to the text of its file, keeping all that a person wrote there.
 
-mod fresh;
-mod layout;
+mod array_layout;
+mod header_positions;
 mod list;
 mod merge;
+mod new_items;
 mod node;
-mod one_line;
-mod position;
 mod tree;
 mod tuning;
 
+use super::toml_literal::{basic_string, format_number};
 use super::types::Model;
 use merge::{merge_root, same_table};
+use node::{Entry, Node, Presence};
+use std::fmt::Write as _;
 use toml_edit::{DocumentMut, Table};
 
 /// The byte order mark that some editors put first.
@@ -33,7 +35,7 @@ pub fn write(model: &Model, original: &str) -> String {
     }
     merge_root(document.as_table_mut(), &tree);
     for key in ["title", "notes"] {
-        fresh::protect_line_ends(document.as_table_mut(), key, dos);
+        new_items::protect_line_ends(document.as_table_mut(), key, dos);
     }
     let mut text = if body.len() < original.len() {
         String::from(BOM)
@@ -51,6 +53,54 @@ pub fn write(model: &Model, original: &str) -> String {
 /// A model as a table in braces on one line, without what is at its default.
 pub(super) fn one_line(model: &Model) -> String {
     let mut text = String::new();
-    one_line::table(&tree::model(model, &Table::new()), &mut text);
+    one_line_table(&tree::model(model, &Table::new()), &mut text);
     text
+}
+
+/// Adds a table in braces; what is at its default is left out.
+fn one_line_table(entries: &[Entry], text: &mut String) {
+    let written = entries
+        .iter()
+        .filter(|entry| entry.presence == Presence::Always);
+    text.push('{');
+    for (index, entry) in written.enumerate() {
+        text.push_str(if index > 0 { ", " } else { "" });
+        text.push_str(&quoted_key(&entry.key));
+        text.push_str(" = ");
+        one_line_node(&entry.node, text);
+    }
+    text.push('}');
+}
+
+fn one_line_node(node: &Node, text: &mut String) {
+    match node {
+        Node::Number(number) => text.push_str(&format_number(*number)),
+        // Writing to a string cannot fail.
+        Node::Count(count) => drop(write!(text, "{count}")),
+        Node::Flag(flag) => drop(write!(text, "{flag}")),
+        Node::Text(words) => text.push_str(&basic_string(words)),
+        Node::List(nodes) | Node::Tables(nodes) => one_line_list(nodes, text),
+        Node::Inline(entries) | Node::Ordered(entries) | Node::Table(entries) => {
+            one_line_table(entries, text);
+        }
+    }
+}
+
+fn one_line_list(nodes: &[Node], text: &mut String) {
+    text.push('[');
+    for (index, element) in nodes.iter().enumerate() {
+        text.push_str(if index > 0 { ", " } else { "" });
+        one_line_node(element, text);
+    }
+    text.push(']');
+}
+
+/// A key, in quotes where it needs them.
+fn quoted_key(key: &str) -> String {
+    let bare = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+    if !key.is_empty() && key.chars().all(bare) {
+        key.to_owned()
+    } else {
+        basic_string(key)
+    }
 }

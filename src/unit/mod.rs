@@ -1,14 +1,14 @@
 //! Units: what a number is of, how it is written for people, and which words of its unit are understood.
 //!
-//! [`Unit`] is that of a parameter, whose typed text [`entry`] reads. [`Dimension`] and [`Kind`] say what the values of a
+//! [`Unit`] is that of a parameter, whose typed text [`value_input`] reads. [`Dimension`] and [`Kind`] say what the values of a
 //! response are, [`ValueUnit`] reads the unit in which a file gives them, [`FrequencyUnit`] and [`PhaseUnit`] are those of
 //! frequencies and phases.
 
 mod dimension;
-pub mod entry;
 mod frequency;
 mod parameter;
 mod response;
+pub mod value_input;
 
 pub use dimension::{Dimension, Form, Kind, Load, Measure, Moves};
 pub use frequency::{FrequencyUnit, PhaseUnit};

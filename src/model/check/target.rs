@@ -1,9 +1,9 @@
 //! The rules of forces and responses: where they are and along what.
 
 use super::super::fault::Fault;
-use super::super::names::{self, element_keys};
 use super::super::schema::FORCE;
-use super::super::serial::format_number;
+use super::super::spelling::{self, element_keys};
+use super::super::toml_literal::format_number;
 use super::super::types::{BeamMotion, MassMotion, Model, Place, Quantity, Subsystem, Target};
 use super::{beyond_the_end, element_names, not_finite, numbers};
 
@@ -90,7 +90,7 @@ fn no_such_place(name: &str, model: &Model, hint: bool) -> String {
             .map(|subsystem| subsystem.name.as_str()),
     );
     let near = if hint {
-        names::nearest(name, known)
+        spelling::nearest(name, known)
     } else {
         None
     };
@@ -113,7 +113,7 @@ fn mass(path: &str, subsystem: &Subsystem, motion: MassMotion, faults: &mut Vec<
             format!("{path}.at"),
             format!(
                 "subsystem {name:?} is disabled; set subsystems.{}.enabled = true or {path}.enabled = false",
-                names::segment(name)
+                spelling::segment(name)
             ),
         ));
     }

@@ -3,21 +3,21 @@
 use super::super::edit::{Value, put};
 use super::super::fault::Fault;
 use super::super::id::{Group, ParameterId};
-use super::super::names;
 use super::super::path;
 use super::super::schema::{AIMS, Access, Asked, Choice, Kind, LIMITS, OBJECTIVE, Rows};
-use super::super::serial::format_number;
+use super::super::spelling;
+use super::super::toml_literal::format_number;
 use super::super::tuning::{Aim, Hold, Limit, Objective, Tune, Variable};
 use super::super::types::{Model, Quantity, Spacing};
-use super::plans::{Plans, not_empty};
+use super::studies::{BareModel, not_empty};
 use super::{band, not_finite, state};
 use crate::unit::Measure;
 use std::collections::HashMap;
 
 /// Adds the faults of a model's tuning.
-pub(super) fn check(model: &Model, plans: &Plans, tune: &Tune, faults: &mut Vec<Fault>) {
+pub(super) fn check(model: &Model, bare: &BareModel, tune: &Tune, faults: &mut Vec<Fault>) {
     not_empty("tune.variables", tune.variables.len(), "variable", faults);
-    let rules = Rules { model, plans };
+    let rules = Rules { model, bare };
     let mut moved = HashMap::new();
     for (index, variable) in tune.variables.iter().enumerate() {
         let at = format!("tune.variables.{}", index + 1);
@@ -45,7 +45,7 @@ pub(super) fn check(model: &Model, plans: &Plans, tune: &Tune, faults: &mut Vec<
 /// What variables are judged by.
 struct Rules<'a> {
     model: &'a Model,
-    plans: &'a Plans,
+    bare: &'a BareModel,
 }
 
 impl Rules<'_> {
@@ -64,7 +64,7 @@ impl Rules<'_> {
                 1 => format!("{at}.path"),
                 _ => format!("{at}.paths.{}", number + 1),
             };
-            match path::numbers_of(&self.plans.bare, pattern) {
+            match path::numbers_of(&self.bare.model, pattern) {
                 Ok(found) => {
                     let message = found
                         .into_iter()
@@ -86,7 +86,7 @@ impl Rules<'_> {
         id: ParameterId,
         moved: &mut HashMap<ParameterId, usize>,
     ) -> Option<String> {
-        let path = || path::text(&self.plans.bare, id);
+        let path = || path::text(&self.bare.model, id);
         if id.group == Group::Sweep {
             return Some(format!(
                 "{}: no response depends on it; must be a number of the beam, a support, a subsystem or a force",
@@ -105,7 +105,7 @@ impl Rules<'_> {
 
     /// With the first parameter at either bound, or beyond it by the tolerance, the model must be a possible one.
     fn bounds(&self, at: &str, variable: &Variable, faults: &mut Vec<Fault>) {
-        let bare = &self.plans.bare;
+        let bare = &self.bare.model;
         let share = variable.tolerance / 100.0;
         let extremes = [
             ("min", variable.min - variable.min.abs() * share),
@@ -132,7 +132,7 @@ impl Rules<'_> {
             }
             let mut found = Vec::new();
             state(&extreme, &mut found);
-            let new = |fault: &Fault| !self.plans.known.contains(&fault.path);
+            let new = |fault: &Fault| !self.bare.known.contains(&fault.path);
             if let Some(fault) = found.into_iter().find(new) {
                 let message = impossible(variable.tolerance, &fault);
                 faults.push(Fault::new(format!("{at}.{key}"), message));
@@ -269,7 +269,7 @@ fn response(at: &str, model: &Model, name: Option<&String>, asked: Asked, faults
                 .responses
                 .iter()
                 .map(|response| response.name.as_str());
-            let near = names::nearest(name, known);
+            let near = spelling::nearest(name, known);
             let near = near.map_or_else(String::new, |near| format!(" (did you mean {near:?}?)"));
             format!("{name:?} is no response{near}; must be the name of one")
         }

@@ -2,9 +2,9 @@
 
 use super::value::Value;
 use crate::model::id::Group;
-use crate::model::names::{nearest, segment};
+use crate::model::spelling::{nearest, segment};
 use crate::model::types::{BeamMotion, MassMotion, Model, Place, Quantity, Target};
-use crate::unit::{Measure, Unit, entry};
+use crate::unit::{Measure, Unit, value_input};
 
 /// Where an energy's response goes when it becomes a motion.
 const DEFAULT: Target = Target::Beam(Place::Right, BeamMotion::W);
@@ -26,8 +26,8 @@ pub(super) fn place(target: &Target) -> String {
 
 /// Whether a name is read as a name without quotes.
 fn is_plain(name: &str) -> bool {
-    let place =
-        matches!(name, "" | "left" | "right") || entry::number(name, 0.0, &Unit::METRE).is_ok();
+    let place = matches!(name, "" | "left" | "right")
+        || value_input::number(name, 0.0, &Unit::METRE).is_ok();
     !place && name.trim() == name && unquoted(name).is_none()
 }
 
@@ -152,7 +152,7 @@ fn moved(model: &Model, old: &Target, text: &str) -> Result<Target, String> {
         ("left", _) => return Ok(at(Place::Left)),
         ("right", _) => return Ok(at(Place::Right)),
         (_, Some(name)) if known(name) => name,
-        _ => match entry::number(text, position, &Unit::METRE) {
+        _ => match value_input::number(text, position, &Unit::METRE) {
             Ok(position) => return Ok(at(Place::Position(position))),
             Err(_) if known(text) => text,
             Err(_) => return Err(no_place(model, text)),

@@ -4,7 +4,7 @@ use super::rename;
 use super::target;
 use crate::model::id::{End, Group, ParameterId};
 use crate::model::schema::{self, Access, Key, Kind, Rows};
-use crate::model::serial::format_number;
+use crate::model::toml_literal::format_number;
 use crate::model::types::{BeamMotion, Elastic, Model, Restraint, Support};
 
 /// The value of a parameter.

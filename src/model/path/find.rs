@@ -3,8 +3,8 @@
 use std::cell::{Cell, OnceCell};
 use std::collections::HashMap;
 
-use super::miss::{self, Miss};
 use super::pattern::{Part, Pattern};
+use super::suggestion::{self, Mismatch};
 use super::text::parts;
 use crate::model::Fault;
 use crate::model::id::{End, Group, ParameterId};
@@ -48,17 +48,17 @@ impl<'a> Finder<'a> {
         let fault = |message| Fault::new(&**path, message);
         let parts = path.parts().map_err(|message| fault(message.to_owned()))?;
         self.resolve(parts)
-            .map_err(|miss| fault(miss::explain(self, parts.to_vec(), miss)))
+            .map_err(|mismatch| fault(suggestion::explain(self, parts.to_vec(), mismatch)))
     }
 
     /// The parameters of a path's parts.
-    pub(super) fn resolve(&self, path: &[Part]) -> Result<Vec<ParameterId>, Miss> {
+    pub(super) fn resolve(&self, path: &[Part]) -> Result<Vec<ParameterId>, Mismatch> {
         let (owners, depth) = self.owners(path)?;
         // Every list has an element here, and the keys do not depend on which.
         let all = owners.first().map_or_else(Vec::new, |owner| owner.owned());
-        let ids = below(all, &path[depth..]).map_err(|miss| Miss {
-            at: depth + miss.at,
-            ..miss
+        let ids = below(all, &path[depth..]).map_err(|mismatch| Mismatch {
+            at: depth + mismatch.at,
+            ..mismatch
         })?;
         let star = |at: usize| path.get(at) == Some(&Part::Any);
         // Where a star stands for a motion or a response, those without the parameter are passed over.
@@ -77,7 +77,7 @@ impl<'a> Finder<'a> {
     }
 
     /// The owners a path begins with, and how many parts name them.
-    fn owners(&self, parts: &[Part]) -> Result<(Vec<Group>, usize), Miss> {
+    fn owners(&self, parts: &[Part]) -> Result<(Vec<Group>, usize), Mismatch> {
         let model = self.model;
         match parts[0].word() {
             "title" | "notes" => Ok((vec![Group::Model], 0)),
@@ -109,7 +109,7 @@ impl<'a> Finder<'a> {
                     names.clone().position(|of| of == name)
                 })
             }
-            _ => Err(Miss {
+            _ => Err(Mismatch {
                 at: 0,
                 known: ROOTS.map(str::to_owned).to_vec(),
             }),
@@ -135,12 +135,12 @@ impl<'a> Finder<'a> {
 }
 
 /// The ends that the second part of a path stands for.
-fn support(part: Option<&Part>) -> Result<(Vec<Group>, usize), Miss> {
+fn support(part: Option<&Part>) -> Result<(Vec<Group>, usize), Mismatch> {
     let ends = End::ALL.into_iter();
     let meant = |end: &End| part.is_some_and(|part| part.means(end.key()));
     let found: Vec<Group> = ends.filter(meant).map(Group::Support).collect();
     if found.is_empty() {
-        return Err(Miss {
+        return Err(Mismatch {
             at: 1,
             known: End::ALL.map(|end| end.key().to_owned()).to_vec(),
         });
@@ -154,7 +154,7 @@ fn element<'n>(
     owner: fn(usize) -> Group,
     names: impl Iterator<Item = &'n str> + Clone,
     named: impl Fn(&str) -> Option<usize>,
-) -> Result<(Vec<Group>, usize), Miss> {
+) -> Result<(Vec<Group>, usize), Mismatch> {
     let length = || names.clone().count();
     let found: Vec<Group> = match parts.get(1) {
         Some(Part::Any) => (0..length()).map(owner).collect(),
@@ -175,7 +175,7 @@ fn element<'n>(
         None => Vec::new(),
     };
     if found.is_empty() {
-        return Err(Miss {
+        return Err(Mismatch {
             at: 1,
             known: names.map(str::to_owned).collect(),
         });
@@ -184,7 +184,7 @@ fn element<'n>(
 }
 
 /// The ids that the rest of a path stands for.
-fn below(mut ids: Vec<ParameterId>, path: &[Part]) -> Result<Vec<ParameterId>, Miss> {
+fn below(mut ids: Vec<ParameterId>, path: &[Part]) -> Result<Vec<ParameterId>, Mismatch> {
     for at in 0..=path.len() {
         // Behind the last part nothing follows.
         let meant = |id: &&ParameterId| match (path.get(at), parts(**id).nth(at)) {
@@ -194,7 +194,7 @@ fn below(mut ids: Vec<ParameterId>, path: &[Part]) -> Result<Vec<ParameterId>, M
         let kept: Vec<ParameterId> = ids.iter().filter(meant).copied().collect();
         if kept.is_empty() {
             let known = next_words(&ids, at);
-            return Err(Miss { at, known });
+            return Err(Mismatch { at, known });
         }
         ids = kept;
     }

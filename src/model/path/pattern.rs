@@ -8,7 +8,7 @@ use std::sync::Arc;
 use super::find::Finder;
 use crate::model::fault::Fault;
 use crate::model::id::ParameterId;
-use crate::model::names;
+use crate::model::spelling;
 use crate::model::types::Model;
 
 /// The path or pattern of a study or a variable. Its text is parsed once, where it is read; copies share it.
@@ -165,7 +165,7 @@ pub(in crate::model) fn join(parts: &[Part]) -> String {
     let texts = parts.iter().map(|part| match part {
         Part::Any => "*".to_owned(),
         Part::Word(word) => word.clone(),
-        Part::Quoted(name) => names::segment(name),
+        Part::Quoted(name) => spelling::segment(name),
     });
     texts.collect::<Vec<_>>().join(".")
 }
@@ -215,7 +215,7 @@ mod tests {
     proptest! {
         #[test]
         fn every_name_survives_as_a_part(name in "\\PC*") {
-            let path = format!("subsystems.{}.mass", names::segment(&name));
+            let path = format!("subsystems.{}.mass", spelling::segment(&name));
             let parts = split(&path).unwrap();
             prop_assert_eq!(parts.len(), 3);
             prop_assert_eq!(parts[1].word(), name.as_str());

@@ -187,7 +187,10 @@ fn study(name: &str, path: &str, operation: Operation, values: &[f64]) -> Study 
 
 fn cases(names: &[&str]) -> Vec<Case> {
     let named = names.first().map(|name| {
-        let path = format!("subsystems.{}.arm_left", crate::model::names::segment(name));
+        let path = format!(
+            "subsystems.{}.arm_left",
+            crate::model::spelling::segment(name)
+        );
         (path.into(), 0.22)
     });
     vec![

@@ -3,7 +3,7 @@
 use std::cell::OnceCell;
 
 use crate::model::id::{Group, ParameterId};
-use crate::model::names::{element_key, element_keys};
+use crate::model::spelling::{element_key, element_keys};
 use crate::model::types::Model;
 
 /// The path of a parameter.

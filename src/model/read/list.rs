@@ -1,6 +1,6 @@
 //! The elements of lists.
 
-use super::super::names::element_keys;
+use super::super::spelling::element_keys;
 use super::reader::Reader;
 use super::table::Table;
 use super::value::Node;

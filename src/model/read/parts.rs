@@ -7,9 +7,9 @@ use super::super::types::{
 };
 use super::list::{named, names};
 use super::loads;
-use super::plans;
 use super::reader::{Reader, quoted};
 use super::rows::no_own;
+use super::studies;
 use super::table::Table;
 use super::tuning;
 use super::value::{Node, wrong_type};
@@ -32,7 +32,7 @@ pub(super) fn model(mut root: Table<'_>, others: &[&str], reader: &mut Reader) -
     model.forces = loads::forces(&mut root, &names, reader);
     model.responses = loads::responses(&mut root, &names, reader);
     model.sweep = sweep(&mut root, reader);
-    model.studies = plans::studies(&mut root, reader);
+    model.studies = studies::studies(&mut root, reader);
     model.tune = tuning::tune(&mut root, reader);
     root.finish(reader);
     model

@@ -1,8 +1,7 @@
 //! What is found wrong while a text is read, and where.
 
 use super::super::fault::Fault;
-use super::super::names;
-use super::place::Cursor;
+use super::super::spelling;
 use std::collections::{HashMap, HashSet};
 
 /// A fault at a byte offset.
@@ -78,8 +77,8 @@ impl Reader {
     /// A word that is none of the accepted ones.
     pub(super) fn wrong_word(&mut self, offset: usize, path: &str, word: &str, words: &[&str]) {
         // Between words of a letter or two everything is near.
-        let near =
-            names::nearest(word, words.iter().copied()).filter(|_| word.chars().nth(2).is_some());
+        let near = spelling::nearest(word, words.iter().copied())
+            .filter(|_| word.chars().nth(2).is_some());
         let near = near.map_or_else(String::new, |near| format!(" (did you mean {near:?}?)"));
         self.fault(
             offset,
@@ -192,6 +191,45 @@ pub(super) fn one_of(words: &[&str]) -> String {
     }
 }
 
+/// Converts rising byte offsets to lines and columns in a single pass over the text.
+struct Cursor<'a> {
+    rest: &'a str,
+    offset: usize,
+    line: usize,
+    column: usize,
+}
+
+impl<'a> Cursor<'a> {
+    /// At the start of the text.
+    fn new(text: &'a str) -> Self {
+        Self {
+            rest: text,
+            offset: 0,
+            line: 1,
+            column: 1,
+        }
+    }
+
+    /// Line and column, from 1 and in characters, of an offset not before the last one asked for.
+    fn advance(&mut self, offset: usize) -> (usize, usize) {
+        let mut length = offset.saturating_sub(self.offset).min(self.rest.len());
+        while !self.rest.is_char_boundary(length) {
+            length -= 1;
+        }
+        let (passed, rest) = self.rest.split_at(length);
+        match passed.rfind('\n') {
+            Some(newline) => {
+                self.line += passed.matches('\n').count();
+                self.column = 1 + passed[newline + 1..].chars().count();
+            }
+            None => self.column += passed.chars().count(),
+        }
+        self.rest = rest;
+        self.offset += length;
+        (self.line, self.column)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -216,5 +254,20 @@ mod tests {
     fn lists_of_words_are_read_aloud() {
         assert_eq!(one_of(&["a"]), "\"a\"");
         assert_eq!(one_of(&["a", "b", "c"]), "\"a\", \"b\" or \"c\"");
+    }
+
+    #[test]
+    fn columns_count_characters() {
+        let mut cursor = Cursor::new("aé\nöb\n\nc");
+        assert_eq!(cursor.advance(0), (1, 1));
+        assert_eq!(cursor.advance(3), (1, 3));
+        assert_eq!(cursor.advance(6), (2, 2));
+        assert_eq!(cursor.advance(6), (2, 2));
+        assert_eq!(cursor.advance(99), (4, 2));
+    }
+
+    #[test]
+    fn an_offset_inside_a_character_is_that_character() {
+        assert_eq!(Cursor::new("éb").advance(1), (1, 1));
     }
 }

@@ -1,7 +1,7 @@
 //! A table of the text while its keys are taken one by one.
 
-use super::super::names;
 use super::super::schema::Range;
+use super::super::spelling;
 use super::reader::{Reader, one_of};
 use super::value::{Node, number, text, wrong_type};
 use toml::de::{DeTable, DeValue};
@@ -229,7 +229,7 @@ impl<'a> Table<'a> {
             let absent = self.known.iter().copied().filter(|known| !self.has(known));
             let known = self.known.iter().copied();
             let near = if reader.may_hint() {
-                names::nearest(word, absent).or_else(|| names::nearest(word, known))
+                spelling::nearest(word, absent).or_else(|| spelling::nearest(word, known))
             } else {
                 None
             };
@@ -239,7 +239,11 @@ impl<'a> Table<'a> {
             } else {
                 format!("is unknown; must be one of {}", self.known.join(", "))
             };
-            reader.fault(key.span().start, &self.at(&names::segment(word)), message);
+            reader.fault(
+                key.span().start,
+                &self.at(&spelling::segment(word)),
+                message,
+            );
         }
         for (key, expected) in &self.missing {
             let path = self.at(key);

@@ -1,8 +1,8 @@
 //! The tuning of a model file.
 
-use super::super::names;
 use super::super::path::Pattern;
 use super::super::schema::{AIMS, Asked, Choice, Kind, LIMITS, OBJECTIVE, VARIABLE};
+use super::super::spelling;
 use super::super::tuning::{Aim, Combine, Hold, Limit, Objective, Tune, Variable};
 use super::super::types::Spacing;
 use super::list::elements;
@@ -200,7 +200,7 @@ fn aim(table: &mut Table<'_>, reader: &mut Reader) -> Option<&'static Choice<Aim
             let entries = table.entries();
             let slip = entries
                 .iter()
-                .find_map(|(key, _)| names::nearest(key, AIM_KEYS));
+                .find_map(|(key, _)| spelling::nearest(key, AIM_KEYS));
             let expected = "\"peak\", \"mean_square\" or \"energy\" (or maximise, place or match)";
             table.need(slip.unwrap_or("minimise"), expected, reader);
         }

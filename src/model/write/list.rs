@@ -1,10 +1,10 @@
 //! The merge of lists: which element is which, and where it stands.
 
-use super::fresh;
-use super::layout::Layout;
+use super::array_layout::ArrayLayout;
+use super::header_positions::{set_table_position, table_positions};
 use super::merge::{Style, merge_item, merge_table, same, same_table, same_value};
+use super::new_items;
 use super::node::{Entry, Node};
-use super::position::{set_table_position, table_positions};
 use std::collections::HashSet;
 use toml_edit::{Array, ArrayOfTables, Item, RawString, Table, TableLike, Value};
 
@@ -65,7 +65,7 @@ pub(super) fn merge_tables(tables: &mut ArrayOfTables, nodes: &[Node]) {
     for (node, from) in nodes.iter().zip(&from) {
         let entries = node.entries().unwrap_or_default();
         let mut table = from.map_or_else(
-            || fresh::table(entries),
+            || new_items::table(entries),
             |index| std::mem::take(&mut old[index]),
         );
         let last = table_positions(&table).map(|(_, last)| last);
@@ -152,10 +152,10 @@ pub(super) fn merge_array(array: &mut Array, nodes: &[Node]) {
         None => same_value(&old[index], node),
     });
     let moved = !stays(&from, old.len());
-    let layout = moved.then(|| Layout::take(array, &mut old));
+    let layout = moved.then(|| ArrayLayout::take(array, &mut old));
     let merge = |(node, from): (&Node, &Option<usize>)| match from {
         Some(index) => merge_value(old[*index].clone(), node),
-        None => fresh::value(node),
+        None => new_items::value(node),
     };
     let mut values: Vec<Value> = nodes.iter().zip(&from).map(merge).collect();
     if let Some(layout) = layout {
@@ -174,6 +174,6 @@ fn merge_value(old: Value, node: &Node) -> Value {
     {
         value
     } else {
-        fresh::value(node)
+        new_items::value(node)
     }
 }

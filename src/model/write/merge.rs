@@ -1,9 +1,9 @@
 //! The merge of a tree into tables that a person wrote.
 
-use super::fresh;
+use super::header_positions::{positions, set_position};
 use super::list;
+use super::new_items;
 use super::node::{Entry, Node, Presence};
-use super::position::{positions, set_position};
 use toml_edit::{InlineTable, Item, RawString, Table, TableLike, Value};
 
 /// How a table is written, and so what is put into it.
@@ -80,7 +80,7 @@ fn in_order(table: &dyn TableLike, entries: &[Entry]) -> bool {
 /// Merges the whole model. New tables follow those that come before them in a new file.
 pub(super) fn merge_root(root: &mut Table, entries: &[Entry]) {
     if root.is_empty() {
-        for (key, item) in fresh::table(entries) {
+        for (key, item) in new_items::table(entries) {
             root.insert(&key, item);
         }
         return;
@@ -115,7 +115,7 @@ pub(super) fn merge_item(item: &mut Item, node: &Node) -> bool {
         {
             table.clear();
             for entry in entries {
-                table.insert(&entry.key, Item::Value(fresh::value(&entry.node)));
+                table.insert(&entry.key, Item::Value(new_items::value(&entry.node)));
             }
         }
         return true;
@@ -129,7 +129,7 @@ pub(super) fn merge_item(item: &mut Item, node: &Node) -> bool {
         (Item::Value(Value::Array(array)), Some(nodes)) => list::merge_array(array, nodes),
         (Item::Value(value), _) => {
             let decor = value.decor().clone();
-            *value = fresh::value(node);
+            *value = new_items::value(node);
             *value.decor_mut() = decor;
         }
         _ => return false,
@@ -222,9 +222,9 @@ fn gather(decor: Option<&RawString>, comments: &mut String) {
 /// Adds a key at the end, below some comments and as far in as the key before.
 fn insert(table: &mut dyn TableLike, style: Style, entry: &Entry, comments: &str) {
     let item = match style {
-        Style::Header => fresh::item(&entry.node),
-        Style::Dotted => fresh::dotted(&entry.node),
-        Style::Inline => Item::Value(fresh::value(&entry.node)),
+        Style::Header => new_items::item(&entry.node),
+        Style::Dotted => new_items::dotted(&entry.node),
+        Style::Inline => Item::Value(new_items::value(&entry.node)),
     };
     let indent = table
         .get_values()

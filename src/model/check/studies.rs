@@ -1,8 +1,8 @@
 //! The rules of the studies: their paths, values and members.
 
 use super::super::fault::Fault;
-use super::super::names::{self, element_keys};
 use super::super::path::{self, Pattern};
+use super::super::spelling::{self, element_keys};
 use super::super::types::{Case, Family, Model, Supports};
 use super::{element_names, not_finite, state, tuning};
 use std::collections::HashSet;
@@ -28,30 +28,30 @@ pub(super) fn check(model: &Model, faults: &mut Vec<Fault>) {
     };
     let mut known = Vec::new();
     state(&bare, &mut known);
-    let plans = Plans {
-        bare,
+    let bare = BareModel {
+        model: bare,
         known: known.into_iter().map(|fault| fault.path).collect(),
     };
 
     let names = model.studies.iter().map(|study| study.name.as_str());
     element_names("studies", &names, faults);
     for (study, key) in model.studies.iter().zip(element_keys(names)) {
-        plans.family(&format!("studies.{key}"), &study.family, faults);
+        bare.family(&format!("studies.{key}"), &study.family, faults);
     }
     if let Some(tune) = &model.tune {
-        tuning::check(model, &plans, tune, faults);
+        tuning::check(model, &bare, tune, faults);
     }
 }
 
 /// What studies and tuning are judged by.
-pub(super) struct Plans {
+pub(super) struct BareModel {
     /// The model without studies and tuning, its ends free.
-    pub(super) bare: Model,
+    pub(super) model: Model,
     /// Paths at which that model is faulty by itself.
     pub(super) known: HashSet<String>,
 }
 
-impl Plans {
+impl BareModel {
     fn family(&self, at: &str, family: &Family, faults: &mut Vec<Fault>) {
         match family {
             Family::Vary {
@@ -88,7 +88,7 @@ impl Plans {
     fn case(&self, place: &str, case: &Case, faults: &mut Vec<Fault>) {
         let mut seen = HashSet::new();
         for (pattern, value) in &case.set {
-            let path = format!("{place}.set.{}", names::segment(pattern));
+            let path = format!("{place}.set.{}", spelling::segment(pattern));
             self.pattern(&path, pattern, faults);
             if !value.is_finite() {
                 faults.push(Fault::new(&path, not_finite(*value)));
@@ -104,7 +104,7 @@ impl Plans {
 
     /// A pattern must stand for numbers.
     fn pattern(&self, at: &str, pattern: &Pattern, faults: &mut Vec<Fault>) {
-        if let Err(fault) = path::numbers_of(&self.bare, pattern) {
+        if let Err(fault) = path::numbers_of(&self.model, pattern) {
             faults.push(Fault::new(at, format!("{}: {}", fault.path, fault.message)));
         }
     }

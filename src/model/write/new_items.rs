@@ -1,6 +1,6 @@
 //! Values and tables that the file did not have yet.
 
-use super::super::serial::{basic_string, format_number};
+use super::super::toml_literal::{basic_string, format_number};
 use super::node::{Entry, Node, Presence};
 use crate::escape::is_hidden;
 use toml_edit::{Array, InlineTable, Item, Table, Value};

@@ -3,7 +3,7 @@
 use toml_edit::{Array, RawString, Value};
 
 /// The space around the elements of an array.
-pub(super) struct Layout {
+pub(super) struct ArrayLayout {
     /// A comment behind the opening bracket.
     heading: String,
     /// Before the first element.
@@ -14,7 +14,7 @@ pub(super) struct Layout {
     end: String,
 }
 
-impl Layout {
+impl ArrayLayout {
     /// Looks at an array that will change, and joins its comments to the values they speak of.
     pub(super) fn take(array: &mut Array, old: &mut [Value]) -> Self {
         let heading = join_comments(array, old);

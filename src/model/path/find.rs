@@ -31,6 +31,16 @@ pub(in crate::model) struct Finder<'a> {
     subsystems: OnceCell<HashMap<&'a str, usize>>,
 }
 
+impl Pattern {
+    /// The parameters that it matches, at least one.
+    ///
+    /// # Errors
+    /// It matches nothing; the fault suggests the nearest path that matches, or lists the valid words.
+    pub fn parameters(&self, model: &Model) -> Result<Vec<ParameterId>, Fault> {
+        Finder::new(model).find(self)
+    }
+}
+
 impl<'a> Finder<'a> {
     pub(in crate::model) fn new(model: &'a Model) -> Self {
         Self {

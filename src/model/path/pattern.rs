@@ -5,11 +5,7 @@ use std::fmt;
 use std::ops::Deref;
 use std::sync::Arc;
 
-use super::find::Finder;
-use crate::model::fault::Fault;
-use crate::model::id::ParameterId;
 use crate::model::spelling;
-use crate::model::types::Model;
 
 /// The path or pattern of a study or a variable. Its text is parsed once, where it is read; copies share it.
 #[derive(Debug, Clone)]
@@ -25,14 +21,6 @@ impl Pattern {
     /// Its parts, or what is wrong with its text.
     pub(in crate::model) fn parts(&self) -> Result<&[Part], &str> {
         self.0.parts.as_deref().map_err(String::as_str)
-    }
-
-    /// The parameters that it stands for, at least one.
-    ///
-    /// # Errors
-    /// It matches nothing; the fault names the nearest path that does, or what could stand there.
-    pub fn parameters(&self, model: &Model) -> Result<Vec<ParameterId>, Fault> {
-        Finder::new(model).find(self)
     }
 }
 

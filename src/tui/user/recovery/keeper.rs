@@ -12,7 +12,7 @@ use super::slot::{self, Slot};
 use super::text;
 use crate::files::{Source, error_text};
 use crate::model::{self, Model};
-use crate::worker::give_way;
+use crate::worker::lower_priority;
 
 /// After a state the thread rests this many times as long as it worked: under a key that repeats it takes a fifth of a
 /// processor and no more.
@@ -86,7 +86,7 @@ impl Keeper {
             folder,
             jobs: Some(jobs),
             thread: Some(thread::spawn(move || {
-                give_way();
+                lower_priority();
                 work(&inbox, files, report)
             })),
         }

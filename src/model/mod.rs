@@ -1,9 +1,9 @@
-//! What the engineer edits: the model as plain data, its text form, its rules and its parameter paths.
+//! The model that the engineer edits: plain data, TOML text, rules and parameter paths.
 //!
-//! Everything is in SI units. Nothing here computes a response or knows a terminal. [`read()`] turns a TOML text into
-//! a [`Model`] or into all of its faults at once; [`write()`] merges a model back into that text; [`check()`] says
-//! whether a model is physically possible; [`schema`] says which keys there are, a [`ParameterId`] stands for one of
-//! them, [`path`] finds it by name and [`edit`] changes it.
+//! All numbers are in SI units. This module computes no response and uses no terminal. [`read()`] converts TOML text to
+//! a [`Model`] or returns all of its faults; [`write()`] merges a model into its text; [`check()`] finds out whether a
+//! model is physically possible; [`schema`] describes the keys, a [`ParameterId`] identifies one of them, [`path`]
+//! finds it by name and [`edit`] changes it.
 //!
 //! # Example
 //!

@@ -1,4 +1,4 @@
-//! From a model to the text of its file, keeping all that a person wrote there.
+//! Writes a model to the text of its file and preserves comments and formatting.
 
 mod array_layout;
 mod header_positions;
@@ -19,11 +19,11 @@ use toml_edit::{DocumentMut, Table};
 /// The byte order mark that some editors put first.
 const BOM: char = '\u{feff}';
 
-/// The text of a model, as little different from the original as can be.
+/// The text of a model, with the fewest differences from the original.
 ///
-/// Comments, order, spacing, line ends and the spelling of every value that did not change stay as they are; an
-/// unchanged model gives the original byte for byte. Keys at their default are not added. Where the original is empty
-/// or no TOML, the file is written anew. Numbers read back to the same bits.
+/// Comments, order, spacing, line ends and the spelling of every unchanged value are preserved; an unchanged model
+/// returns the original byte for byte. Keys at their default are not added. If the original is empty or not TOML, the
+/// text is new. Numbers read back to the same bits.
 pub fn write(model: &Model, original: &str) -> String {
     let body = original.strip_prefix(BOM).unwrap_or(original);
     let lines = body.matches('\n').count();
@@ -50,14 +50,14 @@ pub fn write(model: &Model, original: &str) -> String {
     }
 }
 
-/// A model as a table in braces on one line, without what is at its default.
+/// A model as an inline table on one line, without values at their default.
 pub(super) fn one_line(model: &Model) -> String {
     let mut text = String::new();
     one_line_table(&tree::model(model, &Table::new()), &mut text);
     text
 }
 
-/// Adds a table in braces; what is at its default is left out.
+/// Adds an inline table without values at their default.
 fn one_line_table(entries: &[Entry], text: &mut String) {
     let written = entries
         .iter()
@@ -95,7 +95,7 @@ fn one_line_list(nodes: &[Node], text: &mut String) {
     text.push(']');
 }
 
-/// A key, in quotes where it needs them.
+/// A key, in quotes if needed.
 fn quoted_key(key: &str) -> String {
     let bare = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
     if !key.is_empty() && key.chars().all(bare) {

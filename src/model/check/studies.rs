@@ -12,14 +12,14 @@ const MOST_CURVES: usize = 10_000;
 
 /// Adds the faults of studies and tuning to those of the structure.
 ///
-/// Whether every curve of a study is possible is not asked: a study that is not shown must not stand in the way of an
-/// edit. [`edit::apply`](super::super::edit::apply) says so where the curve is wanted.
+/// Does not check the members of a study: a hidden study must not block an edit.
+/// [`edit::apply`](super::super::edit::apply) checks a member when its curve is needed.
 pub(super) fn check(model: &Model, faults: &mut Vec<Fault>) {
     if model.studies.is_empty() && model.tune.is_none() {
         return;
     }
-    // Without the plans: a plan within a plan would never end. With free ends: there every spring has a number, and a
-    // study of one need not go when its end is clamped for a while.
+    // Without studies and tuning, to avoid recursion. With free ends, where every spring has a number, so that a study
+    // of a spring remains valid while its end is clamped.
     let bare = Model {
         supports: Supports::default(),
         studies: Vec::new(),
@@ -43,11 +43,11 @@ pub(super) fn check(model: &Model, faults: &mut Vec<Fault>) {
     }
 }
 
-/// What studies and tuning are judged by.
+/// The model against which studies and tuning are checked.
 pub(super) struct BareModel {
-    /// The model without studies and tuning, its ends free.
+    /// The model without studies and tuning, with free ends.
     pub(super) model: Model,
-    /// Paths at which that model is faulty by itself.
+    /// Paths of the faults of that model itself.
     pub(super) known: HashSet<String>,
 }
 
@@ -102,7 +102,7 @@ impl BareModel {
         }
     }
 
-    /// A pattern must stand for numbers.
+    /// A pattern must match numbers.
     fn pattern(&self, at: &str, pattern: &Pattern, faults: &mut Vec<Fault>) {
         if let Err(fault) = path::numbers_of(&self.model, pattern) {
             faults.push(Fault::new(at, format!("{}: {}", fault.path, fault.message)));
@@ -110,7 +110,7 @@ impl BareModel {
     }
 }
 
-/// A list that needs an element.
+/// A list that must not be empty.
 pub(super) fn not_empty(path: &str, length: usize, what: &str, faults: &mut Vec<Fault>) {
     if length == 0 {
         faults.push(Fault::new(
@@ -120,7 +120,7 @@ pub(super) fn not_empty(path: &str, length: usize, what: &str, faults: &mut Vec<
     }
 }
 
-/// A list of curves.
+/// The number of curves of a study.
 fn count(path: &str, length: usize, what: &str, faults: &mut Vec<Fault>) {
     not_empty(path, length, what, faults);
     if length > MOST_CURVES {

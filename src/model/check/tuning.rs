@@ -1,4 +1,4 @@
-//! The rules of the tuning: what moves, what is sought and what must be kept.
+//! The rules of the tuning: variables, objectives and limits.
 
 use super::super::edit::{Value, put};
 use super::super::fault::Fault;
@@ -42,14 +42,14 @@ pub(super) fn check(model: &Model, bare: &BareModel, tune: &Tune, faults: &mut V
     }
 }
 
-/// What variables are judged by.
+/// The context in which variables are checked.
 struct Rules<'a> {
     model: &'a Model,
     bare: &'a BareModel,
 }
 
 impl Rules<'_> {
-    /// The paths of a variable: each stands for numbers that responses depend on and no other variable moves.
+    /// The paths of a variable: each matches numbers that responses depend on and that no other variable changes.
     fn paths(
         &self,
         at: &str,
@@ -79,7 +79,7 @@ impl Rules<'_> {
         }
     }
 
-    /// Why a variable may not move a parameter.
+    /// Why a variable must not change a parameter.
     fn unfit(
         &self,
         index: usize,
@@ -103,7 +103,7 @@ impl Rules<'_> {
         }
     }
 
-    /// With the first parameter at either bound, or beyond it by the tolerance, the model must be a possible one.
+    /// The model must be possible with the first parameter at either bound, or beyond it by the tolerance.
     fn bounds(&self, at: &str, variable: &Variable, faults: &mut Vec<Fault>) {
         let bare = &self.bare.model;
         let share = variable.tolerance / 100.0;
@@ -118,7 +118,7 @@ impl Rules<'_> {
                     faults.push(no_ratio(at, &fault));
                     return;
                 }
-                // A motion that is fixed for a while has nothing that a ratio could be held to.
+                // The spring of a motion that is fixed now has no value, so no ratio to keep.
                 Err(_) if variable.hold == Hold::Ratio => return,
                 Err(_) => match variable.applied(bare, value) {
                     Ok(set) => set,
@@ -161,7 +161,7 @@ fn impossible(tolerance: f64, fault: &Fault) -> String {
     )
 }
 
-/// The numbers of a variable by themselves.
+/// The bounds, scale and tolerance of a variable.
 fn range(at: &str, variable: &Variable, faults: &mut Vec<Fault>) {
     let Variable { min, max, .. } = *variable;
     for (key, value) in [("min", min), ("max", max)] {
@@ -224,12 +224,12 @@ fn limit(at: &str, model: &Model, limit: &Limit, faults: &mut Vec<Fault>) {
     }
 }
 
-/// The response that an aim or a limit is of.
+/// The response of an aim or a limit.
 fn asked<T>(choices: &[Choice<T>], of: &T) -> Asked {
     Choice::of(choices, of).map_or(Asked::Nothing, |choice| choice.response)
 }
 
-/// The numbers and texts of what a table is.
+/// The numbers and texts of the chosen kind of a table.
 fn chosen<T>(at: &str, of: &T, choices: &[Choice<T>], faults: &mut Vec<Fault>) {
     let Some(choice) = Choice::of(choices, of) else {
         return;
@@ -245,7 +245,7 @@ fn chosen<T>(at: &str, of: &T, choices: &[Choice<T>], faults: &mut Vec<Fault>) {
     }
 }
 
-/// Every number against its range, however large it is.
+/// Every number against its range, without a limit of magnitude.
 fn ranges<T>(at: &str, of: &T, rows: &Rows<T>, faults: &mut Vec<Fault>) {
     for (key, value) in rows.numbers(of) {
         let message = if !value.is_finite() {
@@ -259,7 +259,7 @@ fn ranges<T>(at: &str, of: &T, rows: &Rows<T>, faults: &mut Vec<Fault>) {
     }
 }
 
-/// A response must be there, in use, and what is wanted.
+/// A response must exist, be enabled and be of the requested kind.
 fn response(at: &str, model: &Model, name: Option<&String>, asked: Asked, faults: &mut Vec<Fault>) {
     let Some(name) = name else { return };
     let found = model.responses.iter().find(|one| one.name == *name);

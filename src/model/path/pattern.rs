@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use crate::model::spelling;
 
-/// The path or pattern of a study or a variable. Its text is parsed once, where it is read; copies share it.
+/// The path or pattern of a study or a variable. Its text is parsed once; clones share the result.
 #[derive(Debug, Clone)]
 pub struct Pattern(Arc<Parsed>);
 
@@ -18,7 +18,7 @@ struct Parsed {
 }
 
 impl Pattern {
-    /// Its parts, or what is wrong with its text.
+    /// Its parts, or an error in its text.
     pub(in crate::model) fn parts(&self) -> Result<&[Part], &str> {
         self.0.parts.as_deref().map_err(String::as_str)
     }
@@ -65,14 +65,14 @@ impl fmt::Display for Pattern {
 
 #[cfg(test)]
 thread_local! {
-    /// How many texts were parsed by this thread.
+    /// The number of texts that this thread has parsed.
     pub(crate) static PARSED: std::cell::Cell<usize> = const { std::cell::Cell::new(0) };
 }
 
-/// One part of a path, between two dots.
+/// A part of a path, between two dots.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(in crate::model) enum Part {
-    /// `*`: whatever is there.
+    /// `*`: any word.
     Any,
     /// A key, a name or a number.
     Word(String),
@@ -81,7 +81,7 @@ pub(in crate::model) enum Part {
 }
 
 impl Part {
-    /// The word without quotes; a star for any.
+    /// The word without quotes; `*` for any.
     pub(in crate::model) fn word(&self) -> &str {
         match self {
             Self::Any => "*",
@@ -89,7 +89,7 @@ impl Part {
         }
     }
 
-    /// Whether a key is meant.
+    /// Whether it matches a key.
     pub(in crate::model) fn means(&self, key: &str) -> bool {
         *self == Self::Any || self.word() == key
     }
@@ -98,7 +98,7 @@ impl Part {
 /// Splits a path at its dots, outside of quotes.
 ///
 /// # Errors
-/// Says what is wrong with the text.
+/// The error in the text.
 fn split(path: &str) -> Result<Vec<Part>, String> {
     #[cfg(test)]
     PARSED.set(PARSED.get() + 1);
@@ -148,7 +148,7 @@ fn quoted(text: &str, quote: char) -> Result<(Part, &str), String> {
     ))
 }
 
-/// The text of parts, each quoted where it must be.
+/// The text of parts, with quotes where needed.
 pub(in crate::model) fn join(parts: &[Part]) -> String {
     let texts = parts.iter().map(|part| match part {
         Part::Any => "*".to_owned(),

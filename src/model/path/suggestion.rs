@@ -1,21 +1,21 @@
-//! What is said of a path that matches nothing: the path that was meant, or what could stand there.
+//! The message for a path that matches nothing: the nearest path that matches, or the valid words.
 
 use super::find::Finder;
 use super::pattern::{Part, join};
 use crate::model::spelling::{nearest, segment};
 
-/// More known words than this are not listed in a fault.
+/// The most known words that a fault lists.
 const MOST_LISTED: usize = 8;
 
-/// Where a path leaves what there is.
+/// The first part of a path that matches nothing.
 pub(super) struct Mismatch {
-    /// Index of the part that is wrong; the number of parts where one more is needed.
+    /// Index of the wrong part; the number of parts if one more is needed.
     pub(super) at: usize,
-    /// What could stand there; nothing where the path should have ended.
+    /// The valid words there; empty if the path should end before.
     pub(super) known: Vec<String>,
 }
 
-/// What is said of a path that matches nothing.
+/// The message for a path that matches nothing.
 pub(super) fn explain(finder: &Finder<'_>, mut parts: Vec<Part>, mismatch: Mismatch) -> String {
     let list = is_list(&parts[0]);
     let listed = listed(&mismatch.known, parts[0].word() != "forces");
@@ -33,17 +33,17 @@ pub(super) fn explain(finder: &Finder<'_>, mut parts: Vec<Part>, mismatch: Misma
     } else {
         format!(" in `{}`", join(&parts[..mismatch.at]))
     };
-    match meant(finder, &mut parts, mismatch) {
+    match nearest_path(finder, &mut parts, mismatch) {
         Some(path) => format!("matches nothing; did you mean `{path}`?"),
         None => format!("matches nothing; there is no `{wrong}`{place}, must be {listed}"),
     }
 }
 
-/// The path that was meant, by the nearest known word at every part that is wrong.
-fn meant(finder: &Finder<'_>, parts: &mut [Part], mut mismatch: Mismatch) -> Option<String> {
+/// The nearest path that matches, by the nearest known word at every wrong part.
+fn nearest_path(finder: &Finder<'_>, parts: &mut [Part], mut mismatch: Mismatch) -> Option<String> {
     for _ in 0..parts.len() {
         let element = mismatch.at == 1 && is_list(&parts[0]);
-        // One number is as near as any other.
+        // All numbers are equally near.
         if element && parts[0].means("forces") {
             return None;
         }
@@ -72,7 +72,7 @@ fn is_list(root: &Part) -> bool {
     )
 }
 
-/// Words in a row, the many cut short; names are quoted where a path would need it.
+/// A list of words, shortened if long; names have quotes where a path needs them.
 fn listed(words: &[String], names: bool) -> String {
     let text = |word: &String| if names { segment(word) } else { word.clone() };
     let shown: Vec<String> = words.iter().take(MOST_LISTED).map(text).collect();

@@ -88,7 +88,7 @@ fn vary(table: &mut Table<'_>, operations: &[Operation], reader: &mut Reader) ->
             Vec::new()
         }
     };
-    // A list that could not be read is empty here; no more is said of it.
+    // An unreadable list is empty here; suppress its further faults.
     if operations.len() != 1 {
         for operation in Operation::ALL {
             reader.silence(&table.at(operation.key()));

@@ -1,4 +1,4 @@
-//! The tables of the model file, a row a key.
+//! The tables of the model file, one row per key.
 
 use super::{Access, BLANK, Key, Kind, Range, Rows};
 use crate::model::types::{
@@ -8,7 +8,7 @@ use crate::model::types::{
 use crate::unit::Unit;
 
 rows! {
-    /// What stands above all tables.
+    /// The keys above all tables.
     MODEL of Model {
         text("title", Line, "one line for people", title),
         text("notes", Text, "notes", notes),
@@ -46,7 +46,7 @@ rows! {
 }
 
 rows! {
-    /// An end: one word for it, then its motions in the order of [`BeamMotion::ALL`].
+    /// An end: the word for all motions, then each motion in the order of [`BeamMotion::ALL`].
     SUPPORT of Support {
         own("kind", Support, "what holds the end; elastic: see its motions"),
         own("w", Restraint, "what holds w, the displacement along y"),
@@ -77,7 +77,7 @@ rows! {
 }
 
 rows! {
-    /// The elastic restraint of the rate of twist, against warping.
+    /// The elastic restraint of the rate of twist, i.e. of warping.
     ELASTIC_WARPING of Elastic {
         spring("stiffness", "K_B", WARPING_STIFFNESS, "spring against warping", stiffness),
         spring("damping", "C_B", WARPING_DAMPING, "damper against warping", damping),
@@ -118,7 +118,7 @@ rows! {
 }
 
 rows! {
-    /// A force; the unit of the amplitude is that of a translation's load.
+    /// A force; the unit of the amplitude is that of a load along a translation.
     FORCE of Force as ForceKey {
         Enabled = flag("enabled", Flag, "whether it acts", enabled),
         At = own("at", Place, "where on the beam, or which subsystem"),
@@ -150,7 +150,7 @@ rows! {
 }
 
 rows! {
-    /// What all studies have.
+    /// The keys of every study.
     STUDY of Study {
         text("name", Name, "name of the study", name),
     }

@@ -1,4 +1,4 @@
-//! The tables of a tuning, a row a key: variables, and what an objective and a limit may be.
+//! The tables of a tuning, one row per key: variables, and the kinds of objectives and limits.
 
 use super::{Access, Asked, BLANK, Choice, Key, Kind, Range, Rows, Wording};
 use crate::model::tuning::{Aim, Compare, Hold, Limit, Objective, Variable};
@@ -17,7 +17,7 @@ rows! {
 }
 
 rows! {
-    /// What all objectives have.
+    /// The keys of every objective.
     OBJECTIVE of Objective {
         own("response", Response, "of what"),
         number("from", "", HERTZ, Positive, "band start", from),
@@ -60,7 +60,7 @@ macro_rules! choices {
 }
 
 choices! {
-    /// What an objective may ask for.
+    /// The aims of objectives.
     AIMS of Aim {
         Peak {} "minimise", "peak", Any, NO_KEYS,
             ["least peak", "{response} {band}", "the least highest peak of {response}, {band}", "highest peak of {response}, {band}"];
@@ -94,7 +94,7 @@ rows! {
 }
 
 choices! {
-    /// What may be limited.
+    /// The limits.
     LIMITS of Limit {
         AddedMass { at_most: f64::NAN } "limit", "added_mass", Nothing, ADDED_MASS,
             ["added mass", "<= {at_most}", "the masses of all enabled subsystems together: at most {at_most}", ""];

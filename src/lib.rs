@@ -5,32 +5,40 @@
 //!
 //! | module | what is in it | may use |
 //! | --- | --- | --- |
-//! | [`unit`] | units: of parameters and their typed numbers, of responses (what moves, its measure, per which load), of frequencies and phases; symbols, prefixes, factors to SI | `words` |
-//! | [`model`] | what the engineer edits: plain types in SI, TOML in and out, rules, parameter paths | `unit`, `words` |
+//! | [`unit`] | units: of parameters and their typed numbers, of responses (motion, measure, load), of frequencies and
+//! phases; symbols, prefixes, factors to SI | `words` |
+//! | [`model`] | the model that the engineer edits: plain types in SI, TOML in and out, rules, parameter paths |
+//! `unit`, `words` |
 //! | [`presets`] | the figures of the paper and more, embedded | `model` |
-//! | `files` | files of models and of the user: opened, saved atomically, where they are, what a model was opened from | `model`, `presets`, `escape` |
-//! | [`solve`] | the exact solver: waves, subsystems, a recursion of reflections; [modes](solve::modes) and [peaks](solve::peaks) from it; [exact derivatives](solve::sensitivity); two witnesses, [finite elements](solve::fem) and [the paper's chain](solve::chain) | `model`, `unit` |
-//! | [`measured`] | measured curves from CSV and universal files (UFF 58), how well a model fits them; universal files out | `model`, `unit`, `files` |
-//! | [`tune`] | what `[tune]` asks for: variables, objectives, limits, tolerances; [the search](tune::search) for it | `model`, `unit`, `solve`, `measured` |
-//! | `worker` | the background threads: newest request wins | `model`, `solve`, `tune` |
-//! | `tui` | the designer: state and commands (`tui::app`), keys, views, the chart, the terminal and its bytes (`tui::backend`), what is kept for the user (`tui::user`) | all above |
+//! | `files` | files of models and of the user: open, save atomically, paths, origin of a model | `model`, `presets`,
+//! `escape` |
+//! | [`solve`] | the exact solver: waves, subsystems, a recursion of reflections; [modes](solve::modes) and
+//! [peaks](solve::peaks) from it; [exact derivatives](solve::sensitivity); two witnesses, [finite elements](solve::fem)
+//! and [the paper's chain](solve::chain) | `model`, `unit` |
+//! | [`measured`] | measured curves from CSV and universal files (UFF 58), how well a model fits them; universal files
+//! out | `model`, `unit`, `files` |
+//! | [`tune`] | the optimisation of `[tune]`: variables, objectives, limits, tolerances; [the search](tune::search) |
+//! `model`, `unit`, `solve`, `measured` |
+//! | `worker` | the background threads: the newest request cancels the one before | `model`, `solve`, `tune` |
+//! | `tui` | the designer: state and commands (`tui::app`), keys, views, the chart, the terminal and its bytes
+//! (`tui::backend`), what is kept for the user (`tui::user`) | all above |
 //! | `words` | enums whose values have words in files | nothing |
 //! | `escape` | text from outside, escaped for terminals and files | nothing |
 //! | `table` | numbers and texts as CSV cells | `escape` |
 //! | `signals` | signals that the parent process set to be ignored | nothing |
 //! | `fault_injection` | panics for tests, in debug builds | nothing |
-//! | [`guide`] | the guide, a chapter a module | nothing |
+//! | [`guide`] | the guide, one module per chapter | nothing |
 //! | `cli` | the commands; [`run()`] is the whole program | all above |
 //!
-//! # What always holds
+//! # Invariants
 //!
-//! - `model` and `solve` know no terminal, no file system, no thread of their own and no clock; `solve` reads a checked
-//!   model and nothing else.
-//! - Numbers inside are SI. Prefixes exist only where a person reads or types.
-//! - Every key of a model is one row of [`model::schema`] (key, symbol, unit, meaning, kind, range); reading, writing,
-//!   checking, paths and the designer's tree go by it. A [`model::ParameterId`] stands for a parameter; text paths are
-//!   for files, the command line and prompts.
-//! - The user-interface thread never solves. What is drawn carries the generation of its model; older curves are dim.
+//! - `model` and `solve` use no terminal, file system, thread of their own or clock; the only input of `solve` is a
+//!   checked model.
+//! - Internal numbers are in SI units. Prefixes exist only in text that a person reads or types.
+//! - Every key of a model is one row of [`model::schema`] (key, symbol, unit, meaning, kind, range), which reading,
+//!   writing, checking, paths and the designer's tree use. A [`model::ParameterId`] identifies a parameter; text paths
+//!   are for files, the command line and prompts.
+//! - The user-interface thread never solves. Drawn curves have the generation of their model; older curves are dim.
 //! - No value that is not finite is drawn or written silently.
 //!
 //! # Example
@@ -59,7 +67,7 @@ pub mod solve;
 mod table;
 #[cfg(fuzzing)]
 pub mod tui;
-// A theme and a view keep one way of being called, whether or not a method reads them.
+// The methods of a theme and a view have uniform signatures, even if one does not use `self`.
 #[allow(
     clippy::struct_field_names,
     clippy::trivially_copy_pass_by_ref,
@@ -74,7 +82,7 @@ mod worker;
 
 pub use cli::main as run;
 
-// The designer's tests name the crate as other tests do.
+// The designer's tests use the crate name, as other tests do.
 #[cfg(test)]
 extern crate self as beamtune;
 #[cfg(test)]

@@ -1,8 +1,8 @@
-//! Units: what a number is of, how it is written for people, and which words of its unit are understood.
+//! Units: their symbols for people, and the spellings that are accepted.
 //!
-//! [`Unit`] is that of a parameter, whose typed text [`value_input`] reads. [`Dimension`] and [`Kind`] say what the values of a
-//! response are, [`ValueUnit`] reads the unit in which a file gives them, [`FrequencyUnit`] and [`PhaseUnit`] are those of
-//! frequencies and phases.
+//! [`Unit`] is the unit of a parameter, whose typed text [`value_input`] parses. [`Dimension`] and [`Kind`] describe
+//! the values of a response, [`ValueUnit`] parses their unit in a file, [`FrequencyUnit`] and [`PhaseUnit`] are the
+//! units of frequencies and phases.
 
 mod dimension;
 mod frequency;
@@ -16,7 +16,7 @@ pub use parameter::{Unit, counted, grouped};
 pub use response::ValueUnit;
 pub(crate) use response::load;
 
-/// A letter of a unit as every keyboard has it: a plain digit for a raised one, u for micro.
+/// A letter of a unit in ASCII: a plain digit for a superscript, u for micro.
 fn plain_letter(letter: char) -> char {
     match letter {
         '²' => '2',

@@ -1,7 +1,7 @@
 //! What holds for every text. Shared by the fuzz targets and `tests/fuzz.rs`; a panic is a failure.
 
 use beamtune::model::edit::{self, Value};
-use beamtune::model::{self, Fault, Model, Unit, entry, path};
+use beamtune::model::{self, Fault, Model, Unit, path, value_input};
 use std::sync::OnceLock;
 
 /// A model for paths and typed values: six subsystems, supports, forces, responses and studies.
@@ -95,7 +95,7 @@ fn sample() -> &'static Model {
 }
 
 fn typed_number(text: &str, old: f64, unit: &Unit) {
-    match entry::number(text, old, unit) {
+    match value_input::number(text, old, unit) {
         Ok(number) => {
             assert!(number.is_finite(), "{text:?} gives {number}");
             exact_text(number, unit);
@@ -103,16 +103,16 @@ fn typed_number(text: &str, old: f64, unit: &Unit) {
         Err(refusal) => assert!(!refusal.is_empty(), "{text:?} is refused without a word"),
     }
     let count = (old.abs() as usize).min(MOST);
-    if let Ok(count) = entry::count(text, count) {
+    if let Ok(count) = value_input::count(text, count) {
         assert!(count <= MOST, "{text:?} gives {count}");
-        assert_eq!(entry::count(&count.to_string(), 1), Ok(count));
+        assert_eq!(value_input::count(&count.to_string(), 1), Ok(count));
     }
 }
 
 /// What a prompt shows of a number is that number when it is taken as it stands.
 fn exact_text(number: f64, unit: &Unit) {
     let shown = unit.format_exact(number);
-    let read = entry::number(&shown, 1.0, unit).map(f64::to_bits);
+    let read = value_input::number(&shown, 1.0, unit).map(f64::to_bits);
     assert_eq!(
         read,
         Ok(number.to_bits()),

@@ -19,18 +19,18 @@
 //! | `table` | numbers and texts as CSV cells | `escape` |
 //! | `signals` | signals that the parent process set to be ignored | nothing |
 //! | `fault_injection` | panics for tests, in debug builds | nothing |
-//! | [`guide`] | the guide, a chapter a module | nothing |
+//! | [`guide`] | the guide, one module per chapter | nothing |
 //! | `cli` | the commands; [`run()`] is the whole program | all above |
 //!
-//! # What always holds
+//! # Invariants
 //!
-//! - `model` and `solve` know no terminal, no file system, no thread of their own and no clock; `solve` reads a checked
-//!   model and nothing else.
-//! - Numbers inside are SI. Prefixes exist only where a person reads or types.
-//! - Every key of a model is one row of [`model::schema`] (key, symbol, unit, meaning, kind, range); reading, writing,
-//!   checking, paths and the designer's tree go by it. A [`model::ParameterId`] stands for a parameter; text paths are
-//!   for files, the command line and prompts.
-//! - The user-interface thread never solves. What is drawn carries the generation of its model; older curves are dim.
+//! - `model` and `solve` use no terminal, file system, thread of their own or clock; the only input of `solve` is a
+//!   checked model.
+//! - Internal numbers are in SI units. Prefixes exist only in text that a person reads or types.
+//! - Every key of a model is one row of [`model::schema`] (key, symbol, unit, meaning, kind, range), which reading,
+//!   writing, checking, paths and the designer's tree use. A [`model::ParameterId`] identifies a parameter; text paths
+//!   are for files, the command line and prompts.
+//! - The user-interface thread never solves. Drawn curves have the generation of their model; older curves are dim.
 //! - No value that is not finite is drawn or written silently.
 //!
 //! # Example
@@ -59,7 +59,7 @@ pub mod solve;
 mod table;
 #[cfg(fuzzing)]
 pub mod tui;
-// A theme and a view keep one way of being called, whether or not a method reads them.
+// The methods of a theme and a view have uniform signatures, even if one does not use `self`.
 #[allow(
     clippy::struct_field_names,
     clippy::trivially_copy_pass_by_ref,
@@ -74,7 +74,7 @@ mod worker;
 
 pub use cli::main as run;
 
-// The designer's tests name the crate as other tests do.
+// The designer's tests use the crate name, as other tests do.
 #[cfg(test)]
 extern crate self as beamtune;
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! The paper's figures and a few more models, embedded in the program.
 //!
-//! Each is a file of `presets/`, written to be read as an example of the format. Its `notes` name the source, say
-//! what the source leaves open and what was assumed, and where the curves depart from what the source says of them.
+//! Each is a file of `presets/` and also an example of the format. Its `notes` name the source, list the assumptions
+//! where the source is incomplete, and the differences of the curves from the source.
 //! The figures are those of Chen & Liu, *Mathematics* 2022, 10(16), 2849; `tests/presets.rs` asserts what they show.
 //!
 //! # Example
@@ -19,16 +19,16 @@
 /// An embedded model file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Preset {
-    /// The name it is opened by: its file's, without the ending.
+    /// Its name: that of its file, without the extension.
     pub name: &'static str,
-    /// The file itself, TOML.
+    /// The text of the file, TOML.
     pub text: &'static str,
 }
 
 impl Preset {
-    /// The model's title, read from the text; the name where the text has none.
+    /// The model's title, read from the text; the name if the text has none.
     ///
-    /// Cheap enough for a list that is drawn again and again: it looks for the line and parses nothing else.
+    /// Fast enough to call at every frame: it finds the line and parses nothing else.
     pub fn title(&self) -> String {
         self.text
             .lines()
@@ -38,19 +38,19 @@ impl Preset {
     }
 }
 
-/// The preset of this name.
+/// The preset with this name.
 pub fn find(name: &str) -> Option<&'static Preset> {
     ALL.iter().find(|preset| preset.name == name)
 }
 
-/// One line a preset, so that no name can differ from its file's.
+/// One line per preset, so that no name can differ from that of its file.
 macro_rules! embed {
     ($($name:literal),+ $(,)?) => {
         &[$(Preset { name: $name, text: include_str!(concat!("../presets/", $name, ".toml")) }),+]
     };
 }
 
-/// All of them: the figures in the paper's order, then the rest.
+/// All presets: the figures in the order of the paper, then the others.
 pub const ALL: &[Preset] = embed![
     "fig05a",
     "fig05b",

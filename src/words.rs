@@ -1,6 +1,6 @@
 //! Enums whose values have words in files.
 
-/// A choice whose values have words in files; of a model file, the first is the default.
+/// A choice whose values have words in files; in a model file, the first is the default.
 macro_rules! words {
     ($(#[$doc:meta])* pub enum $name:ident { $($(#[$of:meta])* $value:ident = $word:literal,)* }) => {
         $(#[$doc])*
@@ -13,7 +13,7 @@ macro_rules! words {
             /// All of them, in the order of the words.
             pub const ALL: [Self; Self::WORDS.len()] = [$(Self::$value),*];
 
-            /// The one that a word in files names.
+            /// The value of a word in files.
             pub fn of_word(word: &str) -> Option<Self> {
                 let known = Self::WORDS.iter().position(|known| *known == word)?;
                 Some(Self::ALL[known])

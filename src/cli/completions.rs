@@ -1,6 +1,6 @@
-//! `beamtune completions`: what a shell needs to complete the program's arguments.
+//! `beamtune completions`: completion scripts for shells.
 //!
-//! The scripts are clap's, and complete a MODEL by the presets' names besides files, which clap cannot say.
+//! Clap generates the scripts; this adds the names of the presets to the files that complete a MODEL.
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Command, ValueEnum};
@@ -12,11 +12,11 @@ use crate::presets;
 /// The arguments of `beamtune completions`.
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
-    /// The shell that is to complete.
+    /// The shell.
     shell: Shell,
 }
 
-/// The shells that are known.
+/// The supported shells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Shell {
     /// For ~/.local/share/bash-completion/completions/beamtune
@@ -27,10 +27,10 @@ enum Shell {
     Fish,
 }
 
-/// The program's commands, with and without a MODEL of its own.
+/// The program's commands, with and without a MODEL.
 pub(super) struct Commands {
     pub(super) whole: Command,
-    /// For zsh, which completes a command only where no argument may stand in its place.
+    /// For zsh, which completes a command only if no other argument may be in its position.
     pub(super) without_model: Command,
 }
 
@@ -44,7 +44,7 @@ pub(super) fn run(arguments: &Arguments, commands: Commands) -> Result<(), Failu
     super::print(&script)
 }
 
-/// bash goes on to files where no word fits.
+/// bash continues with files if no word matches.
 fn bash(command: Command) -> String {
     generate(
         clap_complete::Shell::Bash,
@@ -57,7 +57,7 @@ fn zsh(command: Command) -> String {
     let model = format!("_alternative \"presets:preset:({names})\" \"files:model file:_files\"");
     let lines = generate(clap_complete::Shell::Zsh, words(command, &["preset"]));
     let lines = lines.lines().map(|line| {
-        // A space before an action keeps zsh from adding arguments of its own to it.
+        // A space before an action prevents zsh from adding its own arguments.
         if line.starts_with("':model -- ") {
             line.replace(":_default'", &format!(": {model}'"))
         } else if line
@@ -72,7 +72,7 @@ fn zsh(command: Command) -> String {
     lines.map(|line| line + "\n").collect()
 }
 
-/// fish completes files where nothing forbids it; clap leaves its other words for arguments out.
+/// fish completes files unless `-f` forbids it; clap omits other words for arguments.
 fn fish(command: Command) -> String {
     let with = |argument| using(&subcommands_with(&command, argument));
     let presets: Vec<(&str, String)> = presets::ALL
@@ -100,7 +100,7 @@ fn using(subcommands: &[String]) -> String {
     format!("__fish_beamtune_using_subcommand {}", subcommands.join(" "))
 }
 
-/// Words with what they mean, for the arguments of some commands; `files` is `-f` where no file may be one.
+/// Words with their meanings, for the arguments of some commands; `files` is `-f` if no file is accepted.
 fn fish_words(condition: &str, files: &str, words: &[(&str, String)]) -> String {
     let line = |(word, meaning): &(&str, String)| {
         let meaning = meaning.replace('\\', "\\\\").replace('\'', "\\'");
@@ -115,7 +115,7 @@ fn generate(shell: clap_complete::Shell, mut command: Command) -> String {
     String::from_utf8_lossy(&script).into_owned()
 }
 
-/// The same commands, with the presets' names as the only values of these arguments.
+/// The same commands, with the names of the presets as the only values of these arguments.
 fn words(command: Command, arguments: &[&str]) -> Command {
     let own = |argument: clap::Arg| {
         if arguments.contains(&argument.get_id().as_str()) {
@@ -149,7 +149,7 @@ mod tests {
     fn bash_offers_presets_and_goes_on_to_files() {
         let script = bash(completion_commands().whole);
         let names = names().join(" ");
-        // The program itself, show and the commands with a MODEL.
+        // The program itself, `show` and the commands with a MODEL.
         assert!(script.matches(&names).count() >= 8, "{script}");
         assert!(script.contains("-o default beamtune"));
     }

@@ -1,4 +1,4 @@
-//! Where a table goes: standard output, or a file that is whole or not there.
+//! Writes a table to standard output, or atomically to a file.
 
 use std::io::{BufWriter, Write};
 use std::path::Path;
@@ -8,8 +8,8 @@ use crate::escape::shown_path;
 use crate::files::save_with;
 pub(super) use crate::table::{cell, number};
 
-/// Writes a table to a file, or to standard output where none is named. A file is written beside and renamed, so that
-/// a failure leaves what was there.
+/// Writes a table to a file, or to standard output if none is named. A temporary file is written and renamed, so that
+/// an error preserves the existing file.
 pub(super) fn write(
     file: Option<&Path>,
     table: impl Fn(&mut dyn Write) -> std::io::Result<()>,
@@ -28,7 +28,7 @@ pub(super) fn write(
     written.map_err(|error| unwritten(file, &error))
 }
 
-/// The failure of a file that could not be written.
+/// The failure to write a file.
 pub(super) fn unwritten(file: &Path, error: &std::io::Error) -> Failure {
     Failure::Other(format!("{}: cannot be written: {error}", shown_path(file)))
 }

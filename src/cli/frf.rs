@@ -18,48 +18,48 @@ use crate::solve::modes::{Completeness, MOST_MODES, Modes, modes};
 use crate::solve::peaks::resolved;
 use crate::solve::{Cancelled, Column, ColumnKind, Frf, frequencies, sweep};
 
-/// Frequencies solved and written at a time: bounds the memory of a long sweep.
+/// Frequencies solved and written at a time, which limits the memory of a long sweep.
 const BLOCK: usize = 4096;
 
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// A model file, a preset's name, or - for standard input.
     model: OsString,
-    /// Frequencies in Hz, in place of the model's sweep.
+    /// Frequencies in Hz, instead of the model's sweep.
     #[arg(long, value_name = "F1,F2,..", value_delimiter = ',', value_parser = super::frequency)]
     at: Vec<f64>,
-    /// Adds the frequencies that every peak and anti-resonance in the sweep needs, so that none is cut off.
+    /// Adds the frequencies that resolve every peak and anti-resonance in the sweep.
     #[arg(long, conflicts_with = "at")]
     resolve: bool,
-    /// One block of rows for each member of this study.
+    /// Writes one block of rows for each member of this study.
     #[arg(long, value_name = "NAME")]
     study: Option<String>,
-    /// The form of the output: a table, or a universal file of data sets 58 in which motions are divided by the force
-    /// where there is only one.
+    /// The format of the output: a table, or a universal file of data sets 58, in which motions are divided by the
+    /// force if there is only one.
     #[arg(long, value_enum, default_value_t = Format::Csv)]
     format: Format,
-    /// The file to write, in place of standard output.
+    /// The file to write, instead of standard output.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     #[command(flatten)]
     sets: Sets,
 }
 
-/// The form of the output.
+/// The format of the output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Format {
     Csv,
     Uff,
 }
 
-/// Which frequencies are solved.
+/// The frequencies to solve.
 #[derive(Debug, Clone, Copy)]
 enum Points<'a> {
-    /// These, Hz.
+    /// Given frequencies, Hz.
     At(&'a [f64]),
     /// The model's sweep.
     Sweep,
-    /// The model's sweep and what its peaks and anti-resonances need.
+    /// The model's sweep and the frequencies that its peaks and anti-resonances need.
     Resolved,
 }
 
@@ -73,7 +73,7 @@ impl Arguments {
     }
 }
 
-/// A model to solve, and its first cell where a study is asked for.
+/// A model to solve, and its first cell in a study.
 type Member = (Option<String>, Checked);
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -145,7 +145,7 @@ struct Curve<'a> {
     model: &'a Checked,
     /// Frequencies to solve, Hz.
     base: Vec<f64>,
-    /// The model's modes, where the base is to be resolved.
+    /// The model's modes, if peaks are resolved.
     modes: Option<Modes>,
 }
 
@@ -165,13 +165,13 @@ impl<'a> Curve<'a> {
         Ok(Self { model, base, modes })
     }
 
-    /// The rows from the first frequency of a part of the base up to what follows the part.
+    /// The rows from the first frequency of a part of the base to the start of the next part.
     fn block(&self, part: Range<usize>) -> Result<Frf, Cancelled> {
         let never = AtomicBool::new(false);
         let Some(modes) = &self.modes else {
             return sweep(self.model, &self.base[part], &never);
         };
-        // With one more on each side, a peak next to a bound is seen whole.
+        // One more frequency on each side, to resolve a peak next to a bound.
         let wider = part.start.saturating_sub(1)..self.base.len().min(part.end + 1);
         let solved = sweep(self.model, &self.base[wider], &never)?;
         let frf = resolved(self.model, modes, solved, &never)?;
@@ -235,12 +235,12 @@ fn write_rows(out: &mut dyn Write, key: Option<&str>, frf: &Frf) -> std::io::Res
     Ok(())
 }
 
-/// Shows how far a long sweep is, where somebody watches.
+/// Shows the progress of a long sweep, if standard error is a terminal.
 fn progress(done: usize, of: usize, member: usize, members: usize) {
     let mut out = std::io::stderr().lock();
     if of > BLOCK && out.is_terminal() {
         let end = if done == of { "\n" } else { "" };
-        // Progress that cannot be shown is no reason to stop.
+        // Ignore errors of the progress display.
         let _ = write!(
             out,
             "\rcurve {} of {members}: {done} of {of} frequencies{end}",
@@ -256,23 +256,23 @@ fn warn_of_doubt(modes: &Modes) {
         Completeness::Open(gaps) => format!("not certain {}", listed(gaps)),
         Completeness::Uncounted => "not counted".to_owned(),
     };
-    // The rows that are there are right all the same.
+    // The written rows are still correct.
     say(&format!(
         "warning: a peak may be missing: the modes are {doubt}"
     ));
 }
 
 fn warn_of_too_many(to: f64) {
-    // The rows that are there are right all the same.
+    // The written rows are still correct.
     say(&format!(
         "warning: there are more than {MOST_MODES} modes below {to:?} Hz: no rows are added for their peaks"
     ));
 }
 
-/// Says where there is no finite response, and what the output has there.
+/// Warns of frequencies without a finite response, and says what the output has there.
 fn warn_of(singular: &[f64], there: &str) {
     if let Some(first) = singular.first() {
-        // The rows say it too.
+        // The rows also contain this information.
         say(&format!(
             "warning: no finite response at {}, first at {first:?} Hz ({there}): the model is \
              undamped and at a resonance, or the numbers are beyond the range of the arithmetic",

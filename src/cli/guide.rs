@@ -8,9 +8,9 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use super::Failure;
 use crate::guide::{self, CHAPTERS, Chapter};
 
-/// Columns of the text where standard output is no terminal.
+/// Columns of the text if standard output is not a terminal.
 const COLUMNS: usize = 80;
-/// Lines that are longer are hard to read.
+/// Longer lines are hard to read.
 const WIDEST: usize = 100;
 
 /// The arguments of `beamtune guide`.
@@ -37,7 +37,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     super::print(&text)
 }
 
-/// As wide as the terminal, within bounds.
+/// The width of the terminal, within bounds.
 fn columns() -> usize {
     if !std::io::stdout().is_terminal() {
         return COLUMNS;

@@ -8,28 +8,28 @@ use clap_mangen::roff::{Inline, Roff, bold, italic, line_break, roman};
 use super::Failure;
 use crate::tui::keys::KeyMap;
 
-/// Terms and what is said of them.
+/// Terms and their descriptions.
 type Terms = &'static [(&'static str, &'static str)];
 
 const FILES: Terms = &[
     (
         "$XDG_CONFIG_HOME/beamtune/config.toml",
-        "Options and keys, which only you write. ~/.config where XDG_CONFIG_HOME is not set. It is checked like a \
+        "Options and keys, which only you write. ~/.config if XDG_CONFIG_HOME is not set. It is checked like a \
          model file: every fault is printed with its line and column, and the designer does not start.",
     ),
     (
         "$XDG_STATE_HOME/beamtune/memory.toml",
-        "Options that were turned in the designer and the last view of each model. ~/.local/state where \
+        "Options that were changed in the designer and the last view of each model. ~/.local/state if \
          XDG_STATE_HOME is not set. It may be removed.",
     ),
     (
         "$XDG_STATE_HOME/beamtune/recovery/",
-        "Models with changes that are not saved, written at every change. Each is a model file. What a program that \
-         was killed or lost its terminal has left is offered at the next start.",
+        "Models with unsaved changes, written at every change. Each is a model file. After the program was \
+         killed or lost its terminal, the next start offers to recover them.",
     ),
     (
         "$XDG_STATE_HOME/beamtune/beamtune.log",
-        "What went wrong, with the time in UTC. It may be removed.",
+        "Errors, with the time in UTC. It may be removed.",
     ),
 ];
 
@@ -46,26 +46,26 @@ undo = ["u"]        # the first is the one in hints; [] takes a command's keys a
 const ENVIRONMENT: Terms = &[
     (
         "NO_COLOR",
-        "Where it is set and not empty, no colours are used, unless --color or the configuration asks for some.",
+        "If it is set and not empty, no colours are used, unless --color or the configuration asks for some.",
     ),
     (
         "COLORTERM, TERM",
-        "How many colours the terminal has: truecolor or 24bit in COLORTERM, 256color in TERM. Terminals whose TERM \
-         is linux or starts with vt get ASCII characters only; where TERM is dumb or not set, the designer does not \
+        "The number of colours of the terminal: truecolor or 24bit in COLORTERM, 256color in TERM. Terminals whose TERM \
+         is linux or starts with vt get ASCII characters only; if TERM is dumb or not set, the designer does not \
          start.",
     ),
     (
         "COLORFGBG",
-        "The numbers of the letters' and the ground's colour, such as 15;0, by which a dark ground is told from a \
+        "The numbers of the text and background colours, such as 15;0, which distinguish a dark background from a \
          light one.",
     ),
     (
         "LC_ALL, LC_CTYPE, LANG",
-        "The locale, the first that is set. Where it is not one of UTF-8, the designer draws in ASCII.",
+        "The locale; the first that is set counts. If it is not a UTF-8 locale, the designer draws in ASCII.",
     ),
     (
         "XDG_CONFIG_HOME, XDG_STATE_HOME, HOME",
-        "Where the files of the user are. Paths that are not absolute are ignored.",
+        "The folders of the user's files. Paths that are not absolute are ignored.",
     ),
 ];
 
@@ -73,7 +73,7 @@ const EXIT_STATUS: Terms = &[
     ("0", "Done."),
     (
         "1",
-        "Neither done nor bad input, or differences above the tolerance of validate.",
+        "Another failure, or differences above the tolerance of validate.",
     ),
     (
         "2",
@@ -81,7 +81,7 @@ const EXIT_STATUS: Terms = &[
     ),
     (
         "101",
-        "The designer met a fault of its own. Unsaved changes are kept for recovery.",
+        "Internal error of the designer. Unsaved changes are kept for recovery.",
     ),
     (
         "128 + n",
@@ -97,7 +97,7 @@ const EXAMPLES: Terms = &[
     ),
     (
         "beamtune show fig05a > mine.toml",
-        "A commented start of a model of your own.",
+        "A commented start for your own model.",
     ),
     (
         "beamtune check mine.toml",
@@ -113,11 +113,11 @@ const EXAMPLES: Terms = &[
     ),
     (
         "beamtune measured run.csv --columns 'hz 1; re 8; im 9; m/N' -o si.csv",
-        "What is read of a measured file, its columns chosen by number, and its curves in SI.",
+        "A summary of a measured file, whose columns are chosen by number, and its curves in SI.",
     ),
     (
         "beamtune tune cantilever -o tuned.toml",
-        "A model whose [tune] says what may move and what for, with the best parameters; Ctrl-C ends the search with \
+        "The model with the best parameters for its [tune] table of variables and objectives; Ctrl-C ends the search with \
          the best so far.",
     ),
 ];
@@ -129,7 +129,7 @@ pub(super) fn run(command: Command) -> Result<(), Failure> {
 
 /// The page as roff with the macros of man(7).
 fn page(mut command: Command) -> Result<String, Failure> {
-    // So that usages carry the program's name.
+    // So that usages contain the program's name.
     command.build();
     let man = Man::new(command.clone()).manual("User Commands");
     let mut page = Vec::new();
@@ -180,13 +180,13 @@ fn commands(roff: &mut Roff, command: &Command) {
     }
 }
 
-/// A help text with its full stop, which clap takes away.
+/// A help text with the full stop that clap removes.
 fn sentence(help: Option<&clap::builder::StyledStr>) -> String {
     let text = help.map(ToString::to_string).unwrap_or_default();
     format!("{}.", text.trim_end_matches('.'))
 }
 
-/// An argument as one writes it: `-o, --output FILE`.
+/// An argument as typed: `-o, --output FILE`.
 fn name(argument: &Arg) -> Vec<Inline> {
     let short = argument.get_short().map(|short| format!("-{short}"));
     let long = argument.get_long().map(|long| format!("--{long}"));

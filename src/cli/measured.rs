@@ -1,4 +1,4 @@
-//! `beamtune measured`: what is read of a file of measured curves, and the curves in SI as CSV.
+//! `beamtune measured`: a summary of a file of measured curves, and the curves in SI as CSV.
 
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
@@ -17,16 +17,16 @@ pub(super) struct Arguments {
     /// A table (CSV and its like) or a universal file (UFF 58), or - for standard input.
     #[arg(value_hint = ValueHint::FilePath)]
     file: PathBuf,
-    /// What the file does not say, or says wrongly: units and columns, such as "hz; re im; m/N", "khz; dB deg; g/N" or,
-    /// with the numbers of columns, "hz 1; re 8; im 9; m/N"; ? as the unit leaves values as they stand.
+    /// Units and columns that the file lacks or states wrongly, such as "hz; re im; m/N", "khz; dB deg; g/N" or, with
+    /// column numbers, "hz 1; re 8; im 9; m/N"; with ? as the unit the values are not converted.
     #[arg(long, value_name = "FREQUENCY; VALUES; UNIT")]
     columns: Option<String>,
-    /// The CSV file to write: the curves in SI, one row a frequency; a cell is empty where a curve has no value there.
+    /// The CSV file to write: the curves in SI, one row per frequency; a cell is empty if its curve has no value there.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 }
 
-/// Prints a row a curve, and writes the curves where a file is named.
+/// Prints one row per curve, and writes the curves if a file is named.
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let curves = read(arguments)?;
     if let Some(file) = &arguments.output {
@@ -66,7 +66,7 @@ fn load(file: &Path) -> Result<Vec<u8>, Fault> {
     }
 }
 
-/// What a file leaves open, with its first rows and the form of an answer, a line each.
+/// The questions that a file leaves open, with its first rows and an example of an answer, one per line.
 fn asked(label: &str, seen: &Inspection) -> Vec<String> {
     let mut lines = vec![format!("{label}: {}", seen.question())];
     let known = seen
@@ -91,7 +91,7 @@ fn asked(label: &str, seen: &Inspection) -> Vec<String> {
     lines
 }
 
-/// A row a curve.
+/// One row per curve.
 fn table(curves: &[Curve]) -> String {
     let header = "curve,values,quantity,unit,points,from_hz,to_hz,notes".to_owned();
     let rows = curves.iter().map(|curve| {
@@ -111,7 +111,7 @@ fn table(curves: &[Curve]) -> String {
     lines.join("\n") + "\n"
 }
 
-/// What the values are, and their SI unit; both empty where it is not said.
+/// The quantity of the values and their SI unit; both empty if unknown.
 fn quantity(kind: Option<Kind>) -> (&'static str, String) {
     let unit = kind.map_or_else(String::new, Kind::unit);
     let words = match kind {
@@ -125,7 +125,7 @@ fn quantity(kind: Option<Kind>) -> (&'static str, String) {
     (words, unit)
 }
 
-/// The curves as `beamtune frf` writes them: a row for each frequency that one of them has.
+/// The curves in the format of `beamtune frf`: one row for each frequency of any curve.
 fn write(out: &mut dyn Write, curves: &[Curve]) -> std::io::Result<()> {
     write!(out, "frequency_hz")?;
     for curve in curves {

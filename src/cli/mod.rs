@@ -1,4 +1,4 @@
-//! The commands: arguments to calls, results to standard output, failures to exit codes.
+//! The commands: they parse arguments, print results to standard output and return exit codes.
 
 mod completions;
 mod csv;
@@ -78,7 +78,7 @@ enum Command {
         /// The preset's name.
         preset: String,
     },
-    /// Says nothing, or the faults of a model file, the first 50 of them.
+    /// Checks a model file; prints its first 50 faults, or nothing.
     Check {
         /// A model file, a preset's name, or - for standard input.
         model: OsString,
@@ -89,26 +89,26 @@ enum Command {
     Modes(modes::Arguments),
     /// Writes as CSV which parameter matters: exact derivatives of a level, a peak, a mode or a band.
     Sensitivities(sensitivities::Arguments),
-    /// Writes as CSV what the tolerances in [tune] make of the responses.
+    /// Writes as CSV the band of the responses under the tolerances in [tune].
     Spread(spread::Arguments),
-    /// Searches the parameters that the model's [tune] leaves open.
+    /// Optimises the variables of the model's [tune].
     Tune(tune::Arguments),
-    /// Prints as CSV what is read of a file of measured curves, and writes the curves in SI.
+    /// Prints as CSV a summary of a file of measured curves, and writes the curves in SI.
     Measured(measured::Arguments),
-    /// Holds finite elements and the paper's transfer matrices beside the exact responses.
+    /// Compares finite elements and the paper's transfer matrices with the exact responses.
     Validate(validate::Arguments),
-    /// Prints where configuration, memory, recovery files and log are.
+    /// Prints the paths of the configuration, memory, recovery files and log.
     Paths,
-    /// Prints what a shell needs to complete the arguments.
+    /// Prints the completion script of a shell.
     Completions(completions::Arguments),
     /// Prints the manual page; `beamtune man | man -l -` shows it.
     Man,
 }
 
-/// Why a command did not do its work.
+/// The failure of a command.
 #[derive(Debug)]
 enum Failure {
-    /// Bad input or usage: messages, of one line where they are of something from outside.
+    /// Bad input or usage, with messages; text from outside is on one line.
     Input(Vec<String>),
     /// Anything else.
     Other(String),
@@ -119,7 +119,7 @@ impl Failure {
         Self::Input(vec![escape(&message.into()).into_owned()])
     }
 
-    /// The faults of `source`, a line each, and how many more there are.
+    /// The faults of `source`, one per line, and the number of further ones.
     fn faults(source: &str, faults: &[Fault]) -> Self {
         let place = |fault: &Fault| if fault.line.is_some() { ":" } else { ": " };
         let line = |fault| format!("{source}{}{fault}", place(fault));
@@ -160,9 +160,9 @@ pub fn main() -> ExitCode {
     })
 }
 
-/// Says something on standard error, hidden characters escaped.
+/// Writes a message to standard error, with hidden characters escaped.
 fn say(what: &str) {
-    // Where standard error is closed, the message is lost.
+    // If standard error is closed, the message is lost.
     let _ = writeln!(std::io::stderr(), "{}", escape_lines(what));
 }
 
@@ -201,7 +201,7 @@ fn design(arguments: &ModelArguments) -> Result<ExitCode, Failure> {
     }
     if !Environment::of_process().has_screen() {
         return Err(Failure::input(
-            "this terminal cannot show the designer, for TERM is dumb or not set; it needs one with a screen, such as \
+            "this terminal cannot show the designer, because TERM is dumb or not set; it needs a full-screen terminal, such as \
              TERM=xterm-256color; `beamtune frf` writes to files and pipes",
         ));
     }
@@ -209,7 +209,7 @@ fn design(arguments: &ModelArguments) -> Result<ExitCode, Failure> {
     let setup = Setup {
         options: arguments.look.options(),
         config: configuration(folders.as_ref().ok())?,
-        // Without a home nothing is kept for the user; the designer runs all the same.
+        // Without a home folder the designer runs, but stores nothing for the user.
         folders: folders.ok(),
     };
     let code = match tui::run(opened, &setup)? {
@@ -220,7 +220,7 @@ fn design(arguments: &ModelArguments) -> Result<ExitCode, Failure> {
     Ok(ExitCode::from(code))
 }
 
-/// What the completions are made of.
+/// The commands, from which completions are generated.
 fn completion_commands() -> completions::Commands {
     let bare = clap::Command::new("beamtune").version(env!("CARGO_PKG_VERSION"));
     let options = AppearanceArguments::augment_args(Sets::augment_args(bare));
@@ -262,14 +262,14 @@ fn frequency(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A text and blanks behind it up to a width in characters. A format takes no width above 65,535, as a text from outside
-/// may give.
+/// Pads a text with spaces to a width in characters. `format!` fails above a width of 65,535, which text from outside
+/// may exceed.
 fn padded(text: &str, width: usize) -> String {
     let blanks = width.saturating_sub(text.chars().count());
     format!("{text}{}", " ".repeat(blanks))
 }
 
-/// Says what a file cannot keep where it is about to be replaced.
+/// Warns of attributes that a file will lose when it is replaced.
 ///
 /// # Errors
 /// It cannot be replaced.

@@ -13,7 +13,7 @@ use super::{Failure, Sets, say, source};
 use crate::model::{Checked, counted};
 use crate::solve::modes::{Completeness, Gap, MOST_MODES, Modes, Shape, modes, shapes};
 
-/// Places along the beam where a shape is written.
+/// The number of points of a shape along the beam.
 const PLACES: usize = 101;
 
 #[derive(Debug, Args)]
@@ -26,7 +26,7 @@ pub(super) struct Arguments {
     /// Writes the mode shapes to this file.
     #[arg(long, value_name = "FILE")]
     shapes: Option<PathBuf>,
-    /// The file to write, in place of standard output.
+    /// The file to write, instead of standard output.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     #[command(flatten)]
@@ -48,12 +48,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let shapes = shapes(&model, &found, PLACES, &never)?;
         csv::write(Some(file), |out| write_shapes(out, &model, &shapes))?;
     }
-    // Beside the table, so that a table stays a table.
+    // On standard error, so that standard output contains only the table.
     say(&statement(&found));
     Ok(())
 }
 
-/// What is certain of the list, and what is open.
+/// Which part of the list is certain, and which is not.
 fn statement(found: &Modes) -> String {
     let (count, to) = (found.modes.len(), found.to);
     let modes = counted(count, "mode", "modes");
@@ -78,7 +78,7 @@ fn statement(found: &Modes) -> String {
     }
 }
 
-/// The open ranges of a list of modes as a sentence.
+/// The uncertain ranges of a list of modes as a sentence.
 pub(super) fn listed(gaps: &[Gap]) -> String {
     let gaps: Vec<String> = gaps.iter().map(Gap::to_string).collect();
     gaps.join("; ")
@@ -93,7 +93,7 @@ fn write_modes(out: &mut dyn Write, found: &Modes) -> std::io::Result<()> {
     Ok(())
 }
 
-/// A row for each motion of each place and of each mass.
+/// A row for each motion of each point and of each mass.
 fn write_shapes(out: &mut dyn Write, model: &Checked, shapes: &[Shape]) -> std::io::Result<()> {
     writeln!(out, "mode,at,position_m,direction,re,im")?;
     for (index, shape) in shapes.iter().enumerate() {

@@ -1,10 +1,10 @@
-//! `beamtune paths`: where the files of the user are.
+//! `beamtune paths`: the paths of the user's files.
 
 use super::{Failure, padded};
 use crate::escape::shown_path;
 use crate::files::Folders;
 
-/// A line each: what it is, and where. None of them need be there.
+/// One line per file: its kind and its path. The files need not exist.
 pub(super) fn run() -> Result<(), Failure> {
     let folders = Folders::of_user().map_err(Failure::Other)?;
     let lines = [

@@ -20,19 +20,19 @@ use crate::solve::{Cancelled, frequencies, sweep};
 pub(super) struct Arguments {
     /// A model file, a preset's name, or - for standard input.
     model: OsString,
-    /// The response; without it, the first one that is enabled.
+    /// The response; by default the first enabled one.
     #[arg(long, value_name = "NAME")]
     response: Option<String>,
     #[command(flatten)]
     of: Of,
-    /// The file to write, in place of standard output.
+    /// The file to write, instead of standard output.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     #[command(flatten)]
     sets: Sets,
 }
 
-/// What is differentiated.
+/// The figure to differentiate.
 #[derive(Debug, Args)]
 #[group(required = true, multiple = false)]
 struct Of {
@@ -42,7 +42,7 @@ struct Of {
     /// Height and frequency of the peak nearest to this frequency.
     #[arg(long, value_name = "HZ", value_parser = super::frequency)]
     peak: Option<f64>,
-    /// Frequency and damping ratio of the mode with this number, as `beamtune modes` counts.
+    /// Frequency and damping ratio of the mode with this number in `beamtune modes`.
     #[arg(long, value_name = "NUMBER")]
     mode: Option<usize>,
     /// The mean-square level in this band.
@@ -72,7 +72,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         write(out, &model, &found)
     })?;
     if let Some(reason) = unavailable(&model, &figure, &found) {
-        // The cells that are there are right all the same.
+        // The written cells are still correct.
         say(&format!("warning: {reason}"));
     }
     Ok(())
@@ -165,7 +165,7 @@ fn nearest_peak(
     Ok(finite.min_by(|a, b| distance(a).total_cmp(&distance(b))))
 }
 
-/// The largest effect first: of a mode on its frequency, else on the level.
+/// Sorts by effect, the largest first: on the frequency of a mode, else on the level.
 fn sorted(mut found: Vec<Sensitivity>, figure: &Figure) -> Vec<Sensitivity> {
     let size = |one: &Sensitivity| {
         let effect = match figure {
@@ -178,7 +178,7 @@ fn sorted(mut found: Vec<Sensitivity>, figure: &Figure) -> Vec<Sensitivity> {
     found
 }
 
-/// A row a parameter: derivatives by the logarithm of its size.
+/// One row per parameter: derivatives with respect to the logarithm of its magnitude.
 fn write(out: &mut dyn Write, model: &Checked, found: &[Sensitivity]) -> std::io::Result<()> {
     writeln!(out, "parameter,value,level_db,frequency_hz,damping_ratio")?;
     let or_none = |value: Option<f64>| value.map_or_else(String::new, number);

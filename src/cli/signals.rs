@@ -13,16 +13,16 @@ use signal_hook::low_level::emulate_default_handler;
 use crate::files;
 use crate::signals::not_ignored;
 
-/// Those by which a person or the system asks a program to end.
+/// Signals by which a person or the system asks a program to end.
 pub(super) const ASKING: [i32; 4] = [SIGHUP, SIGINT, SIGQUIT, SIGTERM];
 
-/// Those that end a program otherwise, and can be caught.
+/// Other signals that end a program and can be caught.
 const OTHERS: [i32; 11] = [
     SIGABRT, SIGALRM, SIGBUS, SIGPROF, SIGSYS, SIGTRAP, SIGUSR1, SIGUSR2, SIGVTALRM, SIGXCPU,
     SIGXFSZ,
 ];
 
-/// Removes temporary files when a signal ends the program, which it does as it would otherwise.
+/// Removes temporary files when a signal ends the program; the exit status is that of the signal.
 ///
 /// # Errors
 /// Signals cannot be caught.
@@ -30,7 +30,7 @@ pub(super) fn clean_up() -> io::Result<()> {
     clean_up_after(&[ASKING.as_slice(), &OTHERS].concat())
 }
 
-/// The same at the signals that do not ask: the caller has the others.
+/// The same for [`OTHERS`] only; the caller handles [`ASKING`].
 ///
 /// # Errors
 /// Signals cannot be caught.
@@ -43,7 +43,7 @@ fn clean_up_after(signals: &[i32]) -> io::Result<()> {
     thread::spawn(move || {
         for signal in signals.forever() {
             files::remove_temporaries();
-            // It does not return from a signal that ends the program.
+            // This does not return if the signal ends the program.
             let _ = emulate_default_handler(signal);
         }
     });

@@ -10,7 +10,7 @@ use crate::files::{self, Opened, Source};
 use crate::model::{Checked, Fault, Model, edit, path};
 use crate::presets::{self, Preset};
 
-/// The preset of a name.
+/// The preset with a name.
 pub(super) fn preset(name: &str) -> Result<&'static Preset, Failure> {
     presets::find(name).ok_or_else(|| {
         let names: Vec<&str> = presets::ALL.iter().map(|preset| preset.name).collect();
@@ -21,7 +21,7 @@ pub(super) fn preset(name: &str) -> Result<&'static Preset, Failure> {
     })
 }
 
-/// What a MODEL argument is called in messages.
+/// The name of a MODEL argument in messages.
 pub(super) fn label(argument: &OsStr) -> String {
     if argument == "-" {
         "standard input".to_owned()
@@ -56,11 +56,11 @@ fn text_of(argument: &OsStr, label: &str) -> Result<(Source, String), Failure> {
         let text = if is_file {
             files::load(&path)
         } else {
-            // A pipe that is named here, as by `<(..)`, is waited for; Ctrl-C ends it.
+            // Wait for a named pipe, such as `<(..)`; Ctrl-C cancels.
             File::open(&path).and_then(files::text_of)
         }
         .map_err(unread)?;
-        // What came through a pipe is not there to be saved to.
+        // The program cannot save to a pipe.
         let source = if is_file {
             Source::File(path)
         } else {
@@ -76,7 +76,7 @@ fn text_of(argument: &OsStr, label: &str) -> Result<(Source, String), Failure> {
     }
 }
 
-/// Sets one `PATH=VALUE`, unchecked: several may only together make a possible model.
+/// Sets one `PATH=VALUE`, unchecked: the model may be possible only after several.
 fn change(model: &mut Model, set: &str) -> Result<(), Failure> {
     let (pattern, text) = set.split_once('=').ok_or_else(|| {
         Failure::input(format!(

@@ -1,4 +1,4 @@
-//! `beamtune spread`: what tolerances make of the responses, as CSV.
+//! `beamtune spread`: the band of the responses under tolerances, as CSV.
 
 use std::ffi::OsString;
 use std::io::Write;
@@ -16,16 +16,16 @@ use crate::tune::{Spread, spread};
 pub(super) struct Arguments {
     /// A model file, a preset's name, or - for standard input.
     model: OsString,
-    /// Frequencies in Hz, in place of the model's sweep.
+    /// Frequencies in Hz, instead of the model's sweep.
     #[arg(long, value_name = "F1,F2,..", value_delimiter = ',', value_parser = super::frequency)]
     at: Vec<f64>,
-    /// Models drawn at random within the tolerances of the variables in [tune].
+    /// The number of random models within the tolerances of the variables in [tune].
     #[arg(long, value_name = "MODELS", default_value_t = 1000, value_parser = clap::value_parser!(u32).range(2..=100_000))]
     samples: u32,
     /// Seed of the random numbers.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// The file to write, in place of standard output.
+    /// The file to write, instead of standard output.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     #[command(flatten)]
@@ -54,7 +54,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     csv::write(arguments.output.as_deref(), |out| write(out, &at, &found))
 }
 
-/// A row a frequency: the 5, 50 and 95 % quantiles of each response's magnitude.
+/// One row per frequency: the 5, 50 and 95 % quantiles of the magnitude of each response.
 fn write(out: &mut dyn Write, frequencies: &[f64], found: &[Spread]) -> std::io::Result<()> {
     write!(out, "frequency_hz")?;
     for one in found {

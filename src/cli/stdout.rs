@@ -1,4 +1,4 @@
-//! Standard output: a command whose output goes nowhere fails, except where its reader has seen enough.
+//! Standard output: a command fails if it cannot write, except if the reader has closed the pipe.
 
 use std::io::{self, BufWriter, Write};
 
@@ -11,12 +11,12 @@ pub(super) fn write(content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> R
     accept(content(&mut out).and_then(|()| out.flush()))
 }
 
-/// Prints a text of our own to standard output.
+/// Prints trusted text to standard output.
 pub(super) fn print(text: &str) -> Result<(), Failure> {
     write(|out| out.write_all(text.as_bytes()))
 }
 
-/// What a command that computes for long asks first.
+/// Fails early, before a long computation, if standard output is closed.
 pub(super) fn must_be_open() -> Result<(), Failure> {
     if startup::was_closed() {
         return Err(failure("it is closed"));
@@ -24,7 +24,7 @@ pub(super) fn must_be_open() -> Result<(), Failure> {
     Ok(())
 }
 
-/// A reader that has gone away, as `head` does, is no failure.
+/// A closed pipe, as by `head`, is not a failure.
 pub(super) fn accept(written: io::Result<()>) -> Result<(), Failure> {
     match written {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
@@ -38,15 +38,15 @@ fn failure(reason: &str) -> Failure {
 
 /// Whether standard output was open when the program was started.
 ///
-/// The standard library opens /dev/null in the place of a closed one before `main`, after which nothing tells the two
-/// apart. So this looks before, in a function that the loader calls.
+/// The standard library replaces a closed one with /dev/null before `main`, after which the two cannot be
+/// distinguished. Therefore a function that the loader calls checks this earlier.
 mod startup {
     use std::sync::atomic::{AtomicBool, Ordering};
 
     static CLOSED: AtomicBool = AtomicBool::new(false);
 
     ctor::declarative::ctor! {
-        // It uses nothing of what the standard library sets up later.
+        // It uses nothing that the standard library initialises later.
         #[ctor(unsafe)]
         fn look() {
             let closed = rustix::io::fcntl_getfd(rustix::stdio::stdout()).is_err();

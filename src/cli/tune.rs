@@ -1,4 +1,4 @@
-//! `beamtune tune`: the parameters that `[tune]` leaves open, sought.
+//! `beamtune tune`: optimises the variables of `[tune]`.
 
 mod example;
 mod interruption;
@@ -25,21 +25,21 @@ use crate::tune::{self, Options, Problem, Stop, Tuned};
 pub(super) struct Arguments {
     /// A model file, a preset's name, or - for standard input.
     model: OsString,
-    /// The model file to write: the model with the best parameters, and in its notes what they achieve.
+    /// The model file to write: the model with the best parameters, and a summary in its notes.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     /// Seed of the random numbers; the same seed gives the same result.
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
-    /// The most models to evaluate; by the number of variables where it is left out.
+    /// The most models to evaluate; the default depends on the number of variables.
     #[arg(long, value_name = "EVALS", value_parser = clap::value_parser!(u64).range(1..))]
     budget: Option<u64>,
     #[command(flatten)]
     sets: Sets,
 }
 
-/// Searches, writes the tuned model and prints what became better. A signal ends the search, and the program once the
-/// best so far is written; the exit code is then 128 and the number of the signal.
+/// Searches, writes the tuned model and prints the improvements. A signal ends the search, and the program once the
+/// best so far is written; the exit code is then 128 plus the number of the signal.
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let opened = source::open(&arguments.model, &arguments.sets.sets)?;
     let label = &source::label(&arguments.model);
@@ -47,7 +47,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         let lines = example::wanted(label, &opened.model);
         return Err(Failure::Input(vec![lines]));
     }
-    // What a search finds must have somewhere to go.
+    // Check the output before the search, so that no result is lost.
     stdout::must_be_open()?;
     let output = arguments.output.as_deref();
     if let Some(file) = output {
@@ -70,7 +70,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     warn_of(&tuned, output);
     let printed = print(&report::table(&opened.model, &tuned));
     match interruption.signal() {
-        // The terminal may be gone, which is why it was sent.
+        // The terminal may be closed, which may be the reason for the signal.
         Some(signal) => Ok(ExitCode::from(128_u8.saturating_add(signal))),
         None => printed.map(|()| ExitCode::SUCCESS),
     }
@@ -94,7 +94,7 @@ fn search(
     found.map_err(Failure::Other)
 }
 
-/// The text of the tuned model, what it achieves added to its notes.
+/// The text of the tuned model, with a summary in its notes.
 fn written(opened: &Opened, tuned: &Tuned) -> Result<String, Failure> {
     let model = notes_added(&tuned.model, &report::notes(&opened.model, tuned));
     let faults = model::check(&model);
@@ -119,13 +119,13 @@ fn notes_added(model: &Model, paragraph: &str) -> Model {
     }
 }
 
-/// Writes the tuned model; what is no regular file, as a pipe, is written to and waited for.
+/// Writes the tuned model; waits for a pipe or a device.
 fn save(file: &Path, text: &str) -> Result<(), Failure> {
     files::save_with(file, |out| out.write_all(text.as_bytes()))
         .map_err(|error| unwritten(file, &error))
 }
 
-/// What the table says too, but should not be overlooked.
+/// Warnings that should not be overlooked; the table contains them too.
 fn warn_of(tuned: &Tuned, output: Option<&Path>) {
     if tuned.stop == Stop::Cancelled {
         let written = match output {
@@ -146,7 +146,7 @@ fn warn(what: &str) {
     say(&format!("warning: {what}"));
 }
 
-/// Says something on standard error, in place of a line of progress; the result stands without it.
+/// Writes a message to standard error over the progress line; ignores errors.
 fn say(what: &str) {
     if std::io::stderr().is_terminal() {
         let _ = write!(std::io::stderr(), "\r\x1b[K");

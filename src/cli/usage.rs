@@ -1,4 +1,4 @@
-//! What is answered to arguments that are no call: help, the version, or what is wrong with them.
+//! Answers arguments that clap does not accept: help, the version, or a usage error.
 
 use std::ffi::OsStr;
 use std::io::Write as _;
@@ -9,19 +9,19 @@ use clap::{CommandFactory as _, Parser as _};
 
 use super::{Arguments, Failure, stdout};
 use crate::escape::{escape_lines, shown_path};
-use crate::model::names::nearest;
+use crate::model::spelling::nearest;
 use crate::presets;
 
-/// Answers arguments that were not taken.
+/// Answers arguments that clap does not accept.
 pub(super) fn answer(error: &clap::Error) -> Result<ExitCode, Failure> {
     if let Some(failure) = std::env::args_os().nth(1).and_then(|word| misspelt(&word)) {
         return Err(failure);
     }
-    // The same arguments escaped are refused in the same words, without what a terminal would obey.
+    // Parse again with escaped arguments, for the same message without terminal control sequences.
     let escaped = std::env::args_os().map(|argument| shown_path(Path::new(&argument)));
     match Arguments::try_parse_from(escaped) {
         Err(shown) if shown.use_stderr() => {
-            // Where standard error is closed, the message is lost.
+            // If standard error is closed, the message is lost.
             let _ = shown.print();
             Ok(ExitCode::from(2))
         }
@@ -30,7 +30,7 @@ pub(super) fn answer(error: &clap::Error) -> Result<ExitCode, Failure> {
             stdout::accept(help.print().and_then(|()| std::io::stdout().flush()))?;
             Ok(ExitCode::SUCCESS)
         }
-        // Bytes that are no UTF-8 are, once escaped.
+        // Invalid UTF-8 becomes valid by escaping.
         Ok(_) => {
             let text = escape_lines(error.to_string().trim_end());
             let _ = writeln!(std::io::stderr(), "{text}");
@@ -39,7 +39,7 @@ pub(super) fn answer(error: &clap::Error) -> Result<ExitCode, Failure> {
     }
 }
 
-/// The failure of a first word that is no file and no preset, and nearly a command.
+/// The failure of a first word that is neither a file nor a preset, and near the name of a command.
 pub(super) fn misspelt(word: &OsStr) -> Option<Failure> {
     let text = word.to_str().filter(|text| !text.starts_with('-'))?;
     if Path::new(word).exists() || presets::find(text).is_some() {

@@ -1,4 +1,4 @@
-//! `beamtune validate`: the exact solution beside two witnesses.
+//! `beamtune validate`: compares the exact solution with two independent methods.
 
 use std::ffi::OsString;
 use std::io::{IsTerminal, Write};
@@ -17,20 +17,20 @@ use crate::solve::{self, Frf};
 
 mod report;
 
-/// The most elements that may be asked for; four times as many are solved.
+/// The largest accepted number of elements; four times as many are solved.
 const MOST_ELEMENTS: u64 = 10_000;
 
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// A model file, a preset's name, or - for standard input.
     model: OsString,
-    /// Finite elements along the beam; as many as the highest frequency needs where it is left out.
+    /// Finite elements along the beam; by default as many as the highest frequency needs.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MOST_ELEMENTS))]
     elements: Option<u64>,
-    /// Frequencies in Hz, in place of the model's sweep.
+    /// Frequencies in Hz, instead of the model's sweep.
     #[arg(long, value_name = "F1,F2,..", value_delimiter = ',', value_parser = frequency)]
     at: Vec<f64>,
-    /// The largest relative difference that passes.
+    /// The largest accepted relative difference.
     #[arg(long, value_name = "T", default_value = "1e-2", value_parser = tolerance)]
     tolerance: f64,
     #[command(flatten)]
@@ -44,13 +44,13 @@ fn tolerance(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A witness's answer: its differences, response by response and frequency by frequency, and its time.
+/// The result of one method: its differences by response and frequency, and its time.
 struct Witness {
     differences: Vec<Vec<Option<Difference>>>,
     time: Duration,
 }
 
-/// Everything that is reported.
+/// The data of the report.
 struct Findings {
     exact: Frf,
     exact_time: Duration,
@@ -59,14 +59,14 @@ struct Findings {
     chain: Result<Witness, NotApplicable>,
 }
 
-/// Prints the report; 0 where the finite elements agree with the exact solution, else 1.
+/// Prints the report; returns 0 if the finite elements agree with the exact solution, else 1.
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let model = source::open(&arguments.model, &arguments.sets.sets)?.model;
     let mut frequencies = arguments.at.clone();
     if frequencies.is_empty() {
         frequencies = solve::frequencies(&model.sweep);
     }
-    // The mesh follows the highest frequency that is solved.
+    // The mesh depends on the highest solved frequency.
     let highest = frequencies.iter().copied().fold(0.0, f64::max);
     let model = model.derived(|model| model.sweep.to = highest);
     if !model.responses.iter().any(|response| response.enabled) {
@@ -94,7 +94,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 
 /// Solves by all methods.
 fn find(model: &Checked, elements: usize, frequencies: &[f64]) -> Result<Findings, Failure> {
-    // Nothing cancels a command but a signal.
+    // Only a signal cancels a command.
     let never = AtomicBool::new(false);
     progress("exact solution");
     let start = Instant::now();
@@ -128,11 +128,11 @@ fn find(model: &Checked, elements: usize, frequencies: &[f64]) -> Result<Finding
     })
 }
 
-/// Says what is being solved, where somebody watches; nothing clears it.
+/// Shows the current step, if standard error is a terminal.
 fn progress(what: &str) {
     let mut out = std::io::stderr().lock();
     if out.is_terminal() {
-        // Progress that cannot be shown is no reason to stop.
+        // Ignore errors of the progress display.
         let _ = write!(out, "\r\x1b[K{what}");
     }
 }

@@ -1,4 +1,4 @@
-//! Where the user's files are: the XDG base directories, on every system.
+//! The folders of the user's files: the XDG base directories, on every system.
 
 use std::fs::DirBuilder;
 use std::io;
@@ -8,10 +8,10 @@ use std::path::{Path, PathBuf};
 use etcetera::BaseStrategy as _;
 use etcetera::base_strategy::Xdg;
 
-/// The program's folder in each of the base directories.
+/// The name of the program's folder in each base directory.
 const FOLDER: &str = "beamtune";
 
-/// The folders of one user. They need not be there.
+/// The folders of one user. They need not exist.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Folders {
     config: PathBuf,
@@ -19,11 +19,11 @@ pub struct Folders {
 }
 
 impl Folders {
-    /// Those of the user who runs the program: `beamtune` in `XDG_CONFIG_HOME` and `XDG_STATE_HOME`, where these are
-    /// absolute paths, or else in `~/.config` and `~/.local/state` (XDG base directory specification 0.8).
+    /// The folders of the user who runs the program: `beamtune` in `XDG_CONFIG_HOME` and `XDG_STATE_HOME` if these are
+    /// absolute paths, else in `~/.config` and `~/.local/state` (XDG base directory specification 0.8).
     ///
     /// # Errors
-    /// What to set, where the user has no home.
+    /// The user has no home folder; the message says which variables to set.
     pub fn of_user() -> Result<Self, String> {
         let homeless = || {
             "the user's home folder is unknown; set HOME, or XDG_CONFIG_HOME and XDG_STATE_HOME, to absolute paths"
@@ -32,7 +32,7 @@ impl Folders {
         let base = Xdg::new().map_err(|_| homeless())?;
         let config = base.config_dir().join(FOLDER);
         let state = base.state_dir().ok_or_else(homeless)?.join(FOLDER);
-        // An empty HOME would lead into whatever folder the program was started in.
+        // An empty HOME would resolve to the working folder.
         if config.is_absolute() && state.is_absolute() {
             Ok(Self { config, state })
         } else {
@@ -54,24 +54,24 @@ impl Folders {
         self.config.join("config.toml")
     }
 
-    /// What is remembered from one run to the next.
+    /// The file of options and views that persist from one run to the next.
     pub fn memory_file(&self) -> PathBuf {
         self.state.join("memory.toml")
     }
 
-    /// The folder of edits that are not saved.
+    /// The folder of unsaved edits.
     pub fn recovery_folder(&self) -> PathBuf {
         self.state.join("recovery")
     }
 
-    /// What went wrong, in sentences.
+    /// The log of errors.
     pub fn log_file(&self) -> PathBuf {
         self.state.join("beamtune.log")
     }
 }
 
-/// Makes a folder and those above it where they are missing, for the user alone (mode 0700, as the XDG base directory
-/// specification 0.8 asks).
+/// Creates a folder and its missing parents for the user alone (mode 0700, as the XDG base directory specification 0.8
+/// requires).
 pub(crate) fn make_private(folder: &Path) -> io::Result<()> {
     DirBuilder::new().recursive(true).mode(0o700).create(folder)
 }

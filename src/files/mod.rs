@@ -1,7 +1,7 @@
-//! Files of models and of the user: opened without waiting, written so that nothing is lost, and where they are.
+//! Files of models and of the user: opened without blocking, written without data loss, and their paths.
 //!
-//! [`open()`] and [`load`] read, [`save()`] replaces a file atomically and keeps its owner, mode and attributes, [`Source`]
-//! says where a model came from, and [`Folders`] where the user's own files are.
+//! [`open()`] and [`load`] read, [`save()`] replaces a file atomically and keeps its owner, mode and attributes,
+//! [`Source`] is the origin of a model, and [`Folders`] are those of the user's own files.
 
 mod folders;
 mod open;

@@ -1,4 +1,4 @@
-//! Opening files that other programs may have put there: what could be waited for without end is refused.
+//! Opens untrusted files: rejects all that could block forever.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read as _};
@@ -7,30 +7,29 @@ use std::path::Path;
 
 use rustix::fs::OFlags;
 
-/// The longest model file that is read, bytes: what has no end, as some devices have none, is not waited for.
+/// The longest model file that is read, bytes, because some devices have no end.
 const LONGEST: u64 = 1 << 28;
 
-/// Opens a file for reading. A pipe or a device, which may have no end or no other side, is refused and not waited
-/// for.
+/// Opens a file for reading. Rejects a pipe or a device without blocking, because it may have no end or no writer.
 ///
 /// # Errors
-/// It is not there, cannot be read, or is no regular file.
+/// It does not exist, is unreadable, or is not a regular file.
 pub fn open(path: &Path) -> io::Result<File> {
     open_with(path, OpenOptions::new().read(true))
 }
 
-/// As [`open`], in another way.
+/// As [`open`], with other options.
 ///
 /// # Errors
 /// As those of [`open`].
 pub fn open_with(path: &Path, options: &mut OpenOptions) -> io::Result<File> {
-    // Before, for opening alone has effects on some devices.
+    // Check before, because opening alone has effects on some devices.
     if let Ok(found) = fs::metadata(path) {
         must_be_file(found.file_type())?;
     }
     without_waiting(options);
     let file = options.open(path)?;
-    // After, for it may have been another one before.
+    // Check after, because the file may have been replaced meanwhile.
     must_be_file(file.metadata()?.file_type())?;
     Ok(file)
 }
@@ -43,12 +42,12 @@ fn must_be_file(kind: fs::FileType) -> io::Result<()> {
     Err(io::Error::new(io::ErrorKind::InvalidInput, words))
 }
 
-/// Lets nothing that is opened wait for another program, nor become the terminal of this one.
+/// Prevents opening from blocking, and the opened file from becoming the controlling terminal.
 pub(super) fn without_waiting(options: &mut OpenOptions) {
     options.custom_flags((OFlags::NONBLOCK | OFlags::NOCTTY).bits() as i32);
 }
 
-/// What it is, in words.
+/// The kind of a file, in words.
 fn name(kind: fs::FileType) -> &'static str {
     if kind.is_dir() {
         "a folder"
@@ -64,12 +63,12 @@ fn name(kind: fs::FileType) -> &'static str {
 /// The text of a model file.
 ///
 /// # Errors
-/// It cannot be read, is no regular file, is not UTF-8, or is longer than 256 MiB.
+/// It is unreadable, not a regular file, not UTF-8, or longer than 256 MiB.
 pub fn load(path: &Path) -> io::Result<String> {
     text_of(open(path)?)
 }
 
-/// As [`load`], of what is open already.
+/// As [`load`], of an open file.
 ///
 /// # Errors
 /// As those of [`load`].
@@ -88,10 +87,10 @@ pub fn text_of(source: impl io::Read) -> io::Result<String> {
     })
 }
 
-/// The text of a file of the user; none where it is not there, nor can be (a home that is no folder).
+/// The text of a file of the user; none if it does not exist or cannot (a home that is not a folder).
 ///
 /// # Errors
-/// The file cannot be read, is no regular file, or is not UTF-8.
+/// The file is unreadable, not a regular file, or not UTF-8.
 pub(crate) fn read_if_there(path: &Path) -> io::Result<Option<String>> {
     match open(path).and_then(io::read_to_string) {
         Ok(text) => Ok(Some(text)),
@@ -100,7 +99,7 @@ pub(crate) fn read_if_there(path: &Path) -> io::Result<Option<String>> {
     }
 }
 
-/// Whether a file could not be read because it is not there.
+/// Whether an error means that the file does not exist.
 fn is_absent(error: &io::Error) -> bool {
     matches!(
         error.kind(),
@@ -113,7 +112,7 @@ mod tests {
     use super::*;
     use std::io::Write as _;
 
-    /// Makes a pipe in the file system.
+    /// Creates a named pipe.
     fn pipe(path: &Path) {
         let made = std::process::Command::new("mkfifo").arg(path).status();
         assert!(made.unwrap().success());

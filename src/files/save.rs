@@ -1,11 +1,11 @@
-//! Putting a text on disk so that no reader ever meets half of it, and that the file keeps all else that it has.
+//! Saves a text atomically and preserves all other properties of the file.
 //!
-//! The text goes to a temporary file in the same folder, is forced to disk and renamed: who reads meets the old text
-//! or the new one. Owner, group, mode and extended attributes are given to the temporary file before. Where the user
-//! may not give them, or the file has other names (hard links), the file is written in place instead; until that is
-//! done, the new text is also in a file `NAME.beamtune-RANDOM` in the same folder, which stays where the program is killed
-//! meanwhile. Where the file may not be written in place either, it is renamed over all the same, and [`may_save`]
-//! says before what is lost.
+//! The text is written to a temporary file in the same folder, synced to disk and renamed: a reader sees the old text
+//! or the new one. The temporary file gets the owner, group, mode and extended attributes before. If the user may not
+//! set them, or the file has other names (hard links), the file is written in place instead; until that is complete,
+//! the new text is also in a file `NAME.beamtune-RANDOM` in the same folder, which remains if the program is killed
+//! meanwhile. If the file cannot be written in place either, it is replaced by a rename, and [`may_save`] tells before
+//! what is lost.
 
 mod attributes;
 mod temporary;
@@ -20,7 +20,7 @@ use crate::escape::shown_path;
 use temporary::Temporary;
 pub use temporary::remove_temporaries;
 
-/// Replaces the file's content. Nothing is waited for: what is a device is written to as it is, a pipe is refused.
+/// Replaces the file's content without blocking: writes to a device directly, rejects a pipe.
 ///
 /// A symbolic link stays a link and its target is replaced.
 ///
@@ -40,8 +40,7 @@ pub fn save(path: &Path, text: &str) -> io::Result<()> {
     io::Write::write_all(&mut options.write(true).open(&target)?, text.as_bytes())
 }
 
-/// [`save`] for a content that is written piece by piece. What is no regular file (a pipe, a device) is written to as
-/// it is, and waited for.
+/// [`save`] for a content that is written piece by piece. Writes to a pipe or a device directly, and waits for it.
 ///
 /// # Errors
 /// As [`save`], and those of `write`; the existing file is then untouched.
@@ -56,7 +55,7 @@ pub fn save_with(
     replace(&target, write)
 }
 
-/// Whether [`save`] could begin now, nothing is left behind; and what of the existing file it cannot keep, in words.
+/// Checks whether [`save`] could begin now, without side effects; returns what the existing file would lose, in words.
 ///
 /// # Errors
 /// The folder cannot be written, or there is a folder or a read-only file at the path.
@@ -71,17 +70,17 @@ pub fn may_save(path: &Path) -> io::Result<Option<String>> {
     })
 }
 
-/// How a file gets its new content.
+/// The method to replace a file.
 enum Way {
-    /// By a rename, which keeps everything.
+    /// By a rename, which preserves everything.
     Renamed,
-    /// In place, for a rename would lose something.
+    /// In place, because a rename would lose something.
     InPlace,
-    /// By a rename that loses this: it may not be written in place.
+    /// By a rename that loses this, because it cannot be written in place.
     Losing(Vec<&'static str>),
 }
 
-/// What a file is replaced by, and how.
+/// The new file and the method to replace the old one.
 struct Plan {
     temporary: Temporary,
     way: Way,
@@ -122,9 +121,9 @@ fn replace(
     Ok(())
 }
 
-/// Writes a file in place. Until all is on disk, a second file holds the new text under a name that is not removed.
+/// Writes a file in place. Until all is on disk, a backup file that is not removed contains the new text.
 fn overwrite(target: &Path, temporary: Temporary) -> io::Result<()> {
-    // `.beamtune-RANDOM` behind the name of the file.
+    // `.beamtune-RANDOM` after the name of the file.
     let mut name = target.as_os_str().to_owned();
     name.push(temporary.path().file_name().unwrap_or_default());
     let backup = PathBuf::from(name);
@@ -148,7 +147,7 @@ fn overwrite(target: &Path, temporary: Temporary) -> io::Result<()> {
     }
 }
 
-/// Writes what goes beyond the end of the file: a disk that is full is met before anything is lost.
+/// Extends the file first, so that a full disk is detected before anything is lost.
 fn extend(file: &mut File, new: &mut File) -> io::Result<()> {
     let end = file.metadata()?.len();
     let extended = copy(new, end, file).and_then(|_| file.sync_all());
@@ -158,7 +157,7 @@ fn extend(file: &mut File, new: &mut File) -> io::Result<()> {
     extended
 }
 
-/// Copies a file into another from a place on; the place where it ends.
+/// Copies a file into another from an offset on; returns the end.
 fn copy(from: &mut File, place: u64, to: &mut File) -> io::Result<u64> {
     if from.metadata()?.len() < place {
         return Ok(place);
@@ -168,7 +167,7 @@ fn copy(from: &mut File, place: u64, to: &mut File) -> io::Result<u64> {
     Ok(place + io::copy(from, to)?)
 }
 
-/// What is neither a file nor a folder: a pipe, a device.
+/// Whether it is neither a file nor a folder: a pipe or a device.
 fn special(target: &Path) -> Option<FileType> {
     let kind = fs::metadata(target).ok()?.file_type();
     (!kind.is_file() && !kind.is_dir()).then_some(kind)
@@ -179,7 +178,7 @@ fn folder_of(target: &Path) -> &Path {
     folder.unwrap_or(Path::new("."))
 }
 
-/// Whether there is a file that may be replaced.
+/// Checks that a file at the path may be replaced; false if there is none.
 fn is_there(target: &Path) -> io::Result<bool> {
     match fs::metadata(target) {
         Ok(metadata) if metadata.is_dir() => Err(io::Error::new(
@@ -196,13 +195,13 @@ fn is_there(target: &Path) -> io::Result<bool> {
     }
 }
 
-/// An error of the system in words, without the name of a temporary file, which the user does not know.
+/// A system error in words, without the name of a temporary file, which the user does not know.
 pub(crate) fn error_text(error: &io::Error) -> String {
     let text = error.to_string();
     text.split(" at path ").next().unwrap_or(&text).to_owned()
 }
 
-/// The file behind a chain of symbolic links; a dangling link leads to the file it names.
+/// The target of a chain of symbolic links; the target of a dangling link is the path it names.
 fn target(path: &Path) -> io::Result<PathBuf> {
     const MOST_LINKS: usize = 40;
     let mut path = path.to_path_buf();
@@ -219,7 +218,7 @@ fn target(path: &Path) -> io::Result<PathBuf> {
     Err(io::Error::other("too many symbolic links"))
 }
 
-/// Makes the rename itself durable where the system allows it; the content is safe in any case.
+/// Makes the rename itself durable if the system allows it; the content is safe in any case.
 fn sync_folder(folder: &Path) {
     if let Ok(folder) = fs::File::open(folder) {
         let _ = folder.sync_all();
@@ -334,7 +333,7 @@ mod tests {
             list.extend(id.to_le_bytes());
         }
         let mut given = vec![("user.comment", b"mine".to_vec()), (LIST, list)];
-        // A file system without them cannot lose them.
+        // A file system without attributes cannot lose them.
         given.retain(|(name, value)| setxattr(&file, *name, value, XattrFlags::empty()).is_ok());
         let inode = fs::metadata(&file).unwrap().ino();
         save(&file, "new").unwrap();
@@ -353,7 +352,7 @@ mod tests {
         assert!(given.len() < 2 || mode == 0o640, "{mode:o}");
     }
 
-    /// Only root can make a file of another owner; for others there is only their own.
+    /// Only root can create a file of another owner; other users test with their own files.
     #[test]
     fn owner_and_group_stay() {
         let folder = tempfile::tempdir().unwrap();

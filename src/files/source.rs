@@ -1,4 +1,4 @@
-//! Where a model came from.
+//! The origin of a model.
 
 use std::path::{Path, PathBuf};
 
@@ -6,7 +6,7 @@ use crate::escape::path_text;
 use crate::model::{self, Checked, Fault};
 use crate::presets::{self, Preset};
 
-/// Where a model came from.
+/// The origin of a model.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Source {
     /// A file, to which it is saved.
@@ -35,13 +35,13 @@ impl Source {
         }
     }
 
-    /// The folder from which the model's paths to other files are: the file's, else the working folder, as an empty path.
+    /// The base folder of relative paths in the model: that of the file, else the working folder, as an empty path.
     pub fn folder(&self) -> &Path {
         let folder = self.path().and_then(Path::parent);
         folder.unwrap_or(Path::new(""))
     }
 
-    /// The text that is there now; none where it cannot be read (again).
+    /// Its current text; none if it cannot be read (again).
     pub fn text(&self) -> Option<String> {
         match self {
             Self::File(path) => super::load(path).ok(),
@@ -50,7 +50,7 @@ impl Source {
         }
     }
 
-    /// The same, found from any folder.
+    /// The same with an absolute path.
     #[must_use]
     pub fn absolute(&self) -> Self {
         match self {
@@ -62,19 +62,19 @@ impl Source {
     }
 }
 
-/// A model that was opened.
+/// An opened model.
 #[derive(Debug, Clone)]
 pub struct Opened {
-    /// The model; it may differ from the text by values set on the command line.
+    /// The model; values set on the command line may differ from the text.
     pub model: Checked,
-    /// The text it was read from.
+    /// Its original text.
     pub text: String,
-    /// Where that came from.
+    /// Its origin.
     pub source: Source,
 }
 
 impl Opened {
-    /// The model of a text.
+    /// Reads a model from a text.
     ///
     /// # Errors
     /// All faults of the text.
@@ -89,7 +89,7 @@ impl Opened {
     /// An embedded preset.
     ///
     /// # Errors
-    /// As those of [`Self::read`].
+    /// As [`Self::read`].
     pub fn preset(preset: &Preset) -> Result<Self, Vec<Fault>> {
         Self::read(preset.text.to_owned(), Source::Preset(preset.name))
     }

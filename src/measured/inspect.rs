@@ -1,4 +1,4 @@
-//! What is in a file of measured curves, and what has to be asked before it is read.
+//! Inspects a file of measured curves, and finds the questions to ask before reading it.
 
 use super::layout::{Places, Question};
 use super::table::{Columns, Dialect, Plan, decoded};
@@ -12,44 +12,44 @@ const PREVIEW_ROWS: usize = 3;
 /// Columns in a preview.
 const PREVIEW_COLUMNS: usize = 16;
 
-/// What is in a file, and what has to be asked.
+/// The content of a file, and the questions to ask.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Inspection {
     /// The kind of file.
     pub format: Format,
-    /// The words above the columns of a table, or `column 1` and so on; nothing of a universal file.
+    /// The header of a table, or `column 1` and so on; empty for a universal file.
     pub columns: Vec<String>,
-    /// The first five rows of numbers, as they stand.
+    /// The first five rows of numbers, unconverted.
     pub first_rows: Vec<Vec<String>>,
-    /// Names of the curves that would be read, as far as a look at the first rows tells.
+    /// Names of the curves, according to the first rows.
     pub curves: Vec<String>,
-    /// What was understood, a sentence each.
+    /// The recognised properties, one sentence each.
     pub recognised: Vec<String>,
-    /// What is not said; empty where nothing has to be asked.
+    /// The missing information; empty if there is nothing to ask.
     pub missing: Vec<Question>,
-    /// What was understood, and the likeliest for the rest: to be shown in a prompt and corrected there.
+    /// The recognised layout, completed with the likeliest values, as the default of a prompt.
     pub proposal: Layout,
     /// Whether the table has the header that the program writes, `frequency_hz`: then its numbers are in SI.
     pub is_own: bool,
 }
 
-/// A file that was opened.
+/// An opened file.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Opened {
     /// Its curves.
     Curves(Vec<Curve>),
-    /// What has to be asked first.
+    /// Its questions come first.
     Asks(Box<Inspection>),
 }
 
 impl Inspection {
-    /// What has to be asked, a sentence.
+    /// The missing information as a sentence.
     pub fn question(&self) -> String {
         let missing: Vec<String> = self.missing.iter().map(ToString::to_string).collect();
         format!("It does not say {}", missing.join("; nor "))
     }
 
-    /// The columns of a table and its first rows, a line each.
+    /// The columns of a table and its first rows, one line each.
     pub fn preview(&self) -> Vec<String> {
         let numbered = |(index, name): (usize, &String)| {
             let number = format!("column {}", index + 1);
@@ -78,7 +78,7 @@ fn preview_line(cells: &[String]) -> String {
     format!("{}{more}", shown.join(" | "))
 }
 
-/// Reads a file, or says what has to be asked first. A layout in the hint answers it.
+/// Reads a file, or returns the questions to ask first. A layout in the hint answers them.
 ///
 /// # Errors
 /// As [`read()`].
@@ -92,7 +92,7 @@ pub fn open(bytes: &[u8], hint: &Hint) -> Result<Opened, Fault> {
     read(bytes, hint).map(Opened::Curves)
 }
 
-/// As [`open()`], but a table of the program itself needs no answer for its units: its numbers are in SI.
+/// As [`open()`], but a table that the program wrote needs no answer for its units: its numbers are in SI.
 ///
 /// # Errors
 /// As [`read()`].
@@ -105,10 +105,10 @@ pub fn open_in_si(bytes: &[u8], hint: &Hint) -> Result<Opened, Fault> {
     }
 }
 
-/// Looks at a file without reading all of a table; a layout in the hint answers what it can.
+/// Inspects a file without reading all of a table; a layout in the hint answers questions.
 ///
 /// # Errors
-/// As [`read()`](super::read()), but for what is missing.
+/// As [`read()`](super::read()), except for missing information.
 pub fn inspect(bytes: &[u8], hint: &Hint) -> Result<Inspection, Fault> {
     super::of_possible_size(bytes)?;
     match Format::of(bytes, &hint.name) {
@@ -143,7 +143,7 @@ fn table(bytes: &[u8], hint: &Hint) -> Result<Inspection, Fault> {
     })
 }
 
-/// The words above a column, or its number.
+/// The header of a column, or its number.
 fn name(dialect: &Dialect, index: usize) -> String {
     let word = dialect.header.get(index);
     let word = word.filter(|word| !word.trim().is_empty());
@@ -151,7 +151,7 @@ fn name(dialect: &Dialect, index: usize) -> String {
         .unwrap_or_else(|| format!("column {}", index + 1))
 }
 
-/// What was understood of a table, a sentence each.
+/// The recognised properties of a table, one sentence each.
 fn recognised(dialect: &Dialect, plan: &Plan) -> Vec<String> {
     let name = |index: usize| name(dialect, index);
     let (column, unit) = plan.frequency;

@@ -1,4 +1,4 @@
-//! How the numbers of a table are to be read, as one line of text.
+//! The layout of a table of numbers, as one line of text.
 
 mod parse;
 
@@ -6,16 +6,16 @@ use std::fmt;
 
 use crate::unit::{FrequencyUnit, PhaseUnit, ValueUnit};
 
-/// How the columns of a table are to be read.
+/// The layout of the columns of a table.
 ///
-/// As text three parts with semicolons between them, `FREQUENCY; VALUES; UNIT`:
+/// Its text has three parts, separated by semicolons, `FREQUENCY; VALUES; UNIT`:
 /// - FREQUENCY: `hz`, `khz`, `rad/s` or `rpm`;
 /// - VALUES, the columns of one curve: `re im`, `mag deg`, `mag rad`, `dB deg`, `dB rad`, `mag` or `dB`; dB is 20 log10
-///   of the value over one unit (10 log10 where the unit is that of an energy); `-im`, `-deg` and `-rad` say that the
-///   column stands with the opposite sign; `re im` is also one column of complex numbers;
-/// - UNIT: what [`ValueUnit`] reads, or `?` (or nothing) where the file says it or nobody knows.
+///   of the value over one unit (10 log10 if the unit is that of an energy); `-im`, `-deg` and `-rad` mean that the
+///   column has the opposite sign; `re im` is also one column of complex numbers;
+/// - UNIT: a unit that [`ValueUnit`] reads, or `?` (or nothing) if the file contains it or it is unknown.
 ///
-/// A number behind a word chooses the column, from 1; without numbers the header says where the columns are, else their
+/// A number after a word selects the column, from 1; without numbers the header determines the columns, else their
 /// order. Several numbers are several curves.
 ///
 /// Examples: `hz; re im; m/s2/N`, `hz; dB deg; g/N`, `rad/s; mag; ?`, `hz 1; re 8; im 9; m/N`,
@@ -26,21 +26,21 @@ pub struct Layout {
     pub frequency: FrequencyUnit,
     /// The columns of one curve.
     pub values: Values,
-    /// Whether the imaginary part or the phase stands with the opposite sign.
+    /// Whether the imaginary part or the phase has the opposite sign.
     pub minus: bool,
-    /// Unit of the values; none: as the file says, or unknown.
+    /// Unit of the values; none: from the file, or unknown.
     pub unit: Option<ValueUnit>,
-    /// Columns that are chosen by number.
+    /// Columns that are selected by number.
     pub places: Places,
 }
 
-/// Columns that are chosen by number, from 1.
+/// Columns that are selected by number, from 1.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Places {
-    /// The column of the frequencies; none: as the header says, or the first.
+    /// The column of the frequencies; none: by the header, or the first.
     pub frequency: Option<usize>,
-    /// Both columns of each curve (of a magnitude alone, and of complex numbers in one column, it twice); empty: as the
-    /// header says, or one after the other.
+    /// Both columns of each curve (the same one twice for a magnitude alone or complex numbers in one column); empty:
+    /// by the header, or in order.
     pub curves: Vec<[usize; 2]>,
 }
 
@@ -74,7 +74,7 @@ impl Values {
         )
     }
 
-    /// How many columns a curve has.
+    /// The number of columns of a curve.
     pub(super) const fn columns(self) -> usize {
         match self {
             Self::Complex | Self::MagnitudePhase { .. } => 2,
@@ -100,7 +100,7 @@ impl Layout {
     /// Reads a layout.
     ///
     /// # Errors
-    /// Says which part is wrong and what is accepted.
+    /// The wrong part and what is accepted.
     pub fn parse(text: &str) -> Result<Self, String> {
         parse::layout(text)
     }
@@ -134,16 +134,16 @@ impl fmt::Display for Layout {
     }
 }
 
-/// What a file does not say of itself.
+/// Information that a file lacks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Question {
-    /// The unit of its frequencies; Hz is taken.
+    /// The unit of its frequencies; the default is Hz.
     Frequency,
-    /// What its columns are; without an answer the file is refused.
+    /// The meaning of its columns; without an answer the file is rejected.
     Values,
-    /// The unit of its phases; degrees are taken.
+    /// The unit of its phases; the default is degrees.
     Phase,
-    /// What its values are and in which unit; without an answer they are taken as they stand.
+    /// The quantity and unit of its values; without an answer they are not converted.
     Unit,
 }
 
@@ -154,7 +154,7 @@ impl Question {
     }
 }
 
-/// What is not said, and what would be accepted.
+/// The missing information, and what is accepted.
 impl fmt::Display for Question {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {

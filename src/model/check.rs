@@ -1,23 +1,24 @@
 //! The rules that make a model physically possible.
 
-mod plans;
+mod studies;
 mod target;
 mod tuning;
 
 use super::fault::Fault;
 use super::id::End;
-use super::names::{LONGEST_NAME, element_keys, is_too_long};
 use super::schema::{
     BEAM, FEWEST_POINTS, MATERIAL, MOST_POINTS, Range, Rows, SECTION, SUBSYSTEM, SWEEP, elastic,
 };
-use super::serial::format_number;
+use super::spelling::{LONGEST_NAME, element_keys, is_too_long};
+use super::toml_literal::format_number;
 use super::types::{Beam, BeamMotion, Model, Restraint, Subsystem, Support, Sweep};
 use std::cell::LazyCell;
 use std::collections::HashMap;
 use std::fmt;
 use std::ops::{Deref, RangeInclusive};
 
-/// Sizes, in SI units, of what must be above 0: powers and products of a few of them neither overflow nor underflow.
+/// Accepted magnitudes, in SI units, of numbers > 0: powers and products of a few of them neither overflow nor
+/// underflow.
 const SIZES: RangeInclusive<f64> = 1e-60..=1e60;
 
 /// A model that passed [`check()`], or at least [`check_state()`]: what the solvers take.
@@ -82,16 +83,16 @@ impl Deref for Checked {
     }
 }
 
-/// All that makes a model impossible; empty for a possible one.
+/// All faults of a model; empty for a physically possible one.
 ///
 /// The faults come in the order of the model file, without line and column.
 pub fn check(model: &Model) -> Vec<Fault> {
     let mut faults = check_state(model);
-    plans::check(model, &mut faults);
+    studies::check(model, &mut faults);
     faults
 }
 
-/// What makes the structure itself impossible, whatever its studies and its tuning ask for: of models that are many.
+/// The faults of the structure alone, without studies and tuning: for programs that check many variants of a model.
 pub fn check_state(model: &Model) -> Vec<Fault> {
     let mut faults = Vec::new();
     state(model, &mut faults);
@@ -138,7 +139,7 @@ fn out_of_range(value: f64, range: Range) -> Option<String> {
     Some(format!("is {}; must be {wanted}", format_number(value)))
 }
 
-/// What is said of NaN and the infinities.
+/// The message for NaN and the infinities.
 pub(super) fn not_finite(value: f64) -> String {
     format!("is {}; must be a finite number", format_number(value))
 }
@@ -175,7 +176,7 @@ fn support(path: &str, support: &Support, faults: &mut Vec<Fault>) {
     }
 }
 
-/// Names that are empty, hold control characters, are too long or are used twice.
+/// Names that are empty, contain control characters, are too long or are not unique.
 fn element_names<'a>(
     path: &str,
     names: &(impl Iterator<Item = &'a str> + Clone),
@@ -215,7 +216,7 @@ fn subsystems(model: &Model, faults: &mut Vec<Fault>) {
         subsystem("", one, model, &mut found);
         found.is_empty()
     };
-    // Paths take longer to make than rules to hold.
+    // Building a path takes longer than checking a rule.
     if model.subsystems.iter().all(is_sound) {
         return;
     }
@@ -236,7 +237,7 @@ fn subsystem(path: &str, one: &Subsystem, model: &Model, faults: &mut Vec<Fault>
     beyond_the_end(path, one.position, model, faults);
 }
 
-/// A position past the right end; those before the left end are outside their range already.
+/// A position beyond the right end; the range of the key rejects those before the left end.
 fn beyond_the_end(path: fmt::Arguments<'_>, position: f64, model: &Model, faults: &mut Vec<Fault>) {
     let length = model.beam.length;
     if position.is_finite() && length > 0.0 && position > length {

@@ -1,21 +1,20 @@
-//! What differs between two models, as one line of text: an edit costs as little as what it changed.
+//! The difference of two models as one line of text, whose length depends only on what changed.
 //!
 //! ```toml
 //! edit = {at = [[17, 1], [0, 0], [0, 0], [0, 0], [0, 0]], model = {.., subsystems = [{name = "S17", ..}]}}
 //! ```
 //!
-//! `at` has the first element and the number of elements that are replaced, of subsystems, forces, responses, studies
-//! and `[tune]` (a list of one or none). `model` has the elements that take their places, and all parts that are no
-//! list.
+//! `at` has the first index and the number of replaced elements of subsystems, forces, responses, studies and `[tune]`
+//! (a list of one or none). `model` has the new elements and all parts that are not lists.
 
 use super::types::Model;
 use super::{read, write};
 use toml::de::{DeTable, DeValue};
 
-/// First element and number of elements that are replaced.
+/// First index and number of replaced elements.
 type Span = [usize; 2];
 
-/// What makes one model another, without a line end.
+/// The line that changes one model to another, without a line end.
 pub fn delta(before: &Model, after: &Model) -> String {
     let mut spans = Vec::new();
     let part = Model {
@@ -38,7 +37,7 @@ pub fn delta(before: &Model, after: &Model) -> String {
     format!("edit = {{at = [{}], model = {part}}}", spans.join(", "))
 }
 
-/// The elements between the first and the last difference; the span gets where they belong.
+/// The elements between the first and the last difference; sets `span` to their range.
 fn replaced<T: PartialEq + Clone>(before: &[T], after: &[T], spans: &mut Vec<Span>) -> Vec<T> {
     let pairs = before.iter().zip(after);
     let start = pairs.take_while(|(one, other)| one == other).count();
@@ -49,8 +48,8 @@ fn replaced<T: PartialEq + Clone>(before: &[T], after: &[T], spans: &mut Vec<Spa
     new[..new.len() - end].to_vec()
 }
 
-/// Applies a line of [`delta`] to the model that it was made from. False where it is no such line, or of another model;
-/// the model is then as it was.
+/// Applies a line of [`delta`] to the model that it was made from. Returns false if the line is invalid or of another
+/// model; the model is then unchanged.
 pub fn apply_delta(model: &mut Model, line: &str) -> bool {
     parse(model, line).is_some_and(|(spans, part)| apply(model, spans, part))
 }
@@ -115,7 +114,7 @@ mod tests {
     use super::*;
     use crate::presets;
 
-    /// `Debug` tells any two floats apart, also 0.0 and -0.0.
+    /// `Debug` distinguishes any two floats, also 0.0 and -0.0.
     fn bits(model: &Model) -> String {
         format!("{model:#?}")
     }

@@ -1,28 +1,28 @@
-//! What a person needs to know of a parameter.
+//! The description of a parameter for people.
 
 use super::edit::{Value, directions, get, places, target_of};
 use super::id::{Group, ParameterId};
-use super::names::nearest;
 use super::schema::{FEWEST_POINTS, ForceKey, Kind, MOST_POINTS, SectionKey, SubsystemKey};
+use super::spelling::nearest;
 use super::types::{Model, Quantity, Restraint, Support};
-use crate::unit::{Measure, Unit, entry};
+use crate::unit::{Measure, Unit, value_input};
 
-/// A parameter, with all that a person needs to set it.
+/// A parameter with everything needed to set it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Parameter {
-    /// Which one it is.
+    /// Its id.
     pub id: ParameterId,
-    /// The symbol of the literature; empty where there is none.
+    /// Its symbol in the literature; empty if it has none.
     pub symbol: &'static str,
-    /// Of a number; [`Unit::ONE`] for everything else.
+    /// The unit of a number; [`Unit::ONE`] otherwise.
     pub unit: Unit,
-    /// What it is.
+    /// Its meaning.
     pub meaning: &'static str,
-    /// What it may be, in words: `> 0`, `0 to 3.2 m`, `free, pinned or clamped`.
+    /// The accepted values, in words: `> 0`, `0 to 3.2 m`, `free, pinned or clamped`.
     pub range: String,
     /// The words of a [`Value::Choice`]; empty for the others.
     pub choices: Vec<&'static str>,
-    /// What it is now.
+    /// Its current value.
     pub value: Value,
 }
 
@@ -30,7 +30,7 @@ impl Parameter {
     /// The parameter of an id.
     ///
     /// # Errors
-    /// It has no value now: a fixed motion has no spring, an energy no place.
+    /// It has no value now: a fixed motion has no spring, an energy has no position.
     pub fn of(model: &Model, id: ParameterId) -> Result<Self, String> {
         let value = get(model, id)?;
         let key = id.key();
@@ -50,15 +50,15 @@ impl Parameter {
         })
     }
 
-    /// The value that a typed text stands for: a number as by [`entry::number`], a count as by [`entry::count`], `true`
-    /// or `false` (or on, off, yes, no), one of the choices, or text as it is.
+    /// Parses typed text: a number by [`value_input::number`], a count by [`value_input::count`], `true` or `false` (or
+    /// on, off, yes, no), one of the choices, or text unchanged.
     ///
     /// # Errors
-    /// Says why the text is no value of this parameter and what is accepted.
+    /// Why the text is not a value of this parameter, and what is accepted.
     pub fn read(&self, text: &str) -> Result<Value, String> {
         match &self.value {
-            Value::Number(old) => entry::number(text, *old, &self.unit).map(Value::Number),
-            Value::Count(old) => entry::count(text, *old).map(Value::Count),
+            Value::Number(old) => value_input::number(text, *old, &self.unit).map(Value::Number),
+            Value::Count(old) => value_input::count(text, *old).map(Value::Count),
             Value::Flag(_) => flag(text).map(Value::Flag),
             Value::Choice(_) => choice(text.trim(), &self.choices, &self.range).map(Value::Choice),
             Value::Text(_) => Ok(Value::Text(text.to_owned())),
@@ -66,14 +66,14 @@ impl Parameter {
     }
 }
 
-/// What may be chosen.
+/// The words of a choice.
 fn choices(model: &Model, id: ParameterId, value: &Value) -> Vec<&'static str> {
     let key = id.key();
     match key.kind {
         Kind::Word => key.words.to_vec(),
         Kind::Restraint => Restraint::WORDS.to_vec(),
         Kind::Support => {
-            // What is mixed comes from the single motions and cannot be chosen here.
+            // "elastic" results from the single motions and cannot be chosen here.
             let mixed = (*value == Value::Choice("elastic")).then_some("elastic");
             Support::WORDS.into_iter().chain(mixed).collect()
         }
@@ -85,7 +85,7 @@ fn choices(model: &Model, id: ParameterId, value: &Value) -> Vec<&'static str> {
     }
 }
 
-/// The unit of a number: a load's goes with its direction.
+/// The unit of a number; that of a load depends on its direction.
 fn unit(model: &Model, id: ParameterId) -> Unit {
     match target_of(model, id.group) {
         Some(target) if is_amplitude(id) => target.load().unit(),
@@ -97,7 +97,7 @@ fn is_amplitude(id: ParameterId) -> bool {
     matches!(id.group, Group::Force(_)) && id.row == ForceKey::Amplitude as usize
 }
 
-/// What a parameter without choices may be in this model.
+/// The accepted values of a parameter without choices, in this model.
 fn range(model: &Model, id: ParameterId) -> String {
     let key = id.key();
     match (key.kind, id.group) {
@@ -119,7 +119,7 @@ fn range(model: &Model, id: ParameterId) -> String {
     }
 }
 
-/// The range of a section's number, with the rules between two of them.
+/// The range of a number of the section, including the rules between two numbers.
 fn section_range(model: &Model, id: ParameterId) -> String {
     let section = &model.beam.section;
     match SectionKey::ALL[id.row] {
@@ -141,7 +141,7 @@ fn short(value: f64) -> String {
     Unit::ONE.format(value)
 }
 
-/// A flag that a person types.
+/// Parses a typed flag.
 fn flag(text: &str) -> Result<bool, String> {
     match text.trim().to_ascii_lowercase().as_str() {
         "true" | "on" | "yes" => Ok(true),
@@ -153,7 +153,7 @@ fn flag(text: &str) -> Result<bool, String> {
     }
 }
 
-/// One of some words as a person types it, in whatever case.
+/// Parses one of some words; ignores case.
 fn choice(text: &str, choices: &[&'static str], range: &str) -> Result<&'static str, String> {
     choices
         .iter()

@@ -1,4 +1,4 @@
-//! The one place that changes a model and asks whether it stays a possible one.
+//! All changes of a model, with a check that the result is possible.
 
 mod family;
 mod rename;
@@ -19,10 +19,10 @@ use super::types::Model;
 use std::cmp::Ordering;
 use std::mem::discriminant;
 
-/// A model in which a parameter has another value, if that is a possible one.
+/// The model with another value of a parameter, if that is possible.
 ///
 /// # Errors
-/// The value does not fit, or [`check()`] refuses the outcome.
+/// The value is of another type, or [`check()`] finds faults in the result.
 pub fn changed(model: &Model, id: ParameterId, value: Value) -> Result<Checked, Vec<Fault>> {
     let mut changed = model.clone();
     put(&mut changed, id, value)
@@ -30,7 +30,7 @@ pub fn changed(model: &Model, id: ParameterId, value: Value) -> Result<Checked, 
     Checked::new(changed)
 }
 
-/// Takes an element out of its list.
+/// Removes an element from its list.
 pub fn remove(model: &mut Model, element: Group) {
     match element {
         Group::Subsystem(i) => drop(model.subsystems.remove(i)),
@@ -41,9 +41,9 @@ pub fn remove(model: &mut Model, element: Group) {
     }
 }
 
-/// The first study or variable with a path that leads elsewhere, or nowhere, in a model from which an element was removed.
+/// The first study or variable with a path that matches other parameters, or none, after the removal of an element.
 pub fn misled(before: &Model, after: &Model, removed: Group) -> Option<Group> {
-    // What stands behind the removed one is one place further up.
+    // Elements after the removed one move up by one.
     let same_list = |group: Group| discriminant(&group) == discriminant(&removed);
     let moved = |id: ParameterId| match (id.group.place(), removed.place()) {
         (Some(own), Some(there)) if same_list(id.group) => match own.cmp(&there) {
@@ -72,10 +72,11 @@ pub fn misled(before: &Model, after: &Model, removed: Group) -> Option<Group> {
     })
 }
 
-/// Sets every parameter of a path or pattern, if the model stays a possible one.
+/// Sets every parameter that a path or pattern matches, if the result is possible.
 ///
 /// # Errors
-/// The path matches nothing, the value does not fit, or [`check()`] refuses the outcome. The model is then unchanged.
+/// The path matches nothing, the value is of another type, or [`check()`] finds faults in the result. The model is then
+/// unchanged.
 pub fn set(model: &mut Model, pattern: &str, value: Value) -> Result<(), Vec<Fault>> {
     let mut changed = model.clone();
     set_unchecked(&mut changed, pattern, value).map_err(|fault| vec![fault])?;
@@ -83,7 +84,7 @@ pub fn set(model: &mut Model, pattern: &str, value: Value) -> Result<(), Vec<Fau
     Ok(())
 }
 
-/// Sets every parameter of a path or pattern, without asking whether the model stays a possible one.
+/// Sets every parameter that a path or pattern matches, without a check of the result.
 ///
 /// # Errors
 /// The path matches nothing, or the value is of another type than the parameter. The model is then unchanged.
@@ -110,7 +111,7 @@ mod tests {
     use crate::model::schema::SubsystemKey;
     use std::time::{Duration, Instant};
 
-    /// Which study or variable is misled where a subsystem of three is removed.
+    /// The study or variable that [`misled`] reports after the removal of a subsystem of three.
     fn misled_by(removed: usize, pattern: &str) -> Option<Group> {
         let mut model = sample::model(&["S1", "a.b", "S3"]);
         model.tune = None;
@@ -127,8 +128,8 @@ mod tests {
         misled(&model, &after, Group::Subsystem(removed))
     }
 
-    /// Expected: a path is misled where it stands for other parameters, or for none, once the element is removed. A name
-    /// in quotes that need not be there, or in single ones, is the same name.
+    /// Expected: a path is misled if it matches other parameters, or none, after the removal. A name in unnecessary or
+    /// single quotes is the same name.
     #[test]
     fn paths_that_lead_elsewhere_are_found() {
         let study = Some(Group::Study(0));
@@ -149,7 +150,7 @@ mod tests {
         }
         assert_eq!(misled_by(1, "subsystems.'a.b'.mass"), study);
         assert_eq!(misled_by(2, "subsystems.1.mass"), None);
-        // A support has a place among two, whichever subsystem is removed.
+        // The supports do not move when a subsystem is removed.
         assert_eq!(misled_by(2, "supports.right.w.stiffness"), None);
         let mut model = sample::model(&["S1"]);
         model.studies.clear();
@@ -281,7 +282,7 @@ mod tests {
         );
     }
 
-    /// The shortest of a few runs.
+    /// The shortest time of a few runs.
     fn time(mut work: impl FnMut()) -> Duration {
         let runs = (0..5).map(|_| {
             let start = Instant::now();
@@ -326,7 +327,7 @@ mod tests {
         });
         println!("clone {clone:?}, check {check:?}, set one {one:?}, every {every:?}");
         println!("list 4000 {listed:?}, a case of 1000 {member:?}");
-        // Generous, for a busy machine; what is quadratic takes longer still.
+        // Generous, for a busy machine; quadratic time would still exceed it.
         for elapsed in [one, every, listed, member] {
             assert!(elapsed.as_millis() < 50, "{elapsed:?}");
         }

@@ -1,27 +1,27 @@
-//! What is wrong with a model or its text.
+//! Faults of a model or its text.
 
 use std::fmt;
 
 use crate::escape::escape;
 
-/// The most faults that are shown; then follows how many more there are.
+/// The most faults that are shown; the number of the others follows.
 pub(crate) const MOST_SHOWN: usize = 50;
 
-/// One thing that is wrong, and what would be accepted instead.
+/// An error in a model or its text, and what is accepted instead.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fault {
-    /// Path of the parameter or table, such as `beam.section.area`; empty where the text is not TOML.
+    /// Path of the parameter or table, such as `beam.section.area`; empty if the text is not TOML.
     pub path: String,
-    /// What is wrong and what would be accepted, in words.
+    /// The error and what is accepted, in words.
     pub message: String,
-    /// Line in the text, from 1; none where there is no text.
+    /// Line in the text, from 1; none without a text.
     pub line: Option<usize>,
     /// Column in characters, from 1.
     pub column: Option<usize>,
 }
 
 impl Fault {
-    /// A fault that has no position in a text.
+    /// A fault without a position in a text.
     pub fn new(path: impl Into<String>, message: impl Into<String>) -> Self {
         Self {
             path: path.into(),

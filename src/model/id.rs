@@ -1,4 +1,4 @@
-//! Which groups and parameters a model has: small values that stand for them, without text.
+//! Identifiers of the groups and parameters of a model: small values without text.
 
 use super::schema::{self, Key, Kind};
 use super::types::{BeamMotion, Model, Quantity, Restraint, Support};
@@ -24,7 +24,7 @@ impl End {
         }
     }
 
-    /// What the model has at this end.
+    /// The support of this end.
     pub const fn support(self, model: &Model) -> &Support {
         match self {
             Self::Left => &model.supports.left,
@@ -32,7 +32,7 @@ impl End {
         }
     }
 
-    /// The same, to be changed.
+    /// The support of this end, mutable.
     pub const fn support_mut(self, model: &mut Model) -> &mut Support {
         match self {
             Self::Left => &mut model.supports.left,
@@ -44,7 +44,7 @@ impl End {
 /// A group of a model: a table or a list of tables. Elements of lists count from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Group {
-    /// All of it, with the keys above all tables.
+    /// The whole model, with the keys above all tables.
     Model,
     /// The beam.
     Beam,
@@ -76,7 +76,7 @@ pub enum Group {
     Studies,
     /// One study.
     Study(usize),
-    /// What an optimiser may move, and what for.
+    /// The tuning.
     Tune,
     /// One of its variables.
     Variable(usize),
@@ -87,7 +87,7 @@ pub enum Group {
 }
 
 impl Group {
-    /// The keys that stand for parameters, in the order of the file.
+    /// The keys of parameters, in the order of the file.
     pub const fn keys(self) -> &'static [Key] {
         match self {
             Self::Model => schema::MODEL.keys,
@@ -113,7 +113,7 @@ impl Group {
         }
     }
 
-    /// The group that holds it.
+    /// Its parent group.
     pub const fn parent(self) -> Option<Self> {
         Some(match self {
             Self::Model => return None,
@@ -136,7 +136,7 @@ impl Group {
         })
     }
 
-    /// The groups that it holds, in the order of the file.
+    /// Its child groups, in the order of the file.
     pub fn groups(self, model: &Model) -> Vec<Self> {
         let each = |count: usize, of: fn(usize) -> Self| (0..count).map(of).collect();
         match self {
@@ -171,7 +171,7 @@ impl Group {
         }
     }
 
-    /// The beam, end or element of a list that it belongs to: what the first parts of a path name.
+    /// The beam, end or list element that it belongs to, which the first parts of a path name.
     #[must_use]
     pub const fn owner(self) -> Self {
         match self {
@@ -181,7 +181,7 @@ impl Group {
         }
     }
 
-    /// Its place among those of its kind: of an end, or in a list.
+    /// Its index among the ends or in its list.
     pub const fn place(self) -> Option<usize> {
         match self {
             Self::Support(end) | Self::Motion(end, _) => Some(end as usize),
@@ -196,7 +196,7 @@ impl Group {
         }
     }
 
-    /// The same at another end or in another element of its list.
+    /// The same group of another end or list element.
     #[must_use]
     pub fn at(self, place: usize) -> Self {
         match self {
@@ -218,7 +218,7 @@ impl Group {
         ParameterId { group: self, row }
     }
 
-    /// Its parameters, whether or not they have a value now.
+    /// Its parameters, also those without a value now.
     pub fn parameters(self) -> impl Iterator<Item = ParameterId> {
         (0..self.keys().len()).map(move |row| self.parameter(row))
     }
@@ -228,7 +228,7 @@ impl Group {
         self.parameters().find(|id| id.key().kind == kind)
     }
 
-    /// The parameters of a beam, end or element with all that belongs to it, in the order of the file.
+    /// The parameters of a beam, end or element and all groups inside, in the order of the file.
     pub(super) fn owned(self) -> Vec<ParameterId> {
         match self {
             Self::Beam => [Self::Beam, Self::Material, Self::Section]
@@ -250,7 +250,7 @@ impl Group {
 
 /// A parameter of a model: a key of one of its groups.
 ///
-/// It has meaning with one model; where elements were added, removed or renamed, [`Moves`](super::Moves) leads to it.
+/// It is valid for one model; after elements were added, removed or renamed, [`Moves`](super::Moves) maps it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct ParameterId {
     /// The group.
@@ -263,7 +263,7 @@ impl ParameterId {
     /// The model's title.
     pub const TITLE: Self = Group::Model.parameter(0);
 
-    /// What a motion of an end meets: the row behind the word for all of them.
+    /// The restraint of a motion of an end: the rows after the word for all motions.
     pub const fn restraint(end: End, motion: BeamMotion) -> Self {
         Group::Support(end).parameter(1 + motion as usize)
     }
@@ -293,7 +293,7 @@ impl ParameterId {
         all
     }
 
-    /// Whether it has a value: a fixed motion has no spring, an energy no place.
+    /// Whether it has a value: a fixed motion has no spring, an energy has no position.
     pub fn exists(self, model: &Model) -> bool {
         match (self.group, self.key().kind) {
             (Group::Motion(end, motion), _) => end.support(model)[motion] != Restraint::Fixed,
@@ -304,7 +304,7 @@ impl ParameterId {
         }
     }
 
-    /// The same parameter at another end or in another element of its list.
+    /// The same parameter of another end or list element.
     #[must_use]
     pub fn at(self, place: usize) -> Self {
         self.group.at(place).parameter(self.row)

@@ -1,9 +1,9 @@
-//! What the engineer edits: the model as plain data, its text form, its rules and its parameter paths.
+//! The model that the engineer edits: plain data, TOML text, rules and parameter paths.
 //!
-//! Everything is in SI units. Nothing here computes a response or knows a terminal. [`read()`] turns a TOML text into
-//! a [`Model`] or into all of its faults at once; [`write()`] merges a model back into that text; [`check()`] says
-//! whether a model is physically possible; [`schema`] says which keys there are, a [`ParameterId`] stands for one of
-//! them, [`path`] finds it by name and [`edit`] changes it.
+//! All numbers are in SI units. This module computes no response and uses no terminal. [`read()`] converts TOML text to
+//! a [`Model`] or returns all of its faults; [`write()`] merges a model into its text; [`check()`] finds out whether a
+//! model is physically possible; [`schema`] describes the keys, a [`ParameterId`] identifies one of them, [`path`]
+//! finds it by name and [`edit`] changes it.
 //!
 //! # Example
 //!
@@ -27,16 +27,16 @@ pub mod edit;
 mod fault;
 mod id;
 mod moves;
-pub(crate) mod names;
 pub mod path;
 pub(crate) mod read;
 pub mod schema;
-mod serial;
+pub(crate) mod spelling;
+mod toml_literal;
 mod tuning;
 mod types;
 mod write;
 
-pub use crate::unit::{Measure, Unit, counted, entry, grouped};
+pub use crate::unit::{Measure, Unit, counted, grouped, value_input};
 #[cfg(test)]
 pub use check::checked;
 pub use check::{Checked, check, check_state};
@@ -47,8 +47,8 @@ pub(crate) use fault::MOST_SHOWN;
 pub use id::{End, Group, ParameterId};
 pub use moves::Moves;
 pub use read::read;
-pub(crate) use serial::basic_string;
-pub use serial::format_number;
+pub(crate) use toml_literal::basic_string;
+pub use toml_literal::format_number;
 pub use tuning::*;
 pub use types::*;
 pub use write::write;

@@ -1,6 +1,6 @@
-//! Where the groups and parameters of a model are in a changed one.
+//! Maps the groups and parameters of a model to those of a changed model.
 //!
-//! A [`Group`] has meaning with one model alone. What keeps one while the model changes takes it through here.
+//! A [`Group`] is valid for one model only. Code that keeps one while the model changes maps it here.
 
 use std::collections::HashMap;
 
@@ -16,19 +16,19 @@ pub struct Moves {
     studies: Move,
 }
 
-/// Where the places of a list are now.
+/// The new indices of a list.
 #[derive(Debug)]
 enum Move {
-    /// Where they were.
+    /// Unchanged.
     Stay,
-    /// From `from` on, moved by the difference in length.
+    /// Shifted by the difference in length, from `from` on.
     Shift { from: usize, by: isize },
-    /// By the place before; none where it was removed.
+    /// By old index; none if removed.
     Places(Vec<Option<usize>>),
 }
 
 impl Move {
-    /// Of a list without names: what the two lists begin with is the same.
+    /// For a list without names: the common start of both lists is unchanged.
     fn of_unnamed<T: PartialEq>(before: &[T], after: &[T]) -> Self {
         if before.len() == after.len() {
             return Self::Stay;
@@ -38,7 +38,7 @@ impl Move {
         Self::Shift { from, by }
     }
 
-    /// Of a list whose names differ from each other.
+    /// For a list of unique names.
     fn of_named<T>(before: &[T], after: &[T], name: fn(&T) -> &str) -> Self {
         if before.iter().map(name).eq(after.iter().map(name)) {
             return Self::Stay;
@@ -62,7 +62,7 @@ impl Move {
         match self {
             Self::Stay => Some(place),
             Self::Shift { from, .. } if place < *from => Some(place),
-            // The row that takes the place of a removed one is another row.
+            // The row at the index of a removed one is another row.
             Self::Shift { from, by } => place.checked_add_signed(*by).filter(|new| new >= from),
             Self::Places(places) => places.get(place).copied().flatten(),
         }
@@ -70,7 +70,7 @@ impl Move {
 }
 
 impl Moves {
-    /// From one model to another, in which elements were added, removed or renamed.
+    /// Compares a model with one in which elements were added, removed or renamed.
     pub fn new(before: &Model, after: &Model) -> Self {
         Self {
             subsystems: Move::of_named(&before.subsystems, &after.subsystems, |one| &one.name),
@@ -80,7 +80,7 @@ impl Moves {
         }
     }
 
-    /// Where a group is in the model after; none where it was removed.
+    /// The group in the changed model; none if it was removed.
     pub fn of(&self, group: Group) -> Option<Group> {
         let list = match group {
             Group::Subsystem(_) => &self.subsystems,
@@ -94,7 +94,7 @@ impl Moves {
 }
 
 impl Group {
-    /// The group of another model, such as that of a file, which has the same name; a force has the same number.
+    /// The group with the same name in another model, such as that of a file; for a force, the same number.
     pub fn counterpart(self, model: &Model, other: &Model) -> Option<Self> {
         let place = match self {
             Self::Subsystem(i) => named(&model.subsystems[i].name, i, &other.subsystems, |one| {
@@ -111,7 +111,7 @@ impl Group {
     }
 }
 
-/// Where in a list a name is: nearly always at the same place, and a search through thousands is not needed.
+/// The index of a name in a list; tries the same index first, to avoid a search through thousands.
 fn named<T>(own: &str, place: usize, list: &[T], name: fn(&T) -> &String) -> Option<usize> {
     let is_it = |one: &T| name(one) == own;
     let same = list.get(place).is_some_and(is_it);
@@ -148,7 +148,7 @@ mod tests {
             named(&before, &["a", "x", "c"]),
             [Some(0), Some(1), Some(2)]
         );
-        // One removed and another one added is no new name.
+        // One element removed and another added is not a rename.
         assert_eq!(named(&["a", "c"], &["a", "b", "c"]), [Some(0), Some(2)]);
         assert_eq!(named(&["a", "c"], &["c", "d"]), [None, Some(0)]);
     }

@@ -1,16 +1,16 @@
-//! Parameter paths: the text that stands for parameters in files, on the command line and in prompts.
+//! Parameter paths: the text that identifies parameters in files, on the command line and in prompts.
 //!
-//! A path is the keys of the model file with dots between them: `beam.material.density`,
-//! `supports.left.w.stiffness`, `subsystems.S1.y_left.stiffness`, `forces.1.amplitude`. An element of a list is named
-//! by its name or by its number from 1; a name that holds a dot or a quote, or digits alone, stands in quotes:
-//! `subsystems."a.b".mass`. In a pattern, `*` stands for every element, either end, or any one key:
+//! A path is the keys of the model file, separated by dots: `beam.material.density`,
+//! `supports.left.w.stiffness`, `subsystems.S1.y_left.stiffness`, `forces.1.amplitude`. A list element is identified
+//! by its name or by its number from 1; a name that contains a dot or a quote, or only digits, needs quotes:
+//! `subsystems."a.b".mass`. In a pattern, `*` matches every element, both ends, or any one key:
 //! `subsystems.*.y_left.stiffness`, `subsystems.*.*.damping`, `supports.*.psi.stiffness`.
 
 mod find;
-mod miss;
 pub(super) mod pattern;
 #[cfg(test)]
 pub(super) mod sample;
+mod suggestion;
 mod text;
 
 pub(super) use find::Finder;
@@ -27,20 +27,20 @@ use super::types::Model;
 
 /// Every parameter's path, in the order of the model file.
 ///
-/// Those that have no value are left out: the springs of a fixed motion, the place of an energy.
+/// Without those that have no value: the springs of a fixed motion, the position of an energy.
 pub fn all(model: &Model) -> Vec<String> {
     texts(model, &ParameterId::all(model))
 }
 
-/// The parameters that a path or pattern stands for, at least one.
+/// The parameters that a path or pattern matches, at least one.
 ///
 /// # Errors
-/// The pattern matches nothing; the fault names the nearest path that does, or what could stand there.
+/// The pattern matches nothing; the fault suggests the nearest path that matches, or lists the valid words.
 pub fn find(model: &Model, pattern: &str) -> Result<Vec<ParameterId>, Fault> {
     Pattern::from(pattern).parameters(model)
 }
 
-/// The paths that a pattern stands for, at least one.
+/// The paths that a pattern matches, at least one.
 ///
 /// # Errors
 /// As [`find`].
@@ -67,34 +67,34 @@ pub fn described(model: &Model, id: ParameterId) -> Result<Parameter, Fault> {
 /// The number of a path.
 ///
 /// # Errors
-/// As [`parameter`], or the parameter is no number.
+/// As [`parameter`], or the parameter is not a number.
 pub fn number(model: &Model, path: &str) -> Result<f64, Fault> {
     value_of(model, one(model, path)?).map_err(|message| Fault::new(path, message))
 }
 
-/// The numbers that a pattern stands for, each with its parameter.
+/// The numbers that a pattern matches, each with its parameter.
 ///
 /// # Errors
-/// The pattern matches nothing, or something that is no number.
+/// The pattern matches nothing, or a parameter that is not a number.
 pub fn numbers(model: &Model, pattern: &str) -> Result<Vec<(ParameterId, f64)>, Fault> {
     numbers_of(model, &Pattern::from(pattern))
 }
 
-/// The numbers that a pattern stands for, each with its parameter.
+/// The numbers that a pattern matches, each with its parameter.
 ///
 /// # Errors
 /// As [`numbers`].
 pub fn numbers_of(model: &Model, pattern: &Pattern) -> Result<Vec<(ParameterId, f64)>, Fault> {
     let number = |id| match value_of(model, id) {
         Ok(number) => Ok((id, number)),
-        // A path is made where it is reported alone.
+        // Builds the path only if there is an error to report.
         Err(message) => Err(Fault::new(text(model, id), message)),
     };
     let found = pattern.parameters(model)?;
     found.into_iter().map(number).collect()
 }
 
-/// The one parameter of a path.
+/// The single parameter of a path.
 ///
 /// # Errors
 /// The path matches nothing, or several parameters.

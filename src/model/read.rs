@@ -1,12 +1,11 @@
-//! From the text of a model file to a model, or to all that is wrong with it.
+//! Reads the text of a model file to a model or to all of its faults.
 
 mod list;
 mod loads;
 mod parts;
-mod place;
-mod plans;
 pub(crate) mod reader;
 mod rows;
+mod studies;
 pub(crate) mod table;
 mod tuning;
 pub(crate) mod value;
@@ -19,14 +18,14 @@ use table::Table;
 use toml::Spanned;
 use toml::de::DeTable;
 
-/// What is wrong in broken TOML is quoted up to this length, bytes.
+/// The longest quotation of invalid TOML, bytes.
 const LONGEST_QUOTE: usize = 200;
 
 /// Reads a model file of the format `beamtune/1`.
 ///
 /// # Errors
-/// All faults, in the order of the text, each with line, column and path: broken TOML, and if that is sound, unknown
-/// and missing keys, wrong types, numbers that are not finite, and whatever [`check()`] refuses.
+/// All faults in the order of the text, each with line, column and path: invalid TOML; if it is valid, unknown and
+/// missing keys, wrong types, numbers that are not finite, and all faults that [`check()`] finds.
 pub fn read(text: &str) -> Result<Checked, Vec<Fault>> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut reader = Reader::default();
@@ -42,15 +41,15 @@ pub fn read(text: &str) -> Result<Checked, Vec<Fault>> {
     }
 }
 
-/// A model of which some elements of lists are left out, unchecked; `names` are those of subsystems that are left out.
-/// None where something cannot be read.
+/// A model without some list elements, unchecked; `names` are those of the omitted subsystems. None if a part is
+/// unreadable.
 pub(super) fn part(content: &DeTable<'_>, names: &[&str]) -> Option<Model> {
     let mut reader = Reader::default();
     let model = parts::model(Table::root(content), names, &mut reader);
     reader.is_content().then_some(model)
 }
 
-/// The tables of a text without byte order mark; none where it is broken TOML, with all that is wrong as faults.
+/// The tables of a text without byte order mark; none if it is invalid TOML, whose errors become faults.
 pub(crate) fn document<'a>(text: &'a str, reader: &mut Reader) -> Option<Spanned<DeTable<'a>>> {
     let (document, errors) = DeTable::parse_recoverable(text);
     if errors.is_empty() {

@@ -1,7 +1,7 @@
-//! The schema of the model file: one row for every key, with its symbol, unit, meaning, kind and range.
+//! The schema of the model file: one row per key, with its symbol, unit, meaning, kind and range.
 //!
-//! Reading, writing, checking, parameter paths and the designer's tree all go by these rows, so a key is described
-//! once. A number that is added here is read, written, checked, described and shown.
+//! Reading, writing, checking, parameter paths and the designer's tree use these rows, so each key is described once.
+//! A number that is added here is read, written, checked, described and shown.
 
 use crate::unit::Unit;
 
@@ -13,68 +13,68 @@ pub const MOST_POINTS: usize = 1_000_000;
 /// A key of a table of the model file.
 #[derive(Debug)]
 pub struct Key {
-    /// As it is in the file, below its table; a dot steps into an inner table (`y_left.stiffness`).
+    /// The key in its table of the file; a dot separates the key of an inner table (`y_left.stiffness`).
     pub key: &'static str,
-    /// The symbol of the literature; empty where there is none.
+    /// The symbol in the literature; empty if it has none.
     pub symbol: &'static str,
-    /// Unit in which a number is held.
+    /// Unit of a number.
     pub unit: Unit,
-    /// What it is, for people.
+    /// Its meaning, for people.
     pub meaning: &'static str,
-    /// What it holds.
+    /// The kind of its value.
     pub kind: Kind,
-    /// What a number may be.
+    /// The range of a number.
     pub range: Range,
-    /// A number's value where the file leaves it out; none where it must be given.
+    /// The default of a number; none if the file must give it.
     pub default: Option<f64>,
-    /// Whether it is a stiffness or damping, whose size matters by its logarithm.
+    /// Whether it is a stiffness or damping, which is searched on a logarithmic scale.
     pub is_spring: bool,
-    /// What may be chosen; the first is the default.
+    /// The words of a choice; the first is the default.
     pub words: &'static [&'static str],
-    /// The same for people, where the words of the file do not say it.
+    /// The same words for people, if those of the file are not clear.
     pub spoken: &'static [&'static str],
 }
 
-/// What a key holds.
+/// The kind of a key's value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// A number.
     Number,
     /// A whole number.
     Count,
-    /// True or false; true where it is left out.
+    /// True or false; the default is true.
     Flag,
     /// One of some words.
     Word,
     /// One line of text.
     Line,
-    /// Any text; empty where it is left out.
+    /// Any text; the default is empty.
     Text,
     /// A name that is unique in its list.
     Name,
-    /// Where a force acts or a response is taken.
+    /// The position of a force or response.
     Place,
-    /// Along which motion.
+    /// The motion of a force or response.
     Direction,
-    /// Which time derivative of a motion, or the energy.
+    /// The time derivative of a motion, or the energy.
     Measure,
     /// One word for all motions of an end.
     Support,
-    /// What one motion of an end meets.
+    /// The restraint of one motion of an end.
     Restraint,
-    /// The parameters that a variable moves: a path or several.
+    /// The paths of the parameters of a variable.
     Paths,
-    /// How a variable is searched; none where it is left out.
+    /// The scale of a variable's search; optional.
     Scale,
     /// The name of a response.
     Response,
     /// A text that is not blank.
     Filled,
-    /// The same; none where it is left out.
+    /// The same, optional.
     Optional,
 }
 
-/// What a number may be, beyond being finite.
+/// The range of a finite number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Range {
     /// Any finite number.
@@ -86,7 +86,7 @@ pub enum Range {
 }
 
 impl Range {
-    /// Whether a value lies in the range. NaN passes: a reader has reported it already.
+    /// Whether a value is in the range. Accepts NaN, because the reader has already reported it.
     pub fn holds(self, value: f64) -> bool {
         match self {
             Self::Any => true,
@@ -105,43 +105,43 @@ impl Range {
     }
 }
 
-/// How the value of a key is read from and written to its owner, unchecked.
+/// Functions that get and set the value of a key in its struct, unchecked.
 #[derive(Debug)]
 pub enum Access<T> {
     /// A number.
     Number(fn(&T) -> f64, fn(&mut T, f64)),
     /// A whole number.
     Count(fn(&T) -> usize, fn(&mut T, usize)),
-    /// A switch.
+    /// A flag.
     Flag(fn(&T) -> bool, fn(&mut T, bool)),
     /// The index of a word.
     Word(fn(&T) -> usize, fn(&mut T, usize)),
     /// A text.
     Text(fn(&T) -> &String, fn(&mut T) -> &mut String),
-    /// A text that is not always there.
+    /// An optional text.
     Optional(fn(&T) -> Option<&String>, fn(&mut T, Option<String>)),
-    /// By rules of its own.
+    /// With its own rules.
     Own,
 }
 
-/// What a table is, by one word, with the keys that go with it.
+/// A kind of table, selected by one word, with its own keys.
 #[derive(Debug)]
 pub struct Choice<T: 'static> {
-    /// The key of the word.
+    /// The key that selects it.
     pub key: &'static str,
-    /// The word; empty where any text may follow the key.
+    /// The word that selects it; empty if the key accepts any text.
     pub word: &'static str,
-    /// What it is before its keys are read.
+    /// Makes the value before its keys are read.
     pub blank: fn() -> T,
-    /// The response that it is of.
+    /// The kind of response that it requires.
     pub response: Asked,
     /// Its keys.
     pub rows: Rows<T>,
-    /// What people read of it.
+    /// Its wording for people.
     pub wording: Wording,
 }
 
-/// The response that an aim or a limit is of.
+/// The kind of response that an aim or a limit requires.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Asked {
     /// None.
@@ -154,29 +154,29 @@ pub enum Asked {
     Displacement,
 }
 
-/// What people read of an aim or a limit. A key in braces stands for its value, `{response}` and `{band}` for those of
-/// the objective; what stands in brackets is left out where a value in it is empty.
+/// The wording of an aim or a limit. A key in braces is replaced by its value, `{response}` and `{band}` by those of
+/// the objective; a part in brackets is omitted if a value in it is empty.
 #[derive(Debug)]
 pub struct Wording {
-    /// Its row of the tree: what it is.
+    /// The label of its row of the tree.
     pub label: &'static str,
     /// The value of that row.
     pub value: &'static str,
-    /// All about it.
+    /// The full description.
     pub whole: &'static str,
-    /// The figure in a report; empty for a limit.
+    /// The name of its figure in a report; empty for a limit.
     pub figure: &'static str,
 }
 
 impl<T> Choice<T> {
-    /// The one of some that a value is.
+    /// The choice among `all` that a value belongs to.
     pub fn of<'a>(all: &'a [Self], value: &T) -> Option<&'a Self> {
         let kind = std::mem::discriminant(value);
         all.iter()
             .find(|one| std::mem::discriminant(&(one.blank)()) == kind)
     }
 
-    /// Whether a key goes with it.
+    /// Whether a key belongs to it.
     pub fn has(&self, key: &str) -> bool {
         let of_response = key == "response" && self.response != Asked::Nothing;
         of_response || self.rows.keys.iter().any(|own| own.key == key)
@@ -207,7 +207,7 @@ impl<T> Rows<T> {
     }
 }
 
-/// A key of no kind in particular.
+/// A key with no special properties.
 const BLANK: Key = Key {
     key: "",
     symbol: "",
@@ -296,9 +296,10 @@ macro_rules! access {
 /// `TABLE of Struct { kind(key, ..), .. }`; with `as Enum` the rows have names: `Name = kind(key, ..)`.
 ///
 /// - `number(key, symbol, unit, range [or default], meaning, place in the struct)`
-/// - `spring(key, symbol, unit, meaning, place in the struct)`: a stiffness or damping, 0 or more, 0 where it is left out
+/// - `spring(key, symbol, unit, meaning, place in the struct)`: a stiffness or damping, 0 or more, 0 by default
 /// - `word(key, type of the words, meaning, place)`
-/// - `number_of(key, unit, range, ..)`, `word_of(key, words, ..)`, `text_of(key, kind, ..)`: meaning, variant, field of an enum
+/// - `number_of(key, unit, range, ..)`, `word_of(key, words, ..)`, `text_of(key, kind, ..)`: meaning, variant, field of
+/// an enum
 /// - `count`, `flag` or `text(key, kind, meaning, place)`, `own(key, kind, meaning)`
 macro_rules! rows {
     ($(#[$doc:meta])* $name:ident of $of:ty { $($kind:ident($($row:tt)*),)* }) => {
@@ -319,8 +320,8 @@ macro_rules! rows {
     };
 }
 
-mod plans;
 mod tables;
+mod tuning;
 
-pub use plans::*;
 pub use tables::*;
+pub use tuning::*;

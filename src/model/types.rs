@@ -1,35 +1,35 @@
-//! The model as plain data, in SI units: what the engineer edits and the solver reads.
+//! The model as plain data in SI units, which the engineer edits and the solver reads.
 //!
-//! A number left out of a file has its default here (no stiffness, no damping, amplitude 1), so every value of
-//! these types is a complete model. Whether it is also a *possible* one is said by [`check`](super::check()).
+//! A number that the file omits has its default here (no stiffness, no damping, amplitude 1), so every value of these
+//! types is a complete model. [`check`](super::check()) finds out whether it is also a *possible* one.
 
 use super::path::Pattern;
 use super::tuning::Tune;
 use crate::unit::{Dimension, Kind, Load, Measure, Moves};
 use crate::words::words;
 
-/// A beam with its supports, subsystems, loads and what is asked of it.
+/// A beam with its supports, subsystems, loads, responses and studies.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Model {
-    /// One line for people.
+    /// Title, one line.
     pub title: String,
-    /// Free text; empty when the file has none.
+    /// Free text; empty if the file has none.
     pub notes: String,
     /// The beam itself.
     pub beam: Beam,
-    /// What holds the two ends.
+    /// The supports of both ends.
     pub supports: Supports,
-    /// The attached masses, in the order of the file.
+    /// The subsystems, in the order of the file.
     pub subsystems: Vec<Subsystem>,
-    /// The loads; they act together.
+    /// The loads, which act simultaneously.
     pub forces: Vec<Force>,
-    /// What is computed, in the order of the output's columns.
+    /// The responses, in the order of the output columns.
     pub responses: Vec<Response>,
     /// The frequencies.
     pub sweep: Sweep,
-    /// Families of curves.
+    /// The studies: families of curves.
     pub studies: Vec<Study>,
-    /// What an optimiser may move, and what for.
+    /// Variables, objectives and limits of an optimisation.
     pub tune: Option<Tune>,
 }
 
@@ -45,7 +45,7 @@ impl Model {
 pub struct Beam {
     /// Length L, m.
     pub length: f64,
-    /// What it is made of.
+    /// Its material.
     pub material: Material,
     /// Its cross-section.
     pub section: Section,
@@ -60,7 +60,7 @@ pub struct Material {
     pub shear_modulus: f64,
     /// Density rho, kg/m3.
     pub density: f64,
-    /// Loss factor eta: E and G are taken times (1 + i eta).
+    /// Loss factor eta: E and G are multiplied by (1 + i eta).
     pub loss_factor: f64,
 }
 
@@ -75,16 +75,16 @@ pub struct Section {
     pub second_moment_z: f64,
     /// Saint-Venant torsion constant J, m4.
     pub torsion_constant: f64,
-    /// Warping constant `Gamma_0`, m6; 0 where warping carries nothing.
+    /// Warping constant `Gamma_0`, m6; 0: no warping stiffness.
     pub warping_constant: f64,
     /// Polar moment of area `I_0` about the shear centre, m4.
     pub polar_moment: f64,
-    /// Offset `z_c` of the centroid from the shear centre, m; of either sign.
+    /// Offset `z_c` of the centroid from the shear centre, m; any sign.
     pub centroid_offset: f64,
 }
 
 words! {
-    /// The six motions of a point of the beam's shear-centre line, and what acts along them.
+    /// The six motions of a point of the shear-centre line of the beam.
     pub enum BeamMotion {
         /// Displacement w along y, m.
         W = "w",
@@ -94,8 +94,8 @@ words! {
         V = "v",
         /// Slope w', rad.
         WSlope = "w_slope",
-        /// Rate of twist psi', rad/m, which warps the section. Where a torque makes it jump (only without warping
-        /// stiffness) it is the mean of both sides.
+        /// Rate of twist psi', rad/m, which warps the section. At a torque that makes it discontinuous (only without
+        /// warping stiffness) it is the mean of both sides.
         PsiSlope = "psi_slope",
         /// Slope v', rad.
         VSlope = "v_slope",
@@ -130,12 +130,12 @@ pub struct Supports {
     pub right: Support,
 }
 
-/// What one end's six motions meet, in the order of [`BeamMotion::ALL`]. It acts at the shear centre.
+/// The restraints of the six motions of an end, in the order of [`BeamMotion::ALL`]. They act at the shear centre.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Support(pub [Restraint; 6]);
 
 impl Support {
-    /// Nothing held.
+    /// All six free.
     pub const FREE: Self = Self([Restraint::Free; 6]);
     /// Displacements and twist fixed, slopes free.
     pub const PINNED: Self = Self([
@@ -149,23 +149,23 @@ impl Support {
     /// All six fixed.
     pub const CLAMPED: Self = Self([Restraint::Fixed; 6]);
 
-    /// The supports that have a word for all six.
+    /// The supports with one word for all six motions.
     pub const KINDS: [Self; 3] = [Self::FREE, Self::PINNED, Self::CLAMPED];
     /// Their words.
     pub const WORDS: [&'static str; 3] = ["free", "pinned", "clamped"];
 
-    /// The word for all six, if it has one.
+    /// The word for all six motions, if there is one.
     pub fn word(&self) -> Option<&'static str> {
         let known = Self::KINDS.iter().position(|kind| kind == self)?;
         Some(Self::WORDS[known])
     }
 
-    /// The word for all six: `free`, `pinned`, `clamped`, or `elastic` for any other support.
+    /// The word for all six motions: `free`, `pinned`, `clamped`, or `elastic` for any other support.
     pub fn kind(&self) -> &'static str {
         self.word().unwrap_or("elastic")
     }
 
-    /// The support with a word for all six.
+    /// The support of a word.
     pub fn of_word(word: &str) -> Option<Self> {
         let known = Self::WORDS.iter().position(|known| *known == word)?;
         Some(Self::KINDS[known])
@@ -185,10 +185,10 @@ impl std::ops::IndexMut<BeamMotion> for Support {
     }
 }
 
-/// What one motion of an end meets.
+/// The restraint of one motion of an end.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Restraint {
-    /// Nothing.
+    /// No restraint.
     #[default]
     Free,
     /// No motion.
@@ -198,7 +198,7 @@ pub enum Restraint {
 }
 
 impl Restraint {
-    /// The spring, damper and inertia; none of them where it is free or fixed.
+    /// The spring, damper and inertia; none if it is free or fixed.
     pub fn elastic(self) -> Elastic {
         match self {
             Self::Elastic(elastic) => elastic,
@@ -209,7 +209,7 @@ impl Restraint {
     /// The words of all kinds.
     pub const WORDS: [&'static str; 3] = ["free", "fixed", "elastic"];
 
-    /// The one with a word; an elastic one has 0 of everything.
+    /// The restraint of a word; an elastic one has 0 for every number.
     pub fn of_word(word: &str) -> Option<Self> {
         let all = [Self::Free, Self::Fixed, Self::Elastic(Elastic::default())];
         all.into_iter().find(|one| one.kind() == word)
@@ -236,7 +236,7 @@ pub struct Elastic {
     pub inertia: f64,
 }
 
-/// A spring with a damper beside it; both zero where there is none.
+/// A spring and a damper in parallel; both 0 if there is none.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Spring {
     /// k, N/m.
@@ -250,7 +250,7 @@ pub struct Spring {
 pub struct Subsystem {
     /// Unique; not "left" or "right".
     pub name: String,
-    /// Whether it is attached at all.
+    /// Whether it is attached.
     pub enabled: bool,
     /// Distance from the left end, m.
     pub position: f64,
@@ -277,10 +277,10 @@ pub struct Subsystem {
 }
 
 impl Subsystem {
-    /// The keys of the numbers that matter only where some spring or damper is.
+    /// The keys of the numbers that matter only with some spring or damper.
     pub const OF_SPRINGS: [&str; 5] = ["inertia", "arm_left", "arm_right", "mount_y", "mount_z"];
 
-    /// Whether the number of a key matters: one that no spring or damper works on may be left out, and is then 0.
+    /// Whether the number of a key matters: without a spring or damper that uses it, it is optional and 0 by default.
     pub fn needs(&self, key: &str) -> bool {
         let acts = |spring: &Spring| spring.stiffness != 0.0 || spring.damping != 0.0;
         match key {
@@ -293,7 +293,7 @@ impl Subsystem {
     }
 }
 
-/// A place on the beam.
+/// A position on the beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Place {
     /// x = 0.
@@ -304,7 +304,7 @@ pub enum Place {
     Position(f64),
 }
 
-/// A motion somewhere: of the beam at a place, or of a subsystem's mass.
+/// A motion of the beam at a position, or of a subsystem's mass.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Target {
     /// A motion of the beam.
@@ -314,7 +314,7 @@ pub enum Target {
 }
 
 impl Target {
-    /// What acts along it.
+    /// The load that acts along it.
     pub const fn load(&self) -> Load {
         match self {
             Self::Beam(_, BeamMotion::W | BeamMotion::V)
@@ -328,9 +328,9 @@ impl Target {
 /// A harmonic load.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Force {
-    /// False: kept in the file, not acting.
+    /// False: kept in the file, but does not act.
     pub enabled: bool,
-    /// Where it acts and along what.
+    /// Position and direction.
     pub target: Target,
     /// Zero to peak, N (a torque or moment: N m; along `psi_slope`, a bimoment: N m2).
     pub amplitude: f64,
@@ -338,18 +338,18 @@ pub struct Force {
     pub phase: f64,
 }
 
-/// A curve that is asked for.
+/// A response to compute.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Response {
     /// Unique.
     pub name: String,
-    /// False: kept in the file, not computed.
+    /// False: kept in the file, but not computed.
     pub enabled: bool,
-    /// What is computed.
+    /// The quantity to compute.
     pub quantity: Quantity,
 }
 
-/// What a response gives.
+/// The quantity of a response.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Quantity {
     /// A motion, complex.
@@ -362,7 +362,7 @@ impl Quantity {
     /// The word for an energy among the measures.
     pub const ENERGY: &'static str = "energy";
 
-    /// What its values are where they are divided by a load, or by none.
+    /// The dimension of its values divided by a load, or undivided.
     pub const fn kind(&self, per: Option<Load>) -> Kind {
         match self {
             Self::Motion(target, measure) => Kind::Motion(Dimension {
@@ -382,14 +382,14 @@ pub struct Sweep {
     pub from: f64,
     /// Last frequency, Hz.
     pub to: f64,
-    /// How many, both ends included.
+    /// The number of frequencies, both ends included.
     pub points: usize,
-    /// How they are spread.
+    /// Their spacing.
     pub spacing: Spacing,
 }
 
 words! {
-    /// How frequencies are spread.
+    /// The spacing of frequencies.
     #[derive(Default)]
     pub enum Spacing {
         /// Equal steps.
@@ -405,20 +405,20 @@ words! {
 pub struct Study {
     /// Unique.
     pub name: String,
-    /// What differs from curve to curve.
+    /// The differences of its members.
     pub family: Family,
 }
 
 /// The members of a study.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Family {
-    /// The same paths changed by each value in turn.
+    /// Each value in turn changes the same paths.
     Vary {
         /// Parameter paths; `*` is every subsystem.
         paths: Vec<Pattern>,
-        /// How a value acts.
+        /// How a value changes a parameter.
         operation: Operation,
-        /// One curve each.
+        /// One value per member.
         values: Vec<f64>,
     },
     /// Named cases.
@@ -426,7 +426,7 @@ pub enum Family {
 }
 
 impl Family {
-    /// What its members change.
+    /// The paths that its members change.
     pub fn patterns(&self) -> Box<dyn Iterator<Item = &Pattern> + '_> {
         match self {
             Self::Vary { paths, .. } => Box::new(paths.iter()),
@@ -466,6 +466,6 @@ impl Operation {
 pub struct Case {
     /// Unique in its study.
     pub name: String,
-    /// Paths and the numbers they are set to.
+    /// Paths and their values.
     pub set: Vec<(Pattern, f64)>,
 }

@@ -1,9 +1,10 @@
-//! What the values of a response are: their dimension, the six forms of a frequency response, and their SI units.
+//! The dimension of the values of a response, the six forms of a frequency response, and their SI units.
 //!
 //! A response to one force is a ratio: receptance, mobility and accelerance are displacement, velocity and acceleration
 //! over force; dynamic stiffness, impedance and apparent mass are their inverses (Ewins, Modal Testing, 2nd ed. 2000,
 //! section 2.1.2). An inverse here is that of one entry, not an entry of the inverse matrix. Under several forces that
-//! act together there is no such ratio: then the first three are the motion itself, and the inverses are not defined.
+//! act simultaneously there is no such ratio: then the first three are the motion itself, and the inverses are not
+//! defined.
 
 use num_complex::Complex64;
 
@@ -11,7 +12,7 @@ use super::Unit;
 use crate::words::words;
 
 words! {
-    /// Which time derivative of a motion.
+    /// The time derivative of a motion.
     #[derive(Default)]
     pub enum Measure {
         /// Receptance.
@@ -24,7 +25,7 @@ words! {
     }
 }
 
-/// What moves.
+/// The kind of motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Moves {
     /// A translation, m.
@@ -35,7 +36,7 @@ pub enum Moves {
     TwistRate,
 }
 
-/// What a response is divided by.
+/// The kind of load that divides a response.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Load {
     /// N.
@@ -46,18 +47,18 @@ pub enum Load {
     Bimoment,
 }
 
-/// What the values of a motion's curve are.
+/// The kind of the values of a motion's curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Dimension {
-    /// What moves.
+    /// The kind of motion.
     pub moves: Moves,
-    /// How its motion is measured.
+    /// The measure of the motion.
     pub measure: Measure,
-    /// What it is divided by; none where it is the motion itself, zero to peak.
+    /// The load that divides it; none for the motion itself, zero to peak.
     pub per: Option<Load>,
 }
 
-/// What the values of a response are.
+/// The dimension of the values of a response.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// A motion, or a motion over a load.
@@ -106,7 +107,7 @@ impl Form {
         }
     }
 
-    /// The measure of the motion in it.
+    /// The measure of its motion.
     pub const fn measure(self) -> Measure {
         match self {
             Self::Receptance | Self::DynamicStiffness => Measure::Displacement,
@@ -115,7 +116,7 @@ impl Form {
         }
     }
 
-    /// Whether the force stands above the motion.
+    /// Whether the force is the numerator.
     pub const fn is_inverse(self) -> bool {
         matches!(
             self,
@@ -125,7 +126,7 @@ impl Form {
 }
 
 impl Measure {
-    /// How often it is the displacement's rate of change.
+    /// The order of the time derivative of the displacement.
     pub const fn order(self) -> i32 {
         match self {
             Self::Displacement => 0,
@@ -136,7 +137,7 @@ impl Measure {
 }
 
 impl Moves {
-    /// What a load acts along.
+    /// The kind of motion along which a load acts.
     pub const fn along(load: Load) -> Self {
         match load {
             Load::Force => Self::Length,
@@ -179,8 +180,8 @@ impl Kind {
 }
 
 impl Dimension {
-    /// The form, without an inverse, that its measure makes it; of a motion that is not divided by a force the one with
-    /// the same measure.
+    /// The form of its measure, not an inverse one; for a motion that is not divided by a force, the one with the same
+    /// measure.
     pub const fn form_of_measure(&self) -> Form {
         match self.measure {
             Measure::Displacement => Form::Receptance,
@@ -189,12 +190,12 @@ impl Dimension {
         }
     }
 
-    /// Whether it can be brought to a form: an inverse needs a force.
+    /// Whether it can be converted to a form: an inverse needs a force.
     pub fn has(&self, form: Form) -> bool {
         !form.is_inverse() || self.per.is_some()
     }
 
-    /// A value at a frequency (Hz) in a form; not finite where the inverse of 0 is asked for.
+    /// Converts a value at a frequency (Hz) to a form; the inverse of 0 is not finite.
     ///
     /// Displacement, velocity and acceleration differ by i omega.
     pub fn converted(&self, value: Complex64, frequency: f64, form: Form) -> Complex64 {

@@ -6,7 +6,7 @@ use super::Unit;
 use crate::words::words;
 
 words! {
-    /// In what frequencies are given and shown; the words are those of the layout of a table.
+    /// The unit of frequencies; the words are those of the layout of a table.
     #[derive(Default)]
     pub enum FrequencyUnit {
         /// Hz.
@@ -16,13 +16,13 @@ words! {
         Kilohertz = "khz",
         /// rad/s.
         RadianPerSecond = "rad/s",
-        /// Revolutions a minute.
+        /// Revolutions per minute.
         RevolutionPerMinute = "rpm",
     }
 }
 
 words! {
-    /// In what a file gives phases; the words are those of the layout of a table.
+    /// The unit of phases in a file; the words are those of the layout of a table.
     pub enum PhaseUnit {
         /// Degrees.
         Degree = "deg",
@@ -32,7 +32,7 @@ words! {
 }
 
 impl FrequencyUnit {
-    /// Those in which frequencies are shown and typed, in the order in which a key goes through them.
+    /// The units in which frequencies are shown and typed, in the order in which a key cycles through them.
     pub const SHOWN: [Self; 3] = [
         Self::Hertz,
         Self::RadianPerSecond,
@@ -45,7 +45,7 @@ impl FrequencyUnit {
     /// The words of a layout for people.
     pub const ACCEPTED: &str = "hz, khz, rad/s or rpm";
 
-    /// As it is written.
+    /// Its symbol.
     pub const fn symbol(self) -> &'static str {
         match self {
             Self::Hertz => Unit::HERTZ.symbol,
@@ -54,7 +54,7 @@ impl FrequencyUnit {
         }
     }
 
-    /// What is given in it.
+    /// The name of the quantity.
     const fn quantity(self) -> &'static str {
         match self {
             Self::Hertz | Self::Kilohertz => "frequency",
@@ -63,18 +63,18 @@ impl FrequencyUnit {
         }
     }
 
-    /// What stands at an axis in it: "frequency, Hz".
+    /// The label of an axis: "frequency, Hz".
     pub fn heading(self) -> String {
         format!("{}, {}", self.quantity(), self.symbol())
     }
 
-    /// The name of a column in it: `angular_frequency_rad_s`.
+    /// The name of a column: `angular_frequency_rad_s`.
     pub fn column(self) -> String {
         let name = format!("{}_{}", self.quantity(), self.symbol());
         name.to_lowercase().replace([' ', '/'], "_")
     }
 
-    /// How many of it are 1 Hz.
+    /// 1 Hz in this unit.
     pub const fn per_hertz(self) -> f64 {
         match self {
             Self::Hertz => 1.0,
@@ -89,7 +89,7 @@ impl FrequencyUnit {
         1.0 / self.per_hertz()
     }
 
-    /// The unit of a word as measuring programs write it, in whatever case, with or without brackets: `(kHz)`, `rad/sec`.
+    /// Parses a unit as measuring programs write it, ignoring case, with or without brackets: `(kHz)`, `rad/sec`.
     pub fn from_word(word: &str) -> Option<Self> {
         let left_out = |letter: char| letter.is_whitespace() || "()[]^.".contains(letter);
         let plain = word.replace(left_out, "").to_lowercase();
@@ -116,7 +116,7 @@ impl PhaseUnit {
         }
     }
 
-    /// The unit of a word, in whatever case.
+    /// Parses a unit, ignoring case.
     pub(crate) fn from_word(word: &str) -> Option<Self> {
         match word.trim().to_lowercase().as_str() {
             "deg" | "deg." | "degree" | "degrees" | "grad" | "degré" | "degrés" | "degre"
@@ -160,13 +160,13 @@ mod tests {
                 assert_eq!(FrequencyUnit::from_word(word), Some(unit), "{word}");
             }
         }
-        // Millihertz or megahertz, 1/s of what: no guess.
+        // Ambiguous (millihertz or megahertz; 1/s of hertz or rad): rejected.
         for word in ["", "mHz", "MHz", "GHz", "1/s", "rad", "order", "s", "deg/s"] {
             assert_eq!(FrequencyUnit::from_word(word), None, "{word}");
         }
     }
 
-    /// Expected: the names that exported files have had from the first.
+    /// Expected: the names in all earlier exported files.
     #[test]
     fn an_axis_and_a_column_are_named_by_quantity_and_unit() {
         let names = FrequencyUnit::ALL.map(|unit| (unit.heading(), unit.column()));

@@ -1,14 +1,14 @@
-//! Units: what a number is of, how it is written for people, and which words of its unit are understood.
+//! Units: their symbols for people, and the spellings that are accepted.
 //!
-//! [`Unit`] is that of a parameter, whose typed text [`entry`] reads. [`Dimension`] and [`Kind`] say what the values of a
-//! response are, [`ValueUnit`] reads the unit in which a file gives them, [`FrequencyUnit`] and [`PhaseUnit`] are those of
-//! frequencies and phases.
+//! [`Unit`] is the unit of a parameter, whose typed text [`value_input`] parses. [`Dimension`] and [`Kind`] describe
+//! the values of a response, [`ValueUnit`] parses their unit in a file, [`FrequencyUnit`] and [`PhaseUnit`] are the
+//! units of frequencies and phases.
 
 mod dimension;
-pub mod entry;
 mod frequency;
 mod parameter;
 mod response;
+pub mod value_input;
 
 pub use dimension::{Dimension, Form, Kind, Load, Measure, Moves};
 pub use frequency::{FrequencyUnit, PhaseUnit};
@@ -16,7 +16,7 @@ pub use parameter::{Unit, counted, grouped};
 pub use response::ValueUnit;
 pub(crate) use response::load;
 
-/// A letter of a unit as every keyboard has it: a plain digit for a raised one, u for micro.
+/// A letter of a unit in ASCII: a plain digit for a superscript, u for micro.
 fn plain_letter(letter: char) -> char {
     match letter {
         '²' => '2',

@@ -1,29 +1,29 @@
-//! Units: how a number is written for people, and which spellings of its unit are understood.
+//! Units of parameters: how numbers are written for people, and the accepted spellings.
 //!
-//! Every spelling of a unit is a power of ten of it, so a number is moved between spellings by its decimal
-//! exponent alone, and text made by [`Unit::format_exact`] reads back to the last bit.
+//! Every spelling of a unit is a power of ten of it, so a conversion changes only the decimal exponent of a number, and
+//! text from [`Unit::format_exact`] reads back to the last bit.
 
 use super::plain_letter;
 
-/// The unit in which a number of the model is held.
+/// The unit of a number of the model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Unit {
-    /// As it is written, SI: "N/m", "kg m2"; empty for a pure number.
+    /// Its SI symbol: "N/m", "kg m2"; empty for a pure number.
     pub symbol: &'static str,
-    /// Other ways to write it, those that are shown first and in falling order.
+    /// Other spellings; first those that are shown, in descending order.
     spellings: &'static [Spelling],
 }
 
-/// Another way to write a unit: ten to some power of it.
+/// Another spelling of a unit: a power of ten of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Spelling {
     text: &'static str,
     power: i32,
-    /// The decimal exponent from which on a value is shown so; none where it is only read.
+    /// The least decimal exponent of values that are shown with it; none if it is only read.
     shown_from: Option<i32>,
 }
 
-/// A spelling that is read and, from a decimal exponent on, shown.
+/// A spelling that is read, and shown from a decimal exponent on.
 const fn shown(text: &'static str, power: i32, from: i32) -> Spelling {
     Spelling {
         text,
@@ -41,7 +41,7 @@ const fn read(text: &'static str, power: i32) -> Spelling {
     }
 }
 
-/// A unit that starts with newton or pascal or hertz: shown with k, M, G; read with m too, and as the rest says.
+/// A unit that starts with newton, pascal or hertz: shown with k, M, G; read also with m and the given spellings.
 macro_rules! prefixed {
     ($symbol:literal $(, $text:literal => $power:literal)*) => {
         Unit {
@@ -57,7 +57,7 @@ macro_rules! prefixed {
     };
 }
 
-/// A unit that is always shown as it is held.
+/// A unit that is always shown without a prefix.
 macro_rules! plain {
     ($symbol:literal $(, $text:literal => $power:literal)*) => {
         Unit { symbol: $symbol, spellings: &[$(read($text, $power)),*] }
@@ -148,17 +148,17 @@ impl Unit {
     /// Frequency, Hz.
     pub const HERTZ: Self = prefixed!("Hz");
 
-    /// A value for reading: five significant digits and the unit with a fitting prefix, "40 MN/m".
+    /// A value for reading: five significant digits and the unit with a suitable prefix, "40 MN/m".
     pub fn format(&self, value: f64) -> String {
         self.write(value, &format!("{value:.4e}"))
     }
 
-    /// A value for editing: the shortest text with unit that is read back to the same bits, "16.66667 MN/m".
+    /// A value for editing: the shortest text with unit that reads back to the same bits, "16.66667 MN/m".
     pub fn format_exact(&self, value: f64) -> String {
         self.write(value, &format!("{value:e}"))
     }
 
-    /// What may stand behind a number, for people: "N/m, GN/m, MN/m, kN/m, mN/m, N/mm, kN/mm".
+    /// The accepted units after a number, for people: "N/m, GN/m, MN/m, kN/m, mN/m, N/mm, kN/mm".
     pub fn accepted(&self) -> String {
         let others = self
             .spellings
@@ -171,9 +171,9 @@ impl Unit {
             .join(", ")
     }
 
-    /// The power of ten a spelling stands for; none where it is no spelling of this unit.
+    /// The power of ten of a spelling; none if it is not a spelling of this unit.
     ///
-    /// Spaces, `*`, `·` and `^` do not count, raised digits are digits, and `/rad` may be left out.
+    /// Ignores spaces, `*`, `·` and `^`; superscripts are digits, and `/rad` is optional.
     pub(super) fn power_of(&self, text: &str) -> Option<i32> {
         let text = bare(text);
         if text.is_empty() {
@@ -205,7 +205,7 @@ impl Unit {
     }
 }
 
-/// Spellings are compared without what people put between the factors of a unit.
+/// Removes separators between the factors of a unit, for comparison.
 fn bare(text: &str) -> String {
     let text: String = text
         .chars()
@@ -223,13 +223,13 @@ fn bare(text: &str) -> String {
 /// A number by its decimal digits: d.ddd times ten to the exponent.
 struct Decimal {
     negative: bool,
-    /// At least one; no zeros at the end.
+    /// At least one digit; no trailing zeros.
     digits: String,
     exponent: i32,
 }
 
 impl Decimal {
-    /// Reads what `{:e}` writes; none where that is no number.
+    /// Parses the format `{:e}`; none if that is not a number.
     fn read(scientific: &str) -> Option<Self> {
         let (mantissa, exponent) = scientific.split_once('e')?;
         let digits: String = mantissa.chars().filter(char::is_ascii_digit).collect();
@@ -242,7 +242,7 @@ impl Decimal {
         })
     }
 
-    /// Plain from 0.001 to below a million, else with an exponent.
+    /// Without an exponent from 0.001 to below a million, else with one.
     fn text(&self) -> String {
         let sign = if self.negative { "-" } else { "" };
         let digits = &self.digits;
@@ -266,7 +266,7 @@ impl Decimal {
     }
 }
 
-/// A count with a comma at the thousands.
+/// A count with commas as thousands separators.
 pub fn grouped(count: usize) -> String {
     let digits = count.to_string();
     let mut text = String::with_capacity(digits.len() + digits.len() / 3);
@@ -279,7 +279,7 @@ pub fn grouped(count: usize) -> String {
     text
 }
 
-/// A count and its noun, in the singular where it is one: `1 row`, `2,000 rows`.
+/// A count and its noun, singular for one: `1 row`, `2,000 rows`.
 pub fn counted(count: usize, one: &str, more: &str) -> String {
     format!("{} {}", grouped(count), if count == 1 { one } else { more })
 }

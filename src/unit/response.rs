@@ -1,4 +1,4 @@
-//! Units of measured values: what a text such as `mm/s2/N` says of what moves, how, and per what load.
+//! Units of measured values: parses a text such as `mm/s2/N` to a motion, its measure and a load.
 
 mod product;
 mod symbols;
@@ -10,23 +10,23 @@ use product::{is_twist, plain, product};
 
 use super::{Dimension, Form, Kind, Load, Moves};
 
-/// The unit in which a file gives values, and what they are because of it.
+/// The unit of values in a file, and the dimension that it implies.
 ///
-/// Its text is a motion (`m`, `mm/s`, `g`, `rad/s2`), a motion over a load (`m/s2/N`, `g/lbf`, `rad/(N m)`), a load over
-/// a motion (`N/m`, `N s/m`, `kg`), or `kg m2` for an energy; a number may stand in front (`1e-6 m/N`). `g` is standard
-/// gravity, 9.80665 m/s2, and not a gram. What measuring programs write for the same is understood too: `Gs/N`, `mm/sec`,
+/// Its text is a motion (`m`, `mm/s`, `g`, `rad/s2`), a motion over a load (`m/s2/N`, `g/lbf`, `rad/(N m)`), a load
+/// over a motion (`N/m`, `N s/m`, `kg`), or `kg m2` for an energy; a number may precede it (`1e-6 m/N`). `g` is
+/// standard gravity, 9.80665 m/s2, not a gram. Spellings of measuring programs are also accepted: `Gs/N`, `mm/sec`,
 /// `microns/LBF`, `rad/lbf-in`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ValueUnit {
     text: String,
     kind: Kind,
-    /// One of it in SI.
+    /// Its SI factor.
     scale: f64,
-    /// Whether the load stands above the motion.
+    /// Whether the load is the numerator.
     inverse: bool,
 }
 
-/// What is accepted where a unit is wanted.
+/// The accepted units, for messages.
 const ACCEPTED: &str = "accepted is a motion (m, mm, um, in, rad, deg; m/s, mm/s; m/s2, g) alone or over a \
     load (m/s2/N, g/lbf, rad/(N m)), the inverse (N/m, N s/m, kg), or kg m2 for an energy; a number may stand in front \
     (1e-6 m/N)";
@@ -40,7 +40,7 @@ impl ValueUnit {
     /// Reads a unit.
     ///
     /// # Errors
-    /// Says what is wrong and what is accepted.
+    /// The error and what is accepted.
     pub fn parse(text: &str) -> Result<Self, String> {
         let text = text.trim();
         let wrong = || format!("{text:?} is no unit of a response: {ACCEPTED}");
@@ -69,7 +69,7 @@ impl ValueUnit {
         }
     }
 
-    /// A unit that is so many SI units of a kind, or so many of their inverse.
+    /// A unit of a kind with a factor to SI, or of its inverse.
     pub(crate) fn scaled(kind: Kind, scale: f64, inverse: bool) -> Self {
         Self {
             text: kind.unit(),
@@ -79,12 +79,12 @@ impl ValueUnit {
         }
     }
 
-    /// What values in it are; a load over a motion becomes the motion over the load.
+    /// The kind of values in it; a load over a motion becomes the motion over the load.
     pub const fn kind(&self) -> Kind {
         self.kind
     }
 
-    /// A value in it, in the SI unit of its kind; not finite where the inverse of 0 is wanted.
+    /// Converts a value to the SI unit of its kind; the inverse of 0 is not finite.
     pub fn to_si(&self, value: Complex64) -> Complex64 {
         if self.inverse {
             (value * self.scale).finv()
@@ -93,26 +93,26 @@ impl ValueUnit {
         }
     }
 
-    /// How many of another unit of the same quantity it is; none for another quantity.
+    /// The factor to another unit of the same quantity; none for another quantity.
     pub fn in_units_of(&self, other: &Self) -> Option<f64> {
         let same = (self.kind, self.inverse) == (other.kind, other.inverse);
         same.then_some(self.scale / other.scale)
     }
 
-    /// One of it in SI, and whether the load stands above the motion.
+    /// Its SI factor, and whether the load is the numerator.
     pub(crate) const fn ratio(&self) -> (f64, bool) {
         (self.scale, self.inverse)
     }
 }
 
-/// The text it was read from.
+/// Its original text.
 impl fmt::Display for ValueUnit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.text)
     }
 }
 
-/// A load's unit (`N`, `kN`, `lbf`, `N m`, `N m2`) and one of it in SI.
+/// Parses the unit of a load (`N`, `kN`, `lbf`, `N m`, `N m2`), with its SI factor.
 pub(crate) fn load(text: &str) -> Option<(Load, f64)> {
     let (scale, powers) = product(text)?;
     let load = Load::ALL
@@ -121,7 +121,7 @@ pub(crate) fn load(text: &str) -> Option<(Load, f64)> {
     Some((load, scale))
 }
 
-/// The number in front and the rest.
+/// The leading number and the rest.
 fn factor(text: &str) -> (f64, &str) {
     let split = text.split_once(char::is_whitespace);
     match split.and_then(|(first, rest)| Some((first.parse().ok()?, rest.trim()))) {
@@ -130,8 +130,8 @@ fn factor(text: &str) -> (f64, &str) {
     }
 }
 
-/// What has these powers. Of some that share them, the first whose SI unit is the text; else a rate of twist where an
-/// angle over a length stands first (`rad/m`), and a rotation where it does not.
+/// The kind with these powers. If several have them, the first whose SI unit is the text; else a rate of twist if the
+/// text starts with an angle over a length (`rad/m`), and a rotation otherwise.
 fn kind_of(text: &str, powers: Powers) -> Option<(Kind, bool)> {
     let found: Vec<(Dimension, Form)> = candidates()
         .filter(|(dimension, form)| powers_of(*dimension, *form) == powers)
@@ -140,7 +140,7 @@ fn kind_of(text: &str, powers: Powers) -> Option<(Kind, bool)> {
         .iter()
         .find(|(dimension, form)| dimension.unit(*form) == text);
     let alike = |(dimension, form): &&(Dimension, Form)| {
-        // A moment over a length is a force: nobody means that by it.
+        // A moment over a length is a force, but is never used for one.
         let shrinks = dimension.moves == Moves::Length && dimension.per != Some(Load::Force);
         (dimension.moves == Moves::TwistRate) == is_twist(text) && !(form.is_inverse() && shrinks)
     };
@@ -261,8 +261,8 @@ mod tests {
     }
 
     /// Expected: NIST SP 811, appendix B.8: 1 lbf = 4.448222 N, 1 kgf = 9.80665 N, 1 dyn = 1e-5 N, 1 ozf = 0.2780139 N,
-    /// 1 poundal = 0.138255 N, 1 lbf in = 0.1129848 N m, 1 lbf ft = 1.355818 N m, 1 slug = 14.59390 kg, 1 mil = 2.54e-5 m,
-    /// 1 mi/h = 0.44704 m/s, 1 Gal = 0.01 m/s2.
+    /// 1 poundal = 0.138255 N, 1 lbf in = 0.1129848 N m, 1 lbf ft = 1.355818 N m, 1 slug = 14.59390 kg, 1 mil = 2.54e-5
+    /// m, 1 mi/h = 0.44704 m/s, 1 Gal = 0.01 m/s2.
     fn are_known(words: &[(&[&str], Kind, f64)]) {
         for (texts, kind, value) in words {
             for text in *texts {
@@ -402,7 +402,7 @@ mod tests {
         ]);
     }
 
-    /// Where the case of a letter decides, other letters are no guess.
+    /// If the case of a letter matters, the other case is rejected.
     #[test]
     fn prefixes_keep_their_case() {
         let scale = |text: &str| ValueUnit::parse(text).map(|unit| unit.ratio().0);

@@ -1,39 +1,42 @@
-//! Curves: first few frequencies, then all of the sweep.
+//! Curves: a few frequencies first, then the whole sweep.
 
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
-use super::lane::guarded;
+use super::curve_cache::{CurveCache, spread, timed};
+use super::job_thread::guarded;
 use super::members::{Labelled, members};
-use super::memory::Memory;
+use super::messages::{Curves, CurvesAnswer, Member, Stage, Subject};
 use super::resolve::Unresolved;
-use super::{Curves, CurvesAnswer, Member, PROMPT, Stage, Subject};
 use crate::fault_injection;
 use crate::model::Checked;
 use crate::solve::{Cancelled, Frf, frequencies, sweep, sweep_alone};
 
-/// Frequencies of the timing sample, spread over the whole range.
+/// The number of frequencies of the timing sample, over the whole range.
 const SAMPLE: usize = 8;
 
-/// A coarse curve that would take longer than this is left out: it cannot be cancelled.
+/// A sweep that takes longer than this, about the time of drawing, is preceded by a coarse curve.
+pub(super) const PROMPT: Duration = Duration::from_micros(500);
+
+/// A coarse curve that would take longer than this is omitted, because it cannot be cancelled.
 const LONGEST_COARSE: Duration = Duration::from_secs(1);
 
-/// What a coarse curve takes, as a share of [`PROMPT`], where that allows for [`COARSEST`].
+/// The time of a coarse curve as a share of [`PROMPT`], if [`COARSEST`] permits.
 const COARSE: f64 = 0.5;
 
-/// The fewest frequencies of a coarse curve: about one for each column of dots on a terminal of 80 columns.
+/// The least number of frequencies of a coarse curve: about one per column of dots on a terminal of 80 columns.
 const COARSEST: usize = 100;
 
-/// Answers coarsely where that helps, then in full; what is left to resolve, or one line that says what went wrong.
+/// Sends a coarse curve if the sweep is slow, then the whole sweep. Returns the curves to resolve, or an error in one line.
 pub(super) fn answer(
     subject: Subject,
-    memory: &Memory,
+    cache: &CurveCache,
     cancel: &AtomicBool,
     notify: &impl Fn(CurvesAnswer),
 ) -> Result<Result<Unresolved, String>, Cancelled> {
     let start = Instant::now();
-    let tell = |stage, result| {
+    let send = |stage, result| {
         notify(CurvesAnswer {
             generation: subject.generation,
             stage,
@@ -44,18 +47,18 @@ pub(super) fn answer(
     let solved = guarded(|| {
         fault_injection::inject("worker", &subject.model.title);
         let members = members(&subject, cancel)?;
-        // Where that is cancelled a coarse curve comes all the same.
-        let few = |place, model: &Arc<Checked>| memory.few(place, model, cancel).ok().flatten();
+        // If this is cancelled, the coarse curve below still is sent.
+        let few = |place, model: &Arc<Checked>| cache.few(place, model, cancel).ok().flatten();
         let few = of_each(&members, few);
-        if let Some(coarse) = few.or_else(|| coarse(&members, memory)) {
-            tell(Stage::Coarse, Ok(coarse));
+        if let Some(coarse) = few.or_else(|| coarse(&members, cache)) {
+            send(Stage::Coarse, Ok(coarse));
         }
-        let solved = solve_all(&members, memory, cancel)?;
+        let solved = solve_all(&members, cache, cancel)?;
         Ok((members, solved))
     })?;
     Ok(match solved {
         Ok((members, (curves, shown))) => {
-            tell(Stage::Full, Ok(shown));
+            send(Stage::Full, Ok(shown));
             Ok(Unresolved {
                 subject,
                 members,
@@ -64,13 +67,13 @@ pub(super) fn answer(
             })
         }
         Err(message) => {
-            tell(Stage::Full, Err(message.clone()));
+            send(Stage::Full, Err(message.clone()));
             Err(message)
         }
     })
 }
 
-/// What `solve` makes of every member, which it is given with its place; none where it makes nothing of one.
+/// The curves that `solve` returns for every member and its index; none if it returns none for one of them.
 fn of_each(
     members: &[Labelled],
     solve: impl Fn(usize, &Arc<Checked>) -> Option<Frf>,
@@ -85,20 +88,20 @@ fn of_each(
     })
 }
 
-/// Few frequencies, where all would take longer than [`PROMPT`]. Never cancelled: it is what keeps a held key alive.
-fn coarse(members: &[Labelled], memory: &Memory) -> Option<Curves> {
+/// A few frequencies, if the sweep would take longer than [`PROMPT`]. Never cancelled: the chart must follow a repeating key.
+fn coarse(members: &[Labelled], cache: &CurveCache) -> Option<Curves> {
     let (_, model) = members.first()?;
-    let pace = match memory.pace(model) {
-        Some(pace) => pace,
+    let each = match cache.seconds_per_frequency(model) {
+        Some(seconds) => seconds,
         None => sampled(model)?,
     };
     let (points, alone) = few(
-        pace * members.len() as f64,
+        each * members.len() as f64,
         rayon::current_num_threads(),
         model.sweep.points,
     )?;
     of_each(members, |place, model| {
-        let some = spread(model, &memory.between(place, model), points);
+        let some = spread(model, &cache.peaks_between(place, model), points);
         if alone {
             Some(sweep_alone(model, &some))
         } else {
@@ -107,15 +110,15 @@ fn coarse(members: &[Labelled], memory: &Memory) -> Option<Curves> {
     })
 }
 
-/// How many frequencies of a sweep of so many are a coarse curve, where all threads solve one in `each` seconds, and
-/// whether one thread alone solves them as soon; none where all are solved soon, or even few take too long.
+/// The number of frequencies of a coarse curve of a sweep of `all` frequencies, if all threads solve one in `each`
+/// seconds, and whether one thread alone is as fast. None if the whole sweep is fast, or even a coarse curve is too slow.
 fn few(each: f64, threads: usize, all: usize) -> Option<(usize, bool)> {
     let too_long = each * COARSEST as f64 > LONGEST_COARSE.as_secs_f64();
     if each * all as f64 <= PROMPT.as_secs_f64() || too_long {
         return None;
     }
     let affordable = (COARSE * PROMPT.as_secs_f64() / each) as usize;
-    // Other threads would be awake only when one has done it.
+    // Waking the other threads takes as long as solving these on one.
     let by_one = affordable / threads;
     let alone = by_one >= COARSEST;
     let points = if alone {
@@ -126,26 +129,13 @@ fn few(each: f64, threads: usize, all: usize) -> Option<(usize, bool)> {
     (points < all).then_some((points, alone))
 }
 
-/// About so many frequencies of a model's sweep, and as many at the most of others that matter (Hz, rising); each once.
-pub(super) fn spread(model: &Checked, others: &[f64], points: usize) -> Vec<f64> {
-    let all = frequencies(&model.sweep);
-    let evenly = |list: &[f64]| -> Vec<f64> {
-        let stride = list.len().div_ceil(points).max(1);
-        list.iter().step_by(stride).copied().collect()
-    };
-    let mut some = [evenly(&all), evenly(others), vec![model.sweep.to]].concat();
-    some.sort_by(f64::total_cmp);
-    some.dedup();
-    some
-}
-
-/// How long a frequency of a model takes, s, by a few of them.
+/// The time per frequency of a model, s, measured on a few of them.
 fn sampled(model: &Checked) -> Option<f64> {
     let all = frequencies(&model.sweep);
     let every = (all.len() / SAMPLE).max(1);
     let sample: Vec<f64> = all.iter().step_by(every).copied().collect();
     let never = AtomicBool::new(false);
-    // The first time may be that of waking the threads.
+    // The first run may include waking the threads.
     let mut shortest = f64::INFINITY;
     for _ in 0..2 {
         let (solved, took) = timed(|| sweep(model, &sample, &never));
@@ -155,22 +145,15 @@ fn sampled(model: &Checked) -> Option<f64> {
     Some(shortest / sample.len() as f64)
 }
 
-/// What a solve gives, and how long it took, s.
-pub(super) fn timed<T>(solve: impl FnOnce() -> T) -> (T, f64) {
-    let start = Instant::now();
-    let solved = solve();
-    (solved, start.elapsed().as_secs_f64())
-}
-
-/// Every member at the frequencies of its sweep, and the same with those where its peaks were before.
+/// Every member at the frequencies of its sweep, and the same with the frequencies of its previous peaks.
 fn solve_all(
     members: &[Labelled],
-    memory: &Memory,
+    cache: &CurveCache,
     cancel: &AtomicBool,
 ) -> Result<(Curves, Curves), Cancelled> {
     let (mut all, mut shown) = (Vec::new(), Vec::new());
     for (place, (label, model)) in members.iter().enumerate() {
-        let (base, near) = memory.sweep(place, model, cancel)?;
+        let (base, near) = cache.sweep(place, model, cancel)?;
         let base = member(label.as_deref(), model, base);
         shown.push(match near {
             Some(frf) => member(label.as_deref(), model, frf),
@@ -185,7 +168,7 @@ fn solve_all(
     Ok((curves(all), curves(shown)))
 }
 
-/// A member's responses, not resolved.
+/// A member with unresolved responses.
 fn member(label: Option<&str>, model: &Arc<Checked>, frf: Frf) -> Member {
     Member {
         label: label.map(str::to_owned),
@@ -204,13 +187,13 @@ mod tests {
 
     #[test]
     fn a_coarse_curve_takes_no_longer_than_it_may() {
-        // Closed form: a share of the prompt answer over the time a frequency takes.
+        // Closed form: a share of PROMPT over the time per frequency.
         let prompt = PROMPT.as_secs_f64();
         assert_eq!(few(0.9 * prompt / 2000.0, 2, 2000), None);
         let share = |of: f64| (COARSE * of) as usize;
         assert_eq!(few(prompt / 1000.0, 2, 2000), Some((share(500.0), true)));
         assert_eq!(few(prompt / 1000.0, 8, 2000), Some((share(1000.0), false)));
-        // Never so few that it would show nothing, and none that would hang.
+        // At least COARSEST frequencies; no coarse curve if it would block too long.
         assert_eq!(few(prompt, 2, 2000), Some((COARSEST, false)));
         assert_eq!(few(LONGEST_COARSE.as_secs_f64(), 2, 2000), None);
         assert_eq!(few(prompt, 2, COARSEST), None);
@@ -228,7 +211,7 @@ mod tests {
         assert_eq!((some[0], some[some.len() - 1]), (sweep.from, sweep.to));
         assert!(peaks.iter().all(|peak| some.contains(peak)));
         assert!((280..=310).contains(&some.len()), "{}", some.len());
-        // Many peaks are thinned, as the sweep is.
+        // Many peaks are thinned like the sweep.
         let peaks: Vec<f64> = (0..5000).map(|k| 10.0 + 0.05 * f64::from(k)).collect();
         assert!(spread(&checked(&model), &peaks, 300).len() <= 610);
     }

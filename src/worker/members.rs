@@ -1,14 +1,14 @@
-//! The models behind a request: the model alone, or the members of a study.
+//! The models of a request: the model alone, or the members of a study.
 
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use super::Subject;
-use super::lane::Unfinished;
+use super::job_thread::Unfinished;
+use super::messages::Subject;
 use crate::model::{Checked, edit};
 use crate::solve::Cancelled;
 
-/// A model to solve, and what tells it from the others of its study.
+/// A model to solve, and its label among the members of its study.
 pub(super) type Labelled = (Option<String>, Arc<Checked>);
 
 /// The models to solve, with their labels.

@@ -9,55 +9,55 @@ use rayon::ThreadPool;
 use rayon::prelude::*;
 
 use super::background;
-use super::lane::guarded;
+use super::curve_cache::CurveCache;
+use super::job_thread::guarded;
 use super::members::Labelled;
-use super::memory::Memory;
-use super::{Curves, CurvesAnswer, Member, ModalModel, Stage, Subject};
+use super::messages::{Curves, CurvesAnswer, Member, ModalModel, Stage, Subject};
 use crate::model::Checked;
 use crate::solve::Cancelled;
 use crate::solve::modes::{Completeness, Mode, Modes, certify, follow, shares, uncertified};
 use crate::solve::peaks::{peaks, resolved};
 
-/// Curves of the whole sweep, whose peaks may lie between its frequencies.
+/// Curves at the frequencies of the sweep, which may miss the peaks between them.
 #[derive(Debug)]
 pub(super) struct Unresolved {
-    /// What was asked for.
+    /// The request.
     pub(super) subject: Subject,
     /// Its models.
     pub(super) members: Vec<Labelled>,
-    /// A curve for each of them.
+    /// The curves of each of them.
     pub(super) curves: Curves,
-    /// When the work on them began.
+    /// When the request started.
     pub(super) start: Instant,
 }
 
-/// Resolves curves, and keeps the modes that it found to follow them while a parameter is turned.
+/// Resolves curves, and caches the modes to follow them while a parameter changes.
 #[derive(Debug, Default)]
 pub(super) struct Resolver {
-    memory: Memory,
-    /// Where the work is done, if not among that of the curves.
+    cache: CurveCache,
+    /// A pool of low priority; none: the common pool.
     pool: Option<ThreadPool>,
-    /// By place: 0 is the model's own, then come the members'.
+    /// The last model and its modes by slot: 0 for the model itself, then one per member.
     known: HashMap<usize, (Arc<Checked>, Arc<Modes>)>,
 }
 
 impl Resolver {
-    /// One that tells where peaks were found.
-    pub(super) fn new(memory: Memory) -> Self {
+    /// A resolver that stores the peaks that it finds in `cache`.
+    pub(super) fn new(cache: CurveCache) -> Self {
         Self {
-            memory,
+            cache,
             pool: background::pool(),
             known: HashMap::new(),
         }
     }
 
-    /// Tells the curves with the points that their modes need, their peaks and the modes; then the same with modes that are
-    /// counted, where they were not yet. Nothing once cancelled.
+    /// Sends the curves with the points that their modes need, their peaks and the modes; then the same with a verified count
+    /// of the modes, if it was not verified. Sends nothing once cancelled.
     pub(super) fn answer(
         &mut self,
         unresolved: &Unresolved,
         cancel: &AtomicBool,
-        tell: &dyn Fn(CurvesAnswer),
+        send: &dyn Fn(CurvesAnswer),
     ) {
         let Ok(result) = self.in_pool(|resolver| resolver.resolve(unresolved, cancel)) else {
             return;
@@ -70,16 +70,16 @@ impl Resolver {
             elapsed,
         };
         if self.is_counted(unresolved) {
-            return tell(answer(Stage::Counted, result));
+            return send(answer(Stage::Counted, result));
         }
-        tell(answer(Stage::Resolved, result.clone()));
+        send(answer(Stage::Resolved, result.clone()));
         let Ok(resolved) = result else { return };
         if let Ok(result) = self.in_pool(|resolver| resolver.count(unresolved, resolved, cancel)) {
-            tell(answer(Stage::Counted, result));
+            send(answer(Stage::Counted, result));
         }
     }
 
-    /// Does some work where it does not disturb that of the curves.
+    /// Runs in the low-priority pool, so that the curves of the next edit are not delayed.
     fn in_pool(
         &mut self,
         work: impl FnOnce(&mut Self) -> Result<Curves, Cancelled> + Send,
@@ -119,7 +119,7 @@ impl Resolver {
         })
     }
 
-    /// Resolved curves with modes that are counted: where these are others, what goes by them is solved again.
+    /// Resolved curves with a verified count of the modes; what depends on changed modes is solved again.
     fn count(
         &mut self,
         unresolved: &Unresolved,
@@ -150,7 +150,7 @@ impl Resolver {
         Ok(resolved)
     }
 
-    /// Resolves the curves of a member, and remembers where its peaks are.
+    /// Resolves the curves of a member and stores its peaks.
     fn member(
         &self,
         unresolved: &Unresolved,
@@ -161,11 +161,11 @@ impl Resolver {
         let (_, model) = &unresolved.members[index];
         let member = unresolved.curves.members[index].clone();
         let resolved = resolve_member(model, modes, member, cancel)?;
-        self.memory.learn(index, model, &resolved.frf);
+        self.cache.store_peaks(index, model, &resolved.frf);
         Ok(resolved)
     }
 
-    /// The modes of a model, followed from those that had its place before if they can be its own, moved.
+    /// The modes of a model, followed from the previous ones of its slot if those are as many.
     fn modes(
         &mut self,
         place: usize,
@@ -187,7 +187,7 @@ impl Resolver {
         Ok(found)
     }
 
-    /// The modes of a model, counted.
+    /// The modes of a model with a verified count.
     fn counted(
         &mut self,
         place: usize,
@@ -202,7 +202,7 @@ impl Resolver {
         Ok(Counted { modes, changed })
     }
 
-    /// Whether no list of modes of what was resolved waits for its count.
+    /// Whether the count of the modes of every model is verified.
     fn is_counted(&self, unresolved: &Unresolved) -> bool {
         let models = unresolved.members.iter().map(|(_, model)| model);
         let all = std::iter::once(&unresolved.subject.model).chain(models);
@@ -215,15 +215,15 @@ impl Resolver {
     }
 }
 
-/// Modes with their count.
+/// Modes with a verified count.
 #[derive(Debug, Clone)]
 struct Counted {
     modes: Arc<Modes>,
-    /// Whether they are others than before it.
+    /// Whether the count changed them.
     changed: bool,
 }
 
-/// Whether the modes of two models up to the end of their sweeps are as many, but for a few.
+/// Whether two models have about as many modes up to the end of their sweeps.
 fn is_alike(one: &Checked, other: &Checked) -> bool {
     one.sweep.to == other.sweep.to && one.attached().count() == other.attached().count()
 }

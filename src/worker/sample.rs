@@ -1,13 +1,16 @@
-//! Several models at a few frequencies: what is read at the cursor, and what shows of a zoomed band.
+//! Several models at given frequencies: those of the cursors, of a zoomed band or of a measured curve; and the reference.
 
 use std::sync::atomic::AtomicBool;
 use std::sync::mpsc::channel;
 
-use super::lane::{Unfinished, guarded};
+use super::curve_cache::CurveCache;
+use super::curves;
+use super::job_thread::{Unfinished, guarded};
 use super::members::members;
-use super::memory::Memory;
+use super::messages::{
+    Curves, Member, ReferenceAnswer, SampleAnswer, SampleRequest, Stage, Subject,
+};
 use super::resolve::{Resolver, Unresolved};
-use super::{Curves, Member, ReferenceAnswer, SampleAnswer, SampleRequest, Stage, Subject, curves};
 use crate::solve::{Cancelled, sweep};
 
 /// The responses of every subject at every frequency.
@@ -43,21 +46,21 @@ fn of_subject(
     solved.collect()
 }
 
-/// The resolved curves of a model to compare with.
+/// The resolved curves of a reference model.
 pub(super) fn reference(
     subject: &Subject,
     cancel: &AtomicBool,
 ) -> Result<ReferenceAnswer, Cancelled> {
     let serial = subject.generation;
-    // What comes before the resolved curves does not show.
-    let result = match curves::answer(subject.clone(), &Memory::default(), cancel, &|_| {})? {
+    // The stages before the resolved curves are not shown.
+    let result = match curves::answer(subject.clone(), &CurveCache::default(), cancel, &|_| {})? {
         Ok(unresolved) => counted(&unresolved, cancel)?,
         Err(reason) => Err(reason),
     };
     Ok(ReferenceAnswer { serial, result })
 }
 
-/// The resolved curves by modes that are counted.
+/// The resolved curves with a verified count of the modes.
 fn counted(
     unresolved: &Unresolved,
     cancel: &AtomicBool,

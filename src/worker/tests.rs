@@ -1,10 +1,10 @@
-use crate::model::Model;
 use crate::model::checked;
 use std::sync::atomic::AtomicBool;
 use std::sync::mpsc::{Receiver, channel};
 
 use super::*;
 use crate::model::Checked;
+use crate::model::Model;
 use crate::presets;
 use crate::solve::modes::Completeness;
 use crate::solve::{frequencies, sweep};
@@ -19,7 +19,7 @@ fn model(preset: &str) -> Arc<Checked> {
 
 fn worker() -> (Worker, Receiver<Answer>) {
     let (sender, receiver) = channel();
-    // A receiver that is gone has heard enough.
+    // Sending fails after the test has dropped the receiver.
     let worker = Worker::start(move |answer| drop(sender.send(answer)));
     (worker, receiver)
 }
@@ -88,12 +88,12 @@ fn modes_come_before_their_count() {
     let [before, after] = [&resolved, &counted].map(|curves| &curves.modes.as_ref().unwrap().modes);
     assert_eq!(before.completeness, Completeness::Uncounted);
     assert_eq!(after.completeness, Completeness::Certain);
-    // None was missing: nothing else changes.
+    // The count finds nothing missing, so nothing else changes.
     assert!(after.has_modes_of(before));
     assert_eq!(counted.members, resolved.members);
 }
 
-/// fig05a with a damper far beyond the critical damping of the mass it holds: only the count finds the overdamped modes.
+/// fig05a with a damper far above critical damping: only the count finds the overdamped modes.
 fn overdamped() -> Arc<Checked> {
     let mut model = Model::clone(&model("fig05a"));
     model.subsystems[1].y_left.damping = 1e6;
@@ -126,11 +126,11 @@ fn what_the_count_finds_is_in_the_modes_and_the_curves() {
     assert_eq!(number(&followed), number(&counted));
 }
 
-/// What is left to resolve of a model whose curves are solved.
+/// The solved, unresolved curves of a model.
 fn unresolved(generation: u64, model: &Arc<Checked>) -> Unresolved {
     let never = AtomicBool::new(false);
     let subject = subject(generation, model, None);
-    curves::answer(subject, &Memory::default(), &never, &|_| ())
+    curves::answer(subject, &CurveCache::default(), &never, &|_| ())
         .unwrap()
         .unwrap()
 }
@@ -142,7 +142,7 @@ fn the_next_edit_cancels_the_count_and_the_last_one_makes_it() {
     longer.beam.length *= 1.001;
     let longer = Arc::new(checked(&longer));
     let mut resolver = Resolver::default();
-    // An edit comes as soon as the modes are shown.
+    // An edit arrives as soon as the modes are shown.
     for (generation, model) in [(1, &model), (2, &longer), (3, &model)] {
         let cancel = AtomicBool::new(false);
         let told = std::sync::Mutex::new(Vec::new());
@@ -152,7 +152,7 @@ fn the_next_edit_cancels_the_count_and_the_last_one_makes_it() {
         });
         assert_eq!(*told.lock().unwrap(), [Stage::Resolved]);
     }
-    // The keys rest: the same model again, as where a study is chosen.
+    // No key is pressed; the same model again, as when a study is selected.
     let (sender, receiver) = channel();
     let never = AtomicBool::new(false);
     resolver.answer(&unresolved(4, &model), &never, &|answer| {
@@ -163,7 +163,7 @@ fn the_next_edit_cancels_the_count_and_the_last_one_makes_it() {
     assert_eq!(stages, [Stage::Resolved, Stage::Counted]);
     let counted = told[1].result.as_ref().unwrap().modes.as_ref().unwrap();
     assert_eq!(counted.modes.completeness, Completeness::Certain);
-    // Once it is made, nothing is left to count.
+    // The count is then verified.
     resolver.answer(&unresolved(5, &model), &never, &|answer| {
         drop(sender.send(answer));
     });
@@ -184,7 +184,7 @@ fn a_model_to_compare_with_has_its_modes_counted() {
 }
 
 #[test]
-fn followed_modes_are_those_found_anew() {
+fn followed_modes_equal_those_of_a_full_search() {
     let before = model("fig08");
     let mut changed = Model::clone(&before);
     changed.beam.length *= 1.01;
@@ -202,7 +202,7 @@ fn followed_modes_are_those_found_anew() {
     assert_eq!(followed.modes.len(), anew.modes.len());
     assert_eq!(followed.completeness, anew.completeness);
     for (a, b) in followed.modes.iter().zip(&anew.modes) {
-        // Either is right to 1e-10 of itself.
+        // Both have a relative tolerance of 1e-10.
         assert!((a.omega - b.omega).norm() <= 1e-9 * b.omega.norm() + 1e-9);
     }
 }
@@ -244,7 +244,7 @@ fn a_shape_has_its_places_and_every_mass() {
 }
 
 #[test]
-fn the_witness_stands_beside_every_member() {
+fn every_member_has_finite_element_curves() {
     let (worker, receiver) = worker();
     let model = model("fig08");
     worker.request(Request::Witness(subject(3, &model, Some(0))));
@@ -267,32 +267,32 @@ fn dropping_the_worker_ends_its_threads() {
     worker.request(Request::Curves(subject(1, &model, None)));
     worker.request(Request::Witness(subject(1, &model, None)));
     drop(worker);
-    // The threads held the only senders: the channel ends once they have.
+    // The threads hold the only senders: the channel closes when they end.
     assert!(receiver.iter().count() <= 5);
 }
 
 #[test]
-fn an_edit_that_was_prepared_for_is_solved_from_what_lies_beside_it() {
+fn a_prepared_edit_is_solved_from_the_cache() {
     let never = AtomicBool::new(false);
-    let memory = Memory::default();
+    let cache = CurveCache::default();
     let model = hundred_without_energy();
     let edited = [1.01, 1.02].map(|factor| {
         let mut model = Model::clone(&model);
         model.subsystems[50].mass *= factor;
         Arc::new(checked(&model))
     });
-    memory.sweep(0, &model, &never).unwrap();
-    assert_eq!(memory.last(0), Some(Arc::clone(&model)));
+    cache.sweep(0, &model, &never).unwrap();
+    assert_eq!(cache.last(0), Some(Arc::clone(&model)));
     let solved = [(None, Arc::clone(&edited[0]))];
-    let edit = memory.missing(memory.last(0), &solved).unwrap();
-    memory.expect(&edit, &never).unwrap();
-    // Another edit of the same place, which nobody has seen yet.
-    assert!(memory.knows(0, &edited[1]));
-    assert!(memory.missing(Some(model), &solved).is_none());
-    let (all, _) = memory.sweep(0, &edited[1], &never).unwrap();
-    let few = memory.few(0, &edited[1], &never).unwrap().unwrap();
+    let edit = cache.edit_to_prepare(cache.last(0), &solved).unwrap();
+    cache.expect(&edit, &never).unwrap();
+    // Another edit of the same parameter, not prepared.
+    assert!(cache.has_curves(0, &edited[1]));
+    assert!(cache.edit_to_prepare(Some(model), &solved).is_none());
+    let (all, _) = cache.sweep(0, &edited[1], &never).unwrap();
+    let few = cache.few(0, &edited[1], &never).unwrap().unwrap();
     assert!(few.frequencies.len() < all.frequencies.len() / 4);
-    // Solved afresh, by the same equations; 1e-12 of the largest value of each response.
+    // Solved without the cache, by the same equations; 1e-12 of the largest value of each response.
     for found in [all, few] {
         let expected = sweep(&edited[1], &found.frequencies, &never).unwrap();
         for (one, other) in found.columns.iter().zip(&expected.columns) {
@@ -306,16 +306,16 @@ fn an_edit_that_was_prepared_for_is_solved_from_what_lies_beside_it() {
     // Another sweep has other frequencies.
     let mut other = Model::clone(&edited[1]);
     other.sweep.to *= 1.1;
-    assert!(memory.few(0, &checked(&other), &never) == Ok(None));
+    assert!(cache.few(0, &checked(&other), &never) == Ok(None));
 }
 
 #[test]
 fn curves_know_their_last_peaks_once() {
     let never = AtomicBool::new(false);
-    let memory = Memory::default();
+    let cache = CurveCache::default();
     let model = hundred_without_energy();
     let mut resolved = sweep(&model, &frequencies(&model.sweep), &never).unwrap();
-    // A made-up peak between two frequencies of the sweep, and one of them again.
+    // An invented peak between two frequencies of the sweep, and one at a frequency of the sweep.
     let [low, high] = [resolved.frequencies[10], resolved.frequencies[11]];
     let peak = 0.5 * (low + high);
     let mut near = sweep(&model, &[low, peak], &never).unwrap();
@@ -324,14 +324,14 @@ fn curves_know_their_last_peaks_once() {
     }
     resolved = resolved.merged(&near);
     assert_eq!(resolved.frequencies.len(), model.sweep.points + 1);
-    memory.learn(0, &model, &resolved);
-    assert_eq!(memory.between(0, &model), [peak]);
-    let (base, shown) = memory.sweep(0, &model, &never).unwrap();
+    cache.store_peaks(0, &model, &resolved);
+    assert_eq!(cache.peaks_between(0, &model), [peak]);
+    let (base, shown) = cache.sweep(0, &model, &never).unwrap();
     assert_eq!(base.frequencies, frequencies(&model.sweep));
     assert_eq!(shown.unwrap().frequencies, resolved.frequencies);
 }
 
-/// The preset of a hundred absorbers, of whose motions alone something is read.
+/// The preset of a hundred absorbers, with responses of motions only.
 fn hundred_without_energy() -> Arc<Checked> {
     let mut model = Model::clone(&model("hundred_absorbers"));
     let is_motion = |one: &crate::model::Response| one.quantity != crate::model::Quantity::Energy;
@@ -340,9 +340,9 @@ fn hundred_without_energy() -> Arc<Checked> {
 }
 
 #[test]
-fn preparing_for_an_edit_in_vain_keeps_what_is_there() {
+fn a_preparation_that_fails_keeps_the_cache() {
     let never = AtomicBool::new(false);
-    let memory = Memory::default();
+    let cache = CurveCache::default();
     let model = hundred_without_energy();
     let mut edited = Model::clone(&model);
     edited.subsystems[50].mass *= 1.01;
@@ -351,21 +351,21 @@ fn preparing_for_an_edit_in_vain_keeps_what_is_there() {
             model: Arc::clone(&model),
             edited: Arc::new(edited.clone()),
         };
-        memory.expect(&edit, &never).unwrap();
+        cache.expect(&edit, &never).unwrap();
     };
     expect(&checked(&edited));
-    assert!(memory.knows(0, &checked(&edited)));
-    // All of the beam is another: nothing lies beside that.
+    assert!(cache.has_curves(0, &checked(&edited)));
+    // The whole beam changes: nothing can be cached for that edit.
     let mut other = Model::clone(&model);
     other.beam.material.young_modulus *= 1.01;
     expect(&checked(&other));
-    assert!(memory.knows(0, &checked(&edited)));
-    assert!(!memory.knows(0, &checked(&other)));
+    assert!(cache.has_curves(0, &checked(&edited)));
+    assert!(!cache.has_curves(0, &checked(&other)));
 }
 
 #[test]
 fn a_beam_with_too_many_modes_gets_its_curves_and_no_search() {
-    // Far more half waves fit into it than modes are listed.
+    // It has far more half waves than the modes that are listed.
     let (worker, receiver) = worker();
     let mut long = Model::clone(&model("fig06"));
     long.beam.length = 1e7;

@@ -1,87 +1,87 @@
-//! The search for better parameters, which can be paused; and what tolerances make of the curves.
+//! Tuning, which can be paused, and the band of the curves under tolerances.
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use super::lane::guarded;
+use super::job_thread::guarded;
 use crate::model::{Checked, Fault};
 use crate::solve::Cancelled;
 use crate::tune::{self, Options, Problem, Spread, Status, Tuned};
 
-/// Between two reports of a search that goes on.
+/// Time between two progress reports.
 const REPORT: Duration = Duration::from_millis(100);
 
-/// Models of a tolerance band.
+/// The number of models of a tolerance band.
 const SAMPLES: usize = 200;
 
-/// The seed of what is random; always the same, so that a search can be done again.
+/// The seed of the random numbers; constant, so that a search is reproducible.
 const SEED: u64 = 1;
 
-/// What is sought.
+/// A request to tune a model.
 #[derive(Debug, Clone)]
 pub struct TuneRequest {
-    /// Comes back with the answers.
+    /// Returned with the answers.
     pub serial: u64,
     /// A checked model with `[tune]`.
     pub model: Arc<Checked>,
     /// The folder that files of measured curves are relative to.
     pub folder: PathBuf,
-    /// At most so many evaluations; none: by the number of variables.
+    /// The most evaluations; none: set by the number of variables.
     pub budget: Option<usize>,
-    /// Holds the search up.
+    /// Pauses the search.
     pub pause: Arc<Pause>,
 }
 
-/// How far a search is, or what came of it.
+/// The progress of a search, or its result.
 #[derive(Debug, Clone)]
 pub struct TuneAnswer {
-    /// Of the request.
+    /// From the request.
     pub serial: u64,
-    /// The time that was worked, pauses left out.
+    /// Working time, without pauses.
     pub elapsed: Duration,
-    /// How far it is, or what came of it.
+    /// The progress, or the result.
     pub stage: TuneStage,
 }
 
-/// How far a search is.
+/// The progress of a search.
 #[derive(Debug, Clone)]
 pub enum TuneStage {
-    /// It goes on.
+    /// It is running.
     Searching(Box<Status>),
-    /// It is over: what was found, or one line that says what went wrong.
+    /// It has ended, with a result or an error in one line.
     Over(Result<Box<Tuned>, String>),
 }
 
-/// Holds a search up, from another thread.
+/// Pauses a search from another thread.
 #[derive(Debug, Default)]
 pub struct Pause {
-    held: Mutex<bool>,
+    paused: Mutex<bool>,
     changed: Condvar,
 }
 
 impl Pause {
-    /// Holds the search up, or lets it go on.
-    pub fn set(&self, held: bool) {
-        *self.held.lock().unwrap_or_else(PoisonError::into_inner) = held;
+    /// Pauses the search, or resumes it.
+    pub fn set(&self, paused: bool) {
+        *self.paused.lock().unwrap_or_else(PoisonError::into_inner) = paused;
         self.changed.notify_all();
     }
 
-    /// Waits as long as the search is held up.
+    /// Waits while the search is paused.
     fn wait(&self) {
-        let mut held = self.held.lock().unwrap_or_else(PoisonError::into_inner);
-        while *held {
-            held = self
+        let mut paused = self.paused.lock().unwrap_or_else(PoisonError::into_inner);
+        while *paused {
+            paused = self
                 .changed
-                .wait(held)
+                .wait(paused)
                 .unwrap_or_else(PoisonError::into_inner);
         }
     }
 }
 
-/// Searches; tells from time to time how far it is, and in the end what was found, also where it was cancelled.
-pub(super) fn search(request: &TuneRequest, cancel: &AtomicBool, tell: &impl Fn(TuneAnswer)) {
+/// Runs a search; sends its progress periodically, and its result at the end, also if it was cancelled.
+pub(super) fn search(request: &TuneRequest, cancel: &AtomicBool, send: &impl Fn(TuneAnswer)) {
     let mut watch = Watch::start();
     let answer = |watch: &Watch, stage| TuneAnswer {
         serial: request.serial,
@@ -89,34 +89,34 @@ pub(super) fn search(request: &TuneRequest, cancel: &AtomicBool, tell: &impl Fn(
         stage,
     };
     let found = guarded(|| {
-        let problem = Problem::new(&request.model, &request.folder).map_err(in_words)?;
+        let problem = Problem::new(&request.model, &request.folder).map_err(summary)?;
         let options = Options {
             seed: SEED,
             budget: request.budget,
         };
-        let mut told: Option<Instant> = None;
+        let mut reported: Option<Instant> = None;
         let found = tune::run(&problem, &options, cancel, &mut |status| {
-            let due = told.is_none_or(|told| told.elapsed() >= REPORT);
+            let due = reported.is_none_or(|last| last.elapsed() >= REPORT);
             if due && !cancel.load(Ordering::Relaxed) {
-                tell(answer(
+                send(answer(
                     &watch,
                     TuneStage::Searching(Box::new(status.clone())),
                 ));
-                told = Some(Instant::now());
+                reported = Some(Instant::now());
             }
             let before = Instant::now();
             request.pause.wait();
-            watch.rested += before.elapsed();
+            watch.paused += before.elapsed();
         });
         Ok(Box::new(found?))
     });
     if let Ok(result) = found {
-        tell(answer(&watch, TuneStage::Over(result)));
+        send(answer(&watch, TuneStage::Over(result)));
     }
 }
 
-/// The first of some faults, and how many more there are.
-fn in_words(faults: Vec<Fault>) -> String {
+/// The first fault, and the number of the others.
+fn summary(faults: Vec<Fault>) -> String {
     let more = faults.len().saturating_sub(1);
     let first = faults.into_iter().next();
     let first = first.map_or_else(String::new, |one| format!("{} {}", one.path, one.message));
@@ -126,44 +126,44 @@ fn in_words(faults: Vec<Fault>) -> String {
     }
 }
 
-/// Counts the time of work.
+/// Measures the working time.
 struct Watch {
     start: Instant,
-    rested: Duration,
+    paused: Duration,
 }
 
 impl Watch {
     fn start() -> Self {
         Self {
             start: Instant::now(),
-            rested: Duration::ZERO,
+            paused: Duration::ZERO,
         }
     }
 
     fn worked(&self) -> Duration {
-        self.start.elapsed().saturating_sub(self.rested)
+        self.start.elapsed().saturating_sub(self.paused)
     }
 }
 
-/// Which model's tolerances are to be seen at which frequencies.
+/// The model and the frequencies of a tolerance band.
 #[derive(Debug, Clone)]
 pub struct SpreadRequest {
-    /// Comes back with the answer.
+    /// Returned with the answer.
     pub serial: u64,
     /// A checked model with `[tune]`.
     pub model: Arc<Checked>,
-    /// Hz, rising.
+    /// Hz, ascending.
     pub frequencies: Vec<f64>,
 }
 
-/// What tolerances make of the curves, or why that is not known.
+/// The band of the curves under tolerances, or an error.
 #[derive(Debug, Clone)]
 pub struct SpreadAnswer {
-    /// Of the request.
+    /// From the request.
     pub serial: u64,
-    /// Hz, as they were asked for.
+    /// Those of the request, Hz.
     pub frequencies: Vec<f64>,
-    /// One for each enabled response, or one line that says what went wrong.
+    /// One for each enabled response, or an error in one line.
     pub result: Result<Vec<Spread>, String>,
 }
 
@@ -182,7 +182,7 @@ pub(super) fn spread(
             return Err("the model has no [tune] with tolerances".to_owned().into());
         };
         let found = tune::spread(model, tune, (SAMPLES, SEED), frequencies, cancel);
-        Ok(found.map_err(|fault| in_words(vec![fault]))??)
+        Ok(found.map_err(|fault| summary(vec![fault]))??)
     })?;
     Ok(SpreadAnswer {
         serial: *serial,

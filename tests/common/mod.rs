@@ -1,8 +1,9 @@
 //! Random damped models for the property tests.
 
 use beamtune::model::{
-    Beam, BeamMotion, Elastic, Force, MassMotion, Material, Measure, Model, Place, Quantity,
-    Response, Restraint, Section, Spacing, Spring, Subsystem, Support, Supports, Sweep, Target,
+    Beam, BeamMotion, Checked, Elastic, Force, MassMotion, Material, Measure, Model, Place,
+    Quantity, Response, Restraint, Section, Spacing, Spring, Subsystem, Support, Supports, Sweep,
+    Target,
 };
 use num_complex::Complex64;
 use proptest::prelude::*;

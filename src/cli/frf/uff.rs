@@ -56,7 +56,7 @@ pub(super) fn write(
     Ok(())
 }
 
-/// Makes motions ratios to the one force; energies and responses to several forces stay as they are.
+/// Divides motions by the single force; energies and responses to several forces do not change.
 fn divide(frf: &mut Frf, model: &Checked) {
     let Some(reference) = Reference::of(model) else {
         return;
@@ -120,7 +120,7 @@ impl Solved<'_> {
     }
 }
 
-/// The numbered places of a model: those on the beam from left to right, then the masses as in the model.
+/// The numbered nodes of a model: those on the beam from left to right, then the masses in the order of the model.
 struct Places<'a> {
     model: &'a Checked,
     /// m from the left end.
@@ -144,8 +144,8 @@ impl<'a> Places<'a> {
         Self { model, beam }
     }
 
-    /// Number, name and direction. Directions: x along the beam, w and y along y, v and z along z; psi and theta about x,
-    /// v' 5 and w' 6, all in the model's own sense; a rate of twist is a scalar.
+    /// Number, name and direction. Directions: x along the beam, w and y along y, v and z along z; psi and theta about
+    /// x, v' 5 and w' 6, all with the sign of the model; a rate of twist is a scalar.
     fn node(&self, target: &Target) -> Node {
         let (number, name, direction) = match target {
             Target::Beam(place, motion) => {
@@ -200,7 +200,7 @@ fn position(model: &Checked, place: Place) -> f64 {
     }
 }
 
-/// Says what the file lacks. The values that are there are right all the same.
+/// Warns of what the file lacks. The written values are still correct.
 fn warn_of_losses(written: Written) {
     if written.frequency_error > 0.0 {
         say(&format!(

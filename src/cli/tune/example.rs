@@ -1,31 +1,31 @@
-//! A `[tune]` for a model that has none.
+//! An example `[tune]` for a model that has none.
 
 use crate::model::schema::MaterialKey;
 use crate::model::{
     self, Aim, Checked, Combine, Group, Hold, Model, Objective, Tune, Variable, path,
 };
 
-/// What is said of a model without `[tune]`, with one that would do.
+/// The message for a model without `[tune]`, with an example.
 pub(super) fn wanted(label: &str, model: &Checked) -> String {
     format!(
-        "{label}: has no [tune], which says what may move and what for; it could be\n\n{}",
+        "{label}: has no [tune], which defines variables and objectives; for example\n\n{}",
         text(model)
     )
 }
 
-/// The example as it stands in the file.
+/// The text of the example.
 fn text(model: &Checked) -> String {
     let with = Model {
         tune: Some(tune(model)),
         ..model.clone().into_inner()
     };
     let whole = model::write(&with, "");
-    // The last one: notes may speak of it too.
+    // The last match: notes may contain the text too.
     let start = whole.rfind("[tune]\n").unwrap_or(0);
     whole[start..].trim_end().to_owned()
 }
 
-/// One parameter of the model a decade either way, and the peak of its first response.
+/// One parameter of the model, a decade up and down, and the peak of its first response.
 fn tune(model: &Checked) -> Tune {
     let of_first = |key: &str| {
         let all = path::numbers(model, &format!("subsystems.*.{key}")).unwrap_or_default();
@@ -65,7 +65,7 @@ mod tests {
     use super::*;
     use crate::model::checked;
 
-    /// What is shown can be put behind every model that has none.
+    /// The example can be appended to any model that has no `[tune]`.
     #[test]
     fn the_example_does_for_every_preset() {
         for preset in crate::presets::ALL {

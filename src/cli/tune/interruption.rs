@@ -1,6 +1,6 @@
-//! What a signal does to a search. The first one ends the search; the result is evaluated and written as without it.
-//! The second one does not wait for that: the best model so far is written as it is. A later one ends the program at
-//! once, but not before the second has had its time.
+//! Signals during a search. The first one ends the search; the result is evaluated and written as usual. The second one
+//! writes the best model so far immediately, without the evaluation. A later one ends the program at once, after a
+//! grace period for the second.
 
 use std::path::PathBuf;
 use std::process;
@@ -19,12 +19,12 @@ use crate::model::{self, Checked, path};
 use crate::signals::not_ignored;
 use crate::tune::Status;
 
-/// What the second signal may take, before another one ends the program.
+/// The grace period of the second signal, before another one ends the program.
 const PATIENCE: Duration = Duration::from_secs(2);
 
-/// What is written when a signal does not wait.
+/// The data that the second signal writes.
 pub(super) struct Target {
-    /// What was given.
+    /// The original.
     pub opened: Opened,
     /// The file for the tuned model.
     pub output: Option<PathBuf>,
@@ -34,18 +34,18 @@ pub(super) struct Target {
 
 /// A search that signals can end.
 pub(super) struct Interruption {
-    /// True from the first signal on.
+    /// True after the first signal.
     pub cancel: AtomicBool,
     /// That signal; 0 before.
     signal: AtomicI32,
     best: Mutex<Option<Status>>,
-    /// Held by who writes the result.
+    /// Locked by the thread that writes the result.
     writing: Mutex<()>,
     target: Target,
 }
 
 impl Interruption {
-    /// Listens to signals from now on.
+    /// Starts to handle signals.
     ///
     /// # Errors
     /// Signals cannot be caught.
@@ -64,12 +64,12 @@ impl Interruption {
         Ok(interruption)
     }
 
-    /// Notes how far the search is.
+    /// Stores the progress of the search.
     pub(super) fn note(&self, status: &Status) {
         *lock(&self.best) = Some(status.clone());
     }
 
-    /// Writes the result, unless a signal makes another one of it, which does not come back.
+    /// Writes the result, unless the second signal writes it, in which case this does not return.
     pub(super) fn write<T>(&self, write: impl FnOnce() -> T) -> T {
         let _turn = lock(&self.writing);
         write()
@@ -103,9 +103,9 @@ impl Interruption {
         }
     }
 
-    /// Writes the best model so far as it is, and ends the program.
+    /// Writes the best model so far without evaluation, and ends the program.
     fn give_up(&self, signal: i32) -> ! {
-        // Not given back: nothing else is written any more.
+        // Never unlocked, so that nothing else is written.
         let _turn = lock(&self.writing);
         match lock(&self.best).take() {
             Some(best) => self.rescue(&best),
@@ -122,7 +122,7 @@ impl Interruption {
         } = &self.target;
         let Some(file) = output else {
             say("stopped: the best so far is, as --set takes it");
-            // A reader that has closed the pipe needs no values.
+            // Ignore a closed pipe.
             let _ = super::print(&values(&best.model));
             return;
         };
@@ -145,7 +145,7 @@ impl Interruption {
     }
 }
 
-/// The parameters that were tuned, a line `PATH=VALUE` each.
+/// The tuned parameters, one line `PATH=VALUE` each.
 fn values(model: &Checked) -> String {
     let variables = model.tune.iter().flat_map(|tune| &tune.variables);
     let parameters = variables.filter_map(|variable| variable.parameters(model).ok());

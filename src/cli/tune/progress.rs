@@ -1,4 +1,4 @@
-//! How far a search is, on a line of standard error where somebody watches.
+//! The progress of a search, on a line of standard error if that is a terminal.
 
 use std::fmt::Write as _;
 use std::io::{IsTerminal, Write as _};
@@ -7,10 +7,10 @@ use std::time::{Duration, Instant};
 use crate::model::grouped;
 use crate::tune::Status;
 
-/// How often the line is drawn anew, at most.
+/// The shortest time between two updates of the line.
 const EVERY: Duration = Duration::from_millis(100);
 
-/// The line.
+/// The progress line.
 pub(super) struct Progress {
     watched: bool,
     start: Instant,
@@ -18,7 +18,7 @@ pub(super) struct Progress {
 }
 
 impl Progress {
-    /// Begins to count the time.
+    /// Starts the clock.
     pub(super) fn start() -> Self {
         Self {
             watched: std::io::stderr().is_terminal(),
@@ -27,7 +27,7 @@ impl Progress {
         }
     }
 
-    /// Draws the line, if it is time to.
+    /// Draws the line, if it is due.
     pub(super) fn show(&mut self, status: &Status) {
         let now = Instant::now();
         if !self.watched || self.drawn.is_some_and(|drawn| now - drawn < EVERY) {
@@ -37,7 +37,7 @@ impl Progress {
         draw(&line(status, now - self.start));
     }
 
-    /// Takes the line away.
+    /// Clears the line.
     pub(super) fn clear(&self) {
         if self.watched {
             draw("");
@@ -45,12 +45,12 @@ impl Progress {
     }
 }
 
-/// A line that is longer than the terminal is wide would not be taken away.
+/// Truncated to the width of the terminal, because a longer line cannot be cleared.
 fn draw(line: &str) {
     let columns = crossterm::terminal::size().map_or(80, |(columns, _)| usize::from(columns));
     let line: String = line.chars().take(columns.saturating_sub(1)).collect();
     let mut out = std::io::stderr().lock();
-    // Progress that cannot be shown is no reason to stop.
+    // Ignore errors of the progress display.
     let _ = write!(out, "\r\x1b[K{line}").and_then(|()| out.flush());
 }
 

@@ -1,4 +1,4 @@
-//! What a search came to: the table that is printed and the text for the notes.
+//! The result of a search: the table that is printed and the text for the notes.
 
 use crate::cli::padded;
 use crate::escape::escape;
@@ -6,18 +6,18 @@ use crate::model::{Aim, Checked, Limit, Unit, Variable, counted, path};
 use crate::tune::words::{bounds, first_parameter, level, of_objective, range};
 use crate::tune::{Achieved, LimitOutcome, Moved, Place, Tuned, WorstCase};
 
-/// One thing that was changed or reached.
+/// An objective, a variable or a limit before and after.
 struct Row {
     what: String,
-    /// Empty where it is not known.
+    /// Empty if unknown.
     before: String,
     after: String,
-    /// More about it; empty for nothing.
+    /// Additional information; may be empty.
     more: String,
 }
 
 impl Row {
-    /// As a person reads it: hidden characters in names are escaped.
+    /// With hidden characters in names escaped.
     fn shown(self) -> Self {
         let shown = |text: String| escape(&text).into_owned();
         Self {
@@ -29,7 +29,7 @@ impl Row {
     }
 }
 
-/// The table: a block each of objectives, variables and limits, and how the search went.
+/// The table: one block each for objectives, variables and limits, and the course of the search.
 pub(super) fn table(model: &Checked, tuned: &Tuned) -> String {
     let mut blocks = vec![
         ("objective", objectives(model, tuned)),
@@ -76,7 +76,7 @@ pub(super) fn table(model: &Checked, tuned: &Tuned) -> String {
     format!("{text}\n{}\n", how(tuned))
 }
 
-/// The text for the notes, a line for each thing.
+/// The text for the notes, one line per item.
 pub(super) fn notes(model: &Checked, tuned: &Tuned) -> String {
     let rows = objectives(model, tuned)
         .into_iter()
@@ -99,7 +99,7 @@ pub(super) fn notes(model: &Checked, tuned: &Tuned) -> String {
     lines.join("\n") + "\n"
 }
 
-/// How the search went.
+/// The number of models, the seed and the reason of the stop.
 fn how(tuned: &Tuned) -> String {
     let models = counted(tuned.evaluations, "model", "models");
     format!("{models}, seed {}, {}", tuned.seed, tuned.stop)
@@ -128,7 +128,7 @@ fn objective(model: &Checked, before: &Achieved, after: &Achieved) -> Row {
     }
 }
 
-/// The figure as people know it: of a width the width itself, not what it leaves.
+/// The figure for people: for a width the width itself, not the rest of the band.
 fn figure(achieved: &Achieved) -> String {
     let objective = &achieved.objective;
     let value = match objective.aim {
@@ -140,7 +140,7 @@ fn figure(achieved: &Achieved) -> String {
         .to_owned()
 }
 
-/// By how many decibels a level changed.
+/// The change of a level in decibels.
 fn change(before: &Achieved, after: &Achieved) -> String {
     let Some(per_decade) = after.objective.aim.decibels() else {
         return String::new();
@@ -153,7 +153,7 @@ fn change(before: &Achieved, after: &Achieved) -> String {
     }
 }
 
-/// Where the figure is found.
+/// The frequency of the figure.
 fn places(achieved: &Achieved) -> String {
     let hertz = |place: f64| Unit::HERTZ.format(place);
     match (&achieved.objective.aim, &achieved.places[..]) {
@@ -167,7 +167,7 @@ fn places(achieved: &Achieved) -> String {
 }
 
 fn worst_case(tuned: &Tuned, worst: &WorstCase) -> Row {
-    // Of one objective the worst has its unit; of several it is combined.
+    // With one objective the worst case has its unit; with several it is their combination.
     let unit = match &tuned.after[..] {
         [one] => one.unit.as_str(),
         _ => "",

@@ -9,9 +9,9 @@ use crate::model::Checked;
 use crate::solve::Frf;
 use crate::solve::compare::Difference;
 
-/// Below this relative difference rounding shows in the order of convergence.
+/// Below this relative difference, rounding errors disturb the order of convergence.
 const ROUNDING: f64 = 1e-9;
-/// A double has no more decimal digits.
+/// The decimal digits of a double.
 const MOST_DIGITS: f64 = 16.0;
 
 /// All sections, in the order of the model's responses.
@@ -147,12 +147,12 @@ fn digit_rows(frequencies: &[f64], chain: &Witness, each: bool) -> Vec<Vec<Strin
     rows
 }
 
-/// How many decimal digits are right, 0 to 16.
+/// The number of correct decimal digits, 0 to 16.
 fn digits(relative: f64) -> f64 {
     (-relative.log10()).clamp(0.0, MOST_DIGITS)
 }
 
-/// The band of 1 to 2, 2 to 5 or 5 to 10 times a power of ten that a frequency is in.
+/// The band of a frequency: 1 to 2, 2 to 5 or 5 to 10 times a power of ten.
 fn band(frequency: f64) -> String {
     let power = 10f64.powf(frequency.log10().floor());
     let (from, to) = match frequency / power {
@@ -233,7 +233,7 @@ fn table(rows: &[Vec<String>]) -> String {
             let width = widths[column];
             match column {
                 0 => line.push_str(&padded(cell, width)),
-                // Numbers and words of our own.
+                // Trusted text: no escaping needed.
                 _ => {
                     let _ = write!(line, "  {cell:>width$}");
                 }

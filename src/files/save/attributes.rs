@@ -1,5 +1,5 @@
-//! What a file has besides its text: owner, group, mode, extended attributes (access control lists are some of them)
-//! and other names.
+//! The properties of a file other than its text: owner, group, mode, extended attributes (access control lists are some
+//! of them) and other names.
 
 use std::fs::{self, Permissions};
 use std::io;
@@ -9,16 +9,16 @@ use std::path::Path;
 use rustix::fs::{XattrFlags, getxattr, listxattr, removexattr, setxattr};
 use rustix::io::Errno;
 
-/// Attributes that say something of the text, and are not true of another one.
+/// Attributes that depend on the text, so that a new text must not have them.
 const OF_THE_TEXT: [&[u8]; 3] = [b"security.capability", b"security.evm", b"security.ima"];
 
-/// No list and no value of extended attributes is longer on Linux, bytes.
+/// The longest list and the longest value of extended attributes on Linux, bytes.
 const LONGEST: usize = 1 << 16;
 
 /// Name and value.
 type Extended = (Vec<u8>, Vec<u8>);
 
-/// What a file has.
+/// The properties of a file.
 #[derive(Debug, PartialEq, Eq)]
 struct Attributes {
     owner: u32,
@@ -28,7 +28,7 @@ struct Attributes {
     extended: Vec<Extended>,
 }
 
-/// Gives a new file what another one has; what is lost where that is replaced by the new one, in words.
+/// Copies the properties of a file to its replacement; returns what is lost, in words.
 ///
 /// # Errors
 /// The attributes of one of them cannot be read.
@@ -53,23 +53,23 @@ impl Attributes {
         })
     }
 
-    /// Gives a file all of them that the user may.
+    /// Sets all properties that the user may set.
     fn give(&self, path: &Path) -> io::Result<()> {
         let found = fs::metadata(path)?;
         if (found.uid(), found.gid()) != (self.owner, self.group) {
-            // The group alone may be allowed.
+            // The user may be permitted to set the group only.
             let _ = chown(path, Some(self.owner), Some(self.group))
                 .or_else(|_| chown(path, None, Some(self.group)));
         }
         give_extended(path, &self.extended);
-        // The bits of the group are also the mask of an access control list; without the list they would give more.
+        // The group bits are also the mask of an access control list; without the list they would grant more.
         let whole = extended_of(path)? == self.extended;
         let mode = if whole { self.mode } else { self.mode & !0o070 };
-        // Last, for another owner or list changes it.
+        // Last, because setting the owner or the list changes it.
         fs::set_permissions(path, Permissions::from_mode(mode))
     }
 
-    /// Which of these a file with those does not have.
+    /// The properties in which `self` differs from another file.
     fn missing(&self, other: &Self) -> Vec<&'static str> {
         let parts = [
             (self.owner == other.owner, "owner"),
@@ -85,7 +85,7 @@ impl Attributes {
     }
 }
 
-/// The extended attributes of a file, by name; none where the file system has none.
+/// The extended attributes of a file, by name; empty if the file system has none.
 fn extended_of(path: &Path) -> io::Result<Vec<Extended>> {
     let mut buffer = vec![0_u8; LONGEST];
     let length = match listxattr(path, &mut buffer[..]) {
@@ -104,8 +104,7 @@ fn extended_of(path: &Path) -> io::Result<Vec<Extended>> {
     Ok(all)
 }
 
-/// Gives a file these extended attributes and takes others from it, as far as that is allowed: what it has then is
-/// compared.
+/// Sets these extended attributes of a file and removes others, if permitted; the caller compares the result.
 fn give_extended(path: &Path, wanted: &[Extended]) {
     let found = extended_of(path).unwrap_or_default();
     for (name, value) in wanted.iter().filter(|one| !found.contains(one)) {

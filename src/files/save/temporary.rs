@@ -1,5 +1,5 @@
-//! Files that are written before they take the place of another one. However the program ends, none is left for long:
-//! a signal removes them, and what a killed program left goes when the next one writes to the folder.
+//! Temporary files that replace other files. A signal removes them; those of a killed program are removed when the next
+//! one writes to the folder.
 
 use std::fs::{self, DirEntry, File, Permissions, TryLockError};
 use std::io::{self, Write};
@@ -11,19 +11,19 @@ use tempfile::NamedTempFile;
 
 use super::error_text;
 
-/// Start of the names.
+/// Start of their names.
 const PREFIX: &str = ".beamtune-";
 
-/// Random letters and digits after it.
+/// The number of random letters and digits after it.
 const RANDOM: usize = 6;
 
-/// How often a file is created again where another program takes it for one that was left.
+/// The most attempts to create a file that another program removes as a stale one.
 const TRIES: usize = 8;
 
-/// Those of this program that are there now.
+/// The existing temporary files of this program.
 static LIVE: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// Removes the temporary files of this program, which is about to end by a signal.
+/// Removes the temporary files of this program before a signal ends it.
 pub fn remove_temporaries() {
     for path in live().drain(..) {
         let _ = fs::remove_file(path);
@@ -34,7 +34,7 @@ fn live() -> MutexGuard<'static, Vec<PathBuf>> {
     LIVE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A temporary file, locked as long as this value lives. Dropping it removes the file.
+/// A temporary file, locked while this value lives. Dropping it removes the file.
 #[derive(Debug)]
 pub(super) struct Temporary {
     file: NamedTempFile,
@@ -53,8 +53,8 @@ impl Drop for Listed {
 }
 
 impl Temporary {
-    /// A file in a folder, with the mode of new files or for the user alone; those of programs that have ended are
-    /// removed from there.
+    /// Creates a file in a folder, with the mode of new files or for the user alone; removes those of ended programs
+    /// from the folder.
     ///
     /// # Errors
     /// The folder cannot be written.
@@ -63,12 +63,12 @@ impl Temporary {
         let mut builder = tempfile::Builder::new();
         builder.prefix(PREFIX).rand_bytes(RANDOM);
         if !private {
-            // The umask decides; temporary files are otherwise private.
+            // The umask applies; by default temporary files are private.
             builder.permissions(Permissions::from_mode(0o666));
         }
         let own = |error: io::Error| io::Error::new(error.kind(), error_text(&error));
         for _ in 0..TRIES {
-            // Held meanwhile, so that no signal comes between the file and its place in the list.
+            // Locked meanwhile, so that no signal arrives between creating the file and listing it.
             let mut live = live();
             let file = builder.tempfile_in(folder).map_err(own)?;
             let listed = Listed(file.path().to_owned());
@@ -92,15 +92,15 @@ impl Temporary {
         &mut self.file
     }
 
-    /// Forces what was written to disk.
+    /// Syncs the file to disk.
     pub(super) fn sync(&self) -> io::Result<()> {
         self.file.as_file().sync_all()
     }
 
-    /// Takes the place of another file, or of none.
+    /// Renames it to a path, where it may replace a file.
     ///
     /// # Errors
-    /// What the system says; this file is then removed.
+    /// The system error; this file is then removed.
     pub(super) fn replace(self, target: &Path) -> io::Result<()> {
         self.file
             .persist(target)
@@ -108,10 +108,10 @@ impl Temporary {
             .map_err(|error| error.error)
     }
 
-    /// Gives it another name, which no signal and no other program removes, where there is no such file.
+    /// Renames it to a new path that no signal and no other program removes.
     ///
     /// # Errors
-    /// What the system says; this file is then removed.
+    /// The system error; this file is then removed.
     pub(super) fn keep_as(self, path: &Path) -> io::Result<File> {
         self.file
             .persist_noclobber(path)
@@ -119,12 +119,12 @@ impl Temporary {
     }
 }
 
-/// Locks a new file. False where another program was quicker and removes it.
+/// Locks a new file. Returns false if another program locked it first and removes it.
 fn is_locked(file: &File) -> bool {
     match file.try_lock() {
         Ok(()) => !is_removed(file),
         Err(TryLockError::WouldBlock) => false,
-        // Where files cannot be locked, no program removes those of another.
+        // If files cannot be locked, no program removes those of another.
         Err(TryLockError::Error(_)) => true,
     }
 }
@@ -133,21 +133,21 @@ fn is_removed(file: &File) -> bool {
     file.metadata().is_ok_and(|found| found.nlink() == 0)
 }
 
-/// Removes the files that programs have left which were killed. Nothing is lost where that fails.
+/// Removes the files of killed programs. Ignores errors.
 fn remove_left(folder: &Path) {
     let Ok(entries) = fs::read_dir(folder) else {
         return;
     };
     for entry in entries.flatten().filter(is_temporary) {
         let path = entry.path();
-        // A program that lives holds its own locked.
+        // A running program locks its own files.
         if crate::files::open(&path).is_ok_and(|file| file.try_lock().is_ok()) {
             let _ = fs::remove_file(path);
         }
     }
 }
 
-/// Whether it has the name of a temporary file of this program.
+/// Whether it has a name of temporary files of this program.
 fn is_temporary(entry: &DirEntry) -> bool {
     let name = entry.file_name();
     let random = name.to_str().and_then(|name| name.strip_prefix(PREFIX));

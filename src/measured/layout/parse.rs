@@ -1,16 +1,16 @@
-//! A layout from its text.
+//! Parses a layout.
 
 use super::{Layout, Places, Values};
 use crate::unit::{FrequencyUnit, PhaseUnit, ValueUnit};
 
-/// A word for a column, whether it stands with a minus, and the columns that are chosen by number.
+/// A word for a column, whether it has a minus, and the selected column numbers.
 struct Named {
     word: Word,
     minus: bool,
     places: Vec<usize>,
 }
 
-/// What a column of a curve holds.
+/// The content of a column of a curve.
 #[derive(Clone, Copy)]
 enum Word {
     Real,
@@ -70,7 +70,7 @@ pub(super) fn layout(text: &str) -> Result<Layout, String> {
     })
 }
 
-/// Whether a part chooses columns by number, and is no unit.
+/// Whether a part selects columns by number, and is not a unit.
 fn is_numbered(part: &str) -> bool {
     let mut words = part.split_whitespace();
     let word = words.next().and_then(|word| minus_of(word).0);
@@ -82,7 +82,7 @@ fn is_number(word: &str) -> bool {
     word.bytes().all(|byte| byte.is_ascii_digit())
 }
 
-/// What a word means without the minus in front, and whether there is one.
+/// The meaning of a word without a leading minus, and whether it has one.
 fn minus_of(word: &str) -> (Option<Word>, bool) {
     match word.strip_prefix('-') {
         Some(rest) => (Word::of(rest).filter(|word| word.is_second()), true),
@@ -107,7 +107,7 @@ fn place(word: &str) -> Result<usize, String> {
     place.ok_or_else(|| format!("{word:?} is no column: they count from 1"))
 }
 
-/// The columns of a curve, whether the second one stands with a minus, and their numbers, where they are chosen so.
+/// The columns of a curve, whether the second one has a minus, and their numbers, if given.
 fn values(text: &str) -> Result<(Values, bool, Vec<[usize; 2]>), String> {
     let wrong = || {
         format!(
@@ -129,7 +129,7 @@ fn values(text: &str) -> Result<(Values, bool, Vec<[usize; 2]>), String> {
             }
         }
     }
-    // Without numbers the order says which column is which.
+    // Without numbers the order determines the columns.
     if named.iter().all(|one| !one.places.is_empty()) {
         named.sort_by_key(|one| one.word.is_second());
     }

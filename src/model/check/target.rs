@@ -1,16 +1,16 @@
-//! The rules of forces and responses: where they are and along what.
+//! The rules of forces and responses: their positions and directions.
 
 use super::super::fault::Fault;
-use super::super::names::{self, element_keys};
 use super::super::schema::FORCE;
-use super::super::serial::format_number;
+use super::super::spelling::{self, element_keys};
+use super::super::toml_literal::format_number;
 use super::super::types::{BeamMotion, MassMotion, Model, Place, Quantity, Subsystem, Target};
 use super::{beyond_the_end, element_names, not_finite, numbers};
 
-/// So many faults get a hint at the nearest name; looking for it takes a while where there are many names.
+/// The most faults that suggest the nearest name, because the search is slow among many names.
 const MOST_HINTS: usize = 50;
 
-/// The rules of the loads.
+/// The rules of the forces.
 pub(super) fn forces(model: &Model, faults: &mut Vec<Fault>) {
     for (index, force) in model.forces.iter().enumerate() {
         let path = format!("forces.{}", index + 1);
@@ -30,7 +30,7 @@ pub(super) fn forces(model: &Model, faults: &mut Vec<Fault>) {
     }
 }
 
-/// The rules of what is computed.
+/// The rules of the responses.
 pub(super) fn responses(model: &Model, faults: &mut Vec<Fault>) {
     let names = model
         .responses
@@ -50,7 +50,7 @@ pub(super) fn responses(model: &Model, faults: &mut Vec<Fault>) {
     }
 }
 
-/// Where a force or response is: on the beam, or on a subsystem that exists and, if in use, is attached.
+/// The position of a force or response: on the beam, or at a subsystem that exists and, if in use, is attached.
 fn target(path: &str, target: &Target, in_use: bool, model: &Model, faults: &mut Vec<Fault>) {
     match target {
         Target::Beam(Place::Left | Place::Right, _) => {}
@@ -90,7 +90,7 @@ fn no_such_place(name: &str, model: &Model, hint: bool) -> String {
             .map(|subsystem| subsystem.name.as_str()),
     );
     let near = if hint {
-        names::nearest(name, known)
+        spelling::nearest(name, known)
     } else {
         None
     };
@@ -113,7 +113,7 @@ fn mass(path: &str, subsystem: &Subsystem, motion: MassMotion, faults: &mut Vec<
             format!("{path}.at"),
             format!(
                 "subsystem {name:?} is disabled; set subsystems.{}.enabled = true or {path}.enabled = false",
-                names::segment(name)
+                spelling::segment(name)
             ),
         ));
     }

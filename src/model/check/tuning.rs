@@ -1,23 +1,23 @@
-//! The rules of the tuning: what moves, what is sought and what must be kept.
+//! The rules of the tuning: variables, objectives and limits.
 
 use super::super::edit::{Value, put};
 use super::super::fault::Fault;
 use super::super::id::{Group, ParameterId};
-use super::super::names;
 use super::super::path;
 use super::super::schema::{AIMS, Access, Asked, Choice, Kind, LIMITS, OBJECTIVE, Rows};
-use super::super::serial::format_number;
+use super::super::spelling;
+use super::super::toml_literal::format_number;
 use super::super::tuning::{Aim, Hold, Limit, Objective, Tune, Variable};
 use super::super::types::{Model, Quantity, Spacing};
-use super::plans::{Plans, not_empty};
+use super::studies::{BareModel, not_empty};
 use super::{band, not_finite, state};
 use crate::unit::Measure;
 use std::collections::HashMap;
 
 /// Adds the faults of a model's tuning.
-pub(super) fn check(model: &Model, plans: &Plans, tune: &Tune, faults: &mut Vec<Fault>) {
+pub(super) fn check(model: &Model, bare: &BareModel, tune: &Tune, faults: &mut Vec<Fault>) {
     not_empty("tune.variables", tune.variables.len(), "variable", faults);
-    let rules = Rules { model, plans };
+    let rules = Rules { model, bare };
     let mut moved = HashMap::new();
     for (index, variable) in tune.variables.iter().enumerate() {
         let at = format!("tune.variables.{}", index + 1);
@@ -42,14 +42,14 @@ pub(super) fn check(model: &Model, plans: &Plans, tune: &Tune, faults: &mut Vec<
     }
 }
 
-/// What variables are judged by.
+/// The context in which variables are checked.
 struct Rules<'a> {
     model: &'a Model,
-    plans: &'a Plans,
+    bare: &'a BareModel,
 }
 
 impl Rules<'_> {
-    /// The paths of a variable: each stands for numbers that responses depend on and no other variable moves.
+    /// The paths of a variable: each matches numbers that responses depend on and that no other variable changes.
     fn paths(
         &self,
         at: &str,
@@ -64,7 +64,7 @@ impl Rules<'_> {
                 1 => format!("{at}.path"),
                 _ => format!("{at}.paths.{}", number + 1),
             };
-            match path::numbers_of(&self.plans.bare, pattern) {
+            match path::numbers_of(&self.bare.model, pattern) {
                 Ok(found) => {
                     let message = found
                         .into_iter()
@@ -79,14 +79,14 @@ impl Rules<'_> {
         }
     }
 
-    /// Why a variable may not move a parameter.
+    /// Why a variable must not change a parameter.
     fn unfit(
         &self,
         index: usize,
         id: ParameterId,
         moved: &mut HashMap<ParameterId, usize>,
     ) -> Option<String> {
-        let path = || path::text(&self.plans.bare, id);
+        let path = || path::text(&self.bare.model, id);
         if id.group == Group::Sweep {
             return Some(format!(
                 "{}: no response depends on it; must be a number of the beam, a support, a subsystem or a force",
@@ -103,9 +103,9 @@ impl Rules<'_> {
         }
     }
 
-    /// With the first parameter at either bound, or beyond it by the tolerance, the model must be a possible one.
+    /// The model must be possible with the first parameter at either bound, or beyond it by the tolerance.
     fn bounds(&self, at: &str, variable: &Variable, faults: &mut Vec<Fault>) {
-        let bare = &self.plans.bare;
+        let bare = &self.bare.model;
         let share = variable.tolerance / 100.0;
         let extremes = [
             ("min", variable.min - variable.min.abs() * share),
@@ -118,7 +118,7 @@ impl Rules<'_> {
                     faults.push(no_ratio(at, &fault));
                     return;
                 }
-                // A motion that is fixed for a while has nothing that a ratio could be held to.
+                // The spring of a motion that is fixed now has no value, so no ratio to keep.
                 Err(_) if variable.hold == Hold::Ratio => return,
                 Err(_) => match variable.applied(bare, value) {
                     Ok(set) => set,
@@ -132,7 +132,7 @@ impl Rules<'_> {
             }
             let mut found = Vec::new();
             state(&extreme, &mut found);
-            let new = |fault: &Fault| !self.plans.known.contains(&fault.path);
+            let new = |fault: &Fault| !self.bare.known.contains(&fault.path);
             if let Some(fault) = found.into_iter().find(new) {
                 let message = impossible(variable.tolerance, &fault);
                 faults.push(Fault::new(format!("{at}.{key}"), message));
@@ -161,7 +161,7 @@ fn impossible(tolerance: f64, fault: &Fault) -> String {
     )
 }
 
-/// The numbers of a variable by themselves.
+/// The bounds, scale and tolerance of a variable.
 fn range(at: &str, variable: &Variable, faults: &mut Vec<Fault>) {
     let Variable { min, max, .. } = *variable;
     for (key, value) in [("min", min), ("max", max)] {
@@ -224,12 +224,12 @@ fn limit(at: &str, model: &Model, limit: &Limit, faults: &mut Vec<Fault>) {
     }
 }
 
-/// The response that an aim or a limit is of.
+/// The response of an aim or a limit.
 fn asked<T>(choices: &[Choice<T>], of: &T) -> Asked {
     Choice::of(choices, of).map_or(Asked::Nothing, |choice| choice.response)
 }
 
-/// The numbers and texts of what a table is.
+/// The numbers and texts of the chosen kind of a table.
 fn chosen<T>(at: &str, of: &T, choices: &[Choice<T>], faults: &mut Vec<Fault>) {
     let Some(choice) = Choice::of(choices, of) else {
         return;
@@ -245,7 +245,7 @@ fn chosen<T>(at: &str, of: &T, choices: &[Choice<T>], faults: &mut Vec<Fault>) {
     }
 }
 
-/// Every number against its range, however large it is.
+/// Every number against its range, without a limit of magnitude.
 fn ranges<T>(at: &str, of: &T, rows: &Rows<T>, faults: &mut Vec<Fault>) {
     for (key, value) in rows.numbers(of) {
         let message = if !value.is_finite() {
@@ -259,7 +259,7 @@ fn ranges<T>(at: &str, of: &T, rows: &Rows<T>, faults: &mut Vec<Fault>) {
     }
 }
 
-/// A response must be there, in use, and what is wanted.
+/// A response must exist, be enabled and be of the requested kind.
 fn response(at: &str, model: &Model, name: Option<&String>, asked: Asked, faults: &mut Vec<Fault>) {
     let Some(name) = name else { return };
     let found = model.responses.iter().find(|one| one.name == *name);
@@ -269,7 +269,7 @@ fn response(at: &str, model: &Model, name: Option<&String>, asked: Asked, faults
                 .responses
                 .iter()
                 .map(|response| response.name.as_str());
-            let near = names::nearest(name, known);
+            let near = spelling::nearest(name, known);
             let near = near.map_or_else(String::new, |near| format!(" (did you mean {near:?}?)"));
             format!("{name:?} is no response{near}; must be the name of one")
         }

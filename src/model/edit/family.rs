@@ -7,22 +7,22 @@ use crate::model::path::{self, Finder, Pattern};
 use crate::model::types::{Family, Model, Operation};
 use crate::unit::Unit;
 
-/// A member of a study: the model with its changes, checked. It carries no studies and no tuning of its own.
+/// A member of a study: the model with its changes, checked, without studies and tuning.
 ///
-/// Every change starts from the model's own value, so that a parameter which two paths stand for is changed once.
+/// Every change starts from the model's own value, so that a parameter that two paths match is changed once.
 ///
 /// # Errors
-/// There is no such member, a path matches nothing or no number, or [`check()`](crate::model::check()) refuses the
-/// outcome.
+/// The member does not exist, a path matches nothing or no number, or [`check()`](crate::model::check()) finds faults
+/// in the result.
 pub fn apply(model: &Model, family: &Family, index: usize) -> Result<Checked, Vec<Fault>> {
     let member = apply_unchecked(model, family, index).map_err(|fault| vec![fault])?;
     Checked::new(member)
 }
 
-/// As [`apply`], without asking whether the member is a possible model.
+/// As [`apply`], without a check of the result.
 ///
 /// # Errors
-/// There is no such member, or a path matches nothing or no number.
+/// The member does not exist, or a path matches nothing or no number.
 pub fn apply_unchecked(model: &Model, family: &Family, index: usize) -> Result<Model, Fault> {
     let mut member = Model {
         studies: Vec::new(),
@@ -64,7 +64,7 @@ fn change(model: &Model, member: &mut Model, family: &Family, index: usize) -> R
     }
 }
 
-/// What tells the members of a study apart, for a chart: `x 0.5`, `1e6`, `+0.3`, a case's name.
+/// Labels of the members of a study for a chart: `x 0.5`, `1e6`, `+0.3`, a case's name.
 pub fn family_labels(family: &Family) -> Vec<String> {
     match family {
         Family::Vary {
@@ -93,7 +93,7 @@ pub fn family_labels(family: &Family) -> Vec<String> {
     }
 }
 
-/// What tells the members of a study apart, for a table: the bare factor or value, or a case's name.
+/// Labels of the members of a study for a table: the factor or value alone, or a case's name.
 pub fn family_keys(family: &Family) -> Vec<String> {
     match family {
         Family::Vary { values, .. } => values.iter().map(|value| short(*value)).collect(),

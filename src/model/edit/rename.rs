@@ -1,4 +1,4 @@
-//! New names for elements that others speak of.
+//! Renaming elements that other parts of the model refer to.
 
 use crate::model::id::Group;
 use crate::model::path::Pattern;
@@ -6,7 +6,7 @@ use crate::model::path::pattern::{Part, join};
 use crate::model::tuning::Limit;
 use crate::model::types::{Family, Model, Quantity, Target};
 
-/// Renames an element of a list, wherever the model refers to it.
+/// Renames an element of a list and all references to it.
 pub(super) fn element(model: &mut Model, group: Group, new: &str) {
     match group {
         Group::Subsystem(index) => subsystem(model, index, new),
@@ -16,7 +16,7 @@ pub(super) fn element(model: &mut Model, group: Group, new: &str) {
     }
 }
 
-/// Renames a subsystem, wherever the model speaks of it.
+/// Renames a subsystem and all references to it.
 fn subsystem(model: &mut Model, index: usize, new: &str) {
     let old = std::mem::replace(&mut model.subsystems[index].name, new.to_owned());
     let forces = model.forces.iter_mut().map(|force| &mut force.target);
@@ -38,7 +38,7 @@ fn subsystem(model: &mut Model, index: usize, new: &str) {
     paths(model, "subsystems", &old, new);
 }
 
-/// Renames a response, wherever the model speaks of it.
+/// Renames a response and all references to it.
 fn response(model: &mut Model, index: usize, new: &str) {
     let old = std::mem::replace(&mut model.responses[index].name, new.to_owned());
     if let Some(tune) = &mut model.tune {
@@ -80,7 +80,7 @@ fn paths(model: &mut Model, list: &str, old: &str, new: &str) {
 
 fn rewrite(path: &mut Pattern, list: &str, old: &str, new: &str) {
     let Ok(parts) = path.parts() else { return };
-    // Digits without quotes are a number, which stays.
+    // Digits without quotes are a number, which does not change.
     let named = match parts {
         [root, Part::Word(name), ..] => {
             root.means(list) && name == old && !name.chars().all(|letter| letter.is_ascii_digit())

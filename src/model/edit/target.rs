@@ -1,19 +1,19 @@
-//! Where a force acts or a response is taken, as text.
+//! The position and direction of a force or response, as text.
 
 use super::value::Value;
 use crate::model::id::Group;
-use crate::model::names::{nearest, segment};
+use crate::model::spelling::{nearest, segment};
 use crate::model::types::{BeamMotion, MassMotion, Model, Place, Quantity, Target};
-use crate::unit::{Measure, Unit, entry};
+use crate::unit::{Measure, Unit, value_input};
 
-/// Where an energy's response goes when it becomes a motion.
+/// The target of an energy response that becomes a motion.
 const DEFAULT: Target = Target::Beam(Place::Right, BeamMotion::W);
 
-/// More subsystems than this are not listed.
+/// The most subsystems that a message lists.
 const MOST_LISTED: usize = 6;
 
-/// The place as text that [`moved`] reads back: `left`, `right`, `1.6 m`, or a subsystem's name, in quotes where it
-/// looks like one of the others.
+/// The position as text that [`moved`] reads back: `left`, `right`, `1.6 m`, or a subsystem's name, in quotes if it
+/// could be read as one of the others.
 pub(super) fn place(target: &Target) -> String {
     match target {
         Target::Beam(Place::Left, _) => "left".to_owned(),
@@ -24,14 +24,14 @@ pub(super) fn place(target: &Target) -> String {
     }
 }
 
-/// Whether a name is read as a name without quotes.
+/// Whether [`moved`] reads a name without quotes as a name.
 fn is_plain(name: &str) -> bool {
-    let place =
-        matches!(name, "" | "left" | "right") || entry::number(name, 0.0, &Unit::METRE).is_ok();
+    let place = matches!(name, "" | "left" | "right")
+        || value_input::number(name, 0.0, &Unit::METRE).is_ok();
     !place && name.trim() == name && unquoted(name).is_none()
 }
 
-/// What stands in quotes; none without them.
+/// The text inside quotes; none without quotes.
 fn unquoted(text: &str) -> Option<&str> {
     let quoted = |quote| {
         text.strip_prefix(quote)
@@ -40,7 +40,7 @@ fn unquoted(text: &str) -> Option<&str> {
     quoted('\'').or_else(|| quoted('"'))
 }
 
-/// The direction's word.
+/// The word of a direction.
 pub(super) fn direction(target: &Target) -> &'static str {
     match target {
         Target::Beam(_, motion) => motion.key(),
@@ -48,7 +48,7 @@ pub(super) fn direction(target: &Target) -> &'static str {
     }
 }
 
-/// The words of the directions that fit the place.
+/// The words of the directions that the position permits.
 pub(in crate::model) const fn directions(target: &Target) -> &'static [&'static str] {
     match target {
         Target::Beam(..) => BeamMotion::WORDS,
@@ -56,7 +56,7 @@ pub(in crate::model) const fn directions(target: &Target) -> &'static [&'static 
     }
 }
 
-/// Where a force acts or a response is taken; none of an energy.
+/// The target of a force or response; none for an energy.
 pub fn target_of(model: &Model, group: Group) -> Option<&Target> {
     match group {
         Group::Force(index) => Some(&model.forces[index].target),
@@ -68,7 +68,7 @@ pub fn target_of(model: &Model, group: Group) -> Option<&Target> {
     }
 }
 
-/// As [`target_of`], or why there is none.
+/// As [`target_of`], or a message if there is none.
 pub(super) fn known(model: &Model, group: Group) -> Result<&Target, String> {
     target_of(model, group).ok_or_else(|| "is an energy, which is the whole beam's; the measure must be displacement, velocity or acceleration first".to_owned())
 }
@@ -85,7 +85,7 @@ fn put(model: &mut Model, group: Group, new: Target) {
     }
 }
 
-/// The word of what a response is.
+/// The word of a response's measure.
 pub(super) const fn measure(quantity: &Quantity) -> &'static str {
     match quantity {
         Quantity::Motion(_, measure) => measure.key(),
@@ -96,7 +96,7 @@ pub(super) const fn measure(quantity: &Quantity) -> &'static str {
 /// A quantity with another measure. An energy that becomes a motion is w at the right end.
 ///
 /// # Errors
-/// There is no such measure; says which there are.
+/// The measure is unknown; the message lists all measures.
 pub(super) fn measured(quantity: &Quantity, word: &str) -> Result<Quantity, String> {
     if word == Quantity::ENERGY {
         return Ok(Quantity::Energy);
@@ -112,10 +112,10 @@ pub(super) fn measured(quantity: &Quantity, word: &str) -> Result<Quantity, Stri
     Ok(Quantity::Motion(target, measure))
 }
 
-/// Takes a force or response to another place, with the motion that is nearest to the old one there.
+/// Moves a force or response to another position, with the motion that corresponds to the old one.
 ///
 /// # Errors
-/// It is an energy, or the text is no place; says what would be.
+/// It is an energy, or the text is not a position; the message says what is accepted.
 pub(super) fn place_at(model: &mut Model, group: Group, value: Value) -> Result<(), String> {
     let old = known(model, group)?;
     let new = moved(model, old, &value.text()?)?;
@@ -123,10 +123,10 @@ pub(super) fn place_at(model: &mut Model, group: Group, value: Value) -> Result<
     Ok(())
 }
 
-/// Turns a force or response along another direction.
+/// Gives a force or response another direction.
 ///
 /// # Errors
-/// It is an energy, or the direction does not fit the place; says which do.
+/// It is an energy, or the position does not permit the direction; the message lists the accepted ones.
 pub(super) fn turn(model: &mut Model, group: Group, value: &Value) -> Result<(), String> {
     let old = known(model, group)?;
     let new = turned(old, value.word()?)?;
@@ -143,7 +143,7 @@ fn moved(model: &Model, old: &Target, text: &str) -> Result<Target, String> {
             .any(|subsystem| subsystem.name == name)
     };
     let at = |place| Target::Beam(place, beam_motion(old));
-    // A change such as *1.1 needs a position to start from.
+    // A change such as *1.1 starts from the current position.
     let position = match old {
         Target::Beam(Place::Position(position), _) => *position,
         _ => f64::NAN,
@@ -152,7 +152,7 @@ fn moved(model: &Model, old: &Target, text: &str) -> Result<Target, String> {
         ("left", _) => return Ok(at(Place::Left)),
         ("right", _) => return Ok(at(Place::Right)),
         (_, Some(name)) if known(name) => name,
-        _ => match entry::number(text, position, &Unit::METRE) {
+        _ => match value_input::number(text, position, &Unit::METRE) {
             Ok(position) => return Ok(at(Place::Position(position))),
             Err(_) if known(text) => text,
             Err(_) => return Err(no_place(model, text)),
@@ -173,7 +173,7 @@ fn turned(old: &Target, word: &str) -> Result<Target, String> {
     Err(format!("is {word:?}; must be {fitting} {place}"))
 }
 
-/// The motion of the beam along which a target is, or that of the beam nearest to it.
+/// The beam motion of a target, or the one that corresponds to its mass motion.
 fn beam_motion(target: &Target) -> BeamMotion {
     match target {
         Target::Beam(_, motion) => *motion,
@@ -183,7 +183,7 @@ fn beam_motion(target: &Target) -> BeamMotion {
     }
 }
 
-/// The motion of a mass along which a target is, or that of a mass nearest to it.
+/// The mass motion of a target, or the one that corresponds to its beam motion.
 fn mass_motion(target: &Target) -> MassMotion {
     match target {
         Target::Mass(_, motion) => *motion,
@@ -193,7 +193,7 @@ fn mass_motion(target: &Target) -> MassMotion {
     }
 }
 
-/// The places there are, in words.
+/// The accepted positions, in words.
 pub(in crate::model) fn places(model: &Model) -> String {
     let names: Vec<String> = model
         .subsystems

@@ -4,13 +4,13 @@ use super::rename;
 use super::target;
 use crate::model::id::{End, Group, ParameterId};
 use crate::model::schema::{self, Access, Key, Kind, Rows};
-use crate::model::serial::format_number;
+use crate::model::toml_literal::format_number;
 use crate::model::types::{BeamMotion, Elastic, Model, Restraint, Support};
 
 /// The value of a parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
-    /// A number, in the parameter's unit.
+    /// A number in the parameter's unit.
     Number(f64),
     /// A whole number.
     Count(usize),
@@ -18,12 +18,12 @@ pub enum Value {
     Flag(bool),
     /// One of the parameter's choices.
     Choice(&'static str),
-    /// Free text, a name, or a place: `left`, `right`, `1.6 m`, a subsystem's name.
+    /// Free text, a name, or a position: `left`, `right`, `1.6 m`, a subsystem's name.
     Text(String),
 }
 
 impl Value {
-    /// The number that it is.
+    /// Its number.
     fn number(&self) -> Result<f64, String> {
         match self {
             Self::Number(number) => Ok(*number),
@@ -74,7 +74,7 @@ impl Value {
 }
 
 impl<T> Rows<T> {
-    /// The value of a row; none where it has rules of its own.
+    /// The value of a row; none if the row has its own rules.
     fn get(&self, row: usize, of: &T) -> Option<Value> {
         Some(match &self.access[row] {
             Access::Number(get, _) => Value::Number(get(of)),
@@ -86,7 +86,7 @@ impl<T> Rows<T> {
         })
     }
 
-    /// Writes the value of a row; one with rules of its own takes none.
+    /// Writes the value of a row; fails if the row has its own rules.
     fn set(&self, row: usize, of: &mut T, value: Value) -> Result<(), String> {
         match &self.access[row] {
             Access::Number(_, set) => set(of, value.number()?),
@@ -103,7 +103,7 @@ impl<T> Rows<T> {
 /// The value of a parameter.
 ///
 /// # Errors
-/// Says why it has none: a fixed motion has no spring, an energy no place.
+/// Why it has none: a fixed motion has no spring, an energy has no position.
 pub fn get(model: &Model, id: ParameterId) -> Result<Value, String> {
     let row = id.row;
     let plain = match id.group {
@@ -128,14 +128,14 @@ pub fn get(model: &Model, id: ParameterId) -> Result<Value, String> {
 /// The number of a parameter.
 ///
 /// # Errors
-/// As [`get`], or it is something else.
+/// As [`get`], or the value is not a number.
 pub fn number(model: &Model, id: ParameterId) -> Result<f64, String> {
     get(model, id)?
         .number()
         .map_err(|message| format!("is no number: {message}"))
 }
 
-/// The value of a parameter with rules of its own.
+/// The value of a parameter with its own rules.
 fn own(model: &Model, id: ParameterId) -> Result<Value, String> {
     let target = || target::known(model, id.group);
     Ok(match (id.group, id.key().kind) {
@@ -161,10 +161,10 @@ fn fixed(end: End, motion: BeamMotion, key: &Key) -> String {
     )
 }
 
-/// Writes a value, without asking whether the model stays a possible one.
+/// Writes a value, without a check of the result.
 ///
 /// # Errors
-/// The value is of another type or no choice of the parameter; the model is then unchanged.
+/// The value is of another type, or not a choice of the parameter; the model is then unchanged.
 pub fn put(model: &mut Model, id: ParameterId, value: Value) -> Result<(), String> {
     let row = id.row;
     match (id.group, id.key().kind) {
@@ -208,7 +208,7 @@ fn put_spring(
     let new = value.number()?;
     let mut elastic = match *restraint {
         Restraint::Elastic(elastic) => elastic,
-        // What is free has 0 of everything already.
+        // A free motion already has a stiffness, damping and inertia of 0.
         Restraint::Free if new == 0.0 => return Ok(()),
         Restraint::Free => Elastic::default(),
         Restraint::Fixed => return Err(fixed(end, motion, id.key())),
@@ -221,7 +221,7 @@ fn put_spring(
 fn put_restraint(restraint: &mut Restraint, word: &str) -> Result<(), String> {
     let new = Restraint::of_word(word)
         .ok_or_else(|| format!("is {word:?}; must be free, fixed or elastic"))?;
-    // What is elastic already keeps its springs.
+    // An elastic motion keeps its springs.
     if new.kind() != restraint.kind() {
         *restraint = new;
     }
@@ -241,7 +241,7 @@ fn put_support(support: &mut Support, word: &str) -> Result<(), String> {
     Ok(())
 }
 
-/// Which of some words a value is.
+/// The index of a value among some words.
 fn chosen(value: &Value, words: &[&str]) -> Result<usize, String> {
     let word = value.word()?;
     words
@@ -363,7 +363,7 @@ mod tests {
             kind(&model).choices,
             ["free", "pinned", "clamped", "elastic"]
         );
-        // That a study moves the spring of w, which a fixed motion has not, is no reason to refuse.
+        // A study of the spring of w must not block this, although a fixed motion has no spring.
         for (word, support) in [
             ("pinned", Support::PINNED),
             ("clamped", Support::CLAMPED),

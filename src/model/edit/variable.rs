@@ -1,4 +1,4 @@
-//! Which parameters a variable of a tuning moves, and how far.
+//! The parameters that a variable of a tuning changes, and their new values.
 
 use std::collections::HashSet;
 
@@ -9,10 +9,10 @@ use crate::model::tuning::{Hold, Variable};
 use crate::model::types::{Model, Spacing};
 
 impl Variable {
-    /// The parameters it moves with their present values, each once; the first is the one that the bounds are of.
+    /// The parameters it changes with their current values, each once; the bounds apply to the first.
     ///
     /// # Errors
-    /// A path matches nothing, or something that has no number now: a fixed motion has no spring.
+    /// A path matches nothing, or a parameter without a number now: a fixed motion has no spring.
     pub fn parameters(&self, model: &Model) -> Result<Vec<(ParameterId, f64)>, Fault> {
         let (mut all, mut seen) = (Vec::new(), HashSet::new());
         for pattern in &self.paths {
@@ -22,11 +22,12 @@ impl Variable {
         Ok(all)
     }
 
-    /// What each of its parameters becomes when the first one is `value`, in the order of
-    /// [`parameters`](Self::parameters). A value that the first one has already leaves all ratios to the last bit.
+    /// The new values of its parameters if the first one is `value`, in the order of [`parameters`](Self::parameters).
+    /// If
+    /// `value` is the current one, all ratios stay exact to the last bit.
     ///
     /// # Errors
-    /// As those of [`parameters`](Self::parameters), or ratios are held to a first parameter that is 0.
+    /// As [`parameters`](Self::parameters), or the first parameter is 0 and others keep a ratio to it.
     pub fn applied(&self, model: &Model, value: f64) -> Result<Vec<(ParameterId, f64)>, Fault> {
         let mut all = self.parameters(model)?;
         let Some((first, others)) = all.split_first_mut() else {
@@ -47,8 +48,8 @@ impl Variable {
         Ok(all)
     }
 
-    /// How it is searched: by [`scale`](Self::scale), else logarithmic for a stiffness or damping with a lower bound
-    /// above 0, linear otherwise.
+    /// The scale of the search: [`scale`](Self::scale) if given; else logarithmic for a stiffness or damping with a
+    /// lower bound above 0, linear otherwise.
     pub fn spacing(&self, model: &Model) -> Spacing {
         let first = || {
             let ids = self.paths.first()?.parameters(model).ok()?;

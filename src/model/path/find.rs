@@ -1,16 +1,16 @@
-//! From the text of a path to the parameters it stands for, and from a slip to the path that was meant.
+//! Finds the parameters that a path matches.
 
 use std::cell::{Cell, OnceCell};
 use std::collections::HashMap;
 
-use super::miss::{self, Miss};
 use super::pattern::{Part, Pattern};
+use super::suggestion::{self, Mismatch};
 use super::text::parts;
 use crate::model::Fault;
 use crate::model::id::{End, Group, ParameterId};
 use crate::model::types::Model;
 
-/// The words a path may begin with.
+/// The first words of paths.
 const ROOTS: [&str; 9] = [
     "title",
     "notes",
@@ -23,12 +23,22 @@ const ROOTS: [&str; 9] = [
     "studies",
 ];
 
-/// Finds parameters of a model. One finder for many paths keeps the names in a hash table.
+/// Finds parameters of a model. Use one finder for many paths: it caches the names in a hash table.
 pub(in crate::model) struct Finder<'a> {
     model: &'a Model,
-    /// Whether a name was looked up before: a single look-up is not worth a table.
+    /// Whether a name was looked up before: for a single look-up a table is slower.
     used: Cell<bool>,
     subsystems: OnceCell<HashMap<&'a str, usize>>,
+}
+
+impl Pattern {
+    /// The parameters that it matches, at least one.
+    ///
+    /// # Errors
+    /// It matches nothing; the fault suggests the nearest path that matches, or lists the valid words.
+    pub fn parameters(&self, model: &Model) -> Result<Vec<ParameterId>, Fault> {
+        Finder::new(model).find(self)
+    }
 }
 
 impl<'a> Finder<'a> {
@@ -40,28 +50,28 @@ impl<'a> Finder<'a> {
         }
     }
 
-    /// The parameters that a path or pattern stands for, at least one, owner by owner.
+    /// The parameters that a path or pattern matches, at least one, owner by owner.
     ///
     /// # Errors
-    /// The path matches nothing; the fault has the nearest path that does, or what could stand there.
+    /// The path matches nothing; the fault suggests the nearest path that matches, or lists the valid words.
     pub(in crate::model) fn find(&self, path: &Pattern) -> Result<Vec<ParameterId>, Fault> {
         let fault = |message| Fault::new(&**path, message);
         let parts = path.parts().map_err(|message| fault(message.to_owned()))?;
         self.resolve(parts)
-            .map_err(|miss| fault(miss::explain(self, parts.to_vec(), miss)))
+            .map_err(|mismatch| fault(suggestion::explain(self, parts.to_vec(), mismatch)))
     }
 
     /// The parameters of a path's parts.
-    pub(super) fn resolve(&self, path: &[Part]) -> Result<Vec<ParameterId>, Miss> {
+    pub(super) fn resolve(&self, path: &[Part]) -> Result<Vec<ParameterId>, Mismatch> {
         let (owners, depth) = self.owners(path)?;
-        // Every list has an element here, and the keys do not depend on which.
+        // There is at least one owner, and all have the same keys.
         let all = owners.first().map_or_else(Vec::new, |owner| owner.owned());
-        let ids = below(all, &path[depth..]).map_err(|miss| Miss {
-            at: depth + miss.at,
-            ..miss
+        let ids = below(all, &path[depth..]).map_err(|mismatch| Mismatch {
+            at: depth + mismatch.at,
+            ..mismatch
         })?;
         let star = |at: usize| path.get(at) == Some(&Part::Any);
-        // Where a star stands for a motion or a response, those without the parameter are passed over.
+        // A star for a motion or a response skips those without the parameter.
         let lenient = match owners.first() {
             Some(Group::Support(_)) => star(2),
             Some(Group::Response(_)) => star(1),
@@ -76,8 +86,8 @@ impl<'a> Finder<'a> {
         Ok(all.filter(|id| !lenient || id.exists(self.model)).collect())
     }
 
-    /// The owners a path begins with, and how many parts name them.
-    fn owners(&self, parts: &[Part]) -> Result<(Vec<Group>, usize), Miss> {
+    /// The owners at the start of a path, and the number of parts that name them.
+    fn owners(&self, parts: &[Part]) -> Result<(Vec<Group>, usize), Mismatch> {
         let model = self.model;
         match parts[0].word() {
             "title" | "notes" => Ok((vec![Group::Model], 0)),
@@ -109,21 +119,21 @@ impl<'a> Finder<'a> {
                     names.clone().position(|of| of == name)
                 })
             }
-            _ => Err(Miss {
+            _ => Err(Mismatch {
                 at: 0,
                 known: ROOTS.map(str::to_owned).to_vec(),
             }),
         }
     }
 
-    /// The subsystem of a name; from the second name on by a hash table.
+    /// The subsystem with a name; from the second look-up on by a hash table.
     fn subsystem(&self, name: &str) -> Option<usize> {
         let list = &self.model.subsystems;
         if !self.used.replace(true) {
             return list.iter().position(|subsystem| subsystem.name == name);
         }
         let table = self.subsystems.get_or_init(|| {
-            // Backwards, so that of equal names the first one stays.
+            // In reverse, so that the first of equal names wins.
             list.iter()
                 .enumerate()
                 .rev()
@@ -134,13 +144,13 @@ impl<'a> Finder<'a> {
     }
 }
 
-/// The ends that the second part of a path stands for.
-fn support(part: Option<&Part>) -> Result<(Vec<Group>, usize), Miss> {
+/// The ends that the second part of a path matches.
+fn support(part: Option<&Part>) -> Result<(Vec<Group>, usize), Mismatch> {
     let ends = End::ALL.into_iter();
     let meant = |end: &End| part.is_some_and(|part| part.means(end.key()));
     let found: Vec<Group> = ends.filter(meant).map(Group::Support).collect();
     if found.is_empty() {
-        return Err(Miss {
+        return Err(Mismatch {
             at: 1,
             known: End::ALL.map(|end| end.key().to_owned()).to_vec(),
         });
@@ -148,18 +158,18 @@ fn support(part: Option<&Part>) -> Result<(Vec<Group>, usize), Miss> {
     Ok((found, 2))
 }
 
-/// The elements of a list that the second part of a path stands for.
+/// The list elements that the second part of a path matches.
 fn element<'n>(
     parts: &[Part],
     owner: fn(usize) -> Group,
     names: impl Iterator<Item = &'n str> + Clone,
     named: impl Fn(&str) -> Option<usize>,
-) -> Result<(Vec<Group>, usize), Miss> {
+) -> Result<(Vec<Group>, usize), Mismatch> {
     let length = || names.clone().count();
     let found: Vec<Group> = match parts.get(1) {
         Some(Part::Any) => (0..length()).map(owner).collect(),
         Some(Part::Quoted(name)) => named(name).map(owner).into_iter().collect(),
-        // Digits alone are a number; a name of digits is written in quotes.
+        // Digits alone are a number; a name of digits needs quotes.
         Some(Part::Word(word)) if word.chars().all(|letter| letter.is_ascii_digit()) => {
             let index = word
                 .parse::<usize>()
@@ -175,7 +185,7 @@ fn element<'n>(
         None => Vec::new(),
     };
     if found.is_empty() {
-        return Err(Miss {
+        return Err(Mismatch {
             at: 1,
             known: names.map(str::to_owned).collect(),
         });
@@ -183,10 +193,10 @@ fn element<'n>(
     Ok((found, 2))
 }
 
-/// The ids that the rest of a path stands for.
-fn below(mut ids: Vec<ParameterId>, path: &[Part]) -> Result<Vec<ParameterId>, Miss> {
+/// The ids that the rest of a path matches.
+fn below(mut ids: Vec<ParameterId>, path: &[Part]) -> Result<Vec<ParameterId>, Mismatch> {
     for at in 0..=path.len() {
-        // Behind the last part nothing follows.
+        // No part may follow the last key.
         let meant = |id: &&ParameterId| match (path.get(at), parts(**id).nth(at)) {
             (Some(part), Some(key)) => part.means(key),
             (part, key) => part.is_none() && key.is_none(),
@@ -194,7 +204,7 @@ fn below(mut ids: Vec<ParameterId>, path: &[Part]) -> Result<Vec<ParameterId>, M
         let kept: Vec<ParameterId> = ids.iter().filter(meant).copied().collect();
         if kept.is_empty() {
             let known = next_words(&ids, at);
-            return Err(Miss { at, known });
+            return Err(Mismatch { at, known });
         }
         ids = kept;
     }

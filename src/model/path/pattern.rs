@@ -5,13 +5,9 @@ use std::fmt;
 use std::ops::Deref;
 use std::sync::Arc;
 
-use super::find::Finder;
-use crate::model::fault::Fault;
-use crate::model::id::ParameterId;
-use crate::model::names;
-use crate::model::types::Model;
+use crate::model::spelling;
 
-/// The path or pattern of a study or a variable. Its text is parsed once, where it is read; copies share it.
+/// The path or pattern of a study or a variable. Its text is parsed once; clones share the result.
 #[derive(Debug, Clone)]
 pub struct Pattern(Arc<Parsed>);
 
@@ -22,17 +18,9 @@ struct Parsed {
 }
 
 impl Pattern {
-    /// Its parts, or what is wrong with its text.
+    /// Its parts, or an error in its text.
     pub(in crate::model) fn parts(&self) -> Result<&[Part], &str> {
         self.0.parts.as_deref().map_err(String::as_str)
-    }
-
-    /// The parameters that it stands for, at least one.
-    ///
-    /// # Errors
-    /// It matches nothing; the fault names the nearest path that does, or what could stand there.
-    pub fn parameters(&self, model: &Model) -> Result<Vec<ParameterId>, Fault> {
-        Finder::new(model).find(self)
     }
 }
 
@@ -77,14 +65,14 @@ impl fmt::Display for Pattern {
 
 #[cfg(test)]
 thread_local! {
-    /// How many texts were parsed by this thread.
+    /// The number of texts that this thread has parsed.
     pub(crate) static PARSED: std::cell::Cell<usize> = const { std::cell::Cell::new(0) };
 }
 
-/// One part of a path, between two dots.
+/// A part of a path, between two dots.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(in crate::model) enum Part {
-    /// `*`: whatever is there.
+    /// `*`: any word.
     Any,
     /// A key, a name or a number.
     Word(String),
@@ -93,7 +81,7 @@ pub(in crate::model) enum Part {
 }
 
 impl Part {
-    /// The word without quotes; a star for any.
+    /// The word without quotes; `*` for any.
     pub(in crate::model) fn word(&self) -> &str {
         match self {
             Self::Any => "*",
@@ -101,7 +89,7 @@ impl Part {
         }
     }
 
-    /// Whether a key is meant.
+    /// Whether it matches a key.
     pub(in crate::model) fn means(&self, key: &str) -> bool {
         *self == Self::Any || self.word() == key
     }
@@ -110,7 +98,7 @@ impl Part {
 /// Splits a path at its dots, outside of quotes.
 ///
 /// # Errors
-/// Says what is wrong with the text.
+/// The error in the text.
 fn split(path: &str) -> Result<Vec<Part>, String> {
     #[cfg(test)]
     PARSED.set(PARSED.get() + 1);
@@ -160,12 +148,12 @@ fn quoted(text: &str, quote: char) -> Result<(Part, &str), String> {
     ))
 }
 
-/// The text of parts, each quoted where it must be.
+/// The text of parts, with quotes where needed.
 pub(in crate::model) fn join(parts: &[Part]) -> String {
     let texts = parts.iter().map(|part| match part {
         Part::Any => "*".to_owned(),
         Part::Word(word) => word.clone(),
-        Part::Quoted(name) => names::segment(name),
+        Part::Quoted(name) => spelling::segment(name),
     });
     texts.collect::<Vec<_>>().join(".")
 }
@@ -215,7 +203,7 @@ mod tests {
     proptest! {
         #[test]
         fn every_name_survives_as_a_part(name in "\\PC*") {
-            let path = format!("subsystems.{}.mass", names::segment(&name));
+            let path = format!("subsystems.{}.mass", spelling::segment(&name));
             let parts = split(&path).unwrap();
             prop_assert_eq!(parts.len(), 3);
             prop_assert_eq!(parts[1].word(), name.as_str());

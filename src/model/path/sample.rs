@@ -1,4 +1,4 @@
-//! Models for the tests of this module.
+//! Models for tests.
 
 use crate::model::tuning::{Aim, Combine, Hold, Objective, Tune, Variable};
 use crate::model::types::{
@@ -8,7 +8,7 @@ use crate::model::types::{
 };
 use crate::unit::Measure;
 
-/// The beam of the paper with as many subsystems as there are names, and a little of everything else.
+/// The beam of the paper with one subsystem per name, and a few elements of every other list.
 pub(in crate::model) fn model(names: &[&str]) -> Model {
     let count = names.len() as f64;
     let at = |index: usize| 3.2 * (index as f64 + 1.0) / (count + 1.0);
@@ -187,7 +187,10 @@ fn study(name: &str, path: &str, operation: Operation, values: &[f64]) -> Study 
 
 fn cases(names: &[&str]) -> Vec<Case> {
     let named = names.first().map(|name| {
-        let path = format!("subsystems.{}.arm_left", crate::model::names::segment(name));
+        let path = format!(
+            "subsystems.{}.arm_left",
+            crate::model::spelling::segment(name)
+        );
         (path.into(), 0.22)
     });
     vec![

@@ -1,9 +1,9 @@
-//! From parameters to the text of their paths.
+//! The paths of parameters as text.
 
 use std::cell::OnceCell;
 
 use crate::model::id::{Group, ParameterId};
-use crate::model::names::{element_key, element_keys};
+use crate::model::spelling::{element_key, element_keys};
 use crate::model::types::Model;
 
 /// The path of a parameter.
@@ -11,7 +11,7 @@ pub fn text(model: &Model, id: ParameterId) -> String {
     join(&owner(model, id.group.owner()), id)
 }
 
-/// The paths of parameters; each name of a list is looked at once.
+/// The paths of parameters; visits each name of a list once.
 pub fn texts(model: &Model, ids: &[ParameterId]) -> Vec<String> {
     let lists = [const { OnceCell::new() }; 3];
     let key = |list: usize, of: Group, place: usize| {
@@ -20,7 +20,7 @@ pub fn texts(model: &Model, ids: &[ParameterId]) -> Vec<String> {
         format!("{}.{}", list_key(of), keys[place])
     };
     let path = |id: &ParameterId| match id.group {
-        // A single name needs no table of all.
+        // A single path does not need the keys of the whole list.
         _ if ids.len() == 1 => text(model, *id),
         Group::Subsystem(i) => join(&key(0, id.group, i), *id),
         Group::Response(i) => join(&key(1, id.group, i), *id),
@@ -66,7 +66,7 @@ fn owner(model: &Model, owner: Group) -> String {
     }
 }
 
-/// The key of the file below which a table is.
+/// The key of the file that contains a table.
 const fn list_key(of: Group) -> &'static str {
     match of {
         Group::Beam => "beam",
@@ -77,7 +77,7 @@ const fn list_key(of: Group) -> &'static str {
     }
 }
 
-/// What the names of a list give.
+/// Applies a function to the names of a list.
 fn names<R>(model: &Model, list: Group, of: impl FnOnce(&mut dyn Iterator<Item = &str>) -> R) -> R {
     match list {
         Group::Subsystem(_) => of(&mut model.subsystems.iter().map(|one| &*one.name)),

@@ -1,12 +1,12 @@
 //! The elements of lists.
 
-use super::super::names::element_keys;
+use super::super::spelling::element_keys;
 use super::reader::Reader;
 use super::table::Table;
 use super::value::Node;
 use std::collections::HashMap;
 
-/// The names in a list of tables; empty where there is none.
+/// The names in a list of tables; an empty text for a table without a name.
 pub(super) fn names<'a>(list: &[Node<'a>]) -> Vec<&'a str> {
     list.iter()
         .map(|node| {
@@ -18,7 +18,7 @@ pub(super) fn names<'a>(list: &[Node<'a>]) -> Vec<&'a str> {
         .collect()
 }
 
-/// The elements of a list of named tables, opened; none where an element is no table.
+/// The tables of a list of named tables; none for an element that is not a table.
 pub(super) fn named<'a>(
     list: &[Node<'a>],
     path: &str,

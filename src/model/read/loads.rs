@@ -26,7 +26,7 @@ pub(super) fn forces(root: &mut Table<'_>, names: &[&str], reader: &mut Reader) 
         };
         if let Some(mut table) = Table::open(format!("forces.{}", index + 1), node, reader) {
             table.rows(&mut force, &FORCE, reader, |table, force, kind, reader| {
-                // The place says which directions there are.
+                // The position determines the accepted directions.
                 if kind == Kind::Place {
                     force.target = target(table, names, reader);
                 }
@@ -60,7 +60,7 @@ pub(super) fn responses(
                 &RESPONSE,
                 reader,
                 |table, response, kind, reader| {
-                    // The measure says whether there is a place.
+                    // The measure determines whether there is a position.
                     if kind == Kind::Measure {
                         response.quantity = quantity(table, names, reader);
                     }
@@ -88,7 +88,7 @@ fn quantity(table: &mut Table<'_>, names: &[&str], reader: &mut Reader) -> Quant
             }
             Quantity::Energy
         }
-        // Whether a place is missing depends on the measure that could not be read.
+        // Whether a position is missing depends on the unreadable measure.
         None if table.has("at") && table.has("direction") => {
             Quantity::Motion(target(table, names, reader), Measure::Displacement)
         }
@@ -100,7 +100,7 @@ fn quantity(table: &mut Table<'_>, names: &[&str], reader: &mut Reader) -> Quant
     }
 }
 
-/// Where and along what; a subsystem that does not exist is left to the checks.
+/// Position and direction; the checks report an unknown subsystem.
 fn target(table: &mut Table<'_>, names: &[&str], reader: &mut Reader) -> Target {
     let place = place(table, reader);
     let (beam, mass) = (BeamMotion::WORDS, MassMotion::WORDS);
@@ -129,7 +129,7 @@ fn target(table: &mut Table<'_>, names: &[&str], reader: &mut Reader) -> Target 
     }
 }
 
-/// A place on the beam, or the name of a subsystem; none where it cannot be read.
+/// A position on the beam, or the name of a subsystem; none if unreadable.
 fn place(table: &mut Table<'_>, reader: &mut Reader) -> Option<Result<Place, String>> {
     const EXPECTED: &str = "\"left\", \"right\", a position in m or a subsystem's name";
     let (path, node) = table.need("at", EXPECTED, reader)?;

@@ -7,19 +7,19 @@ use super::super::types::{
 };
 use super::list::{named, names};
 use super::loads;
-use super::plans;
 use super::reader::{Reader, quoted};
 use super::rows::no_own;
+use super::studies;
 use super::table::Table;
 use super::tuning;
 use super::value::{Node, wrong_type};
 use toml::de::DeValue;
 
-/// The only format there is.
+/// The only supported format.
 const FORMAT: &str = "beamtune/1";
 
-/// The whole file; what cannot be read has a placeholder, of which the reader knows. `others` are names of subsystems
-/// that are not in it.
+/// The whole file, with placeholders for unreadable parts, which the reader knows. `others` are names of subsystems
+/// outside the file.
 pub(super) fn model(mut root: Table<'_>, others: &[&str], reader: &mut Reader) -> Model {
     root.word("format", &[FORMAT], None, reader);
     let mut model = Model::default();
@@ -32,13 +32,13 @@ pub(super) fn model(mut root: Table<'_>, others: &[&str], reader: &mut Reader) -
     model.forces = loads::forces(&mut root, &names, reader);
     model.responses = loads::responses(&mut root, &names, reader);
     model.sweep = sweep(&mut root, reader);
-    model.studies = plans::studies(&mut root, reader);
+    model.studies = studies::studies(&mut root, reader);
     model.tune = tuning::tune(&mut root, reader);
     root.finish(reader);
     model
 }
 
-/// NaN for every number, where their table cannot be read.
+/// NaN for every number of an unreadable table.
 fn blank<T: Default>(rows: &Rows<T>) -> T {
     let mut blank = T::default();
     for access in rows.access {
@@ -158,7 +158,7 @@ fn subsystem(table: Option<Table<'_>>, reader: &mut Reader) -> Subsystem {
     let mut subsystem = blank(&SUBSYSTEM);
     if let Some(mut table) = table {
         table.rows(&mut subsystem, &SUBSYSTEM, reader, no_own);
-        // Whether these matter is known when the springs are.
+        // Whether these are required depends on the springs.
         for key in SUBSYSTEM.keys {
             if Subsystem::OF_SPRINGS.contains(&key.key)
                 && !table.has(key.key)

@@ -1,46 +1,45 @@
-//! What is found wrong while a text is read, and where.
+//! The faults found while a text is read, and their positions.
 
 use super::super::fault::Fault;
-use super::super::names;
-use super::place::Cursor;
+use super::super::spelling;
 use std::collections::{HashMap, HashSet};
 
 /// A fault at a byte offset.
 struct Found {
     offset: usize,
     fault: Fault,
-    /// Another offset, whose line the message is to name.
+    /// Another offset, whose line the message names.
     first: Option<usize>,
 }
 
-/// The faults found so far, and where each path stands in the text.
+/// The faults found so far, and the position of each path in the text.
 #[derive(Default)]
 pub(crate) struct Reader {
     found: Vec<Found>,
-    /// Paths about which no more is to be said, nor about anything below them.
-    spoken: HashSet<String>,
+    /// Paths whose further faults are suppressed, also below them.
+    silenced: HashSet<String>,
     /// Byte offsets.
     places: HashMap<String, usize>,
-    /// What the checks call otherwise than the text: from their path to the text's.
+    /// Paths of the checks that differ from those of the text, with the latter.
     aliases: HashMap<String, String>,
-    /// A subsystem's name could not be read, so other parts may name it in vain.
+    /// A subsystem's name is unreadable, so references to it cannot be checked.
     pub(super) subsystem_lost: bool,
-    /// The same of a response.
+    /// The same for a response.
     pub(super) response_lost: bool,
 }
 
 impl Reader {
-    /// Notes where a path stands.
+    /// Records the position of a path.
     pub(super) fn place(&mut self, path: &str, offset: usize) {
         self.places.insert(path.to_owned(), offset);
     }
 
-    /// Notes that what the checks call `checked` is called `path` in the text.
+    /// Records that the path `checked` of the checks is `path` in the text.
     pub(super) fn alias(&mut self, checked: String, path: String) {
         self.aliases.insert(checked, path);
     }
 
-    /// A path of the checks as the text has it.
+    /// Converts a path of the checks to that of the text.
     fn in_text(&self, path: String) -> String {
         let found = ancestors(&path).find_map(|above| Some((above, self.aliases.get(above)?)));
         match found {
@@ -49,7 +48,7 @@ impl Reader {
         }
     }
 
-    /// Notes a fault.
+    /// Records a fault.
     pub(crate) fn fault(&mut self, offset: usize, path: &str, message: impl Into<String>) {
         self.silence(path);
         self.found.push(Found {
@@ -59,7 +58,7 @@ impl Reader {
         });
     }
 
-    /// A name that stands at another offset already.
+    /// Records a name that is already used at another offset.
     pub(super) fn used_twice(&mut self, offset: usize, path: &str, name: &str, first: usize) {
         self.silence(path);
         let fault = Fault::new(path, format!("{name:?} is used twice"));
@@ -70,16 +69,16 @@ impl Reader {
         });
     }
 
-    /// Nothing more is said about the path.
+    /// Suppresses further faults of the path.
     pub(super) fn silence(&mut self, path: &str) {
-        self.spoken.insert(path.to_owned());
+        self.silenced.insert(path.to_owned());
     }
 
-    /// A word that is none of the accepted ones.
+    /// Records a word that is not accepted.
     pub(super) fn wrong_word(&mut self, offset: usize, path: &str, word: &str, words: &[&str]) {
-        // Between words of a letter or two everything is near.
-        let near =
-            names::nearest(word, words.iter().copied()).filter(|_| word.chars().nth(2).is_some());
+        // Words of one or two letters are all near each other.
+        let near = spelling::nearest(word, words.iter().copied())
+            .filter(|_| word.chars().nth(2).is_some());
         let near = near.map_or_else(String::new, |near| format!(" (did you mean {near:?}?)"));
         self.fault(
             offset,
@@ -88,13 +87,13 @@ impl Reader {
         );
     }
 
-    /// Whether a misspelt key still gets a hint: looking for it takes a while where a whole text is not of our kind.
+    /// Whether a misspelt key still gets a suggestion: the search is slow if the whole text has unknown keys.
     pub(super) fn may_hint(&self) -> bool {
         const MOST_HINTS: usize = 1_000;
         self.found.len() < MOST_HINTS
     }
 
-    /// Takes over the faults of the model that was read, except what follows from faults found before.
+    /// Adds the faults of the checks, except those that result from earlier faults.
     pub(super) fn adopt(&mut self, faults: Vec<Fault>) {
         for mut fault in faults {
             fault.path = self.in_text(fault.path);
@@ -113,17 +112,17 @@ impl Reader {
     }
 
     fn is_known(&self, path: &str) -> bool {
-        ancestors(path).any(|path| self.spoken.contains(path))
+        ancestors(path).any(|path| self.silenced.contains(path))
     }
 
-    /// True where a fault may come from a name that could not be read.
+    /// Whether a fault may result from an unreadable name.
     fn follows_from_lost_name(&self, path: &str) -> bool {
         let plan =
             (path.starts_with("studies.") || path.starts_with("tune.")) && last(path) != "name";
         (self.subsystem_lost && (plan || last(path) == "at")) || (self.response_lost && plan)
     }
 
-    /// True when nothing is wrong.
+    /// Whether there are no faults.
     pub(crate) fn is_content(&self) -> bool {
         self.found.is_empty()
     }
@@ -173,7 +172,7 @@ fn last(path: &str) -> &str {
     path.rsplit('.').next().unwrap_or(path)
 }
 
-/// A text in quotes, cut off where it is very long.
+/// A text in quotes, truncated if very long.
 pub(crate) fn quoted(text: &str) -> String {
     const LONGEST: usize = 60;
     match text.char_indices().nth(LONGEST) {
@@ -192,12 +191,51 @@ pub(super) fn one_of(words: &[&str]) -> String {
     }
 }
 
+/// Converts rising byte offsets to lines and columns in a single pass over the text.
+struct Cursor<'a> {
+    rest: &'a str,
+    offset: usize,
+    line: usize,
+    column: usize,
+}
+
+impl<'a> Cursor<'a> {
+    /// At the start of the text.
+    fn new(text: &'a str) -> Self {
+        Self {
+            rest: text,
+            offset: 0,
+            line: 1,
+            column: 1,
+        }
+    }
+
+    /// Line and column, from 1 and in characters, of an offset that is not before the previous one.
+    fn advance(&mut self, offset: usize) -> (usize, usize) {
+        let mut length = offset.saturating_sub(self.offset).min(self.rest.len());
+        while !self.rest.is_char_boundary(length) {
+            length -= 1;
+        }
+        let (passed, rest) = self.rest.split_at(length);
+        match passed.rfind('\n') {
+            Some(newline) => {
+                self.line += passed.matches('\n').count();
+                self.column = 1 + passed[newline + 1..].chars().count();
+            }
+            None => self.column += passed.chars().count(),
+        }
+        self.rest = rest;
+        self.offset += length;
+        (self.line, self.column)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn what_lies_below_a_fault_is_not_said_again() {
+    fn faults_below_a_fault_are_suppressed() {
         let mut reader = Reader::default();
         reader.place("beam", 4);
         reader.fault(7, "beam.section", "is missing");
@@ -213,8 +251,23 @@ mod tests {
     }
 
     #[test]
-    fn lists_of_words_are_read_aloud() {
+    fn lists_of_words_are_joined_with_or() {
         assert_eq!(one_of(&["a"]), "\"a\"");
         assert_eq!(one_of(&["a", "b", "c"]), "\"a\", \"b\" or \"c\"");
+    }
+
+    #[test]
+    fn columns_count_characters() {
+        let mut cursor = Cursor::new("aé\nöb\n\nc");
+        assert_eq!(cursor.advance(0), (1, 1));
+        assert_eq!(cursor.advance(3), (1, 3));
+        assert_eq!(cursor.advance(6), (2, 2));
+        assert_eq!(cursor.advance(6), (2, 2));
+        assert_eq!(cursor.advance(99), (4, 2));
+    }
+
+    #[test]
+    fn an_offset_inside_a_character_is_that_character() {
+        assert_eq!(Cursor::new("éb").advance(1), (1, 1));
     }
 }

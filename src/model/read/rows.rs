@@ -1,11 +1,11 @@
-//! The keys that a table of the schema names.
+//! Reads the keys of a table of the schema.
 
 use super::super::schema::{Access, FEWEST_POINTS, Key, Kind, MOST_POINTS, Rows};
 use super::reader::Reader;
 use super::table::Table;
 use super::value::{whole, wrong_type};
 
-/// An inner table that is open, with its key; none where the text has none.
+/// The current inner table with its key; none if the text has none.
 type Inner<'a> = Option<(&'static str, Option<Table<'a>>)>;
 
 fn finish(inner: Inner<'_>, reader: &mut Reader) {
@@ -14,11 +14,11 @@ fn finish(inner: Inner<'_>, reader: &mut Reader) {
     }
 }
 
-/// For tables in which no key has rules of its own.
+/// For tables in which no key has its own rules.
 pub(super) fn no_own<T>(_: &mut Table<'_>, _: &mut T, _: Kind, _: &mut Reader) {}
 
 impl<'a> Table<'a> {
-    /// Every key of a table of the schema, those of inner tables included; `own` reads what has rules of its own.
+    /// Every key of a table of the schema and of its inner tables; `own` reads the keys with their own rules.
     pub(super) fn rows<T>(
         &mut self,
         of: &mut T,
@@ -59,7 +59,7 @@ impl<'a> Table<'a> {
         finish(inner, reader);
     }
 
-    /// A number of this table or of an inner one, which stays open for the next number.
+    /// A number of this table or of an inner one, which remains the current one for the next number.
     fn number_below(
         &mut self,
         key: &'static Key,

@@ -1,12 +1,12 @@
-//! A table of the text while its keys are taken one by one.
+//! A table of the text whose keys are taken one by one.
 
-use super::super::names;
 use super::super::schema::Range;
+use super::super::spelling;
 use super::reader::{Reader, one_of};
 use super::value::{Node, number, text, wrong_type};
 use toml::de::{DeTable, DeValue};
 
-/// A table and what has been asked of it so far; [`finish`](Self::finish) says what is left over or missing.
+/// A table and the keys requested so far; [`finish`](Self::finish) reports unknown and missing keys.
 pub(crate) struct Table<'a> {
     /// Path, empty for the root.
     pub(super) path: String,
@@ -17,7 +17,7 @@ pub(crate) struct Table<'a> {
     missing: Vec<(&'a str, String)>,
 }
 
-/// What stands for a number of a range in a message.
+/// A number of a range in a message.
 fn expected_number(range: Range) -> String {
     match range {
         Range::Any => "a number".to_owned(),
@@ -68,7 +68,7 @@ impl<'a> Table<'a> {
         self.content.contains_key(key)
     }
 
-    /// A key that is no fault, whether it is looked at or not.
+    /// Accepts a key, whether it is read or not.
     pub(crate) fn accept(&mut self, key: &'a str) {
         if !self.known.contains(&key) {
             self.known.push(key);
@@ -84,7 +84,7 @@ impl<'a> Table<'a> {
         Some((path, node))
     }
 
-    /// The same for a key that must be there.
+    /// The same for a required key.
     pub(super) fn need(
         &mut self,
         key: &'a str,
@@ -98,24 +98,24 @@ impl<'a> Table<'a> {
         taken
     }
 
-    /// A number that turns out to be needed and is not there.
+    /// Reports a missing number that another key requires.
     pub(super) fn miss_number(&mut self, key: &'a str, range: Range) {
         self.missing.push((key, expected_number(range)));
     }
 
-    /// An inner table that may be left out.
+    /// An optional inner table.
     pub(crate) fn table(&mut self, key: &'a str, reader: &mut Reader) -> Option<Self> {
         let (path, node) = self.take(key, reader)?;
         Self::open(path, node, reader)
     }
 
-    /// An inner table that must be there.
+    /// A required inner table.
     pub(super) fn need_table(&mut self, key: &'a str, reader: &mut Reader) -> Option<Self> {
         let (path, node) = self.need(key, "a table", reader)?;
         Self::open(path, node, reader)
     }
 
-    /// The elements of an array; none where it is left out.
+    /// The elements of an optional array.
     pub(super) fn list(&mut self, key: &'a str, of: &str, reader: &mut Reader) -> Vec<Node<'a>> {
         let Some((path, node)) = self.take(key, reader) else {
             return Vec::new();
@@ -133,7 +133,7 @@ impl<'a> Table<'a> {
         Vec::new()
     }
 
-    /// A number; its default, or NaN where there is none or it cannot be read.
+    /// A number; its default if missing; NaN without a default or if unreadable.
     pub(super) fn number(
         &mut self,
         key: &'a str,
@@ -154,7 +154,7 @@ impl<'a> Table<'a> {
         })
     }
 
-    /// A text; its default, or none where it is missing or no text.
+    /// A text; its default if missing; none without a default or if it is not a text.
     pub(super) fn text(
         &mut self,
         key: &'a str,
@@ -172,7 +172,7 @@ impl<'a> Table<'a> {
         text(&path, node, reader)
     }
 
-    /// A switch; none where it is left out or neither on nor off.
+    /// A flag; none if missing or unreadable.
     pub(crate) fn flag(&mut self, key: &'a str, reader: &mut Reader) -> Option<bool> {
         let (path, node) = self.take(key, reader)?;
         let flag = node.get_ref().as_bool();
@@ -182,7 +182,7 @@ impl<'a> Table<'a> {
         flag
     }
 
-    /// The index of one of some words; its default, or none where it is missing or another word.
+    /// The index of one of some words; its default if missing; none without a default or for another word.
     pub(crate) fn word(
         &mut self,
         key: &'a str,
@@ -208,7 +208,7 @@ impl<'a> Table<'a> {
         index
     }
 
-    /// Keys and values in the order of the text, for a table whose keys are free.
+    /// Keys and values in the order of the text, for a table with arbitrary keys.
     pub(super) fn entries(&self) -> Vec<(&'a str, Node<'a>)> {
         let mut entries: Vec<_> = self.content.iter().collect();
         entries.sort_by_key(|(key, _)| key.span().start);
@@ -218,7 +218,7 @@ impl<'a> Table<'a> {
             .collect()
     }
 
-    /// Says which keys are unknown and which are missing. A key that is missing because it is misspelt is said once.
+    /// Reports unknown and missing keys. A misspelt required key is reported once.
     pub(crate) fn finish(self, reader: &mut Reader) {
         let mut misspelt = Vec::new();
         for (key, _) in self.content {
@@ -229,7 +229,7 @@ impl<'a> Table<'a> {
             let absent = self.known.iter().copied().filter(|known| !self.has(known));
             let known = self.known.iter().copied();
             let near = if reader.may_hint() {
-                names::nearest(word, absent).or_else(|| names::nearest(word, known))
+                spelling::nearest(word, absent).or_else(|| spelling::nearest(word, known))
             } else {
                 None
             };
@@ -239,7 +239,11 @@ impl<'a> Table<'a> {
             } else {
                 format!("is unknown; must be one of {}", self.known.join(", "))
             };
-            reader.fault(key.span().start, &self.at(&names::segment(word)), message);
+            reader.fault(
+                key.span().start,
+                &self.at(&spelling::segment(word)),
+                message,
+            );
         }
         for (key, expected) in &self.missing {
             let path = self.at(key);

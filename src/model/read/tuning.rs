@@ -1,8 +1,8 @@
 //! The tuning of a model file.
 
-use super::super::names;
 use super::super::path::Pattern;
 use super::super::schema::{AIMS, Asked, Choice, Kind, LIMITS, OBJECTIVE, VARIABLE};
+use super::super::spelling;
 use super::super::tuning::{Aim, Combine, Hold, Limit, Objective, Tune, Variable};
 use super::super::types::Spacing;
 use super::list::elements;
@@ -68,7 +68,7 @@ fn variable(path: String, node: Node<'_>, reader: &mut Reader) -> Variable {
     variable
 }
 
-/// The values of a key, or of the list of several in its place; `expected` says what the key and the list hold.
+/// The values of a key, or of the list that replaces it; `expected` describes the key and the list.
 fn one_or_several<'a>(
     [one, several]: [&'static str; 2],
     [expected, of]: [&str; 2],
@@ -77,7 +77,7 @@ fn one_or_several<'a>(
 ) -> Vec<(String, Node<'a>)> {
     let [at_one, at_several] = [one, several].map(|key| table.at(key));
     if !table.has(several) {
-        // Nothing is said of the list that is empty for want of it.
+        // Suppress the fault of the empty list, which results from the missing key.
         reader.silence(&at_several);
         let node = table.need(one, expected, reader);
         table.accept(several);
@@ -121,7 +121,7 @@ fn objectives(table: &mut Table<'_>, reader: &mut Reader) -> Vec<Objective> {
     .collect()
 }
 
-/// The keys of which one says what is asked for.
+/// The keys of which one selects the aim.
 const AIM_KEYS: [&str; 4] = ["minimise", "maximise", "place", "match"];
 
 /// The keys that belong to some aims.
@@ -143,7 +143,7 @@ fn objective(path: String, node: Node<'_>, reader: &mut Reader) -> Objective {
         &mut objective,
         &OBJECTIVE,
         reader,
-        // The aim says whether there is a response.
+        // The aim determines whether there is a response.
         |table, of, _, reader| sought(table, of, choice, reader),
     );
     table.finish(reader);
@@ -175,14 +175,14 @@ fn sought(
     for key in AIM_KEYS.into_iter().chain(OF_AIMS) {
         table.accept(key);
     }
-    // Whatever is asked for, it is of this response.
+    // Every aim may have this response.
     if table.has("response") {
         of.aim = Aim::Peak;
         of.response = response(table, reader);
     }
 }
 
-/// Which of the aims is asked for; none where that cannot be read.
+/// The selected aim; none if unreadable.
 fn aim(table: &mut Table<'_>, reader: &mut Reader) -> Option<&'static Choice<Aim>> {
     let given: Vec<_> = AIM_KEYS.into_iter().filter(|key| table.has(key)).collect();
     let [key] = given[..] else {
@@ -200,7 +200,7 @@ fn aim(table: &mut Table<'_>, reader: &mut Reader) -> Option<&'static Choice<Aim
             let entries = table.entries();
             let slip = entries
                 .iter()
-                .find_map(|(key, _)| names::nearest(key, AIM_KEYS));
+                .find_map(|(key, _)| spelling::nearest(key, AIM_KEYS));
             let expected = "\"peak\", \"mean_square\" or \"energy\" (or maximise, place or match)";
             table.need(slip.unwrap_or("minimise"), expected, reader);
         }
@@ -215,7 +215,7 @@ fn aim(table: &mut Table<'_>, reader: &mut Reader) -> Option<&'static Choice<Aim
     of_key.nth(table.word(key, &words, None, reader)?)
 }
 
-/// Refuses the keys that go with other words than that of a choice; `all` go with some, `what` is the word in a message.
+/// Reports keys that belong to other choices; `all` belong to some choice, `what` is the choice in a message.
 fn leave_out<'a, T>(
     table: &mut Table<'a>,
     all: &[&'a str],
@@ -233,7 +233,7 @@ fn leave_out<'a, T>(
     }
 }
 
-/// The keys that go with a choice.
+/// The keys of a choice.
 fn chosen<T>(table: &mut Table<'_>, choice: &'static Choice<T>, reader: &mut Reader) -> T {
     let mut chosen = (choice.blank)();
     table.rows(&mut chosen, &choice.rows, reader, no_own);

@@ -5,10 +5,10 @@ use super::reader::{Reader, quoted};
 use toml::Spanned;
 use toml::de::DeValue;
 
-/// A value with its place in the text.
+/// A value with its position in the text.
 pub(crate) type Node<'a> = &'a Spanned<DeValue<'a>>;
 
-/// A value that must be a finite number; NaN where it is not. A whole number is one as well.
+/// A value that must be a finite number, whole numbers included; NaN if it is not.
 pub(super) fn number(path: &str, node: Node<'_>, expected: &str, reader: &mut Reader) -> f64 {
     let (value, text, wish) = match node.get_ref() {
         DeValue::Float(float) => (
@@ -55,12 +55,12 @@ pub(super) fn text(path: &str, node: Node<'_>, reader: &mut Reader) -> Option<St
     text.map(str::to_owned)
 }
 
-/// A path or pattern; empty where it is no text.
+/// A path or pattern; empty if it is not a text.
 pub(super) fn pattern(path: &str, node: Node<'_>, reader: &mut Reader) -> Pattern {
     text(path, node, reader).unwrap_or_default().into()
 }
 
-/// What is said of a value of another type.
+/// The message for a value of another type.
 pub(crate) fn wrong_type(node: Node<'_>, expected: &str) -> String {
     let found = match node.get_ref() {
         DeValue::String(text) => format!("the text {}", quoted(text)),

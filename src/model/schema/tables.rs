@@ -1,4 +1,4 @@
-//! The tables of the model file, a row a key.
+//! The tables of the model file, one row per key.
 
 use super::{Access, BLANK, Key, Kind, Range, Rows};
 use crate::model::types::{
@@ -8,9 +8,9 @@ use crate::model::types::{
 use crate::unit::Unit;
 
 rows! {
-    /// What stands above all tables.
+    /// The keys above all tables.
     MODEL of Model {
-        text("title", Line, "one line for people", title),
+        text("title", Line, "title, one line", title),
         text("notes", Text, "notes", notes),
     }
 }
@@ -46,15 +46,15 @@ rows! {
 }
 
 rows! {
-    /// An end: one word for it, then its motions in the order of [`BeamMotion::ALL`].
+    /// An end: the word for all motions, then each motion in the order of [`BeamMotion::ALL`].
     SUPPORT of Support {
-        own("kind", Support, "what holds the end; elastic: see its motions"),
-        own("w", Restraint, "what holds w, the displacement along y"),
-        own("psi", Restraint, "what holds psi, the twist about x"),
-        own("v", Restraint, "what holds v, the displacement along z"),
-        own("w_slope", Restraint, "what holds the slope of w"),
-        own("psi_slope", Restraint, "what holds the rate of twist; fixed: warping restrained"),
-        own("v_slope", Restraint, "what holds the slope of v"),
+        own("kind", Support, "support of the end; elastic: set for each motion"),
+        own("w", Restraint, "restraint of w, the displacement along y"),
+        own("psi", Restraint, "restraint of psi, the twist about x"),
+        own("v", Restraint, "restraint of v, the displacement along z"),
+        own("w_slope", Restraint, "restraint of the slope of w"),
+        own("psi_slope", Restraint, "restraint of the rate of twist; fixed: warping restrained"),
+        own("v_slope", Restraint, "restraint of the slope of v"),
     }
 }
 
@@ -77,7 +77,7 @@ rows! {
 }
 
 rows! {
-    /// The elastic restraint of the rate of twist, against warping.
+    /// The elastic restraint of the rate of twist, i.e. of warping.
     ELASTIC_WARPING of Elastic {
         spring("stiffness", "K_B", WARPING_STIFFNESS, "spring against warping", stiffness),
         spring("damping", "C_B", WARPING_DAMPING, "damper against warping", damping),
@@ -118,11 +118,11 @@ rows! {
 }
 
 rows! {
-    /// A force; the unit of the amplitude is that of a translation's load.
+    /// A force; the unit of the amplitude is that of a load along a translation.
     FORCE of Force as ForceKey {
         Enabled = flag("enabled", Flag, "whether it acts", enabled),
-        At = own("at", Place, "where on the beam, or which subsystem"),
-        Direction = own("direction", Direction, "along what it acts"),
+        At = own("at", Place, "position on the beam, or a subsystem"),
+        Direction = own("direction", Direction, "direction of the load"),
         Amplitude = number("amplitude", "F", FORCE, Any or 1.0, "amplitude, zero to peak", amplitude),
         Phase = number("phase", "phi", DEGREE, Any or 0.0, "phase", phase),
     }
@@ -134,8 +134,8 @@ rows! {
         text("name", Name, "name of the response", name),
         flag("enabled", Flag, "whether it is computed", enabled),
         own("measure", Measure, "what is computed"),
-        own("at", Place, "where on the beam, or which subsystem"),
-        own("direction", Direction, "which motion"),
+        own("at", Place, "position on the beam, or a subsystem"),
+        own("direction", Direction, "direction of the motion"),
     }
 }
 
@@ -145,12 +145,12 @@ rows! {
         number("from", "f_1", HERTZ, Positive, "first frequency", from),
         number("to", "f_2", HERTZ, Positive, "last frequency", to),
         count("points", Count, "number of frequencies, both ends included", points),
-        word("spacing", Spacing, "how the frequencies are spread", spacing),
+        word("spacing", Spacing, "spacing of the frequencies", spacing),
     }
 }
 
 rows! {
-    /// What all studies have.
+    /// The keys of every study.
     STUDY of Study {
         text("name", Name, "name of the study", name),
     }

@@ -1,15 +1,15 @@
-//! The merge of lists: which element is which, and where it stands.
+//! Merges lists: matches old and new elements, and positions them.
 
-use super::fresh;
-use super::layout::Layout;
+use super::array_layout::ArrayLayout;
+use super::header_positions::{set_table_position, table_positions};
 use super::merge::{Style, merge_item, merge_table, same, same_table, same_value};
+use super::new_items;
 use super::node::{Entry, Node};
-use super::position::{set_table_position, table_positions};
 use std::collections::HashSet;
 use toml_edit::{Array, ArrayOfTables, Item, RawString, Table, TableLike, Value};
 
-/// For each new element the old one that it continues: of the same name (or content, where there are no names), then
-/// what is left over, in order.
+/// The matching old element of each new one: first by name (or content, without names), then the remaining ones in
+/// order.
 fn align(count: usize, nodes: &[Node], alike: impl Fn(usize, &Node) -> bool) -> Vec<Option<usize>> {
     let mut free = vec![true; count];
     let mut from = vec![None; nodes.len()];
@@ -45,8 +45,8 @@ fn is_it(table: &dyn TableLike, identity: &Entry) -> bool {
         .is_some_and(|item| same(item, &identity.node))
 }
 
-/// Merges tables below double headers. An element takes its comments with it; what stands above the first one, parted
-/// from it by an empty line, stays first.
+/// Merges an array of tables. Comments move with their element; a comment above the first element with an empty line
+/// between stays first.
 pub(super) fn merge_tables(tables: &mut ArrayOfTables, nodes: &[Node]) {
     let mut old: Vec<Table> = std::mem::take(tables).into_iter().collect();
     let from = align(old.len(), nodes, |index, node| match node.identity() {
@@ -65,7 +65,7 @@ pub(super) fn merge_tables(tables: &mut ArrayOfTables, nodes: &[Node]) {
     for (node, from) in nodes.iter().zip(&from) {
         let entries = node.entries().unwrap_or_default();
         let mut table = from.map_or_else(
-            || fresh::table(entries),
+            || new_items::table(entries),
             |index| std::mem::take(&mut old[index]),
         );
         let last = table_positions(&table).map(|(_, last)| last);
@@ -84,7 +84,7 @@ pub(super) fn merge_tables(tables: &mut ArrayOfTables, nodes: &[Node]) {
     }
 }
 
-/// Where the first header of a list goes; headers of one place are written in the order of the list.
+/// The position of the first header of a list; headers of the same position are written in the order of the list.
 fn first_place(old: &[Table], from: &[Option<usize>], reordered: bool) -> Option<isize> {
     let first = |index: usize| table_positions(&old[index]).map(|(first, _)| first);
     if reordered {
@@ -94,8 +94,8 @@ fn first_place(old: &[Table], from: &[Option<usize>], reordered: bool) -> Option
     }
 }
 
-/// Moves the headings of elements that go to the next ones that stay, and returns that of a first one that will not
-/// be the first.
+/// Moves the headings of removed elements to the next remaining ones, and returns the heading of the first element if
+/// it will not be the first.
 fn take_heading(old: &mut [Table], from: &[Option<usize>]) -> String {
     let kept: HashSet<usize> = from.iter().flatten().copied().collect();
     let mut carried = String::new();
@@ -112,7 +112,7 @@ fn take_heading(old: &mut [Table], from: &[Option<usize>]) -> String {
     }
 }
 
-/// Takes off the comments above a header that an empty line parts from it.
+/// Removes and returns the comments above a header with an empty line between.
 fn cut_heading(table: &mut Table) -> String {
     let prefix = table
         .decor()
@@ -152,10 +152,10 @@ pub(super) fn merge_array(array: &mut Array, nodes: &[Node]) {
         None => same_value(&old[index], node),
     });
     let moved = !stays(&from, old.len());
-    let layout = moved.then(|| Layout::take(array, &mut old));
+    let layout = moved.then(|| ArrayLayout::take(array, &mut old));
     let merge = |(node, from): (&Node, &Option<usize>)| match from {
         Some(index) => merge_value(old[*index].clone(), node),
-        None => fresh::value(node),
+        None => new_items::value(node),
     };
     let mut values: Vec<Value> = nodes.iter().zip(&from).map(merge).collect();
     if let Some(layout) = layout {
@@ -174,6 +174,6 @@ fn merge_value(old: Value, node: &Node) -> Value {
     {
         value
     } else {
-        fresh::value(node)
+        new_items::value(node)
     }
 }

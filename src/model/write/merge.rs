@@ -1,12 +1,12 @@
-//! The merge of a tree into tables that a person wrote.
+//! Merges a tree of values into the tables of the original.
 
-use super::fresh;
+use super::header_positions::{positions, set_position};
 use super::list;
+use super::new_items;
 use super::node::{Entry, Node, Presence};
-use super::position::{positions, set_position};
 use toml_edit::{InlineTable, Item, RawString, Table, TableLike, Value};
 
-/// How a table is written, and so what is put into it.
+/// The style of a table.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Style {
     /// Below a header.
@@ -17,7 +17,7 @@ pub(super) enum Style {
     Inline,
 }
 
-/// Whether an item reads as the node.
+/// Whether an item is equal to the node.
 pub(super) fn same(item: &Item, node: &Node) -> bool {
     if let (Some(table), Some(entries)) = (item.as_table_like(), node.entries()) {
         return same_table(table, entries)
@@ -36,7 +36,7 @@ pub(super) fn same(item: &Item, node: &Node) -> bool {
     }
 }
 
-/// Whether a value reads as the node, numbers to the last bit.
+/// Whether a value is equal to the node, numbers to the last bit.
 pub(super) fn same_value(value: &Value, node: &Node) -> bool {
     match (value, node) {
         (Value::Float(old), Node::Number(new)) => old.value().to_bits() == new.to_bits(),
@@ -57,7 +57,7 @@ pub(super) fn same_value(value: &Value, node: &Node) -> bool {
     }
 }
 
-/// Whether a table reads as the entries; what it leaves out must be at its default.
+/// Whether a table is equal to the entries; a missing key must be at its default.
 pub(super) fn same_table(table: &dyn TableLike, entries: &[Entry]) -> bool {
     entries.iter().all(|entry| match table.get(&entry.key) {
         Some(item) => same(item, &entry.node),
@@ -69,7 +69,7 @@ fn is_known(key: &str, entries: &[Entry]) -> bool {
     entries.iter().any(|entry| entry.key == key)
 }
 
-/// Whether the keys stand in the order of the entries.
+/// Whether the keys are in the order of the entries.
 fn in_order(table: &dyn TableLike, entries: &[Entry]) -> bool {
     table
         .iter()
@@ -77,10 +77,10 @@ fn in_order(table: &dyn TableLike, entries: &[Entry]) -> bool {
         .eq(entries.iter().map(|entry| &*entry.key))
 }
 
-/// Merges the whole model. New tables follow those that come before them in a new file.
+/// Merges the whole model. A new table follows the one that precedes it in a new file.
 pub(super) fn merge_root(root: &mut Table, entries: &[Entry]) {
     if root.is_empty() {
-        for (key, item) in fresh::table(entries) {
+        for (key, item) in new_items::table(entries) {
             root.insert(&key, item);
         }
         return;
@@ -101,7 +101,7 @@ pub(super) fn merge_root(root: &mut Table, entries: &[Entry]) {
     }
 }
 
-/// Merges a node into an item; false where only another kind of item can hold it.
+/// Merges a node into an item; returns false if it needs another kind of item.
 pub(super) fn merge_item(item: &mut Item, node: &Node) -> bool {
     if same(item, node) {
         return true;
@@ -115,7 +115,7 @@ pub(super) fn merge_item(item: &mut Item, node: &Node) -> bool {
         {
             table.clear();
             for entry in entries {
-                table.insert(&entry.key, Item::Value(fresh::value(&entry.node)));
+                table.insert(&entry.key, Item::Value(new_items::value(&entry.node)));
             }
         }
         return true;
@@ -129,7 +129,7 @@ pub(super) fn merge_item(item: &mut Item, node: &Node) -> bool {
         (Item::Value(Value::Array(array)), Some(nodes)) => list::merge_array(array, nodes),
         (Item::Value(value), _) => {
             let decor = value.decor().clone();
-            *value = fresh::value(node);
+            *value = new_items::value(node);
             *value.decor_mut() = decor;
         }
         _ => return false,
@@ -156,7 +156,7 @@ fn merge_table_like(item: &mut Item, entries: &[Entry]) {
     }
 }
 
-/// Merges entries into a table: removes what it should not have, changes what differs, adds what is missing.
+/// Merges entries into a table: removes extra keys, changes different values, adds missing keys.
 pub(super) fn merge_table(table: &mut dyn TableLike, style: Style, entries: &[Entry]) {
     let unknown: Vec<String> = table
         .iter()
@@ -180,7 +180,7 @@ pub(super) fn merge_table(table: &mut dyn TableLike, style: Style, entries: &[En
     }
 }
 
-/// Removes a key and returns the comments that stood with it, a line each.
+/// Removes a key and returns its comments, one per line.
 fn remove(table: &mut dyn TableLike, key: &str) -> String {
     let mut comments = String::new();
     if let Some((key, item)) = table.get_key_value(key) {
@@ -219,12 +219,12 @@ fn gather(decor: Option<&RawString>, comments: &mut String) {
     }
 }
 
-/// Adds a key at the end, below some comments and as far in as the key before.
+/// Adds a key at the end, after some comments and with the indentation of the previous key.
 fn insert(table: &mut dyn TableLike, style: Style, entry: &Entry, comments: &str) {
     let item = match style {
-        Style::Header => fresh::item(&entry.node),
-        Style::Dotted => fresh::dotted(&entry.node),
-        Style::Inline => Item::Value(fresh::value(&entry.node)),
+        Style::Header => new_items::item(&entry.node),
+        Style::Dotted => new_items::dotted(&entry.node),
+        Style::Inline => Item::Value(new_items::value(&entry.node)),
     };
     let indent = table
         .get_values()
@@ -254,7 +254,7 @@ fn insert(table: &mut dyn TableLike, style: Style, entry: &Entry, comments: &str
     }
 }
 
-/// Puts a new first word, which says what a table is, before the rest.
+/// Inserts a new first key, which selects the kind of a table, before the others.
 fn put_first(table: &mut InlineTable, entries: &[Entry]) {
     if let [
         Entry {
@@ -269,7 +269,7 @@ fn put_first(table: &mut InlineTable, entries: &[Entry]) {
     }
 }
 
-/// Takes the space before the closing brace off the last value, so that a key can follow it.
+/// Removes the space before the closing brace from the last value, so that a key can follow it.
 fn take_end(table: &mut InlineTable) -> Option<String> {
     let value = last_value(table)?;
     let end = value.decor().suffix()?.as_str()?.to_owned();
@@ -294,7 +294,7 @@ fn put_end(table: &mut InlineTable, end: Option<String>) {
     }
 }
 
-/// The value that is written last.
+/// The last value in the text.
 fn last_value(table: &mut InlineTable) -> Option<&mut Value> {
     let (_, value) = table.iter_mut().last()?;
     if value.as_inline_table().is_some_and(InlineTable::is_dotted) {

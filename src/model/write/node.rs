@@ -1,4 +1,4 @@
-//! The tree of keys and values that a model is written as.
+//! The tree of keys and values of a model file.
 
 use std::borrow::Cow;
 
@@ -16,7 +16,7 @@ pub(super) enum Node {
     List(Vec<Node>),
     /// A table in braces.
     Inline(Vec<Entry>),
-    /// A table in braces, in which the order of the keys means something.
+    /// A table in braces whose keys keep their order.
     Ordered(Vec<Entry>),
     /// A table below a header.
     Table(Vec<Entry>),
@@ -41,7 +41,7 @@ impl Node {
         }
     }
 
-    /// What tells a table from others like it: its name, or the parameters it is about.
+    /// The entry that identifies a table in its list: its name or its paths.
     pub(super) fn identity(&self) -> Option<&Entry> {
         let mut entries = self.entries()?.iter();
         entries.find(|entry| matches!(&*entry.key, "name" | "path" | "paths"))
@@ -55,12 +55,12 @@ pub(super) struct Entry {
     pub(super) presence: Presence,
 }
 
-/// Whether a key is written where the file does not have it.
+/// Whether a key is written if the original does not have it.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Presence {
-    /// It is.
+    /// Always.
     Always,
-    /// At its default: only with its whole table, for people to see.
+    /// At its default: only in a new table, to show it.
     InNewTables,
     /// At its default: never.
     OnlyIfThere,

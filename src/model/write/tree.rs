@@ -1,4 +1,4 @@
-//! The full form of a model as a tree of keys and values.
+//! A model as a tree of keys and values.
 
 use super::super::id::End;
 use super::super::schema::{
@@ -16,7 +16,7 @@ use toml_edit::{Item, Table, TableLike};
 
 use Presence::{Always, InNewTables, OnlyIfThere};
 
-/// Defaults that a new table shows all the same.
+/// Keys that a new table shows also at their default.
 const SHOWN_DEFAULTS: [&str; 4] = ["stiffness", "damping", "amplitude", "spacing"];
 
 pub(super) fn entry(key: impl Into<Cow<'static, str>>, node: Node) -> Entry {
@@ -31,7 +31,7 @@ pub(super) fn text(key: &'static str, text: &str) -> Entry {
     entry(key, Node::Text(text.to_owned()))
 }
 
-/// An entry that is at its default, or not.
+/// An entry that may be at its default.
 pub(super) fn optional(key: &'static str, node: Node, at_default: bool) -> Entry {
     Entry {
         key: key.into(),
@@ -40,7 +40,7 @@ pub(super) fn optional(key: &'static str, node: Node, at_default: bool) -> Entry
     }
 }
 
-/// The tree of a model; it takes from the original in which of its forms a support and the tuning are given.
+/// The tree of a model; supports and tuning take their form from the original.
 pub(super) fn model(model: &Model, original: &Table) -> Vec<Entry> {
     let mut root = vec![text("format", "beamtune/1")];
     root.extend(rows(model, &schema::MODEL));
@@ -72,7 +72,7 @@ fn tables(key: &'static str, list: Vec<Vec<Entry>>) -> Entry {
     }
 }
 
-/// The keys of a table of the schema without rules of their own; those with a dot are gathered in inline tables.
+/// The keys of a table of the schema that have no rules of their own; keys with a dot form inline tables.
 pub(super) fn rows<T>(of: &T, rows: &Rows<T>) -> Vec<Entry> {
     let mut entries = Vec::new();
     for (key, access) in rows.iter() {
@@ -93,7 +93,7 @@ pub(super) fn rows<T>(of: &T, rows: &Rows<T>) -> Vec<Entry> {
                 entries.extend(get(of).map(|words| text(key.key, words)));
                 continue;
             }
-            // Written where its rules are.
+            // Its own rules write it.
             Access::Own => continue,
         };
         push(&mut entries, key, node, at_default);
@@ -101,7 +101,7 @@ pub(super) fn rows<T>(of: &T, rows: &Rows<T>) -> Vec<Entry> {
     entries
 }
 
-/// Adds an entry, below its inner table where the key has a dot.
+/// Adds an entry, in its inner table if the key has a dot.
 fn push(entries: &mut Vec<Entry>, key: &Key, node: Node, at_default: bool) {
     let (head, key) = match key.key.split_once('.') {
         Some((head, key)) => (Some(head), key),
@@ -158,7 +158,7 @@ fn supports(supports: &Supports, original: &Table) -> Entry {
     in_new_tables("supports", Node::Table(ends), is_free)
 }
 
-/// An entry that a new table shows at its default too.
+/// An entry that a new table shows also at its default.
 fn in_new_tables(key: &'static str, node: Node, at_default: bool) -> Entry {
     Entry {
         key: key.into(),
@@ -167,7 +167,7 @@ fn in_new_tables(key: &'static str, node: Node, at_default: bool) -> Entry {
     }
 }
 
-/// One end, by its kind if it is one and the file does not speak of the six motions.
+/// An end: one word if it has one and the original does not list the six motions.
 fn support(support: &Support, original: Option<&dyn TableLike>) -> Vec<Entry> {
     let by_kind = original.is_none_or(|table| table.contains_key("kind"));
     if let Some(kind) = support.word().filter(|_| by_kind) {
@@ -197,7 +197,7 @@ fn support(support: &Support, original: Option<&dyn TableLike>) -> Vec<Entry> {
 fn subsystem(subsystem: &Subsystem) -> Vec<Entry> {
     let mut entries = rows(subsystem, &SUBSYSTEM);
     for entry in &mut entries {
-        // A 0 that something depends on is written out.
+        // A 0 that a spring or damper uses is written.
         if Subsystem::OF_SPRINGS.contains(&&*entry.key) && entry.presence != Always {
             let needed = subsystem.needs(&entry.key);
             entry.presence = if needed { Always } else { InNewTables };
@@ -206,7 +206,7 @@ fn subsystem(subsystem: &Subsystem) -> Vec<Entry> {
     entries
 }
 
-/// Where and along what.
+/// Position and direction.
 fn target(target: &Target) -> [Entry; 2] {
     match target {
         Target::Beam(place, motion) => {
@@ -224,7 +224,7 @@ fn target(target: &Target) -> [Entry; 2] {
 fn force(force: &Force) -> Vec<Entry> {
     let [at, direction] = target(&force.target);
     let mut entries = rows(force, &FORCE);
-    // Behind the switch.
+    // After `enabled`.
     entries.splice(1..1, [at, direction]);
     entries
 }

@@ -7,7 +7,7 @@ use super::tree::{entry, optional, rows, text};
 use std::collections::HashSet;
 use toml_edit::{Item, TableLike, Value};
 
-/// The tree of a tuning; it takes from the original whether a single path or objective is given as a list of one.
+/// The tree of a tuning; the original determines whether a single path or objective is a list of one.
 pub(super) fn tune(tune: &Tune, original: Option<&dyn TableLike>) -> Vec<Entry> {
     let listed = paths_in_lists(original);
     let variables = tune
@@ -33,7 +33,7 @@ pub(super) fn tune(tune: &Tune, original: Option<&dyn TableLike>) -> Vec<Entry> 
     ]
 }
 
-/// The paths that stand alone in a list in the original.
+/// The paths that the original gives as a list of one.
 fn paths_in_lists(original: Option<&dyn TableLike>) -> HashSet<String> {
     let alone = |table: &dyn TableLike| match table.get("paths")?.as_array()? {
         list if list.len() == 1 => list.get(0)?.as_str().map(str::to_owned),
@@ -77,7 +77,7 @@ fn limit(limit: &Limit) -> Node {
     Node::Inline(chosen(LIMITS, limit))
 }
 
-/// The word that says what a table is, if it has one, and the keys that go with it.
+/// The key that selects the kind of a table, if it has one, and the keys of that kind.
 fn chosen<T>(choices: &[Choice<T>], of: &T) -> Vec<Entry> {
     let Some(choice) = Choice::of(choices, of) else {
         return Vec::new();

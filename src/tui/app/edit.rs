@@ -5,9 +5,9 @@ use std::sync::Arc;
 use super::document::Edit;
 use super::{App, Asked, AskedKind, Overlay, Prompt, Purpose};
 use crate::model::edit::{self, Value};
-use crate::model::names::segment;
 use crate::model::schema::Kind;
-use crate::model::{Fault, Group, Model, Parameter, ParameterId, entry, path};
+use crate::model::spelling::segment;
+use crate::model::{Fault, Group, Model, Parameter, ParameterId, path, value_input};
 use crate::tui::keys::{ModelCommand, TreeCommand};
 use crate::tui::tree::{self, Node};
 
@@ -272,9 +272,9 @@ fn exact(parameter: &Parameter) -> String {
 /// A typed value.
 pub(super) fn read(kind: &AskedKind, text: &str) -> Result<Value, String> {
     match kind {
-        AskedKind::Number(old, unit) => entry::number(text, *old, unit).map(Value::Number),
+        AskedKind::Number(old, unit) => value_input::number(text, *old, unit).map(Value::Number),
         AskedKind::Text => Ok(Value::Text(text.to_owned())),
-        AskedKind::Count(old) => entry::count(text, *old).map(Value::Count),
+        AskedKind::Count(old) => value_input::count(text, *old).map(Value::Count),
     }
 }
 

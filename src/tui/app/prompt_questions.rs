@@ -8,7 +8,9 @@ use crate::escape::path_of_text;
 use crate::measured::Curve;
 use crate::model::edit::{self, Value};
 use crate::model::path::{self, Pattern};
-use crate::model::{Checked, Family, Model, Operation, Parameter, ParameterId, Study, Unit, entry};
+use crate::model::{
+    Checked, Family, Model, Operation, Parameter, ParameterId, Study, Unit, value_input,
+};
 use crate::tui::scene::ChartView;
 use crate::tui::tree;
 use crate::unit::{FrequencyUnit, ValueUnit};
@@ -312,7 +314,7 @@ fn free_study_name(model: &Model, path: &str) -> String {
 /// A 0 dB reference in a unit: a number, or one with another unit of the same quantity.
 fn read_decibel_reference(text: &str, unit: &str) -> Result<f64, String> {
     let refusal = || {
-        entry::decimal_comma(text).unwrap_or_else(|| {
+        value_input::decimal_comma(text).unwrap_or_else(|| {
             format!("a number above 0 is wanted, in {unit} or a unit of its kind")
         })
     };
@@ -375,7 +377,7 @@ fn number_of(word: &str, operation: Operation, unit: Unit) -> Result<f64, String
 /// A number with or without unit, but not a relative change.
 fn plain(text: &str, unit: Unit) -> Result<f64, String> {
     // A relative change alone is not a number.
-    entry::number(text, f64::NAN, &unit)
+    value_input::number(text, f64::NAN, &unit)
 }
 
 /// A typed frequency, Hz: a number in `unit`, or with its own unit.
@@ -389,6 +391,6 @@ fn read_frequency(text: &str, unit: FrequencyUnit) -> Result<f64, String> {
     let hertz = plain(number, Unit::ONE).map(|value| value / unit.per_hertz());
     hertz.or_else(|_| plain(text, Unit::HERTZ)).map_err(|_| {
         let form = "a frequency is wanted, as 120, 120 Hz, 754 rad/s or 7200 rpm";
-        entry::decimal_comma(text).unwrap_or_else(|| form.to_owned())
+        value_input::decimal_comma(text).unwrap_or_else(|| form.to_owned())
     })
 }

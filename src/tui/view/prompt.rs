@@ -11,7 +11,7 @@ use super::Panels;
 use super::dialogs::open_dialog;
 use super::text::{cut, width, wrapped};
 use crate::escape::escape;
-use crate::model::entry;
+use crate::model::value_input;
 use crate::tui::app::{App, AskedKind, Prompt, Purpose, Question};
 use crate::tui::theme::Theme;
 
@@ -94,7 +94,9 @@ fn prompt_words(purpose: &Purpose, complete: &str) -> (String, String) {
         Purpose::SaveAs => (" Save as ".to_owned(), path()),
         Purpose::Value(asked) => {
             let allowed = match &asked.kind {
-                AskedKind::Number(_, unit) => format!("{}: {}", asked.range, entry::accepted(unit)),
+                AskedKind::Number(_, unit) => {
+                    format!("{}: {}", asked.range, value_input::accepted(unit))
+                }
                 AskedKind::Count(_) => format!("{}; or a change (*2, /2, +5%)", asked.range),
                 AskedKind::Text => asked.range.clone(),
             };

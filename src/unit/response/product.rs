@@ -6,8 +6,8 @@ use crate::unit::plain_letter;
 /// Longest text of a unit, bytes.
 const LONGEST: usize = 60;
 
-/// The value in SI and the powers of a product of symbols with `/` and brackets. A `/` holds for the next factor and for
-/// what a [`JOINT`] ties to it: m/s2/N, rad/N·m.
+/// The SI factor and the powers of a product of symbols with `/` and brackets. A `/` applies to the next factor and to
+/// those that a [`JOINT`] joins to it: m/s2/N, rad/N·m.
 pub(super) fn product(text: &str) -> Option<(f64, Powers)> {
     if text.is_empty() || text.len() > LONGEST {
         return None;
@@ -16,7 +16,7 @@ pub(super) fn product(text: &str) -> Option<(f64, Powers)> {
     let mut rest = plain.as_str();
     let (mut scale, mut powers) = (1.0, [0; 4]);
     let mut signs = vec![1];
-    // The sign of the next factor, and that of the last one where another may be tied to it.
+    // The sign of the next factor, and that of the last one, to which another may be joined.
     let (mut next, mut last) = (1, None);
     while let Some(letter) = rest.chars().next() {
         let outer = *signs.last()?;
@@ -47,11 +47,11 @@ pub(super) fn product(text: &str) -> Option<(f64, Powers)> {
     (signs.len() == 1 && next == 1).then_some((scale, powers))
 }
 
-/// What ties two factors together: a dot, or a hyphen (lbf-in).
+/// Joins two factors: a dot, or a hyphen (lbf-in).
 const JOINT: char = '·';
 
 /// The text with plain letters for superscripts and brackets, with [`JOINT`] for dots and hyphens between factors, and
-/// without hats and the marks of abbreviations (g's, in.).
+/// without `^` and the marks of abbreviations (g's, in.).
 pub(super) fn plain(text: &str) -> String {
     let text = text.replace("**", "");
     let mut plain = String::with_capacity(text.len());
@@ -77,7 +77,7 @@ pub(super) fn plain(text: &str) -> String {
     unbracketed(&plain).to_owned()
 }
 
-/// A text without the brackets around all of it.
+/// A text without brackets around the whole.
 fn unbracketed(text: &str) -> &str {
     let text = text.trim();
     let inside = text
@@ -89,7 +89,7 @@ fn unbracketed(text: &str) -> &str {
     }
 }
 
-/// The symbol at the start of a text: one of it in SI, its powers, its exponent, and what follows.
+/// The symbol at the start of a text: its SI factor, its powers, its exponent, and the rest.
 fn symbol(text: &str) -> Option<(f64, Powers, i32, &str)> {
     // The number 1 has no powers: 1/kg.
     if let Some(rest) = text.strip_prefix('1') {
@@ -111,7 +111,7 @@ fn symbol(text: &str) -> Option<(f64, Powers, i32, &str)> {
     }
 }
 
-/// Whether a text starts with an angle over a length; one that is tied to something (rad/in-lbf) is an arm.
+/// Whether a text starts with an angle over a length; a length that is joined to a factor (rad/in-lbf) is a lever arm.
 pub(super) fn is_twist(text: &str) -> bool {
     let one = |text: &str| match symbol(text) {
         Some((_, powers, 1, rest)) => Some((powers, rest.chars().next())),

@@ -1,8 +1,8 @@
-//! The symbols and words of units that files write, and one of each in SI.
+//! The symbols and words of units in files, with their SI factors.
 //!
 //! Sources: SI units and prefixes, tonne, degree, minute and hour: SI brochure, 9th edition (2019). The factors of all
-//! others: NIST Special Publication 811 (2008), appendix B.8. Other spellings of a symbol (`sec`, `Gs`, `LBF`) are those
-//! that measuring programs write.
+//! others: NIST Special Publication 811 (2008), appendix B.8. Other spellings of a symbol (`sec`, `Gs`, `LBF`) are
+//! those of measuring programs.
 
 use std::f64::consts::{PI, TAU};
 
@@ -23,11 +23,11 @@ const POUND_FORCE: f64 = POUND * GRAVITY;
 const FOOT: f64 = 0.3048;
 const INCH: f64 = 0.0254;
 
-/// Spellings, one of it in SI, and its powers.
+/// Spellings, SI factor and powers.
 type Row = (&'static [&'static str], f64, Powers);
 
-/// Spellings whose case matters: prefixes differ by it (mN, MN), and so do units (nm, Nm). Capitals alone are there
-/// where they mean nothing else: neither `NM` (N m or nm) nor `MRAD` (mrad or Mrad).
+/// Spellings whose case matters: prefixes differ by it (mN, MN), and so do units (nm, Nm). All-capital spellings are
+/// included only if unambiguous: neither `NM` (N m or nm) nor `MRAD` (mrad or Mrad).
 const SYMBOLS: &[Row] = &[
     (&["m", "M"], 1.0, LENGTH),
     (&["km", "KM"], 1e3, LENGTH),
@@ -66,7 +66,7 @@ const SYMBOLS: &[Row] = &[
     (&["°"], PI / 180.0, ANGLE),
 ];
 
-/// Words that mean the same in whatever case. A pound without a word is a force: no mass stands below a response.
+/// Words whose case does not matter. A pound alone is a force, because a mass is never the denominator of a response.
 const WORDS: &[Row] = &[
     (&["metre", "metres", "meter", "meters"], 1.0, LENGTH),
     (
@@ -121,7 +121,7 @@ const WORDS: &[Row] = &[
     (&["rpm"], TAU / 60.0, [0, 0, -1, 1]),
 ];
 
-/// One of a unit in SI and its powers, by its symbol or word.
+/// The SI factor and the powers of a unit, by its symbol or word.
 pub(super) fn find(name: &str) -> Option<(f64, Powers)> {
     let is = |row: &&Row| row.0.contains(&name);
     let is_word = |row: &&Row| row.0.iter().any(|word| word.eq_ignore_ascii_case(name));
@@ -134,7 +134,7 @@ pub(super) fn find(name: &str) -> Option<(f64, Powers)> {
 mod tests {
     use super::*;
 
-    /// A word in whatever case must not hide a symbol, nor a row another one.
+    /// A word must not hide a symbol in any case, nor one row another.
     #[test]
     fn each_spelling_stands_in_one_row() {
         let mut exact = std::collections::HashSet::new();

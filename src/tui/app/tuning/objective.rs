@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::model::{Aim, Combine, Compare, Fault, Limit, Model, Objective, entry};
+use crate::model::{Aim, Combine, Compare, Fault, Limit, Model, Objective, value_input};
 use crate::tui::app::{App, Effect, Overlay, Purpose, Question};
 
 /// The parsed input.
@@ -233,8 +233,9 @@ fn read_limit(text: &str, response: &str, [from, to]: [f64; 2]) -> Result<Limit,
 
 fn number(text: &str) -> Result<f64, String> {
     let text = text.trim();
-    text.parse()
-        .map_err(|_| entry::decimal_comma(text).unwrap_or_else(|| format!("{text} is no number")))
+    text.parse().map_err(|_| {
+        value_input::decimal_comma(text).unwrap_or_else(|| format!("{text} is no number"))
+    })
 }
 
 #[cfg(test)]

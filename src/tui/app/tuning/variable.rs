@@ -8,7 +8,7 @@ use crate::model::path::{self, Pattern};
 use crate::model::schema::SubsystemKey;
 use crate::model::{
     Aim, Checked, Combine, Group, Hold, Model, Objective, Parameter, ParameterId, Spacing, Tune,
-    Unit, Variable, entry,
+    Unit, Variable, value_input,
 };
 use crate::tui::app::{App, Question};
 use crate::tui::tree::{self, Node};
@@ -279,8 +279,8 @@ fn read_bounds(text: &str, unit: Unit) -> Result<Bounds, String> {
     // A unit after the upper bound applies to both.
     let high = high.trim();
     let number = |text: &str| {
-        entry::number(text.trim(), f64::NAN, &unit)
-            .map_err(|_| entry::decimal_comma(text).unwrap_or_else(|| form.to_owned()))
+        value_input::number(text.trim(), f64::NAN, &unit)
+            .map_err(|_| value_input::decimal_comma(text).unwrap_or_else(|| form.to_owned()))
     };
     let shared = high
         .split_once(' ')

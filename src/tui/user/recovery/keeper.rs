@@ -12,7 +12,7 @@ use super::slot::{self, Slot};
 use super::text;
 use crate::files::{Source, error_text};
 use crate::model::{self, Checked};
-use crate::worker::give_way;
+use crate::worker::lower_priority;
 
 /// After a write the thread pauses this many times as long as the write took: under a repeated key it uses at most a
 /// fifth of a processor.
@@ -86,7 +86,7 @@ impl Keeper {
             folder,
             jobs: Some(jobs),
             thread: Some(thread::spawn(move || {
-                give_way();
+                lower_priority();
                 work(&inbox, files, report)
             })),
         }

@@ -1,7 +1,7 @@
 //! The studies of a model file.
 
-use super::super::names;
 use super::super::path::Pattern;
+use super::super::spelling;
 use super::super::types::{Case, Family, Operation, Study};
 use super::list::{elements, named};
 use super::reader::Reader;
@@ -88,7 +88,7 @@ fn vary(table: &mut Table<'_>, operations: &[Operation], reader: &mut Reader) ->
             Vec::new()
         }
     };
-    // A list that could not be read is empty here; no more is said of it.
+    // An unreadable list is empty here; suppress its further faults.
     if operations.len() != 1 {
         for operation in Operation::ALL {
             reader.silence(&table.at(operation.key()));
@@ -126,7 +126,7 @@ fn cases(table: &mut Table<'_>, reader: &mut Reader) -> Family {
 fn assignments(set: &Table<'_>, reader: &mut Reader) -> Vec<(Pattern, f64)> {
     let mut assignments = Vec::new();
     for (key, node) in set.entries() {
-        let path = set.at(&names::segment(key));
+        let path = set.at(&spelling::segment(key));
         reader.place(&path, node.span().start);
         let value = if let DeValue::Table(_) = node.get_ref() {
             let expected = "a number (the whole path stands in one pair of quotes)";

@@ -1,8 +1,8 @@
 //! The rules of the studies: their paths, values and members.
 
 use super::super::fault::Fault;
-use super::super::names::{self, element_keys};
 use super::super::path::{self, Pattern};
+use super::super::spelling::{self, element_keys};
 use super::super::types::{Case, Family, Model, Supports};
 use super::{element_names, not_finite, state, tuning};
 use std::collections::HashSet;
@@ -12,14 +12,14 @@ const MOST_CURVES: usize = 10_000;
 
 /// Adds the faults of studies and tuning to those of the structure.
 ///
-/// Whether every curve of a study is possible is not asked: a study that is not shown must not stand in the way of an
-/// edit. [`edit::apply`](super::super::edit::apply) says so where the curve is wanted.
+/// Does not check the members of a study: a hidden study must not block an edit.
+/// [`edit::apply`](super::super::edit::apply) checks a member when its curve is needed.
 pub(super) fn check(model: &Model, faults: &mut Vec<Fault>) {
     if model.studies.is_empty() && model.tune.is_none() {
         return;
     }
-    // Without the plans: a plan within a plan would never end. With free ends: there every spring has a number, and a
-    // study of one need not go when its end is clamped for a while.
+    // Without studies and tuning, to avoid recursion. With free ends, where every spring has a number, so that a study
+    // of a spring remains valid while its end is clamped.
     let bare = Model {
         supports: Supports::default(),
         studies: Vec::new(),
@@ -28,30 +28,30 @@ pub(super) fn check(model: &Model, faults: &mut Vec<Fault>) {
     };
     let mut known = Vec::new();
     state(&bare, &mut known);
-    let plans = Plans {
-        bare,
+    let bare = BareModel {
+        model: bare,
         known: known.into_iter().map(|fault| fault.path).collect(),
     };
 
     let names = model.studies.iter().map(|study| study.name.as_str());
     element_names("studies", &names, faults);
     for (study, key) in model.studies.iter().zip(element_keys(names)) {
-        plans.family(&format!("studies.{key}"), &study.family, faults);
+        bare.family(&format!("studies.{key}"), &study.family, faults);
     }
     if let Some(tune) = &model.tune {
-        tuning::check(model, &plans, tune, faults);
+        tuning::check(model, &bare, tune, faults);
     }
 }
 
-/// What studies and tuning are judged by.
-pub(super) struct Plans {
-    /// The model without studies and tuning, its ends free.
-    pub(super) bare: Model,
-    /// Paths at which that model is faulty by itself.
+/// The model against which studies and tuning are checked.
+pub(super) struct BareModel {
+    /// The model without studies and tuning, with free ends.
+    pub(super) model: Model,
+    /// Paths of the faults of that model itself.
     pub(super) known: HashSet<String>,
 }
 
-impl Plans {
+impl BareModel {
     fn family(&self, at: &str, family: &Family, faults: &mut Vec<Fault>) {
         match family {
             Family::Vary {
@@ -88,7 +88,7 @@ impl Plans {
     fn case(&self, place: &str, case: &Case, faults: &mut Vec<Fault>) {
         let mut seen = HashSet::new();
         for (pattern, value) in &case.set {
-            let path = format!("{place}.set.{}", names::segment(pattern));
+            let path = format!("{place}.set.{}", spelling::segment(pattern));
             self.pattern(&path, pattern, faults);
             if !value.is_finite() {
                 faults.push(Fault::new(&path, not_finite(*value)));
@@ -102,15 +102,15 @@ impl Plans {
         }
     }
 
-    /// A pattern must stand for numbers.
+    /// A pattern must match numbers.
     fn pattern(&self, at: &str, pattern: &Pattern, faults: &mut Vec<Fault>) {
-        if let Err(fault) = path::numbers_of(&self.bare, pattern) {
+        if let Err(fault) = path::numbers_of(&self.model, pattern) {
             faults.push(Fault::new(at, format!("{}: {}", fault.path, fault.message)));
         }
     }
 }
 
-/// A list that needs an element.
+/// A list that must not be empty.
 pub(super) fn not_empty(path: &str, length: usize, what: &str, faults: &mut Vec<Fault>) {
     if length == 0 {
         faults.push(Fault::new(
@@ -120,7 +120,7 @@ pub(super) fn not_empty(path: &str, length: usize, what: &str, faults: &mut Vec<
     }
 }
 
-/// A list of curves.
+/// The number of curves of a study.
 fn count(path: &str, length: usize, what: &str, faults: &mut Vec<Fault>) {
     not_empty(path, length, what, faults);
     if length > MOST_CURVES {

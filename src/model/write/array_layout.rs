@@ -3,8 +3,8 @@
 use toml_edit::{Array, RawString, Value};
 
 /// The space around the elements of an array.
-pub(super) struct Layout {
-    /// A comment behind the opening bracket.
+pub(super) struct ArrayLayout {
+    /// A comment after the opening bracket.
     heading: String,
     /// Before the first element.
     first: String,
@@ -14,8 +14,8 @@ pub(super) struct Layout {
     end: String,
 }
 
-impl Layout {
-    /// Looks at an array that will change, and joins its comments to the values they speak of.
+impl ArrayLayout {
+    /// Reads the layout of an array before a change, and moves its comments to the values that they describe.
     pub(super) fn take(array: &mut Array, old: &mut [Value]) -> Self {
         let heading = join_comments(array, old);
         let first = old.first().and_then(prefix).unwrap_or_default();
@@ -43,8 +43,8 @@ impl Layout {
         }
     }
 
-    /// Gives values the space of their new places. A comment stays with its value; one that follows the value goes
-    /// behind the comma.
+    /// Gives values the space of their new positions. A comment stays with its value; one that follows the value moves
+    /// after the comma.
     pub(super) fn apply(&self, array: &mut Array, values: &mut [Value], from: &[Option<usize>]) {
         let mut behind = self.heading.clone();
         for (index, value) in values.iter_mut().enumerate() {
@@ -89,7 +89,7 @@ impl Layout {
     }
 }
 
-/// Gives comments behind a comma to the value before it, and returns the one behind the bracket.
+/// Moves comments after a comma to the value before it, and returns the one after the bracket.
 fn join_comments(array: &mut Array, old: &mut [Value]) -> String {
     let mut heading = String::new();
     for index in 0..old.len() {
@@ -117,7 +117,7 @@ fn join_comments(array: &mut Array, old: &mut [Value]) -> String {
     heading
 }
 
-/// Splits what stands behind a comma into a comment on the same line and the rest.
+/// Splits the text after a comma into a comment on the same line and the rest.
 fn behind_comma(text: &str) -> (String, String) {
     let line_end = text.find('\n').unwrap_or(text.len());
     let (comment, rest) = text.split_at(line_end);

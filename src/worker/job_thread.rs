@@ -1,4 +1,4 @@
-//! A thread that works on the newest of the jobs it is given.
+//! A thread that works on the newest submitted job.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -7,19 +7,19 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::solve::Cancelled;
 
-/// A thread with its jobs. A new job cancels the one in work; dropping the lane cancels it too, and does not wait.
+/// A new job cancels the running one; so does dropping this, which does not wait for the thread.
 #[derive(Debug)]
-pub(super) struct Lane<J> {
+pub(super) struct JobThread<J> {
     jobs: Sender<(J, Arc<AtomicBool>)>,
     /// Cancels the newest job.
     cancel: Mutex<Arc<AtomicBool>>,
 }
 
-impl<J: Send + 'static> Lane<J> {
-    /// Starts the thread; `run` does a job, and ends early once its flag is true.
+impl<J: Send + 'static> JobThread<J> {
+    /// Starts the thread; `run` executes a job and returns early once the flag is true.
     pub(super) fn start(run: impl FnMut(J, &AtomicBool) + Send + 'static) -> Self {
         let (jobs, inbox) = channel();
-        // Whoever ends the program shall not wait for a solver; the thread ends with its inbox.
+        // Not joined, so that the program can exit while a solve runs; the thread ends when its channel closes.
         std::thread::spawn(move || work(&inbox, run));
         Self {
             jobs,
@@ -27,17 +27,17 @@ impl<J: Send + 'static> Lane<J> {
         }
     }
 
-    /// Gives a job; what was given before is cancelled.
-    pub(super) fn give(&self, job: J) {
+    /// Submits a job and cancels the one before.
+    pub(super) fn submit(&self, job: J) {
         let cancel = Arc::new(AtomicBool::new(false));
         self.replace_flag(Arc::clone(&cancel));
-        // The thread ends only after this sender, so the job arrives.
+        // The thread lives longer than this sender, so sending succeeds.
         let _ = self.jobs.send((job, cancel));
     }
 }
 
-impl<J> Lane<J> {
-    /// Cancels what is in work.
+impl<J> JobThread<J> {
+    /// Cancels the running job.
     pub(super) fn cancel(&self) {
         self.replace_flag(Arc::default());
     }
@@ -48,13 +48,13 @@ impl<J> Lane<J> {
     }
 }
 
-impl<J> Drop for Lane<J> {
+impl<J> Drop for JobThread<J> {
     fn drop(&mut self) {
         self.cancel();
     }
 }
 
-/// Works on the newest job until the last sender is gone.
+/// Runs the newest job, until the channel closes.
 fn work<J>(inbox: &Receiver<(J, Arc<AtomicBool>)>, mut run: impl FnMut(J, &AtomicBool)) {
     while let Ok(mut newest) = inbox.recv() {
         while let Ok(newer) = inbox.try_recv() {
@@ -65,12 +65,12 @@ fn work<J>(inbox: &Receiver<(J, Arc<AtomicBool>)>, mut run: impl FnMut(J, &Atomi
     }
 }
 
-/// Why some work has no result.
+/// Why a job has no result.
 #[derive(Debug)]
 pub(super) enum Unfinished {
     /// It was cancelled.
     Cancelled(Cancelled),
-    /// What went wrong, in one line.
+    /// The error, in one line.
     Failed(String),
 }
 
@@ -86,7 +86,7 @@ impl From<String> for Unfinished {
     }
 }
 
-/// What a solve gives, or one line that says what went wrong; a panic is such a line, too.
+/// The result of a solve, or an error in one line; a panic becomes such an error.
 pub(super) fn guarded<T>(
     solve: impl FnOnce() -> Result<T, Unfinished>,
 ) -> Result<Result<T, String>, Cancelled> {

@@ -1,8 +1,8 @@
-//! What a person types for a parameter: a number with or without unit, or a change of the old value.
+//! Parses typed text for a parameter: a number with or without unit, or a change of the old value.
 
 use super::{Unit, plain_letter};
 
-/// Multipliers that may stand behind a number in place of a unit.
+/// Multipliers that may follow a number instead of a unit.
 const PREFIXES: &[(&str, i32)] = &[
     ("k", 3),
     ("M", 6),
@@ -12,13 +12,13 @@ const PREFIXES: &[(&str, i32)] = &[
     ("n", -9),
 ];
 
-/// The new value of a number that was `old`, in the unit it is held in.
+/// The new value of a number that was `old`, in the unit of the model.
 ///
 /// A value: `4e7`, `40M`, `40 MN/m`, `80 mm`. A change: `*1.1`, `/2`, `+5%`, `-5 %`, `+= 0.3`, `-= 2 mm`. A sign
 /// without `%` or `=` belongs to the value: `-5` is minus five.
 ///
 /// # Errors
-/// Says why the text gives no finite number and what is accepted.
+/// Why the text is not a finite number, and what is accepted.
 pub fn number(text: &str, old: f64, unit: &Unit) -> Result<f64, String> {
     let text = text.trim().replace('−', "-");
     if let Some(words) = decimal_comma(&text) {
@@ -51,14 +51,14 @@ pub fn number(text: &str, old: f64, unit: &Unit) -> Result<f64, String> {
 /// The new value of a whole number that was `old`: `2000`, `2k`, `*2`, `/3` (rounded), `+10%`.
 ///
 /// # Errors
-/// Says why the text gives no whole number of 0 or more and what is accepted.
+/// Why the text is not a whole number of 0 or more, and what is accepted.
 pub fn count(text: &str, old: usize) -> Result<usize, String> {
     let mut value = number(text, old as f64, &Unit::ONE)?;
     let changes = text.trim().starts_with(['*', '×', 'x', '/', '÷']) || text.trim().ends_with('%');
     if changes {
         value = value.round();
     }
-    // Above 2^53 not every whole number has a float of its own.
+    // Above 2^53, floats do not represent every whole number.
     if value.fract() != 0.0 || !(0.0..=9.0e15).contains(&value) {
         return Err(format!(
             "{} is no count: accepted is a whole number, 0 or more",
@@ -68,7 +68,7 @@ pub fn count(text: &str, old: usize) -> Result<usize, String> {
     Ok(value as usize)
 }
 
-/// What to type in place of a number with a comma, if there is one in the text.
+/// The text to type instead of a number with a comma, if the text has one.
 pub fn decimal_comma(text: &str) -> Option<String> {
     let (before, after) = text.split_once(',')?;
     let number = |text: &str| text.starts_with(|c: char| c.is_ascii_digit());
@@ -89,7 +89,7 @@ pub fn decimal_comma(text: &str) -> Option<String> {
     ))
 }
 
-/// What may be typed for a number with this unit, for people.
+/// The accepted text for a number with this unit, for people.
 pub fn accepted(unit: &Unit) -> String {
     if unit.symbol.is_empty() {
         return "a number (0.02, 2e-2), or a change (*1.1, /2, +5%)".to_owned();
@@ -136,12 +136,12 @@ fn quantity(text: &str, unit: &Unit) -> Result<f64, String> {
     scaled(number, power(rest.trim(), unit)?)
 }
 
-/// The power of ten that what follows a number stands for.
+/// The power of ten of the text after a number.
 fn power(text: &str, unit: &Unit) -> Result<i32, String> {
     if text.is_empty() {
         return Ok(0);
     }
-    // A prefix that stands alone belongs to the number: "3u m4" is 3e-6 m4, never 3 (um)^4.
+    // A prefix alone belongs to the number: "3u m4" is 3e-6 m4, never 3 (um)^4.
     let (first, symbol) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
     let prefix = PREFIXES
         .iter()
@@ -179,7 +179,7 @@ fn no_number(text: &str, unit: &Unit) -> String {
     format!("{said}: accepted is {}", accepted(unit))
 }
 
-/// Splits text behind the number it starts with; none where it starts with none.
+/// Splits text after its leading number; none without one.
 fn split(text: &str) -> Option<(&str, &str)> {
     let bytes = text.as_bytes();
     let digits = |from: usize| {
@@ -200,7 +200,7 @@ fn split(text: &str) -> Option<(&str, &str)> {
     if matches!(bytes.get(end), Some(b'e' | b'E')) {
         let sign = usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
         let exponent = digits(end + 1 + sign);
-        // "2e" has no exponent: the letter is left for the unit, which refuses it.
+        // "2e" has no exponent: the letter remains for the unit, which rejects it.
         if exponent > end + 1 + sign {
             end = exponent;
         }
@@ -212,7 +212,7 @@ fn split(text: &str) -> Option<(&str, &str)> {
 fn scaled(number: &str, power: i32) -> Result<f64, String> {
     let number = number.replace('_', "");
     let (mantissa, exponent) = number.split_once(['e', 'E']).unwrap_or((&number, "0"));
-    // An exponent too long for an integer is far beyond every float.
+    // An exponent that overflows an integer is beyond every float.
     let beyond = if exponent.starts_with('-') {
         i64::MIN / 2
     } else {

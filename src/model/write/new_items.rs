@@ -1,11 +1,11 @@
-//! Values and tables that the file did not have yet.
+//! Values and tables that the original does not have.
 
-use super::super::serial::{basic_string, format_number};
+use super::super::toml_literal::{basic_string, format_number};
 use super::node::{Entry, Node, Presence};
 use crate::escape::is_hidden;
 use toml_edit::{Array, InlineTable, Item, Table, Value};
 
-/// The value of a node, tables in braces.
+/// The value of a node, with inline tables.
 pub(super) fn value(node: &Node) -> Value {
     match node {
         Node::Number(number) => format_number(*number)
@@ -13,7 +13,7 @@ pub(super) fn value(node: &Node) -> Value {
             .unwrap_or_else(|_| Value::from(*number)),
         Node::Count(count) => i64::try_from(*count).unwrap_or(i64::MAX).into(),
         Node::Flag(flag) => (*flag).into(),
-        // A person who reads the file sees what is there.
+        // Escapes hidden characters, so that they are visible in the file.
         Node::Text(text) if text.contains(must_be_escaped) => basic_string(text)
             .parse()
             .unwrap_or_else(|_| text.as_str().into()),
@@ -25,7 +25,7 @@ pub(super) fn value(node: &Node) -> Value {
     }
 }
 
-/// An array, one line for each table where there are several.
+/// An array, with one line per table if there are several.
 fn array(values: Vec<Value>) -> Array {
     let mut array = Array::new();
     let long = values.len() > 1 && values.iter().any(Value::is_inline_table);
@@ -58,7 +58,7 @@ fn written(entries: &[Entry]) -> impl Iterator<Item = &Entry> {
         .filter(|entry| entry.presence != Presence::OnlyIfThere)
 }
 
-/// The item of a node below a header.
+/// The item of a node, with headers.
 pub(super) fn item(node: &Node) -> Item {
     match node {
         Node::Table(entries) => Item::Table(table(entries)),
@@ -69,7 +69,7 @@ pub(super) fn item(node: &Node) -> Item {
     }
 }
 
-/// A table with its own header, if it has keys of its own.
+/// A table, with its own header if it has own keys.
 pub(super) fn table(entries: &[Entry]) -> Table {
     let mut table = Table::new();
     for entry in written(entries) {
@@ -80,7 +80,7 @@ pub(super) fn table(entries: &[Entry]) -> Table {
     table
 }
 
-/// The item of a node below dotted keys.
+/// The item of a node, with dotted keys.
 pub(super) fn dotted(node: &Node) -> Item {
     let Node::Table(entries) = node else {
         return Item::Value(value(node));
@@ -94,9 +94,9 @@ pub(super) fn dotted(node: &Node) -> Item {
     Item::Table(table)
 }
 
-/// Rewrites a text whose line ends would not survive those of the file.
+/// Escapes a text whose line ends would change.
 ///
-/// Line ends are made alike when the file is written, those inside of texts too.
+/// Writing makes all line ends of the file equal, also those inside texts.
 pub(super) fn protect_line_ends(root: &mut Table, key: &str, dos: bool) {
     let Some(Item::Value(Value::String(old))) = root.get_mut(key) else {
         return;
@@ -118,7 +118,7 @@ pub(super) fn protect_line_ends(root: &mut Table, key: &str, dos: bool) {
     }
 }
 
-/// A hidden character other than those that lay out a text.
+/// A hidden character other than a line end or tab.
 fn must_be_escaped(letter: char) -> bool {
     is_hidden(letter) && !matches!(letter, '\n' | '\r' | '\t')
 }

@@ -1,4 +1,4 @@
-//! The tables of a tuning, a row a key: variables, and what an objective and a limit may be.
+//! The tables of a tuning, one row per key: variables, and the kinds of objectives and limits.
 
 use super::{Access, Asked, BLANK, Choice, Key, Kind, Range, Rows, Wording};
 use crate::model::tuning::{Aim, Compare, Hold, Limit, Objective, Variable};
@@ -7,22 +7,22 @@ use crate::unit::Unit;
 rows! {
     /// A variable of a tuning.
     VARIABLE of Variable {
-        own("path", Paths, "what moves; the bounds are of the first"),
+        own("path", Paths, "parameters to change; the bounds apply to the first"),
         word("hold", Hold, "how the others follow the first", hold),
         number("min", "", ONE, Any, "lower bound", min),
         number("max", "", ONE, Any, "upper bound", max),
-        own("scale", Scale, "how it is searched"),
-        number("tolerance", "", ONE, NonNegative or 0.0, "how far it may come out off, percent", tolerance),
+        own("scale", Scale, "scale of the search"),
+        number("tolerance", "", ONE, NonNegative or 0.0, "tolerance of the real value, percent", tolerance),
     }
 }
 
 rows! {
-    /// What all objectives have.
+    /// The keys of every objective.
     OBJECTIVE of Objective {
-        own("response", Response, "of what"),
+        own("response", Response, "name of the response"),
         number("from", "", HERTZ, Positive, "band start", from),
         number("to", "", HERTZ, Positive, "band end", to),
-        number("weight", "", ONE, Positive or 1.0, "what the figure is multiplied by", weight),
+        number("weight", "", ONE, Positive or 1.0, "weight of the figure", weight),
     }
 }
 
@@ -33,12 +33,12 @@ rows! {
     WIDTH of Aim { number_of("below", ONE, Positive, "the level, in the response's unit", Aim::Width, below), }
 }
 rows! {
-    ANTI_RESONANCE of Aim { number_of("at", HERTZ, Positive, "where it is wanted", Aim::AntiResonance, at), }
+    ANTI_RESONANCE of Aim { number_of("at", HERTZ, Positive, "target frequency", Aim::AntiResonance, at), }
 }
 rows! {
     MATCH of Aim {
-        text_of("match", Filled, "a file", Aim::Match, file),
-        text_of("curve", Optional, "a curve", Aim::Match, curve),
+        text_of("match", Filled, "file of the measured curve", Aim::Match, file),
+        text_of("curve", Optional, "name of the curve in the file", Aim::Match, curve),
         text_of("columns", Optional, "the columns, as \"hz; re im; m/N\"", Aim::Match, columns),
         word_of("compare", Compare, "what is compared", Aim::Match, compare),
     }
@@ -60,7 +60,7 @@ macro_rules! choices {
 }
 
 choices! {
-    /// What an objective may ask for.
+    /// The aims of objectives.
     AIMS of Aim {
         Peak {} "minimise", "peak", Any, NO_KEYS,
             ["least peak", "{response} {band}", "the least highest peak of {response}, {band}", "highest peak of {response}, {band}"];
@@ -78,7 +78,7 @@ choices! {
 }
 
 rows! {
-    ADDED_MASS of Limit { number_of("at_most", KILOGRAM, Positive, "at most this", Limit::AddedMass, at_most), }
+    ADDED_MASS of Limit { number_of("at_most", KILOGRAM, Positive, "upper limit", Limit::AddedMass, at_most), }
 }
 rows! {
     NO_MODE of Limit {
@@ -88,13 +88,13 @@ rows! {
 }
 rows! {
     STATIC_DEFLECTION of Limit {
-        text_of("response", Response, "of what", Limit::StaticDeflection, response),
-        number_of("at_most", ONE, Positive, "in the response's unit", Limit::StaticDeflection, at_most),
+        text_of("response", Response, "name of the response", Limit::StaticDeflection, response),
+        number_of("at_most", ONE, Positive, "upper limit, in the response's unit", Limit::StaticDeflection, at_most),
     }
 }
 
 choices! {
-    /// What may be limited.
+    /// The limits.
     LIMITS of Limit {
         AddedMass { at_most: f64::NAN } "limit", "added_mass", Nothing, ADDED_MASS,
             ["added mass", "<= {at_most}", "the masses of all enabled subsystems together: at most {at_most}", ""];

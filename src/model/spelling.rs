@@ -1,14 +1,14 @@
-//! Names: how one is written in a path, and the nearest known one to a slip.
+//! Names in paths, and the nearest known word to a misspelt one.
 
 use std::collections::HashMap;
 
 /// The longest name, characters.
 pub(super) const LONGEST_NAME: usize = 200;
 
-/// A name as one part of a parameter path: in double quotes where it would otherwise be read as something else.
+/// A name as one part of a parameter path, in double quotes if needed.
 ///
-/// Those are names with a dot, star, quote or backslash, with a space at an end, of digits alone (which would be a
-/// number in a list), and the empty one.
+/// Quotes are needed for a name with a dot, star, quote or backslash, with a space at an end, of digits alone (which
+/// are a number in a list), and for the empty name.
 pub(crate) fn segment(name: &str) -> String {
     let special = name.contains(['.', '*', '"', '\'', '\\']) || name.trim() != name;
     if special || name.chars().all(|letter| letter.is_ascii_digit()) {
@@ -18,8 +18,8 @@ pub(crate) fn segment(name: &str) -> String {
     }
 }
 
-/// The key of each named element in a path: its name, or its number from 1 where the name is empty, taken or
-/// not fit for a line.
+/// The key of each named element in a path: its name, or its number from 1 if the name is empty, not unique, too long
+/// or not one line.
 pub(super) fn element_keys<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
     let mut seen = HashMap::new();
     names
@@ -45,15 +45,15 @@ fn key(name: &str, index: usize, is_first: bool) -> String {
     }
 }
 
-/// Whether a name has more characters than one may have.
+/// Whether a name is longer than [`LONGEST_NAME`].
 pub(super) fn is_too_long(name: &str) -> bool {
     name.chars().nth(LONGEST_NAME).is_some()
 }
 
-/// The known word nearest to `word`, if one is near enough to be meant.
+/// The known word nearest to `word`, if it is near enough to suggest.
 ///
-/// Near is by the edits between them (a letter more, less, other, or two swapped; case does not count): at most
-/// one for three letters. Of equally near ones the first is taken.
+/// The distance is the number of edits (insert, delete, replace or swap letters; case is ignored): at most one per
+/// three letters. The first of equally near words wins.
 pub(crate) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let word = letters(word);
     let mut best: Option<(usize, &str)> = None;
@@ -61,7 +61,7 @@ pub(crate) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) 
         let candidate = letters(name);
         let allowed = (word.len().max(candidate.len()) / 3).max(1);
         let limit = best.map_or(allowed, |(edits, _)| allowed.min(edits.saturating_sub(1)));
-        // The lengths alone often say that it is too far.
+        // The lengths alone often show that it is too far.
         if word.len().abs_diff(candidate.len()) > limit {
             continue;
         }

@@ -1,8 +1,8 @@
-//! Where the headers of tables stand in the file.
+//! Positions of table headers in the file.
 
 use toml_edit::{Item, Table};
 
-/// The first and the last place in the file of an item's headers.
+/// The first and the last position of the headers of an item.
 pub(super) fn positions(item: &Item) -> Option<(isize, isize)> {
     match item {
         Item::Table(table) => table_positions(table),
@@ -11,7 +11,7 @@ pub(super) fn positions(item: &Item) -> Option<(isize, isize)> {
     }
 }
 
-/// The same of one table and those inside.
+/// The same for one table and its inner tables.
 pub(super) fn table_positions(table: &Table) -> Option<(isize, isize)> {
     let own = table.position().map(|position| (position, position));
     own.into_iter()
@@ -23,7 +23,7 @@ fn span(a: (isize, isize), b: (isize, isize)) -> (isize, isize) {
     (a.0.min(b.0), a.1.max(b.1))
 }
 
-/// Gives all headers of an item one place; among themselves they keep their order.
+/// Gives all headers of an item the same position; they keep their relative order.
 pub(super) fn set_position(item: &mut Item, position: Option<isize>) {
     match item {
         Item::Table(table) => set_table_position(table, position),
@@ -34,7 +34,7 @@ pub(super) fn set_position(item: &mut Item, position: Option<isize>) {
     }
 }
 
-/// The same for one table and those inside.
+/// The same for one table and its inner tables.
 pub(super) fn set_table_position(table: &mut Table, position: Option<isize>) {
     table.set_position(position);
     table

@@ -1,4 +1,4 @@
-//! Numbers and texts as the text of a model file.
+//! Numbers and strings as TOML text.
 
 use std::fmt::Write as _;
 
@@ -6,7 +6,7 @@ use crate::escape::is_hidden;
 
 /// The shortest TOML float that reads back to the same bits: `0.8`, `4e7`, `1.6625e-4`, `-0.0`.
 ///
-/// Between 0.001 and 100,000 it has no exponent; beyond, it has one unless that is longer.
+/// Between 0.001 and 100,000 without an exponent; outside with an exponent unless that is longer.
 pub fn format_number(value: f64) -> String {
     if value.is_nan() {
         return "nan".to_owned();
@@ -30,7 +30,7 @@ pub fn format_number(value: f64) -> String {
     }
 }
 
-/// A basic string of TOML on one line: what is in it reads back to the same characters.
+/// A TOML basic string on one line, which reads back to the same characters.
 pub(crate) fn basic_string(text: &str) -> String {
     let mut quoted = String::from("\"");
     for letter in text.chars() {

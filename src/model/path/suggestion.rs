@@ -1,65 +1,65 @@
-//! What is said of a path that matches nothing: the path that was meant, or what could stand there.
+//! The message for a path that matches nothing: the nearest path that matches, or the valid words.
 
 use super::find::Finder;
 use super::pattern::{Part, join};
-use crate::model::names::{nearest, segment};
+use crate::model::spelling::{nearest, segment};
 
-/// More known words than this are not listed in a fault.
+/// The most known words that a fault lists.
 const MOST_LISTED: usize = 8;
 
-/// Where a path leaves what there is.
-pub(super) struct Miss {
-    /// Index of the part that is wrong; the number of parts where one more is needed.
+/// The first part of a path that matches nothing.
+pub(super) struct Mismatch {
+    /// Index of the wrong part; the number of parts if one more is needed.
     pub(super) at: usize,
-    /// What could stand there; nothing where the path should have ended.
+    /// The valid words there; empty if the path should end before.
     pub(super) known: Vec<String>,
 }
 
-/// What is said of a path that matches nothing.
-pub(super) fn explain(finder: &Finder<'_>, mut parts: Vec<Part>, miss: Miss) -> String {
+/// The message for a path that matches nothing.
+pub(super) fn explain(finder: &Finder<'_>, mut parts: Vec<Part>, mismatch: Mismatch) -> String {
     let list = is_list(&parts[0]);
-    let listed = listed(&miss.known, parts[0].word() != "forces");
-    if miss.known.is_empty() && list && miss.at == 1 {
+    let listed = listed(&mismatch.known, parts[0].word() != "forces");
+    if mismatch.known.is_empty() && list && mismatch.at == 1 {
         return format!("matches nothing; the model has no {}", parts[0].word());
     }
-    let Some(wrong) = parts.get(miss.at).map(|part| part.word().to_owned()) else {
+    let Some(wrong) = parts.get(mismatch.at).map(|part| part.word().to_owned()) else {
         return format!("is no parameter but a table; must go on with {listed}");
     };
-    if miss.known.is_empty() {
+    if mismatch.known.is_empty() {
         return format!("matches nothing; must end before `{wrong}`");
     }
-    let place = if miss.at == 0 {
+    let place = if mismatch.at == 0 {
         String::new()
     } else {
-        format!(" in `{}`", join(&parts[..miss.at]))
+        format!(" in `{}`", join(&parts[..mismatch.at]))
     };
-    match meant(finder, &mut parts, miss) {
+    match nearest_path(finder, &mut parts, mismatch) {
         Some(path) => format!("matches nothing; did you mean `{path}`?"),
         None => format!("matches nothing; there is no `{wrong}`{place}, must be {listed}"),
     }
 }
 
-/// The path that was meant, by the nearest known word at every part that is wrong.
-fn meant(finder: &Finder<'_>, parts: &mut [Part], mut miss: Miss) -> Option<String> {
+/// The nearest path that matches, by the nearest known word at every wrong part.
+fn nearest_path(finder: &Finder<'_>, parts: &mut [Part], mut mismatch: Mismatch) -> Option<String> {
     for _ in 0..parts.len() {
-        let element = miss.at == 1 && is_list(&parts[0]);
-        // One number is as near as any other.
+        let element = mismatch.at == 1 && is_list(&parts[0]);
+        // All numbers are equally near.
         if element && parts[0].means("forces") {
             return None;
         }
         let word = nearest(
-            parts.get(miss.at)?.word(),
-            miss.known.iter().map(|known| &**known),
+            parts.get(mismatch.at)?.word(),
+            mismatch.known.iter().map(|known| &**known),
         )?
         .to_owned();
-        parts[miss.at] = if element {
+        parts[mismatch.at] = if element {
             Part::Quoted(word)
         } else {
             Part::Word(word)
         };
         match finder.resolve(parts) {
             Ok(_) => return Some(join(parts)),
-            Err(next) => miss = next,
+            Err(next) => mismatch = next,
         }
     }
     None
@@ -72,7 +72,7 @@ fn is_list(root: &Part) -> bool {
     )
 }
 
-/// Words in a row, the many cut short; names are quoted where a path would need it.
+/// A list of words, shortened if long; names have quotes where a path needs them.
 fn listed(words: &[String], names: bool) -> String {
     let text = |word: &String| if names { segment(word) } else { word.clone() };
     let shown: Vec<String> = words.iter().take(MOST_LISTED).map(text).collect();

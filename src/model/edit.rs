@@ -22,7 +22,7 @@ use std::mem::discriminant;
 /// The model with another value of a parameter, if that is possible.
 ///
 /// # Errors
-/// The value is of another type, or [`check()`] finds faults in the result.
+/// The value is of another type, or [`check()`](super::check()) finds faults in the result.
 pub fn changed(model: &Model, id: ParameterId, value: Value) -> Result<Checked, Vec<Fault>> {
     let mut changed = model.clone();
     put(&mut changed, id, value)
@@ -75,7 +75,7 @@ pub fn misled(before: &Model, after: &Model, removed: Group) -> Option<Group> {
 /// Sets every parameter that a path or pattern matches, if the result is possible.
 ///
 /// # Errors
-/// The path matches nothing, the value is of another type, or [`check()`] finds faults in the result. The model is then
+/// The path matches nothing, the value is of another type, or [`check()`](super::check()) finds faults in the result. The model is then
 /// unchanged.
 pub fn set(model: &mut Model, pattern: &str, value: Value) -> Result<(), Vec<Fault>> {
     let mut changed = model.clone();

@@ -299,7 +299,7 @@ macro_rules! access {
 /// - `spring(key, symbol, unit, meaning, place in the struct)`: a stiffness or damping, 0 or more, 0 by default
 /// - `word(key, type of the words, meaning, place)`
 /// - `number_of(key, unit, range, ..)`, `word_of(key, words, ..)`, `text_of(key, kind, ..)`: meaning, variant, field of
-/// an enum
+///   an enum
 /// - `count`, `flag` or `text(key, kind, meaning, place)`, `own(key, kind, meaning)`
 macro_rules! rows {
     ($(#[$doc:meta])* $name:ident of $of:ty { $($kind:ident($($row:tt)*),)* }) => {

@@ -1,9 +1,8 @@
 //! Random damped models for the property tests.
 
 use beamtune::model::{
-    Beam, BeamMotion, Checked, Elastic, Force, MassMotion, Material, Measure, Model, Place,
-    Quantity, Response, Restraint, Section, Spacing, Spring, Subsystem, Support, Supports, Sweep,
-    Target,
+    Beam, BeamMotion, Elastic, Force, MassMotion, Material, Measure, Model, Place, Quantity,
+    Response, Restraint, Section, Spacing, Spring, Subsystem, Support, Supports, Sweep, Target,
 };
 use num_complex::Complex64;
 use proptest::prelude::*;

@@ -292,6 +292,8 @@ fn without_loads_nothing_moves() {
 fn natural_frequencies_come_down_to_the_closed_form() {
     let mut model = preset("symmetric_section");
     model.subsystems.clear();
+    model.forces.clear();
+    model.responses.clear();
     let (section, material) = (model.beam.section, model.beam.material);
     let wave = std::f64::consts::PI / model.beam.length;
     let stiffness = material.young_modulus * section.second_moment_z.min(section.second_moment_y);

@@ -3,7 +3,7 @@
 use crate::checked::checked;
 use beamtune::model::edit::{self, Value};
 use beamtune::model::path;
-use beamtune::model::{Model, Place, Quantity, Target};
+use beamtune::model::{Checked, Model, Place, Quantity, Target};
 use beamtune::solve::sensitivity::Differentiator;
 use num_complex::Complex64;
 
@@ -114,11 +114,25 @@ fn difference(
     sum
 }
 
+/// The farthest points of a difference, in steps.
+fn reach(side: f64) -> [f64; 2] {
+    if side == 0.0 {
+        [-1.0, 1.0].map(|sign| sign * CENTRAL.len() as f64)
+    } else {
+        [0.0, side * (FORWARD.len() - 1) as f64]
+    }
+}
+
+/// Whether solvers take a model.
+fn is_possible(model: &Model) -> bool {
+    Checked::of_state(model.clone()).is_ok()
+}
+
 /// The largest error of `exact` over all parameters against differences of `of`, with its place.
 ///
 /// A parameter's own effect is that of changing it by its value, or by what changes `of` by a hundredth where it is 0. What
-/// has no finite derivative is passed over. Of some steps the one counts whose outcome is nearest: a short one rounds, a
-/// long one bends.
+/// has no finite derivative is passed over. Of some steps within the possible models the one counts whose outcome is
+/// nearest: a short one rounds, a long one bends.
 pub fn worst(
     model: &Model,
     exact: &[Exact],
@@ -142,6 +156,14 @@ pub fn worst(
             .iter()
             .flat_map(|scale| trial.steps.iter().map(move |step| step * scale))
         {
+            // Where the central points leave the possible models, those of one side do.
+            let is_within = |side: &f64| {
+                let mut points = reach(*side).into_iter();
+                points.all(|steps| is_possible(&with(model, path, parameter + steps * step)))
+            };
+            let Some(side) = [side, 1.0, -1.0].into_iter().find(is_within) else {
+                continue;
+            };
             let at = |value: f64| of(&with(model, path, value));
             let found = difference(parameter, step, side, at);
             for (best, ((value, by), found)) in best.iter_mut().zip(exact.iter().zip(found)) {
@@ -175,7 +197,9 @@ fn scales(path: &str, parameter: f64, index: usize, exact: &[Exact], far: Option
         let most = effects
             .filter(|effect| effect.is_finite())
             .fold(0.0, f64::max);
-        vec![(0.01 / most).min(usual(path))]
+        // Of these only one-sided differences are possible, which bend sooner.
+        let unit = (0.01 / most).min(usual(path));
+        [1.0, 0.1, 0.01, 10.0].map(|times| times * unit).to_vec()
     }
 }
 

@@ -37,8 +37,8 @@ rows! {
 }
 rows! {
     MATCH of Aim {
-        text_of("match", Filled, "file of the measured curve", Aim::Match, file),
-        text_of("curve", Optional, "name of the curve in the file", Aim::Match, curve),
+        text_of("match", Filled, "a file", Aim::Match, file),
+        text_of("curve", Optional, "a curve", Aim::Match, curve),
         text_of("columns", Optional, "the columns, as \"hz; re im; m/N\"", Aim::Match, columns),
         word_of("compare", Compare, "what is compared", Aim::Match, compare),
     }

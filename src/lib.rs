@@ -40,8 +40,9 @@
 //! use beamtune::{model, presets, solve};
 //!
 //! let preset = presets::find("fig06").expect("an embedded preset");
-//! let mut beam = model::read(preset.text).expect("presets are possible models");
+//! let mut beam = model::read(preset.text).expect("presets are possible models").into_inner();
 //! model::edit::set(&mut beam, "supports.left.w.stiffness", model::edit::Value::Number(8e7)).expect("a stiffer end");
+//! let beam = model::Checked::new(beam).expect("a possible model");
 //! let frf = solve::sweep(&beam, &[50.0, 100.0], &AtomicBool::new(false)).expect("nothing cancels it");
 //! assert_eq!(frf.columns[0].values.len(), 2);
 //! ```

@@ -12,7 +12,7 @@
 //! use beamtune::presets;
 //!
 //! let text = presets::find("cantilever").expect("an embedded preset").text;
-//! let mut beam = model::read(text).expect("a possible model");
+//! let mut beam = model::read(text).expect("a possible model").into_inner();
 //! edit::set(&mut beam, "subsystems.*.mass", edit::Value::Number(6.0)).expect("a heavier damper");
 //! let changed = model::write(&beam, text);
 //! // Only the changed value differs: comments and order stay.

@@ -274,7 +274,7 @@ fn a_signal_leaves_no_temporary_file() {
     let home = Home::new();
     let long = [
         "frf",
-        "fig08",
+        "fig05a",
         "--set",
         "sweep.points=1000000",
         "-o",

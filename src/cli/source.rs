@@ -36,6 +36,9 @@ pub(super) fn open(argument: &OsStr, sets: &[String]) -> Result<Opened, Failure>
     let (source, text) = text_of(argument, &label)?;
     let mut opened =
         Opened::read(text, source).map_err(|faults| Failure::faults(&label, &faults))?;
+    if sets.is_empty() {
+        return Ok(opened);
+    }
     let mut model = opened.model.into_inner();
     for set in sets {
         change(&mut model, set)?;

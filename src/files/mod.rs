@@ -10,6 +10,8 @@ mod source;
 
 pub use folders::Folders;
 pub(crate) use folders::make_private;
+#[cfg(test)]
+pub(crate) use folders::names;
 pub(crate) use open::read_if_there;
 pub use open::{load, open, open_with, text_of};
 pub(crate) use save::error_text;

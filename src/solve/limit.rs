@@ -12,8 +12,8 @@ use super::sweep::Frf;
 /// than a thousandth contributes less than 1e-8 of the response.
 const STEP: f64 = 1e-6;
 
-/// In steps.
-const BESIDE: [f64; 4] = [-2.0, -1.0, 1.0, 2.0];
+/// The frequencies on both sides, in steps.
+const SIDES: [f64; 4] = [-2.0, -1.0, 1.0, 2.0];
 
 /// With more rows than this the cause is not a resonance: the numbers are outside the range of the arithmetic.
 const MOST_ROWS: usize = 64;
@@ -27,11 +27,11 @@ pub(super) fn fill(frf: &mut Frf, solve: impl Fn(&[f64]) -> Frf) {
     }
     for row in rows {
         let frequency = frf.frequencies[row];
-        let beside = solve(&BESIDE.map(|steps| frequency * (1.0 + steps * STEP)));
-        for (column, beside) in frf.columns.iter_mut().zip(&beside.columns) {
+        let nearby = solve(&SIDES.map(|steps| frequency * (1.0 + steps * STEP)));
+        for (column, nearby) in frf.columns.iter_mut().zip(&nearby.columns) {
             let value = &mut column.values[row];
             if !value.is_finite()
-                && let Some(limit) = between(&beside.values)
+                && let Some(limit) = between(&nearby.values)
             {
                 *value = limit;
             }
@@ -39,7 +39,7 @@ pub(super) fn fill(frf: &mut Frf, solve: impl Fn(&[f64]) -> Frf) {
     }
 }
 
-/// The value in the middle of four, at [`BESIDE`]; `None` if they show a pole between them.
+/// The value in the middle of four, at [`SIDES`]; `None` if they show a pole between them.
 fn between(values: &[Complex64]) -> Option<Complex64> {
     /// The fraction of a simple pole that rounding can produce.
     const NEGLIGIBLE: f64 = 1e-8;
@@ -65,7 +65,7 @@ mod tests {
     use super::*;
 
     fn at_steps(of: impl Fn(f64) -> Complex64) -> Vec<Complex64> {
-        BESIDE.iter().map(|steps| of(steps * STEP)).collect()
+        SIDES.iter().map(|steps| of(steps * STEP)).collect()
     }
 
     #[test]

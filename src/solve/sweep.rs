@@ -116,7 +116,7 @@ pub(super) fn angular(frequencies: &[f64]) -> Vec<Complex64> {
     frequencies.iter().map(omega).collect()
 }
 
-/// Solves a checked model at each frequency (Hz, > 0).
+/// Solves a model at each frequency (Hz, > 0).
 ///
 /// All cores share the work in chunks; `cancel` is checked between chunks.
 ///

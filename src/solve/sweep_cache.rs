@@ -54,7 +54,7 @@ struct Part {
 }
 
 impl SweepCache {
-    /// The same as [`super::sweep()`]: solves a checked model at each frequency (Hz, > 0).
+    /// The same as [`super::sweep()`]: solves a model at each frequency (Hz, > 0).
     ///
     /// A model that differs from the last one in one place is solved from the cached sides. If they are not cached yet,
     /// they are solved first (as much work as two sweeps; with an enabled response `E_V`, to which every point of the

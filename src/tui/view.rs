@@ -7,6 +7,7 @@ mod comparison;
 mod confirm;
 mod deflection;
 mod details;
+mod dialog_box;
 mod dialogs;
 mod figure;
 mod forces;

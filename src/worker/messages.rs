@@ -47,7 +47,7 @@ pub enum Request {
 /// The edits to prepare for: those of the parameters in which two models differ.
 #[derive(Debug, Clone)]
 pub struct ExpectRequest {
-    /// A checked model.
+    /// The model.
     pub model: Arc<Checked>,
     /// The model after such an edit, checked.
     pub edited: Arc<Checked>,
@@ -69,7 +69,7 @@ pub struct LevelsRequest {
 pub struct OperatingRequest {
     /// Returned with the answer.
     pub serial: u64,
-    /// A checked model.
+    /// The model.
     pub model: Arc<Checked>,
     /// Hz.
     pub frequency: f64,
@@ -104,7 +104,7 @@ pub struct SampleRequest {
 pub struct Subject {
     /// The model's generation; returned with the answer.
     pub generation: u64,
-    /// A checked model.
+    /// The model.
     pub model: Arc<Checked>,
     /// Index of the study whose members to solve; none: the model alone.
     pub study: Option<usize>,
@@ -115,7 +115,7 @@ pub struct Subject {
 pub struct ShapeRequest {
     /// The model's generation; returned with the answer.
     pub generation: u64,
-    /// A checked model.
+    /// The model.
     pub model: Arc<Checked>,
     /// Its modes.
     pub modes: Arc<Modes>,
@@ -303,7 +303,7 @@ pub struct Difference {
 pub struct SensitivityRequest {
     /// Returned with the answer.
     pub serial: u64,
-    /// A checked model.
+    /// The model.
     pub model: Arc<Checked>,
     /// The figure.
     pub figure: Figure,

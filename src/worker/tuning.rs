@@ -24,7 +24,7 @@ const SEED: u64 = 1;
 pub struct TuneRequest {
     /// Returned with the answers.
     pub serial: u64,
-    /// A checked model with `[tune]`.
+    /// A model with `[tune]`.
     pub model: Arc<Checked>,
     /// The folder that files of measured curves are relative to.
     pub folder: PathBuf,
@@ -150,7 +150,7 @@ impl Watch {
 pub struct SpreadRequest {
     /// Returned with the answer.
     pub serial: u64,
-    /// A checked model with `[tune]`.
+    /// A model with `[tune]`.
     pub model: Arc<Checked>,
     /// Hz, ascending.
     pub frequencies: Vec<f64>,

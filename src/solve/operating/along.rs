@@ -28,13 +28,13 @@ pub(super) struct Spot {
 }
 
 impl<'a> Along<'a> {
-    /// Solves a model without responses at an angular frequency, rad/s.
-    pub(super) fn new(model: &'a Model, plan: &'a Plan, omega: f64) -> Self {
+    /// Solves a model without responses, prepared as a [whole](Prepared::whole), at an angular frequency, rad/s.
+    pub(super) fn new(model: &'a Model, prepared: &'a Prepared, omega: f64) -> Self {
         Self {
             model,
-            plan,
+            plan: &prepared.plan,
             omega,
-            solution: Prepared::whole(plan.clone()).solution(omega.into()),
+            solution: prepared.solution(omega.into()),
         }
     }
 

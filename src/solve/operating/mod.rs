@@ -18,6 +18,7 @@ use std::f64::consts::TAU;
 use num_complex::Complex64;
 
 use super::beam_state::BeamState;
+use super::kernel::Prepared;
 use super::linear::ZERO;
 use super::plan::{End, Event, Plan};
 use super::solution::MassSolution;
@@ -111,7 +112,7 @@ impl Power {
     }
 }
 
-/// The state of a checked model at a frequency (Hz, > 0), at `points` (2 or more) equally spaced positions and on both
+/// The state of a model at a frequency (Hz, > 0), at `points` (2 or more) equally spaced positions and on both
 /// sides of every subsystem and force.
 ///
 /// The waves are those of [`sweep`](super::sweep()). A model without damping exactly at a resonance has no finite
@@ -120,8 +121,8 @@ pub fn operating(model: &Checked, frequency: f64, points: usize) -> Operating {
     let omega = TAU * frequency;
     // Responses would divide the spans without need: between stations the waves are known everywhere.
     let bare = model.derived(|model| model.responses.clear());
-    let plan = Plan::new(&bare);
-    let along = Along::new(&bare, &plan, omega);
+    let prepared = Prepared::whole(Plan::new(&bare));
+    let along = Along::new(&bare, &prepared, omega);
     let places = along.places(points);
     let locals: Vec<BeamState> = places.iter().map(|place| along.at(*place)).collect();
     let masses = masses(&along);

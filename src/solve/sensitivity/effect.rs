@@ -59,7 +59,7 @@ pub struct Sensitivity {
     pub damping_ratio: Option<f64>,
 }
 
-/// The change of a figure of a checked model with each parameter that is not 0, in the order of the model.
+/// The change of a figure of a model with each parameter that is not 0, in the order of the model.
 ///
 /// The level of a response is 20 log10 |H| in dB, of an energy or a mean square 10 log10. With exactly one force its
 /// amplitude and phase are left out: the response is taken per force. For a mode that the list does not have the result

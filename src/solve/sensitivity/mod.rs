@@ -82,7 +82,7 @@ struct Forced<'a> {
 }
 
 impl Differentiator {
-    /// Lays out a checked model.
+    /// Lays out a model.
     pub fn new(model: &Checked) -> Self {
         let plan = Plan::new(model);
         let masses = mass_stations(model, &plan);

@@ -174,7 +174,7 @@ impl Loaded {
         Self {
             masses: mass_stations(&model, &plan),
             bare: without_loads(&plan),
-            motion: motion(&plan, omega, aside / omega.norm()),
+            motion: motion(&Prepared::whole(plan), omega, aside / omega.norm()),
             model,
             omega,
         }
@@ -209,8 +209,8 @@ impl Loaded {
 ///
 /// The points are on the ray through the root, along which no wave changes its direction. With
 /// `u = phi / distance + r0 + r1 distance + ...` the weights cancel all terms except phi and those of the fourth order.
-fn motion(plan: &Plan, omega: Complex64, aside: f64) -> Solution {
-    let prepared = Prepared::whole(plan.clone());
+fn motion(prepared: &Prepared, omega: Complex64, aside: f64) -> Solution {
+    let plan = &prepared.plan;
     let answer = |side: f64| prepared.solution(omega * (1.0 + side * aside));
     let mut motion = answer(1.0);
     for (side, weight) in [(-1.0, -1.0), (2.0, -0.5), (-2.0, 0.5)] {

@@ -58,7 +58,7 @@ impl std::fmt::Display for NotApplicable {
     }
 }
 
-/// Solves a checked model at each frequency (Hz, > 0) by the paper's closed form, on all cores.
+/// Solves a model at each frequency (Hz, > 0) by the paper's closed form, on all cores.
 ///
 /// Values and units are those of [`solve::sweep`](super::sweep()), with the digits of this method: none at high
 /// frequencies, where values may not even be finite.

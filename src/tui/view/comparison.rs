@@ -5,7 +5,7 @@ use ratatui::layout::{Constraint, Layout};
 use ratatui::text::{Line, Span};
 
 use super::band::fit_words;
-use super::dialogs::{middle, open_dialog};
+use super::dialog_box::{middle, open_dialog};
 use super::text::{cut, width};
 use crate::model::counted;
 use crate::tui::app::{App, List, MOTION, Measured, Reference, Rows};

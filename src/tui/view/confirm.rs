@@ -8,7 +8,7 @@ use ratatui::layout::{Constraint, Layout};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::Paragraph;
 
-use super::dialogs::{dialog_width, middle, open_dialog};
+use super::dialog_box::{dialog_width, middle, open_dialog};
 use super::text::{cut, width, wrapped};
 use crate::escape::shown_path;
 use crate::tui::app::{List, Lost, Next, ReplaceReason, Rows};

@@ -4,7 +4,7 @@ use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::text::{Line, Span};
 
-use super::dialogs::{middle, open_dialog};
+use super::dialog_box::{middle, open_dialog};
 use super::prompt::draw_input;
 use super::text::{cut, width};
 use crate::model::{Model, grouped};

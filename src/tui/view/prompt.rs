@@ -8,7 +8,7 @@ use ratatui::widgets::Paragraph;
 use tui_input::Input;
 
 use super::Panels;
-use super::dialogs::open_dialog;
+use super::dialog_box::open_dialog;
 use super::text::{cut, width, wrapped};
 use crate::escape::escape;
 use crate::model::value_input;

@@ -152,15 +152,7 @@ pub(super) fn stem(source: &Source) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn names(folder: &Path) -> Vec<String> {
-        let entries = fs::read_dir(folder).unwrap();
-        let mut names: Vec<String> = entries
-            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-            .collect();
-        names.sort();
-        names
-    }
+    use crate::files::names;
 
     #[test]
     fn a_slot_is_a_locked_name_and_clearing_it_leaves_nothing() {

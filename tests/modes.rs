@@ -16,13 +16,14 @@ use std::f64::consts::{PI, TAU};
 use std::sync::atomic::AtomicBool;
 
 use beamtune::model::{
-    self, BeamMotion, Elastic, Model, Place, Restraint, Spring, Subsystem, Support, Target,
+    self, Beam, BeamMotion, Elastic, Material, Model, Place, Restraint, Section, Spring, Subsystem,
+    Support, Target, Theory,
 };
 use beamtune::presets;
 use beamtune::solve::Cancelled;
 use beamtune::solve::modes::{
-    Completeness, MOST_MODES, Mode, ModeKind, Modes, certify, count, follow, modes, shape,
-    uncertified, undamped,
+    Completeness, MOST_MODES, Mode, ModeKind, Modes, buckling_load, certify, count, follow, modes,
+    shape, uncertified, undamped,
 };
 use common::{models, respond, unit_force};
 use num_complex::Complex64;
@@ -47,6 +48,155 @@ fn assert_close(got: f64, want: f64, tolerance: f64) {
         (got - want).abs() <= tolerance * want.abs(),
         "{got} and {want}"
     );
+}
+
+/// The section without symmetry of Tanaka & Bercin 1997, with the shear areas of the references below.
+fn unsymmetric(length: f64, left: Support, right: Support) -> Model {
+    let mut model = preset("purlin");
+    (model.subsystems, model.forces, model.responses) = (Vec::new(), Vec::new(), Vec::new());
+    model.beam = Beam {
+        length,
+        material: Material {
+            young_modulus: 2e11,
+            shear_modulus: 8e10,
+            density: 7800.0,
+            loss_factor: 0.0,
+        },
+        section: Section {
+            area: 1.947 / 7800.0,
+            second_moment_y: 8.34e-8,
+            second_moment_z: 3.674e-7,
+            torsion_constant: 1.35125e-10,
+            warping_constant: 1.317e-10,
+            polar_moment: 5.9e-3 / 7800.0,
+            centroid_offset: 0.02316,
+            centroid_offset_y: 0.02625,
+            shear_area_y: 2e-4,
+            shear_area_z: 2e-4,
+            ..Section::default()
+        },
+        ..Beam::default()
+    };
+    (model.supports.left, model.supports.right) = (left, right);
+    model
+}
+
+fn assert_modes(model: &Model, expected: &[f64]) {
+    let to = expected[expected.len() - 1] * 1.0001;
+    let found = undamped(&checked(model), to, &NEVER).unwrap().unwrap();
+    let rigid = found.iter().filter(|hertz| **hertz == 0.0).count();
+    assert_eq!(found.len() - rigid, expected.len(), "{found:?}");
+    for (found, expected) in found[rigid..].iter().zip(expected) {
+        assert_close(*found, *expected, 2e-7);
+    }
+}
+
+/// Expected: a Ritz method with polynomials of order 14 and 18, whose results agree in all digits given.
+#[test]
+fn theories_of_bending_without_symmetry() {
+    let ends = |of: &str| match of {
+        "CF" => (Support::CLAMPED, Support::FREE),
+        "CC" => (Support::CLAMPED, Support::CLAMPED),
+        "SS" => (Support::PINNED, Support::PINNED),
+        _ => (Support::FREE, Support::FREE),
+    };
+    for (name, expected) in [
+        (
+            "CF",
+            vec![17.16010, 27.27236, 58.72405, 98.44177, 165.63041, 270.35555],
+        ),
+        (
+            "CC",
+            vec![98.40252, 167.29002, 268.98189, 355.10837, 453.27078],
+        ),
+        (
+            "SS",
+            vec![44.67723, 74.90764, 162.65131, 173.75905, 295.25402],
+        ),
+        (
+            "FF",
+            vec![20.30644, 101.14106, 169.12706, 271.51841, 361.73364],
+        ),
+    ] {
+        let (left, right) = ends(name);
+        let mut model = unsymmetric(1.5, left, right);
+        model.beam.theory = Theory::Timoshenko;
+        assert_modes(&model, &expected);
+    }
+    let mut model = unsymmetric(1.5, Support::PINNED, Support::PINNED);
+    model.beam.theory = Theory::Rayleigh;
+    model.beam.warping_inertia = true;
+    assert_modes(
+        &model,
+        &[44.69603, 75.07171, 164.09311, 174.01032, 297.82217],
+    );
+}
+
+/// Expected: closed form for pinned ends, otherwise the same Ritz method.
+#[test]
+fn an_axial_force_without_symmetry_and_its_buckling_load() {
+    let pinned = || unsymmetric(1.5, Support::PINNED, Support::PINNED);
+    let cantilever = || unsymmetric(1.5, Support::CLAMPED, Support::FREE);
+    for (mut model, force, expected) in [
+        (
+            pinned(),
+            -17_514.622_886,
+            vec![31.615217, 68.170726, 161.810775],
+        ),
+        (
+            pinned(),
+            17_514.622_886,
+            vec![54.759162, 81.524792, 167.874270],
+        ),
+        (
+            cantilever(),
+            -4_378.655_721,
+            vec![13.297848, 25.062068, 58.093678, 94.429480],
+        ),
+        (
+            cantilever(),
+            4_378.655_721,
+            vec![20.132680, 29.345497, 60.081870, 102.723378],
+        ),
+    ] {
+        model.beam.axial_force = force;
+        assert_modes(&model, &expected);
+    }
+    for (model, expected) in [
+        (pinned(), 35_029.245_771),
+        (cantilever(), 10_358.136_456),
+        (
+            unsymmetric(1.5, Support::CLAMPED, Support::CLAMPED),
+            132_994.254_4,
+        ),
+    ] {
+        let found = buckling_load(&checked(&model)).unwrap();
+        assert_close(found, expected, 1e-9);
+    }
+}
+
+/// Closed form: a pinned beam has one unstable mode between its first and its second Euler load in the weaker plane, and
+/// the others oscillate.
+#[test]
+fn a_buckled_beam_says_so() {
+    let mut model = pinned_beam(1e-6);
+    let beam = &mut model.beam;
+    let euler = PI * PI * beam.material.young_modulus * 1e-6 / beam.length.powi(2);
+    beam.material.loss_factor = 0.0;
+    beam.axial_force = -2.0 * euler;
+    let found = modes(&checked(&model), 50.0, &NEVER).unwrap();
+    assert_eq!(found.unstable, 1);
+    // omega^2 = omega_n^2 (1 - 2 / n^2).
+    let (section, density) = (&model.beam.section, model.beam.material.density);
+    let mass = density * section.area;
+    let second = (2.0 * PI / model.beam.length).powi(4) * 2.1e11 * 1e-6 / mass * 0.5;
+    assert!(found.modes.iter().all(|mode| mode.frequency() > 0.0));
+    let nearest = found
+        .modes
+        .iter()
+        .map(|mode| (mode.frequency() - second.sqrt() / TAU).abs());
+    assert!(nearest.fold(f64::INFINITY, f64::min) < 1e-8);
+    assert_close(buckling_load(&checked(&model)).unwrap(), euler, 1e-9);
 }
 
 /// The paper's beam with both ends pinned and no offset: bending and torsion apart.

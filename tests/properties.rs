@@ -137,6 +137,8 @@ proptest! {
     #[test]
     fn symmetric_arms_leave_v_exactly_zero(model in models(), hertz in frequencies()) {
         let mut model = model;
+        model.beam.section.product_moment = 0.0;
+        model.beam.section.centroid_offset_y = 0.0;
         for subsystem in &mut model.subsystems {
             subsystem.arm_right = subsystem.arm_left;
             subsystem.z_right = subsystem.z_left;

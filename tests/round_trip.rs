@@ -71,6 +71,8 @@ fn beam() -> impl Strategy<Value = Beam> {
         not_negative(),
         not_negative(),
         any_number(),
+        any_number(),
+        any::<bool>(),
     )
         .prop_map(
             |(
@@ -78,6 +80,8 @@ fn beam() -> impl Strategy<Value = Beam> {
                 loss_factor,
                 warping,
                 offset,
+                axial_force,
+                warps,
             )| {
                 let section = Section {
                     area,
@@ -87,9 +91,21 @@ fn beam() -> impl Strategy<Value = Beam> {
                     warping_constant: warping,
                     polar_moment: (area * offset * offset).mul_add(1.5, moment),
                     centroid_offset: offset,
+                    // A tuning may make the second moments any smaller.
+                    product_moment: 0.0,
+                    centroid_offset_y: 0.5 * offset,
+                    shear_area_y: area / 3.0,
+                    shear_area_z: if warps { area } else { 0.0 },
                 };
                 Beam {
                     length,
+                    theory: if warps {
+                        Theory::Timoshenko
+                    } else {
+                        Theory::EulerBernoulli
+                    },
+                    warping_inertia: warps,
+                    axial_force,
                     material: Material {
                         young_modulus,
                         shear_modulus,

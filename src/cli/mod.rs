@@ -17,7 +17,7 @@ mod tune;
 mod usage;
 mod validate;
 
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::io::{IsTerminal, Write};
 use std::path::Path;
 use std::process::ExitCode;
@@ -27,9 +27,9 @@ use clap::{Args, CommandFactory as _, Parser, Subcommand};
 use self::stdout::print;
 use crate::escape::{escape, escape_lines, shown_path};
 use crate::files::{self, Folders, read_if_there};
-use crate::model::{Fault, MOST_SHOWN};
+use crate::model::{Fault, MOST_SHOWN, path};
 use crate::presets;
-use crate::solve::Cancelled;
+use crate::solve::{self, Cancelled};
 use crate::tui::options::{AppearanceArguments, Environment};
 use crate::tui::user::config::{self, Config};
 use crate::tui::{self, Ended, Setup};
@@ -78,7 +78,7 @@ enum Command {
         /// The preset's name.
         preset: String,
     },
-    /// Checks a model file; prints its first 50 faults, or nothing.
+    /// Checks a model file; prints its first 50 faults, or notes on what is unusual, or nothing.
     Check {
         /// A model file, a preset's name, or - for standard input.
         model: OsString,
@@ -166,13 +166,26 @@ fn say(what: &str) {
     let _ = writeln!(std::io::stderr(), "{}", escape_lines(what));
 }
 
+/// Checks a model; notes are not faults, and go to standard error.
+fn check(model: &OsStr) -> Result<(), Failure> {
+    let model = source::open(model, &[])?.model;
+    for note in solve::notes(&model) {
+        say(&format!(
+            "note: {}: {}",
+            path::text(&model, note.id),
+            note.message
+        ));
+    }
+    Ok(())
+}
+
 fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
     match arguments.command {
         None => return design(&arguments.designer),
         Some(Command::Guide(arguments)) => guide::run(&arguments)?,
         Some(Command::Presets) => print(&list_presets())?,
         Some(Command::Show { preset }) => print(source::preset(&preset)?.text)?,
-        Some(Command::Check { model }) => drop(source::open(&model, &[])?),
+        Some(Command::Check { model }) => check(&model)?,
         Some(Command::Frf(arguments)) => frf::run(&arguments)?,
         Some(Command::Modes(arguments)) => modes::run(&arguments)?,
         Some(Command::Sensitivities(arguments)) => sensitivities::run(&arguments)?,

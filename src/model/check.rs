@@ -149,15 +149,40 @@ fn beam(beam: &Beam, faults: &mut Vec<Fault>) {
     numbers("beam.material", &beam.material, &MATERIAL, faults);
     numbers("beam.section", &beam.section, &SECTION, faults);
     let section = &beam.section;
-    let least = section.area * section.centroid_offset * section.centroid_offset;
+    let (least, formula) = section.least_polar_moment();
     if section.polar_moment > 0.0 && section.polar_moment <= least {
         faults.push(Fault::new(
             "beam.section.polar_moment",
             format!(
-                "is {} m4; must be > A z_c^2 = {least:.5e} m4 (it is taken about the shear centre)",
+                "is {} m4; must be > {formula} = {least:.5e} m4 (it is taken about the shear centre)",
                 format_number(section.polar_moment)
             ),
         ));
+    }
+    let most = section.most_product_moment();
+    if section.product_moment.abs() >= most {
+        faults.push(Fault::new(
+            "beam.section.product_moment",
+            format!(
+                "is {} m4; must be within +-sqrt(I_y I_z) = {most:.5e} m4",
+                format_number(section.product_moment)
+            ),
+        ));
+    }
+    let areas = [
+        ("shear_area_y", section.shear_area_y),
+        ("shear_area_z", section.shear_area_z),
+    ];
+    for (key, area) in areas {
+        if beam.theory.has_shear() && area == 0.0 {
+            faults.push(Fault::new(
+                format!("beam.section.{key}"),
+                format!(
+                    "is missing or 0; must be > 0 m2 for the theory \"{}\"",
+                    beam.theory.key()
+                ),
+            ));
+        }
     }
     if section.torsion_constant == 0.0 && section.warping_constant == 0.0 {
         faults.push(Fault::new(

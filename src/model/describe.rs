@@ -124,8 +124,12 @@ fn section_range(model: &Model, id: ParameterId) -> String {
     let section = &model.beam.section;
     match SectionKey::ALL[id.row] {
         SectionKey::PolarMoment => {
-            let least = section.area * section.centroid_offset * section.centroid_offset;
-            format!("> A z_c^2 = {}", Unit::METRE_4.format(least))
+            let (least, formula) = section.least_polar_moment();
+            format!("> {formula} = {}", Unit::METRE_4.format(least))
+        }
+        SectionKey::ProductMoment => {
+            let most = section.most_product_moment();
+            format!("within +-sqrt(I_y I_z) = {}", Unit::METRE_4.format(most))
         }
         SectionKey::TorsionConstant if section.warping_constant == 0.0 => {
             "> 0 without a warping constant".to_owned()

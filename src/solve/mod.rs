@@ -41,6 +41,7 @@
 
 mod attachment;
 pub mod band;
+mod beam_matrices;
 mod beam_state;
 mod cancelled;
 pub mod compare;
@@ -51,6 +52,7 @@ mod layout;
 mod limit;
 mod linear;
 pub mod modes;
+mod notes;
 pub mod operating;
 pub mod peaks;
 mod plan;
@@ -62,12 +64,15 @@ mod springs;
 mod sweep;
 mod sweep_cache;
 pub mod transfer_matrix;
+mod validity;
 mod waves;
 
 pub use cancelled::Cancelled;
 pub use kernel::{Instructions, Work, work};
+pub use notes::{Note, notes};
 pub use reference::Reference;
 #[doc(hidden)]
 pub use sweep::sweep_with;
 pub use sweep::{Column, ColumnKind, Frf, frequencies, sweep, sweep_alone};
 pub use sweep_cache::SweepCache;
+pub use validity::euler_bernoulli_up_to;

@@ -109,7 +109,9 @@ fn beam(dice: &mut Dice) -> Beam {
             warping_constant: dice.power(1e-9, 3e-8),
             polar_moment: 5.9992e-4,
             centroid_offset: dice.pick(&[0.0, 0.0619, -0.12]),
+            ..Default::default()
         },
+        ..Default::default()
     }
 }
 

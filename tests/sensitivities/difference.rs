@@ -209,6 +209,9 @@ fn usual(path: &str) -> f64 {
         "stiffness" => 1e6,
         "damping" => 1e3,
         "mass" | "inertia" | "phase" => 10.0,
+        "product_moment" => 1e-8,
+        "axial_force" => 1e3,
+        "centroid_offset_y" => 1e-2,
         _ => 0.1,
     }
 }

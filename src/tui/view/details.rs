@@ -9,6 +9,7 @@ use super::summary;
 use super::text::{cut, width, wrapped};
 use crate::model::edit::Value;
 use crate::model::{Parameter, path};
+use crate::solve;
 use crate::tui::app::App;
 use crate::tui::theme::Theme;
 use crate::tui::tree::{self, Node};
@@ -54,6 +55,9 @@ fn lines(app: &App, theme: Theme, node: Node, columns: usize) -> Vec<Line<'stati
     }
     lines.extend(meaning(theme, &parameter, columns));
     lines.extend(dimmed(&allowed(&parameter), columns, theme));
+    for note in solve::notes(model).iter().filter(|note| note.id == id) {
+        lines.extend(plain(&note.message, columns));
+    }
     lines
 }
 

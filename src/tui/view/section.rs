@@ -80,7 +80,12 @@ fn heading(subsystem: Option<&Subsystem>, columns: usize) -> String {
 
 /// The numbers of the section and the mounts, the longest first.
 fn notes(section: &Section, subsystem: Option<&Subsystem>, signs: &Signs) -> Vec<String> {
-    let centroid = format!("z_c {} mm", millimetres(section.centroid_offset));
+    let along_z = format!("z_c {} mm", millimetres(section.centroid_offset));
+    let centroid = if section.centroid_offset_y == 0.0 {
+        along_z
+    } else {
+        format!("y_c {}, {along_z}", millimetres(section.centroid_offset_y))
+    };
     let Some(subsystem) = subsystem else {
         return vec![centroid];
     };
@@ -126,7 +131,10 @@ impl<'a> Picture<'a> {
         let mut extent = Extent::default();
         let [across, up] = radii(section);
         for side in [-1.0, 1.0] {
-            extent.take(side * across, section.centroid_offset + side * up);
+            extent.take(
+                section.centroid_offset_y + side * across,
+                section.centroid_offset + side * up,
+            );
         }
         let mut reserve = plane::Reserve::default();
         if let Some(subsystem) = subsystem {
@@ -145,7 +153,8 @@ impl<'a> Picture<'a> {
 
     fn draw(&self, board: &mut Board<'_>) {
         let shear = self.plane.cell(0.0, 0.0);
-        let centroid = self.plane.cell(0.0, self.section.centroid_offset);
+        let section = self.section;
+        let centroid = (self.plane).cell(section.centroid_offset_y, section.centroid_offset);
         let bold = self.theme.accent();
         board.sign(shear, self.signs.shear_centre, bold);
         board.sign_if_free(centroid, self.signs.centroid, bold);
@@ -161,10 +170,14 @@ impl<'a> Picture<'a> {
         self.draw_words(board);
     }
 
-    /// The ellipse of the radii of gyration about the centroid, a dot a column or so.
+    /// The ellipse of inertia about the centroid, a dot a column or so: its axes are the principal axes, with the radii of
+    /// gyration.
     fn draw_ellipse(&self, board: &mut Board<'_>) {
-        let [across, up] = radii(self.section);
-        let centre = self.section.centroid_offset;
+        let section = self.section;
+        let [across, up] = radii(section);
+        // (y, z) = (across cos, lean cos + rise sin) is the ellipse of the matrix of second moments over A.
+        let lean = section.product_moment / (section.area * across);
+        let rise = (up * up - lean * lean).max(0.0).sqrt();
         let scale = self.plane.metres_per_column();
         let columns = std::f64::consts::PI * (across + up) / scale;
         let count = if columns.is_finite() {
@@ -174,7 +187,11 @@ impl<'a> Picture<'a> {
         };
         let points = (0..count).map(|i| {
             let angle = std::f64::consts::TAU * f64::from(i) / f64::from(count);
-            (across * angle.cos(), centre + up * angle.sin())
+            let (cosine, sine) = (angle.cos(), angle.sin());
+            (
+                section.centroid_offset_y + across * cosine,
+                section.centroid_offset + lean * cosine + rise * sine,
+            )
         });
         self.plane
             .draw_dots(board, points, self.theme.glyphs(), self.theme.curve(0));

@@ -66,11 +66,14 @@ fn section(section: &Section) -> String {
     let area = Unit::AREA.format(section.area);
     let moments =
         [section.second_moment_y, section.second_moment_z].map(|of| Unit::METRE_4.format(of));
-    let offset = Unit::METRE.format(section.centroid_offset);
-    format!(
-        "A {area}\nI_y {}\nI_z {}\nz_c {offset}",
-        moments[0], moments[1]
-    )
+    let mut text = format!("A {area}\nI_y {}\nI_z {}", moments[0], moments[1]);
+    if section.product_moment != 0.0 {
+        text += &format!("\nI_yz {}", Unit::METRE_4.format(section.product_moment));
+    }
+    if section.centroid_offset_y != 0.0 {
+        text += &format!("\ny_c {}", Unit::METRE.format(section.centroid_offset_y));
+    }
+    text + &format!("\nz_c {}", Unit::METRE.format(section.centroid_offset))
 }
 
 /// A subsystem's mass, and its frequencies on springs whose other ends do not move and whose arms are nothing.

@@ -84,6 +84,7 @@ fn mode(frequency: f64) -> Mode {
 
 fn resolved(app: &App, frequencies: &[f64], completeness: Completeness) -> CurvesAnswer {
     let modes = Modes {
+        unstable: 0,
         to: app.model().sweep.to,
         undamped: frequencies.len(),
         modes: frequencies.iter().map(|f| mode(*f)).collect(),

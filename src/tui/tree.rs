@@ -19,7 +19,7 @@ use crate::model::{Group, Model, Restraint};
 /// A row on the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Row {
-    /// What it shows.
+    /// The node that it shows.
     pub node: Node,
     /// The depth in the tree.
     pub depth: u16,

@@ -769,7 +769,7 @@ fn a_universal_file_names_several_forces_studies_and_lost_digits() {
     assert_eq!(curves[0].kind.unwrap().unit(), "m");
     assert_eq!(curves[0].frequencies, [10.0, 20.1235, 400.0]);
     assert!(
-        warning.contains("six digits for a frequency") && warning.contains("up to 4.4e-5 Hz off"),
+        warning.contains("six digits of each frequency") && warning.contains("up to 4.4e-5 Hz off"),
         "{warning}"
     );
     let model = beamtune::model::read(presets::find("fig08").unwrap().text)

@@ -132,7 +132,7 @@ fn warn_of(tuned: &Tuned, output: Option<&Path>) {
             Some(file) => format!(", and is in {}", shown_path(file)),
             None => String::new(),
         };
-        say(&format!("stopped: the result is the best so far{written}"));
+        say(&format!("stopped: the best so far is the result{written}"));
     }
     if tuned.limits.iter().any(|limit| !limit.holds) {
         warn("no model within all limits was found");

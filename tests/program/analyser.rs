@@ -149,7 +149,7 @@ fn references_are_listed_and_loaded() {
         home.preset("cantilever", "other.toml");
         let mut program = start(&["cantilever"]);
         program.press("fQ");
-        program.wait_for("Beside the model");
+        program.wait_for("References and measured curves");
         program.wait_for("before");
         program.press("a");
         program.wait_for("Load a model");

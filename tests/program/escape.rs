@@ -84,7 +84,7 @@ fn a_hostile_file_is_edited_without_its_names_reaching_the_terminal() {
     );
     for ending in ["svg", "csv", "txt"] {
         program.press("\u{5}");
-        program.wait_for("Write");
+        program.wait_for("Export");
         program.press(&format!("\u{7f}\u{7f}\u{7f}{ending}\r"));
         program.wait_for(&format!("\\u{{202e}}.{ending}"));
         program.wait_for("written to m");

@@ -234,7 +234,7 @@ fn pipes_among_the_users_own_files_are_not_waited_for() {
         pipe(&home.state(name));
     }
     let mut program = Program::sized(&home, &["beam.toml"], LARGE);
-    program.wait_for("is not read: it is a pipe");
+    program.wait_for("cannot be read: it is a pipe");
     program.press("q");
     assert_eq!(program.end(), 0);
     home.configure("");

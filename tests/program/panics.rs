@@ -10,7 +10,7 @@ use super::harness::{Home, Program};
 /// Sets the model's title, by the first row of the tree.
 fn retitle(program: &mut Program, title: &str) {
     program.press("g\r");
-    program.wait_for("take it");
+    program.wait_for("accept");
     program.press(&format!("\u{15}{title}\r"));
 }
 

@@ -1,5 +1,5 @@
-//! Three absorbers on fig05a, tuned by the search and by a plain global method with ten times the evaluations: run with
-//! `cargo bench --bench absorbers`. It takes minutes, and fails where the plain method finds more.
+//! Three absorbers on fig05a, tuned by the search and by a basic global method with ten times the evaluations: run with
+//! `cargo bench --bench absorbers`. It takes minutes, and fails if the basic method finds a better result.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
 
@@ -20,10 +20,11 @@ use rayon::prelude::*;
 
 static NEVER: AtomicBool = AtomicBool::new(false);
 
-/// Restarts of the plain method.
+/// Restarts of the basic method.
 const RESTARTS: usize = 20;
 
-/// The springs of each absorber are equal, and so are its dampers; the highest peak of the right end below 400 Hz counts.
+/// The springs of each absorber are equal, and so are its dampers; the objective is the highest peak of the right end
+/// below 400 Hz.
 fn model() -> Model {
     let mut model = model::read(presets::find("fig05a").unwrap().text)
         .unwrap()
@@ -59,8 +60,8 @@ fn model() -> Model {
     model
 }
 
-/// Differential evolution, rand/1/bin with F = 0.7 and CR = 0.9 (Storn & Price, J. Global Optim. 1997, 11, 341), from random
-/// points; the least goal.
+/// Differential evolution, rand/1/bin with F = 0.7 and CR = 0.9 (Storn & Price, J. Global Optim. 1997, 11, 341), from
+/// random points; returns the least objective.
 fn plain(merit_function: &MeritFunction<'_>, evaluations: usize, seed: u64) -> f64 {
     let n = merit_function.variables();
     let size = 10 * n;

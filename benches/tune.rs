@@ -19,7 +19,7 @@ use rayon::prelude::*;
 
 static NEVER: AtomicBool = AtomicBool::new(false);
 
-/// The absorbers of fig05a: along y and along z a stiffness and a damping each, twelve variables.
+/// The absorbers of fig05a: a stiffness and a damping each along y and along z, twelve variables.
 fn absorbers(aim: Aim) -> Model {
     let mut model = model::read(presets::find("fig05a").unwrap().text)
         .unwrap()

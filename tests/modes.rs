@@ -1,7 +1,7 @@
 //! Natural frequencies, damped modes and mode shapes.
 //!
-//! Expected values: a closed form or a high-precision solution, as each test says; counts and shapes are held against
-//! the frequency responses, which come another way.
+//! Expected values: a closed form or a high-precision solution, as each test states; counts and shapes are compared
+//! with the frequency responses, which are computed in another way.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
@@ -199,7 +199,7 @@ fn a_buckled_beam_says_so() {
     assert_close(buckling_load(&checked(&model)).unwrap(), euler, 1e-9);
 }
 
-/// The paper's beam with both ends pinned and no offset: bending and torsion apart.
+/// The paper's beam with both ends pinned and no offset: bending and torsion are uncoupled.
 fn pinned_beam(second_moment_z: f64) -> Model {
     let mut model = preset("fig06");
     model.supports.left = Support::PINNED;
@@ -243,8 +243,8 @@ fn the_damped_modes_of_the_papers_beam() {
     }
 }
 
-/// Expected: closed form; with equal second moments every bending mode occurs twice, with nearly equal ones they
-/// differ by 5e-10 of themselves.
+/// Expected: closed form; with equal second moments every bending mode occurs twice, with nearly equal ones the
+/// relative difference is 5e-10.
 #[test]
 fn double_and_nearly_double_roots() {
     let second_moment_y = preset("fig06").beam.section.second_moment_y;
@@ -259,7 +259,7 @@ fn double_and_nearly_double_roots() {
     }
 }
 
-/// Expected: closed form. With a loss factor on E and G alone every omega^2 turns by 1 + i eta.
+/// Expected: closed form. With a loss factor on E and G alone, every omega^2 is multiplied by 1 + i eta.
 #[test]
 fn a_loss_factor_turns_every_root() {
     let second_moment_y = preset("fig06").beam.section.second_moment_y;
@@ -310,10 +310,11 @@ fn mass_on_stiff_beam(stiffness: f64, damping: f64) -> Model {
     model
 }
 
-/// Expected: closed form, `m omega^2 - i c omega - k = 0` for y, z and theta; the beam gives way by less than 5e-3.
+/// Expected: closed form, `m omega^2 - i c omega - k = 0` for y, z and theta; the compliance of the beam adds less than
+/// 5e-3.
 #[test]
 fn a_mass_on_a_stiff_beam_oscillates_or_creeps() {
-    // Damping ratios of 0.3 (oscillating), 3 (two ways of creeping back), and one between.
+    // Damping ratios of 0.3 (oscillating), 3 (two overdamped roots), and one between.
     for share in [0.3_f64, 0.9, 3.0] {
         let (k, m) = (1e4_f64, 10.0_f64);
         let c = share * (2.0 * k * m).sqrt();
@@ -385,12 +386,12 @@ fn rigid_body_modes_are_at_zero() {
         ..Elastic::default()
     });
     assert_eq!(zeros(&model), 3);
-    // A mass without springs moves in three ways; with y springs alone in two.
+    // A mass without springs has three free motions; with y springs alone two.
     model.subsystems = vec![mass_on_springs(0.7, Spring::default())];
     assert_eq!(zeros(&model), 6);
     model.subsystems[0].y_left.stiffness = 1e5;
     assert_eq!(zeros(&model), 5);
-    // Its y spring and the beam's soft support are in series: still held.
+    // Its y spring and the beam's soft support are in series: still restrained.
     model.subsystems[0].inertia = 0.0;
     assert_eq!(zeros(&model), 4);
 }
@@ -430,7 +431,8 @@ fn fifty_absorbers(seed: u64) -> Model {
     model
 }
 
-/// Expected: the count of Wittrick & Williams on both sides of each root, which shares nothing with what polished it.
+/// Expected: the count of Wittrick & Williams on both sides of each root, which is independent of the method that
+/// refined it.
 #[test]
 fn every_root_of_fifty_random_absorbers_is_where_the_count_steps() {
     let model = fifty_absorbers(1);
@@ -454,7 +456,7 @@ fn every_root_of_fifty_random_absorbers_is_where_the_count_steps() {
     damped(&model, 200.0);
 }
 
-/// Expected: the same list, from a search that starts afresh.
+/// Expected: the same list, from a new search.
 #[test]
 fn modes_that_are_followed_and_counted_are_those_found_afresh() {
     let mut model = preset("fig05a");
@@ -496,7 +498,7 @@ fn uncounted(list: &Modes, modes: Vec<Mode>) -> Modes {
     }
 }
 
-/// Whether two lists have the same modes, but for rounding.
+/// Whether two lists have the same modes, except for rounding.
 fn assert_same(got: &Modes, want: &Modes) {
     assert_eq!(got.modes.len(), want.modes.len());
     for (a, b) in got.modes.iter().zip(&want.modes) {
@@ -507,7 +509,7 @@ fn assert_same(got: &Modes, want: &Modes) {
     }
 }
 
-/// Expected: the whole list, whatever a made-up follower lost of it.
+/// Expected: the whole list, even if the follower loses some of it.
 #[test]
 fn the_count_finds_what_a_list_lacks_or_has_twice() {
     let model = preset("fig05a");
@@ -530,7 +532,7 @@ fn the_count_finds_what_a_list_lacks_or_has_twice() {
         assert_eq!(counted.completeness, Completeness::Certain);
         assert_same(&counted, &whole);
     }
-    // What is counted already stays as it is, and a cancelled count is none.
+    // Ranges that are counted already do not change, and a cancelled count is none.
     assert_eq!(
         certify(&checked(&model), &whole, &NEVER).as_ref(),
         Ok(&whole)
@@ -543,7 +545,7 @@ fn the_count_finds_what_a_list_lacks_or_has_twice() {
     );
 }
 
-/// fig05a with a damper far beyond the critical damping of the mass it holds.
+/// fig05a with a damper far beyond the critical damping of its mass.
 fn overdamped() -> Model {
     let mut model = preset("fig05a");
     model.subsystems[1].y_left.damping = 1e6;
@@ -551,7 +553,7 @@ fn overdamped() -> Model {
     model
 }
 
-/// Expected: the list of a search with its count, which is the first to find overdamped modes.
+/// Expected: the list of a search with its count, which finds overdamped modes first.
 #[test]
 fn overdamped_modes_come_with_the_count() {
     let model = overdamped();
@@ -565,15 +567,15 @@ fn overdamped_modes_come_with_the_count() {
     assert_eq!(before.completeness, Completeness::Uncounted);
     assert!(before.modes.len() < whole.modes.len());
     assert_same(&certify(&checked(&model), &before, &NEVER).unwrap(), &whole);
-    // Once they are known they are followed.
+    // Once known, they are followed.
     let mut longer = model;
     longer.beam.length *= 1.01;
     let followed = follow(&checked(&longer), &whole, &NEVER).unwrap();
     assert_eq!(overdamped(&followed), overdamped(&damped(&longer, 400.0)));
 }
 
-/// Expected: as many as a search that starts afresh finds, also where no list before had them: the beam grows until most
-/// of its modes have come into the range from far beyond it.
+/// Expected: as many as a new search finds, also if no list before had them: the beam grows until most of its modes
+/// have entered the range from far beyond it.
 #[test]
 fn modes_that_enter_the_range_are_not_missing_while_no_count_is_made() {
     let mut model = preset("fig05a");
@@ -588,7 +590,7 @@ fn modes_that_enter_the_range_are_not_missing_while_no_count_is_made() {
     assert!(followed.modes.len() > first + 3, "{}", followed.modes.len());
 }
 
-/// Expected: as many as a search that starts afresh finds. Two starts on one root are one, and one root is lost.
+/// Expected: as many as a new search finds. Two starts lead to one root, and so one root is lost.
 #[test]
 fn a_root_that_is_lost_on_the_way_starts_a_search_afresh() {
     let mut model = preset("fig05a");
@@ -601,7 +603,7 @@ fn a_root_that_is_lost_on_the_way_starts_a_search_afresh() {
     assert_same(&followed, &damped(&model, 400.0));
 }
 
-/// Expected: the argument principle counts as many as were found, and Wittrick and Williams as many without damping.
+/// Expected: the argument principle counts the same number as was found, and Wittrick and Williams without damping.
 #[test]
 fn every_preset_has_all_its_modes() {
     for preset in presets::ALL {
@@ -614,8 +616,8 @@ fn every_preset_has_all_its_modes() {
     }
 }
 
-/// Expected: the residue of a receptance at a pole. Between two places it is the product of the mode's motions there:
-/// `H = phi_a phi_b / (2 omega_k (omega_k - omega))` beside `omega_k`, from the normalisation.
+/// Expected: the residue of a receptance at a pole. Between two positions it is the product of the mode's motions
+/// there: `H = phi_a phi_b / (2 omega_k (omega_k - omega))` close to `omega_k`, from the normalisation.
 #[test]
 fn shapes_are_normalised_to_modal_mass_one() {
     let model = preset("fig05a");
@@ -639,7 +641,7 @@ fn shapes_are_normalised_to_modal_mass_one() {
             from * 2.0 * mode.omega * (mode.omega - mode.omega.re)
         };
         let got = residue(&a);
-        // What the other modes add: their distance against the damping.
+        // The share of the other modes: the damping over their distance.
         assert!(
             (got - product).norm() < 0.02 * product.norm(),
             "mode {index}: {got} {product}"
@@ -684,7 +686,7 @@ fn the_shape_of_a_pinned_beam_is_a_sine() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 60, rng_seed: prop::test_runner::RngSeed::Fixed(5), failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// A mass without springs touches nothing: it splits a span, and has its three modes at 0.
+    /// A mass without springs has no effect: it splits a span, and has its three modes at 0.
     #[test]
     fn the_count_does_not_depend_on_how_stations_are_split(model in models(), places in prop::collection::vec(0.0..=1.0, 1..4), hertz in 1.0..500.0) {
         let mut split = model.clone();
@@ -696,7 +698,7 @@ proptest! {
         prop_assert_eq!(count(&checked(&split), hertz), count(&checked(&model), hertz) + 3 * places.len());
     }
 
-    /// Interlacing: one spring more moves every mode up, and none past the next.
+    /// Interlacing: one more spring raises every mode, and none past the next.
     #[test]
     fn a_spring_moves_the_count_by_one_at_most(model in models(), power in 2.0..10.0, at in 0_usize..6, hertz in 1.0..500.0) {
         let motion = BeamMotion::ALL[at];
@@ -711,7 +713,7 @@ proptest! {
         prop_assert!(after == before || after + 1 == before, "{} {}", before, after);
     }
 
-    /// The argument principle counts what was found, whatever the model.
+    /// The argument principle counts the modes found, for any model.
     #[test]
     fn every_damped_list_is_certain(model in models()) {
         let found = modes(&checked(&model), 150.0, &NEVER).unwrap();
@@ -724,8 +726,8 @@ proptest! {
 }
 
 #[test]
-fn more_modes_than_anybody_could_list_are_not_sought() {
-    // A beam round the earth many times over: by its wave numbers it has far more modes than a list may have.
+fn more_modes_than_the_limit_are_not_searched() {
+    // A beam many times round the earth: by its wave numbers it has far more modes than a list may have.
     let mut model = preset("fig06");
     let never = AtomicBool::new(false);
     for length in [1e13, 1e25] {

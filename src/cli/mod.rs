@@ -87,13 +87,13 @@ enum Command {
     Frf(frf::Arguments),
     /// Writes natural frequencies and damping ratios as CSV.
     Modes(modes::Arguments),
-    /// Writes as CSV which parameter matters: exact derivatives of a level, a peak, a mode or a band.
+    /// Writes the sensitivities as CSV: exact derivatives of a level, a peak, a mode or a band.
     Sensitivities(sensitivities::Arguments),
-    /// Writes as CSV the band of the responses under the tolerances in [tune].
+    /// Writes the quantiles of the responses within the tolerances of [tune] as CSV.
     Spread(spread::Arguments),
     /// Optimises the variables of the model's [tune].
     Tune(tune::Arguments),
-    /// Prints as CSV a summary of a file of measured curves, and writes the curves in SI.
+    /// Prints a summary of a file of measured curves as CSV, and writes the curves in SI.
     Measured(measured::Arguments),
     /// Compares finite elements and the paper's transfer matrices with the exact responses.
     Validate(validate::Arguments),

@@ -42,7 +42,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let found = modes(&model, to, &never)?;
     if found.are_too_many() {
         return Err(Failure::input(format!(
-            "there are more than {MOST_MODES} modes below {to:?} Hz: at most {MOST_MODES} are listed; --to asks for fewer"
+            "there are more than {MOST_MODES} modes below {to:?} Hz: at most {MOST_MODES} are listed; a lower --to gives fewer"
         )));
     }
     csv::write(arguments.output.as_deref(), |out| write_modes(out, &found))?;

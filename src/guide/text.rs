@@ -6,7 +6,7 @@ use std::str::Lines;
 /// Columns between two cells of a table.
 const GAP: usize = 2;
 
-/// What a line is.
+/// The kind of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// A heading, with its `#`.
@@ -20,13 +20,13 @@ pub enum Kind {
 /// A line of a chapter as a terminal shows it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Line {
-    /// What it is.
+    /// The kind.
     pub kind: Kind,
     /// Its text.
     pub text: String,
 }
 
-/// Markdown in lines of at most so many columns; code is as wide as it is.
+/// Markdown in lines of at most this number of columns; code is not wrapped.
 ///
 /// It understands the Markdown of the guide: headings, paragraphs, lists of one level, tables, code blocks, comments,
 /// and within a line code, emphasis and links.
@@ -184,7 +184,7 @@ fn aligned<'a>(cells: impl Iterator<Item = &'a str>, widths: &[usize]) -> String
     padded.collect::<String>().trim_end().to_owned()
 }
 
-/// A text in lines of at most so many columns; all but the first begin with an indent.
+/// A text in lines of at most this number of columns; all but the first begin with an indent.
 fn wrap(text: &str, columns: usize, indent: usize) -> Vec<String> {
     let mut lines = Vec::new();
     let mut line = String::new();
@@ -204,7 +204,7 @@ fn wrap(text: &str, columns: usize, indent: usize) -> Vec<String> {
     lines
 }
 
-/// A line without its marks: emphasis and links; code keeps its quotes where that is wanted.
+/// A line without its marks: emphasis and links; code keeps its backticks if requested.
 fn plain(text: &str, with_quotes: bool) -> String {
     let mut shown = String::new();
     let mut rest = text;

@@ -104,7 +104,7 @@ fn range(model: &Model, id: ParameterId) -> String {
         (Kind::Count, _) => format!("{FEWEST_POINTS} to {MOST_POINTS}"),
         (Kind::Line, _) => "one line of text".to_owned(),
         (Kind::Text, _) => "any text".to_owned(),
-        (Kind::Name, _) => "a name that no other has".to_owned(),
+        (Kind::Name, _) => "a unique name".to_owned(),
         (Kind::Flag, _) => "true or false".to_owned(),
         (Kind::Place, _) => places(model),
         (_, Group::Section) => section_range(model, id),

@@ -46,9 +46,9 @@ macro_rules! choices {
 choices! {
     /// How many colours are used.
     Colours {
-        /// As many as the terminal says it has; none where `NO_COLOR` is set.
+        /// As many as the terminal reports; none if `NO_COLOR` is set.
         Auto = "auto",
-        /// The same, whatever `NO_COLOR` says.
+        /// The same, regardless of `NO_COLOR`.
         Always = "always",
         /// None: bold, dim, underlined and reversed instead.
         Never = "never",
@@ -56,33 +56,33 @@ choices! {
         Sixteen = "16",
         /// The fixed palette of 256.
         TwoFiftySix = "256",
-        /// Red, green and blue, a byte each.
+        /// Red, green and blue, one byte each.
         Truecolor = "truecolor",
     }
 }
 
 choices! {
-    /// The ground on which the terminal writes.
+    /// The background of the terminal.
     Ground {
-        /// As the environment says, else unknown.
+        /// As the environment says, otherwise unknown.
         Auto = "auto",
-        /// Light letters on a dark ground.
+        /// Light text on a dark background.
         Dark = "dark",
-        /// Dark letters on a light ground.
+        /// Dark text on a light background.
         Light = "light",
     }
 }
 
 choices! {
-    /// The characters of which curves are made.
+    /// The characters that draw curves.
     Marker {
-        /// Dots, eight a cell.
+        /// Dots, eight per cell.
         Braille = "braille",
         /// Eighths of a cell; few fonts have them.
         Octant = "octant",
         /// Quarters of a cell.
         Block = "block",
-        /// A bullet a cell.
+        /// A bullet per cell.
         Dot = "dot",
         /// ASCII letters and signs.
         Ascii = "ascii",
@@ -125,13 +125,13 @@ pub struct AppearanceArguments {
     /// How many colours to use.
     #[arg(long, value_name = "WHEN")]
     pub color: Option<Colours>,
-    /// The terminal's ground, for which colours are chosen.
-    #[arg(long, value_name = "GROUND")]
+    /// The background of the terminal; sets which colours are used.
+    #[arg(long, value_name = "BACKGROUND")]
     pub theme: Option<Ground>,
-    /// Draws with ASCII characters only; `--ascii=false` with all, whatever the locale says.
+    /// Draws with ASCII characters only; `--ascii=false` with all, regardless of the locale.
     #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
     pub ascii: Option<bool>,
-    /// The characters of which curves are made.
+    /// The characters that draw curves.
     #[arg(long, value_name = "KIND")]
     pub marker: Option<Marker>,
     /// Leaves the mouse to the terminal.

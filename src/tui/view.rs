@@ -90,7 +90,7 @@ fn panels(area: Rect, wanted: OptionalPanels) -> Option<Panels> {
     ])
     .areas(area);
     let mut panels = if area.width >= BESIDE {
-        beside(middle, wanted)
+        side_by_side(middle, wanted)
     } else {
         stacked(middle, wanted)
     };
@@ -108,7 +108,7 @@ fn panels(area: Rect, wanted: OptionalPanels) -> Option<Panels> {
 }
 
 /// Tree and details on the left, the chart with a table below it on the right.
-fn beside(area: Rect, wanted: OptionalPanels) -> Panels {
+fn side_by_side(area: Rect, wanted: OptionalPanels) -> Panels {
     let width = (area.width / 3).clamp(36, 42);
     let [left, right] =
         Layout::horizontal([Constraint::Length(width), Constraint::Fill(1)]).areas(area);
@@ -262,7 +262,7 @@ fn too_small(frame: &mut Frame<'_>, leave: &str) {
     let area = frame.area();
     let (width, height) = SMALLEST;
     let text = format!(
-        "The designer needs {width} columns and {height} rows; here are {} and {}. {leave} leaves it and keeps what is not saved.",
+        "The designer needs {width} columns and {height} rows; here are {} and {}. {leave} quits and keeps unsaved changes for recovery.",
         area.width, area.height
     );
     frame.render_widget(Paragraph::new(text).wrap(Wrap { trim: true }), area);

@@ -175,7 +175,7 @@ fn models_with(beams: impl Strategy<Value = Beam>) -> impl Strategy<Value = Mode
         })
 }
 
-/// A motion of the beam somewhere between its ends, or of a mass.
+/// A motion of the beam between its ends, or of a mass.
 pub fn targets() -> impl Strategy<Value = Target> {
     let motion = prop_oneof![
         Just(BeamMotion::W),
@@ -195,7 +195,7 @@ pub fn targets() -> impl Strategy<Value = Target> {
     ]
 }
 
-/// Whether a model has what a target names.
+/// Whether a model contains the place of a target.
 pub fn exists(model: &Model, target: &Target) -> bool {
     matches!(target, Target::Beam(..)) || !model.subsystems.is_empty()
 }

@@ -7,7 +7,7 @@ use beamtune::tui::theme::Theme;
 
 const SIZES: [(u16, u16); 3] = [(60, 18), (80, 24), (120, 40)];
 
-/// The rows of the screen, without what follows of styles.
+/// The rows of the screen, without the style section.
 fn rows(driver: &mut Driver, (width, height): (u16, u16)) -> Vec<String> {
     let screen = driver.screen(width, height);
     let rows = screen.lines().take(usize::from(height));

@@ -1,5 +1,5 @@
-//! The designer as a user sees it, driven from inside, where its modules are private: keys in, screens out.
-#![allow(clippy::expect_used)] // The driver's functions are no tests themselves.
+//! The designer as a user sees it, driven from inside, because its modules are private: keys in, screens out.
+#![allow(clippy::expect_used)] // The driver's functions are not tests themselves.
 
 mod analyser;
 #[path = "../fuzz/dice.rs"]

@@ -13,7 +13,7 @@ use beamtune::model::{self, Model};
 use beamtune::presets;
 use beamtune::tui::user::recovery::{Keeper, Kept, found};
 
-/// From one edit to the next, as keys repeat.
+/// From one edit to the next, the repeat rate of keys.
 const REPEAT: Duration = Duration::from_millis(33);
 
 /// Edits of each.
@@ -53,7 +53,7 @@ fn state(count: usize) -> Kept {
     }
 }
 
-/// The recovery file's length and time of change; what is replaced or added to has another.
+/// The recovery file's length and modification time; they change if it is replaced or appended to.
 fn stamp(folder: &Path) -> Option<(u64, std::time::SystemTime)> {
     let entries = std::fs::read_dir(folder).ok()?.flatten();
     let mut files = entries.filter(|one| one.path().extension().is_some_and(|end| end == "toml"));
@@ -61,7 +61,7 @@ fn stamp(folder: &Path) -> Option<(u64, std::time::SystemTime)> {
     Some((found.len(), found.modified().ok()?))
 }
 
-/// Keeps edits one after the other; how long each took, ms.
+/// Stores edits one after the other; returns the time of each, ms.
 fn hold(state: &mut Kept, edit: impl Fn(&mut Model)) -> Vec<f64> {
     let folder = tempfile::tempdir().unwrap();
     let keeper = Keeper::start(folder.path().to_owned(), |sentence| panic!("{sentence}"));

@@ -71,7 +71,7 @@ impl App {
             if self.tables.open == Some(Table::Band) {
                 self.tables.open = None;
             }
-            return self.done("band taken away");
+            return self.done("band removed");
         }
         let span = match (self.curves.cursor, self.reading.second) {
             (Some(one), Some(other)) if one != other => [one.min(other), one.max(other)],

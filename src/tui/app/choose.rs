@@ -35,7 +35,7 @@ impl App {
             let some: Vec<&str> = chosen.iter().take(3).map(|i| names[*i]).collect();
             return Err(format!(
                 "{} curves ({}, ..) are chosen, and there is room for {room}: {MOST_CURVES} are the most, {list} lists \
-                 those that stand there",
+                 the present ones",
                 chosen.len(),
                 some.join(", ")
             ));
@@ -56,7 +56,7 @@ pub(super) fn allowed(curves: &[Curve]) -> String {
         names.push(format!("to {}", curves.len()));
     }
     format!(
-        "numbers, names or parts of names with commas between, as 1-6, 13; at most {MOST_CURVES} stand on the chart. {}",
+        "numbers, names or parts of names with commas between, as 1-6, 13; at most {MOST_CURVES} on the chart. {}",
         names.join(", ")
     )
 }
@@ -108,8 +108,8 @@ fn part_of(part: &str, names: &[&str]) -> Option<Vec<usize>> {
     if let Some((from, to)) = range.filter(|(from, to)| from <= to) {
         return Some((from - 1..to).collect());
     }
-    let sought = part.to_lowercase();
-    let holds = |place: &usize| names[*place].to_lowercase().contains(&sought);
+    let wanted = part.to_lowercase();
+    let holds = |place: &usize| names[*place].to_lowercase().contains(&wanted);
     let holding: Vec<usize> = (0..names.len()).filter(holds).collect();
     if !holding.is_empty() {
         return Some(holding);

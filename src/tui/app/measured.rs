@@ -201,7 +201,7 @@ impl App {
         if room == 0 {
             let list = self.keys.key_of(CompareCommand::List);
             return self.refuse(format!(
-                "{MOST_CURVES} measured curves are the most: {list} lists them, to drop some"
+                "{MOST_CURVES} measured curves are the most: {list} lists them, to remove some"
             ));
         }
         if curves.len() > room {
@@ -310,8 +310,8 @@ impl App {
             .collect();
         let measured = self.comparison.measured.iter().filter(|one| one.shown);
         measured.filter_map(move |one| {
-            let mut beside = shown.iter().filter(|response| one.fits(response.as_ref()));
-            beside.next().map(|response| (one, *response))
+            let mut matching = shown.iter().filter(|response| one.fits(response.as_ref()));
+            matching.next().map(|response| (one, *response))
         })
     }
 

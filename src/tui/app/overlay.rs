@@ -29,7 +29,7 @@ pub enum Overlay {
     Faults {
         /// The file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// Its faults.
         faults: Vec<Fault>,
         /// The scroll position.
         list: List,
@@ -90,7 +90,7 @@ pub enum Next {
 /// A prompt for one line.
 #[derive(Debug)]
 pub struct Prompt {
-    /// What it is for.
+    /// Its purpose.
     pub purpose: Purpose,
     /// The typed text.
     pub input: Input,

@@ -102,7 +102,7 @@ impl Question {
                 return (
                     format!(" Study of {subject} "),
                     format!(
-                        "factors, as 0.5 1 2; or = and values, as = 1e6 2e6 ({symbol}); or + and what is added"
+                        "factors, as 0.5 1 2; or = and values, as = 1e6 2e6 ({symbol}); or + and increments"
                     ),
                 );
             }
@@ -113,8 +113,10 @@ impl Question {
                     format!(" {}", unit.symbol)
                 };
                 return (
-                    format!(" Move {subject} between "),
-                    format!("LOW .. HIGH{symbol}; then perhaps +-5 % (tolerance), log or linear"),
+                    format!(" Bounds of {subject} "),
+                    format!(
+                        "LOW .. HIGH{symbol}; then optionally +-5 % (tolerance), log or linear"
+                    ),
                 );
             }
             Self::Objective { subject, .. } => {
@@ -132,13 +134,13 @@ impl Question {
                 "Load a measured curve",
                 format!("CSV or universal file (UFF 58); {complete} completes the path"),
             ),
-            Self::Columns { seen, .. } => ("What the columns are", seen.clone()),
+            Self::Columns { seen, .. } => ("Describe the columns", seen.clone()),
             Self::Curves(curves) => {
                 let title = format!(" Which of {} curves ", curves.len());
                 return (title, choose::allowed(curves));
             }
             Self::Export => (
-                "Write what is on the screen",
+                "Export the screen",
                 format!("path ending in .csv, .svg or .txt; {complete} completes it"),
             ),
         };
@@ -224,9 +226,9 @@ impl App {
         let units = self.shown_units();
         let [unit] = units.as_slice() else {
             return self.refuse(if units.is_empty() {
-                "no response shows"
+                "no response is visible"
             } else {
-                "the curves that show have several units: 0 dB is 1 of each"
+                "the visible curves have several units: 0 dB is 1 of each"
             });
         };
         let text = format!("{:e}", self.display.decibel_reference(unit));
@@ -267,7 +269,7 @@ impl App {
         let (operation, values) = read_factors(text, unit)?;
         let now = edit::get(self.model(), id);
         if operation == Operation::Multiply && matches!(now, Ok(Value::Number(0.0))) {
-            return Err("factors leave a 0 as it is: = and values, as = 50 150".to_owned());
+            return Err("factors do not change a 0: = and values, as = 50 150".to_owned());
         }
         let mut changed = Model::clone(self.model());
         let path = path::text(&changed, id);
@@ -314,9 +316,8 @@ fn free_study_name(model: &Model, path: &str) -> String {
 /// A 0 dB reference in a unit: a number, or one with another unit of the same quantity.
 fn read_decibel_reference(text: &str, unit: &str) -> Result<f64, String> {
     let refusal = || {
-        value_input::decimal_comma(text).unwrap_or_else(|| {
-            format!("a number above 0 is wanted, in {unit} or a unit of its kind")
-        })
+        value_input::decimal_comma(text)
+            .unwrap_or_else(|| format!("type a number above 0, in {unit} or a unit of its kind"))
     };
     let value = plain(text, Unit::ONE).ok().or_else(|| {
         let [typed, own] = [text, unit].map(ValueUnit::parse);
@@ -351,7 +352,7 @@ fn read_factors(text: &str, unit: Unit) -> Result<(Operation, Vec<f64>), String>
     match values? {
         values if values.is_empty() => Err("type at least one factor or value".to_owned()),
         values if values.len() > MOST_CURVES => Err(format!(
-            "{} curves; {MOST_CURVES} are the most that can be told apart",
+            "{} curves; {MOST_CURVES} are the most that can be distinguished",
             values.len()
         )),
         values => Ok((operation, values)),
@@ -361,7 +362,7 @@ fn read_factors(text: &str, unit: Unit) -> Result<(Operation, Vec<f64>), String>
 /// A factor, also as 50% or *0.5; else a value with or without unit.
 fn number_of(word: &str, operation: Operation, unit: Unit) -> Result<f64, String> {
     let refusal = |_| {
-        format!("{word} is no number: factors, as 0.5 50% 2; = and values; + and what is added")
+        format!("{word} is not a number: factors, as 0.5 50% 2; = and values; + and increments")
     };
     if operation == Operation::Multiply {
         let word = word.trim_start_matches('*');
@@ -390,7 +391,7 @@ fn read_frequency(text: &str, unit: FrequencyUnit) -> Result<f64, String> {
     let (number, unit) = own.unwrap_or((text, unit));
     let hertz = plain(number, Unit::ONE).map(|value| value / unit.per_hertz());
     hertz.or_else(|_| plain(text, Unit::HERTZ)).map_err(|_| {
-        let form = "a frequency is wanted, as 120, 120 Hz, 754 rad/s or 7200 rpm";
+        let form = "type a frequency, as 120, 120 Hz, 754 rad/s or 7200 rpm";
         value_input::decimal_comma(text).unwrap_or_else(|| form.to_owned())
     })
 }

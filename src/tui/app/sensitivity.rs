@@ -95,7 +95,7 @@ impl App {
             if self.tables.open == Some(Table::Sensitivities) {
                 self.tables.open = None;
             }
-            self.done("without sensitivities");
+            self.done("sensitivities hidden");
         }
     }
 

@@ -163,7 +163,7 @@ impl App {
                 let to = self.display.frequency_text(list.to);
                 self.refuse(format!("there is no mode below {to}"));
             }
-            None => self.refuse("there is no further mode in the sweep"),
+            None => self.refuse("there is no next mode in the sweep"),
         }
     }
 
@@ -181,11 +181,9 @@ impl App {
         if self.fem_overlay.toggle() {
             self.fem_requested = None;
             let key = self.keys.key_of(ModesCommand::FiniteElements);
-            self.done(format!(
-                "finite elements as points; {key} leaves them out again"
-            ));
+            self.done(format!("finite elements as points; {key} hides them"));
         } else {
-            self.done("without finite elements");
+            self.done("finite elements hidden");
         }
     }
 

@@ -70,7 +70,7 @@ impl App {
         let window = self.curves.window.take().is_some();
         let levels = self.display.levels.take().is_some();
         if !window && !levels {
-            self.refuse("the whole sweep shows already");
+            self.refuse("the whole sweep is already visible");
         }
     }
 
@@ -87,9 +87,9 @@ impl App {
             ..shown
         };
         if factor > 1.0 && shown.width() >= whole.width() {
-            self.refuse("the whole sweep shows already");
+            self.refuse("the whole sweep is already visible");
         } else if wanted.width() < NARROWEST * whole.width() * 2.0 {
-            self.refuse("no narrower band shows");
+            self.refuse("this is the narrowest band");
         } else {
             self.show_band(wanted.within(whole), whole);
         }
@@ -106,7 +106,7 @@ impl App {
         .within(whole);
         if moved.low == shown.low {
             return self.refuse(if shown.width() >= whole.width() {
-                "the whole sweep shows already"
+                "the whole sweep is already visible"
             } else {
                 "the sweep ends here"
             });

@@ -12,7 +12,7 @@ use crate::tui::app::{App, List, MemberLevels, ResponseLevel, Rows};
 use crate::tui::theme::Theme;
 use crate::unit::Kind;
 
-/// The columns, in what there is room for. A reduction is positive where the level is lower than the reference's.
+/// The column layouts, the widest first. A reduction is positive if the level is lower than the reference's.
 const LAYOUTS: [&[Column]; 2] = [
     &[
         ("curve", 20),
@@ -31,23 +31,23 @@ const LAYOUTS: [&[Column]; 2] = [
     ],
 ];
 
-/// A curve of fewer points has the shape of any other.
+/// The least number of points: fewer have no shape to compare.
 const FEWEST: usize = 3;
 
 /// A row of the table.
 pub(super) enum Row {
-    /// The level of a curve, and that of the reference it is held against.
+    /// The level of a curve, and that of the reference it is compared with.
     Level {
         label: String,
         level: Level,
         energy: bool,
         against: Option<Level>,
     },
-    /// How well a response fits a measured curve, in words.
+    /// How well a response matches a measured curve, as text.
     Fit(String),
 }
 
-/// A row for each curve that shows, the references, and the measured curves.
+/// A row for each visible curve, the references, and the measured curves.
 pub(super) fn rows(app: &App) -> Vec<Row> {
     let mut rows = Vec::new();
     if let Some(levels) = &app.band.levels {
@@ -69,7 +69,7 @@ pub(super) fn rows(app: &App) -> Vec<Row> {
     rows
 }
 
-/// How well a response fits a measured curve.
+/// How well a response matches a measured curve, as text.
 pub(super) fn fit_words(fit: &Fit) -> String {
     if fit.points < FEWEST {
         return format!(
@@ -155,14 +155,14 @@ pub(super) fn draw(
         empty: match (&app.band.failure, app.band.span) {
             (Some(reason), _) => reason,
             (None, None) => "no band is marked",
-            (None, Some(_)) => "solving the levels",
+            (None, Some(_)) => "computing the levels",
         },
         stale: levels.is_some_and(|levels| levels.generation != app.curves.generation),
     };
     table::draw(frame, &content, list, theme, area)
 }
 
-/// The units of the levels that show.
+/// The units of the visible levels.
 fn unit(app: &App) -> String {
     let mut units: Vec<String> = Vec::new();
     let members = app.band.levels.iter().flat_map(|levels| &levels.members);

@@ -10,7 +10,7 @@ use crate::solve::modes::{Gap, MOST_MODES};
 use crate::tui::app::{App, Completeness, List, ModeKind, ModeList, ModeRow, Rows};
 use crate::tui::theme::Theme;
 
-/// The columns, in what there is room for.
+/// The column layouts, the widest first.
 const LAYOUTS: [&[Column]; 3] = [
     &[
         ("mode", 6),
@@ -53,16 +53,16 @@ pub(super) fn draw(
     let modes = app.modes.list.as_ref();
     let rows = modes.map_or(&[][..], |modes| &modes.rows);
     let empty = match modes {
-        None => "solving the modes".to_owned(),
+        None => "computing the modes".to_owned(),
         Some(list) if list.completeness == Completeness::TooMany => {
-            format!("none is listed: at most {MOST_MODES} are; a lower end of the sweep has fewer")
+            format!("more than {MOST_MODES} modes are not listed: lower the end of the sweep")
         }
         Some(list) => format!("no mode below {}", app.display.frequency_text(list.to)),
     };
     let content = Content {
         title: modes.map_or("Modes".to_owned(), |list| title(app, list, area.width)),
         warns: modes.is_some_and(|list| match list.completeness {
-            // The count comes in a moment.
+            // The certified count follows in a moment.
             Completeness::Certain | Completeness::Uncounted => false,
             Completeness::Open(_) | Completeness::TooMany => true,
         }),
@@ -91,7 +91,7 @@ pub(super) fn draw(
     table::draw(frame, &content, list, theme, area)
 }
 
-/// How many there are, and whether these are all; open ranges as far as there is room for.
+/// The number of modes, and whether the list is complete; open ranges as far as there is room for them.
 fn title(app: &App, list: &ModeList, columns: u16) -> String {
     let found = list.rows.len();
     let to = app.display.frequency_text(list.to);

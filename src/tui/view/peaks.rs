@@ -12,7 +12,7 @@ use crate::tui::plot::Level;
 use crate::tui::scene;
 use crate::tui::theme::Theme;
 
-/// The columns, in what there is room for.
+/// The column layouts, the widest first.
 const LAYOUTS: [&[Column]; 2] = [
     &[
         (FREQUENCY, 11),
@@ -66,8 +66,8 @@ pub(super) fn draw(
         columns: table::fitting(&LAYOUTS, area.width),
         row: &|row| cells(app, row, scale.level),
         empty: match resolved {
-            None if app.curves.visible.is_empty() => "no response shows",
-            None => "solving the peaks",
+            None if app.curves.visible.is_empty() => "no response is visible",
+            None => "computing the peaks",
             Some(_) => "no peak in the sweep",
         },
         stale: !app.curves.is_resolved(),
@@ -105,7 +105,7 @@ fn cells(app: &App, row: usize, level: Level) -> Vec<String> {
     ]
 }
 
-/// The complex height of a peak in the form that is shown; of an energy the energy.
+/// The complex height of a peak in the shown form; for an energy, the energy.
 fn shown_height(app: &App, peak: &Peak) -> Complex64 {
     let value = Complex64::from_polar(peak.height, peak.phase.unwrap_or(0.0).to_radians());
     match app.curves.first_resolved() {

@@ -1,4 +1,4 @@
-//! The table of what every curve is at the cursors.
+//! The table of the curves' values at the cursors.
 
 use num_complex::Complex64;
 use ratatui::Frame;
@@ -9,7 +9,7 @@ use crate::tui::app::{App, List, Rows, Trace, Value};
 use crate::tui::scene::{self, ChartView};
 use crate::tui::theme::Theme;
 
-/// The columns, in what there is room for.
+/// The column layouts, the widest first.
 const LAYOUTS: [&[Column]; 3] = [
     &[
         ("curve", 22),
@@ -57,7 +57,7 @@ pub(super) struct Row {
     phase: bool,
 }
 
-/// How many rows the table has.
+/// The number of rows of the table.
 pub(super) fn count(app: &App) -> usize {
     if app.display.view == ChartView::Difference {
         differences(app).len()
@@ -102,7 +102,7 @@ fn differences(app: &App) -> Vec<Vec<String>> {
     rows
 }
 
-/// A row for each curve that shows, and for the harmonics of the first.
+/// A row for each visible curve, and for the harmonics of the first.
 pub(super) fn rows(app: &App) -> Vec<Row> {
     let Some(cursor) = app.curves.cursor else {
         return Vec::new();
@@ -171,7 +171,7 @@ fn references(app: &App, cursor: f64) -> Vec<Row> {
     rows
 }
 
-/// Measured curves, between their points.
+/// Measured curves, interpolated.
 fn measured(app: &App, cursor: f64) -> Vec<Row> {
     app.measured_shown()
         .map(|(one, response)| {
@@ -196,7 +196,8 @@ fn measured(app: &App, cursor: f64) -> Vec<Row> {
         .collect()
 }
 
-/// The first curve at the harmonics of the cursor; differences are to the second cursor, or to the cursor itself.
+/// The first curve at the harmonics of the cursor; differences are relative to the second cursor, or to the cursor
+/// itself.
 fn harmonics(app: &App) -> Vec<Row> {
     let (Some((_, trace)), Some(cursor)) = (app.curves.first_trace(), app.curves.cursor) else {
         return Vec::new();
@@ -243,9 +244,9 @@ pub(super) fn draw(
         columns,
         row: &|index| cells.get(index).cloned().unwrap_or_default(),
         empty: if app.curves.cursor.is_none() {
-            "no cursor is on the chart"
+            "there is no cursor on the chart"
         } else {
-            "no response shows"
+            "no response is visible"
         },
         stale: app.curves.is_stale(),
     };

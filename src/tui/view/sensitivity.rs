@@ -1,4 +1,4 @@
-//! Which parameter matters: the table, and the bars of the tree.
+//! Sensitivities: the table, and the bars of the tree.
 
 use ratatui::Frame;
 use ratatui::layout::Rect;
@@ -9,10 +9,10 @@ use crate::tui::app::{App, Effects, List, Rows, Sensed};
 use crate::tui::theme::Theme;
 use crate::tui::tree::Node;
 
-/// Cells of a bar at either side of its axis.
+/// Cells of a bar on either side of its axis.
 const HALF: usize = 3;
 
-/// Columns for a level, in what there is room for.
+/// The column layouts for a level, the widest first.
 const LEVEL: [&[Column]; 2] = [
     &[
         ("parameter", 32),
@@ -23,7 +23,7 @@ const LEVEL: [&[Column]; 2] = [
     &[("parameter", 24), ("", 9), ("dB", 8)],
 ];
 
-/// Columns for a peak.
+/// The column layouts for a peak.
 const PEAK: [&[Column]; 2] = [
     &[
         ("parameter", 30),
@@ -34,7 +34,7 @@ const PEAK: [&[Column]; 2] = [
     &[("parameter", 18), ("", 8), ("dB", 8), ("shift", 8)],
 ];
 
-/// Columns for a mode.
+/// The column layouts for a mode.
 const MODE: [&[Column]; 2] = [
     &[
         ("parameter", 30),
@@ -69,9 +69,9 @@ pub(super) fn draw(
     let columns = &*table::widened(columns, longest, area.width);
     let empty = match (&app.sensitivities.failure, sensed) {
         (Some(failure), _) => failure.as_str(),
-        (None, None) => "what they are of is chosen by the key that opened this table",
-        (None, Some(_)) if effects.is_some() => "no parameter matters",
-        (None, Some(_)) if app.lacks_figure() => "there is none now that they could be of",
+        (None, None) => "select level, peak, mode or band with the key that opened this table",
+        (None, Some(_)) if effects.is_some() => "no parameter has an effect",
+        (None, Some(_)) if app.lacks_figure() => "there is no such level, peak, mode or band now",
         (None, Some(_)) => "solving",
     };
     let lack = effects.and_then(|effects| effects.lack.as_deref());
@@ -151,9 +151,9 @@ fn signed(value: f64) -> String {
     }
 }
 
-/// A bar from its axis to the left for what is below 0, to the right for what is above; `share` from -1 to 1.
+/// A bar from its axis to the left for negative values, to the right for positive ones; `share` from -1 to 1.
 fn bar(share: f64, theme: Theme) -> String {
-    // What there is at all shows.
+    // Any value other than 0 is visible.
     let halves = (share.abs() * (2 * HALF) as f64).round() as usize;
     let (full, half) = (halves / 2, halves % 2);
     let (left_half, right_half) = if theme.is_ascii() {
@@ -171,7 +171,7 @@ fn bar(share: f64, theme: Theme) -> String {
     }
 }
 
-/// What stands in place of a row's value in the tree: its bar and its effect; none where sensitivities do not show.
+/// The content of a row in place of its value: its bar and its effect; none if sensitivities are hidden.
 pub(super) fn in_tree(app: &App, theme: Theme, node: Node) -> Option<String> {
     app.sensitivities.sensed?;
     let effects = app.sensitivities.effects.as_ref()?;
@@ -204,7 +204,7 @@ mod tests {
 
     #[test]
     fn bars_are_as_long_as_their_share() {
-        // Closed form: three cells are the whole, half a cell a sixth.
+        // Closed form: three cells are the full length, half a cell is a sixth.
         let theme = Theme::new(true);
         assert_eq!(bar(1.0, theme), "   │███");
         assert_eq!(bar(-1.0, theme), "███│   ");

@@ -1,4 +1,4 @@
-//! What is worth knowing of a group of the tree.
+//! The summary of a group of the tree.
 
 use std::f64::consts::PI;
 
@@ -7,7 +7,7 @@ use crate::tui::keys::{CurvesCommand, KeyMap, ModelCommand, TuneCommand};
 use crate::tui::tree::{self, Node};
 use crate::tune::words;
 
-/// What the details say of a row that is no parameter, a line for each thing.
+/// The details of a row that is not a parameter, one line per fact.
 pub(super) fn of(model: &Model, node: Node, keys: &KeyMap) -> String {
     let group = match node {
         Node::Group(group) => group,
@@ -19,7 +19,7 @@ pub(super) fn of(model: &Model, node: Node, keys: &KeyMap) -> String {
         Group::Material => material(&model.beam.material),
         Group::Section => section(&model.beam.section),
         Group::Supports => format!(
-            "what holds the two ends; {} on an end takes the next kind",
+            "the supports of the two ends; {} on an end selects the next kind",
             keys.key_of(ModelCommand::Cycle)
         ),
         Group::Subsystems => enabled_of(model.subsystems.iter().map(|one| one.enabled), keys),
@@ -36,7 +36,7 @@ pub(super) fn of(model: &Model, node: Node, keys: &KeyMap) -> String {
             format!("{edit} shows a study's curves, {study} the next study's")
         }
         Group::Tune => format!(
-            "what a search may move, and what for; {} starts it",
+            "variables and objectives of a search; {} starts it",
             keys.key_of(TuneCommand::Tune)
         ),
         Group::Variable(i) => tree::variable_at(model, i)
@@ -76,7 +76,7 @@ fn section(section: &Section) -> String {
     text + &format!("\nz_c {}", Unit::METRE.format(section.centroid_offset))
 }
 
-/// A subsystem's mass, and its frequencies on springs whose other ends do not move and whose arms are nothing.
+/// A subsystem's mass, and its frequencies on springs with fixed other ends and without arms.
 fn subsystem(one: &Subsystem) -> String {
     let alone = |stiffness: f64| Unit::HERTZ.format((stiffness / one.mass).sqrt() / (2.0 * PI));
     format!(

@@ -10,20 +10,20 @@ use crate::tui::app::{List, Rows};
 use crate::tui::theme::Theme;
 use crate::unit::FrequencyUnit;
 
-/// Rows beside those of the list: the rule with the title, and the heading.
+/// Rows in addition to those of the list: the rule with the title, and the heading.
 pub(super) const FRAME_ROWS: u16 = 2;
 
-/// A column: its heading, and how many cells it takes with the space before it.
+/// A column: its heading, and its number of cells with the space before it.
 pub(super) type Column = (&'static str, usize);
 
-/// The heading of a column of frequencies, which have the unit that is shown.
+/// The heading of a column of frequencies, which are in the shown unit.
 pub(super) const FREQUENCY: &str = "frequency";
 
-/// What a table says.
+/// The content of a table.
 pub(super) struct Content<'a> {
     /// In the rule.
     pub(super) title: String,
-    /// Whether the title is bad news.
+    /// Whether the title is a warning.
     pub(super) warns: bool,
     /// The unit of its frequencies.
     pub(super) frequency_unit: FrequencyUnit,
@@ -31,15 +31,15 @@ pub(super) struct Content<'a> {
     pub(super) note: String,
     /// The columns.
     pub(super) columns: &'a [Column],
-    /// The cells of a row, right-aligned, as many as columns; or one sentence.
+    /// The cells of a row, right-aligned, one per column; or one sentence.
     pub(super) row: &'a dyn Fn(usize) -> Vec<String>,
-    /// Where there are no rows.
+    /// Shown if there are no rows.
     pub(super) empty: &'a str,
     /// The rows are older than the model.
     pub(super) stale: bool,
 }
 
-/// The widest of some layouts that fits; the last one where none does.
+/// The widest layout that fits; the last one if none does.
 pub(super) fn fitting(layouts: &[&'static [Column]], columns: u16) -> &'static [Column] {
     let fits = |layout: &&&'static [Column]| {
         layout.iter().map(|column| column.1).sum::<usize>() <= usize::from(columns)
@@ -52,7 +52,7 @@ pub(super) fn fitting(layouts: &[&'static [Column]], columns: u16) -> &'static [
         .unwrap_or_default()
 }
 
-/// Columns whose first one, of names, has the room that is left of `room`, as far as its longest name needs it.
+/// Columns whose first one, of names, takes the rest of `room`, as far as its longest name needs it.
 pub(super) fn widened(columns: &[Column], longest: usize, room: u16) -> Vec<Column> {
     let mut columns = columns.to_vec();
     let taken: usize = columns.iter().map(|column| column.1).sum();
@@ -63,12 +63,12 @@ pub(super) fn widened(columns: &[Column], longest: usize, room: u16) -> Vec<Colu
     columns
 }
 
-/// How many cells a title may take in a table with so many columns.
+/// The number of cells that a title may take in a table with this number of columns.
 pub(super) fn title_room(columns: u16) -> usize {
     usize::from(columns).saturating_sub(4)
 }
 
-/// Draws a table and sets how many rows of its list there is room for; where they are.
+/// Draws a table and sets the number of visible rows of its list; returns their area.
 pub(super) fn draw(
     frame: &mut Frame<'_>,
     content: &Content<'_>,

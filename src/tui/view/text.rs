@@ -5,7 +5,7 @@ use ratatui::text::Span;
 
 use crate::escape::{escape, escape_lines, is_hidden};
 
-/// Shows a sign in place of every hidden character that a widget has let through: the terminal is sent none.
+/// Replaces every hidden character that a widget lets through by a sign, so that none reaches the terminal.
 pub(super) fn show_hidden(buffer: &mut Buffer) {
     for cell in &mut buffer.content {
         if !cell.symbol().is_ascii() && cell.symbol().contains(is_hidden) {
@@ -19,7 +19,7 @@ pub(super) fn width(text: &str) -> usize {
     Span::raw(escape(text)).width()
 }
 
-/// A text as it is shown: hidden characters escaped, in at most this many columns; what is cut off leaves an ellipsis.
+/// A text as it is shown: hidden characters escaped, in at most this many columns; a cut text ends in an ellipsis.
 pub(super) fn cut(text: &str, columns: usize) -> String {
     let text = escape(text);
     if width(&text) <= columns {
@@ -61,7 +61,7 @@ pub(super) fn wrapped(text: &str, columns: usize) -> Vec<String> {
     lines
 }
 
-/// A number with so many significant digits, without a power of ten where it can be read so.
+/// A number with this many significant digits, without a power of ten if it is readable so.
 pub(super) fn significant(value: f64, digits: usize) -> String {
     let digits = digits.max(2);
     let power = format!("{value:.*e}", digits - 1);

@@ -1,4 +1,4 @@
-//! The search for better parameters: how far it is, and what it has found so far.
+//! The progress of the tuning, and its best result so far.
 
 use std::time::Duration;
 
@@ -15,7 +15,7 @@ use crate::tui::theme::Theme;
 use crate::tui::tree::{self, Node};
 use crate::tune::Achieved;
 
-/// The columns, in what there is room for.
+/// The column layouts, the widest first.
 const LAYOUTS: [&[Column]; 3] = [
     &[("", 36), ("before", 15), ("now", 15), ("change", 12)],
     &[("", 22), ("before", 15), ("now", 15), ("change", 10)],
@@ -25,17 +25,17 @@ const LAYOUTS: [&[Column]; 3] = [
 /// The heading of standard uncertainties.
 const UNCERTAINTY: &str = "uncertainty";
 
-/// What a row says.
+/// The content of a row.
 pub(super) struct Row {
     name: String,
     before: String,
     now: String,
     change: String,
-    /// The standard uncertainty of what a match has found.
+    /// The standard uncertainty of a matched parameter.
     uncertainty: Option<String>,
 }
 
-/// The figures that are sought, then the parameters that move.
+/// The objectives, then the variables.
 pub(super) fn rows(app: &App) -> Vec<Row> {
     let Some(run) = &app.tuning.run else {
         return Vec::new();
@@ -75,7 +75,7 @@ fn achieved(run: &Run, index: usize, before: &Achieved, after: &Achieved) -> Row
     }
 }
 
-/// How much less or more it is, percent.
+/// The change in percent.
 fn change(before: f64, after: f64) -> String {
     let percent = 100.0 * (after / before - 1.0);
     if percent.is_finite() {
@@ -111,7 +111,7 @@ fn variables(run: &Run) -> Vec<Row> {
     rows.collect()
 }
 
-/// Paths in words: `* y left stiffness`.
+/// Paths as text: `* y left stiffness`.
 fn words(paths: &[Pattern]) -> String {
     let words = |path: &Pattern| {
         let path = path.strip_prefix("subsystems.").unwrap_or(path);
@@ -147,14 +147,14 @@ pub(super) fn draw(
         title: run.map_or_else(|| "Tuning".to_owned(), title),
         warns: failed,
         frequency_unit: app.display.unit,
-        note: format!("{go} pause  {accept} take  {discard} drop"),
+        note: format!("{go} pause  {accept} apply  {discard} discard"),
         columns,
         row: &|row| {
             rows.get(row)
                 .map_or_else(Vec::new, |row| cells(row, columns))
         },
         empty: match run {
-            None => "nothing is sought",
+            None => "there is no objective",
             Some(_) => "searching",
         },
         stale: false,
@@ -162,7 +162,7 @@ pub(super) fn draw(
     table::draw(frame, &content, list, theme, area)
 }
 
-/// The columns for some rows in a width of the screen: where a match has uncertainties these are whole.
+/// The columns for some rows in a width of the screen; standard uncertainties are never cut.
 fn columns(rows: &[Row], room: u16) -> Vec<Column> {
     let longest = |text: &dyn Fn(&Row) -> usize| rows.iter().map(text).max().unwrap_or(0);
     let uncertainty = longest(&|row| row.uncertainty.as_deref().map_or(0, width));
@@ -199,7 +199,7 @@ fn cells(row: &Row, columns: &[Column]) -> Vec<String> {
     std::iter::once(name).chain(others).collect()
 }
 
-/// How far the search is.
+/// The progress of the search.
 fn title(run: &Run) -> String {
     let so_far = |word: &str| match &run.status {
         None => format!("Tuning: {word}"),

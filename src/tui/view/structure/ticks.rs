@@ -5,7 +5,7 @@ use super::masses::{Spot, is_selected, leader};
 use crate::model::grouped;
 use crate::tui::sketch::{Board, width};
 
-/// Ticks at their places, and beneath them their names or how many they are.
+/// Ticks at their positions, and below them their names or their number.
 pub(super) fn draw(picture: &Picture<'_>, board: &mut Board<'_>, group: &[Spot]) {
     let first = picture.rows.beam + 1;
     for spot in group {
@@ -18,7 +18,7 @@ pub(super) fn draw(picture: &Picture<'_>, board: &mut Board<'_>, group: &[Spot])
         };
         for row in 0..picture.rows.springs {
             let at = [spot.column, first + row];
-            // At the ends the springs of the supports stay.
+            // At the ends, the springs of the supports stay.
             if selected {
                 board.sign(at, sign, style);
             } else {
@@ -31,7 +31,7 @@ pub(super) fn draw(picture: &Picture<'_>, board: &mut Board<'_>, group: &[Spot])
     }
 }
 
-/// Names the ticks if all names have room; whether they had.
+/// Names the ticks if all names have room; returns whether they had.
 fn draw_names(picture: &Picture<'_>, board: &mut Board<'_>, group: &[Spot]) -> bool {
     let row = picture.rows.below_springs();
     let mut behind = i32::MIN;

@@ -45,6 +45,7 @@ mod beam_state;
 mod cancelled;
 pub mod compare;
 mod energy;
+pub(crate) mod extrema;
 pub mod fem;
 mod kernel;
 mod layout;

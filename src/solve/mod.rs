@@ -66,9 +66,14 @@ pub mod transfer_matrix;
 mod waves;
 
 pub use cancelled::Cancelled;
-pub use kernel::{Instructions, Work, work};
 pub use reference::Reference;
-#[doc(hidden)]
-pub use sweep::sweep_with;
 pub use sweep::{Column, ColumnKind, Frf, frequencies, sweep, sweep_alone};
 pub use sweep_cache::SweepCache;
+
+/// The kernel with a given instruction set, and its operations: only for the benchmark of the kernel, which measures
+/// them.
+#[doc(hidden)]
+pub mod instruction_sets {
+    pub use super::kernel::{Instructions, Work, work};
+    pub use super::sweep::sweep_with;
+}

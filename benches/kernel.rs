@@ -20,9 +20,8 @@ use beamtune::model::{
     BeamMotion, Model, Place, Quantity, Restraint, Spacing, Sweep, Target, read,
 };
 use beamtune::presets;
-use beamtune::solve::{
-    Instructions, SweepCache, fem, frequencies, sweep, sweep_with, transfer_matrix, work,
-};
+use beamtune::solve::instruction_sets::{Instructions, sweep_with, work};
+use beamtune::solve::{SweepCache, fem, frequencies, sweep, transfer_matrix};
 
 static NEVER: AtomicBool = AtomicBool::new(false);
 

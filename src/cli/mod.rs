@@ -2,6 +2,7 @@
 
 mod completions;
 mod csv;
+mod failure;
 mod frf;
 mod guide;
 mod man;
@@ -24,12 +25,13 @@ use std::process::ExitCode;
 
 use clap::{Args, CommandFactory as _, Parser, Subcommand};
 
+use self::failure::Failure;
 use self::stdout::print;
 use crate::escape::{escape, escape_lines, shown_path};
 use crate::files::{self, Folders, read_if_there};
-use crate::model::{Fault, MOST_SHOWN, path};
+use crate::model::path;
 use crate::presets;
-use crate::solve::{self, Cancelled};
+use crate::solve;
 use crate::tui::options::{AppearanceArguments, Environment};
 use crate::tui::user::config::{self, Config};
 use crate::tui::{self, Ended, Setup};
@@ -103,43 +105,6 @@ enum Command {
     Completions(completions::Arguments),
     /// Prints the manual page; `beamtune man | man -l -` shows it.
     Man,
-}
-
-/// The failure of a command.
-#[derive(Debug)]
-enum Failure {
-    /// Bad input or usage, with messages; text from outside is on one line.
-    Input(Vec<String>),
-    /// Anything else.
-    Other(String),
-}
-
-impl Failure {
-    fn input(message: impl Into<String>) -> Self {
-        Self::Input(vec![escape(&message.into()).into_owned()])
-    }
-
-    /// The faults of `source`, one per line, and the number of further ones.
-    fn faults(source: &str, faults: &[Fault]) -> Self {
-        let place = |fault: &Fault| if fault.line.is_some() { ":" } else { ": " };
-        let line = |fault| format!("{source}{}{fault}", place(fault));
-        let more = faults.len().saturating_sub(MOST_SHOWN);
-        let more = (more > 0).then(|| format!("{source}: and {more} more"));
-        let lines = faults.iter().take(MOST_SHOWN).map(line).chain(more);
-        Self::Input(lines.map(|line| escape(&line).into_owned()).collect())
-    }
-}
-
-impl From<Cancelled> for Failure {
-    fn from(cancelled: Cancelled) -> Self {
-        Self::Other(cancelled.to_string())
-    }
-}
-
-impl From<std::io::Error> for Failure {
-    fn from(error: std::io::Error) -> Self {
-        Self::Other(error.to_string())
-    }
 }
 
 /// Runs the program: 0 done, 2 bad input or usage, 1 anything else, 128 + n after signal n.

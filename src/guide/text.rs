@@ -3,6 +3,8 @@
 use std::iter::Peekable;
 use std::str::Lines;
 
+use crate::wrap::{width, wrap};
+
 /// Columns between two cells of a table.
 const GAP: usize = 2;
 
@@ -178,30 +180,10 @@ fn widths(rows: &[Vec<String>], columns: usize) -> Vec<usize> {
 
 fn aligned<'a>(cells: impl Iterator<Item = &'a str>, widths: &[usize]) -> String {
     let padded = cells.zip(widths).map(|(cell, width)| {
-        let blank = " ".repeat((width + GAP).saturating_sub(self::width(cell)));
+        let blank = " ".repeat((width + GAP).saturating_sub(crate::wrap::width(cell)));
         format!("{cell}{blank}")
     });
     padded.collect::<String>().trim_end().to_owned()
-}
-
-/// A text in lines of at most this number of columns; all but the first begin with an indent.
-fn wrap(text: &str, columns: usize, indent: usize) -> Vec<String> {
-    let mut lines = Vec::new();
-    let mut line = String::new();
-    let mut is_fresh = true;
-    for word in text.split_whitespace() {
-        if !is_fresh && width(&line) + 1 + width(word) > columns {
-            lines.push(std::mem::replace(&mut line, " ".repeat(indent)));
-            is_fresh = true;
-        }
-        if !is_fresh {
-            line.push(' ');
-        }
-        line.push_str(word);
-        is_fresh = false;
-    }
-    lines.push(line);
-    lines
 }
 
 /// A line without its marks: emphasis and links; code keeps its backticks if requested.
@@ -240,11 +222,6 @@ fn link(text: &str) -> (String, &str) {
         Some((format!("{words} ({address})"), rest))
     });
     parts.unwrap_or(("[".to_owned(), &text[1..]))
-}
-
-/// Columns of a text: the guide has no characters of two columns.
-fn width(text: &str) -> usize {
-    text.chars().count()
 }
 
 #[cfg(test)]

@@ -495,11 +495,7 @@ mod tests {
                     of.mass.map(Into::into),
                     of.rotary.map(Into::into),
                 ];
-                entries
-                    .iter()
-                    .flat_map(|matrix| matrix.rows())
-                    .flatten()
-                    .collect()
+                entries.iter().flat_map(Symmetric::rows).flatten().collect()
             };
             for ((high, low), exact) in all(&high).iter().zip(all(&low)).zip(all(&exact)) {
                 let difference = (high - low) / (2.0 * step);

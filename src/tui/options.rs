@@ -3,41 +3,29 @@
 use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
 
+use crate::words::words;
+
 /// An enum of choices, each with its word on the command line and in the configuration file.
 macro_rules! choices {
     (
         $(#[$meta:meta])*
         $name:ident { $($(#[doc = $doc:literal])+ $choice:ident = $word:literal,)+ }
     ) => {
-        $(#[$meta])*
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-        pub enum $name {
-            $($(#[doc = $doc])+ $choice,)+
-        }
-
-        impl $name {
-            /// All of them, in listing order.
-            pub const ALL: &'static [Self] = &[$(Self::$choice),+];
-
-            /// Its word.
-            pub const fn word(self) -> &'static str {
-                match self {
-                    $(Self::$choice => $word,)+
-                }
-            }
-
+        words! {
+            $(#[$meta])*
+            pub enum $name { $($(#[doc = $doc])+ $choice = $word,)+ }
         }
 
         impl ValueEnum for $name {
             fn value_variants<'a>() -> &'a [Self] {
-                Self::ALL
+                &Self::ALL
             }
 
             fn to_possible_value(&self) -> Option<PossibleValue> {
                 let help = match self {
                     $(Self::$choice => concat!($($doc),+).trim().trim_end_matches('.'),)+
                 };
-                Some(PossibleValue::new(self.word()).help(help))
+                Some(PossibleValue::new(self.key()).help(help))
             }
         }
     };
@@ -227,16 +215,16 @@ mod tests {
     fn every_word_names_one_choice() {
         for colours in Colours::ALL {
             let expected = Options {
-                colours: Some(*colours),
+                colours: Some(colours),
                 ..Options::default()
             };
-            assert_eq!(options(&["--color", colours.word()]), expected);
+            assert_eq!(options(&["--color", colours.key()]), expected);
         }
         for marker in Marker::ALL {
-            assert_eq!(options(&["--marker", marker.word()]).marker, Some(*marker));
+            assert_eq!(options(&["--marker", marker.key()]).marker, Some(marker));
         }
         for ground in Ground::ALL {
-            assert_eq!(options(&["--theme", ground.word()]).ground, Some(*ground));
+            assert_eq!(options(&["--theme", ground.key()]).ground, Some(ground));
         }
     }
 

@@ -171,9 +171,16 @@ pub fn draw(frame: &mut Frame<'_>, app: &App) -> Option<Screen> {
 
 fn draw_panels(frame: &mut Frame<'_>, app: &App, theme: Theme) -> Option<Screen> {
     let mut tables = app.tables;
-    tables.readings.set_rows(readings::count(app));
-    tables.band.set_rows(band::rows(app).len());
-    tables.tuning.set_rows(tuning::rows(app).len());
+    let rows = TableRows {
+        readings: readings::rows(app),
+        band: band::rows(app),
+        tuning: tuning::rows(app),
+    };
+    tables.readings.set_rows(rows.readings.len());
+    tables
+        .band
+        .set_rows(rows.band.len() + app.comparison.fits.len());
+    tables.tuning.set_rows(rows.tuning.len());
     let list = tables.open.map(|table| *tables.list_mut(table));
     let wanted = OptionalPanels {
         table: list.map(|list| (list.rows.max(1) as u16).saturating_add(table::FRAME_ROWS)),
@@ -197,7 +204,7 @@ fn draw_panels(frame: &mut Frame<'_>, app: &App, theme: Theme) -> Option<Screen>
     }
     let table = tables.open.map(|open| {
         let list = tables.list_mut(open);
-        draw_table(frame, app, open, list, panels.table)
+        draw_table(frame, app, (open, &rows), list, panels.table)
     });
     status::draw_hints(frame, app, theme, panels.hints);
     let (dialog, list) = dialogs::draw(frame, app, theme, &panels);
@@ -217,16 +224,34 @@ fn draw_panels(frame: &mut Frame<'_>, app: &App, theme: Theme) -> Option<Screen>
     })
 }
 
+/// The rows that the views make, once for a drawing: their number sets the height of the table.
+struct TableRows {
+    readings: Vec<readings::Row>,
+    band: Vec<band::Row>,
+    tuning: Vec<tuning::Row>,
+}
+
 /// Draws the open table; returns the area of its rows.
-fn draw_table(frame: &mut Frame<'_>, app: &App, open: Table, list: &mut List, area: Rect) -> Rows {
-    let theme = app.theme;
+fn draw_table(
+    frame: &mut Frame<'_>,
+    app: &App,
+    (open, rows): (Table, &TableRows),
+    list: &mut List,
+    area: Rect,
+) -> Rows {
     match open {
-        Table::Modes => modes::draw(frame, app, list, theme, area),
-        Table::Peaks => peaks::draw(frame, app, list, theme, area),
-        Table::Readings => readings::draw(frame, app, list, theme, area),
-        Table::Band => band::draw(frame, app, list, theme, area),
-        Table::Sensitivities => sensitivity::draw(frame, app, list, theme, area),
-        Table::Tuning => tuning::draw(frame, app, list, theme, area),
+        Table::Modes => table::draw(frame, app, &modes::content(app, area.width), list, area),
+        Table::Peaks => table::draw(frame, app, &peaks::content(app), list, area),
+        Table::Readings => {
+            let content = readings::content(app, &rows.readings);
+            table::draw(frame, app, &content, list, area)
+        }
+        Table::Band => table::draw(frame, app, &band::content(app, &rows.band), list, area),
+        Table::Sensitivities => table::draw(frame, app, &sensitivity::content(app), list, area),
+        Table::Tuning => {
+            let content = tuning::content(app, &rows.tuning);
+            table::draw(frame, app, &content, list, area)
+        }
     }
 }
 

@@ -128,14 +128,8 @@ impl Problem {
         self.coordinates.len()
     }
 
-    /// The model at a point of the unit box; everything else is as in the original.
-    pub fn model_at(&self, x: &[f64]) -> Model {
-        let mut model = self.given.clone().into_inner();
-        self.set(&mut model, x, &[]);
-        model
-    }
-
-    /// The same at a point that was a candidate, so that it is possible; at its own point exactly the original model.
+    /// The model at a point of the unit box that was a candidate, so that it is possible; at its own point exactly the
+    /// original model.
     pub(super) fn tuned(&self, x: &[f64]) -> Checked {
         self.given.derived(|model| {
             for (one, value) in self.coordinates.iter().zip(self.values(x)) {

@@ -21,6 +21,24 @@ use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
 use ratatui::style::Style;
 
+/// `fig05a` with a thousand of its first subsystem, evenly along the beam.
+pub fn thousand() -> Model {
+    let preset = presets::find("fig05a").expect("a preset");
+    let mut model = model::read(preset.text)
+        .expect("a possible model")
+        .into_inner();
+    let first = model.subsystems[0].clone();
+    model.subsystems = (0..1000)
+        .map(|i| {
+            let mut one = first.clone();
+            one.name = format!("S{}", i + 1);
+            one.position = model.beam.length * f64::from(i) / 999.0;
+            one
+        })
+        .collect();
+    model
+}
+
 /// The designer with a simulated user.
 pub struct Driver {
     pub app: App,
@@ -48,6 +66,11 @@ impl Driver {
         let effects = driver.app.start();
         driver.perform(effects);
         driver
+    }
+
+    /// A model with a thousand subsystems; nothing is solved.
+    pub fn thousand() -> Self {
+        Self::waiting(thousand(), String::new(), Source::Stdin)
     }
 
     /// The designer with a preset whose first curves are not solved yet; later requests are answered.
@@ -184,21 +207,6 @@ impl Driver {
         assert!(self.app.moves());
         self.app.update(Event::Tick);
         self
-    }
-
-    /// A model with a thousand subsystems, all open.
-    pub fn thousand_subsystems(&mut self) {
-        let mut model = Model::clone(self.app.model());
-        let first = model.subsystems[0].clone();
-        model.subsystems = (0..1000)
-            .map(|i| {
-                let mut one = first.clone();
-                one.name = format!("S{}", i + 1);
-                one.position = model.beam.length * f64::from(i) / 999.0;
-                one
-            })
-            .collect();
-        *self = Self::waiting(model, String::new(), Source::Stdin);
     }
 
     /// Performs an effect, as far as the tests support it.

@@ -76,8 +76,7 @@ fn the_drawings_are_ascii_where_that_is_asked_for() {
 
 #[test]
 fn a_thousand_subsystems_are_drawn() {
-    let mut driver = Driver::preset("fig05a");
-    driver.thousand_subsystems();
+    let mut driver = Driver::thousand();
     driver.keys("B");
     for size in SIZES {
         assert_holds(&rows(&mut driver, size), "1,000 masses");

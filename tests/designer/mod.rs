@@ -5,7 +5,7 @@ mod analyser;
 #[path = "../fuzz/dice.rs"]
 #[allow(dead_code)]
 mod dice;
-mod driver;
+pub(crate) mod driver;
 #[cfg(unix)]
 mod escape;
 #[path = "../common/hidden.rs"]
@@ -16,7 +16,6 @@ mod keyboard;
 mod looking;
 mod looks;
 mod readme;
-mod recovery_times;
 mod screens;
 mod sensitivities_shown;
 mod tuning_shown;

@@ -521,8 +521,7 @@ fn any_size_is_drawn() {
 
 #[test]
 fn a_thousand_subsystems_are_drawn() {
-    let mut driver = Driver::preset("fig05a").without_answers_at_all();
-    driver.thousand_subsystems();
+    let mut driver = Driver::thousand();
     driver.keys("End Home Tab Tab PgDn PgDn n N");
     let screen = driver.screen(80, 24);
     assert!(screen.contains("of 10"), "{screen}");

@@ -3,11 +3,9 @@
 use crate::checked::checked;
 use std::f64::consts::TAU;
 use std::path::Path;
-use std::sync::atomic::AtomicBool;
 
 use beamtune::model::{Hold, Limit, Model, Variable};
-use beamtune::tune::search::{Landscape, Merit};
-use beamtune::tune::{MeritFunction, Problem, Tuned};
+use beamtune::tune::{Problem, Tuned};
 
 use crate::absorber::{self, ABSORBER, MASS, STIFFNESS, mean_square, receptance_on, tuned};
 
@@ -155,53 +153,6 @@ fn all_limits_hold_at_once() {
     let least = scan.fold(f64::INFINITY, f64::min);
     let figure = found.after[0].figure;
     assert!(figure < least * (1.0 + 1e-6), "{figure:e} {least:e}");
-}
-
-/// Expected: by its wave numbers, a beam this soft has more modes in the band than are listed. Such a candidate is the
-/// worst of all, but no reason to stop.
-#[test]
-fn a_trial_with_too_many_modes_is_the_worst() {
-    let soft = variable(&["beam.material.young_modulus"], 1e-17, 2.1e13);
-    let model = limited(PEAK, vec![soft], Vec::new());
-    let problem = Problem::new(&checked(&model), Path::new(".")).unwrap();
-    let never = AtomicBool::new(false);
-    let mut point = problem.point_of(&checked(&model));
-    let merit_function = MeritFunction::new(&problem, &point, &never).unwrap();
-    point[2] = 0.0;
-    assert_eq!(merit_function.merit(&point), Ok(Merit::WORST));
-    assert_eq!(
-        merit_function.evaluate(&point).unwrap().merit(),
-        Merit::WORST
-    );
-}
-
-/// Closed form: each variable is valid at its bounds, but the largest area and the least polar moment together are not:
-/// `I_0` = 2e-4 m4 is less than `A z_c^2` = 0.03 * 0.1^2 m4, which is the share of the centroid alone.
-#[test]
-fn a_trial_that_variables_make_impossible_together_is_the_worst() {
-    let area = variable(&["beam.section.area"], 0.01, 0.03);
-    let polar = variable(&["beam.section.polar_moment"], 2e-4, 4e-4);
-    let mut model = limited(PEAK, vec![area, polar], Vec::new());
-    model.beam.section.polar_moment = 4e-4;
-    model.beam.section.centroid_offset = 0.1;
-    assert_eq!(beamtune::model::check(&model), []);
-    let problem = Problem::new(&checked(&model), Path::new(".")).unwrap();
-    let never = AtomicBool::new(false);
-    let mut point = problem.point_of(&checked(&model));
-    let merit_function = MeritFunction::new(&problem, &point, &never).unwrap();
-    (point[2], point[3]) = (1.0, 0.0);
-    assert_eq!(merit_function.merit(&point), Ok(Merit::WORST));
-    assert_eq!(
-        merit_function.evaluate(&point).unwrap().merit(),
-        Merit::WORST
-    );
-    point[3] = 1.0;
-    assert!(
-        merit_function
-            .merit(&point)
-            .unwrap()
-            .is_better_than(&Merit::WORST)
-    );
 }
 
 /// Expected: by its wave numbers the beam has more modes than are listed up to there.

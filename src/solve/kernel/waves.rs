@@ -151,12 +151,11 @@ impl<A: Arithmetic> Waves<A> {
         this.omega = omega;
         this.without_warping = constants.beam.without_warping();
         this.all_coupled = constants.general.is_some();
-        match &constants.general {
-            Some(general) => this.set_general(general),
-            None => {
-                this.set_coupled(constants);
-                this.set_bending_v(constants);
-            }
+        if let Some(general) = &constants.general {
+            this.set_general(general);
+        } else {
+            this.set_coupled(constants);
+            this.set_bending_v(constants);
         }
         if this.without_warping {
             this.set_warping_limit();

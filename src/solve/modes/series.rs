@@ -25,10 +25,9 @@ pub(super) fn transfer<const K: usize, const N: usize>(block: &Block<K>, h: f64)
     let odd = sums(&to_odd, &to_even, h);
     // Motions and moments are in e, slopes and forces in o; with their indices there.
     let place = |is_force: bool, row: usize| match (is_force, row < K) {
-        (false, true) => (true, row),
+        (false, true) | (true, false) => (true, row),
         (false, false) => (false, row - K),
         (true, true) => (false, K + row),
-        (true, false) => (true, row),
     };
     let part = |of: bool, by: bool| {
         SMatrix::<f64, N, N>::from_fn(|row, column| {

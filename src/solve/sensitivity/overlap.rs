@@ -30,8 +30,11 @@ pub(super) struct Overlap {
 }
 
 impl Overlap {
-    /// The change of the form of the beam with its matrices, `int lambda_s'^T dD u_s' + lambda'^T dC u' - lambda_g^T dF u_g
-    /// - omega^2 (lambda^T dM u + lambda_s^T dR u_s) dx` with the rotations s and the shear forces g.
+    /// The change of the form of the beam with its matrices, with the rotations s and the shear forces g of both fields:
+    ///
+    /// ```text
+    /// int s'^T dD s' + q'^T dC q' - g^T dF g - omega^2 (q^T dM q + s^T dR s) dx
+    /// ```
     pub(super) fn form(&self, matrices: &BeamMatrices, omega: Complex64) -> Complex64 {
         let strain = matrices.bending.on(&self.curvature) + matrices.tension.on(&self.slope);
         strain - matrices.shear.on(&self.shear) - omega * omega * self.inertia(matrices)

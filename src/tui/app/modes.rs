@@ -12,6 +12,8 @@ use crate::worker::{ModalModel, ShapeAnswer, ShapeRequest};
 /// A mode as it is listed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ModeRow {
+    /// Its number, from 1.
+    pub number: usize,
     /// |omega| / 2 pi, Hz.
     pub frequency: f64,
     /// Im omega / |omega|.
@@ -97,7 +99,9 @@ impl ModesState {
             .modes
             .iter()
             .zip(shares)
-            .map(|(mode, shares)| ModeRow {
+            .enumerate()
+            .map(|(index, (mode, shares))| ModeRow {
+                number: index + 1,
                 frequency: mode.frequency(),
                 damping_ratio: mode.damping_ratio(),
                 kind: mode.kind,

@@ -4,7 +4,7 @@ mod effects;
 
 use std::sync::Arc;
 
-pub use effects::Effects;
+pub use effects::{Effects, Weighed};
 
 use super::request::LastRequest;
 use super::{Anchor, App, Shown, Table};

@@ -75,31 +75,29 @@ pub fn read(text: &str) -> Result<Config, Vec<Fault>> {
 
 fn options(mut table: Table<'_>, reader: &mut Reader) -> Options {
     let options = Options {
-        colours: choice(&mut table, "color", Colours::ALL, Colours::word, reader),
-        ground: choice(&mut table, "theme", Ground::ALL, Ground::word, reader),
+        colours: choice(&mut table, "color", Colours::WORDS, reader).and_then(Colours::of_word),
+        ground: choice(&mut table, "theme", Ground::WORDS, reader).and_then(Ground::of_word),
         ascii: table.flag("ascii", reader),
-        marker: choice(&mut table, "marker", Marker::ALL, Marker::word, reader),
+        marker: choice(&mut table, "marker", Marker::WORDS, reader).and_then(Marker::of_word),
         mouse: table.flag("mouse", reader),
     };
     table.finish(reader);
     options
 }
 
-/// A choice by its word; none if missing or another word.
-fn choice<'a, T: Copy>(
+/// The word of a choice; none if missing or another word.
+fn choice<'a>(
     table: &mut Table<'a>,
     key: &'a str,
-    all: &[T],
-    word: fn(T) -> &'static str,
+    words: &[&'static str],
     reader: &mut Reader,
-) -> Option<T> {
+) -> Option<&'static str> {
     if !table.has(key) {
         table.accept(key);
         return None;
     }
-    let words: Vec<&str> = all.iter().map(|choice| word(*choice)).collect();
-    let index = table.word(key, &words, None, reader)?;
-    all.get(index).copied()
+    let index = table.word(key, words, None, reader)?;
+    words.get(index).copied()
 }
 
 /// A key that the file binds to a command.

@@ -66,14 +66,22 @@ fn section(section: &Section) -> String {
     let area = Unit::AREA.format(section.area);
     let moments =
         [section.second_moment_y, section.second_moment_z].map(|of| Unit::METRE_4.format(of));
-    let mut text = format!("A {area}\nI_y {}\nI_z {}", moments[0], moments[1]);
-    if section.product_moment != 0.0 {
-        text += &format!("\nI_yz {}", Unit::METRE_4.format(section.product_moment));
-    }
-    if section.centroid_offset_y != 0.0 {
-        text += &format!("\ny_c {}", Unit::METRE.format(section.centroid_offset_y));
-    }
-    text + &format!("\nz_c {}", Unit::METRE.format(section.centroid_offset))
+    let product = (section.product_moment != 0.0)
+        .then(|| format!("I_yz {}", Unit::METRE_4.format(section.product_moment)));
+    let along_y = (section.centroid_offset_y != 0.0)
+        .then(|| format!("y_c {}", Unit::METRE.format(section.centroid_offset_y)));
+    let mut lines = vec![
+        format!("A {area}"),
+        format!("I_y {}", moments[0]),
+        format!("I_z {}", moments[1]),
+    ];
+    lines.extend(product);
+    lines.extend(along_y);
+    lines.push(format!(
+        "z_c {}",
+        Unit::METRE.format(section.centroid_offset)
+    ));
+    lines.join("\n")
 }
 
 /// A subsystem's mass, and its frequencies on springs with fixed other ends and without arms.

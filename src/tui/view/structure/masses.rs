@@ -2,7 +2,8 @@
 
 use ratatui::style::Style;
 
-use super::{Focus, Picture, loads, spring_sign, ticks};
+use super::ticks::{self, Tick};
+use super::{Focus, Picture, loads, spring_sign};
 use crate::model::{Spring, Subsystem, Unit};
 use crate::tui::sketch::{Board, Frame, POINTER, width};
 use crate::tui::view::text::cut;
@@ -11,9 +12,9 @@ use crate::tui::view::text::cut;
 const NARROWEST: i32 = 5;
 
 /// Subsystems in one column.
-pub(super) struct Spot {
-    pub(super) column: i32,
-    pub(super) members: Vec<usize>,
+struct Spot {
+    column: i32,
+    members: Vec<usize>,
 }
 
 pub(super) fn draw(picture: &Picture<'_>, board: &mut Board<'_>) {
@@ -41,13 +42,16 @@ pub(super) fn draw(picture: &Picture<'_>, board: &mut Board<'_>) {
         match group {
             [spot] if selected(spot) => {}
             [spot] => draw_hung(picture, board, &spots, spot),
-            _ => ticks::draw(picture, board, group),
+            _ => {
+                let ticks = group.iter().map(|spot| tick(picture, spot));
+                ticks::draw(picture, board, &ticks.collect::<Vec<_>>());
+            }
         }
     }
 }
 
 /// Whether a subsystem is selected, or a force or response on its mass.
-pub(super) fn is_selected(picture: &Picture<'_>, i: usize) -> bool {
+fn is_selected(picture: &Picture<'_>, i: usize) -> bool {
     picture.focus == Focus::Subsystem(i)
         || loads::selected_mass(picture) == Some(picture.model.subsystems[i].name.as_str())
 }
@@ -77,13 +81,23 @@ fn most_columns(picture: &Picture<'_>, spots: &[Spot], spot: &Spot) -> i32 {
 }
 
 /// The subsystem that represents all of a spot: the selected one, otherwise an enabled one, otherwise the first.
-pub(super) fn leader<'a>(picture: &'a Picture<'_>, spot: &Spot) -> (usize, &'a Subsystem) {
+fn leader<'a>(picture: &'a Picture<'_>, spot: &Spot) -> (usize, &'a Subsystem) {
     let found = spot.members.iter().copied();
     let by = |wanted: &dyn Fn(usize) -> bool| found.clone().find(|i| wanted(*i));
     let i = by(&|i| is_selected(picture, i))
         .or_else(|| by(&|i| picture.model.subsystems[i].enabled))
         .unwrap_or(spot.members[0]);
     (i, &picture.model.subsystems[i])
+}
+
+fn tick<'a>(picture: &'a Picture<'_>, spot: &Spot) -> Tick<'a> {
+    let (i, subsystem) = leader(picture, spot);
+    Tick {
+        column: spot.column,
+        count: spot.members.len(),
+        subsystem,
+        selected: is_selected(picture, i),
+    }
 }
 
 /// A box on its springs, as wide as its neighbours allow.

@@ -5,6 +5,7 @@ use ratatui::buffer::Buffer;
 use ratatui::style::Modifier;
 
 use super::*;
+use crate::designer::driver::thousand;
 use crate::files::{Opened, Source};
 use crate::model::{BeamMotion, Force, MassMotion, Quantity, Restraint, Support, Target};
 use crate::presets;
@@ -32,20 +33,6 @@ fn at(model: Model, node: Node) -> App {
     app.selection.select(&model, node);
     assert_eq!(app.selection.node(), node);
     app
-}
-
-fn thousand() -> Model {
-    let mut model = model("fig05a");
-    let first = model.subsystems[0].clone();
-    model.subsystems = (0..1000)
-        .map(|i| {
-            let mut one = first.clone();
-            one.name = format!("S{}", i + 1);
-            one.position = model.beam.length * f64::from(i) / 999.0;
-            one
-        })
-        .collect();
-    model
 }
 
 /// A theme in a locale of UTF-8.

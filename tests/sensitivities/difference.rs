@@ -207,10 +207,9 @@ fn scales(path: &str, parameter: f64, index: usize, exact: &[Exact], far: Option
 fn usual(path: &str) -> f64 {
     match path.rsplit('.').next().unwrap() {
         "stiffness" => 1e6,
-        "damping" => 1e3,
+        "damping" | "axial_force" => 1e3,
         "mass" | "inertia" | "phase" => 10.0,
         "product_moment" => 1e-8,
-        "axial_force" => 1e3,
         "centroid_offset_y" => 1e-2,
         _ => 0.1,
     }

@@ -13,7 +13,7 @@ use checked::checked;
 use std::f64::consts::{PI, TAU};
 
 use beamtune::model::{
-    self, BeamMotion, Elastic, Force, MassMotion, Model, Place, Restraint, Support, Target,
+    self, BeamMotion, Bedding, Elastic, Force, MassMotion, Model, Place, Restraint, Support, Target,
 };
 use beamtune::presets;
 use beamtune::solve::operating::{Damper, Operating, operating};
@@ -171,8 +171,9 @@ const RULE: [(f64, f64); 4] = [
     (0.960_289_856_497_536_2, 0.101_228_536_290_376_26),
 ];
 
-/// Integrals along the beam of w, psi, v, and of x w, x psi, x v, from responses at the points of a quadrature.
-fn integrals(model: &Model, found: &Operating) -> [Complex64; 6] {
+/// Integrals along the beam of w, psi, v, of the rotations along w and v, and of x w, x psi, x v, from responses at the
+/// points of a quadrature.
+fn integrals(model: &Model, found: &Operating) -> [Complex64; 8] {
     // Enough points for torsion waves of 3 cm, the shortest of the random models.
     const PANEL: f64 = 0.02;
     let mut places = found.positions.clone();
@@ -189,17 +190,25 @@ fn integrals(model: &Model, found: &Operating) -> [Complex64; 6] {
             }
         }
     }
-    let motions = [BeamMotion::W, BeamMotion::Psi, BeamMotion::V];
+    let motions = [
+        BeamMotion::W,
+        BeamMotion::Psi,
+        BeamMotion::V,
+        BeamMotion::WSlope,
+        BeamMotion::VSlope,
+    ];
     let at: Vec<Target> = samples
         .iter()
         .flat_map(|&(x, _)| motions.map(|motion| Target::Beam(Place::Position(x), motion)))
         .collect();
     let values = respond(model, model.forces.clone(), &at, found.frequency);
-    let mut sums = [Complex64::ZERO; 6];
-    for ((x, weight), q) in samples.iter().zip(values.chunks(3)) {
-        for row in 0..3 {
+    let mut sums = [Complex64::ZERO; 8];
+    for ((x, weight), q) in samples.iter().zip(values.chunks(5)) {
+        for row in 0..5 {
             sums[row] += *weight * q[row];
-            sums[row + 3] += *weight * x * q[row];
+        }
+        for row in 0..3 {
+            sums[row + 5] += *weight * x * q[row];
         }
     }
     sums
@@ -207,20 +216,65 @@ fn integrals(model: &Model, found: &Operating) -> [Complex64; 6] {
 
 /// All forces on the beam along w, psi and v, and about its left end; the inertia of the beam included.
 fn assert_in_balance(model: &Model, found: &Operating) {
-    let (material, section) = (&model.beam.material, &model.beam.section);
-    let square = (TAU * found.frequency).powi(2);
-    let mass = material.density * section.area;
-    let (coupling, polar) = (
+    let (beam, section) = (&model.beam, &model.beam.section);
+    let (omega, density) = (TAU * found.frequency, model.beam.material.density);
+    let square = omega * omega;
+    let mass = square * density * section.area;
+    let (along_z, along_y) = (
         mass * section.centroid_offset,
-        material.density * section.polar_moment,
+        mass * section.centroid_offset_y,
     );
-    let [w, psi, v, xw, xpsi, xv] = integrals(model, found);
+    let polar = square * density * section.polar_moment;
+    let [w, psi, v, w_turned, v_turned, xw, xpsi, xv] = integrals(model, found);
+    let bedded = |bedding: Bedding| {
+        bedding.stiffness * Complex64::new(1.0, bedding.loss_factor)
+            + Complex64::I * omega * bedding.damping
+    };
+    let foundation = &beam.foundation;
+    let [on_w, on_psi, on_v] = [foundation.w, foundation.psi, foundation.v].map(bedded);
+    // A section that turns has rotary inertia, and an axial force has an arm where the centroids move apart.
+    let turning = if beam.theory.has_rotary_inertia() {
+        square * density
+    } else {
+        0.0
+    };
+    let displacements = [BeamMotion::W, BeamMotion::Psi, BeamMotion::V];
+    let ends = [Place::Left, Place::Right].map(|place| {
+        let at = displacements.map(|motion| Target::Beam(place, motion));
+        let moved = respond(model, model.forces.clone(), &at, found.frequency);
+        let [w, psi, v] = [moved[0], moved[1], moved[2]];
+        [
+            w + section.centroid_offset * psi,
+            v - section.centroid_offset_y * psi,
+        ]
+    });
+    let pulled = [0, 1].map(|row: usize| -beam.axial_force * (ends[1][row] - ends[0][row]));
+    let [of_w, of_v, of_both] = [
+        section.second_moment_y,
+        section.second_moment_z,
+        section.product_moment,
+    ]
+    .map(|moment| turning * moment);
     let mut terms: [Vec<Complex64>; 5] = [
-        vec![square * mass * w, square * coupling * psi],
-        vec![square * coupling * w, square * polar * psi],
-        vec![square * mass * v],
-        vec![square * mass * xw, square * coupling * xpsi],
-        vec![square * mass * xv],
+        vec![mass * w, along_z * psi, -on_w * w],
+        vec![along_z * w, polar * psi, -along_y * v, -on_psi * psi],
+        vec![mass * v, -along_y * psi, -on_v * v],
+        vec![
+            mass * xw,
+            along_z * xpsi,
+            -on_w * xw,
+            of_w * w_turned,
+            of_both * v_turned,
+            pulled[0],
+        ],
+        vec![
+            mass * xv,
+            -along_y * xpsi,
+            -on_v * xv,
+            of_v * v_turned,
+            of_both * w_turned,
+            pulled[1],
+        ],
     ];
     let mut act = |x: f64, motion: BeamMotion, force: Complex64| match motion {
         BeamMotion::W | BeamMotion::V => {
@@ -427,7 +481,15 @@ fn assert_flow_meets(model: &Model, found: &Operating, tolerance: f64) {
         .map(|input| input.power)
         .sum();
     let inside = power.input() - ends;
-    let subsystems = power.loss() - power.material - supports;
+    // A foundation takes power all along the beam, as the material does.
+    let along: f64 = power
+        .dampers
+        .iter()
+        .filter(|damper| damper.label.starts_with("foundation"))
+        .map(|damper| damper.power)
+        .sum::<f64>()
+        + power.material;
+    let subsystems = power.loss() - along - supports;
     let size: f64 = power
         .flow
         .iter()
@@ -436,11 +498,7 @@ fn assert_flow_meets(model: &Model, found: &Operating, tolerance: f64) {
     for (name, got, want) in [
         ("jumps", jumps, inside - subsystems),
         ("ends", power.flow[0] - power.flow[last], ends - supports),
-        (
-            "span",
-            power.flow[0] + jumps - power.flow[last],
-            power.material,
-        ),
+        ("span", power.flow[0] + jumps - power.flow[last], along),
     ] {
         assert!(
             (got - want).abs() <= tolerance,

@@ -234,7 +234,7 @@ impl Group {
     /// The parameters of a beam, end or element and all groups inside, in the order of the file.
     pub(super) fn owned(self) -> Vec<ParameterId> {
         match self {
-            Self::Beam => [Self::Beam, Self::Material, Self::Section]
+            Self::Beam => [Self::Beam, Self::Material, Self::Section, Self::Foundation]
                 .into_iter()
                 .flat_map(Self::parameters)
                 .collect(),

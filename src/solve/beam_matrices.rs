@@ -224,12 +224,6 @@ impl BeamMatrices {
         form(&self.mass, 0) + form(&self.rotary, 3)
     }
 
-    /// The rate of twist, rad/m, at a torque, N m, and slopes of w and v, without warping stiffness.
-    pub(super) fn rate_of_twist(&self, torque: Complex64, [w, v]: [Complex64; 2]) -> Complex64 {
-        let c = &self.tension;
-        (torque - c.w_psi * w - c.psi_v * v) / c.psi
-    }
-
     /// Whether the beam lies on something.
     pub(super) fn has_foundation(&self) -> bool {
         self.foundation != [ZERO; 3] || self.foundation_damping != [0.0; 3]
@@ -252,21 +246,34 @@ impl BeamMatrices {
         std::array::from_fn(|row| forces[row] - pulled[row])
     }
 
-    /// The slopes q' of the axis for rotations of the section and internal forces: `(1 + F C)^-1 (s + F f)`.
+    /// The slopes q' of the axis for rotations of the section and internal forces: `(1 + F C)^-1 (s + F f)`. Without
+    /// warping stiffness the rate of twist follows from the torque.
     pub(super) fn slopes(
         &self,
         rotations: [Complex64; 3],
         forces: [Complex64; 3],
     ) -> [Complex64; 3] {
-        if !self.has_shear() {
+        let without_warping = self.bending.psi == ZERO;
+        if !self.has_shear() && !without_warping {
             return rotations;
         }
         let (compliance, tension) = (self.shear.rows(), self.tension.rows());
-        let product = |i: usize, j: usize| (0..3).map(|k| compliance[i][k] * tension[k][j]).sum();
-        let unit = nalgebra::Matrix3::<Complex64>::identity();
-        let matrix = unit + nalgebra::Matrix3::from_fn(product);
         let sheared = self.shear.times(forces);
-        let right = nalgebra::Vector3::from_fn(|row, _| rotations[row] + sheared[row]);
+        let mut matrix = nalgebra::Matrix3::<Complex64>::identity();
+        let mut right = nalgebra::Vector3::from(rotations);
+        for row in 0..3 {
+            if row == 1 && without_warping {
+                matrix.set_row(row, &nalgebra::RowVector3::from(tension[row]));
+                right[row] = forces[row];
+                continue;
+            }
+            for column in 0..3 {
+                for k in 0..3 {
+                    matrix[(row, column)] += compliance[row][k] * tension[k][column];
+                }
+            }
+            right[row] += sheared[row];
+        }
         let slopes = matrix.lu().solve(&right).map(Into::into);
         slopes.unwrap_or([Complex64::new(f64::NAN, f64::NAN); 3])
     }

@@ -54,6 +54,10 @@ pub const NEAR: Trial = Trial {
     only: &[""],
 };
 
+/// A change of a response that is exactly 0, below which a derivative is rounding: the responses to unit loads are 1e-8 and
+/// less here.
+const ROUNDING: f64 = 1e-22;
+
 /// A value with its derivatives by every parameter.
 pub type Exact = (Complex64, Vec<Complex64>);
 
@@ -167,6 +171,13 @@ pub fn worst(
             let at = |value: f64| of(&with(model, path, value));
             let found = difference(parameter, step, side, at);
             for (best, ((value, by), found)) in best.iter_mut().zip(exact.iter().zip(found)) {
+                if *value == Complex64::ZERO
+                    && found == Complex64::ZERO
+                    && (unit * by[index]).norm() < ROUNDING
+                {
+                    *best = 0.0;
+                    continue;
+                }
                 let size = (unit * by[index]).norm().max(trial.least * value.norm());
                 let error = unit * (by[index] - found).norm() / size;
                 *best = best.min(if size > 0.0 { error } else { found.norm() });

@@ -15,7 +15,9 @@ mod scaling;
 use checked::checked;
 use std::sync::atomic::AtomicBool;
 
-use beamtune::model::{BeamMotion, Measure, Model, Quantity, Response, Target, Theory, path, read};
+use beamtune::model::{
+    BeamMotion, Measure, Model, Place, Quantity, Response, Target, Theory, path, read,
+};
 use beamtune::solve::sensitivity::Differentiator;
 use beamtune::{presets, solve};
 use difference::{Exact, WIDE, worst};
@@ -120,6 +122,12 @@ fn every_parameter_of_a_rich_model() {
             (foundation.psi.damping, foundation.v.stiffness) = (30.0, 4e5);
             (beam.section.shear_area_y, beam.section.shear_area_z) = (6e-3, 4e-3);
             beam.theory = Theory::Timoshenko;
+            // With shear a response where a subsystem stands has two derivatives by its position.
+            let joint = &mut model.responses[1].quantity;
+            *joint = Quantity::Motion(
+                Target::Beam(Place::Position(0.75), BeamMotion::V),
+                Measure::Displacement,
+            );
             beam.warping_inertia = true;
         }
         for (frequency, allowed) in ALLOWED {
@@ -166,7 +174,7 @@ fn every_parameter_of_random_models() {
         ];
         let (error, at) = worst_at(&model, frequency.max(5.0));
         // The effect of the solver's rounding on its differences.
-        assert!(error < 3e-5, "{tried}, {frequency} Hz: {error:.1e} at {at}");
+        assert!(error < 1e-4, "{tried}, {frequency} Hz: {error:.1e} at {at}");
         tried += 1;
     }
 }

@@ -122,7 +122,7 @@ pub fn natural_frequencies(model: &Checked, elements: usize, count: usize) -> Ve
     FiniteElements::new(model, elements).natural_frequencies(count)
 }
 
-/// Enough elements for the model's sweep: 60 per wavelength of the shortest bending, torsion or warping wave at its
+/// Enough elements for the model's sweep: 60 (with shear deformation 180) per wavelength of the shortest bending, torsion or warping wave at its
 /// highest frequency, without the coupling of bending and torsion; at least 16, at most 1,000.
 pub fn default_elements(model: &Checked) -> usize {
     let (section, material) = (&model.beam.section, &model.beam.material);
@@ -145,7 +145,15 @@ pub fn default_elements(model: &Checked) -> usize {
         (inertia / torsion).sqrt()
     };
     let waves = model.beam.length * bending.max(twist) / std::f64::consts::TAU;
-    (ELEMENTS_A_WAVE * waves).clamp(BOUNDS.0, BOUNDS.1).ceil() as usize
+    // Shear deformation converges with the second power only.
+    let finer = if model.beam.theory.has_shear() {
+        3.0
+    } else {
+        1.0
+    };
+    (finer * ELEMENTS_A_WAVE * waves)
+        .clamp(BOUNDS.0, BOUNDS.1)
+        .ceil() as usize
 }
 
 /// The lowest `count` undamped natural frequencies, Hz, ascending; rigid-body ones are near 0. At most as many as

@@ -169,13 +169,8 @@ fn mass(
     let springs = springs(subsystem);
     let matrices = &setting.plan.beam.matrices;
     let mut slope = [local.motion[3], local.motion[4], local.motion[5]];
-    let without_warping = setting.plan.beam.without_warping();
-    if without_warping || matrices.has_shear() {
-        let forces = mean_forces(setting, reader, station);
-        slope = matrices.slopes(slope, forces);
-        if without_warping {
-            slope[1] = matrices.rate_of_twist(forces[1], [slope[0], slope[2]]);
-        }
+    if setting.plan.beam.without_warping() || matrices.has_shear() {
+        slope = matrices.slopes(slope, mean_forces(setting, reader, station));
     }
     MassField {
         motion,

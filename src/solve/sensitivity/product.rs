@@ -107,17 +107,9 @@ impl Product<'_> {
 
     /// The right end just beyond the loads whose position is constant.
     fn beyond(&self, field: &Field, held: &[Complex64; 6]) -> BeamState {
-        let beam = &self.setting.plan.beam;
         let mut edge = field.edge.clone();
         for (force, held) in edge.force.iter_mut().zip(held) {
             *force -= held;
-        }
-        if beam.without_warping() {
-            let torque = edge.force[BeamMotion::Psi as usize];
-            let slopes =
-                [BeamMotion::WSlope, BeamMotion::VSlope].map(|slope| edge.motion[slope as usize]);
-            edge.motion[BeamMotion::PsiSlope as usize] =
-                beam.matrices.rate_of_twist(torque, slopes);
         }
         edge
     }

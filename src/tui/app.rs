@@ -3,73 +3,51 @@
 //! [`App::update`] is pure: input and output are requested as [`Effect`]s, and their results come back through
 //! [`App::reply`].
 
-mod band;
-mod beam_view;
-mod chart;
-mod choose;
 mod commands;
-mod comparison;
-mod curves;
-mod detail;
-mod display;
 mod document;
-mod edit;
+pub(crate) mod edit;
 mod effect;
 mod export;
 mod external_changes;
-mod fem_overlay;
 mod files;
 mod history;
-mod measured;
-mod modes;
 mod mouse;
 mod new_item;
-mod overlay;
-mod palette;
-mod prompt;
-mod prompt_questions;
-mod reading;
 mod recovery;
-mod repeat;
-mod request;
+pub(crate) mod repeat;
+pub(crate) mod request;
 mod screen;
-mod search;
-mod selection;
-mod sensitivity;
-mod shape;
 mod structure;
-mod tables;
-mod tuning;
 mod view_state;
-mod zoom;
 
 use std::sync::Arc;
 
-pub use band::{Band, MemberLevels, ResponseLevel};
-pub use beam_view::{BeamView, BeamViewState};
-pub use comparison::{Comparison, Reference};
-pub use curves::{Compared, Curves, Member, Picture, Shown, Trace};
-pub use detail::{Detail, DetailPicture};
-pub use display::{Display, MOTION};
 pub use document::{Base, Document};
 pub use effect::{Effect, Guard, Lost, Reply};
 pub use export::{Export, Saving};
 pub use external_changes::ExternalChange;
-pub use fem_overlay::{FemOverlay, FemPicture};
-pub use measured::{Measured, OpenedMeasured};
-pub use modes::{Completeness, ModeKind, ModeList, ModeRow, ModesState};
-pub use overlay::{Asked, AskedKind, List, Next, Overlay, Prompt, Purpose, ReplaceReason};
-pub use palette::{Entry, Found, Palette};
-pub use prompt_questions::Question;
-pub use reading::{Reading, Value, nearest};
 pub use screen::{Levels, Plot, Rows, Screen};
-pub use search::Search;
-pub use selection::Selection;
-pub use sensitivity::{Effects, Sensed, Sensitivities};
-pub use shape::Shape;
-pub use tables::{Anchor, Table, Tables};
-pub use tuning::{Progress, Run, Tuning};
 
+pub use crate::tui::panels::band::{Band, MemberLevels, ResponseLevel};
+pub use crate::tui::panels::beam_view::{BeamView, BeamViewState};
+pub use crate::tui::panels::chart::{
+    Compared, Curves, Detail, DetailPicture, Display, MOTION, Member, Picture, Shown, Trace,
+};
+pub use crate::tui::panels::comparison::{Comparison, Reference};
+pub use crate::tui::panels::dialogs::{
+    Asked, AskedKind, List, Next, Overlay, Prompt, Purpose, ReplaceReason,
+};
+pub use crate::tui::panels::fem_overlay::{FemOverlay, FemPicture};
+pub use crate::tui::panels::measured::{Measured, OpenedMeasured};
+pub use crate::tui::panels::modes::{Completeness, ModeKind, ModeList, ModeRow, ModesState, Shape};
+pub use crate::tui::panels::palette::{Entry, Found, Palette};
+pub use crate::tui::panels::prompt::Question;
+pub use crate::tui::panels::readings::{Reading, Value, nearest};
+pub use crate::tui::panels::search::Search;
+pub use crate::tui::panels::sensitivity::{Effects, Sensed, Sensitivities};
+pub use crate::tui::panels::tables::{Anchor, Table, Tables};
+pub use crate::tui::panels::tree::Selection;
+pub use crate::tui::panels::tuning::{Progress, Run, Tuning};
 pub use crate::worker::Stage;
 
 use crate::files::Opened;
@@ -141,27 +119,27 @@ pub struct App {
     /// The positions of the panels on the screen, from the last drawing.
     pub screen: Screen,
     /// The view states of other models.
-    memory: Memory,
+    pub(crate) memory: Memory,
     /// Options that the user changed in this session.
-    turned: RememberedOptions,
+    pub(crate) turned: RememberedOptions,
     /// Whether unsaved changes stay in the recovery file when the program ends.
     pub keeps: bool,
     /// The last change, for the repeat command.
-    last_change: Option<LastChange>,
+    pub(crate) last_change: Option<LastChange>,
     /// The model that was last written to the recovery file, and whether it had unsaved changes.
-    kept: Option<(Arc<Checked>, bool)>,
+    pub(crate) kept: Option<(Arc<Checked>, bool)>,
     /// The row that was clicked: the wheel changes its value.
-    held: Option<crate::tui::tree::Node>,
+    pub(crate) held: Option<crate::tui::tree::Node>,
     /// What follows a save that was started from a confirmation dialog.
-    after_save: Option<Next>,
+    pub(crate) after_save: Option<Next>,
     /// The last request for curves.
-    requested: Option<(Arc<Checked>, Option<usize>)>,
+    pub(crate) requested: Option<(Arc<Checked>, Option<usize>)>,
     /// The parameter whose next nudges are prepared, and its value at that time.
-    expected: Option<(crate::model::ParameterId, f64)>,
+    pub(crate) expected: Option<(crate::model::ParameterId, f64)>,
     /// The generation of the last request for finite-element curves.
-    fem_requested: Option<u64>,
+    pub(crate) fem_requested: Option<u64>,
     /// The last serial number.
-    serial: u64,
+    pub(crate) serial: u64,
     /// The screen is too small to show anything.
     pub unseen: bool,
 }
@@ -267,7 +245,7 @@ impl App {
     }
 
     /// Updates everything that depends on the model; returns the effects.
-    fn settle(&mut self) -> Vec<Effect> {
+    pub(crate) fn settle(&mut self) -> Vec<Effect> {
         self.refresh_fits();
         self.refresh_display();
         self.refresh_moving();
@@ -280,7 +258,7 @@ impl App {
     }
 
     /// Updates everything that refers to rows of the tree, and the chart, after a change of the model.
-    fn follow(&mut self, before: &Model) {
+    pub(crate) fn follow(&mut self, before: &Model) {
         let model = Arc::clone(self.document.model());
         let moves = Moves::new(before, &model);
         if let Some(search) = &mut self.search {
@@ -295,7 +273,7 @@ impl App {
     }
 
     /// The same after a change of numbers only: all names stay valid.
-    fn follow_number(&mut self, before: &Model) {
+    pub(crate) fn follow_number(&mut self, before: &Model) {
         let model = Arc::clone(self.document.model());
         self.follow_rows(&Moves::new(before, &model), before, &model);
     }
@@ -307,16 +285,16 @@ impl App {
     }
 
     /// A new serial number.
-    fn next_serial(&mut self) -> u64 {
+    pub(crate) fn next_serial(&mut self) -> u64 {
         self.serial += 1;
         self.serial
     }
 
-    fn done(&mut self, text: impl Into<String>) {
+    pub(crate) fn done(&mut self, text: impl Into<String>) {
         self.message = Some(Message::Done(text.into()));
     }
 
-    fn refuse(&mut self, text: impl Into<String>) {
+    pub(crate) fn refuse(&mut self, text: impl Into<String>) {
         self.message = Some(Message::Refused(text.into()));
     }
 }

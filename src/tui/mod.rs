@@ -14,6 +14,7 @@ pub mod frame_scheduler;
 mod fuzzy;
 pub mod keys;
 pub mod options;
+pub mod panels;
 pub mod plot;
 mod run;
 pub mod scene;

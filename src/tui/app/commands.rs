@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use crossterm::event::{KeyCode, KeyEvent};
 
-use super::chart::Turn;
 use super::{App, Effect, List, Next, Overlay, Question, Selection, Table};
 use crate::model::{Model, counted};
 use crate::tui::keys::{
@@ -12,13 +11,14 @@ use crate::tui::keys::{
     ModelCommand, ModesCommand, Movement, ReaderCommand, ReadingCommand, Scope, TableCommand,
     TreeCommand, TuneCommand,
 };
+use crate::tui::panels::chart::commands::Turn;
 use crate::tui::tree;
 
 /// The largest count before a command.
 const MOST_TIMES: u32 = 9_999;
 
 impl App {
-    pub(super) fn key(&mut self, key: &KeyEvent) -> Vec<Effect> {
+    pub(crate) fn key(&mut self, key: &KeyEvent) -> Vec<Effect> {
         let scope = self.scope();
         let command = self.keys.command(scope, key);
         self.message = None;
@@ -34,7 +34,7 @@ impl App {
 
     /// A key on a screen that is too small: only the commands of every scope work. There is no room for a dialog, so
     /// quitting leaves unsaved changes in the recovery file.
-    pub(super) fn key_unseen(&mut self, key: &KeyEvent) -> Vec<Effect> {
+    pub(crate) fn key_unseen(&mut self, key: &KeyEvent) -> Vec<Effect> {
         match self.keys.command_in(Scope::Any, key) {
             Some(Command::Anywhere(AnywhereCommand::End)) => {
                 self.keeps = true;
@@ -90,7 +90,7 @@ impl App {
     }
 
     /// Runs a command once. `count` is for commands that take it as one step.
-    pub(super) fn dispatch(&mut self, command: Command, count: u32) -> Vec<Effect> {
+    pub(crate) fn dispatch(&mut self, command: Command, count: u32) -> Vec<Effect> {
         match command {
             Command::Move(movement) => self.move_rows(movement),
             Command::Tree(command) => self.tree_command(command, count),

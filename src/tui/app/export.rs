@@ -40,13 +40,13 @@ impl Export {
 
 impl App {
     /// The proposed name of an exported file.
-    pub(super) fn export_name(&self) -> String {
+    pub(crate) fn export_name(&self) -> String {
         let name = self.document.source().name();
         path_text(&path_of_text(&name).with_extension("svg"))
     }
 
     /// Exports the screen to a new file of the kind given by its extension.
-    pub(super) fn export_to(&mut self, path: PathBuf) -> Vec<Effect> {
+    pub(crate) fn export_to(&mut self, path: PathBuf) -> Vec<Effect> {
         let Some(kind) = Export::of(&path) else {
             self.refuse_prompt("the name must end in .csv, .svg or .txt");
             return Vec::new();

@@ -25,7 +25,7 @@ pub enum ExternalChange {
 
 impl App {
     /// Sends the selected value to the clipboard.
-    pub(super) fn copy_value(&mut self) -> Vec<Effect> {
+    pub(crate) fn copy_value(&mut self) -> Vec<Effect> {
         if let Some(value) = self.exact_value() {
             return self.copy(value.clone(), &value);
         }
@@ -34,7 +34,7 @@ impl App {
     }
 
     /// Sends the model's text to the clipboard.
-    pub(super) fn copy_model(&mut self) -> Vec<Effect> {
+    pub(crate) fn copy_model(&mut self) -> Vec<Effect> {
         let text = self.document.text();
         let size = text.len();
         if size > MOST_COPIED {
@@ -56,7 +56,7 @@ impl App {
     }
 
     /// Checks whether the file is unchanged.
-    pub(super) fn compare(&mut self) -> Vec<Effect> {
+    pub(crate) fn compare(&mut self) -> Vec<Effect> {
         let compare = |path: &Path| Effect::Compare {
             path: path.to_owned(),
             text: self.document.saved_text().to_owned(),
@@ -65,7 +65,7 @@ impl App {
         path.map(compare).into_iter().collect()
     }
 
-    pub(super) fn note_external_change(&mut self, outside: ExternalChange) {
+    pub(crate) fn note_external_change(&mut self, outside: ExternalChange) {
         if outside == self.external_change {
             return;
         }
@@ -86,7 +86,7 @@ impl App {
     }
 
     /// Reloads the file; with unsaved changes, asks first.
-    pub(super) fn reload(&mut self) -> Vec<Effect> {
+    pub(crate) fn reload(&mut self) -> Vec<Effect> {
         if self.document.source().path().is_some() {
             return self.leave(Next::Reload);
         }
@@ -95,12 +95,12 @@ impl App {
         Vec::new()
     }
 
-    pub(super) fn reload_now(&self) -> Vec<Effect> {
+    pub(crate) fn reload_now(&self) -> Vec<Effect> {
         let path = self.document.source().path().map(Path::to_owned);
         path.map(Effect::Reload).into_iter().collect()
     }
 
-    pub(super) fn reloaded(&mut self, opened: Opened) {
+    pub(crate) fn reloaded(&mut self, opened: Opened) {
         self.external_change = ExternalChange::Same;
         if opened.text == self.document.saved_text() {
             return self.done("the file is as it was");

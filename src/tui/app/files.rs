@@ -14,7 +14,7 @@ use crate::tui::keys::{ReplaceCommand, UnsavedCommand};
 
 impl App {
     /// Continues with an action that discards the model; with unsaved changes, asks first.
-    pub(super) fn leave(&mut self, next: Next) -> Vec<Effect> {
+    pub(crate) fn leave(&mut self, next: Next) -> Vec<Effect> {
         if !self.document.is_changed() {
             return self.go_on(next);
         }
@@ -59,7 +59,7 @@ impl App {
     }
 
     /// Replaces the document. Frozen references stay, for comparison.
-    pub(super) fn open_document(&mut self, document: Document) {
+    pub(crate) fn open_document(&mut self, document: Document) {
         self.store_view();
         self.document = document;
         let model = self.document.model();
@@ -96,7 +96,7 @@ impl App {
     }
 
     /// Saves to the model's file, or asks for a path.
-    pub(super) fn save(&mut self) -> Vec<Effect> {
+    pub(crate) fn save(&mut self) -> Vec<Effect> {
         let Source::File(path) = self.document.source() else {
             self.ask_save_path();
             return Vec::new();
@@ -110,7 +110,7 @@ impl App {
         vec![self.save_to(path, guard)]
     }
 
-    pub(super) fn ask_save_path(&mut self) {
+    pub(crate) fn ask_save_path(&mut self) {
         let path = match self.document.source() {
             Source::File(path) => path_text(path),
             Source::Preset(name) => format!("{name}.toml"),
@@ -119,7 +119,7 @@ impl App {
         self.overlay = Some(Overlay::Prompt(Prompt::new(Purpose::SaveAs, path)));
     }
 
-    pub(super) fn save_to(&self, path: PathBuf, guard: Guard) -> Effect {
+    pub(crate) fn save_to(&self, path: PathBuf, guard: Guard) -> Effect {
         Effect::Save {
             path,
             text: self.document.text(),
@@ -128,7 +128,7 @@ impl App {
     }
 
     /// Handles the answer about unsaved changes.
-    pub(super) fn answer_unsaved(&mut self, answer: UnsavedCommand) -> Vec<Effect> {
+    pub(crate) fn answer_unsaved(&mut self, answer: UnsavedCommand) -> Vec<Effect> {
         let asked = |overlay: &mut Overlay| matches!(overlay, Overlay::Unsaved { .. });
         let Some(Overlay::Unsaved { next, beneath }) = self.overlay.take_if(asked) else {
             return Vec::new();
@@ -150,7 +150,7 @@ impl App {
     }
 
     /// Handles the answer about replacing a file.
-    pub(super) fn answer_replace(&mut self, answer: ReplaceCommand) -> Vec<Effect> {
+    pub(crate) fn answer_replace(&mut self, answer: ReplaceCommand) -> Vec<Effect> {
         let asked = |overlay: &mut Overlay| matches!(overlay, Overlay::Replace { .. });
         let Some(Overlay::Replace { path, what, reason }) = self.overlay.take_if(asked) else {
             return Vec::new();

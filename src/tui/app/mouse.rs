@@ -12,7 +12,7 @@ use crate::tui::keys::{FileCommand, ModelCommand, Movement};
 const NOTCH: isize = 3;
 
 impl App {
-    pub(super) fn toggle_mouse(&mut self) -> Vec<Effect> {
+    pub(crate) fn toggle_mouse(&mut self) -> Vec<Effect> {
         self.mouse = !self.mouse;
         self.turned.mouse = Some(self.mouse);
         let key = self.keys.key_of(FileCommand::Mouse);
@@ -25,7 +25,7 @@ impl App {
     }
 
     /// Handles a mouse event.
-    pub(super) fn mouse(&mut self, event: MouseEvent) -> Vec<Effect> {
+    pub(crate) fn mouse(&mut self, event: MouseEvent) -> Vec<Effect> {
         let place = Position::new(event.column, event.row);
         let coarse = event.modifiers.contains(KeyModifiers::CONTROL);
         match event.kind {

@@ -6,7 +6,7 @@ use crate::tui::keys::Command;
 
 /// A change that can be repeated on another row.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum LastChange {
+pub(crate) enum LastChange {
     /// A command with its count.
     Command(Command, u32),
     /// A typed value.
@@ -15,7 +15,7 @@ pub(super) enum LastChange {
 
 impl App {
     /// Runs a command `count` times, until it is refused.
-    pub(super) fn repeated(&mut self, command: Command, times: u32) -> Vec<Effect> {
+    pub(crate) fn repeated(&mut self, command: Command, times: u32) -> Vec<Effect> {
         let before = self.document.model().clone();
         let mut effects = Vec::new();
         if command.takes_count() {
@@ -57,7 +57,7 @@ impl App {
     }
 
     /// Repeats the last change.
-    pub(super) fn repeat(&mut self) {
+    pub(crate) fn repeat(&mut self) {
         match self.last_change.clone() {
             None => self.refuse("there is no change to do again yet"),
             Some(LastChange::Command(command, times)) => drop(self.repeated(command, times)),
@@ -79,7 +79,7 @@ impl App {
     }
 
     /// Whether the last command was refused.
-    pub(super) fn is_refused(&self) -> bool {
+    pub(crate) fn is_refused(&self) -> bool {
         matches!(self.message, Some(Message::Refused(_)))
     }
 }

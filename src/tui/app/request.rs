@@ -8,7 +8,7 @@ use crate::worker::{Answer, CurvesAnswer, ExpectRequest, Request, Sampling, Subj
 
 /// The last request of one kind: its serial number and its key.
 #[derive(Debug)]
-pub(super) struct LastRequest<K>(Option<(u64, K)>);
+pub(crate) struct LastRequest<K>(Option<(u64, K)>);
 
 impl<K> Default for LastRequest<K> {
     fn default() -> Self {
@@ -18,35 +18,35 @@ impl<K> Default for LastRequest<K> {
 
 impl<K> LastRequest<K> {
     /// Whether it has the same key.
-    pub(super) fn is(&self, same: impl FnOnce(&K) -> bool) -> bool {
+    pub(crate) fn is(&self, same: impl FnOnce(&K) -> bool) -> bool {
         self.0.as_ref().is_some_and(|(_, key)| same(key))
     }
 
     /// Stores a sent request.
-    pub(super) fn sent(&mut self, serial: u64, key: K) {
+    pub(crate) fn sent(&mut self, serial: u64, key: K) {
         self.0 = Some((serial, key));
     }
 
     /// The key of the answer with a serial number; none if another request was sent since.
-    pub(super) fn answered(&self, serial: u64) -> Option<&K> {
+    pub(crate) fn answered(&self, serial: u64) -> Option<&K> {
         let (last, key) = self.0.as_ref()?;
         (*last == serial).then_some(key)
     }
 
     /// The serial number, if there is a request.
-    pub(super) fn serial(&self) -> Option<u64> {
+    pub(crate) fn serial(&self) -> Option<u64> {
         self.0.as_ref().map(|(serial, _)| *serial)
     }
 
     /// Resets the request: its answer is discarded, and the same key can be requested again.
-    pub(super) fn forget(&mut self) {
+    pub(crate) fn forget(&mut self) {
         self.0 = None;
     }
 }
 
 impl App {
     /// Stores an answer of the worker.
-    pub(super) fn take(&mut self, answer: Answer) {
+    pub(crate) fn take(&mut self, answer: Answer) {
         match answer {
             Answer::Curves(answer) => self.take_curves(answer),
             Answer::Shape(answer) => {
@@ -91,7 +91,7 @@ impl App {
     }
 
     /// Requests everything that is visible and was not requested yet.
-    pub(super) fn request(&mut self) -> Vec<Effect> {
+    pub(crate) fn request(&mut self) -> Vec<Effect> {
         let mut requests: Vec<Request> = self.want_curves().into_iter().collect();
         requests.extend(self.want_expected());
         requests.extend(self.want_shape());
@@ -108,7 +108,7 @@ impl App {
     }
 
     /// The subject of the solution: the model with its study.
-    pub(super) fn subject(&self) -> Subject {
+    pub(crate) fn subject(&self) -> Subject {
         Subject {
             generation: self.curves.generation,
             model: Arc::clone(self.document.model()),

@@ -40,14 +40,14 @@ impl App {
     }
 
     /// Selects the next theme.
-    pub(super) fn next_theme(&mut self) {
+    pub(crate) fn next_theme(&mut self) {
         self.theme = self.theme.next();
         self.turned.theme = Some(self.theme.word().to_owned());
         self.done(format!("theme: {}", self.theme.name()));
     }
 
     /// Stores the view of the model, before another one is opened.
-    pub(super) fn store_view(&mut self) {
+    pub(crate) fn store_view(&mut self) {
         if let Some(view) = self.view() {
             self.memory.remember(view);
         }
@@ -85,7 +85,7 @@ impl App {
     }
 
     /// Restores the last view of the model.
-    pub(super) fn recall_view(&mut self) {
+    pub(crate) fn recall_view(&mut self) {
         let view = key(self.document.source()).and_then(|source| self.memory.view(&source));
         let Some(view) = view.cloned() else {
             return;

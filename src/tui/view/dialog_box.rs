@@ -12,15 +12,15 @@ use crate::tui::theme::Theme;
 /// Columns of a box at most.
 const WIDEST: u16 = 72;
 /// Columns of its border and of the blanks inside it.
-pub(super) const FRAME: u16 = 4;
+pub(crate) const FRAME: u16 = 4;
 
 /// Columns of text in a centred box.
-pub(super) fn dialog_width(area: Rect) -> u16 {
+pub(crate) fn dialog_width(area: Rect) -> u16 {
     area.width.min(WIDEST).saturating_sub(FRAME)
 }
 
 /// Clears a place and draws a border around it; what is inside.
-pub(super) fn open_dialog(frame: &mut Frame<'_>, area: Rect, title: &str, theme: Theme) -> Rect {
+pub(crate) fn open_dialog(frame: &mut Frame<'_>, area: Rect, title: &str, theme: Theme) -> Rect {
     let block = Block::bordered()
         .border_style(theme.accent())
         .title(Span::styled(
@@ -35,7 +35,7 @@ pub(super) fn open_dialog(frame: &mut Frame<'_>, area: Rect, title: &str, theme:
 }
 
 /// A box in the middle for so many lines of text.
-pub(super) fn middle(area: Rect, lines: usize) -> Rect {
+pub(crate) fn middle(area: Rect, lines: usize) -> Rect {
     middle_of_width(area, lines, WIDEST)
 }
 
@@ -53,7 +53,7 @@ fn middle_of_width(area: Rect, lines: usize, widest: u16) -> Rect {
 }
 
 /// Draws lines that are read and scrolled; how many of them there are and there is room for.
-pub(super) fn draw_reader(
+pub(crate) fn draw_reader(
     frame: &mut Frame<'_>,
     title: &str,
     lines: Vec<Line<'_>>,

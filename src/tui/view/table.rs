@@ -11,36 +11,36 @@ use crate::tui::theme::Theme;
 use crate::unit::FrequencyUnit;
 
 /// Rows beside those of the list: the rule with the title, and the heading.
-pub(super) const FRAME_ROWS: u16 = 2;
+pub(crate) const FRAME_ROWS: u16 = 2;
 
 /// A column: its heading, and how many cells it takes with the space before it.
-pub(super) type Column = (&'static str, usize);
+pub(crate) type Column = (&'static str, usize);
 
 /// The heading of a column of frequencies, which have the unit that is shown.
-pub(super) const FREQUENCY: &str = "frequency";
+pub(crate) const FREQUENCY: &str = "frequency";
 
 /// What a table says.
-pub(super) struct Content<'a> {
+pub(crate) struct Content<'a> {
     /// In the rule.
-    pub(super) title: String,
+    pub(crate) title: String,
     /// Whether the title is bad news.
-    pub(super) warns: bool,
+    pub(crate) warns: bool,
     /// The unit of its frequencies.
-    pub(super) frequency_unit: FrequencyUnit,
+    pub(crate) frequency_unit: FrequencyUnit,
     /// At the right of the rule.
-    pub(super) note: String,
+    pub(crate) note: String,
     /// The columns.
-    pub(super) columns: &'a [Column],
+    pub(crate) columns: &'a [Column],
     /// The cells of a row, right-aligned, as many as columns; or one sentence.
-    pub(super) row: &'a dyn Fn(usize) -> Vec<String>,
+    pub(crate) row: &'a dyn Fn(usize) -> Vec<String>,
     /// Where there are no rows.
-    pub(super) empty: &'a str,
+    pub(crate) empty: &'a str,
     /// The rows are older than the model.
-    pub(super) stale: bool,
+    pub(crate) stale: bool,
 }
 
 /// The widest of some layouts that fits; the last one where none does.
-pub(super) fn fitting(layouts: &[&'static [Column]], columns: u16) -> &'static [Column] {
+pub(crate) fn fitting(layouts: &[&'static [Column]], columns: u16) -> &'static [Column] {
     let fits = |layout: &&&'static [Column]| {
         layout.iter().map(|column| column.1).sum::<usize>() <= usize::from(columns)
     };
@@ -53,7 +53,7 @@ pub(super) fn fitting(layouts: &[&'static [Column]], columns: u16) -> &'static [
 }
 
 /// Columns whose first one, of names, has the room that is left of `room`, as far as its longest name needs it.
-pub(super) fn widened(columns: &[Column], longest: usize, room: u16) -> Vec<Column> {
+pub(crate) fn widened(columns: &[Column], longest: usize, room: u16) -> Vec<Column> {
     let mut columns = columns.to_vec();
     let taken: usize = columns.iter().map(|column| column.1).sum();
     let left = usize::from(room).saturating_sub(taken);
@@ -64,12 +64,12 @@ pub(super) fn widened(columns: &[Column], longest: usize, room: u16) -> Vec<Colu
 }
 
 /// How many cells a title may take in a table with so many columns.
-pub(super) fn title_room(columns: u16) -> usize {
+pub(crate) fn title_room(columns: u16) -> usize {
     usize::from(columns).saturating_sub(4)
 }
 
 /// Draws a table and sets how many rows of its list there is room for; where they are.
-pub(super) fn draw(
+pub(crate) fn draw(
     frame: &mut Frame<'_>,
     content: &Content<'_>,
     list: &mut List,
@@ -78,13 +78,14 @@ pub(super) fn draw(
 ) -> Rows {
     let columns = usize::from(area.width);
     let title = cut(&content.title, title_room(area.width));
-    let mut rule = super::rule(&title, theme);
+    let mut rule = super::frame::rule(&title, theme);
     if content.warns {
         rule.spans[1].style = theme.refusal();
     }
     let note = Line::styled(format!(" {} ", content.note), theme.dim());
     let note = Some(note).filter(|_| !content.note.is_empty());
-    let block = super::panel(rule, note.unwrap_or_default(), area.width).border_style(theme.dim());
+    let block =
+        super::frame::panel(rule, note.unwrap_or_default(), area.width).border_style(theme.dim());
     let inside = block.inner(area);
     frame.render_widget(block, area);
     let mut lines = inside.rows();

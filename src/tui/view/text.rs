@@ -6,7 +6,7 @@ use ratatui::text::Span;
 use crate::escape::{escape, escape_lines, is_hidden};
 
 /// Shows a sign in place of every hidden character that a widget has let through: the terminal is sent none.
-pub(super) fn show_hidden(buffer: &mut Buffer) {
+pub(crate) fn show_hidden(buffer: &mut Buffer) {
     for cell in &mut buffer.content {
         if !cell.symbol().is_ascii() && cell.symbol().contains(is_hidden) {
             cell.set_char(char::REPLACEMENT_CHARACTER);
@@ -15,12 +15,12 @@ pub(super) fn show_hidden(buffer: &mut Buffer) {
 }
 
 /// Columns that a text takes as [`cut`] shows it.
-pub(super) fn width(text: &str) -> usize {
+pub(crate) fn width(text: &str) -> usize {
     Span::raw(escape(text)).width()
 }
 
 /// A text as it is shown: hidden characters escaped, in at most this many columns; what is cut off leaves an ellipsis.
-pub(super) fn cut(text: &str, columns: usize) -> String {
+pub(crate) fn cut(text: &str, columns: usize) -> String {
     let text = escape(text);
     if width(&text) <= columns {
         return text.into_owned();
@@ -42,7 +42,7 @@ pub(super) fn cut(text: &str, columns: usize) -> String {
 }
 
 /// A text in lines of at most this many columns, broken at spaces; hidden characters are escaped.
-pub(super) fn wrapped(text: &str, columns: usize) -> Vec<String> {
+pub(crate) fn wrapped(text: &str, columns: usize) -> Vec<String> {
     let mut lines = vec![String::new()];
     for word in escape_lines(text).split_whitespace() {
         let word = cut(word, columns);
@@ -62,7 +62,7 @@ pub(super) fn wrapped(text: &str, columns: usize) -> Vec<String> {
 }
 
 /// A number with so many significant digits, without a power of ten where it can be read so.
-pub(super) fn significant(value: f64, digits: usize) -> String {
+pub(crate) fn significant(value: f64, digits: usize) -> String {
     let digits = digits.max(2);
     let power = format!("{value:.*e}", digits - 1);
     let exponent = power

@@ -1,0 +1,7 @@
+//! Prompts for one line.
+
+mod commands;
+mod questions;
+pub(crate) mod view;
+
+pub use questions::Question;

@@ -1,0 +1,5 @@
+//! The search of the tree.
+
+mod commands;
+
+pub use commands::Search;

@@ -1,0 +1,354 @@
+//! The search for better parameters: variables, objectives, and progress.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Duration;
+
+use super::{MovableRows, Tolerances};
+use crate::model::edit::{self, Value};
+use crate::model::{Checked, Group, Model, path};
+use crate::tui::app::{App, Table};
+use crate::tui::keys::{ModelCommand, TuneCommand};
+use crate::tui::tree::{self, Node};
+use crate::tune::{Status, Tuned};
+use crate::worker::{Pause, Request, TuneAnswer, TuneRequest, TuneStage};
+
+/// The state of a search.
+#[derive(Debug)]
+pub enum Progress {
+    /// Running.
+    Searching,
+    /// Paused.
+    Paused,
+    /// Finished.
+    Found(Box<Tuned>),
+    /// Failed, and why.
+    Failed(String),
+}
+
+/// A search for better parameters.
+#[derive(Debug)]
+pub struct Run {
+    serial: u64,
+    /// The model at the start.
+    pub from: Arc<Checked>,
+    /// The progress.
+    pub progress: Progress,
+    /// The best candidate so far; none before the first report.
+    pub status: Option<Box<Status>>,
+    /// The time spent.
+    pub elapsed: Duration,
+    pause: Arc<Pause>,
+    /// The id of the reference that shows the best so far.
+    reference: u64,
+}
+
+impl Run {
+    /// The best model so far, if there is one.
+    pub fn best(&self) -> Option<&Checked> {
+        match &self.progress {
+            Progress::Found(tuned) => Some(&tuned.model),
+            _ => self.status.as_ref().map(|status| &status.model),
+        }
+    }
+
+    /// Whether it is running.
+    pub fn goes_on(&self) -> bool {
+        matches!(self.progress, Progress::Searching | Progress::Paused)
+    }
+
+    /// The estimated time for the remaining evaluations.
+    pub fn left(&self) -> Option<Duration> {
+        let status = self.status.as_ref().filter(|one| one.evaluations > 0)?;
+        let each = self.elapsed.as_secs_f64() / status.evaluations as f64;
+        let rest = status.budget.saturating_sub(status.evaluations);
+        Some(Duration::from_secs_f64(each * rest as f64))
+    }
+}
+
+/// The state of searches and tolerances.
+#[derive(Debug, Default)]
+pub struct Tuning {
+    /// The search, until it is accepted or discarded.
+    pub run: Option<Run>,
+    /// A discarded search is to be cancelled.
+    ends: bool,
+    /// A search is to be started.
+    starts: bool,
+    /// The typed count: the limit of evaluations.
+    budget: Option<usize>,
+    /// The effect of tolerances on the curves.
+    pub tolerances: Tolerances,
+    /// The rows of the tree that a search may change.
+    pub moving: MovableRows,
+}
+
+impl App {
+    /// The limit of evaluations of the next search, if typed.
+    pub(crate) fn limit_search(&mut self, evaluations: Option<u32>) {
+        self.tuning.budget = evaluations.map(|count| count as usize);
+    }
+
+    /// Starts, pauses or continues a search.
+    pub(crate) fn go_on_tuning(&mut self) {
+        let [go, accept, discard] = [
+            TuneCommand::Tune,
+            TuneCommand::TuneAccept,
+            TuneCommand::TuneDiscard,
+        ]
+        .map(|command| self.keys.key_of(command));
+        let Some(run) = &mut self.tuning.run else {
+            return self.start_tuning();
+        };
+        self.tables.open = Some(Table::Tuning);
+        let text = match run.progress {
+            Progress::Searching => {
+                run.pause.set(true);
+                run.progress = Progress::Paused;
+                format!("paused: {go} goes on, {accept} takes the best so far, {discard} drops it")
+            }
+            Progress::Paused => {
+                run.pause.set(false);
+                run.progress = Progress::Searching;
+                "the search goes on".to_owned()
+            }
+            Progress::Found(_) => {
+                return self.refuse(format!(
+                    "{accept} takes what was found, {discard} drops it; then a new search can start"
+                ));
+            }
+            Progress::Failed(_) => {
+                self.tuning.run = None;
+                return self.start_tuning();
+            }
+        };
+        self.done(text);
+    }
+
+    fn start_tuning(&mut self) {
+        let [variable, objective] = [TuneCommand::TuneVariable, TuneCommand::TuneObjective]
+            .map(|one| self.keys.key_of(one));
+        if self.model().tune.is_none() {
+            return self.refuse(format!(
+                "nothing may move yet: {variable} lets the selected parameter, {objective} says what for"
+            ));
+        }
+        let model = Arc::clone(self.document.model());
+        self.show_objective(&model);
+        let name = "best so far";
+        let Some(reference) = self.add_best(name, &model) else {
+            return;
+        };
+        self.tuning.run = Some(Run {
+            serial: 0,
+            from: model,
+            progress: Progress::Searching,
+            status: None,
+            elapsed: Duration::ZERO,
+            pause: Arc::default(),
+            reference,
+        });
+        self.tuning.starts = true;
+        self.tables.open = Some(Table::Tuning);
+        let [go, accept, discard] = [
+            TuneCommand::Tune,
+            TuneCommand::TuneAccept,
+            TuneCommand::TuneDiscard,
+        ]
+        .map(|command| self.keys.key_of(command));
+        self.done(format!(
+            "searching: {go} pauses, {accept} takes the best so far, {discard} drops it"
+        ));
+    }
+
+    /// Shows the response of the objective, if it is hidden.
+    fn show_objective(&mut self, model: &Model) {
+        let objectives = model.tune.iter().flat_map(|tune| &tune.objectives);
+        let mut responses = objectives.filter_map(|objective| objective.response.as_deref());
+        if let Some(first) = responses.next()
+            && !self.curves.shows(first)
+        {
+            self.curves.visible = vec![first.to_owned()];
+        }
+    }
+
+    /// The id of a reference that will show the best so far.
+    fn add_best(&mut self, name: &str, model: &Arc<Checked>) -> Option<u64> {
+        let picture = self.curves.picture().cloned();
+        self.add_reference(name, Arc::clone(model), None, picture)?;
+        self.comparison.references.last().map(|one| one.id)
+    }
+
+    /// Requests a search, or its cancellation.
+    pub(crate) fn want_tuning(&mut self) -> Vec<Request> {
+        let mut requests = Vec::new();
+        if std::mem::take(&mut self.tuning.ends) {
+            requests.push(Request::EndTuning);
+        }
+        if std::mem::take(&mut self.tuning.starts) {
+            let (serial, folder) = (self.next_serial(), self.folder());
+            requests.extend(self.tuning.run.as_mut().map(|run| {
+                run.serial = serial;
+                Request::Tune(TuneRequest {
+                    serial,
+                    model: Arc::clone(&run.from),
+                    folder,
+                    budget: self.tuning.budget,
+                    pause: Arc::clone(&run.pause),
+                })
+            }));
+        }
+        requests.extend(self.want_tolerances());
+        requests
+    }
+
+    /// The folder of the model's file.
+    pub(super) fn folder(&self) -> PathBuf {
+        self.document.source().folder().to_owned()
+    }
+
+    /// Stores the progress of a search.
+    pub(crate) fn take_tuning(&mut self, answer: TuneAnswer) {
+        let Some(run) = &mut self.tuning.run else {
+            return;
+        };
+        if run.serial != answer.serial {
+            return;
+        }
+        run.elapsed = answer.elapsed;
+        let best = match answer.stage {
+            TuneStage::Searching(status) => {
+                let better = run.best() != Some(&status.model);
+                let best = better.then(|| Arc::new(status.model.clone()));
+                run.status = Some(status);
+                best
+            }
+            TuneStage::Over(Ok(tuned)) => {
+                let best = Arc::new(tuned.model.clone());
+                let stop = tuned.stop;
+                run.progress = Progress::Found(tuned);
+                let [accept, discard] = [TuneCommand::TuneAccept, TuneCommand::TuneDiscard]
+                    .map(|command| self.keys.key_of(command));
+                self.done(format!(
+                    "{stop}: {accept} takes what was found, {discard} drops it"
+                ));
+                Some(best)
+            }
+            TuneStage::Over(Err(reason)) => {
+                run.progress = Progress::Failed(reason.clone());
+                let reference = run.reference;
+                self.drop_reference(reference);
+                return self.refuse(format!("not tuned: {reason}"));
+            }
+        };
+        if let Some(best) = best {
+            self.show_best(best);
+        }
+    }
+
+    /// Shows a better model in the reference, once its curves are solved.
+    fn show_best(&mut self, model: Arc<Checked>) {
+        let serial = self.next_serial();
+        let Some(run) = &mut self.tuning.run else {
+            return;
+        };
+        let mut references = self.comparison.references.iter_mut();
+        if let Some(one) = references.find(|one| one.id == run.reference) {
+            one.renew(serial, model);
+            run.reference = serial;
+        }
+    }
+
+    /// Applies the best so far to the model, as one step.
+    pub(crate) fn accept_tuning(&mut self) {
+        let Some(run) = &self.tuning.run else {
+            let go = self.keys.key_of(TuneCommand::Tune);
+            return self.refuse(format!("nothing was sought: {go} starts a search"));
+        };
+        let Some(best) = run.best() else {
+            return self.refuse("nothing is found yet");
+        };
+        let changed = match taken_over(self.model(), &run.from, best) {
+            Ok(changed) => changed,
+            Err(reason) => return self.refuse(format!("not taken: {reason}")),
+        };
+        let words = format!(
+            "tune {}",
+            tree::value(&run.from, Node::Group(Group::Objective(0)))
+        );
+        let before = Arc::clone(self.model());
+        self.end_run();
+        self.document.replace(words, changed);
+        self.follow(&before);
+        let undo = self.keys.key_of(ModelCommand::Undo);
+        self.done(format!(
+            "the tuned parameters are in the model; {undo} takes them back"
+        ));
+    }
+
+    /// Discards a search and its result.
+    pub(crate) fn discard_tuning(&mut self) {
+        if self.tuning.run.is_none() {
+            return self.refuse("nothing was sought");
+        }
+        self.end_run();
+        self.done("the search is dropped; the model is as it was");
+    }
+
+    /// Ends a search and removes its curve from the chart.
+    pub(crate) fn end_run(&mut self) {
+        if let Some(run) = self.tuning.run.take() {
+            run.pause.set(false);
+            self.tuning.ends = run.goes_on();
+            self.drop_reference(run.reference);
+            if self.tables.open == Some(Table::Tuning) {
+                self.tables.open = None;
+            }
+        }
+    }
+}
+
+/// The model with the variables that a search found; everything else is unchanged.
+///
+/// # Errors
+/// Why the model is invalid, in one line.
+fn taken_over(model: &Model, from: &Model, best: &Model) -> Result<Checked, String> {
+    let mut changed = model.clone();
+    let variables = from.tune.iter().flat_map(|tune| &tune.variables);
+    for pattern in variables.flat_map(|variable| &variable.paths) {
+        let found = path::numbers_of(best, pattern).map_err(|fault| fault.message)?;
+        for (id, value) in found {
+            // Names map one model to the other, which may have changed since the search began.
+            edit::set_unchecked(&mut changed, &path::text(best, id), Value::Number(value))
+                .map_err(|fault| format!("{} {}", fault.path, fault.message))?;
+        }
+    }
+    Checked::new(changed).map_err(|faults| format!("{} {}", faults[0].path, faults[0].message))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Expected: names map the searched model to one that was edited meanwhile.
+    #[test]
+    fn what_was_found_goes_to_the_subsystem_with_its_name() {
+        let preset = crate::presets::find("fig05a").unwrap().text;
+        let tune = r#"
+            [tune]
+            variables = [{ path = "subsystems.S2.mass", min = 1.0, max = 1e3 }]
+            objective = { minimise = "energy", from = 1.0, to = 100.0 }
+        "#;
+        let from = crate::model::read(&format!("{preset}{tune}"))
+            .unwrap()
+            .into_inner();
+        let mut best = from.clone();
+        best.subsystems[1].mass = 77.0;
+        let mut edited = from.clone();
+        edited.subsystems.swap(0, 1);
+        let taken = taken_over(&edited, &from, &best).unwrap();
+        assert_eq!(taken.subsystems[0].name, "S2");
+        assert_eq!(taken.subsystems[0].mass, 77.0);
+        assert_eq!(taken.subsystems[1].mass, from.subsystems[0].mass);
+    }
+}

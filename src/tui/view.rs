@@ -69,6 +69,7 @@ fn draw_panels(frame: &mut Frame<'_>, app: &App, theme: Theme) -> Option<Screen>
     status::draw_hints(frame, app, theme, panels.hints);
     let (dialog, list) = dialogs::view::draw(frame, app, theme, &panels);
     Some(Screen {
+        unseen: false,
         area: frame.area(),
         tree: Rows {
             area: tree,

@@ -1,42 +1,9 @@
 //! Export of the screen to a file.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use super::{App, Effect, Guard};
+use super::{App, Effect, Export, Guard};
 use crate::escape::{path_of_text, path_text};
-
-/// The kind of exported file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Export {
-    /// The curves as numbers.
-    Csv,
-    /// The chart as a drawing.
-    Svg,
-    /// The screen as text.
-    Text,
-}
-
-/// The content to be written to a file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Saving {
-    /// The model.
-    Model,
-    /// The screen.
-    Screen(Export),
-}
-
-impl Export {
-    /// The kind for a file extension.
-    fn of(path: &Path) -> Option<Self> {
-        let ending = path.extension()?.to_str()?.to_ascii_lowercase();
-        match ending.as_str() {
-            "csv" => Some(Self::Csv),
-            "svg" => Some(Self::Svg),
-            "txt" => Some(Self::Text),
-            _ => None,
-        }
-    }
-}
 
 impl App {
     /// The proposed name of an exported file.

@@ -3,25 +3,13 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use super::{App, Effect, Next};
+use super::{App, Effect, ExternalChange, Next};
 use crate::files::Opened;
 use crate::model::grouped;
 use crate::tui::keys::{FileCommand, ModelCommand};
 
 /// The longest text that is sent to a clipboard, bytes; terminals silently discard longer ones.
 const MOST_COPIED: usize = 74_000;
-
-/// How another program changed the model's file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum ExternalChange {
-    /// It holds the text that was opened or saved here.
-    #[default]
-    Same,
-    /// It holds another text.
-    Changed,
-    /// It was removed.
-    Gone,
-}
 
 impl App {
     /// Sends the selected value to the clipboard.
@@ -66,10 +54,10 @@ impl App {
     }
 
     pub(crate) fn note_external_change(&mut self, outside: ExternalChange) {
-        if outside == self.external_change {
+        if outside == self.files.external_change {
             return;
         }
-        self.external_change = outside;
+        self.files.external_change = outside;
         let name = self.document.source().name();
         match outside {
             ExternalChange::Same => self.done(format!("{name} is again as it was")),
@@ -101,7 +89,7 @@ impl App {
     }
 
     pub(crate) fn reloaded(&mut self, opened: Opened) {
-        self.external_change = ExternalChange::Same;
+        self.files.external_change = ExternalChange::Same;
         if opened.text == self.document.saved_text() {
             return self.done("the file is as it was");
         }

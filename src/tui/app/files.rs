@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use super::{
-    Anchor, App, Band, Curves, Detail, Document, Effect, ExternalChange, Guard, List, ModesState,
-    Next, Overlay, Prompt, Purpose, Reading, ReplaceReason, Reply, Saving, Selection, Tables,
+    App, Band, Curves, Detail, Document, Effect, ExternalChange, Guard, List, ModesState, Next,
+    Overlay, Prompt, Purpose, Reading, ReplaceReason, Reply, Saving, Selection, Tables,
 };
 use crate::escape::{path_text, shown_path};
 use crate::files::{Opened, Source};
@@ -74,19 +74,18 @@ impl App {
         self.beam_view.forget();
         self.sensitivities.forget();
         self.end_run();
-        self.forget_sample();
+        self.comparison.forget_sample();
         self.display.levels = None;
         self.display.decibel_references.clear();
         let open = self.tables.open;
         self.tables = Tables::default();
         self.tables.open = open;
-        self.anchor = Anchor::default();
         self.fem_overlay.forget();
         self.overlay = None;
         self.search = None;
-        self.held = None;
-        self.expected = None;
-        self.external_change = ExternalChange::default();
+        self.mouse.held = None;
+        self.requests.expected = None;
+        self.files.external_change = ExternalChange::default();
         self.recall_view();
     }
 
@@ -102,7 +101,7 @@ impl App {
             return Vec::new();
         };
         let path = path.clone();
-        if !self.document.is_changed() && self.external_change == ExternalChange::Same {
+        if !self.document.is_changed() && self.files.external_change == ExternalChange::Same {
             self.done(format!("{} is saved already", shown_path(&path)));
             return Vec::new();
         }
@@ -135,13 +134,13 @@ impl App {
         };
         match answer {
             UnsavedCommand::Save => {
-                self.after_save = Some(next);
+                self.files.after_save = Some(next);
                 self.save()
             }
             UnsavedCommand::Discard => self.go_on(next),
             UnsavedCommand::Cancel => {
                 if beneath.is_none() {
-                    self.after_save = None;
+                    self.files.after_save = None;
                 }
                 self.overlay = beneath.map(|beneath| *beneath);
                 Vec::new()
@@ -167,7 +166,7 @@ impl App {
                 }]
             }
             ReplaceCommand::Cancel => {
-                self.after_save = None;
+                self.files.after_save = None;
                 self.refuse(match what {
                     Saving::Model => "not saved",
                     Saving::Screen(_) => "not written",
@@ -203,7 +202,7 @@ impl App {
                 Vec::new()
             }
             Reply::NotSaved(path, reason) => {
-                self.after_save = None;
+                self.files.after_save = None;
                 self.refuse_prompt(format!("{} is not saved: {reason}", shown_path(&path)));
                 Vec::new()
             }
@@ -248,8 +247,8 @@ impl App {
         self.overlay = None;
         self.done(format!("saved {}", shown_path(&path)));
         self.document.mark_saved(path, text);
-        self.external_change = ExternalChange::Same;
-        match self.after_save.take() {
+        self.files.external_change = ExternalChange::Same;
+        match self.files.after_save.take() {
             Some(next) => self.go_on(next),
             None => Vec::new(),
         }

@@ -13,11 +13,11 @@ impl App {
         let changed = self.document.is_changed();
         let model = self.document.model();
         let same = |(kept, was): &(Arc<_>, bool)| Arc::ptr_eq(kept, model) && *was == changed;
-        if self.kept.as_ref().is_some_and(same) {
+        if self.recovery.written.as_ref().is_some_and(same) {
             return Vec::new();
         }
-        let first = self.kept.is_none();
-        self.kept = Some((Arc::clone(model), changed));
+        let first = self.recovery.written.is_none();
+        self.recovery.written = Some((Arc::clone(model), changed));
         match self.document.unsaved() {
             Some(kept) => vec![Effect::Keep(kept)],
             None if first => Vec::new(),

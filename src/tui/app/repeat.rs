@@ -1,17 +1,8 @@
 //! Counts before commands, and the repeat of the last change.
 
 use super::edit::read;
-use super::{App, Effect, Message};
+use super::{App, Effect, LastChange, Message};
 use crate::tui::keys::Command;
-
-/// A change that can be repeated on another row.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) enum LastChange {
-    /// A command with its count.
-    Command(Command, u32),
-    /// A typed value.
-    Typed(String),
-}
 
 impl App {
     /// Runs a command `count` times, until it is refused.
@@ -34,7 +25,7 @@ impl App {
             effects = self.dispatch(command, 1);
         }
         if command.repeats() && !std::sync::Arc::ptr_eq(&before, self.document.model()) {
-            self.last_change = Some(LastChange::Command(command, times));
+            self.repeat.last_change = Some(LastChange::Command(command, times));
         }
         effects
     }
@@ -58,7 +49,7 @@ impl App {
 
     /// Repeats the last change.
     pub(crate) fn repeat(&mut self) {
-        match self.last_change.clone() {
+        match self.repeat.last_change.clone() {
             None => self.refuse("there is no change to do again yet"),
             Some(LastChange::Command(command, times)) => drop(self.repeated(command, times)),
             Some(LastChange::Typed(text)) => self.type_again(&text),

@@ -25,14 +25,14 @@ impl App {
         self.display.unit = units
             .find(|known| Some(known.symbol()) == unit)
             .unwrap_or_default();
-        self.memory = memory;
+        self.stored.memory = memory;
         self.recall_view();
     }
 
     /// The state to be stored, with this model's view.
     pub fn remembered(&self) -> Memory {
-        let mut memory = self.memory.clone();
-        memory.options = self.turned.clone();
+        let mut memory = self.stored.memory.clone();
+        memory.options = self.stored.changed.clone();
         if let Some(view) = self.view() {
             memory.remember(view);
         }
@@ -42,14 +42,14 @@ impl App {
     /// Selects the next theme.
     pub(crate) fn next_theme(&mut self) {
         self.theme = self.theme.next();
-        self.turned.theme = Some(self.theme.word().to_owned());
+        self.stored.changed.theme = Some(self.theme.word().to_owned());
         self.done(format!("theme: {}", self.theme.name()));
     }
 
     /// Stores the view of the model, before another one is opened.
     pub(crate) fn store_view(&mut self) {
         if let Some(view) = self.view() {
-            self.memory.remember(view);
+            self.stored.memory.remember(view);
         }
     }
 
@@ -86,7 +86,7 @@ impl App {
 
     /// Restores the last view of the model.
     pub(crate) fn recall_view(&mut self) {
-        let view = key(self.document.source()).and_then(|source| self.memory.view(&source));
+        let view = key(self.document.source()).and_then(|source| self.stored.memory.view(&source));
         let Some(view) = view.cloned() else {
             return;
         };

@@ -7,7 +7,6 @@ use ratatui::layout::Rect;
 use crate::solve::peaks::Peak;
 use crate::tui::app::{App, List, ModeList, Rows};
 use crate::tui::plot::Level;
-use crate::tui::scene;
 use crate::tui::theme::Theme;
 use crate::tui::view::table::{self, Column, Content, FREQUENCY};
 use crate::tui::view::text::significant;
@@ -39,7 +38,7 @@ pub(crate) fn draw(
     theme: Theme,
     area: Rect,
 ) -> Rows {
-    let scale = scene::scale(app);
+    let scale = app.display.scale(&app.curves);
     let resolved = app.curves.first_resolved();
     let title = match resolved {
         None => "Peaks".to_owned(),

@@ -22,7 +22,7 @@ pub(crate) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
     // The first that fits; it is said shorter where there is less room.
     let fits = said.iter().find(|text| width(text) <= half);
     let solver = cut(fits.or(said.last()).map_or("", String::as_str), half);
-    let changed = match (app.document.is_changed(), app.external_change) {
+    let changed = match (app.document.is_changed(), app.files.external_change) {
         (false, ExternalChange::Same) => "",
         (true, ExternalChange::Same) => " · changed",
         (false, ExternalChange::Changed) => " · changed on disk",
@@ -178,7 +178,7 @@ pub(crate) fn draw_hints(frame: &mut Frame<'_>, app: &App, theme: Theme, area: R
         return draw_search(frame, app, search, theme, area);
     }
     let line = match &app.message {
-        _ if app.count.is_some() => count_line(app, theme, columns),
+        _ if app.repeat.count.is_some() => count_line(app, theme, columns),
         Some(Message::Done(text)) => Line::raw(cut(text, columns)),
         Some(Message::Refused(text)) => Line::styled(cut(text, columns), theme.refusal()),
         None => hints(app, theme, columns),
@@ -190,7 +190,7 @@ pub(crate) fn draw_hints(frame: &mut Frame<'_>, app: &App, theme: Theme, area: R
 
 /// The count that was typed, and what it is for.
 fn count_line(app: &App, theme: Theme, columns: usize) -> Line<'static> {
-    let count = app.count.unwrap_or(1).to_string();
+    let count = app.repeat.count.unwrap_or(1).to_string();
     let escape = app.keys.key_of(ReadingCommand::CursorOff);
     let words = format!(" times the next key; {escape} drops the count");
     let words = cut(&words, columns.saturating_sub(width(&count)));

@@ -3,13 +3,35 @@
 use std::sync::Arc;
 
 use crate::model::{Group, Model};
-use crate::tui::app::{Anchor, App};
+use crate::tui::app::{Anchor, App, BeamView, Table};
 use crate::tui::keys::ModelCommand;
+use crate::tui::scene::{self, ChartState, Scene};
 
 /// Steps of the cursor over the whole axis, before the first drawing.
 const USUAL_COLUMNS: f64 = 100.0;
 
 impl App {
+    /// The content of the chart.
+    pub fn scene(&self) -> Scene {
+        let modes = self.modes.list.as_ref();
+        let marks_mode = self.tables.anchor == Anchor::Mode
+            || self.tables.open == Some(Table::Modes)
+            || self.beam_view.shown == Some(BeamView::Mode);
+        scene::of(ChartState {
+            model: self.model(),
+            curves: &self.curves,
+            detail: &self.detail,
+            display: &self.display,
+            reading: &self.reading,
+            comparison: &self.comparison,
+            fem: self.fem_overlay.picture(),
+            tolerances: &self.tuning.tolerances,
+            modes,
+            mode: (marks_mode && modes.is_some()).then_some(self.tables.modes.row),
+            band: self.band.span,
+        })
+    }
+
     /// Closes the table, ends the search of the tree, or takes the cursor off the chart.
     pub(crate) fn take_away(&mut self) {
         if self.tables.open.take().is_some() {
@@ -112,8 +134,9 @@ impl App {
 
     /// Fixes the cursor at its frequency, and makes it visible.
     fn free_cursor(&mut self) {
-        self.anchor = Anchor::Frequency;
-        self.reveal_cursor();
+        self.tables.anchor = Anchor::Frequency;
+        let sweep = self.model().sweep;
+        self.curves.reveal_cursor(&sweep);
     }
 
     /// Moves the cursor to the next peak or anti-resonance of the first curve, as displayed.

@@ -387,6 +387,33 @@ impl Curves {
         }
         self.study = self.study.and_then(|study| followed(study, before, after));
     }
+
+    /// The visible responses of the model or of the first member of its study.
+    pub fn shown_traces(&self) -> impl Iterator<Item = &Trace> {
+        let members = self.picture().map(|picture| &picture.members);
+        let first = members.and_then(|members| members.first());
+        let traces = first.map_or(&[][..], |member| &member.traces);
+        traces.iter().filter(|trace| self.shows(&trace.response))
+    }
+
+    /// The peaks of the first visible curve, as resolved last.
+    pub fn peaks(&self) -> &[Peak] {
+        self.first_resolved().map_or(&[], |(_, trace)| &trace.peaks)
+    }
+
+    /// The row of the peak at the cursor.
+    pub(crate) fn peak_at_cursor(&self) -> Option<usize> {
+        /// Relative frequency tolerance: how close the points of a curve come to a peak.
+        const NEAR: f64 = 1e-4;
+        let cursor = self.cursor?;
+        let mut peaks = self.peaks().iter().map(|peak| peak.frequency);
+        peaks.position(|f| (f - cursor).abs() < NEAR * f)
+    }
+
+    /// Whether peaks are not known yet, but will be.
+    pub(crate) fn awaits_peaks(&self) -> bool {
+        self.resolved.is_none() && !matches!(self.shown, Shown::Failed(..))
+    }
 }
 
 /// The index of a study in a changed model: by name, or the same index after a rename.

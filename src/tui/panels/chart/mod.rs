@@ -2,7 +2,9 @@
 
 pub(crate) mod commands;
 pub(crate) mod curves;
+mod detail;
 mod detail_request;
+mod display;
 mod display_commands;
 pub(crate) mod figure;
 mod readout;
@@ -10,5 +12,5 @@ pub(crate) mod view;
 mod zoom;
 
 pub use curves::{Compared, Curves, Member, Picture, Shown, Trace};
-pub use detail_request::{Detail, DetailPicture};
-pub use display_commands::{Display, MOTION};
+pub use detail::{Detail, DetailPicture};
+pub use display::{Display, MOTION};

@@ -98,7 +98,7 @@ fn told(app: &App, trace: &Trace, cursor: f64) -> Option<Told> {
 
 /// A magnitude as the axis has it, with its unit; with a tilde where it is only near.
 fn magnitude(app: &App, value: Value, energy: bool) -> String {
-    let scale = scene::scale(app);
+    let scale = app.display.scale(&app.curves);
     let near = if value.exact { "" } else { "~" };
     let size = if energy {
         value.shown.re

@@ -10,14 +10,13 @@ use crate::tui::app::{App, Shown};
 use crate::tui::keys::{CurvesCommand, ModelCommand};
 use crate::tui::panels::chart::figure::{self, Drawn};
 use crate::tui::panels::chart::readout;
-use crate::tui::scene;
 use crate::tui::theme::Theme;
 use crate::tui::view::frame;
 use crate::tui::view::text::{cut, width};
 
 /// Draws the chart; where its curves are and what its value axis spans, if there are any.
 pub(crate) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) -> Drawn {
-    let scene = scene::of(app);
+    let scene = app.scene();
     // Of a long title at least a part stays, and what is read is not cut off.
     let columns = usize::from(area.width);
     let title = width(&scene.title).min(columns / 4);

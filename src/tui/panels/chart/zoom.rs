@@ -1,5 +1,6 @@
 //! The visible frequencies.
 
+use super::Curves;
 use crate::model::Sweep;
 use crate::tui::app::App;
 
@@ -49,34 +50,23 @@ impl Band {
     }
 }
 
-/// The visible part of the sweep: the window clipped to the sweep, or the whole sweep.
-pub(crate) fn shown(window: Option<[f64; 2]>, sweep: &Sweep) -> [f64; 2] {
-    let whole = [sweep.from, sweep.to];
-    let Some([low, high]) = window else {
-        return whole;
-    };
-    let (low, high) = (low.max(sweep.from), high.min(sweep.to));
-    if high > low { [low, high] } else { whole }
-}
-
-impl App {
-    /// The visible frequencies, Hz.
-    pub fn shown_frequencies(&self) -> [f64; 2] {
-        shown(self.curves.window, &self.model().sweep)
-    }
-
-    /// Shows the whole sweep with automatic levels.
-    pub(crate) fn show_whole(&mut self) {
-        let window = self.curves.window.take().is_some();
-        let levels = self.display.levels.take().is_some();
-        if !window && !levels {
-            self.refuse("the whole sweep shows already");
-        }
+impl Curves {
+    /// The visible part of a sweep, Hz: the window clipped to the sweep, or the whole sweep.
+    pub fn shown_frequencies(&self, sweep: &Sweep) -> [f64; 2] {
+        let whole = [sweep.from, sweep.to];
+        let Some([low, high]) = self.window else {
+            return whole;
+        };
+        let (low, high) = (low.max(sweep.from), high.min(sweep.to));
+        if high > low { [low, high] } else { whole }
     }
 
     /// Scales the visible band by a factor; a frequency (Hz), else the middle, stays in place.
-    pub(crate) fn zoom(&mut self, factor: f64, about: Option<f64>) {
-        let (shown, whole) = self.bands();
+    ///
+    /// # Errors
+    /// Why the band stays as it is, in one line.
+    fn zoom(&mut self, factor: f64, about: Option<f64>, sweep: &Sweep) -> Result<(), &'static str> {
+        let (shown, whole) = self.bands(sweep);
         let about = about.map(|frequency| shown.place(frequency));
         let fixed = about
             .filter(|place| (shown.low..=shown.high).contains(place))
@@ -87,16 +77,17 @@ impl App {
             ..shown
         };
         if factor > 1.0 && shown.width() >= whole.width() {
-            self.refuse("the whole sweep shows already");
-        } else if wanted.width() < NARROWEST * whole.width() * 2.0 {
-            self.refuse("no narrower band shows");
-        } else {
-            self.show_band(wanted.within(whole), whole);
+            return Err("the whole sweep shows already");
         }
+        if wanted.width() < NARROWEST * whole.width() * 2.0 {
+            return Err("no narrower band shows");
+        }
+        self.show_band(wanted.within(whole), sweep);
+        Ok(())
     }
 
-    pub(crate) fn pan(&mut self, quarters: f64) {
-        let (shown, whole) = self.bands();
+    fn pan(&mut self, quarters: f64, sweep: &Sweep) -> Result<(), &'static str> {
+        let (shown, whole) = self.bands(sweep);
         let by = quarters * shown.width() / 4.0;
         let moved = Band {
             low: shown.low + by,
@@ -105,22 +96,23 @@ impl App {
         }
         .within(whole);
         if moved.low == shown.low {
-            return self.refuse(if shown.width() >= whole.width() {
+            return Err(if shown.width() >= whole.width() {
                 "the whole sweep shows already"
             } else {
                 "the sweep ends here"
             });
         }
-        self.show_band(moved, whole);
+        self.show_band(moved, sweep);
+        Ok(())
     }
 
     /// Moves the visible band only as far as needed to show the cursor.
-    pub(crate) fn reveal_cursor(&mut self) {
-        let (shown, whole) = self.bands();
-        let Some(cursor) = self.curves.cursor.map(|cursor| shown.place(cursor)) else {
+    pub(crate) fn reveal_cursor(&mut self, sweep: &Sweep) {
+        let (shown, whole) = self.bands(sweep);
+        let Some(cursor) = self.cursor.map(|cursor| shown.place(cursor)) else {
             return;
         };
-        if self.curves.window.is_none() || (shown.low..=shown.high).contains(&cursor) {
+        if self.window.is_none() || (shown.low..=shown.high).contains(&cursor) {
             return;
         }
         let low = if cursor < shown.low {
@@ -133,27 +125,19 @@ impl App {
             high: low + shown.width(),
             ..shown
         };
-        self.show_band(moved.within(whole), whole);
+        self.show_band(moved.within(whole), sweep);
     }
 
-    /// Keeps the marks on the frequency axis within a changed sweep.
-    pub(crate) fn keep_marks_in_sweep(&mut self) {
-        let sweep = self.model().sweep;
-        let inside = |f: &f64| (sweep.from..=sweep.to).contains(f);
-        self.curves.cursor = self.curves.cursor.filter(inside);
-        self.reading.second = self.reading.second.filter(inside);
-        self.band.span = self.band.span.filter(|span| span.iter().all(inside));
+    /// The visible band and the whole sweep, on the axis.
+    fn bands(&self, sweep: &Sweep) -> (Band, Band) {
+        let band = |ends| Band::new(self.log_frequency, ends);
+        let shown = self.shown_frequencies(sweep);
+        (band(shown), band([sweep.from, sweep.to]))
     }
 
-    fn bands(&self) -> (Band, Band) {
-        let (log, sweep) = (self.curves.log_frequency, &self.model().sweep);
-        let shown = Band::new(log, self.shown_frequencies());
-        (shown, Band::new(log, [sweep.from, sweep.to]))
-    }
-
-    fn show_band(&mut self, band: Band, whole: Band) {
+    fn show_band(&mut self, band: Band, sweep: &Sweep) {
+        let (_, whole) = self.bands(sweep);
         let all = band.width() >= whole.width() * (1.0 - 1e-9);
-        let sweep = self.model().sweep;
         // Use the exact ends of the sweep, without the rounding of a logarithm and back.
         let low = if band.low <= whole.low {
             sweep.from
@@ -165,6 +149,46 @@ impl App {
         } else {
             band.frequency(band.high)
         };
-        self.curves.window = (!all).then_some([low, high]);
+        self.window = (!all).then_some([low, high]);
+    }
+}
+
+impl App {
+    /// The visible frequencies, Hz.
+    pub fn shown_frequencies(&self) -> [f64; 2] {
+        self.curves.shown_frequencies(&self.model().sweep)
+    }
+
+    /// Scales the visible band by a factor about a frequency, Hz.
+    pub(crate) fn zoom(&mut self, factor: f64, about: Option<f64>) {
+        let sweep = self.model().sweep;
+        if let Err(reason) = self.curves.zoom(factor, about, &sweep) {
+            self.refuse(reason);
+        }
+    }
+
+    /// Moves the visible band by quarters of its width.
+    pub(crate) fn pan(&mut self, quarters: f64) {
+        let sweep = self.model().sweep;
+        if let Err(reason) = self.curves.pan(quarters, &sweep) {
+            self.refuse(reason);
+        }
+    }
+    /// Shows the whole sweep with automatic levels.
+    pub(crate) fn show_whole(&mut self) {
+        let window = self.curves.window.take().is_some();
+        let levels = self.display.levels.take().is_some();
+        if !window && !levels {
+            self.refuse("the whole sweep shows already");
+        }
+    }
+
+    /// Keeps the marks on the frequency axis within a changed sweep.
+    pub(crate) fn keep_marks_in_sweep(&mut self) {
+        let sweep = self.model().sweep;
+        let inside = |f: &f64| (sweep.from..=sweep.to).contains(f);
+        self.curves.cursor = self.curves.cursor.filter(inside);
+        self.reading.second = self.reading.second.filter(inside);
+        self.band.span = self.band.span.filter(|span| span.iter().all(inside));
     }
 }

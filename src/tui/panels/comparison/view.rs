@@ -102,7 +102,7 @@ fn measurement(app: &App, one: &Measured) -> Entry {
         Some(fitted) => format!("{}: {}", fitted.response, fit_words(&fitted.fit)),
         None if one.shown && !stands => {
             let unit = one.curve.kind.map(Kind::unit).unwrap_or_default();
-            let units = app.shown_units().join(", ");
+            let units = app.display.shown_units(&app.curves).join(", ");
             let is_motion = one.dimension().is_some_and(|own| own.per.is_none());
             let hint = if is_motion && !app.display.motion {
                 format!("; the form `{MOTION}` may fit")

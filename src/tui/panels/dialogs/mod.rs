@@ -6,15 +6,16 @@ pub(crate) mod view;
 
 use std::path::PathBuf;
 
-use tui_input::Input;
-
 use crate::guide::Chapter;
-use crate::model::{Fault, ParameterId, Unit};
+use crate::model::Fault;
 use crate::presets;
-use crate::tui::app::{Lost, Palette, Question, Saving};
+use crate::tui::app::effect::{Lost, Saving};
+use crate::tui::app::list::List;
 use crate::tui::keys::{
-    Command, ComparisonCommand, Movement, PaletteCommand, PickerCommand, RecoveryCommand, Scope,
+    Command, ComparisonCommand, PaletteCommand, PickerCommand, RecoveryCommand, Scope,
 };
+use crate::tui::panels::palette::Palette;
+use crate::tui::panels::prompt::Prompt;
 
 /// An open dialog.
 #[derive(Debug)]
@@ -89,128 +90,6 @@ pub enum Next {
     Recover(usize),
     /// Reload the file.
     Reload,
-}
-
-/// A prompt for one line.
-#[derive(Debug)]
-pub struct Prompt {
-    /// What it is for.
-    pub purpose: Purpose,
-    /// The typed text.
-    pub input: Input,
-    /// Whether the text is the initial one: typing replaces it, other keys start editing it.
-    pub replaceable: bool,
-    /// Why the text was refused.
-    pub refusal: Option<String>,
-}
-
-impl Prompt {
-    /// A prompt with an initial text.
-    pub fn new(purpose: Purpose, text: String) -> Self {
-        Self {
-            purpose,
-            replaceable: !text.is_empty(),
-            input: Input::new(text),
-            refusal: None,
-        }
-    }
-}
-
-/// What a prompt is for.
-#[derive(Debug, Clone)]
-pub enum Purpose {
-    /// A parameter's value.
-    Value(Asked),
-    /// The path of a file to open.
-    Open,
-    /// The path of the file to save to.
-    SaveAs,
-    /// Another question.
-    Ask(Question),
-}
-
-/// A parameter with a prompt for its value.
-#[derive(Debug, Clone)]
-pub struct Asked {
-    /// The parameter as text.
-    pub subject: String,
-    /// The parameter.
-    pub id: ParameterId,
-    /// The allowed values.
-    pub range: String,
-    /// How the input is parsed.
-    pub kind: AskedKind,
-}
-
-/// How a typed value is parsed.
-#[derive(Debug, Clone)]
-pub enum AskedKind {
-    /// A number with this unit, or a change relative to the old value.
-    Number(f64, Unit),
-    /// A whole number, or a change relative to the old value.
-    Count(usize),
-    /// A text.
-    Text,
-}
-
-/// A list with one selected row.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct List {
-    /// The selected row, or the first visible one where none is selected.
-    pub row: usize,
-    /// How many rows there are.
-    pub rows: usize,
-    /// The number of visible rows; known after the first drawing.
-    pub height: usize,
-}
-
-impl List {
-    /// A list with this many rows.
-    pub fn new(rows: usize, row: usize) -> Self {
-        Self {
-            row,
-            rows,
-            height: 1,
-        }
-    }
-
-    /// The first visible row; keeps the selected one near the middle.
-    pub fn first(&self) -> usize {
-        let last = self.rows.saturating_sub(self.height);
-        self.row.saturating_sub(self.height / 2).min(last)
-    }
-
-    /// Sets the number of rows.
-    pub fn set_rows(&mut self, rows: usize) {
-        self.rows = rows;
-        self.row = self.row.min(rows.saturating_sub(1));
-    }
-
-    /// Moves by a screen.
-    pub fn page(&mut self, forward: bool) {
-        let rows = self.height.saturating_sub(1).max(1).cast_signed();
-        self.step(if forward { rows } else { -rows });
-    }
-
-    /// Moves the selection.
-    pub fn go(&mut self, movement: Movement) {
-        match movement {
-            Movement::Up => self.step(-1),
-            Movement::Down => self.step(1),
-            Movement::PageUp => self.page(false),
-            Movement::PageDown => self.page(true),
-            Movement::First => self.step(isize::MIN),
-            Movement::Last => self.step(isize::MAX),
-        }
-    }
-
-    /// Moves by rows; stops at the ends.
-    pub fn step(&mut self, rows: isize) {
-        self.row = self
-            .row
-            .saturating_add_signed(rows)
-            .min(self.rows.saturating_sub(1));
-    }
 }
 
 impl Overlay {

@@ -1,50 +1,10 @@
 //! Selection of curves from a file with many: the user types numbers, names, or parts of names.
 
-use std::sync::Arc;
-
+use super::MOST_CURVES;
 use crate::measured::Curve;
-use crate::tui::app::{App, Question};
-use crate::tui::keys::CompareCommand;
-use crate::tui::panels::measured::commands::MOST_CURVES;
 
 /// The number of names listed in the dialog.
 const MOST_LISTED: usize = 60;
-
-impl App {
-    /// Asks which curves of a file to show, if it holds more than the limit.
-    pub(crate) fn ask_curves(&mut self, curves: Vec<Curve>) {
-        let room = MOST_CURVES - self.comparison.measured.len();
-        let first = if room == 1 {
-            "1".to_owned()
-        } else {
-            format!("1-{room}")
-        };
-        self.ask_question(Question::Curves(Arc::new(curves)), first);
-    }
-
-    /// Adds the chosen curves.
-    ///
-    /// # Errors
-    /// Why they are not added, in one line.
-    pub(crate) fn take_chosen(&mut self, curves: &[Curve], text: &str) -> Result<(), String> {
-        let names: Vec<&str> = curves.iter().map(|curve| curve.name.as_str()).collect();
-        let chosen = chosen(text, &names)?;
-        let room = MOST_CURVES.saturating_sub(self.comparison.measured.len());
-        if chosen.len() > room {
-            let list = self.keys.key_of(CompareCommand::List);
-            let some: Vec<&str> = chosen.iter().take(3).map(|i| names[*i]).collect();
-            return Err(format!(
-                "{} curves ({}, ..) are chosen, and there is room for {room}: {MOST_CURVES} are the most, {list} lists \
-                 those that stand there",
-                chosen.len(),
-                some.join(", ")
-            ));
-        }
-        let curves = chosen.into_iter().map(|i| curves[i].clone()).collect();
-        self.take_measured(curves);
-        Ok(())
-    }
-}
 
 /// The accepted input, with numbers and names of the curves.
 pub(crate) fn allowed(curves: &[Curve]) -> String {
@@ -65,7 +25,7 @@ pub(crate) fn allowed(curves: &[Curve]) -> String {
 ///
 /// # Errors
 /// Names the part that matches no curve.
-fn chosen(text: &str, names: &[&str]) -> Result<Vec<usize>, String> {
+pub(super) fn chosen(text: &str, names: &[&str]) -> Result<Vec<usize>, String> {
     let mut found: Vec<usize> = Vec::new();
     for part in text.split([',', ';']).map(str::trim) {
         if part.is_empty() {

@@ -1,160 +1,32 @@
-//! Measured curves, and how well the model fits them.
+//! Takes measured curves, requests the model at their frequencies, and fits them.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use num_complex::Complex64;
 
+use super::choose::chosen;
+use super::{FitKey, Fitted, MOST_CURVES, Measured, OpenedMeasured, Sample};
 use crate::escape::shown_path;
 use crate::measured::{self, Curve, Fit, Inspection, fit};
-use crate::model::{Fault, counted};
+use crate::model::{Checked, Model, counted};
 use crate::solve::Reference;
-use crate::tui::app::{App, Display, Effect, Question, Trace};
+use crate::tui::app::{App, Effect, Question, Trace};
 use crate::tui::keys::CompareCommand;
-use crate::tui::panels::chart::curves::traces;
-use crate::tui::scene::ChartView;
-use crate::unit::{Dimension, Form, Kind, ValueUnit};
-use crate::worker::{Request, SampleAnswer, SampleRequest, Sampling};
-
-/// The most measured curves that can be distinguished on the chart.
-pub(crate) const MOST_CURVES: usize = 12;
+use crate::unit::{Dimension, Kind, ValueUnit};
+use crate::worker::{Request, SampleRequest, Sampling};
 
 /// The most frequencies at which a model is compared with measured curves; beyond, every second, third...
 const MOST_FREQUENCIES: usize = 20_000;
-
-/// A curve from a file.
-#[derive(Debug)]
-pub struct Measured {
-    /// A unique number.
-    pub id: u64,
-    /// Its name in the legend.
-    pub name: String,
-    /// The curve.
-    pub curve: Curve,
-    /// Whether it is visible.
-    pub shown: bool,
-}
-
-/// How well a response fits a measured curve.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Fitted {
-    /// The id of the measured curve.
-    pub measured: u64,
-    /// The response.
-    pub response: String,
-    /// The quality of the fit, in the displayed form.
-    pub fit: Fit,
-}
-
-/// The model at the frequencies of the measured curves.
-#[derive(Debug)]
-pub(crate) struct Sample {
-    /// The model's generation.
-    generation: u64,
-    frequencies: Vec<f64>,
-    traces: Vec<Trace>,
-}
-
-/// The inputs of a fit.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct FitKey {
-    serial: Option<u64>,
-    solved: Option<u64>,
-    form: Option<Form>,
-    motion: bool,
-    band: Option<[f64; 2]>,
-    visible: Vec<String>,
-}
-
-/// The key of a request: the model's generation, and the ids of the measured curves.
-pub(crate) type SampleKey = (u64, Vec<u64>);
-
-/// The result of opening a measured file.
-#[derive(Debug)]
-pub enum OpenedMeasured {
-    /// Its curves.
-    Curves(Vec<Curve>),
-    /// The file does not describe all its columns.
-    Asks(PathBuf, Box<Inspection>),
-    /// The file is not readable, and why.
-    Faulty(PathBuf, Fault),
-}
-
-impl Measured {
-    /// The dimension of its values, if it is a known motion.
-    pub fn dimension(&self) -> Option<Dimension> {
-        self.curve.kind.and_then(Kind::motion)
-    }
-
-    /// Whether it can share the axis of a response: its quantity is the same except for the measure of the motion, or
-    /// is unknown.
-    pub fn fits(&self, response: Option<&Dimension>) -> bool {
-        match (self.curve.kind, response) {
-            (None, _) | (Some(Kind::Energy), None) => true,
-            (Some(Kind::Motion(own)), Some(response)) => {
-                own.moves == response.moves && own.per == response.per
-            }
-            _ => false,
-        }
-    }
-
-    /// The number of its values in a view.
-    pub fn panels(&self, view: ChartView) -> usize {
-        1 + usize::from(view.has_two_panels())
-    }
-
-    /// Its value at a frequency (Hz) in the form of a response, by linear interpolation; none beyond its ends.
-    pub fn value_at(
-        &self,
-        display: &Display,
-        response: Option<&Dimension>,
-        frequency: f64,
-    ) -> Option<Complex64> {
-        let all = &self.curve.frequencies;
-        let after = all.partition_point(|f| *f < frequency);
-        let value = |i: usize| self.value(display, response, i);
-        if all.get(after) == Some(&frequency) {
-            return Some(value(after));
-        }
-        let before = after.checked_sub(1)?;
-        let share = (frequency - all[before]) / (all.get(after)? - all[before]);
-        Some(value(before) * (1.0 - share) + value(after) * share)
-    }
-
-    /// Whether its values are energies, when compared with a response.
-    pub fn is_energy(&self, response: Option<&Dimension>) -> bool {
-        self.curve.kind == Some(Kind::Energy) || (self.curve.kind.is_none() && response.is_none())
-    }
-
-    /// A value by its index, converted to the displayed form of the response it is compared with. An unknown quantity
-    /// counts as that of the response.
-    pub fn value(
-        &self,
-        display: &Display,
-        response: Option<&Dimension>,
-        index: usize,
-    ) -> Complex64 {
-        let (value, frequency) = (self.curve.values[index], self.curve.frequencies[index]);
-        let shown = match (self.dimension().or(response.copied()), response) {
-            (Some(own), Some(response)) => {
-                own.converted(value, frequency, display.form_of(response))
-            }
-            _ => value,
-        };
-        // Without a phase, a conversion gives none either.
-        if self.curve.phase_known {
-            shown
-        } else {
-            shown.norm().into()
-        }
-    }
-}
 
 impl App {
     /// Handles an opened file; returns the effects.
     pub(crate) fn measured_opened(&mut self, opened: OpenedMeasured) -> Vec<Effect> {
         match opened {
             OpenedMeasured::Curves(curves) => self.take_measured(curves),
-            OpenedMeasured::Asks(path, inspection) if self.is_of_responses(&inspection) => {
+            OpenedMeasured::Asks(path, inspection)
+                if is_of_responses(self.model(), &inspection) =>
+            {
                 return vec![Effect::OpenMeasured(
                     path,
                     Some(inspection.proposal.to_string()),
@@ -166,32 +38,6 @@ impl App {
             }
         }
         Vec::new()
-    }
-
-    /// Whether a table lacks only units, and its curves have the names of responses, as `beamtune frf` writes them:
-    /// they are in the units of the responses then.
-    fn is_of_responses(&self, inspection: &Inspection) -> bool {
-        let named = |name: &String| self.model().responses.iter().any(|one| one.name == *name);
-        inspection.format == measured::Format::Csv
-            && inspection.missing == [measured::Question::Unit]
-            && inspection.curves.iter().all(named)
-    }
-
-    /// A curve of unknown quantity with the name of a response: the quantity of that response under the given loads.
-    fn named_alike(&self, mut curve: Curve) -> Curve {
-        let mut responses = self.model().responses.iter();
-        let alike = responses.find(|one| one.enabled && one.name == curve.name);
-        if let (None, true, Some(alike)) = (curve.kind, curve.unknown.is_empty(), alike) {
-            let reference = Reference::of(self.model());
-            let kind = alike.quantity.kind(reference.map(|one| one.load));
-            if let (Kind::Motion(_), Some(reference)) = (kind, reference) {
-                for value in &mut curve.values {
-                    *value /= reference.amplitude;
-                }
-            }
-            curve.kind = Some(kind);
-        }
-        curve
     }
 
     /// Adds the curves of a file, or asks which, if there are more than the limit.
@@ -210,7 +56,7 @@ impl App {
         let taken = curves.len();
         let notes = notes(&curves);
         for curve in curves {
-            let curve = self.named_alike(curve);
+            let curve = named_alike(self.model(), curve);
             // A curve needs another name than the response it is compared with.
             let responses = &self.model().responses;
             let name = if responses.iter().any(|one| one.name == curve.name) {
@@ -219,7 +65,7 @@ impl App {
             } else {
                 self.comparison.free_name(&curve.name)
             };
-            let id = self.next_serial();
+            let id = self.requests.next_serial();
             self.comparison.measured.push(Measured {
                 id,
                 name,
@@ -231,6 +77,40 @@ impl App {
             "{}{notes}",
             counted(taken, "measured curve", "measured curves")
         ));
+    }
+
+    /// Asks which curves of a file to show, if it holds more than the limit.
+    pub(crate) fn ask_curves(&mut self, curves: Vec<Curve>) {
+        let room = MOST_CURVES - self.comparison.measured.len();
+        let first = if room == 1 {
+            "1".to_owned()
+        } else {
+            format!("1-{room}")
+        };
+        self.ask_question(Question::Curves(Arc::new(curves)), first);
+    }
+
+    /// Adds the chosen curves.
+    ///
+    /// # Errors
+    /// Why they are not added, in one line.
+    pub(crate) fn take_chosen(&mut self, curves: &[Curve], text: &str) -> Result<(), String> {
+        let names: Vec<&str> = curves.iter().map(|curve| curve.name.as_str()).collect();
+        let chosen = chosen(text, &names)?;
+        let room = MOST_CURVES.saturating_sub(self.comparison.measured.len());
+        if chosen.len() > room {
+            let list = self.keys.key_of(CompareCommand::List);
+            let some: Vec<&str> = chosen.iter().take(3).map(|i| names[*i]).collect();
+            return Err(format!(
+                "{} curves ({}, ..) are chosen, and there is room for {room}: {MOST_CURVES} are the most, {list} lists \
+                 those that stand there",
+                chosen.len(),
+                some.join(", ")
+            ));
+        }
+        let curves = chosen.into_iter().map(|i| curves[i].clone()).collect();
+        self.take_measured(curves);
+        Ok(())
     }
 
     /// Asks for the description that a file lacks.
@@ -247,7 +127,7 @@ impl App {
         // A single curve most likely measures the visible response.
         if let ([_], [unit], None) = (
             inspection.curves.as_slice(),
-            self.shown_units().as_slice(),
+            self.display.shown_units(&self.curves).as_slice(),
             &proposal.unit,
         ) {
             proposal.unit = ValueUnit::parse(unit).ok();
@@ -261,7 +141,7 @@ impl App {
         let ids: Vec<u64> = shown().map(|one| one.id).collect();
         let generation = self.curves.generation;
         if ids.is_empty() {
-            self.forget_sample();
+            self.comparison.forget_sample();
             return None;
         }
         let key = (generation, ids);
@@ -276,7 +156,7 @@ impl App {
             .collect();
         frequencies.sort_by(f64::total_cmp);
         frequencies.dedup();
-        let serial = self.next_serial();
+        let serial = self.requests.next_serial();
         self.comparison.measured_asked.sent(serial, key);
         let mut subject = self.subject();
         subject.study = None;
@@ -288,38 +168,9 @@ impl App {
         }))
     }
 
-    /// Stores the model at the frequencies of the measured curves.
-    pub(crate) fn take_measured_sample(&mut self, answer: SampleAnswer) -> Result<(), String> {
-        let Some(&(generation, _)) = self.comparison.measured_asked.answered(answer.serial) else {
-            return Ok(());
-        };
-        let solved = answer.result?.into_iter().flatten().next();
-        self.comparison.sample = solved.map(|member| Sample {
-            generation,
-            traces: traces(&member.model, &member.frf, Vec::new()),
-            frequencies: answer.frequencies,
-        });
-        Ok(())
-    }
-
     /// The visible measured curves that match a visible response, with the dimension of that response.
     pub fn measured_shown(&self) -> impl Iterator<Item = (&Measured, Option<Dimension>)> {
-        let shown: Vec<Option<Dimension>> = self
-            .shown_traces()
-            .map(|one| self.display.dimension_of(one))
-            .collect();
-        let measured = self.comparison.measured.iter().filter(|one| one.shown);
-        measured.filter_map(move |one| {
-            let mut beside = shown.iter().filter(|response| one.fits(response.as_ref()));
-            beside.next().map(|response| (one, *response))
-        })
-    }
-
-    /// Discards the model at the frequencies of the measured curves.
-    pub(crate) fn forget_sample(&mut self) {
-        self.comparison.measured_asked.forget();
-        self.comparison.sample = None;
-        self.comparison.fits.clear();
+        self.comparison.measured_shown(&self.curves, &self.display)
     }
 
     /// Computes the fits again, if their inputs changed.
@@ -392,6 +243,32 @@ impl App {
             .collect();
         fit(&seen, &model, self.band.span)
     }
+}
+
+/// Whether a table lacks only units, and its curves have the names of responses, as `beamtune frf` writes them:
+/// they are in the units of the responses then.
+fn is_of_responses(model: &Model, inspection: &Inspection) -> bool {
+    let named = |name: &String| model.responses.iter().any(|one| one.name == *name);
+    inspection.format == measured::Format::Csv
+        && inspection.missing == [measured::Question::Unit]
+        && inspection.curves.iter().all(named)
+}
+
+/// A curve of unknown quantity with the name of a response: the quantity of that response under the given loads.
+fn named_alike(model: &Checked, mut curve: Curve) -> Curve {
+    let mut responses = model.responses.iter();
+    let alike = responses.find(|one| one.enabled && one.name == curve.name);
+    if let (None, true, Some(alike)) = (curve.kind, curve.unknown.is_empty(), alike) {
+        let reference = Reference::of(model);
+        let kind = alike.quantity.kind(reference.map(|one| one.load));
+        if let (Kind::Motion(_), Some(reference)) = (kind, reference) {
+            for value in &mut curve.values {
+                *value /= reference.amplitude;
+            }
+        }
+        curve.kind = Some(kind);
+    }
+    curve
 }
 
 /// Notes on omitted data and assumptions, each once, after semicolons.

@@ -3,6 +3,7 @@
 mod shape;
 pub(crate) mod view;
 
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 pub use crate::solve::modes::{Completeness, ModeKind, Shares};
@@ -11,6 +12,9 @@ use crate::model::Checked;
 use crate::solve::modes::{MOST_MODES, Modes};
 use crate::worker::{ModalModel, ShapeAnswer, ShapeRequest};
 pub use shape::Shape;
+
+/// Points of a modal circle in the complex plane.
+const LOOP_POINTS: u32 = 72;
 
 /// A mode as it is listed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -188,5 +192,36 @@ impl ModesState {
             &places,
         ));
         Ok(())
+    }
+
+    /// Whether the shape solved last is of an oscillating mode.
+    pub(crate) fn shape_oscillates(&self) -> bool {
+        let oscillates = || {
+            let shape = self.shape.as_ref()?;
+            let row = self.list.as_ref()?.rows.get(shape.mode)?;
+            Some(row.kind == ModeKind::Oscillating)
+        };
+        oscillates() == Some(true)
+    }
+
+    /// The place of each mode among others: its frequency and its decay rate, both Hz.
+    pub(crate) fn places(&self) -> Vec<[f64; 2]> {
+        let rows = self.list.as_ref().map_or(&[][..], |list| &list.rows);
+        rows.iter()
+            .map(|row| [row.frequency, row.frequency * row.damping_ratio])
+            .collect()
+    }
+
+    /// Frequencies (Hz) in even steps around the circle of each mode in the complex plane: at f (1 + zeta tan a) the
+    /// response of one mode has turned by 2 a.
+    pub(crate) fn loops(&self) -> impl Iterator<Item = f64> {
+        let list = self.list.as_ref();
+        let modes = list.map_or(&[][..], |list| &list.rows);
+        modes.iter().flat_map(|mode| {
+            (1..LOOP_POINTS).map(|step| {
+                let angle = PI * (f64::from(step) / f64::from(LOOP_POINTS) - 0.5);
+                mode.frequency * (1.0 + mode.damping_ratio * angle.tan())
+            })
+        })
     }
 }

@@ -9,8 +9,9 @@ use crate::model::edit::Value;
 use crate::model::{Group, Parameter};
 use crate::presets;
 use crate::tui::app::edit::read;
-use crate::tui::app::repeat::LastChange;
-use crate::tui::app::{App, Asked, AskedKind, Base, Effect, Guard, Next, Overlay, Prompt, Purpose};
+use crate::tui::app::{
+    App, Asked, AskedKind, Base, Effect, Guard, LastChange, Next, Overlay, Prompt, Purpose,
+};
 use crate::tui::keys::{Key, ModelCommand, PickerCommand, PromptCommand};
 use crate::tui::tree::{self, Node};
 
@@ -90,7 +91,7 @@ impl App {
         match command {
             PromptCommand::Cancel => {
                 self.overlay = None;
-                self.after_save = None;
+                self.files.after_save = None;
                 Vec::new()
             }
             PromptCommand::Complete => {
@@ -135,7 +136,7 @@ impl App {
         match result {
             Ok(()) => {
                 self.overlay = None;
-                self.last_change = Some(LastChange::Typed(text.to_owned()));
+                self.repeat.last_change = Some(LastChange::Typed(text.to_owned()));
             }
             Err(refusal) => self.refuse_prompt(refusal),
         }

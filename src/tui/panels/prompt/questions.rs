@@ -1,159 +1,21 @@
-//! Prompts that set no parameter of the model: a frequency, the 0 dB reference, factors, names, files.
+//! Answers to prompts that set no parameter of the model: a frequency, the 0 dB reference, factors, names, files.
 
-use std::path::PathBuf;
 use std::sync::Arc;
 
+use super::{Prompt, Purpose, Question};
 use crate::escape::path_of_text;
-use crate::measured::Curve;
 use crate::model::edit::{self, Value};
-use crate::model::path::{self, Pattern};
+use crate::model::path;
 use crate::model::{
     Checked, Family, Model, Operation, Parameter, ParameterId, Study, Unit, value_input,
 };
-use crate::tui::app::{App, Effect, List, Overlay, Prompt, Purpose};
-use crate::tui::panels::measured::choose;
+use crate::tui::app::{App, Effect, List, Overlay};
 use crate::tui::scene::ChartView;
 use crate::tui::tree;
 use crate::unit::{FrequencyUnit, ValueUnit};
 
 /// The most curves that can be distinguished on the chart.
 const MOST_CURVES: usize = 12;
-
-/// What a prompt asks for, other than values of parameters and paths of models.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Question {
-    /// The frequency of the cursor.
-    Frequency(FrequencyUnit),
-    /// The 0 dB reference in a unit.
-    DecibelReference(String),
-    /// Factors or values of a parameter.
-    Factors {
-        /// The parameter as text.
-        subject: String,
-        /// The parameter.
-        id: ParameterId,
-        /// The unit of its values.
-        unit: Unit,
-    },
-    /// Another name for the reference or measured curve with this name.
-    Name(String),
-    /// The file of a model to compare with.
-    ReferenceFile,
-    /// The file of a measured curve.
-    MeasuredFile,
-    /// The description of the columns of a measured file.
-    Columns {
-        /// The file.
-        path: PathBuf,
-        /// What the file lacks and what it holds, as text.
-        seen: String,
-        /// Its columns and first rows.
-        preview: Vec<String>,
-    },
-    /// Which curves to show from a file with more than the limit.
-    Curves(Arc<Vec<Curve>>),
-    /// The file for an export of the screen.
-    Export,
-    /// The bounds of a variable.
-    Bounds {
-        /// The parameter as text.
-        subject: String,
-        /// The paths that change together.
-        paths: Vec<Pattern>,
-        /// The unit of the bounds.
-        unit: Unit,
-        /// The variable to change; none for a new one.
-        index: Option<usize>,
-    },
-    /// The objective of a search.
-    Objective {
-        /// The response and the band as text.
-        subject: String,
-        /// The response.
-        response: String,
-        /// Hz.
-        band: [f64; 2],
-    },
-}
-
-impl Question {
-    /// The title of the dialog, and the accepted input.
-    pub fn words(&self, complete: &str) -> (String, String) {
-        let (title, allowed) = match self {
-            Self::Frequency(unit) => (
-                "Cursor to",
-                format!(
-                    "{}; or a number with {}",
-                    unit.symbol(),
-                    FrequencyUnit::SHOWN_WORDS
-                ),
-            ),
-            Self::DecibelReference(unit) => (
-                "0 dB is",
-                format!(
-                    "a number above 0, in {unit}; or with a unit of its kind, as 1 um/N for m/N"
-                ),
-            ),
-            Self::Factors { subject, unit, .. } => {
-                let symbol = if unit.symbol.is_empty() {
-                    "a number"
-                } else {
-                    unit.symbol
-                };
-                return (
-                    format!(" Study of {subject} "),
-                    format!(
-                        "factors, as 0.5 1 2; or = and values, as = 1e6 2e6 ({symbol}); or + and what is added"
-                    ),
-                );
-            }
-            Self::Bounds { subject, unit, .. } => {
-                let symbol = if unit.symbol.is_empty() {
-                    String::new()
-                } else {
-                    format!(" {}", unit.symbol)
-                };
-                return (
-                    format!(" Move {subject} between "),
-                    format!("LOW .. HIGH{symbol}; then perhaps +-5 % (tolerance), log or linear"),
-                );
-            }
-            Self::Objective { subject, .. } => {
-                return (
-                    format!(" Tune {subject} "),
-                    "peak, mean square, energy, width LEVEL, anti-resonance HZ, match FILE (columns hz; re im; m/N); + adds; limit mass KG".to_owned(),
-                );
-            }
-            Self::Name(_) => ("Name", "any text".to_owned()),
-            Self::ReferenceFile => (
-                "Load a model as reference",
-                format!("path; {complete} completes it"),
-            ),
-            Self::MeasuredFile => (
-                "Load a measured curve",
-                format!("CSV or universal file (UFF 58); {complete} completes the path"),
-            ),
-            Self::Columns { seen, .. } => ("What the columns are", seen.clone()),
-            Self::Curves(curves) => {
-                let title = format!(" Which of {} curves ", curves.len());
-                return (title, choose::allowed(curves));
-            }
-            Self::Export => (
-                "Write what is on the screen",
-                format!("path ending in .csv, .svg or .txt; {complete} completes it"),
-            ),
-        };
-        (format!(" {title} "), allowed)
-    }
-
-    /// Whether the input is a path.
-    pub(crate) fn is_path(&self) -> bool {
-        matches!(
-            self,
-            Self::ReferenceFile | Self::MeasuredFile | Self::Export
-        )
-    }
-}
 
 impl App {
     pub(crate) fn ask_question(&mut self, question: Question, text: String) {
@@ -176,7 +38,7 @@ impl App {
                 }
             }
             Question::Curves(curves) => self.take_chosen(curves, text),
-            Question::Name(old) => self.rename_entry(old, text),
+            Question::Name(old) => self.comparison.rename(old, text),
             _ if text.is_empty() && question.is_path() => Err("type a file's path".to_owned()),
             Question::ReferenceFile => return vec![Effect::OpenReference(path_of_text(text))],
             Question::MeasuredFile => {
@@ -192,7 +54,7 @@ impl App {
                 self.overlay = match question {
                     Question::Name(_) => {
                         let row = self.comparison.row_of(text).unwrap_or(0);
-                        Some(Overlay::Comparison(List::new(self.comparison_rows(), row)))
+                        Some(Overlay::Comparison(List::new(self.comparison.len(), row)))
                     }
                     _ => None,
                 };
@@ -222,7 +84,7 @@ impl App {
         if self.display.view == ChartView::Difference {
             return self.refuse("a difference in dB has no reference value");
         }
-        let units = self.shown_units();
+        let units = self.display.shown_units(&self.curves);
         let [unit] = units.as_slice() else {
             return self.refuse(if units.is_empty() {
                 "no response shows"

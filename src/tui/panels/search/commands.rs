@@ -1,72 +1,18 @@
-//! The search of the tree.
+//! Starts, types and ends the search of the tree, and goes to what is found.
 
 use std::sync::Arc;
 
 use tui_input::Input;
 
-use crate::model::{Model, Moves, counted};
+use crate::model::counted;
 use crate::tui::app::App;
-use crate::tui::fuzzy::Query;
 use crate::tui::keys::{ReadingCommand, SearchCommand, TreeCommand};
-use crate::tui::tree::{self, Node};
-
-/// A search of the tree.
-#[derive(Debug)]
-pub struct Search {
-    /// What is typed.
-    pub input: Input,
-    /// Whether the user still types it.
-    pub typing: bool,
-    /// The matching rows, in the order of the tree.
-    pub found: Vec<Node>,
-    /// The row at the start of the search.
-    origin: Node,
-}
-
-impl Search {
-    /// Follows a model that has changed.
-    pub(crate) fn follow(&mut self, moves: &Moves, model: &Model) {
-        // A removed row is replaced by its parent.
-        let mut origin = Some(self.origin);
-        while let Some(node) = origin {
-            if let Some(moved) = node.moved(moves) {
-                self.origin = moved;
-                break;
-            }
-            origin = node.parent();
-        }
-        self.refresh(model);
-    }
-
-    /// Searches a model.
-    fn refresh(&mut self, model: &Model) {
-        let query = Query::new(self.input.value());
-        let rows = tree::all_rows(model).into_iter().map(|row| row.node);
-        self.found = rows
-            .filter(|node| query.is_in(&tree::subject(model, *node)))
-            .collect();
-    }
-
-    /// The number of a row among the matches, from 1.
-    pub fn place(&self, node: Node) -> Option<usize> {
-        let place = self.found.iter().position(|found| *found == node)?;
-        Some(place + 1)
-    }
-}
+use crate::tui::tree;
 
 impl App {
     /// Whether the user types a search.
     pub fn is_searching(&self) -> bool {
         self.search.as_ref().is_some_and(|search| search.typing)
-    }
-
-    pub(crate) fn start_search(&mut self) {
-        self.search = Some(Search {
-            input: Input::default(),
-            typing: true,
-            found: Vec::new(),
-            origin: self.selection.node(),
-        });
     }
 
     /// Changes the search text; selects the first match from the start row on.
@@ -137,7 +83,7 @@ impl App {
         let next = match (search.place(here), forward) {
             (Some(place), true) => place % count,
             (Some(place), false) => (place + count - 2) % count,
-            (None, _) => self.nearest_found(forward),
+            (None, _) => search.nearest(&model, here, forward),
         };
         let node = search.found[next];
         let sought = search.input.value().to_owned();
@@ -147,24 +93,5 @@ impl App {
             next + 1,
             counted(count, "row", "rows")
         ));
-    }
-
-    /// The index of the match next to the selected row, which is not a match.
-    fn nearest_found(&self, forward: bool) -> usize {
-        let Some(search) = &self.search else {
-            return 0;
-        };
-        let here = self.selection.node();
-        let rows = tree::all_rows(self.model());
-        let before = rows.iter().take_while(|row| row.node != here);
-        let passed = before
-            .filter(|row| search.found.contains(&row.node))
-            .count();
-        let count = search.found.len();
-        if forward {
-            passed % count
-        } else {
-            (passed + count - 1) % count
-        }
     }
 }

@@ -1,68 +1,23 @@
-//! Sensitivities: bars in the tree and a table, for the level at the cursor, a peak, a mode or the band.
+//! Chooses the figure of the sensitivities, and requests and stores them.
 
 use std::sync::Arc;
 
-use super::Effects;
-use crate::model::{Checked, Moves};
+use super::{Effects, Key, Sensed};
+use crate::model::Moves;
 use crate::solve::sensitivity::{Figure, Sensitivity};
-use crate::tui::app::request::LastRequest;
-use crate::tui::app::{Anchor, App, Shown, Table};
+use crate::tui::app::{Anchor, App, Curves, Table};
 use crate::tui::keys::ReadingCommand;
 use crate::worker::{Request, SensitivityAnswer, SensitivityRequest};
-
-/// The figure whose sensitivities are shown.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Sensed {
-    /// The level of the first curve at the cursor.
-    Cursor,
-    /// The selected peak of the first curve.
-    Peak,
-    /// The selected mode.
-    Mode,
-    /// The mean-square level of the first curve in the marked band.
-    Band,
-}
-
-/// The key of a request.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Key {
-    pub(super) generation: u64,
-    pub(super) sensed: Sensed,
-    pub(super) response: String,
-    /// Hz: the frequency, or the ends of the band.
-    pub(super) at: [f64; 2],
-}
-
-/// The state of the sensitivities.
-#[derive(Debug, Default)]
-pub struct Sensitivities {
-    /// The figure; none if off.
-    pub sensed: Option<Sensed>,
-    /// The sensitivities solved last.
-    pub effects: Option<Effects>,
-    /// Why the last request failed.
-    pub failure: Option<String>,
-    /// The last request, with its model.
-    asked: LastRequest<(Key, Arc<Checked>)>,
-}
-
-impl Sensitivities {
-    /// Another model was opened: the results do not apply to it.
-    pub(crate) fn forget(&mut self) {
-        (self.effects, self.failure) = (None, None);
-        self.asked.forget();
-    }
-}
 
 impl App {
     /// Shows the sensitivities of the next available figure, or none.
     pub(crate) fn next_sensitivities(&mut self) {
-        let order = self.sensitivity_order();
+        let order = order(&self.curves);
         let shown = self.sensitivities.sensed;
         let shown = order.iter().position(|one| Some(*one) == shown);
         let mut rest = order.into_iter().skip(shown.map_or(0, |shown| shown + 1));
         // Before the first peaks are known, the key selects the expected peak.
-        let comes = |sensed| sensed == Sensed::Peak && self.awaits_peaks();
+        let comes = |sensed| sensed == Sensed::Peak && self.curves.awaits_peaks();
         let next = rest.find(|one| self.sensitivity_key(*one).is_some() || comes(*one));
         if next.is_none() && self.sensitivities.sensed.is_none() {
             let (cursor, peak) = (ReadingCommand::CursorRight, ReadingCommand::NextPeak);
@@ -73,10 +28,10 @@ impl App {
             ));
         }
         self.sensitivities.sensed = next;
-        if let (Some(Sensed::Peak), Some(row)) = (next, self.peak_at_cursor()) {
+        if let (Some(Sensed::Peak), Some(row)) = (next, self.curves.peak_at_cursor()) {
             // The cursor follows the peak while a parameter changes.
             self.tables.peaks.row = row;
-            self.anchor = Anchor::Peak;
+            self.tables.anchor = Anchor::Peak;
             self.follow_anchor();
         }
         if let Some(sensed) = next {
@@ -89,16 +44,9 @@ impl App {
                 Sensed::Band => "sensitivities of the mean-square level in the band",
             });
         } else {
-            if self.tables.open == Some(Table::Sensitivities) {
-                self.tables.open = None;
-            }
+            self.tables.close(Table::Sensitivities);
             self.done("without sensitivities");
         }
-    }
-
-    /// Whether peaks are not known yet, but will be.
-    fn awaits_peaks(&self) -> bool {
-        self.curves.resolved.is_none() && !matches!(self.curves.shown, Shown::Failed(..))
     }
 
     /// Whether the figure does not exist, or no longer.
@@ -107,39 +55,22 @@ impl App {
         self.curves.is_resolved() && self.sensitivities.sensed.and_then(key).is_none()
     }
 
-    /// The order of the figures for the key: a cursor on a peak selects the peak first.
-    fn sensitivity_order(&self) -> [Sensed; 4] {
-        if self.peak_at_cursor().is_some() {
-            [Sensed::Peak, Sensed::Cursor, Sensed::Mode, Sensed::Band]
-        } else {
-            [Sensed::Cursor, Sensed::Peak, Sensed::Mode, Sensed::Band]
-        }
-    }
-
-    /// The row of the peak at the cursor.
-    fn peak_at_cursor(&self) -> Option<usize> {
-        /// Relative frequency tolerance: how close the points of a curve come to a peak.
-        const NEAR: f64 = 1e-4;
-        let cursor = self.curves.cursor?;
-        let mut peaks = self.peaks().iter().map(|peak| peak.frequency);
-        peaks.position(|f| (f - cursor).abs() < NEAR * f)
-    }
-
     /// The key of the next request; none if the figure does not exist.
     fn sensitivity_key(&self, sensed: Sensed) -> Option<Key> {
+        let first = self.curves.first_trace();
         let of = |at: [f64; 2]| Key {
             generation: self.curves.generation,
             sensed,
-            response: self.sensed_response().unwrap_or_default().to_owned(),
+            response: first.map_or_else(String::new, |(_, trace)| trace.response.clone()),
             at,
         };
         if sensed != Sensed::Mode {
-            self.sensed_response()?;
+            first?;
         }
         match sensed {
             Sensed::Cursor => self.curves.cursor.map(|f| of([f, f])),
             Sensed::Peak => {
-                let peak = self.peaks().get(self.tables.peaks.row)?;
+                let peak = self.curves.peaks().get(self.tables.peaks.row)?;
                 Some(of([peak.frequency; 2]))
             }
             Sensed::Mode => {
@@ -149,12 +80,6 @@ impl App {
             }
             Sensed::Band => self.band.span.map(of),
         }
-    }
-
-    /// The response of the first visible curve.
-    fn sensed_response(&self) -> Option<&str> {
-        let (_, trace) = self.curves.first_trace()?;
-        Some(&trace.response)
     }
 
     /// Requests the visible sensitivities.
@@ -196,7 +121,7 @@ impl App {
                 band: key.at,
             },
         };
-        let serial = self.next_serial();
+        let serial = self.requests.next_serial();
         let asked = (key, Arc::clone(&model));
         self.sensitivities.asked.sent(serial, asked);
         Some(Request::Sensitivity(SensitivityRequest {
@@ -250,5 +175,14 @@ impl App {
             let name = weighed.name.clone();
             self.refuse(format!("the model no longer has {name}"));
         }
+    }
+}
+
+/// The order of the figures for the key: a cursor on a peak selects the peak first.
+fn order(curves: &Curves) -> [Sensed; 4] {
+    if curves.peak_at_cursor().is_some() {
+        [Sensed::Peak, Sensed::Cursor, Sensed::Mode, Sensed::Band]
+    } else {
+        [Sensed::Cursor, Sensed::Peak, Sensed::Mode, Sensed::Band]
     }
 }

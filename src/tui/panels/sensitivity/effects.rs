@@ -2,8 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::Sensed;
-use super::commands::Key;
+use super::{Key, Sensed};
 use crate::model::{Model, Moves};
 use crate::solve::sensitivity::Sensitivity;
 use crate::tui::tree::{self, Node};

@@ -1,6 +1,6 @@
 //! The selected rows of the tables of modes and peaks, and their places in new lists.
 
-use crate::tui::app::List;
+use crate::tui::app::list::List;
 
 /// The place of a row: its frequency and its decay rate, both Hz.
 pub(crate) type Place = [f64; 2];

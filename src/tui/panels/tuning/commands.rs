@@ -1,94 +1,17 @@
-//! The search for better parameters: variables, objectives, and progress.
+//! Starts, pauses, ends and accepts a search.
 
-use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::{MovableRows, Tolerances};
+use super::{Progress, Run};
 use crate::model::edit::{self, Value};
 use crate::model::{Checked, Group, Model, path};
 use crate::tui::app::{App, Table};
 use crate::tui::keys::{ModelCommand, TuneCommand};
 use crate::tui::tree::{self, Node};
-use crate::tune::{Status, Tuned};
-use crate::worker::{Pause, Request, TuneAnswer, TuneRequest, TuneStage};
-
-/// The state of a search.
-#[derive(Debug)]
-pub enum Progress {
-    /// Running.
-    Searching,
-    /// Paused.
-    Paused,
-    /// Finished.
-    Found(Box<Tuned>),
-    /// Failed, and why.
-    Failed(String),
-}
-
-/// A search for better parameters.
-#[derive(Debug)]
-pub struct Run {
-    serial: u64,
-    /// The model at the start.
-    pub from: Arc<Checked>,
-    /// The progress.
-    pub progress: Progress,
-    /// The best candidate so far; none before the first report.
-    pub status: Option<Box<Status>>,
-    /// The time spent.
-    pub elapsed: Duration,
-    pause: Arc<Pause>,
-    /// The id of the reference that shows the best so far.
-    reference: u64,
-}
-
-impl Run {
-    /// The best model so far, if there is one.
-    pub fn best(&self) -> Option<&Checked> {
-        match &self.progress {
-            Progress::Found(tuned) => Some(&tuned.model),
-            _ => self.status.as_ref().map(|status| &status.model),
-        }
-    }
-
-    /// Whether it is running.
-    pub fn goes_on(&self) -> bool {
-        matches!(self.progress, Progress::Searching | Progress::Paused)
-    }
-
-    /// The estimated time for the remaining evaluations.
-    pub fn left(&self) -> Option<Duration> {
-        let status = self.status.as_ref().filter(|one| one.evaluations > 0)?;
-        let each = self.elapsed.as_secs_f64() / status.evaluations as f64;
-        let rest = status.budget.saturating_sub(status.evaluations);
-        Some(Duration::from_secs_f64(each * rest as f64))
-    }
-}
-
-/// The state of searches and tolerances.
-#[derive(Debug, Default)]
-pub struct Tuning {
-    /// The search, until it is accepted or discarded.
-    pub run: Option<Run>,
-    /// A discarded search is to be cancelled.
-    ends: bool,
-    /// A search is to be started.
-    starts: bool,
-    /// The typed count: the limit of evaluations.
-    budget: Option<usize>,
-    /// The effect of tolerances on the curves.
-    pub tolerances: Tolerances,
-    /// The rows of the tree that a search may change.
-    pub moving: MovableRows,
-}
+use crate::worker::{Request, TuneAnswer, TuneRequest, TuneStage};
 
 impl App {
-    /// The limit of evaluations of the next search, if typed.
-    pub(crate) fn limit_search(&mut self, evaluations: Option<u32>) {
-        self.tuning.budget = evaluations.map(|count| count as usize);
-    }
-
     /// Starts, pauses or continues a search.
     pub(crate) fn go_on_tuning(&mut self) {
         let [go, accept, discard] = [
@@ -134,7 +57,14 @@ impl App {
             ));
         }
         let model = Arc::clone(self.document.model());
-        self.show_objective(&model);
+        let objectives = model.tune.iter().flat_map(|tune| &tune.objectives);
+        let mut responses = objectives.filter_map(|objective| objective.response.as_deref());
+        // The response of the objective shows, too.
+        if let Some(first) = responses.next()
+            && !self.curves.shows(first)
+        {
+            self.curves.visible = vec![first.to_owned()];
+        }
         let name = "best so far";
         let Some(reference) = self.add_best(name, &model) else {
             return;
@@ -161,17 +91,6 @@ impl App {
         ));
     }
 
-    /// Shows the response of the objective, if it is hidden.
-    fn show_objective(&mut self, model: &Model) {
-        let objectives = model.tune.iter().flat_map(|tune| &tune.objectives);
-        let mut responses = objectives.filter_map(|objective| objective.response.as_deref());
-        if let Some(first) = responses.next()
-            && !self.curves.shows(first)
-        {
-            self.curves.visible = vec![first.to_owned()];
-        }
-    }
-
     /// The id of a reference that will show the best so far.
     fn add_best(&mut self, name: &str, model: &Arc<Checked>) -> Option<u64> {
         let picture = self.curves.picture().cloned();
@@ -186,7 +105,10 @@ impl App {
             requests.push(Request::EndTuning);
         }
         if std::mem::take(&mut self.tuning.starts) {
-            let (serial, folder) = (self.next_serial(), self.folder());
+            let (serial, folder) = (
+                self.requests.next_serial(),
+                self.document.source().folder().to_owned(),
+            );
             requests.extend(self.tuning.run.as_mut().map(|run| {
                 run.serial = serial;
                 Request::Tune(TuneRequest {
@@ -200,11 +122,6 @@ impl App {
         }
         requests.extend(self.want_tolerances());
         requests
-    }
-
-    /// The folder of the model's file.
-    pub(super) fn folder(&self) -> PathBuf {
-        self.document.source().folder().to_owned()
     }
 
     /// Stores the progress of a search.
@@ -248,7 +165,7 @@ impl App {
 
     /// Shows a better model in the reference, once its curves are solved.
     fn show_best(&mut self, model: Arc<Checked>) {
-        let serial = self.next_serial();
+        let serial = self.requests.next_serial();
         let Some(run) = &mut self.tuning.run else {
             return;
         };
@@ -301,9 +218,7 @@ impl App {
             run.pause.set(false);
             self.tuning.ends = run.goes_on();
             self.drop_reference(run.reference);
-            if self.tables.open == Some(Table::Tuning) {
-                self.tables.open = None;
-            }
+            self.tables.close(Table::Tuning);
         }
     }
 }

@@ -56,7 +56,7 @@ impl App {
         is_match.then(|| Effect::CheckMatch {
             model: Arc::clone(self.model()),
             objective: Box::new(objective),
-            folder: self.folder(),
+            folder: self.document.source().folder().to_owned(),
         })
     }
 

@@ -5,23 +5,11 @@ use std::sync::Arc;
 use num_complex::Complex64;
 
 use crate::solve::Reference;
-use crate::tui::app::request::LastRequest;
 use crate::tui::app::{App, Member, Trace};
 use crate::worker::{Request, SpreadAnswer, SpreadRequest};
 
 /// The fewest and the most frequencies of a band.
 const POINTS: usize = 600;
-
-/// The band that contains nine of ten curves.
-#[derive(Debug, Default)]
-pub struct Tolerances {
-    /// Whether it is visible.
-    pub shown: bool,
-    /// The 5 %, 50 % and 95 % quantiles of the curves, for the model with this generation.
-    pub curves: Option<(u64, [Member; 3])>,
-    /// The last request, by generation of the model.
-    asked: LastRequest<u64>,
-}
 
 impl App {
     /// Shows or hides the band.
@@ -57,7 +45,7 @@ impl App {
         let frequencies = &self.curves.picture()?.members.first()?.frequencies;
         let stride = frequencies.len().div_ceil(POINTS).max(1);
         let frequencies = frequencies.iter().copied().step_by(stride).collect();
-        let serial = self.next_serial();
+        let serial = self.requests.next_serial();
         self.tuning.tolerances.asked.sent(serial, generation);
         Some(Request::Spread(SpreadRequest {
             serial,

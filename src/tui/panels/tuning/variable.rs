@@ -1,6 +1,5 @@
 //! The variables of a search, and their bounds.
 
-use std::collections::HashSet;
 use std::sync::Arc;
 
 use crate::model::edit;
@@ -14,44 +13,7 @@ use crate::tui::app::{App, Question};
 use crate::tui::tree::{self, Node};
 use crate::tune::words::first_parameter;
 
-/// The rows of the tree that a search may change.
-#[derive(Debug, Default)]
-pub struct MovableRows {
-    /// Their model.
-    model: Option<Arc<Checked>>,
-    nodes: HashSet<Node>,
-}
-
-impl MovableRows {
-    /// Whether a search may change the parameter of a row.
-    pub fn has(&self, node: Node) -> bool {
-        self.nodes.contains(&node)
-    }
-
-    /// Follows a changed model.
-    fn refresh(&mut self, model: &Arc<Checked>) {
-        let known = self.model.as_ref();
-        if known.is_some_and(|known| Arc::ptr_eq(known, model)) {
-            return;
-        }
-        self.model = Some(Arc::clone(model));
-        self.nodes.clear();
-        let Some(tune) = &model.tune else {
-            return;
-        };
-        let patterns = tune.variables.iter().flat_map(|variable| &variable.paths);
-        let found = patterns.filter_map(|pattern| pattern.parameters(model).ok());
-        self.nodes.extend(found.flatten().map(Node::of));
-    }
-}
-
 impl App {
-    /// Updates the marks of the tree after a change of the model.
-    pub(crate) fn refresh_moving(&mut self) {
-        let model = Arc::clone(self.document.model());
-        self.tuning.moving.refresh(&model);
-    }
-
     /// Makes the selected parameter a variable with typed bounds, or fixes it.
     pub(crate) fn turn_variable(&mut self) {
         let node = self.selection.node();
@@ -65,7 +27,7 @@ impl App {
         let Some((id, unit, value)) = number else {
             return self.refuse("select a number of the model to let a search move it");
         };
-        if let Some(index) = self.variable_of(id) {
+        if let Some(index) = variable_of(self.model(), id) {
             return self.drop_variable(index);
         }
         let question = Question::Bounds {
@@ -77,19 +39,6 @@ impl App {
         let bounds = usual_bounds(self.model(), id, value);
         let text = bounds.map_or_else(String::new, |[low, high]| bounds_text(unit, low, high));
         self.ask_question(question, text);
-    }
-
-    /// The variable that changes a parameter, alone or with others.
-    pub fn variable_of(&self, id: ParameterId) -> Option<usize> {
-        let model = self.model();
-        let tune = model.tune.as_ref()?;
-        let moves = |pattern: &Pattern| {
-            let found = pattern.parameters(model);
-            found.is_ok_and(|found| found.contains(&id))
-        };
-        tune.variables
-            .iter()
-            .position(|variable| variable.paths.iter().any(moves))
     }
 
     /// Prompts for other bounds of a variable.
@@ -245,6 +194,18 @@ fn short(value: f64) -> String {
     } else {
         plain
     }
+}
+
+/// The variable that changes a parameter, alone or with others.
+fn variable_of(model: &Model, id: ParameterId) -> Option<usize> {
+    let tune = model.tune.as_ref()?;
+    let moves = |pattern: &Pattern| {
+        let found = pattern.parameters(model);
+        found.is_ok_and(|found| found.contains(&id))
+    };
+    tune.variables
+        .iter()
+        .position(|variable| variable.paths.iter().any(moves))
 }
 
 /// Parsed bounds.

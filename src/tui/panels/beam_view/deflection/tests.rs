@@ -77,13 +77,13 @@ fn half_a_period_later_all_is_on_the_other_side() {
     let app = looking(preset("fig05a"), 35.0, BeamView::Deflection);
     let seen = |angle| Seen {
         model: app.model(),
-        operating: app.operating().unwrap(),
+        operating: app.beam_view.operating().unwrap(),
         at: "",
         angle,
         stale: false,
         theme: Theme::new(false),
     };
-    let reach = Reach::of(app.operating().unwrap());
+    let reach = Reach::of(app.beam_view.operating().unwrap());
     for number in 0..3 {
         let now = Motion::new(seen(0.4), reach, number);
         let later = Motion::new(seen(0.4 + std::f64::consts::PI), reach, number);
@@ -109,7 +109,7 @@ fn what_is_not_there_is_said() {
     let text = screen(&app, Theme::new(false), draw, [60, 9]).join("\n");
     assert!(text.contains("no cursor is on the chart"), "{text}");
     let mut resonant = looking(pinned(), 20.0, BeamView::Deflection);
-    let mut found = resonant.operating().unwrap().clone();
+    let mut found = resonant.beam_view.operating().unwrap().clone();
     found.motion[0][3] = num_complex::Complex64::new(f64::NAN, 0.0);
     let model = std::sync::Arc::clone(resonant.model());
     resonant.beam_view.operating = Some((model, std::sync::Arc::new(found)));

@@ -50,7 +50,7 @@ fn the_forces_at_the_moment_of_the_widest_deflection() {
     let app = looking(pinned(), 0.01, BeamView::Shear);
     let seen = Seen {
         model: app.model(),
-        operating: app.operating().unwrap(),
+        operating: app.beam_view.operating().unwrap(),
         at: "",
         angle: 0.0,
         stale: false,

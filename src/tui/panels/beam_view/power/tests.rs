@@ -12,7 +12,7 @@ fn damped() -> Model {
 fn seen(app: &App) -> Seen<'_> {
     Seen {
         model: app.model(),
-        operating: app.operating().unwrap(),
+        operating: app.beam_view.operating().unwrap(),
         at: "",
         angle: 0.0,
         stale: false,

@@ -5,7 +5,7 @@
 
 mod commands;
 mod document;
-pub(crate) mod edit;
+mod edit;
 pub(crate) mod effect;
 mod export;
 mod external_changes;
@@ -88,7 +88,7 @@ pub struct App {
     pub reading: Reading,
     /// References and measured curves, to compare with the model.
     pub comparison: Comparison,
-    /// The marked band.
+    /// The levels in the marked band.
     pub band: Band,
     /// The sensitivities of the parameters.
     pub sensitivities: Sensitivities,
@@ -283,4 +283,4 @@ impl App {
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

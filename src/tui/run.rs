@@ -114,7 +114,7 @@ fn configure(app: &mut App, setup: &Setup) -> Vec<String> {
         None => Memory::default(),
     };
     let asked = setup.options.over(setup.config.options);
-    app.theme = Theme::resolve(&asked, &Environment::of_process());
+    app.theme = Theme::resolve(asked, &Environment::of_process());
     if asked.colours.is_none() && asked.ground.is_none() {
         app.theme = app.theme.recalled(memory.options.theme.as_deref());
     }
@@ -275,7 +275,7 @@ impl Stage<'_> {
                 Outcome::Suspend => self.say_alone(),
                 Outcome::Resume => self.session.resume()?,
                 Outcome::Mouse(taken) => self.session.set_mouse(taken)?,
-                Outcome::Copy(text) => self.session.copy(&text)?,
+                Outcome::Copy(text) => Session::copy(&text)?,
                 Outcome::Quit(None) => return Ok(Some(Ended::Left)),
                 Outcome::Quit(Some(signal)) => return Ok(Some(Ended::Signal(signal))),
             }

@@ -159,6 +159,11 @@ impl ChartView {
         }
     }
 
+    /// How many panels the view has.
+    pub const fn panels(self) -> usize {
+        if self.has_two_panels() { 2 } else { 1 }
+    }
+
     /// Whether the view has two panels.
     pub const fn has_two_panels(self) -> bool {
         matches!(

@@ -528,7 +528,7 @@ fn another_model_is_looked_at_afresh() {
     assert!(driver.app.beam_view.operating().is_some());
     driver.without_answers().keys("p End Enter");
     assert!(driver.app.beam_view.operating().is_none());
-    assert!(driver.app.band.span.is_none() && driver.app.band.levels.is_none());
+    assert!(driver.app.curves.band.is_none() && driver.app.band.levels.is_none());
     assert!(driver.app.reading.second.is_none());
 }
 

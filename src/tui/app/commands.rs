@@ -11,7 +11,7 @@ use crate::tui::keys::{
     ModelCommand, ModesCommand, Movement, ReaderCommand, ReadingCommand, Scope, TableCommand,
     TreeCommand, TuneCommand,
 };
-use crate::tui::panels::chart::commands::Turn;
+use crate::tui::panels::chart::Turn;
 use crate::tui::tree;
 
 /// The largest count before a command.
@@ -54,7 +54,7 @@ impl App {
         match (digit, self.repeat.count) {
             (Some(digit @ 1..), None) => self.repeat.count = Some(digit),
             (Some(digit), Some(count)) => {
-                self.repeat.count = Some((count * 10 + digit).min(MOST_TIMES))
+                self.repeat.count = Some((count * 10 + digit).min(MOST_TIMES));
             }
             _ => {
                 self.repeat.count = None;

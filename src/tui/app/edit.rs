@@ -7,7 +7,7 @@ use super::{App, Asked, AskedKind, Overlay, Prompt, Purpose};
 use crate::model::edit::{self, Value};
 use crate::model::schema::Kind;
 use crate::model::spelling::segment;
-use crate::model::{Fault, Group, Model, Parameter, ParameterId, path, value_input};
+use crate::model::{Fault, Group, Model, Parameter, ParameterId, path};
 use crate::tui::keys::{ModelCommand, TreeCommand};
 use crate::tui::tree::{self, Node};
 
@@ -266,15 +266,6 @@ fn exact(parameter: &Parameter) -> String {
         Value::Number(value) => parameter.unit.format_exact(*value),
         Value::Count(count) => count.to_string(),
         other => tree::of_parameter(parameter, other),
-    }
-}
-
-/// A typed value.
-pub(crate) fn read(kind: &AskedKind, text: &str) -> Result<Value, String> {
-    match kind {
-        AskedKind::Number(old, unit) => value_input::number(text, *old, unit).map(Value::Number),
-        AskedKind::Text => Ok(Value::Text(text.to_owned())),
-        AskedKind::Count(old) => value_input::count(text, *old).map(Value::Count),
     }
 }
 

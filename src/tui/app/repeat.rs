@@ -1,6 +1,5 @@
 //! Counts before commands, and the repeat of the last change.
 
-use super::edit::read;
 use super::{App, Effect, LastChange, Message};
 use crate::tui::keys::Command;
 
@@ -63,7 +62,10 @@ impl App {
                 "`{text}` was typed; select a number or a text for it"
             ));
         };
-        let result = read(&asked.kind, text).and_then(|value| self.give(&asked, value));
+        let result = asked
+            .kind
+            .read(text)
+            .and_then(|value| self.give(&asked, value));
         if let Err(refusal) = result {
             self.refuse(refusal);
         }

@@ -8,7 +8,7 @@ use crate::files::Source;
 use crate::model::Model;
 use crate::tui::scene::ChartView;
 use crate::tui::tree::{self, Node};
-use crate::tui::user::memory::{Memory, View};
+use crate::tui::user::memory::{Memory, ViewState};
 use crate::unit::{Form, FrequencyUnit};
 
 /// The most open groups that are stored.
@@ -54,11 +54,11 @@ impl App {
     }
 
     /// The view of the model; none if its source has no identity.
-    fn view(&self) -> Option<View> {
+    fn view(&self) -> Option<ViewState> {
         let source = key(self.document.source())?;
         let model = Arc::clone(self.document.model());
         let study = self.curves.study.and_then(|study| model.studies.get(study));
-        Some(View {
+        Some(ViewState {
             source,
             selected: trail(&model, self.selection.node()),
             open: self
@@ -79,7 +79,7 @@ impl App {
                 None => self.display.motion.then(|| MOTION.to_owned()),
             },
             second_cursor: self.reading.second,
-            band: self.band.span,
+            band: self.curves.band,
             decibel_references: self.display.decibel_references.clone(),
         })
     }
@@ -112,7 +112,7 @@ impl App {
             .filter(|[low, high]| low < high && sweep.contains(low) && sweep.contains(high));
         let inside =
             |band: &[f64; 2]| band[0] < band[1] && band.iter().all(|end| sweep.contains(end));
-        self.band.span = view.band.filter(inside);
+        self.curves.band = view.band.filter(inside);
         self.reading.second = view.second_cursor.filter(|cursor| sweep.contains(cursor));
         let possible = |(_, value): &(String, f64)| value.is_normal() && *value > 0.0;
         let references = view.decibel_references.into_iter();

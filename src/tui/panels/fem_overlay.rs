@@ -2,7 +2,7 @@
 
 use crate::model::Checked;
 use crate::tui::app::Trace;
-use crate::tui::panels::chart::curves::traces;
+use crate::tui::panels::chart::picture::traces;
 use crate::worker::{Difference, WitnessAnswer, WitnessMember};
 
 /// Finite-element curves of one state of the model.

@@ -1,6 +1,7 @@
 //! What the designer shows: one folder per feature.
 //!
-//! In a folder, `mod.rs` is the state, `commands.rs` is what the designer does with it, and `view.rs` draws it.
+//! In a folder, `mod.rs` is the state and does not know [`App`](super::app::App), `commands.rs` is what the designer
+//! does with it, and `view.rs` draws it. No other file uses `commands.rs`; the designer calls its methods.
 
 pub mod band;
 pub mod beam_view;

@@ -40,8 +40,6 @@ pub struct ChartState<'a> {
     pub modes: Option<&'a ModeList>,
     /// The index of the selected mode, if it is marked.
     pub mode: Option<usize>,
-    /// The marked band, Hz.
-    pub band: Option<[f64; 2]>,
 }
 
 /// Builds the content of the chart.
@@ -276,7 +274,7 @@ impl<'a> Builder<'a> {
             cursor,
             second: state.reading.second,
             harmonics: state.reading.harmonics(cursor, state.model.sweep.to),
-            band: state.band,
+            band: state.curves.band,
             modes: list.map_or_else(Vec::new, |list| {
                 list.rows.iter().map(|mode| mode.frequency).collect()
             }),
@@ -289,8 +287,7 @@ impl<'a> Builder<'a> {
     fn curve(&self, source: &Source<'_>) -> SceneCurve {
         let places = self.visible_part(source.frequencies);
         let view = self.view();
-        let count = if view.has_two_panels() { 2 } else { 1 };
-        let mut values = vec![Vec::with_capacity(places.len()); count];
+        let mut values = vec![Vec::with_capacity(places.len()); view.panels()];
         for i in places.clone() {
             let (value, frequency) = (source.trace.values[i], source.frequencies[i]);
             let display = self.state.display;

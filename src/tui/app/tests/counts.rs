@@ -119,7 +119,7 @@ fn state(app: &App) -> String {
         ),
         app.tables.open,
         (app.beam_view.shown, app.beam_view.moment, &app.display),
-        (app.reading.second, app.reading.harmonics, app.band.span),
+        (app.reading.second, app.reading.harmonics, app.curves.band),
         (
             app.overlay.is_some(),
             app.search.is_some(),

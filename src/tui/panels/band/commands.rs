@@ -11,7 +11,7 @@ use crate::worker::{LevelsRequest, Request, Subject};
 impl App {
     /// Marks the band between the cursors, or the visible one; if a band is marked, removes the mark.
     pub(crate) fn turn_band(&mut self) {
-        if self.band.span.take().is_some() {
+        if self.curves.band.take().is_some() {
             self.band.levels = None;
             self.tables.close(Table::Band);
             return self.done("band taken away");
@@ -20,7 +20,7 @@ impl App {
             (Some(one), Some(other)) if one != other => [one.min(other), one.max(other)],
             _ => self.shown_frequencies(),
         };
-        self.band.span = Some(span);
+        self.curves.band = Some(span);
         self.tables.open = Some(Table::Band);
         let [low, high] = span.map(|f| self.display.frequency_text(f));
         self.done(format!("band from {low} to {high}"));
@@ -35,7 +35,7 @@ impl App {
         let key = Key {
             generation: self.curves.generation,
             references: self.comparison.shown_ids(),
-            span: self.band.span?,
+            span: self.curves.band?,
             // Inverse forms have no levels.
             form: self.display.form.filter(|form| !form.is_inverse()),
             motion: self.display.motion,

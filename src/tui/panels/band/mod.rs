@@ -51,11 +51,9 @@ pub struct BandLevels {
     pub references: Vec<(u64, Vec<MemberLevels>)>,
 }
 
-/// The marked band.
+/// The levels in the marked band.
 #[derive(Debug, Default)]
 pub struct Band {
-    /// Lower and upper end, Hz; none if no band is marked.
-    pub span: Option<[f64; 2]>,
     /// The levels solved last.
     pub levels: Option<BandLevels>,
     /// Why the last request failed.

@@ -132,7 +132,7 @@ pub(crate) fn draw(
     area: Rect,
 ) -> Rows {
     let rows = rows(app);
-    let title = match app.band.span {
+    let title = match app.curves.band {
         Some([low, high]) => format!(
             "Band {} to {}",
             app.display.frequency_text(low),
@@ -152,7 +152,7 @@ pub(crate) fn draw(
             rows.get(index)
                 .map_or(Vec::new(), |row| cells(app, row, columns))
         },
-        empty: match (&app.band.failure, app.band.span) {
+        empty: match (&app.band.failure, app.curves.band) {
             (Some(reason), _) => reason,
             (None, None) => "no band is marked",
             (None, Some(_)) => "solving the levels",

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::Turn;
 use crate::model::{Group, Model};
 use crate::tui::app::{Anchor, App, BeamView, Table};
 use crate::tui::keys::ModelCommand;
@@ -28,7 +29,6 @@ impl App {
             tolerances: &self.tuning.tolerances,
             modes,
             mode: (marks_mode && modes.is_some()).then_some(self.tables.modes.row),
-            band: self.band.span,
         })
     }
 
@@ -187,13 +187,4 @@ impl App {
             Turn::Dip => "the first curve has no further anti-resonance there",
         })
     }
-}
-
-/// A kind of extremum of a curve.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Turn {
-    /// A maximum of the magnitude.
-    Peak,
-    /// A minimum.
-    Dip,
 }

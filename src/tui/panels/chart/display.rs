@@ -36,7 +36,7 @@ pub struct Display {
 
 impl Display {
     /// The displayed form of a response.
-    pub fn form_of(&self, dimension: &Dimension) -> Form {
+    pub fn form_of(&self, dimension: Dimension) -> Form {
         self.form
             .filter(|form| dimension.has(*form))
             .unwrap_or(dimension.form_of_measure())
@@ -63,7 +63,7 @@ impl Display {
     pub fn value(&self, trace: &Trace, value: Complex64, frequency: f64) -> Complex64 {
         let value = self.per_force(trace, value);
         match self.dimension_of(trace) {
-            Some(dimension) => dimension.converted(value, frequency, self.form_of(&dimension)),
+            Some(dimension) => dimension.converted(value, frequency, self.form_of(dimension)),
             None => value,
         }
     }
@@ -71,7 +71,7 @@ impl Display {
     /// The displayed unit.
     pub fn unit_of(&self, dimension: Option<&Dimension>) -> String {
         match dimension {
-            Some(dimension) => dimension.unit(self.form_of(dimension)),
+            Some(dimension) => dimension.unit(self.form_of(*dimension)),
             None => Kind::Energy.unit(),
         }
     }

@@ -189,6 +189,6 @@ impl App {
         let inside = |f: &f64| (sweep.from..=sweep.to).contains(f);
         self.curves.cursor = self.curves.cursor.filter(inside);
         self.reading.second = self.reading.second.filter(inside);
-        self.band.span = self.band.span.filter(|span| span.iter().all(inside));
+        self.curves.band = self.curves.band.filter(|band| band.iter().all(inside));
     }
 }

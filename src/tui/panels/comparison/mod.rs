@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use crate::model::Checked;
 use crate::tui::app::last_request::LastRequest;
-use crate::tui::panels::chart::curves::traces;
+use crate::tui::panels::chart::picture::traces;
 use crate::tui::panels::chart::{Curves, Display, Picture};
 use crate::tui::panels::measured::{FitKey, Fitted, Measured, Sample, SampleKey};
 use crate::unit::Dimension;

@@ -180,7 +180,7 @@ impl App {
             solved: self.comparison.sample.as_ref().map(|one| one.generation),
             form: self.display.form,
             motion: self.display.motion,
-            band: self.band.span,
+            band: self.curves.band,
             visible: self.curves.visible.clone(),
         };
         if self.comparison.fit_key.as_ref() != Some(&key) {
@@ -241,7 +241,7 @@ impl App {
                 self.display.value(trace, value, f)
             })
             .collect();
-        fit(&seen, &model, self.band.span)
+        fit(&seen, &model, self.curves.band)
     }
 }
 

@@ -10,7 +10,6 @@ use num_complex::Complex64;
 use crate::measured::{Curve, Fit, Inspection};
 use crate::model::Fault;
 use crate::tui::panels::chart::{Display, Trace};
-use crate::tui::scene::ChartView;
 use crate::unit::{Dimension, Form, Kind};
 
 /// The most measured curves that can be distinguished on the chart.
@@ -92,11 +91,6 @@ impl Measured {
         }
     }
 
-    /// The number of its values in a view.
-    pub fn panels(&self, view: ChartView) -> usize {
-        1 + usize::from(view.has_two_panels())
-    }
-
     /// Its value at a frequency (Hz) in the form of a response, by linear interpolation; none beyond its ends.
     pub fn value_at(
         &self,
@@ -131,7 +125,7 @@ impl Measured {
         let (value, frequency) = (self.curve.values[index], self.curve.frequencies[index]);
         let shown = match (self.dimension().or(response.copied()), response) {
             (Some(own), Some(response)) => {
-                own.converted(value, frequency, display.form_of(response))
+                own.converted(value, frequency, display.form_of(*response))
             }
             _ => value,
         };

@@ -225,3 +225,6 @@ impl ModesState {
         })
     }
 }
+
+#[cfg(test)]
+mod tests;

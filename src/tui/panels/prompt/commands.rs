@@ -8,7 +8,6 @@ use crate::escape::path_of_text;
 use crate::model::edit::Value;
 use crate::model::{Group, Parameter};
 use crate::presets;
-use crate::tui::app::edit::read;
 use crate::tui::app::{
     App, Asked, AskedKind, Base, Effect, Guard, LastChange, Next, Overlay, Prompt, Purpose,
 };
@@ -132,7 +131,10 @@ impl App {
     }
 
     fn accept_value(&mut self, asked: &Asked, text: &str) {
-        let result = read(&asked.kind, text).and_then(|value| self.give(asked, value));
+        let result = asked
+            .kind
+            .read(text)
+            .and_then(|value| self.give(asked, value));
         match result {
             Ok(()) => {
                 self.overlay = None;

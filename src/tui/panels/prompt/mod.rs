@@ -10,8 +10,9 @@ use std::sync::Arc;
 use tui_input::Input;
 
 use crate::measured::Curve;
+use crate::model::edit::Value;
 use crate::model::path::Pattern;
-use crate::model::{ParameterId, Unit};
+use crate::model::{ParameterId, Unit, value_input};
 use crate::tui::panels::measured::choose;
 use crate::unit::FrequencyUnit;
 
@@ -75,6 +76,20 @@ pub enum AskedKind {
     Count(usize),
     /// A text.
     Text,
+}
+
+impl AskedKind {
+    /// A typed value.
+    ///
+    /// # Errors
+    /// Why the text is no such value, in one line.
+    pub(crate) fn read(&self, text: &str) -> Result<Value, String> {
+        match self {
+            Self::Number(old, unit) => value_input::number(text, *old, unit).map(Value::Number),
+            Self::Text => Ok(Value::Text(text.to_owned())),
+            Self::Count(old) => value_input::count(text, *old).map(Value::Count),
+        }
+    }
 }
 
 /// What a prompt asks for, other than values of parameters and paths of models.

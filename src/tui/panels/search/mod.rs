@@ -74,3 +74,6 @@ impl Search {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -78,7 +78,7 @@ impl App {
                 let row = list.rows.get(self.tables.modes.row)?;
                 Some(of([row.frequency; 2]))
             }
-            Sensed::Band => self.band.span.map(of),
+            Sensed::Band => self.curves.band.map(of),
         }
     }
 

@@ -57,13 +57,10 @@ impl App {
             ));
         }
         let model = Arc::clone(self.document.model());
-        let objectives = model.tune.iter().flat_map(|tune| &tune.objectives);
-        let mut responses = objectives.filter_map(|objective| objective.response.as_deref());
-        // The response of the objective shows, too.
-        if let Some(first) = responses.next()
-            && !self.curves.shows(first)
+        if let Some(response) = tuned_response(&model)
+            && !self.curves.shows(response)
         {
-            self.curves.visible = vec![first.to_owned()];
+            self.curves.visible = vec![response.to_owned()];
         }
         let name = "best so far";
         let Some(reference) = self.add_best(name, &model) else {
@@ -221,6 +218,12 @@ impl App {
             self.tables.close(Table::Tuning);
         }
     }
+}
+
+/// The response of the first objective that has one.
+fn tuned_response(model: &Model) -> Option<&str> {
+    let mut objectives = model.tune.iter().flat_map(|tune| &tune.objectives);
+    objectives.find_map(|objective| objective.response.as_deref())
 }
 
 /// The model with the variables that a search found; everything else is unchanged.

@@ -162,7 +162,7 @@ impl App {
 
     /// The marked band, or the visible one, Hz.
     pub(crate) fn tuned_band(&self) -> [f64; 2] {
-        self.band.span.unwrap_or_else(|| self.shown_frequencies())
+        self.curves.band.unwrap_or_else(|| self.shown_frequencies())
     }
 }
 

@@ -167,7 +167,7 @@ impl<'a> Builder<'a> {
         let places = self.visible_part(&one.curve.frequencies);
         let stride = places.len().div_ceil(MOST_MEASURED).max(1);
         let places: Vec<usize> = places.step_by(stride).collect();
-        let mut values = vec![Vec::with_capacity(places.len()); one.panels(view)];
+        let mut values = vec![Vec::with_capacity(places.len()); view.panels()];
         // Without a phase, only the magnitude is known.
         let magnitude = matches!(view, ChartView::Magnitude | ChartView::MagnitudePhase);
         let known = match (one.curve.phase_known, magnitude) {

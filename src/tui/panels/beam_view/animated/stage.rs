@@ -82,7 +82,7 @@ pub(crate) fn draws_at_any_size(draw: Draw, look: BeamView) {
     for preset_name in ["fig05a", "fig06", "hundred_absorbers"] {
         let app = looking(preset(preset_name), 35.0, look);
         for options in &all {
-            let theme = Theme::resolve(options, &environment);
+            let theme = Theme::resolve(*options, &environment);
             for size in [
                 [1, 1],
                 [3, 2],

@@ -35,7 +35,7 @@ fn theme(options: Options) -> Theme {
         locale: Some("C.UTF-8".to_owned()),
         ..Environment::default()
     };
-    Theme::resolve(&options, &environment)
+    Theme::resolve(options, &environment)
 }
 
 fn plain_ascii() -> Theme {

@@ -54,7 +54,7 @@ fn theme(options: Options) -> Theme {
         locale: Some("C.UTF-8".to_owned()),
         ..Environment::default()
     };
-    Theme::resolve(&options, &environment)
+    Theme::resolve(options, &environment)
 }
 
 fn themes() -> [Theme; 5] {

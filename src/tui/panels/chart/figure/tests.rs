@@ -15,7 +15,7 @@ fn ascii() -> Theme {
         ascii: Some(true),
         ..Options::default()
     };
-    Theme::resolve(&options, &environment)
+    Theme::resolve(options, &environment)
 }
 
 fn drawn(scene: &Scene, theme: Theme, [width, height]: [u16; 2]) -> (Drawn, Buffer) {

@@ -1,13 +1,20 @@
 //! Modes, peaks, shapes and finite elements: effects of keys and answers.
 
+use std::sync::Arc;
+
+use crossterm::event::KeyCode;
 use num_complex::Complex64;
 
-use super::*;
 use crate::solve::modes::{Completeness, Gap, Mode, ModeKind, Modes, Shape, Shares};
 use crate::solve::peaks::Peak;
 use crate::solve::{Column, ColumnKind, Frf};
+use crate::tui::app::tests::{app, keys, number, press, said, select};
+use crate::tui::app::{App, BeamView, Effect, FemOverlay, Message, Sensed, Table};
+use crate::tui::event::Event;
+use crate::tui::keys::Scope;
 use crate::worker::{
-    Difference, ModalModel, ShapeAnswer, ShapeRequest, WitnessAnswer, WitnessMember,
+    self, Answer, CurvesAnswer, Difference, ModalModel, Request, ShapeAnswer, ShapeRequest, Stage,
+    WitnessAnswer, WitnessMember,
 };
 
 /// A model with modes at some frequencies (Hz), of which those in the sweep are peaks of the first response.

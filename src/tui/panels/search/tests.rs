@@ -1,7 +1,12 @@
 //! The search of the tree, and the palette.
 
-use super::*;
-use crate::tui::app::Found;
+use crossterm::event::KeyCode;
+
+use crate::tui::app::tests::{STIFFNESS, app, enter, keys, number, press, select};
+use crate::tui::app::{App, Found, Message, Overlay};
+use crate::tui::event::Event;
+use crate::tui::keys::Scope;
+use crate::tui::tree;
 
 fn typed(app: &mut App, text: &str) {
     app.update(Event::Paste(text.to_owned()));

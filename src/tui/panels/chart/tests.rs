@@ -1,7 +1,10 @@
 //! The visible frequencies.
 
-use super::*;
-use crate::model::checked;
+use crossterm::event::KeyCode;
+
+use crate::model::{Model, checked};
+use crate::tui::app::tests::{app, enter, keys, press, select};
+use crate::tui::app::{App, Message};
 
 fn band(app: &App) -> [f64; 2] {
     app.shown_frequencies()

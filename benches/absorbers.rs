@@ -1,5 +1,5 @@
-//! Three absorbers on fig05a, tuned by the search and by a plain global method with ten times the evaluations: run with
-//! `cargo bench --bench absorbers`. It takes minutes, and fails where the plain method finds more.
+//! Three absorbers on fig05a, tuned by the search and by a basic global method with ten times the evaluations: run with
+//! `cargo bench --bench absorbers`. It takes minutes, and fails if the basic method finds a better result.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
 
@@ -11,23 +11,32 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
-use beamtune::model::{self, Aim, Combine, Hold, Model, Objective, Tune, Variable};
+use beamtune::model::{self, Aim, Combine, Hold, Model, Objective, Tune, Variable, edit};
 use beamtune::presets;
-use beamtune::tune::search::Landscape;
-use beamtune::tune::{MeritFunction, Options, Problem, default_budget, run};
+use beamtune::solve::band::levels;
+use beamtune::solve::modes::modes;
+use beamtune::tune::{Options, Problem, default_budget, run};
 use fastrand::Rng;
 use rayon::prelude::*;
 
 static NEVER: AtomicBool = AtomicBool::new(false);
 
-/// Restarts of the plain method.
+/// The response and its band, Hz.
+const RESPONSE: &str = "P5 w";
+const BAND: [f64; 2] = [1.0, 400.0];
+
+/// Restarts of the basic method.
 const RESTARTS: usize = 20;
 
-/// The springs of each absorber are equal, and so are its dampers; the highest peak of the right end below 400 Hz counts.
+/// The springs of each absorber are equal, and so are its dampers; the objective is the highest peak of the right end
+/// below 400 Hz.
 fn model() -> Model {
     let mut model = model::read(presets::find("fig05a").unwrap().text)
         .unwrap()
         .into_inner();
+    for response in &mut model.responses {
+        response.enabled = response.name == RESPONSE;
+    }
     let springs = ["y_left", "y_right", "z_left", "z_right"];
     let mut variables = Vec::new();
     for name in ["S1", "S2", "S3"] {
@@ -48,9 +57,9 @@ fn model() -> Model {
         variables,
         objectives: vec![Objective {
             aim: Aim::Peak,
-            response: Some("P5 w".to_owned()),
-            from: 1.0,
-            to: 400.0,
+            response: Some(RESPONSE.to_owned()),
+            from: BAND[0],
+            to: BAND[1],
             weight: 1.0,
         }],
         combine: Combine::Sum,
@@ -59,10 +68,24 @@ fn model() -> Model {
     model
 }
 
+/// The highest magnitude in the band, m, of the model at a point of the unit box; each variable by its logarithm.
+fn highest_peak(problem: &Problem, x: &[f64]) -> f64 {
+    let mut model = Model::clone(problem.model());
+    for (variable, x) in problem.tune().variables.iter().zip(x) {
+        let value = variable.min * (variable.max / variable.min).powf(*x);
+        for path in &variable.paths {
+            edit::set(&mut model, path, edit::Value::Number(value)).unwrap();
+        }
+    }
+    let model = checked(&model);
+    let modes = modes(&model, BAND[1], &NEVER).unwrap();
+    levels(&model, &modes, BAND, &NEVER).unwrap()[0].maximum
+}
+
 /// Differential evolution, rand/1/bin with F = 0.7 and CR = 0.9 (Storn & Price, J. Global Optim. 1997, 11, 341), from random
-/// points; the least goal.
-fn plain(merit_function: &MeritFunction<'_>, evaluations: usize, seed: u64) -> f64 {
-    let n = merit_function.variables();
+/// points; the least highest peak, m.
+fn plain(problem: &Problem, evaluations: usize, seed: u64) -> f64 {
+    let n = problem.variables();
     let size = 10 * n;
     let mut random = Rng::with_seed(seed);
     let mut points: Vec<Vec<f64>> = (0..size)
@@ -70,7 +93,7 @@ fn plain(merit_function: &MeritFunction<'_>, evaluations: usize, seed: u64) -> f
         .collect();
     let goals = |points: &[Vec<f64>]| -> Vec<f64> {
         let all = points.par_iter();
-        all.map(|x| merit_function.merit(x).unwrap().goal).collect()
+        all.map(|x| highest_peak(problem, x)).collect()
     };
     let mut known = goals(&points);
     for _ in 1..evaluations / size {
@@ -119,13 +142,11 @@ fn main() {
         tuned.stop,
         start.elapsed().as_secs_f64()
     );
-    let point = problem.point_of(problem.model());
-    let merit_function = MeritFunction::new(&problem, &point, &NEVER).unwrap();
     let start = Instant::now();
     let mut best = f64::INFINITY;
     for seed in 1..=RESTARTS {
-        let goal = plain(&merit_function, 10 * budget / RESTARTS, seed as u64);
-        best = best.min(merit_function.figure(goal));
+        let peak = plain(&problem, 10 * budget / RESTARTS, seed as u64);
+        best = best.min(peak);
         println!("plain, restart {seed}: best so far {best:.6e} m");
     }
     println!(

@@ -1,4 +1,4 @@
-//! Time of a frequency response: microseconds a frequency, one core and all cores.
+//! Time of a frequency response: microseconds per frequency, on one core and on all cores.
 //!
 //! `cargo bench --bench frf`; divide a time by its number of elements, or read the throughput's inverse.
 
@@ -23,7 +23,7 @@ fn preset(name: &str) -> Model {
         .into_inner()
 }
 
-/// `fig05a` with `count` of its subsystems evenly along the beam, each as light as keeps the total.
+/// `fig05a` with `count` of its subsystems evenly along the beam, their total mass constant.
 fn with_subsystems(count: usize) -> Model {
     let mut model = preset("fig05a");
     let pattern = model.subsystems[0].clone();
@@ -75,7 +75,7 @@ fn sweeps(criterion: &mut Criterion) {
     }
 }
 
-/// Adds what peaks and anti-resonances need to a solved sweep, modes known, on all cores.
+/// Adds the points for peaks and anti-resonances to a solved sweep with known modes, on all cores.
 fn resolving(criterion: &mut Criterion) {
     let never = AtomicBool::new(false);
     let mut group = criterion.benchmark_group("resolved");

@@ -1,10 +1,10 @@
-//! What the kernel of sweeps costs: run with `cargo bench --bench kernel`.
+//! The cost of the sweep kernel: run with `cargo bench --bench kernel`.
 //!
-//! Side by side in one run, each the shortest of several times: the exact solver and its witnesses; the processor's peak
-//! of independent multiplications that add, with the vectors that the kernel uses, and how near the kernel comes to it;
-//! what each set of instructions takes, hence what the `unsafe` in `src/solve/kernel/vectors.rs` buys; how the time grows
-//! with the number of subsystems; what an edit of each kind costs beside a model with one subsystem, and what is kept
-//! for it.
+//! Side by side in one run, each the shortest of several times: the exact solver and the independent methods; the
+//! processor's peak of independent fused multiply-adds, with the vectors that the kernel uses, and the kernel's share
+//! of it; the time with each instruction set, that is, the benefit of the `unsafe` in `src/solve/kernel/vectors.rs`;
+//! the growth of the time with the number of subsystems; the cost of an edit of each kind compared with a model with
+//! one subsystem, and the size of the cache for it.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
 
@@ -20,13 +20,12 @@ use beamtune::model::{
     BeamMotion, Model, Place, Quantity, Restraint, Spacing, Sweep, Target, read,
 };
 use beamtune::presets;
-use beamtune::solve::{
-    Instructions, SweepCache, fem, frequencies, sweep, sweep_with, transfer_matrix, work,
-};
+use beamtune::solve::instruction_sets::{Instructions, sweep_with, work};
+use beamtune::solve::{SweepCache, fem, frequencies, sweep, transfer_matrix};
 
 static NEVER: AtomicBool = AtomicBool::new(false);
 
-/// Chains of multiplications that do not wait for each other.
+/// Independent chains of multiplications.
 const CHAINS: usize = 12;
 
 fn main() {
@@ -60,7 +59,7 @@ fn preset(name: &str) -> Model {
         .into_inner()
 }
 
-/// `fig05a` with `count` of its subsystems evenly along the beam, each as light as keeps the total.
+/// `fig05a` with `count` of its subsystems evenly along the beam, their total mass constant.
 fn with_subsystems(count: usize) -> Model {
     let mut model = preset("fig05a");
     let pattern = model.subsystems[0].clone();
@@ -87,9 +86,10 @@ fn grid(points: usize) -> Vec<f64> {
     })
 }
 
-/// The exact solver beside finite elements and the paper's chain, on all cores: fig05a, 2,000 frequencies, 12 responses.
+/// The exact solver compared with finite elements and the paper's chain, on all cores: fig05a, 2,000 frequencies, 12
+/// responses.
 fn fem_curves() {
-    /// A frequency of 80 elements by `scipy.sparse.linalg.spsolve`, us, measured apart.
+    /// A frequency of 80 elements by `scipy.sparse.linalg.spsolve`, us, measured separately.
     const SCIPY: f64 = 700.0;
     let model = preset("fig05a");
     let (all, some) = (grid(2000), grid(100));
@@ -130,7 +130,7 @@ fn fem_curves() {
     println!();
 }
 
-/// The models that the kernel is held against the peak with, and how many frequencies.
+/// The models to compare the kernel with the peak, and the number of frequencies.
 fn models() -> [(&'static str, Model, usize); 5] {
     [
         ("fig05a", preset("fig05a"), 2000),
@@ -141,7 +141,7 @@ fn models() -> [(&'static str, Model, usize); 5] {
     ]
 }
 
-/// The kernel's multiplications and additions a second, and the processor's.
+/// The kernel's multiplications and additions per second, and the processor's.
 fn against_the_peak() {
     let instructions = Instructions::available()[0];
     println!(
@@ -157,7 +157,7 @@ fn against_the_peak() {
     for (name, model, points) in models() {
         let all = grid(points);
         let cost = work(&checked(&model), &all, instructions);
-        // Side by side, for clocks drift.
+        // Side by side, because clock rates drift.
         let (mut peak, mut time) = ([0.0_f64; 2], f64::INFINITY);
         for _ in 0..5 {
             for (peak, now) in peak.iter_mut().zip(peaks(instructions)) {
@@ -180,7 +180,7 @@ fn against_the_peak() {
     }
 }
 
-/// The same sweeps with each set of instructions that the processor has.
+/// The same sweeps with each instruction set of the processor.
 fn by_instructions() {
     println!("\nOne core, us a frequency by instructions:");
     let available = Instructions::available();
@@ -206,7 +206,7 @@ fn by_instructions() {
     }
 }
 
-/// Operations a second of many chains that do not wait for each other: multiplications that add, and divisions.
+/// Operations per second of many independent chains: fused multiply-adds, and divisions.
 fn peaks(instructions: Instructions) -> [f64; 2] {
     const ROUNDS: usize = 300_000;
     let by_time = |lanes: usize, time: f64| (ROUNDS * CHAINS * lanes) as f64 / time;
@@ -229,7 +229,7 @@ fn peaks(instructions: Instructions) -> [f64; 2] {
 }
 
 mod chains {
-    /// Chains of multiplications that add, and of divisions, with vectors of a processor that has them.
+    /// Chains of fused multiply-adds, and of divisions, with the processor's vectors.
     #[cfg(target_arch = "x86_64")]
     macro_rules! chains {
         ($name:ident, $features:literal, $vector:ident, $splat:ident, $multiply_add:ident, $divide:ident) => {
@@ -293,7 +293,7 @@ mod chains {
         _mm256_div_pd
     );
 
-    /// With what every processor has.
+    /// With the vectors of every processor.
     pub(super) mod portable {
         use std::hint::black_box;
 
@@ -378,7 +378,7 @@ fn stiffen(model: &mut Model, left: bool) {
     }
 }
 
-/// Edits of one thing among 1,000 subsystems beside a model with one.
+/// Edits of one thing among 1,000 subsystems compared with a model with one.
 fn edits() {
     let all = grid(2000);
     let (one, thousand) = (with_subsystems(1), with_subsystems(1000));

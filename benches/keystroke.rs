@@ -1,9 +1,9 @@
 //! From a key to the picture: run with `cargo bench --bench keystroke`.
 //!
-//! The real program in a pseudo-terminal of 120 x 40, each preset and 1,000 subsystems at 2,000 frequencies: how long
-//! from the key that nudges a parameter to the end of the first picture of it, beside the time of drawing the same screen
-//! with nothing to solve (a repaint), and to the last picture. Then a key that is held: whether every press counts, and
-//! how long after the last one the picture is there. Names of presets, and `thousand`, measure those alone.
+//! The real program in a pseudo-terminal of 120 x 40, each preset and 1,000 subsystems at 2,000 frequencies: the time
+//! from the key that nudges a parameter to the end of its first picture, compared with the time to draw the same screen
+//! without solving (a repaint), and to the last picture. Then a held key: whether every press counts, and the time from
+//! the last one to its picture. Names of presets, and `thousand`, select those to measure.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
 
@@ -16,19 +16,19 @@ use std::time::{Duration, Instant};
 use beamtune::presets;
 use terminal::{Terminal, median, ms};
 
-/// After this long without a byte a key has had its effect.
+/// After this time without a byte, a key is handled.
 const QUIET: Duration = Duration::from_millis(250);
 
-/// What may follow slowly: modes of many subsystems.
+/// The same for slow results: modes of many subsystems.
 const SLOW: Duration = Duration::from_secs(3);
 
-/// Nudges that are timed.
+/// Number of timed nudges.
 const NUDGES: usize = 15;
 
-/// Presses of a key that is held.
+/// Presses of a held key.
 const HELD: usize = 60;
 
-/// As fast as keyboards repeat.
+/// The repeat rate of keyboards.
 const REPEAT: Duration = Duration::from_millis(33);
 
 fn main() {
@@ -55,14 +55,14 @@ fn main() {
     let text = std::fs::read_to_string("tests/data/thousand.toml").unwrap();
     std::fs::write(&path, text.replace("points = 1000", "points = 2000")).unwrap();
     let path = path.to_str().unwrap().to_owned();
-    // The first parameter of a subsystem is its place, the second its mass.
+    // The first parameter of a subsystem is its position, the second its mass.
     measure("1,000 subsystems, place", &path, "/n499\rl", SLOW);
     measure("1,000 subsystems, mass", &path, "/n499\rl\t", SLOW);
 }
 
-/// Measures a model, at the parameter that some keys lead to.
+/// Measures a model, at the parameter that some keys select.
 fn measure(name: &str, model: &str, keys: &str, quiet: Duration) {
-    // Each a home of its own: nothing is remembered or recovered.
+    // A separate home folder each: nothing is remembered or recovered.
     let [home, other] = [(); 2].map(|()| tempfile::tempdir().unwrap());
     let mut terminal = opened(model, keys, home.path(), quiet);
     let (mut first, mut last, mut drawn) = (Vec::new(), Vec::new(), Vec::new());
@@ -94,7 +94,7 @@ fn measure(name: &str, model: &str, keys: &str, quiet: Duration) {
     );
 }
 
-/// The program with a model, at the parameter that some keys lead to.
+/// The program with a model, at the parameter that some keys select.
 fn opened(model: &str, keys: &str, home: &Path, quiet: Duration) -> Terminal {
     let program = env!("CARGO_BIN_EXE_beamtune");
     let mut terminal = Terminal::start(program, &[model.to_owned()], home);
@@ -123,7 +123,7 @@ fn held(terminal: &mut Terminal, twin: Terminal, quiet: Duration) -> (&'static s
         .iter()
         .find(|(_, shown)| *shown == up)
         .map_or(f64::NAN, |(picture, _)| ms(at, *picture));
-    // One by one they lead to the same from the same file.
+    // Single presses from the same file give the same value.
     if up == one_by_one(twin, quiet) {
         ("none", lag)
     } else {
@@ -131,7 +131,7 @@ fn held(terminal: &mut Terminal, twin: Terminal, quiet: Duration) -> (&'static s
     }
 }
 
-/// What the tree shows of another run where each press is seen before the next.
+/// The tree of another run, in which each press is shown before the next.
 fn one_by_one(mut twin: Terminal, quiet: Duration) -> Vec<String> {
     for _ in 0..NUDGES + HELD {
         twin.send("+");
@@ -143,7 +143,7 @@ fn one_by_one(mut twin: Terminal, quiet: Duration) -> Vec<String> {
     shown
 }
 
-/// What the tree of the model shows.
+/// The model's text in the tree.
 fn tree(terminal: &Terminal) -> Vec<String> {
     let screen = terminal.screen.screen().contents();
     let left = |line: &str| line.chars().take(40).collect();

@@ -1,4 +1,4 @@
-//! Time of the derivatives of all responses by all parameters, beside that of the responses alone; one thread.
+//! Time of the derivatives of all responses by all parameters, compared with that of the responses alone; one thread.
 //!
 //! `cargo bench --bench sensitivities`
 
@@ -61,7 +61,7 @@ fn gradients(criterion: &mut Criterion) {
     }
 }
 
-/// What is found along the way: a mode, a peak and a mean square with their derivatives.
+/// Derived results: a mode, a peak and a mean square with their derivatives.
 fn features(criterion: &mut Criterion) {
     let never = AtomicBool::new(false);
     let model = preset("fig05a");

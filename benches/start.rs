@@ -1,7 +1,7 @@
 //! From the start of the process to the first curve: run with `cargo bench --bench start`.
 //!
-//! The real program in a pseudo-terminal of 120 x 40 with fig05a, beside `true` started in the same way, and beside the
-//! time it takes to draw the same screen. Its size and its dependencies.
+//! The real program in a pseudo-terminal of 120 x 40 with fig05a, compared with `true` started in the same way, and
+//! with the time to draw the same screen. Also its size and its dependencies.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
 
@@ -12,10 +12,10 @@ use std::time::{Duration, Instant};
 
 use terminal::{Terminal, median, ms};
 
-/// After this long without a byte everything is drawn.
+/// After this time without a byte, everything is drawn.
 const QUIET: Duration = Duration::from_millis(300);
 
-/// Starts of each.
+/// Number of starts each.
 const STARTS: usize = 25;
 
 fn main() {
@@ -33,7 +33,7 @@ fn main() {
             if first.len() == curve.len() && !shown {
                 first.push(ms(start, at));
             }
-            // Curves are drawn with dots of braille.
+            // Curves are drawn with braille dots.
             let screen = terminal.screen.screen().contents();
             let dots = screen
                 .chars()

@@ -1,8 +1,8 @@
 //! Bytes and times at a terminal: run with `cargo bench --bench thrift`.
 //!
-//! The real program in a pseudo-terminal of 120 x 40 with fig05a: what is written for a nudge of each parameter, for a
-//! full repaint and while nothing happens, and how long it takes from the key to the first and the last picture of it.
-//! A model can be named: `cargo bench --bench thrift -- tests/data/thousand.toml`, from the folder of the project.
+//! The real program in a pseudo-terminal of 120 x 40 with fig05a: the bytes written for a nudge of each parameter, for
+//! a full repaint and while idle, and the time from the key to its first and last picture. A model can be named: `cargo
+//! bench --bench thrift -- tests/data/thousand.toml`, from the folder of the project.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, missing_docs)]
 
@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 
 use portable_pty::{CommandBuilder, PtySize, native_pty_system};
 
-/// After this long without a byte a key has had its effect.
+/// After this time without a byte, a key is handled.
 const QUIET: Duration = Duration::from_millis(300);
 
 /// Parameters from the first one on.
@@ -67,7 +67,7 @@ impl Program {
         Self { keys, output }
     }
 
-    /// What follows a key.
+    /// The output after a key.
     fn press(&mut self, key: &str) -> Written {
         let start = Instant::now();
         self.keys.write_all(key.as_bytes()).unwrap();
@@ -85,7 +85,7 @@ impl Program {
     }
 }
 
-/// What is written after a key.
+/// The bytes written after a key.
 #[derive(Default)]
 struct Written {
     bytes: usize,
@@ -115,7 +115,7 @@ fn main() {
         let repaint = program.press("\u{c}").bytes;
         for _ in 0..NUDGES {
             let written = program.press("+");
-            // A parameter of 0 has nothing to nudge.
+            // A nudge does not change a parameter of 0.
             if written.bytes > 0 {
                 bytes.push(written.bytes);
                 first.push(written.first);

@@ -6,20 +6,17 @@
 mod checked;
 
 use checked::checked;
-use std::hint::black_box;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use beamtune::model::{self, Aim, Combine, Model, Objective, Tune, Variable};
 use beamtune::presets;
-use beamtune::tune::search::Landscape;
-use beamtune::tune::{MeritFunction, Problem};
+use beamtune::tune::{Options, Problem, run};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use rayon::prelude::*;
 
 static NEVER: AtomicBool = AtomicBool::new(false);
 
-/// The absorbers of fig05a: along y and along z a stiffness and a damping each, twelve variables.
+/// The absorbers of fig05a: a stiffness and a damping each along y and along z, twelve variables.
 fn absorbers(aim: Aim) -> Model {
     let mut model = model::read(presets::find("fig05a").unwrap().text)
         .unwrap()
@@ -55,13 +52,8 @@ fn absorbers(aim: Aim) -> Model {
     model
 }
 
-/// Points all over the box, the same every time.
-fn points(variables: usize) -> Vec<Vec<f64>> {
-    let mut random = fastrand::Rng::with_seed(1);
-    (0..32)
-        .map(|_| (0..variables).map(|_| random.f64()).collect())
-        .collect()
-}
+/// Evaluations of a search.
+const BUDGET: usize = 300;
 
 fn benches(criterion: &mut Criterion) {
     let aims = [
@@ -72,22 +64,16 @@ fn benches(criterion: &mut Criterion) {
     group.sample_size(10);
     for (name, aim) in aims {
         let problem = Problem::new(&checked(&absorbers(aim)), Path::new(".")).unwrap();
-        let start = problem.point_of(problem.model());
-        let merit_function = MeritFunction::new(&problem, &start, &NEVER).unwrap();
-        let points = points(problem.variables());
-        group.throughput(Throughput::Elements(points.len() as u64));
-        group.bench_function(format!("{name}, value"), |bencher| {
+        let options = Options {
+            seed: 1,
+            budget: Some(BUDGET),
+        };
+        group.throughput(Throughput::Elements(BUDGET as u64));
+        group.bench_function(name, |bencher| {
             bencher.iter(|| {
-                let all = black_box(&points).par_iter();
-                all.map(|x| merit_function.merit(x).unwrap().goal)
-                    .sum::<f64>()
-            });
-        });
-        group.bench_function(format!("{name}, with derivatives"), |bencher| {
-            bencher.iter(|| {
-                let all = black_box(&points).par_iter();
-                all.map(|x| merit_function.evaluate(x).unwrap().terms.len())
-                    .sum::<usize>()
+                run(&problem, &options, &NEVER, &mut |_| {})
+                    .unwrap()
+                    .evaluations
             });
         });
     }

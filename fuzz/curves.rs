@@ -1,4 +1,4 @@
-//! What holds for every file of measured curves. Shared by the fuzz targets and `tests/fuzz.rs`; a panic is a failure.
+//! Properties of every file of measured curves. Shared by the fuzz targets and `tests/fuzz.rs`; a panic is a failure.
 
 use std::fmt::Write as _;
 
@@ -6,7 +6,7 @@ use beamtune::measured::{Curve, Fault, Hint, Layout, Record, inspect, read, writ
 use beamtune::model::Measure;
 use beamtune::unit::{Dimension, Kind, Load, Moves, ValueUnit};
 
-/// Layouts that a person may give; the first is none.
+/// Layouts as a user may give them; the first one is empty.
 const LAYOUTS: [&str; 12] = [
     "",
     "hz; re im; m/N",
@@ -22,7 +22,8 @@ const LAYOUTS: [&str; 12] = [
     "khz 1; mag 3 2; -rad 2 4; mm/s",
 ];
 
-/// Reading a file gives curves that go out and in again, or a fault with a place; whether it gave curves.
+/// Reading a file gives curves that survive writing and reading, or a fault with a location; returns whether it gave
+/// curves.
 pub fn file(bytes: &[u8], layout: usize, name: &str) -> bool {
     let hint = Hint {
         name: name.to_owned(),

@@ -1,4 +1,4 @@
-//! What holds for whatever comes from a terminal. Shared by the fuzz target and `tests/designer/keyboard.rs`; a panic is a failure.
+//! Properties of any terminal input. Shared by the fuzz target and `tests/designer/keyboard.rs`; a panic is a failure.
 
 use std::time::{Duration, Instant};
 
@@ -6,13 +6,13 @@ use beamtune::tui::event::Event;
 use beamtune::tui::keys::Key;
 use beamtune::tui::terminal::Parser;
 
-/// Inputs up to this length leave no key unanswered for more than [`DEAF`].
+/// After inputs up to this length, every key is answered within [`DEAF`].
 pub const MOST: usize = 4096;
 
 /// See [`MOST`].
 const DEAF: Duration = Duration::from_secs(1);
 
-/// The parser and its time, which goes by as the test says.
+/// The parser and its clock, which the test advances.
 struct Line {
     parser: Parser,
     now: Instant,
@@ -29,7 +29,7 @@ impl Line {
         }
     }
 
-    /// A line on which these bytes came, in pieces of a length and with a pause after each.
+    /// A terminal on which these bytes arrived, in pieces of a length and with a pause after each.
     fn after(bytes: &[u8], length: usize, pause: Duration) -> Self {
         let mut line = Self::new();
         for piece in bytes.chunks(length.max(1)) {
@@ -54,7 +54,7 @@ impl Line {
         }
     }
 
-    /// Whether exactly this key is heard of these bytes.
+    /// Whether these bytes give exactly this key.
     fn hears(&mut self, bytes: &[u8], key: &str) {
         self.events.clear();
         self.send(bytes);
@@ -62,7 +62,7 @@ impl Line {
         assert_eq!(self.events.len(), 1, "more than {key}: {:?}", self.events);
     }
 
-    /// Whether this key is the last thing that was heard.
+    /// Whether this key is the last event.
     fn ends_with(&self, key: &str) {
         let last = match self.events.last() {
             Some(Event::Key(key)) => Key::of(key).name(),
@@ -72,8 +72,8 @@ impl Line {
     }
 }
 
-/// After any bytes Ctrl-C is heard at once, and after a second of silence every key. How the bytes are cut into reads
-/// makes no difference.
+/// After any bytes Ctrl-C is recognised at once, and after a second of silence every key. The division of the bytes
+/// into reads makes no difference.
 pub fn input(bytes: &[u8], length: usize, pause: Duration) {
     let bytes = &bytes[..bytes.len().min(MOST)];
     let mut line = Line::after(bytes, length, pause);
@@ -84,7 +84,7 @@ pub fn input(bytes: &[u8], length: usize, pause: Duration) {
     line.send(b"\x03");
     line.ends_with("Ctrl-c");
     line.hears(b"q", "q");
-    // Of Ctrl-C in a paste it matters whether something follows in the same read.
+    // For Ctrl-C in a paste it matters whether more bytes follow in the same read.
     let bytes: Vec<u8> = bytes.iter().copied().filter(|byte| *byte != 3).collect();
     let whole = Line::after(&bytes, MOST, DEAF);
     let cut = {

@@ -1,4 +1,4 @@
-//! What holds for every text. Shared by the fuzz targets and `tests/fuzz.rs`; a panic is a failure.
+//! Properties of every text. Shared by the fuzz targets and `tests/fuzz.rs`; a panic is a failure.
 
 use beamtune::model::edit::{self, Value};
 use beamtune::model::{self, Fault, Model, Unit, path, value_input};
@@ -7,10 +7,11 @@ use std::sync::OnceLock;
 /// A model for paths and typed values: six subsystems, supports, forces, responses and studies.
 const SAMPLE: &str = include_str!("../presets/fig05a.toml");
 
-/// Whole numbers up to this are floats of their own (2^53, rounded down).
+/// Integers up to this are exact floats (2^53, rounded down).
 const MOST: usize = 9_000_000_000_000_000;
 
-/// Reading a text gives a possible model that goes out and in again, or faults with places; whether it was a model.
+/// Reading a text gives a valid model that survives writing and reading, or faults with locations; returns whether it
+/// was a model.
 pub fn model_file(text: &str) -> bool {
     match model::read(text) {
         Ok(model) => {
@@ -30,11 +31,11 @@ pub fn model_file(text: &str) -> bool {
 fn accepted(model: &Model, text: &str) {
     let faults = model::check(model);
     assert!(faults.is_empty(), "read, but not possible: {faults:?}");
-    // Nothing was changed, so not a byte is.
+    // Nothing has changed, so no byte does.
     assert_eq!(model::write(model, text), text, "an unchanged model");
     let fresh = model::write(model, "");
     reads_back(model, &fresh);
-    // A change leaves a text that is read as the changed model.
+    // After a change, the text reads as the changed model.
     let mut changed = model.clone();
     changed.title.push_str(" \"2\" \u{1}\r\n\\");
     changed.sweep.points = if model.sweep.points == 7 { 8 } else { 7 };
@@ -47,10 +48,10 @@ fn accepted(model: &Model, text: &str) {
     }
 }
 
-/// The text is read as the model, to the last bit, and written as it stands.
+/// The text reads as the model, to the last bit, and is written unchanged.
 fn reads_back(model: &Model, text: &str) {
     match model::read(text) {
-        // `Debug` tells 0 from -0.
+        // `Debug` distinguishes 0 from -0.
         Ok(found) => {
             let found = found.into_inner();
             assert_eq!(format!("{found:?}"), format!("{model:?}"), "{text}");
@@ -60,7 +61,7 @@ fn reads_back(model: &Model, text: &str) {
     assert_eq!(model::write(model, text), text, "written again");
 }
 
-/// Line and column are those of a character of the text, or of the place behind its last one.
+/// Line and column are those of a character of the text, or of the position after its last one.
 fn has_a_place(fault: &Fault, text: &str) {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let (Some(line), Some(column)) = (fault.line, fault.column) else {
@@ -74,7 +75,7 @@ fn has_a_place(fault: &Fault, text: &str) {
     assert!(!fault.message.is_empty(), "says nothing: {fault:?}");
 }
 
-/// What is typed for a number, for every kind of parameter, and as a path.
+/// Typed text for a number, for every kind of parameter, and as a path.
 pub fn value(unit: usize, old: f64, text: &str) {
     let unit = &Unit::ALL[unit % Unit::ALL.len()];
     if old.is_finite() {
@@ -109,7 +110,7 @@ fn typed_number(text: &str, old: f64, unit: &Unit) {
     }
 }
 
-/// What a prompt shows of a number is that number when it is taken as it stands.
+/// The text that a prompt shows of a number gives that number when it is accepted unchanged.
 fn exact_text(number: f64, unit: &Unit) {
     let shown = unit.format_exact(number);
     let read = value_input::number(&shown, 1.0, unit).map(f64::to_bits);
@@ -120,9 +121,9 @@ fn exact_text(number: f64, unit: &Unit) {
     );
 }
 
-/// A typed value leaves a possible model or the one before.
+/// A typed value gives a valid model or leaves the one before.
 fn typed_for_parameters(text: &str, sample: &Model) {
-    // A number, a count, a flag, a choice, a name, a place and free text.
+    // A number, a count, a flag, a choice, a name, a position and free text.
     let paths = [
         "supports.left.w.stiffness",
         "sweep.points",

@@ -15,11 +15,12 @@
 //! | `worker` | the background threads: newest request wins | `model`, `solve`, `tune` |
 //! | `tui` | the designer: its state as a whole (`tui::app`), a folder per feature (`tui::panels`), keys, the screen, the chart, the terminal and its bytes (`tui::backend`), what is kept for the user (`tui::user`) | all above |
 //! | `words` | enums whose values have words in files | nothing |
+//! | `wrap` | texts in a number of columns: cut off, or wrapped into lines | `escape` |
 //! | `escape` | text from outside, escaped for terminals and files | nothing |
 //! | `table` | numbers and texts as CSV cells | `escape` |
 //! | `signals` | signals that the parent process set to be ignored | nothing |
 //! | `fault_injection` | panics for tests, in debug builds | nothing |
-//! | [`guide`] | the guide, one module per chapter | nothing |
+//! | [`guide`] | the guide, one module per chapter | `wrap` |
 //! | `cli` | the commands; [`run()`] is the whole program | all above |
 //!
 //! # Invariants
@@ -66,6 +67,7 @@ pub mod tune;
 pub mod unit;
 mod words;
 mod worker;
+mod wrap;
 
 pub use cli::main as run;
 

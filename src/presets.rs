@@ -70,6 +70,9 @@ pub const ALL: &[Preset] = embed![
     "fig17",
     "cantilever",
     "symmetric_section",
+    "purlin",
+    "tie_rod",
+    "deep_beam",
     "hundred_absorbers",
     "semicircular_cantilever",
 ];

@@ -140,8 +140,8 @@ fn the_closed_form_itself_is_that_of_a_whole_band() {
 
 #[test]
 fn a_rigid_mass_on_springs_has_the_levels_of_one_degree_of_freedom() {
-    // Closed form: partial fractions as above; the top is at w0 sqrt(1 - 2 zeta^2), 1 / (2 zeta k sqrt(1 - zeta^2))
-    // high. The beam's own bending adds some 1e-9.
+    // Closed form: partial fractions as above; the maximum 1 / (2 zeta k sqrt(1 - zeta^2)) is at w0 sqrt(1 - 2 zeta^2).
+    // The beam's own bending adds some 1e-9.
     for damping in [200.0, 20.0, 0.1] {
         let (model, single) = rigid(damping);
         let natural = single.root().norm() / TAU;
@@ -156,7 +156,7 @@ fn a_rigid_mass_on_springs_has_the_levels_of_one_degree_of_freedom() {
             let mean = single.integral(from, to) / (to - from);
             let what = format!("c = {damping}, {band:?}");
             let zeta = single.damping_ratio();
-            // Where a resonance is cut, its shift counts against its width.
+            // If the band ends at a resonance, the resonance's shift relative to its width matters.
             let cut = if band.contains(&natural) {
                 1e-9 / zeta
             } else {
@@ -173,7 +173,7 @@ fn a_rigid_mass_on_springs_has_the_levels_of_one_degree_of_freedom() {
                 &what,
             );
             near(found[0].at, at, 1e-5, &what);
-            // Velocity: the top is at w0 exactly, 1/c high.
+            // Velocity: the maximum 1/c is at w0 exactly.
             let at = natural.clamp(band[0], band[1]);
             near(
                 found[1].maximum,
@@ -285,7 +285,7 @@ fn an_undamped_resonance_in_the_band_is_infinite_where_it_shows() {
     near(found[0].at, 4.0 * first, 1e-9, "second mode");
     assert!(found[1].maximum.is_finite() && found[1].mean_square.is_finite());
     assert_eq!((found[2].maximum, found[2].mean_square), (0.0, 0.0));
-    // Beside it the mean is that of Simpson's rule.
+    // Between the resonances, the mean is that of Simpson's rule.
     let band = [1.5 * first, 3.5 * first];
     let found = levels_of(&model, band);
     let steps = 4000;
@@ -311,7 +311,7 @@ fn an_undamped_resonance_in_the_band_is_infinite_where_it_shows() {
             level.mean_square,
             sum / (3.0 * f64::from(steps)),
             1e-7,
-            "beside",
+            "between the resonances",
         );
     }
     // At its end, too.

@@ -1,4 +1,4 @@
-//! The commands as a script sees them: output, exit codes, files.
+//! The commands as used in a script: output, exit codes, files.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
@@ -165,7 +165,7 @@ fn without_at_the_sweep_of_the_model_is_solved() {
     );
 }
 
-/// The frequencies of a CSV whose first column they are.
+/// The first column of a CSV, which has the frequencies.
 fn frequencies(csv: &str) -> Vec<f64> {
     let rows = rows(csv);
     let cells = rows[1..].iter().map(|row| row[0].parse().unwrap());
@@ -184,7 +184,7 @@ fn resolve_adds_rows_between_those_of_the_sweep() {
     assert!(plain.lines().all(|line| lines.contains(line)));
 }
 
-/// A sweep longer than the blocks it is solved in is resolved as the whole is.
+/// A sweep longer than a block of the solver is resolved like the whole.
 #[test]
 fn resolve_does_not_depend_on_blocks() {
     let sets = ["--set", "sweep.points=9000", "--set", "sweep.to=200"];
@@ -355,7 +355,7 @@ fn a_study_of_a_spring_does_not_forbid_to_clamp_its_end() {
 }
 
 #[test]
-fn what_is_not_finite_is_told_on_standard_error() {
+fn values_that_are_not_finite_are_reported_on_standard_error() {
     let output = beamtune(&["frf", "fig06", "--at", "10,1e308"])
         .output()
         .unwrap();
@@ -376,8 +376,8 @@ fn what_is_not_finite_is_told_on_standard_error() {
     );
 }
 
-/// Expected: a cantilever of 5 cm at 0.1 Hz moves as in statics; the waves' amplitudes are there 1e8 times what moves,
-/// and their energy cannot be told in double precision. It must never be negative.
+/// Expected: a cantilever of 5 cm at 0.1 Hz moves as in statics; the amplitudes of the waves there are 1e8 times the
+/// motion, and their energy cannot be computed in double precision. It must never be negative.
 #[test]
 fn an_energy_that_cancels_is_not_a_number() {
     let short = [
@@ -472,7 +472,7 @@ fn the_designer_refuses_a_pipe() {
     assert!(message.contains("terminal"), "{message}");
 }
 
-/// The cells of a table of `validate`: two spaces and more part them.
+/// The cells of a table of `validate`, which are separated by two or more spaces.
 fn cells(line: &str) -> Vec<&str> {
     line.split("  ")
         .map(str::trim)
@@ -489,7 +489,7 @@ fn report(arguments: &[&str]) -> (i32, String) {
 }
 
 #[test]
-fn validate_holds_two_witnesses_beside_the_exact_solution() {
+fn validate_compares_two_methods_with_the_exact_solution() {
     let call = [
         "validate",
         "fig05a",
@@ -591,7 +591,7 @@ fn mode_shapes_go_to_a_file_of_their_own() {
         rows[0],
         ["mode", "at", "position_m", "direction", "re", "im"]
     );
-    // Three modes: 101 places with three motions, three masses with three.
+    // Three modes: 101 positions with three motions, three masses with three.
     assert_eq!(rows.len(), 1 + 3 * (101 * 3 + 3 * 3));
     assert!(
         rows[1..]
@@ -628,7 +628,7 @@ fn modes_refuses_a_range_that_is_none() {
     }
 }
 
-/// The program with a home of its own and no other folder in the environment.
+/// The program with its own home folder and no other folder in the environment.
 fn at_home(home: &Path, arguments: &[&str]) -> Command {
     let mut command = beamtune(arguments);
     command.env_clear().env("HOME", home).env("TERM", "xterm");
@@ -680,10 +680,11 @@ fn without_a_home_paths_says_what_to_set() {
         said.starts_with("error: ") && said.contains("set HOME"),
         "{said}"
     );
-    let mut told = at_home(Path::new("relative"), &["paths"]);
-    told.env("XDG_CONFIG_HOME", "/c")
+    let mut command = at_home(Path::new("relative"), &["paths"]);
+    command
+        .env("XDG_CONFIG_HOME", "/c")
         .env("XDG_STATE_HOME", "/s");
-    assert!(told.output().unwrap().status.success());
+    assert!(command.output().unwrap().status.success());
 }
 
 #[test]
@@ -713,7 +714,7 @@ fn completions_and_the_manual_page_name_every_command() {
     assert!(said.contains("bash, zsh, fish"), "{said}");
 }
 
-/// The curves of what `frf --format uff` prints, and what it says on standard error.
+/// The curves that `frf --format uff` prints, and the text on standard error.
 fn universal(arguments: &[&str]) -> (Vec<beamtune::measured::Curve>, String) {
     let call = [&["frf", "--format", "uff"], arguments].concat();
     let output = beamtune(&call).output().unwrap();
@@ -763,12 +764,12 @@ fn a_universal_file_has_ratios_to_the_one_force() {
 }
 
 #[test]
-fn a_universal_file_tells_several_forces_studies_and_lost_digits() {
+fn a_universal_file_names_several_forces_studies_and_lost_digits() {
     let (curves, warning) = universal(&["fig05a", "--at", "10,20.123456,400"]);
     assert_eq!(curves[0].kind.unwrap().unit(), "m");
     assert_eq!(curves[0].frequencies, [10.0, 20.1235, 400.0]);
     assert!(
-        warning.contains("six digits for a frequency") && warning.contains("up to 4.4e-5 Hz off"),
+        warning.contains("six digits of each frequency") && warning.contains("up to 4.4e-5 Hz off"),
         "{warning}"
     );
     let model = beamtune::model::read(presets::find("fig08").unwrap().text)
@@ -801,7 +802,8 @@ fn a_universal_file_tells_several_forces_studies_and_lost_digits() {
     assert!(code == 2 && message.contains("csv, uff"), "{message}");
 }
 
-/// Abscissae rise: what is the same frequency in six digits stands once. A reader that finds one twice says so in a note.
+/// Abscissae rise: frequencies that are equal in six digits are written once. A reader that finds one twice reports it
+/// in a note.
 #[test]
 fn abscissae_of_a_universal_file_rise() {
     // 3.186094 and 3.186091 Hz are 3.18609E+00, and 50 Hz was to come first.
@@ -818,7 +820,7 @@ fn abscissae_of_a_universal_file_rise() {
     assert!((curves[0].values[0] - value).norm() < 1e-12 * value.norm());
 }
 
-/// Places are numbered from left to right, masses behind them; w and y are along 2, v and z along 3, twists about 4.
+/// Positions are numbered from left to right, masses after them; w and y are along 2, v and z along 3, twists about 4.
 #[test]
 fn a_universal_file_numbers_its_places() {
     let text = output(&["frf", "fig05a", "--format", "uff", "--at", "10"]);

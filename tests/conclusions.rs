@@ -1,6 +1,6 @@
-//! The conclusions of Chen & Liu, Mathematics 2022, 10(16), 2849 as results of a search: which way the best parameter of
-//! each figure goes. The sentences are those of `tests/literature/chen_liu_2022.toml`; the paper gives no numbers, so only
-//! directions are held, within the range of each figure.
+//! The conclusions of Chen & Liu, Mathematics 2022, 10(16), 2849 as results of tuning: the direction of the best
+//! parameter of each figure. The sentences are those of `tests/literature/chen_liu_2022.toml`; the paper gives no
+//! numbers, so only directions are tested, within the range of each figure.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
@@ -15,7 +15,7 @@ use beamtune::model::{self, Aim, Combine, Hold, Model, Objective, Tune, Variable
 use beamtune::presets;
 use beamtune::tune::{Options, Place, Problem, Tuned, run};
 
-/// Evaluations that one variable needs.
+/// Number of evaluations for one variable.
 const BUDGET: usize = 80;
 
 fn preset(name: &str) -> Model {
@@ -24,7 +24,7 @@ fn preset(name: &str) -> Model {
         .into_inner()
 }
 
-/// What is found when one variable moves from `times[0]` to `times[1]` times its value in the preset.
+/// The result if one variable varies from `times[0]` to `times[1]` times its value in the preset.
 fn best(
     model: &Model,
     paths: &[&str],
@@ -80,7 +80,8 @@ fn borrowed(paths: &[String]) -> Vec<&str> {
     paths.iter().map(String::as_str).collect()
 }
 
-/// Where the variable puts the lowest anti-resonance of the right end's twist: for a lower and for a higher frequency.
+/// The variable's best value for an anti-resonance of the right end's twist, the lowest one: for a lower and for a
+/// higher frequency.
 fn placed(name: &str, paths: &[&str], at: [f64; 2], band: [f64; 2]) -> [f64; 2] {
     let model = preset(name);
     at.map(|at| {
@@ -156,7 +157,7 @@ fn fig13_the_least_energy_at_high_frequencies_wants_the_softest_mounts() {
 }
 
 /// "A suitable larger cs is helpful to suppress the resonance peaks, while the excessive damping will deteriorate the
-/// isolation performance": the best lies above the paper's value, and not at the largest.
+/// isolation performance": the best value is above the paper's, and below the largest.
 #[test]
 fn fig14_the_best_damping_of_the_mounts_is_larger_but_not_the_largest() {
     let aim = (Aim::Peak, "E_V");
@@ -175,7 +176,7 @@ fn fig14_the_best_damping_of_the_mounts_is_larger_but_not_the_largest() {
 #[test]
 fn fig15_the_lowest_peak_wants_the_machine_off_the_middle() {
     let aim = (Aim::Peak, "E_V");
-    // From the middle, 1.6 m, to 0.9 m beside it.
+    // From the middle, 1.6 m, to 0.9 m away from it.
     let tuned = best(
         &preset("fig15"),
         &["subsystems.M.position"],

@@ -1,5 +1,5 @@
-//! What comes from outside reaches a terminal, a log and a table escaped, by every command; and what standard output
-//! does not take is said.
+//! Text from files reaches a terminal, a log and a table escaped, in every command; and a write error of standard
+//! output is reported.
 
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, clippy::expect_used)]
@@ -32,7 +32,7 @@ fn run<A: AsRef<OsStr>>(folder: &Path, arguments: &[A]) -> Output {
     command.stdin(Stdio::null()).output().unwrap()
 }
 
-/// Standard output and standard error have nothing that a terminal obeys.
+/// Standard output and standard error contain no control characters.
 fn assert_output_safe(what: &str, output: &Output) {
     assert_safe(&format!("{what}, output"), &output.stdout);
     assert_safe(&format!("{what}, errors"), &output.stderr);
@@ -103,7 +103,7 @@ fn a_hostile_model_is_escaped_by_every_command_and_stays_what_it_is() {
                 assert!(lines.starts_with("frequency_hz,'=tipx\\u{"), "{lines}");
             }
         }
-        // What was tuned last has the names to the last character.
+        // The last tuned names are complete, to the last character.
         let tuned = fs::read_to_string(folder.path().join(&out)).unwrap();
         let tuned = model::read(&tuned).unwrap().into_inner();
         assert_eq!(tuned.title, model.title);
@@ -113,8 +113,8 @@ fn a_hostile_model_is_escaped_by_every_command_and_stays_what_it_is() {
     }
 }
 
-/// Every view of the designer measures and shows names escaped: nothing is left to the last look at the cells, which
-/// puts a replacement character.
+/// Every view of the designer measures and draws escaped names: the final check of the cells, which inserts a
+/// replacement character, finds nothing.
 #[test]
 fn hostile_arguments_are_refused_escaped() {
     let mut dice = Dice(11);
@@ -190,7 +190,7 @@ fn hostile_arguments_are_refused_escaped() {
     }
 }
 
-/// Where a file may say anything, and what is put there; `@` is the hostile text, `%` the same without escapes.
+/// Places in a file with free text, and the text; `@` is the hostile text, `%` the same without escapes.
 const PLACES: [(&str, &str); 21] = [
     ("[beam]\n", "\"@\" = 1\n[beam]\n"),
     ("[beam]\n", "[beam]\n\"@\" = 1\n"),
@@ -238,7 +238,7 @@ fn faults_of_a_hostile_file_are_escaped() {
             let output = run(folder.path(), &[command, "m.toml"]);
             assert_eq!(code(&output), 2, "{to:?}: {}", errors(&output));
             assert_output_safe(&format!("{to:?}"), &output);
-            // A line feed in the file does not begin a line of its own here.
+            // A line feed in the file does not begin a new line here.
             for line in errors(&output).lines() {
                 assert!(line.starts_with("error: m.toml:"), "{to:?}: {line}");
             }
@@ -294,7 +294,7 @@ fn fifty_faults_are_printed_and_how_many_more() {
     assert_eq!(errors.lines().last(), Some("error: m.toml: and 30 more"));
 }
 
-/// A format of the standard library takes no width above 65,535.
+/// The standard library's formats accept no width above 65,535.
 #[test]
 fn a_name_of_65536_letters_is_refused() {
     let folder = tempfile::tempdir().unwrap();
@@ -345,7 +345,7 @@ fn a_file_whose_name_is_no_text_is_opened_and_written() {
     );
 }
 
-/// Calls that write something to standard output.
+/// Calls that write to standard output.
 const WRITERS: [&str; 14] = [
     "presets",
     "show fig06",
@@ -387,7 +387,7 @@ fn an_output_that_goes_nowhere_is_a_failure() {
         );
         let open = script(format!("\"$BEAMTUNE\" {call} 1<>/dev/null"));
         assert_eq!(code(&open), 0, "{call}: {}", errors(&open));
-        // A reader that has seen enough.
+        // A reader that closes early.
         let head = script(format!("{{ \"$BEAMTUNE\" {call}; echo $? >&2; }} | true"));
         assert!(errors(&head).ends_with("0\n"), "{call}: {}", errors(&head));
         assert!(

@@ -1,5 +1,5 @@
-//! A short run, the same every time, of what the fuzz targets in `fuzz/` look for without end: files of this
-//! repository and typed values, spoilt by chance.
+//! A short run, the same every time, of what the fuzz targets in `fuzz/` run without end: files of this repository and
+//! typed values, randomly damaged.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
@@ -19,7 +19,7 @@ use std::path::Path;
 
 use dice::Dice;
 
-/// Every TOML file in a folder of the repository, in the order of their names.
+/// Every TOML file in a folder of the repository, sorted by name.
 fn texts(folder: &str) -> Vec<String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
     let entries = fs::read_dir(&folder).unwrap();
@@ -31,7 +31,7 @@ fn texts(folder: &str) -> Vec<String> {
     paths.into_iter().map(read).collect()
 }
 
-/// What fuzzing has found once, and what is like it.
+/// Cases that fuzzing has found, and similar ones.
 #[test]
 fn what_was_found_before_stays_mended() {
     for text in texts("tests/fuzz") {
@@ -44,7 +44,7 @@ fn what_was_found_before_stays_mended() {
     }
 }
 
-/// Typed values that fuzzing has stumbled over, or might have.
+/// Typed values that fuzzing has found, or similar ones.
 const FOUND: &[(f64, &str)] = &[
     (0.0, ""),
     (-0.0, "-0"),
@@ -81,14 +81,14 @@ fn spoilt_model_files_are_refused_or_go_out_and_in_again() {
         let text = mutate::file(&seeds, turn, &mut dice);
         models += usize::from(properties::model_file(&text));
     }
-    // Were every text refused, writing would not have been tried; were none, reading would not.
+    // If every text were refused, writing would not be tested; if none were, reading would not.
     assert!(
         (FILES / 20..FILES * 19 / 20).contains(&models),
         "{models} of {FILES} are models"
     );
 }
 
-/// How many spoilt files are read.
+/// Number of damaged files to read.
 const FILES: usize = 20_000;
 
 #[test]
@@ -101,10 +101,10 @@ fn whatever_is_typed_gives_a_finite_number_or_is_refused() {
     }
 }
 
-/// How many values are typed.
+/// Number of typed values.
 const VALUES: usize = 100_000;
 
-/// Files with an ending in the folder of measured curves, in the order of their names, and more.
+/// Files with an extension in the folder of measured curves, sorted by name, and more.
 fn measured(ending: &str, more: &[&str]) -> Vec<Vec<u8>> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/measured");
     let entries = fs::read_dir(&folder).unwrap();
@@ -112,7 +112,7 @@ fn measured(ending: &str, more: &[&str]) -> Vec<Vec<u8>> {
     paths.retain(|path| path.extension().is_some_and(|found| found == ending));
     paths.sort();
     assert!(!paths.is_empty(), "no {ending} in {}", folder.display());
-    // The first kilobytes have all that there is.
+    // The first kilobytes contain every feature.
     let read = |path| {
         let mut bytes = fs::read(path).unwrap();
         bytes.truncate(4096);
@@ -152,7 +152,7 @@ fn spoilt(seeds: &[Vec<u8>], dice: u64, name: &str) {
         let bytes = spoil::file(seeds, turn, &mut dice);
         read += usize::from(curves::file(&bytes, dice.roll(12), name));
     }
-    // Were every file refused, writing would not have been tried; were none, reading would not.
+    // If every file were refused, writing would not be tested; if none were, reading would not.
     assert!(
         (FILES / 20..FILES * 19 / 20).contains(&read),
         "{read} of {FILES} are curves"

@@ -1,8 +1,8 @@
 //! Every response against a high-precision solution of the state equation.
 //!
-//! Expected values: `tests/data/*.json`, made by ball arithmetic of 600 bits and more as `tests/data/README.md` says.
-//! They are good to every digit. The tolerance is what the program promises: 1e-8 from 0.5 Hz to 20 kHz (2e-7 below), and
-//! what the rounding of the frequency alone causes.
+//! Expected values: `tests/data/*.json`, computed by ball arithmetic of 600 bits and more as `tests/data/README.md`
+//! describes; every digit is correct. The tolerance is what the program promises: 1e-8 from 0.5 Hz to 20 kHz (2e-7
+//! below), plus the effect of rounding the frequency.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
@@ -39,7 +39,7 @@ impl Case {
         }
     }
 
-    /// The worst relative error, with its place; fails where one is beyond its tolerance.
+    /// The largest relative error, with its location; fails if one exceeds its tolerance.
     fn worst_error(&self) -> (f64, String) {
         let model = model::read(&self.text()).unwrap().into_inner();
         let mut worst = (0.0, String::new());
@@ -72,7 +72,7 @@ impl Case {
     }
 }
 
-/// Holds every case of a file; `cargo test -- --nocapture` prints the table of the worst errors.
+/// Checks every case of a file; `cargo test -- --nocapture` prints the table of the largest errors.
 fn hold(file: &str) {
     let text = std::fs::read_to_string(format!("tests/data/{file}")).unwrap();
     let cases: Vec<Case> = serde_json::from_str(&text).unwrap();

@@ -84,7 +84,7 @@ fn every_fault_is_reported_where_it_is_and_no_other() {
     assert!(failures.is_empty(), "\n{failures}");
 }
 
-/// What is accepted is said: no message only complains.
+/// Every message says what is accepted.
 #[test]
 fn every_message_says_what_would_be_accepted() {
     for file in files() {

@@ -1,9 +1,10 @@
-//! Natural frequencies of the literature: one file a source under `tests/literature/`.
+//! Natural frequencies of the literature: one file per source under `tests/literature/`.
 //!
-//! A case states a model and either printed numbers, with the tolerance that the print supports, or the name of a
-//! frequency equation, which is solved here by code that shares nothing with the solver but the model. In both, the list
-//! is compared as a whole, so a mode too many or too few fails. A source's sentences without numbers are held by tests
-//! elsewhere, which its file names. The table of the guide (`src/guide/validation.md`) is made here, one row a source, and a test holds it equal.
+//! A case gives a model and either printed numbers, with the tolerance that the printed digits allow, or the name of a
+//! frequency equation, which is solved here by code that shares only the model with the solver. In both, the list is
+//! compared as a whole, so a mode too many or too few fails. A source's sentences without numbers are tested elsewhere,
+//! in the tests that its file names. The table of the guide (`src/guide/validation.md`) is made here, one row per
+//! source, and a test holds it equal.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
@@ -27,10 +28,10 @@ use beamtune::model::Model;
 use beamtune::solve::modes;
 use source::{Case, ClosedForm, Equation, Published, Source, Unit};
 
-/// A difference below this is rounding; the table does not tell its digits.
+/// A smaller difference is rounding; the table does not show its digits.
 const ROUNDING: f64 = 1e-9;
 
-/// One mode beside its source.
+/// One mode with the value of its source.
 struct Comparison {
     case: String,
     /// Counted from 1 among the modes above 0 Hz.
@@ -65,14 +66,15 @@ fn sources() -> Vec<Source> {
         .collect()
 }
 
-/// What one case found: the modes side by side, and every fault.
+/// The result of a case: the modes side by side, and every fault.
 #[derive(Default)]
 struct Outcome {
     compared: Vec<Comparison>,
     faults: Vec<String>,
 }
 
-/// The whole list of a model up to `to` Hz beside the expected one, in its unit; differences lie from `least` to `most`.
+/// Compares the whole list of a model up to `to` Hz with the expected one, in its unit; differences lie from `least` to
+/// `most`.
 fn side_by_side(
     place: &str,
     model: &Model,
@@ -115,7 +117,7 @@ fn side_by_side(
     outcome
 }
 
-/// Printed numbers against ours.
+/// Printed numbers against the program's.
 fn hold_published(model: &Model, case: &Case, published: &Published) -> Outcome {
     let Published {
         unit,
@@ -124,14 +126,14 @@ fn hold_published(model: &Model, case: &Case, published: &Published) -> Outcome 
         ours_lie_above,
     } = published;
     let least = if *ours_lie_above { 0.0 } else { -tolerance };
-    // A frequency goes as the square of beta L, and so does the tolerance's room.
+    // A frequency is proportional to the square of beta L, and so is the tolerance.
     let to = values.last().map_or(0.0, |&last| {
         unit.to_hertz(last, model) * (1.0 + 2.0 * tolerance)
     });
     side_by_side(&case.name, model, (values, *unit), to, (least, *tolerance))
 }
 
-/// A frequency equation's roots against ours.
+/// The roots of a frequency equation against the program's.
 fn hold_closed_form(model: &Model, case: &Case, form: &ClosedForm) -> Outcome {
     let ClosedForm {
         equation,
@@ -149,7 +151,7 @@ fn hold_closed_form(model: &Model, case: &Case, form: &ClosedForm) -> Outcome {
     side_by_side(&case.name, model, (&expected, Unit::Hertz), to, range)
 }
 
-/// Every comparison of a source; those with printed numbers, where it has any, are the ones that the table tells.
+/// Every comparison of a source, for the table; if there are printed numbers, only those.
 fn compare(source: &Source) -> Outcome {
     let (mut published, mut closed) = (Outcome::default(), Outcome::default());
     for case in &source.cases {
@@ -179,23 +181,23 @@ impl Outcome {
     }
 }
 
-/// The comparison that the table tells: the worst, or the first where all differ by rounding only.
+/// The comparison for the table: the worst, or the first if all differ by rounding only.
 fn worst(compared: &[Comparison]) -> &Comparison {
     let size = |comparison: &Comparison| comparison.difference().abs();
     compared.iter().fold(&compared[0], |worst, next| {
-        // The first of equals, whatever their rounding.
+        // The first of equal ones, whatever their rounding.
         let beyond = size(worst).max(ROUNDING) * 1.001;
         if size(next) > beyond { next } else { worst }
     })
 }
 
-/// A number with nine significant digits at most.
+/// A number with at most nine significant digits.
 fn rounded(value: f64) -> String {
     let digits: f64 = format!("{value:.8e}").parse().unwrap();
     digits.to_string()
 }
 
-/// A source's row of the guide's table; its faults go to the list.
+/// A source's row of the guide's table; its faults are added to the list.
 fn row(source: &Source, faults: &mut Vec<String>) -> String {
     let name = format!("{} {}", source.authors, source.year);
     if source.cases.is_empty() {
@@ -219,8 +221,8 @@ fn row(source: &Source, faults: &mut Vec<String>) -> String {
     if compared.is_empty() {
         return String::new();
     }
-    let told = worst(&compared);
-    let difference = told.difference();
+    let shown = worst(&compared);
+    let difference = shown.difference();
     let difference = if difference.abs() < ROUNDING {
         "< 1e-9".to_owned()
     } else {
@@ -229,12 +231,12 @@ fn row(source: &Source, faults: &mut Vec<String>) -> String {
     format!(
         "| {}: {}, mode {} ({} compared) | {name} | {} {unit} | {} {unit} | {difference} |\n",
         source.subject,
-        told.case,
-        told.mode,
+        shown.case,
+        shown.mode,
         compared.len(),
-        rounded(told.published),
-        rounded(told.ours),
-        unit = told.unit.word(),
+        rounded(shown.published),
+        rounded(shown.ours),
+        unit = shown.unit.word(),
     )
 }
 

@@ -1,4 +1,4 @@
-//! Measured curves: tables and universal files as instruments and programs write them, and what is wrong with others.
+//! Measured curves: tables and universal files as instruments and programs write them, and files with faults.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
@@ -59,7 +59,7 @@ fn near(found: Complex64, expected: Complex64, tolerance: f64) {
     assert!(error <= tolerance * expected.norm(), "{found} {expected}");
 }
 
-/// What the program writes is what it reads, to the last bit.
+/// The program reads its own files, to the last bit.
 #[test]
 fn a_table_of_the_program_is_read_to_the_last_bit() {
     let mut model = beamtune::model::read(beamtune::presets::find("fig08").unwrap().text)
@@ -92,9 +92,9 @@ fn a_table_of_the_program_is_read_to_the_last_bit() {
     }
 }
 
-/// Expected: golden with the model as it is; 1 but for the noise with the model that the example was made with.
+/// Expected: golden with the unchanged model; 1 except for the noise with the model behind the example.
 #[test]
-fn the_example_is_read_and_held_beside_the_model() {
+fn the_example_is_read_and_compared_with_the_model() {
     let found = curves(data("example.csv"), None);
     let curve = &found[0];
     assert_eq!((found.len(), curve.name.as_str()), (1, "P1 w"));
@@ -126,7 +126,7 @@ fn the_example_is_read_and_held_beside_the_model() {
         (low.mean_decibels - 0.056).abs() < 5e-4 && (low.rms_decibels - 1.011).abs() < 5e-4,
         "{low:?}"
     );
-    // With what was perturbed brought back, noise is left.
+    // With the perturbation undone, only noise is left.
     model.beam.material.young_modulus *= 0.98;
     model.beam.material.loss_factor = 0.004;
     for subsystem in &mut model.subsystems {

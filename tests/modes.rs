@@ -1,7 +1,7 @@
 //! Natural frequencies, damped modes and mode shapes.
 //!
-//! Expected values: a closed form or a high-precision solution, as each test says; counts and shapes are held against
-//! the frequency responses, which come another way.
+//! Expected values: a closed form or a high-precision solution, as each test states; counts and shapes are compared
+//! with the frequency responses, which are computed in another way.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
@@ -16,13 +16,14 @@ use std::f64::consts::{PI, TAU};
 use std::sync::atomic::AtomicBool;
 
 use beamtune::model::{
-    self, BeamMotion, Elastic, Model, Place, Restraint, Spring, Subsystem, Support, Target,
+    self, Beam, BeamMotion, Elastic, Material, Model, Place, Restraint, Section, Spring, Subsystem,
+    Support, Target, Theory,
 };
 use beamtune::presets;
 use beamtune::solve::Cancelled;
 use beamtune::solve::modes::{
-    Completeness, MOST_MODES, Mode, ModeKind, Modes, certify, count, follow, modes, shape,
-    uncertified, undamped,
+    Completeness, MOST_MODES, Mode, ModeKind, Modes, buckling_load, certify, count, follow, modes,
+    shape, uncertified, undamped,
 };
 use common::{models, respond, unit_force};
 use num_complex::Complex64;
@@ -49,7 +50,158 @@ fn assert_close(got: f64, want: f64, tolerance: f64) {
     );
 }
 
-/// The paper's beam with both ends pinned and no offset: bending and torsion apart.
+/// The section without symmetry of Tanaka & Bercin 1997, with the shear areas of the references below.
+fn unsymmetric(length: f64, left: Support, right: Support) -> Model {
+    let mut model = preset("purlin");
+    (model.subsystems, model.forces, model.responses) = (Vec::new(), Vec::new(), Vec::new());
+    model.beam = Beam {
+        length,
+        material: Material {
+            young_modulus: 2e11,
+            shear_modulus: 8e10,
+            density: 7800.0,
+            loss_factor: 0.0,
+        },
+        section: Section {
+            area: 1.947 / 7800.0,
+            second_moment_y: 8.34e-8,
+            second_moment_z: 3.674e-7,
+            torsion_constant: 1.35125e-10,
+            warping_constant: 1.317e-10,
+            polar_moment: 5.9e-3 / 7800.0,
+            centroid_offset: 0.02316,
+            centroid_offset_y: 0.02625,
+            shear_area_y: 2e-4,
+            shear_area_z: 2e-4,
+            ..Section::default()
+        },
+        ..Beam::default()
+    };
+    (model.supports.left, model.supports.right) = (left, right);
+    model
+}
+
+fn assert_modes(model: &Model, expected: &[f64]) {
+    let to = expected[expected.len() - 1] * 1.0001;
+    let found = undamped(&checked(model), to, &NEVER).unwrap().unwrap();
+    let rigid = found.iter().filter(|hertz| **hertz == 0.0).count();
+    assert_eq!(found.len() - rigid, expected.len(), "{found:?}");
+    for (found, expected) in found[rigid..].iter().zip(expected) {
+        assert_close(*found, *expected, 2e-7);
+    }
+}
+
+/// Expected: a Ritz method with polynomials of order 14 and 18, whose results agree in all digits given.
+#[test]
+fn theories_of_bending_without_symmetry() {
+    let ends = |of: &str| match of {
+        "CF" => (Support::CLAMPED, Support::FREE),
+        "CC" => (Support::CLAMPED, Support::CLAMPED),
+        "SS" => (Support::PINNED, Support::PINNED),
+        _ => (Support::FREE, Support::FREE),
+    };
+    for (name, expected) in [
+        (
+            "CF",
+            vec![
+                17.160_10, 27.272_36, 58.724_05, 98.441_77, 165.630_41, 270.355_55,
+            ],
+        ),
+        (
+            "CC",
+            vec![98.402_52, 167.290_02, 268.981_89, 355.108_37, 453.270_78],
+        ),
+        (
+            "SS",
+            vec![44.677_23, 74.907_64, 162.651_31, 173.759_05, 295.254_02],
+        ),
+        (
+            "FF",
+            vec![20.306_44, 101.141_06, 169.127_06, 271.518_41, 361.733_64],
+        ),
+    ] {
+        let (left, right) = ends(name);
+        let mut model = unsymmetric(1.5, left, right);
+        model.beam.theory = Theory::Timoshenko;
+        assert_modes(&model, &expected);
+    }
+    let mut model = unsymmetric(1.5, Support::PINNED, Support::PINNED);
+    model.beam.theory = Theory::Rayleigh;
+    model.beam.warping_inertia = true;
+    assert_modes(
+        &model,
+        &[44.696_03, 75.071_71, 164.093_11, 174.010_32, 297.822_17],
+    );
+}
+
+/// Expected: closed form for pinned ends, otherwise the same Ritz method.
+#[test]
+fn an_axial_force_without_symmetry_and_its_buckling_load() {
+    let pinned = || unsymmetric(1.5, Support::PINNED, Support::PINNED);
+    let cantilever = || unsymmetric(1.5, Support::CLAMPED, Support::FREE);
+    for (mut model, force, expected) in [
+        (
+            pinned(),
+            -17_514.622_886,
+            vec![31.615_217, 68.170_726, 161.810_775],
+        ),
+        (
+            pinned(),
+            17_514.622_886,
+            vec![54.759_162, 81.524_792, 167.874_270],
+        ),
+        (
+            cantilever(),
+            -4_378.655_721,
+            vec![13.297_848, 25.062_068, 58.093_678, 94.429_480],
+        ),
+        (
+            cantilever(),
+            4_378.655_721,
+            vec![20.132_680, 29.345_497, 60.081_870, 102.723_378],
+        ),
+    ] {
+        model.beam.axial_force = force;
+        assert_modes(&model, &expected);
+    }
+    for (model, expected) in [
+        (pinned(), 35_029.245_771),
+        (cantilever(), 10_358.136_456),
+        (
+            unsymmetric(1.5, Support::CLAMPED, Support::CLAMPED),
+            132_994.254_4,
+        ),
+    ] {
+        let found = buckling_load(&checked(&model)).unwrap();
+        assert_close(found, expected, 1e-9);
+    }
+}
+
+/// Closed form: a pinned beam has one unstable mode between its first and its second Euler load in the weaker plane, and
+/// the others oscillate.
+#[test]
+fn a_buckled_beam_says_so() {
+    let mut model = pinned_beam(1e-6);
+    let beam = &mut model.beam;
+    let euler = PI * PI * beam.material.young_modulus * 1e-6 / beam.length.powi(2);
+    beam.material.loss_factor = 0.0;
+    beam.axial_force = -2.0 * euler;
+    let found = modes(&checked(&model), 50.0, &NEVER).unwrap();
+    assert_eq!(found.unstable, 1);
+    // omega^2 = omega_n^2 (1 - 2 / n^2).
+    let (section, density) = (&model.beam.section, model.beam.material.density);
+    let mass = density * section.area;
+    let second = (2.0 * PI / model.beam.length).powi(4) * 2.1e11 * 1e-6 / mass * 0.5;
+    assert!(found.modes.iter().all(|mode| mode.frequency() > 0.0));
+    let nearest = found
+        .modes
+        .iter()
+        .map(|mode| (mode.frequency() - second.sqrt() / TAU).abs());
+    assert!(nearest.fold(f64::INFINITY, f64::min) < 1e-8);
+    assert_close(buckling_load(&checked(&model)).unwrap(), euler, 1e-9);
+}
+
+/// The paper's beam with both ends pinned and no offset: bending and torsion are uncoupled.
 fn pinned_beam(second_moment_z: f64) -> Model {
     let mut model = preset("fig06");
     model.supports.left = Support::PINNED;
@@ -93,8 +245,8 @@ fn the_damped_modes_of_the_papers_beam() {
     }
 }
 
-/// Expected: closed form; with equal second moments every bending mode occurs twice, with nearly equal ones they
-/// differ by 5e-10 of themselves.
+/// Expected: closed form; with equal second moments every bending mode occurs twice, with nearly equal ones the
+/// relative difference is 5e-10.
 #[test]
 fn double_and_nearly_double_roots() {
     let second_moment_y = preset("fig06").beam.section.second_moment_y;
@@ -109,7 +261,7 @@ fn double_and_nearly_double_roots() {
     }
 }
 
-/// Expected: closed form. With a loss factor on E and G alone every omega^2 turns by 1 + i eta.
+/// Expected: closed form. With a loss factor on E and G alone, every omega^2 is multiplied by 1 + i eta.
 #[test]
 fn a_loss_factor_turns_every_root() {
     let second_moment_y = preset("fig06").beam.section.second_moment_y;
@@ -160,10 +312,11 @@ fn mass_on_stiff_beam(stiffness: f64, damping: f64) -> Model {
     model
 }
 
-/// Expected: closed form, `m omega^2 - i c omega - k = 0` for y, z and theta; the beam gives way by less than 5e-3.
+/// Expected: closed form, `m omega^2 - i c omega - k = 0` for y, z and theta; the compliance of the beam adds less than
+/// 5e-3.
 #[test]
 fn a_mass_on_a_stiff_beam_oscillates_or_creeps() {
-    // Damping ratios of 0.3 (oscillating), 3 (two ways of creeping back), and one between.
+    // Damping ratios of 0.3 (oscillating), 3 (two overdamped roots), and one between.
     for share in [0.3_f64, 0.9, 3.0] {
         let (k, m) = (1e4_f64, 10.0_f64);
         let c = share * (2.0 * k * m).sqrt();
@@ -235,12 +388,12 @@ fn rigid_body_modes_are_at_zero() {
         ..Elastic::default()
     });
     assert_eq!(zeros(&model), 3);
-    // A mass without springs moves in three ways; with y springs alone in two.
+    // A mass without springs has three free motions; with y springs alone two.
     model.subsystems = vec![mass_on_springs(0.7, Spring::default())];
     assert_eq!(zeros(&model), 6);
     model.subsystems[0].y_left.stiffness = 1e5;
     assert_eq!(zeros(&model), 5);
-    // Its y spring and the beam's soft support are in series: still held.
+    // Its y spring and the beam's soft support are in series: still restrained.
     model.subsystems[0].inertia = 0.0;
     assert_eq!(zeros(&model), 4);
 }
@@ -280,7 +433,8 @@ fn fifty_absorbers(seed: u64) -> Model {
     model
 }
 
-/// Expected: the count of Wittrick & Williams on both sides of each root, which shares nothing with what polished it.
+/// Expected: the count of Wittrick & Williams on both sides of each root, which is independent of the method that
+/// refined it.
 #[test]
 fn every_root_of_fifty_random_absorbers_is_where_the_count_steps() {
     let model = fifty_absorbers(1);
@@ -304,7 +458,7 @@ fn every_root_of_fifty_random_absorbers_is_where_the_count_steps() {
     damped(&model, 200.0);
 }
 
-/// Expected: the same list, from a search that starts afresh.
+/// Expected: the same list, from a new search.
 #[test]
 fn modes_that_are_followed_and_counted_are_those_found_afresh() {
     let mut model = preset("fig05a");
@@ -346,7 +500,7 @@ fn uncounted(list: &Modes, modes: Vec<Mode>) -> Modes {
     }
 }
 
-/// Whether two lists have the same modes, but for rounding.
+/// Whether two lists have the same modes, except for rounding.
 fn assert_same(got: &Modes, want: &Modes) {
     assert_eq!(got.modes.len(), want.modes.len());
     for (a, b) in got.modes.iter().zip(&want.modes) {
@@ -357,7 +511,7 @@ fn assert_same(got: &Modes, want: &Modes) {
     }
 }
 
-/// Expected: the whole list, whatever a made-up follower lost of it.
+/// Expected: the whole list, even if the follower loses some of it.
 #[test]
 fn the_count_finds_what_a_list_lacks_or_has_twice() {
     let model = preset("fig05a");
@@ -380,7 +534,7 @@ fn the_count_finds_what_a_list_lacks_or_has_twice() {
         assert_eq!(counted.completeness, Completeness::Certain);
         assert_same(&counted, &whole);
     }
-    // What is counted already stays as it is, and a cancelled count is none.
+    // Ranges that are counted already do not change, and a cancelled count is none.
     assert_eq!(
         certify(&checked(&model), &whole, &NEVER).as_ref(),
         Ok(&whole)
@@ -393,7 +547,7 @@ fn the_count_finds_what_a_list_lacks_or_has_twice() {
     );
 }
 
-/// fig05a with a damper far beyond the critical damping of the mass it holds.
+/// fig05a with a damper far beyond the critical damping of its mass.
 fn overdamped() -> Model {
     let mut model = preset("fig05a");
     model.subsystems[1].y_left.damping = 1e6;
@@ -401,7 +555,7 @@ fn overdamped() -> Model {
     model
 }
 
-/// Expected: the list of a search with its count, which is the first to find overdamped modes.
+/// Expected: the list of a search with its count, which finds overdamped modes first.
 #[test]
 fn overdamped_modes_come_with_the_count() {
     let model = overdamped();
@@ -415,15 +569,15 @@ fn overdamped_modes_come_with_the_count() {
     assert_eq!(before.completeness, Completeness::Uncounted);
     assert!(before.modes.len() < whole.modes.len());
     assert_same(&certify(&checked(&model), &before, &NEVER).unwrap(), &whole);
-    // Once they are known they are followed.
+    // Once known, they are followed.
     let mut longer = model;
     longer.beam.length *= 1.01;
     let followed = follow(&checked(&longer), &whole, &NEVER).unwrap();
     assert_eq!(overdamped(&followed), overdamped(&damped(&longer, 400.0)));
 }
 
-/// Expected: as many as a search that starts afresh finds, also where no list before had them: the beam grows until most
-/// of its modes have come into the range from far beyond it.
+/// Expected: as many as a new search finds, also if no list before had them: the beam grows until most of its modes
+/// have entered the range from far beyond it.
 #[test]
 fn modes_that_enter_the_range_are_not_missing_while_no_count_is_made() {
     let mut model = preset("fig05a");
@@ -438,7 +592,7 @@ fn modes_that_enter_the_range_are_not_missing_while_no_count_is_made() {
     assert!(followed.modes.len() > first + 3, "{}", followed.modes.len());
 }
 
-/// Expected: as many as a search that starts afresh finds. Two starts on one root are one, and one root is lost.
+/// Expected: as many as a new search finds. Two starts lead to one root, and so one root is lost.
 #[test]
 fn a_root_that_is_lost_on_the_way_starts_a_search_afresh() {
     let mut model = preset("fig05a");
@@ -451,7 +605,7 @@ fn a_root_that_is_lost_on_the_way_starts_a_search_afresh() {
     assert_same(&followed, &damped(&model, 400.0));
 }
 
-/// Expected: the argument principle counts as many as were found, and Wittrick and Williams as many without damping.
+/// Expected: the argument principle counts the same number as was found, and Wittrick and Williams without damping.
 #[test]
 fn every_preset_has_all_its_modes() {
     for preset in presets::ALL {
@@ -464,8 +618,8 @@ fn every_preset_has_all_its_modes() {
     }
 }
 
-/// Expected: the residue of a receptance at a pole. Between two places it is the product of the mode's motions there:
-/// `H = phi_a phi_b / (2 omega_k (omega_k - omega))` beside `omega_k`, from the normalisation.
+/// Expected: the residue of a receptance at a pole. Between two positions it is the product of the mode's motions
+/// there: `H = phi_a phi_b / (2 omega_k (omega_k - omega))` close to `omega_k`, from the normalisation.
 #[test]
 fn shapes_are_normalised_to_modal_mass_one() {
     let model = preset("fig05a");
@@ -489,7 +643,7 @@ fn shapes_are_normalised_to_modal_mass_one() {
             from * 2.0 * mode.omega * (mode.omega - mode.omega.re)
         };
         let got = residue(&a);
-        // What the other modes add: their distance against the damping.
+        // The share of the other modes: the damping over their distance.
         assert!(
             (got - product).norm() < 0.02 * product.norm(),
             "mode {index}: {got} {product}"
@@ -534,7 +688,7 @@ fn the_shape_of_a_pinned_beam_is_a_sine() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 60, rng_seed: prop::test_runner::RngSeed::Fixed(5), failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// A mass without springs touches nothing: it splits a span, and has its three modes at 0.
+    /// A mass without springs has no effect: it splits a span, and has its three modes at 0.
     #[test]
     fn the_count_does_not_depend_on_how_stations_are_split(model in models(), places in prop::collection::vec(0.0..=1.0, 1..4), hertz in 1.0..500.0) {
         let mut split = model.clone();
@@ -546,7 +700,7 @@ proptest! {
         prop_assert_eq!(count(&checked(&split), hertz), count(&checked(&model), hertz) + 3 * places.len());
     }
 
-    /// Interlacing: one spring more moves every mode up, and none past the next.
+    /// Interlacing: one more spring raises every mode, and none past the next.
     #[test]
     fn a_spring_moves_the_count_by_one_at_most(model in models(), power in 2.0..10.0, at in 0_usize..6, hertz in 1.0..500.0) {
         let motion = BeamMotion::ALL[at];
@@ -561,7 +715,7 @@ proptest! {
         prop_assert!(after == before || after + 1 == before, "{} {}", before, after);
     }
 
-    /// The argument principle counts what was found, whatever the model.
+    /// The argument principle counts the modes found, for any model.
     #[test]
     fn every_damped_list_is_certain(model in models()) {
         let found = modes(&checked(&model), 150.0, &NEVER).unwrap();
@@ -574,8 +728,8 @@ proptest! {
 }
 
 #[test]
-fn more_modes_than_anybody_could_list_are_not_sought() {
-    // A beam round the earth many times over: by its wave numbers it has far more modes than a list may have.
+fn more_modes_than_the_limit_are_not_searched() {
+    // A beam many times round the earth: by its wave numbers it has far more modes than a list may have.
     let mut model = preset("fig06");
     let never = AtomicBool::new(false);
     for length in [1e13, 1e25] {

@@ -1,4 +1,4 @@
-//! What the beam does at one frequency, against balances of force and power, closed forms and the responses.
+//! The operating state at one frequency, against balances of force and power, closed forms and the responses.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
@@ -49,7 +49,7 @@ fn value(force: &Force) -> Complex64 {
     Complex64::from_polar(force.amplitude, force.phase.to_radians())
 }
 
-/// Loads on the beam with their places, m.
+/// Loads on the beam with their positions, m.
 fn beam_loads(model: &Model) -> Vec<(f64, BeamMotion, Complex64)> {
     let loads = model.forces.iter().filter(|force| force.enabled);
     loads
@@ -106,7 +106,7 @@ fn assert_near(got: Complex64, want: Complex64, tolerance: f64, what: &str) {
     );
 }
 
-/// Both sides of every place that stands twice, as indices.
+/// Both sides of every position that occurs twice, as indices.
 fn joints(found: &Operating) -> Vec<[usize; 2]> {
     let pairs = found.positions.windows(2).enumerate();
     pairs
@@ -134,7 +134,7 @@ fn places_are_the_grid_and_both_sides_of_every_joint() {
 
 #[test]
 fn motions_are_those_of_the_responses() {
-    // Independent source: the same model with responses there, at places where it has none.
+    // Independent source: the same model with responses at positions where it has none.
     for name in ["fig05b", "fig08", "hundred_absorbers"] {
         let model = preset(name);
         for hertz in [3.0, 77.0, 390.0] {
@@ -173,7 +173,7 @@ const RULE: [(f64, f64); 4] = [
 
 /// Integrals along the beam of w, psi, v, and of x w, x psi, x v, from responses at the points of a quadrature.
 fn integrals(model: &Model, found: &Operating) -> [Complex64; 6] {
-    // Against torsion waves of 3 cm, the shortest of the random models.
+    // Enough points for torsion waves of 3 cm, the shortest of the random models.
     const PANEL: f64 = 0.02;
     let mut places = found.positions.clone();
     places.dedup();
@@ -205,7 +205,7 @@ fn integrals(model: &Model, found: &Operating) -> [Complex64; 6] {
     sums
 }
 
-/// Everything that acts on the beam along w, psi and v, and about its left end; the inertia of the beam included.
+/// All forces on the beam along w, psi and v, and about its left end; the inertia of the beam included.
 fn assert_in_balance(model: &Model, found: &Operating) {
     let (material, section) = (&model.beam.material, &model.beam.section);
     let square = (TAU * found.frequency).powi(2);
@@ -296,7 +296,7 @@ fn assert_masses_in_balance(model: &Model, found: &Operating) {
     }
 }
 
-/// Internal forces jump by what attaches and acts, and meet the supports at the ends.
+/// Internal forces jump at attachments and loads, and balance the supports at the ends.
 fn assert_forces_meet(model: &Model, found: &Operating) {
     let last = found.positions.len() - 1;
     let loads_at = |x: f64| {
@@ -308,7 +308,7 @@ fn assert_forces_meet(model: &Model, found: &Operating) {
         }
         load
     };
-    // What does not reach a row but by rounding has no better than that of the loads.
+    // A row that only rounding reaches is no more accurate than that of the loads.
     let loads: f64 = model.forces.iter().map(|force| force.amplitude).sum();
     let scale = |row: usize| {
         let largest = found.forces[row]
@@ -383,7 +383,7 @@ proptest! {
 /// Input against losses, and the flow along the beam against both.
 fn assert_powers_balance(model: &Model, found: &Operating) {
     let power = &found.power;
-    // What the forces would put in if all of their motion were in phase: the inputs are known to rounding of that.
+    // The input if the whole motion were in phase with the forces: the scale of the rounding of the inputs.
     let apparent = apparent(model, found);
     // Slow waves add up to much less than each of them.
     let rounding = if found.frequency < 10.0 { 1e-11 } else { 1e-13 };
@@ -399,7 +399,7 @@ fn assert_powers_balance(model: &Model, found: &Operating) {
     assert_flow_meets(model, found, tolerance);
 }
 
-/// The flow jumps by what forces put in and dampers take out, and between joints falls by what the material takes.
+/// The flow jumps by the input of forces and the loss of dampers, and falls between joints by the loss of the material.
 fn assert_flow_meets(model: &Model, found: &Operating, tolerance: f64) {
     let (power, last) = (&found.power, found.positions.len() - 1);
     let joints = joints(found);
@@ -568,7 +568,7 @@ fn a_section_without_warping_carries_no_bimoment() {
 
 #[test]
 fn dampers_are_named_and_take_what_a_single_mass_gives_them() {
-    // Closed form: a mass on a spring and a damper to an all but rigid ground moves by F / (k - m w^2 + i w c); the
+    // Closed form: a mass on a spring and a damper to a practically rigid ground moves by F / (k - m w^2 + i w c); the
     // damper takes 1/2 c w^2 |u|^2. The ground is a clamped beam a million times stiffer than the spring.
     let mut model = preset("fig05a");
     model.supports.left = Support::CLAMPED;
@@ -630,12 +630,12 @@ fn an_undamped_resonance_is_not_finite_and_harmless() {
     let stiffness = material.young_modulus * section.second_moment_z;
     let mass = material.density * section.area;
     let resonance = PI / (2.0 * LENGTH * LENGTH) * (stiffness / mass).sqrt();
-    let beside = operating(&checked(&model), 0.9 * resonance, 5).motion[2][2].norm();
+    let nearby = operating(&checked(&model), 0.9 * resonance, 5).motion[2][2].norm();
     let found = operating(&checked(&model), resonance, 5);
     let moved = found.motion[2][2].norm();
     assert!(
-        !moved.is_finite() || moved > 1e9 * beside,
-        "{moved} beside {beside}"
+        !moved.is_finite() || moved > 1e9 * nearby,
+        "{moved} nearby {nearby}"
     );
     assert_eq!(found.positions.len(), 6);
     assert_eq!(found.power.inputs.len(), 1);

@@ -1,4 +1,4 @@
-//! Responses exactly at a resonance that nothing excites: finite, and as next to it.
+//! Responses exactly at a resonance that is not excited: finite, and continuous.
 
 #![allow(clippy::unwrap_used)]
 
@@ -21,7 +21,7 @@ fn value(frf: &Frf, name: &str, row: usize) -> Complex64 {
     column.unwrap().values[row]
 }
 
-/// The frequencies that rounding cannot tell from a resonance, Hz.
+/// The frequencies that differ from a resonance by rounding only, Hz.
 fn last_bits(resonance: f64) -> Vec<f64> {
     let bits = resonance.to_bits();
     (bits - 20..=bits + 20).map(f64::from_bits).collect()
@@ -71,11 +71,11 @@ fn an_undamped_mass_on_a_fixed_end_at_its_own_resonance_changes_nothing() {
         let error = (got - expected).norm() / expected.norm();
         assert!(error < 1e-8, "{name}: {got} for {expected}");
     }
-    // Closed form: what stands on a fixed place and is not driven does not move.
+    // Closed form: a subsystem on a fixed position without a force does not move.
     assert_eq!(value(&frf, "S3 y", 0), Complex64::ZERO);
 }
 
-/// A beam with both ends as told, a force along w and v in the span, and a mass on an end.
+/// A beam with the given ends, a force along w and v in the span, and a mass on an end.
 fn beam(support: &str, position: f64, mass: &str) -> Model {
     let mass = if mass.is_empty() {
         String::new()
@@ -178,8 +178,8 @@ fn every_resonance_of_a_mass_on_a_fixed_end_leaves_the_beam_as_without_it() {
 
 #[test]
 fn a_mass_that_the_beam_cannot_turn_is_not_turned_at_its_own_resonance() {
-    // Closed form: mounted at one line, with equal springs and arms, theta is alone: J omega^2 = 2 k l^2. Any other
-    // inertia leaves every other motion as it is.
+    // Closed form: mounted on one line, with equal springs and arms, theta is uncoupled: J omega^2 = 2 k l^2. Another
+    // inertia leaves every other motion unchanged.
     let mass = |inertia: f64| {
         format!(
             "mass = 3.7\ninertia = {inertia:?}\nz_left = {{ stiffness = 4e6 }}\nz_right = {{ stiffness = 4e6 }}\n\
@@ -201,7 +201,7 @@ fn a_mass_that_the_beam_cannot_turn_is_not_turned_at_its_own_resonance() {
 
 #[test]
 fn a_mass_that_is_driven_at_its_own_resonance_has_no_finite_response() {
-    // Closed form: F / (k - omega^2 m) with k = omega^2 m; the beam beside it does not move with the mass.
+    // Closed form: F / (k - omega^2 m) with k = omega^2 m; the beam next to it does not move with the mass.
     let model = beam(
         FIXED,
         0.0,
@@ -209,7 +209,7 @@ fn a_mass_that_is_driven_at_its_own_resonance_has_no_finite_response() {
          arm_right = 0.1\ninertia = 1.0\n[[forces]]\nat = \"M\"\ndirection = \"y\"\n\
          [[responses]]\nname = \"y\"\nat = \"M\"\ndirection = \"y\"\n",
     );
-    // At which of these omega^2 is 16 to the last bit is up to rounding: there it is infinite, elsewhere huge.
+    // Rounding decides at which of these omega^2 is 16 to the last bit: there it is infinite, elsewhere huge.
     let frequencies = last_bits(4.0 / TAU);
     let frf = solved(&model, &frequencies);
     for row in 0..frequencies.len() {
@@ -221,7 +221,7 @@ fn a_mass_that_is_driven_at_its_own_resonance_has_no_finite_response() {
 
 #[test]
 fn a_mode_of_the_other_plane_leaves_the_response_finite() {
-    // Closed form: without an offset nothing couples w to v, so that w is as with any other bending stiffness of v.
+    // Closed form: without an offset, w and v are uncoupled, so w does not depend on the bending stiffness of v.
     let mut model = beam(FIXED, 0.0, "");
     model.beam.section.centroid_offset = 0.0;
     model.forces.truncate(1);

@@ -1,7 +1,7 @@
-//! The presets are possible models that survive reading and writing, and each shows what its figure is said to show.
+//! The presets are valid models that survive reading and writing, and each reproduces the statements about its figure.
 //!
-//! What the paper says is quoted where it is tested: Chen & Liu, *Mathematics* 2022, 10(16), 2849, Sections 3 and 4.
-//! Where a sentence does not hold with the presets' values, the test asserts what does, and the preset's notes say so.
+//! The paper is quoted where it is tested: Chen & Liu, *Mathematics* 2022, 10(16), 2849, Sections 3 and 4. If a
+//! sentence does not hold with the presets' values, the test asserts what does, and the preset's notes say so.
 
 #![allow(clippy::unwrap_used)]
 
@@ -16,7 +16,7 @@ use beamtune::model::edit::{self, Value};
 use beamtune::model::{self, Family, Model};
 use beamtune::{presets, solve};
 
-/// The directions of the beam, as the responses' names end.
+/// The directions of the beam, as in the responses' names.
 const DIRECTIONS: [&str; 3] = ["w", "psi", "v"];
 /// Frequencies of a curve, evenly spread on a logarithmic axis.
 const POINTS: usize = 1500;
@@ -85,7 +85,7 @@ impl Curve {
         self.size.iter().copied().fold(0.0, f64::max)
     }
 
-    /// Mean of log10, the level the eye reads off a logarithmic chart.
+    /// Mean of log10, the level as perceived on a logarithmic chart.
     fn level(&self) -> f64 {
         self.size.iter().map(|size| size.log10()).sum::<f64>() / self.size.len() as f64
     }
@@ -116,7 +116,7 @@ impl Curve {
     }
 }
 
-/// The local maxima of a response, each followed to its summit, which may be far sharper than a sweep's step.
+/// The local maxima of a response, each refined to its summit, which may be far sharper than a sweep's step.
 fn peaks(model: &Model, response: &str, from: f64, to: f64) -> Vec<Peak> {
     let coarse = curve(model, response, from, to);
     (1..POINTS - 1)
@@ -234,7 +234,8 @@ fn every_preset_solves_to_finite_curves() {
 
 // ---- Figures 5 and 6: absorbers on an elastic beam ----
 
-/// "The introduction of a subsystem can generate several anti-resonance bands" that the bare beam (Figure 6) has not.
+/// "The introduction of a subsystem can generate several anti-resonance bands" that the bare beam (Figure 6) does not
+/// have.
 #[test]
 fn fig05_the_absorbers_open_bands_of_low_transmission() {
     let (bare, carrying) = (preset("fig06"), preset("fig05a"));
@@ -318,8 +319,8 @@ fn fig07_symmetric_arms_keep_v_apart_from_w_and_psi() {
     }
 }
 
-/// "The vibration coupling is very strong at low frequencies" and "very slight" at high ones. (The paper draws the line
-/// at 2200, which is 350 Hz if it is rad/s; here it lies lower.)
+/// "The vibration coupling is very strong at low frequencies" and "very slight" at high ones. (The paper puts the limit
+/// at 2200, which is 350 Hz if it is rad/s; here it is lower.)
 #[test]
 fn fig07_the_arms_matter_at_low_frequencies_only() {
     for (name, direct, across) in [
@@ -392,7 +393,7 @@ fn fig09_peaks_fall_with_the_damping() {
 }
 
 /// "A higher m corresponds to a decrease in the frequency of the potential well in the psi direction." The wider band
-/// that the sentence goes on to promise does not appear: its lower edge hardly moves, and the band narrows, while a second
+/// that the sentence also promises does not appear: its lower edge hardly moves, and the band narrows, while a second
 /// one opens above it.
 #[test]
 fn fig10_anti_resonances_fall_with_the_mass() {
@@ -461,7 +462,7 @@ fn fig14_damping_helps_then_hurts() {
     for (from, to) in [(30.0, 60.0), (60.0, 100.0), (100.0, 200.0), (200.0, 400.0)] {
         assert_falling(&each(&members, |model| highest(model, "E_V", from, to)));
     }
-    // Above the resonances of the mounts the dampers carry the force: there the highest damping is the worst.
+    // Above the resonances of the mounts the dampers transmit the force: there the highest damping is the worst.
     assert_rising(&each(&members[1..], |model| {
         curve(model, "E_V", 400.0, 800.0).level()
     }));
@@ -515,8 +516,8 @@ fn fig16_resonances_rise_with_the_supports_stiffness() {
     assert_rising(&each(&members, |model| highest(model, "E_V", 1.0, 400.0)));
 }
 
-/// "The EV curves for a higher C have a smaller peak value." It holds for each resonance but one: near 90 Hz the highest
-/// damping holds the ends still, and the peak comes back.
+/// "The EV curves for a higher C have a smaller peak value." It holds for each resonance but one: near 90 Hz the
+/// highest damping fixes the ends, and the peak comes back.
 #[test]
 fn fig17_peaks_fall_with_the_supports_damping() {
     let members = members("fig17");

@@ -1,6 +1,6 @@
-//! What every solution must have in common, whatever the model.
+//! Properties of every solution, for any model.
 //!
-//! Expected values: none are stored; each test holds one solution against another, or against a law (reciprocity,
+//! Expected values: none are stored; each test compares one solution with another, or with a law (reciprocity,
 //! superposition, symmetry, passivity) or a closed form.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
@@ -20,14 +20,14 @@ use num_complex::Complex64;
 use proptest::prelude::*;
 use std::sync::atomic::AtomicBool;
 
-/// Rounding allowed, relative to the value and to the motions at the force and at the probe.
+/// Allowed rounding, relative to the value and to the motions at the force and at the probe.
 const TOLERANCE: f64 = 1e-9;
 
 fn beam(x: f64, motion: BeamMotion) -> Target {
     Target::Beam(Place::Position(x), motion)
 }
 
-/// Three probes that any change of a model would show at.
+/// Three probes at which any change of a model has an effect.
 fn probes() -> [Target; 3] {
     [
         beam(0.3, BeamMotion::W),
@@ -36,7 +36,7 @@ fn probes() -> [Target; 3] {
     ]
 }
 
-/// A load that moves everything.
+/// A load that excites every motion.
 fn load() -> Vec<Force> {
     [BeamMotion::W, BeamMotion::Psi, BeamMotion::V]
         .map(|motion| unit_force(beam(0.9, motion)))
@@ -84,7 +84,7 @@ proptest! {
         }
     }
 
-    /// Seen from the other end the model is the same.
+    /// Seen from the other end, the model is the same.
     #[test]
     fn mirror_image(model in models(), hertz in frequencies()) {
         let mut mirrored = model.clone();
@@ -101,7 +101,7 @@ proptest! {
         assert_same(&got, &respond(&model, load(), &probes(), hertz));
     }
 
-    /// A subsystem is the same as two halves of it at its place.
+    /// A subsystem is equivalent to two halves of it at its position.
     #[test]
     fn a_station_split_in_two(model in models(), whole in subsystems(), hertz in frequencies()) {
         let half = |spring: Spring| Spring { stiffness: 0.5 * spring.stiffness, damping: 0.5 * spring.damping };
@@ -122,7 +122,7 @@ proptest! {
         assert_same(&respond(&two, load(), &probes(), hertz), &respond(&one, load(), &probes(), hertz));
     }
 
-    /// Looking does not change what is seen, and neither does the order of the subsystems in the file.
+    /// Additional responses do not change the others, and neither does the order of the subsystems in the file.
     #[test]
     fn a_probe_added_and_subsystems_in_another_order(model in models(), x in 0.0..LENGTH, hertz in frequencies()) {
         let plain = respond(&model, load(), &probes(), hertz);
@@ -137,6 +137,8 @@ proptest! {
     #[test]
     fn symmetric_arms_leave_v_exactly_zero(model in models(), hertz in frequencies()) {
         let mut model = model;
+        model.beam.section.product_moment = 0.0;
+        model.beam.section.centroid_offset_y = 0.0;
         for subsystem in &mut model.subsystems {
             subsystem.arm_right = subsystem.arm_left;
             subsystem.z_right = subsystem.z_left;
@@ -169,10 +171,10 @@ proptest! {
 }
 
 /// K + i omega C - omega^2 M of a subsystem over (y, z, theta | w, psi, v), its mass eliminated: the 3x3 stiffness that
-/// the beam meets (METHOD: dynamic condensation, Chen & Liu 2022, Section 2.1, from the stretches of the springs).
+/// acts on the beam (METHOD: dynamic condensation, Chen & Liu 2022, Section 2.1, from the elongations of the springs).
 fn condensed(subsystem: &Subsystem, omega: f64) -> nalgebra::Matrix3<Complex64> {
     let s = subsystem;
-    // Stretch of each spring over (y, z, theta, w, psi, v).
+    // Elongation of each spring over (y, z, theta, w, psi, v).
     let springs = [
         (s.y_left, [-1.0, 0.0, 0.0, 1.0, s.mount_z, 0.0]),
         (s.y_right, [-1.0, 0.0, 0.0, 1.0, s.mount_z, 0.0]),
@@ -329,7 +331,7 @@ fn no_warping_is_the_limit_of_little_warping() {
     }
 }
 
-/// A mass without damping, driven at its own resonance on the blocked beam: the beam stands still there.
+/// A mass without damping, driven at its own resonance on the blocked beam: the beam is at rest there.
 #[test]
 fn an_undamped_absorber_holds_its_station_still() {
     let mut model = cantilever();
@@ -366,7 +368,7 @@ fn an_undamped_absorber_holds_its_station_still() {
 }
 
 /// Expected: closed form of the pinned beam's natural frequencies, (n pi / L)^2 sqrt(E I / rho A) / 2 pi. Without
-/// damping there is no finite answer at them, and one a part in 10^9 beside.
+/// damping there is no finite response at them, and one at a relative distance of 10^-9.
 #[test]
 fn an_undamped_beam_at_its_resonance_has_no_finite_answer() {
     let mut model = cantilever();

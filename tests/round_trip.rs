@@ -1,4 +1,4 @@
-//! Writing and reading: what is written reads back to the same bits, and what a person wrote stays.
+//! Writing and reading: written models read back to the same bits, and the text of a person stays.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::format_push_string)]
 
@@ -11,7 +11,7 @@ use proptest::prelude::*;
 
 const EXAMPLE: &str = include_str!("data/commented.toml");
 
-/// Equal to the last bit: `Debug` tells -0.0 from 0.0 and any two floats apart.
+/// Equal to the last bit: `Debug` distinguishes -0.0 from 0.0 and any two floats.
 fn bits(model: &Model) -> String {
     format!("{model:#?}")
 }
@@ -36,7 +36,7 @@ fn any_number() -> impl Strategy<Value = f64> {
     prop_oneof![not_negative(), positive().prop_map(|value| -value)]
 }
 
-/// Names with whatever is awkward in TOML, paths and CSV; the number makes them unique.
+/// Names that are awkward in TOML, paths and CSV; the number makes them unique.
 fn names(count: impl Into<proptest::collection::SizeRange>) -> impl Strategy<Value = Vec<String>> {
     let name = prop_oneof![
         Just("S".to_owned()),
@@ -71,6 +71,8 @@ fn beam() -> impl Strategy<Value = Beam> {
         not_negative(),
         not_negative(),
         any_number(),
+        any_number(),
+        any::<bool>(),
     )
         .prop_map(
             |(
@@ -78,6 +80,8 @@ fn beam() -> impl Strategy<Value = Beam> {
                 loss_factor,
                 warping,
                 offset,
+                axial_force,
+                warps,
             )| {
                 let section = Section {
                     area,
@@ -87,9 +91,21 @@ fn beam() -> impl Strategy<Value = Beam> {
                     warping_constant: warping,
                     polar_moment: (area * offset * offset).mul_add(1.5, moment),
                     centroid_offset: offset,
+                    // A tuning may make the second moments any smaller.
+                    product_moment: 0.0,
+                    centroid_offset_y: 0.5 * offset,
+                    shear_area_y: area / 3.0,
+                    shear_area_z: if warps { area } else { 0.0 },
                 };
                 Beam {
                     length,
+                    theory: if warps {
+                        Theory::Timoshenko
+                    } else {
+                        Theory::EulerBernoulli
+                    },
+                    warping_inertia: warps,
+                    axial_force,
                     material: Material {
                         young_modulus,
                         shear_modulus,
@@ -285,7 +301,7 @@ fn studies() -> impl Strategy<Value = Vec<Study>> {
     })
 }
 
-/// Any possible model. Its parts are boxed: whole, they are more than the stack of a test holds.
+/// Any valid model. Its parts are boxed: together they exceed the stack of a test.
 fn model() -> impl Strategy<Value = Model> {
     let start = (
         text(),
@@ -342,7 +358,7 @@ fn model() -> impl Strategy<Value = Model> {
     })
 }
 
-/// A comment at the end of every line that can bear one, numbered.
+/// A comment at the end of every line that can have one, numbered.
 fn with_comments(text: &str) -> (String, usize) {
     let mut count = 0;
     let mut commented = String::new();
@@ -361,7 +377,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(256))]
 
     #[test]
-    fn a_model_written_anew_reads_back_to_the_same_bits(model in model()) {
+    fn a_rewritten_model_reads_back_to_the_same_bits(model in model()) {
         prop_assert_eq!(check(&model), Vec::new());
         let text = write(&model, "");
         reads_as(&text, &model);
@@ -418,7 +434,7 @@ proptest! {
     }
 }
 
-/// The lines that differ, the old with a minus and the new with a plus, below the last line with text that does not.
+/// The lines that differ, the old with a minus and the new with a plus, below the last equal line that has text.
 fn difference(old: &str, new: &str) -> String {
     let (old, new): (Vec<_>, Vec<_>) = (old.lines().collect(), new.lines().collect());
     // Longest common subsequence, from the end.
@@ -456,7 +472,7 @@ fn difference(old: &str, new: &str) -> String {
     text
 }
 
-/// Edits the example and returns what became different in its text.
+/// Edits the example and returns the differences in its text.
 fn edit(change: impl Fn(&mut Model)) -> String {
     edit_in(EXAMPLE, change)
 }
@@ -742,7 +758,7 @@ fn studies_change() {
 "#);
 }
 
-/// The same beam in the other ways to write tables.
+/// The same beam in the other forms of tables.
 const OTHER_STYLES: &str = r#"format = "beamtune/1"
 title = "Other styles"
 beam = { length = 3.2, material = { young_modulus = 2.1e11, shear_modulus = 8.0e10, density = 7850.0 }, section.area = 0.0116, section.second_moment_y = 1.6625e-4, section.second_moment_z = 1.3745e-4, section.torsion_constant = 4.7657e-7, section.warping_constant = 2.2783e-8, section.polar_moment = 5.9992e-4, section.centroid_offset = 0.0619 }
@@ -1034,7 +1050,7 @@ fn numbers_that_no_spring_works_on_may_be_left_out_and_stay_out() {
     let mut model = read(&text).unwrap().into_inner();
     assert_eq!(model.subsystems[0].arm_left, 0.0);
     assert_eq!(write(&model, &text), text);
-    // Once they matter they are written.
+    // Once they have an effect, they are written.
     model.subsystems[0].z_left.stiffness = 1e3;
     let turned = write(&model, &text);
     assert!(

@@ -62,7 +62,8 @@ fn downhill_reaches_published_optima_in_few_evaluations() {
         );
         if let Some(at) = &problem.at {
             let apart = apart(&problem, &found.x, at);
-            // A goal that is flat to the last digit at its least leaves its place open to the root of that.
+            // If the objective is flat to the last digit at its minimum, its position is known only to the square root
+            // of that.
             assert!(apart < 2e-7, "{name}: {apart:e}");
         }
     }
@@ -88,7 +89,7 @@ fn limits_hold_to_the_last_digit() {
         let found = downhill(&problem, &problem.start(), 60);
         let limits = problem.evaluate(&found.x).unwrap().limits;
         assert!(limits.iter().all(|limit| limit.value <= 0.0), "{limits:?}");
-        // At least one of them is what holds the optimum.
+        // At least one of them is active at the optimum.
         assert!(limits.iter().any(|limit| limit.value > -1e-6), "{limits:?}");
     }
 }

@@ -1,8 +1,7 @@
-//! What is kept between edits: the same answers as a fresh solve.
+//! The sweep cache between edits: the same results as a fresh solution.
 //!
-//! Expected: the fresh solve of the same model, whose own correctness is held elsewhere (literature, high precision).
-//! Differences are shares of the response's largest value: next to an anti-resonance what is left of a response has fewer
-//! digits in either.
+//! Expected: the fresh solution of the same model, which other tests check (literature, high precision). Differences
+//! are shares of the response's largest value: near an anti-resonance, both have fewer correct digits.
 
 #![allow(clippy::unwrap_used)]
 
@@ -94,7 +93,7 @@ fn assert_same(found: &Frf, fresh: &Frf) {
         assert!(top.is_finite(), "{}", b.name);
         for (a_value, b_value) in a.values.iter().zip(&b.values) {
             let distance = (a_value - b_value).norm();
-            // An energy is never next to nothing.
+            // An energy is never close to 0.
             let of = if a.kind == ColumnKind::Energy {
                 b_value.norm()
             } else {
@@ -185,7 +184,7 @@ fn edits_of_every_kind_are_solved_as_afresh() {
             );
             edit(&mut model);
         }
-        // The whole beam is another with another material.
+        // Another material changes the whole beam.
         assert_eq!(kept.bytes() > 0, name != "modulus", "{name}");
     }
 }
@@ -221,7 +220,7 @@ fn without_warping_stiffness(model: &mut Model) {
     model.forces.retain(|force| !bimoment(force));
 }
 
-/// The same; its rate of twist is read where nothing makes it jump.
+/// The same; its rate of twist is evaluated where it does not jump.
 fn without_warping(model: &mut Model) {
     without_warping_stiffness(model);
     for response in &mut model.responses {
@@ -249,7 +248,7 @@ fn without_warping_stiffness_edits_are_solved_as_afresh() {
     assert!(kept.bytes() > 0);
 }
 
-/// A mean of both sides of a torque is read at two places: nothing is kept for it.
+/// A mean of both sides of a torque is evaluated at two points: the cache does not support it.
 #[test]
 fn a_rate_of_twist_at_a_torque_is_solved_as_afresh() {
     let mut model = crowded(40);
@@ -321,7 +320,7 @@ fn nothing_is_kept_of_a_small_model() {
 }
 
 #[test]
-fn what_lies_beside_an_edit_serves_edits_of_the_same_place_alone() {
+fn the_cache_next_to_an_edit_serves_edits_of_the_same_position_only() {
     let model = crowded(60);
     let edited = |number: usize, factor: f64| {
         let mut model = model.clone();
@@ -356,7 +355,7 @@ fn what_lies_beside_an_edit_serves_edits_of_the_same_place_alone() {
             assert_same(&found, &sweep(&checked(&other), &grid(), &NEVER).unwrap());
         }
     }
-    // Other frequencies were not prepared for.
+    // The cache has no entries for other frequencies.
     assert_eq!(
         kept.recalled(&checked(&model), &grid()[1..], &NEVER),
         Ok(None)

@@ -1,4 +1,4 @@
-//! `beamtune tune`: what it writes, prints and refuses, and how a signal ends it.
+//! `beamtune tune`: its files, output and refusals, and the effect of signals.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
@@ -55,7 +55,7 @@ fn read(file: &Path) -> Model {
         .into_inner()
 }
 
-/// The highest magnitude of a response over many frequencies of a band, by the plain sweep.
+/// The highest magnitude of a response over many frequencies of a band, by the sweep without refinement.
 fn highest(model: &Model, response: &str, band: [f64; 2]) -> f64 {
     let points = 4000;
     let step = (band[1] - band[0]) / f64::from(points);
@@ -104,7 +104,8 @@ fn the_tuned_file_keeps_the_comments_and_says_what_it_achieved() {
         assert!(own.contains(part), "{part:?} in {own}");
     }
 
-    // What is said of the peak is so, by the plain sweep; between its points a peak is higher by less than 1e-3.
+    // The reported peak is right, by the sweep without refinement; between its points a peak is higher by less than
+    // 1e-3.
     let row = table
         .lines()
         .find(|line| line.starts_with("highest"))
@@ -247,16 +248,13 @@ objective = { match = "curve.uff", compare = "complex", response = "tip w", from
     let stiffness = read(&tuned).subsystems[0].y_left.stiffness;
     assert!((stiffness / 1.4e5 - 1.0).abs() < 1e-3, "{stiffness}");
 
-    // A unit that is not known is no unit of the response.
+    // An unknown unit cannot be a unit of the response.
     let text = fs::read_to_string(curve).unwrap();
     let text = text.replace("Acceleration         G ", "Acceleration         Q ");
     fs::write(folder.path().join("curve.uff"), text).unwrap();
     let (code, _, errors) = said(&run(&[&file]));
     assert_eq!(code, 2, "{errors}");
-    assert!(
-        errors.contains("\"Q\" is no unit that is known"),
-        "{errors}"
-    );
+    assert!(errors.contains("\"Q\" is not a known unit"), "{errors}");
 }
 
 #[test]
@@ -281,8 +279,8 @@ limits = [ { limit = "added_mass", at_most = 1.0 } ]
     assert_eq!(code, 0, "{errors}");
     assert_eq!(
         errors,
-        "warning: subsystems.Damper.mass lies outside of its bounds; the search starts at the nearer one\n\
-         warning: no model that keeps all limits was found\n"
+        "warning: subsystems.Damper.mass is outside its bounds; the search starts at the nearer one\n\
+         warning: no model within all limits was found\n"
     );
     for part in [
         "worst over the tolerances",
@@ -294,7 +292,7 @@ limits = [ { limit = "added_mass", at_most = 1.0 } ]
     ] {
         assert!(table.contains(part), "{part:?} in\n{table}");
     }
-    // The least mass there may be is nearest to the limit.
+    // The least allowed mass is nearest to the limit.
     let mass = table
         .lines()
         .find(|line| line.starts_with("subsystems.Damper.mass"))
@@ -305,7 +303,7 @@ limits = [ { limit = "added_mass", at_most = 1.0 } ]
     );
 }
 
-/// A search that takes far longer than a test may: twelve variables on the three absorbers.
+/// A search that takes far longer than a test: twelve variables on the three absorbers.
 const LONG: &str = r#"
 [tune]
 variables = [
@@ -325,8 +323,8 @@ variables = [
 objective = { minimise = "peak", response = "P5 w", from = 1.0, to = 400.0 }
 "#;
 
-/// Runs the program on a terminal of its own and sends a signal each time that it shows one of some words; its exit code
-/// and all that it wrote.
+/// Runs the program on its own terminal and sends a signal each time it shows one of some texts; returns its exit code
+/// and output.
 fn signalled(command: CommandBuilder, signals: &[(&str, &str)]) -> (u32, String) {
     let pair = native_pty_system()
         .openpty(PtySize {
@@ -343,7 +341,7 @@ fn signalled(command: CommandBuilder, signals: &[(&str, &str)]) -> (u32, String)
     let mut left = signals.iter();
     let mut next = left.next();
     let mut piece = [0; 4096];
-    // The terminal is at its end when the program is; where it is closed, reading fails.
+    // The terminal ends with the program; once it is closed, reading fails.
     while let Ok(count @ 1..) = reader.read(&mut piece) {
         written.extend_from_slice(&piece[..count]);
         let text = String::from_utf8_lossy(&written);
@@ -374,7 +372,7 @@ fn endless(model: &Path, output: &Path) -> CommandBuilder {
     command
 }
 
-/// What ends a search, and the exit codes then: 128 and the number of the signal (signal(7)).
+/// The signals that end a search, and the exit codes: 128 and the number of the signal (signal(7)).
 const ENDS: [(&str, u32); 4] = [("INT", 130), ("TERM", 143), ("HUP", 129), ("QUIT", 131)];
 
 #[test]
@@ -391,7 +389,7 @@ fn a_signal_ends_the_search_and_the_best_so_far_is_written() {
         let found = read(&tuned);
         assert!(found.notes.contains("cancelled"), "{}", found.notes);
         assert!(text.contains("highest peak of P5 w"), "{text}");
-        // The line of progress is taken away before anything else is said.
+        // The progress line is removed before other output.
         let after = &text[text.rfind("\r\u{1b}[K").unwrap()..];
         assert!(
             after.contains("stopped") && !after.contains(" left"),
@@ -400,7 +398,7 @@ fn a_signal_ends_the_search_and_the_best_so_far_is_written() {
     }
 }
 
-/// The second signal comes while the result is evaluated, or just after that; the best is there either way.
+/// The second signal comes while the result is evaluated, or just after that; the best result is available either way.
 #[test]
 fn a_second_signal_loses_nothing() {
     let folder = tempfile::tempdir().unwrap();
@@ -424,7 +422,7 @@ fn a_second_signal_loses_nothing() {
     assert_eq!(names.len(), 2, "{names:?}");
 }
 
-/// As `nohup` does: the search goes on, and another signal ends it.
+/// As with `nohup`: the search continues, and another signal ends it.
 #[test]
 fn a_signal_that_is_ignored_from_the_start_ends_nothing() {
     let folder = tempfile::tempdir().unwrap();

@@ -52,8 +52,8 @@ fn sensitivities_are_sorted_and_those_of_a_mode_obey_scaling() {
         .map(|row| row[3].parse::<f64>().unwrap().abs())
         .collect();
     assert!(sizes.is_sorted_by(|a, b| a >= b));
-    // Closed form: all stiffnesses, dampers and masses times the same factor leave a frequency as it is (Euler's theorem
-    // on homogeneous functions).
+    // Closed form: if all stiffnesses, dampers and masses are multiplied by the same factor, a frequency does not
+    // change (Euler's theorem on homogeneous functions).
     let scaled = |path: &&str| {
         let last = path.rsplit('.').next().unwrap();
         [
@@ -75,8 +75,8 @@ fn sensitivities_are_sorted_and_those_of_a_mode_obey_scaling() {
     assert!(sum.abs() < 1e-9 * sizes[0], "{sum}");
     let out = beamtune(&["modes", "cantilever"]).0;
     let (_, modes) = table(&out);
-    // Closed form: stiffness-like parameters twice as large, frequency sqrt(2) times; here without the dampers, which
-    // barely count: half the frequency in all.
+    // Closed form: if stiffness-like parameters double, the frequency is sqrt(2) times higher; here without the
+    // dampers, which have little effect: half the frequency in all.
     let stiff = |path: &&str| {
         ["stiffness", "young_modulus", "shear_modulus"].contains(&path.rsplit('.').next().unwrap())
     };
@@ -166,21 +166,22 @@ fn a_spread_is_in_order_and_the_same_for_a_seed() {
 
 #[test]
 fn empty_cells_say_why() {
-    // The numbers are beyond the range of the arithmetic there.
-    let (out, told, code) = beamtune(&["sensitivities", "cantilever", "--at", "1e308"]);
+    // The numbers there exceed the range of the arithmetic.
+    let (out, errors, code) = beamtune(&["sensitivities", "cantilever", "--at", "1e308"]);
     assert_eq!(code, 0);
     assert!(table(&out).1.iter().all(|row| row[2].is_empty()));
     assert!(
-        told.starts_with("warning: ") && told.contains("the response is not finite at 1e308 Hz"),
-        "{told}"
+        errors.starts_with("warning: ")
+            && errors.contains("the response is not finite at 1e308 Hz"),
+        "{errors}"
     );
-    let (_, told, _) = beamtune(&["sensitivities", "cantilever", "--at", "20"]);
-    assert_eq!(told, "");
+    let (_, errors, _) = beamtune(&["sensitivities", "cantilever", "--at", "20"]);
+    assert_eq!(errors, "");
 }
 
 #[test]
 fn a_band_with_too_many_modes_is_refused_before_any_is_looked_for() {
-    let (_, told, code) = beamtune(&["sensitivities", "fig05a", "--band", "1,1e300"]);
+    let (_, errors, code) = beamtune(&["sensitivities", "fig05a", "--band", "1,1e300"]);
     assert_eq!(code, 2);
-    assert!(told.contains("more than 10000 modes below"), "{told}");
+    assert!(errors.contains("more than 10000 modes below"), "{errors}");
 }

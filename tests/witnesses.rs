@@ -1,8 +1,9 @@
-//! The two witnesses beside the exact solution: finite elements, and the paper's chain of transfer matrices.
+//! The two independent methods, compared with the exact solution: finite elements, and the paper's chain of transfer
+//! matrices.
 //!
-//! Expected values are the exact solution's, which `high_precision.rs` holds to a solution of the state equation in ball
-//! arithmetic. The finite elements must come to them with the fourth power of the elements' length, the order of
-//! Hermite's cubics in bending (Strang & Fix 1973, Section 4.4: 2 (4 - 2) for frequencies).
+//! Expected values are the exact solution's, which `high_precision.rs` compares with a solution of the state equation
+//! in ball arithmetic. The finite elements must converge to them with the fourth power of the elements' length, the
+//! order of Hermite's cubics in bending (Strang & Fix 1973, Section 4.4: 2 (4 - 2) for frequencies).
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
@@ -45,7 +46,8 @@ fn difference(model: &Model, mesh: &FiniteElements, hertz: &[f64]) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Holds a model to the exact solution: with `elements` within `tolerance`, with twice as many by the fourth power closer.
+/// Compares a model with the exact solution: with `elements` within `tolerance`, with twice as many closer by the
+/// fourth power.
 fn hold(name: &str, model: &Model, elements: usize, hertz: &[f64], tolerance: f64) {
     assert_eq!(model::check(model), [], "{name}");
     let mesh = FiniteElements::new(model, elements);
@@ -171,7 +173,7 @@ fn elements_agree_whatever_holds_the_ends() {
     }
 }
 
-/// Without warping stiffness a torque makes the rate of twist jump, and a held end has a layer of no length.
+/// Without warping stiffness the rate of twist jumps at a torque, and at a fixed end its boundary layer has no length.
 #[test]
 fn elements_agree_without_warping_stiffness() {
     for left in [Support::FREE, Support::PINNED, Support::CLAMPED, elastic()] {
@@ -187,11 +189,11 @@ fn elements_agree_without_warping_stiffness() {
     }
 }
 
-/// Without warping stiffness a rate of twist that jumps, at a torque or at subsystems, is the mean of both sides, and at
-/// an end what the beam does inside of everything there.
+/// Without warping stiffness a rate of twist that jumps, at a torque or at subsystems, is the mean of both sides, and
+/// at an end its limit from inside, before everything there.
 ///
-/// Expected: at the torque at 50 Hz -2.7763e-5 rad/m, from the state equation in ball arithmetic; a warping constant whose
-/// layers are shorter than 1e-6 m; finite elements; the other recursion.
+/// Expected: at the torque at 50 Hz -2.7763e-5 rad/m, from the state equation in ball arithmetic; a warping constant
+/// with layers shorter than 1e-6 m; finite elements; the other recursion.
 #[test]
 fn a_rate_of_twist_that_jumps_is_the_mean_of_both_sides() {
     let mut model = model::read(include_str!("data/torque_without_warping.toml"))
@@ -232,7 +234,7 @@ fn a_rate_of_twist_that_jumps_is_the_mean_of_both_sides() {
     }
 }
 
-/// Subsystems at the ends, two at one place, one without inertia, springs that are missing.
+/// Subsystems at the ends, two at the same position, one without inertia, missing springs.
 #[test]
 fn elements_agree_on_subsystems_of_any_kind() {
     let mut model = loaded_everywhere();
@@ -286,8 +288,8 @@ fn without_loads_nothing_moves() {
     assert!(all().all(|value| value.norm() == 0.0));
 }
 
-/// Expected: closed form of a pinned beam's bending and of free torsion, `(n pi / L)^2 sqrt(E I / rho A)`; the discrete ones
-/// lie above (Rayleigh) by a share of (k h)^4 / 1440.
+/// Expected: closed form of a pinned beam's bending and of free torsion, `(n pi / L)^2 sqrt(E I / rho A)`; the discrete
+/// ones are higher (Rayleigh) by a share of (k h)^4 / 1440.
 #[test]
 fn natural_frequencies_come_down_to_the_closed_form() {
     let mut model = preset("symmetric_section");
@@ -307,7 +309,7 @@ fn natural_frequencies_come_down_to_the_closed_form() {
     };
     let (coarse, fine) = (nearest(4), nearest(8));
     let kh = wave * model.beam.length / 4.0;
-    // The mesh has a node at every response, so that it may be finer than asked.
+    // The mesh has a node at every response, so it may be finer than requested.
     assert!(
         coarse > 0.0 && coarse < 1.1 * kh.powi(4) / 1440.0,
         "{coarse:e}"
@@ -318,7 +320,7 @@ fn natural_frequencies_come_down_to_the_closed_form() {
     );
 }
 
-/// Expected: a free beam has two translations, two rotations and the twist; and every mass adds to the count.
+/// Expected: a free beam has two translations, two rotations and the twist; every mass adds to the count.
 #[test]
 fn rigid_body_motions_are_near_zero() {
     let mut model = preset("fig06");
@@ -340,7 +342,7 @@ fn natural_frequencies_are_those_of_the_literature_case() {
     }
 }
 
-/// The least number of right digits of the chain, of all responses, at each frequency.
+/// The least number of correct digits of the chain, over all responses, at each frequency.
 fn digits(model: &Model, hertz: &[f64]) -> Vec<f64> {
     let exact = solve::sweep(&checked(model), hertz, &never()).unwrap();
     let frf = transfer_matrix::sweep(&checked(model), hertz, &never())
@@ -355,7 +357,8 @@ fn digits(model: &Model, hertz: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-/// Expected: the digits that e^(2 beta l) leaves of sixteen; the bounds are what double precision gives here, with room.
+/// Expected: the sixteen digits less those lost to e^(2 beta l); the bounds are the result of double precision here,
+/// with a margin.
 #[test]
 fn the_chain_is_right_at_low_frequencies_and_loses_all_digits_at_high_ones() {
     let mut model = preset("fig05a");
@@ -404,8 +407,8 @@ fn the_chain_says_where_the_papers_formulas_divide_by_zero() {
     assert_eq!(solve(&model), Err(NotApplicable::NoWarping));
 }
 
-/// Expected: the natural frequencies of the finite elements come down to the exact ones (Rayleigh), with the fourth power
-/// of the elements' length.
+/// Expected: the natural frequencies of the finite elements decrease to the exact ones (Rayleigh), with the fourth
+/// power of the elements' length.
 #[test]
 fn natural_frequencies_come_down_to_the_exact_ones() {
     for name in [

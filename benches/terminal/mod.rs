@@ -1,4 +1,4 @@
-//! The program in a pseudo-terminal, and when it has written each picture.
+//! The program in a pseudo-terminal, and the times of its pictures.
 
 use std::io::{Read, Write};
 use std::path::Path;
@@ -13,19 +13,19 @@ pub const SIZE: (u16, u16) = (40, 120);
 /// The end of a picture: the end of a synchronised update.
 const END: &[u8] = b"\x1b[?2026l";
 
-/// What is written, as it comes.
+/// The output, as it arrives.
 pub struct Terminal {
     keys: Box<dyn Write + Send>,
     output: Receiver<(Instant, Vec<u8>)>,
     child: Box<dyn Child + Send + Sync>,
-    /// What the screen shows.
+    /// The contents of the screen.
     pub screen: vt100::Parser,
-    /// The last bytes, in which an end may have begun.
+    /// The last bytes, which may contain the beginning of an end.
     tail: Vec<u8>,
 }
 
 impl Terminal {
-    /// Starts a program with a home of its own.
+    /// Starts a program with its own home folder.
     pub fn start(program: &str, arguments: &[String], home: &Path) -> Self {
         let size = PtySize {
             rows: SIZE.0,
@@ -80,7 +80,7 @@ impl Terminal {
         self.keys.flush().unwrap();
     }
 
-    /// When the next picture is complete; none where nothing comes for so long.
+    /// The time at which the next picture is complete; none if no byte arrives within the limit.
     pub fn picture(&mut self, patience: Duration) -> Option<Instant> {
         loop {
             let (at, bytes) = self.output.recv_timeout(patience).ok()?;
@@ -96,7 +96,7 @@ impl Terminal {
         }
     }
 
-    /// When each picture is complete, until nothing comes for so long.
+    /// The times of all pictures, until no byte arrives within the limit.
     pub fn pictures(&mut self, quiet: Duration) -> Vec<Instant> {
         std::iter::from_fn(|| self.picture(quiet)).collect()
     }
@@ -119,13 +119,13 @@ fn parser() -> vt100::Parser {
     vt100::Parser::new(rows, columns, 0)
 }
 
-/// The middle one of some times, ms.
+/// The median of some times, ms.
 pub fn median(times: &mut [f64]) -> f64 {
     times.sort_by(f64::total_cmp);
     times.get(times.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
-/// ms from one time to another.
+/// The time between two instants, ms.
 pub fn ms(from: Instant, to: Instant) -> f64 {
     to.duration_since(from).as_secs_f64() * 1e3
 }

@@ -157,8 +157,8 @@ mod tests {
     #[test]
     fn zsh_offers_commands_presets_and_files_in_one_place() {
         let script = zsh(completion_commands().without_model);
-        let beside = "commands 'beamtune commands' commands \"$@\"\n    _alternative \"presets:preset:(fig05a ";
-        assert!(script.contains(beside), "{script}");
+        let expected = "commands 'beamtune commands' commands \"$@\"\n    _alternative \"presets:preset:(fig05a ";
+        assert!(script.contains(expected), "{script}");
         let models = script
             .lines()
             .filter(|line| line.starts_with("':model -- "));

@@ -41,7 +41,7 @@ ascii = false
 marker = "braille"  # braille, octant, block, dot, ascii
 mouse = true
 [keys.model]
-undo = ["u"]        # the first is the one in hints; [] takes a command's keys away"#;
+undo = ["u"]        # the first is the one in hints; [] removes a command's keys"#;
 
 const ENVIRONMENT: Terms = &[
     (
@@ -234,8 +234,8 @@ fn configuration(roff: &mut Roff) {
     roff.control("PP", []);
     roff.text([roman(
         "There is a table of keys for each part of the key table. A key is written as in KEYS: u, U, Ctrl-z, Alt-x, \
-         F5, PgDn, Space, Shift-Tab. A key that two commands would hear is refused, with the names of both. Options \
-         of the command line go before those of the file, and these before what was turned in the designer.",
+         F5, PgDn, Space, Shift-Tab. A key of two commands is refused, with the names of both. Options of the command \
+         line take precedence over those of the file, and these over options changed in the designer.",
     )]);
 }
 

@@ -14,7 +14,7 @@ use crate::unit::Kind;
 
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
-    /// A table (CSV and its like) or a universal file (UFF 58), or - for standard input.
+    /// A table (CSV or similar text) or a universal file (UFF 58), or - for standard input.
     #[arg(value_hint = ValueHint::FilePath)]
     file: PathBuf,
     /// Units and columns that the file lacks or states wrongly, such as "hz; re im; m/N", "khz; dB deg; g/N" or, with
@@ -83,7 +83,7 @@ fn asked(label: &str, seen: &Inspection) -> Vec<String> {
         "{label}: answer with --columns, such as --columns \"{}\"{}",
         seen.proposal,
         if seen.proposal.unit.is_none() {
-            " with the unit in place of ?, or ? to take the values as they stand"
+            " with the unit in place of ?, or ? to leave the values unchanged"
         } else {
             ""
         }

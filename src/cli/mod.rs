@@ -2,6 +2,7 @@
 
 mod completions;
 mod csv;
+mod failure;
 mod frf;
 mod guide;
 mod man;
@@ -17,19 +18,20 @@ mod tune;
 mod usage;
 mod validate;
 
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::io::{IsTerminal, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
 use clap::{Args, CommandFactory as _, Parser, Subcommand};
 
+use self::failure::Failure;
 use self::stdout::print;
 use crate::escape::{escape, escape_lines, shown_path};
 use crate::files::{self, Folders, read_if_there};
-use crate::model::{Fault, MOST_SHOWN};
+use crate::model::path;
 use crate::presets;
-use crate::solve::Cancelled;
+use crate::solve;
 use crate::tui::options::{AppearanceArguments, Environment};
 use crate::tui::user::config::{self, Config};
 use crate::tui::{self, Ended, Setup};
@@ -78,7 +80,7 @@ enum Command {
         /// The preset's name.
         preset: String,
     },
-    /// Checks a model file; prints its first 50 faults, or nothing.
+    /// Checks a model file; prints its first 50 faults, or notes on what is unusual, or nothing.
     Check {
         /// A model file, a preset's name, or - for standard input.
         model: OsString,
@@ -87,13 +89,13 @@ enum Command {
     Frf(frf::Arguments),
     /// Writes natural frequencies and damping ratios as CSV.
     Modes(modes::Arguments),
-    /// Writes as CSV which parameter matters: exact derivatives of a level, a peak, a mode or a band.
+    /// Writes the sensitivities as CSV: exact derivatives of a level, a peak, a mode or a band.
     Sensitivities(sensitivities::Arguments),
-    /// Writes as CSV the band of the responses under the tolerances in [tune].
+    /// Writes the quantiles of the responses within the tolerances of [tune] as CSV.
     Spread(spread::Arguments),
     /// Optimises the variables of the model's [tune].
     Tune(tune::Arguments),
-    /// Prints as CSV a summary of a file of measured curves, and writes the curves in SI.
+    /// Prints a summary of a file of measured curves as CSV, and writes the curves in SI.
     Measured(measured::Arguments),
     /// Compares finite elements and the paper's transfer matrices with the exact responses.
     Validate(validate::Arguments),
@@ -103,43 +105,6 @@ enum Command {
     Completions(completions::Arguments),
     /// Prints the manual page; `beamtune man | man -l -` shows it.
     Man,
-}
-
-/// The failure of a command.
-#[derive(Debug)]
-enum Failure {
-    /// Bad input or usage, with messages; text from outside is on one line.
-    Input(Vec<String>),
-    /// Anything else.
-    Other(String),
-}
-
-impl Failure {
-    fn input(message: impl Into<String>) -> Self {
-        Self::Input(vec![escape(&message.into()).into_owned()])
-    }
-
-    /// The faults of `source`, one per line, and the number of further ones.
-    fn faults(source: &str, faults: &[Fault]) -> Self {
-        let place = |fault: &Fault| if fault.line.is_some() { ":" } else { ": " };
-        let line = |fault| format!("{source}{}{fault}", place(fault));
-        let more = faults.len().saturating_sub(MOST_SHOWN);
-        let more = (more > 0).then(|| format!("{source}: and {more} more"));
-        let lines = faults.iter().take(MOST_SHOWN).map(line).chain(more);
-        Self::Input(lines.map(|line| escape(&line).into_owned()).collect())
-    }
-}
-
-impl From<Cancelled> for Failure {
-    fn from(cancelled: Cancelled) -> Self {
-        Self::Other(cancelled.to_string())
-    }
-}
-
-impl From<std::io::Error> for Failure {
-    fn from(error: std::io::Error) -> Self {
-        Self::Other(error.to_string())
-    }
 }
 
 /// Runs the program: 0 done, 2 bad input or usage, 1 anything else, 128 + n after signal n.
@@ -166,13 +131,26 @@ fn say(what: &str) {
     let _ = writeln!(std::io::stderr(), "{}", escape_lines(what));
 }
 
+/// Checks a model; notes are not faults, and go to standard error.
+fn check(model: &OsStr) -> Result<(), Failure> {
+    let model = source::open(model, &[])?.model;
+    for note in solve::notes(&model) {
+        say(&format!(
+            "note: {}: {}",
+            path::text(&model, note.id),
+            note.message
+        ));
+    }
+    Ok(())
+}
+
 fn run(arguments: Arguments) -> Result<ExitCode, Failure> {
     match arguments.command {
         None => return design(&arguments.designer),
         Some(Command::Guide(arguments)) => guide::run(&arguments)?,
         Some(Command::Presets) => print(&list_presets())?,
         Some(Command::Show { preset }) => print(source::preset(&preset)?.text)?,
-        Some(Command::Check { model }) => drop(source::open(&model, &[])?),
+        Some(Command::Check { model }) => check(&model)?,
         Some(Command::Frf(arguments)) => frf::run(&arguments)?,
         Some(Command::Modes(arguments)) => modes::run(&arguments)?,
         Some(Command::Sensitivities(arguments)) => sensitivities::run(&arguments)?,

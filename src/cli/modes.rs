@@ -11,7 +11,9 @@ use num_complex::Complex64;
 use super::csv::{self, cell, number};
 use super::{Failure, Sets, say, source};
 use crate::model::{Checked, counted};
-use crate::solve::modes::{Completeness, Gap, MOST_MODES, Modes, Shape, modes, shapes};
+use crate::solve::modes::{
+    Completeness, Gap, MOST_MODES, Modes, Shape, buckling_load, modes, shapes,
+};
 
 /// The number of points of a shape along the beam.
 const PLACES: usize = 101;
@@ -40,7 +42,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let found = modes(&model, to, &never)?;
     if found.are_too_many() {
         return Err(Failure::input(format!(
-            "there are more than {MOST_MODES} modes below {to:?} Hz: at most {MOST_MODES} are listed; --to asks for fewer"
+            "there are more than {MOST_MODES} modes below {to:?} Hz: at most {MOST_MODES} are listed; a lower --to gives fewer"
         )));
     }
     csv::write(arguments.output.as_deref(), |out| write_modes(out, &found))?;
@@ -50,7 +52,34 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     // On standard error, so that standard output contains only the table.
     say(&statement(&found));
+    if let Some(buckling) = buckling(&model, &found) {
+        say(&buckling);
+    }
     Ok(())
+}
+
+/// How far an axial force is from buckling, if there is one.
+fn buckling(model: &Checked, found: &Modes) -> Option<String> {
+    let force = model.beam.axial_force;
+    if force == 0.0 {
+        return None;
+    }
+    let Some(load) = buckling_load(model) else {
+        return Some("the beam buckles under no axial force".to_owned());
+    };
+    let factor = -load / force;
+    let unstable = counted(found.unstable, "mode", "modes");
+    Some(if found.unstable > 0 {
+        format!(
+            "warning: the beam has buckled: {unstable} unstable and not listed; it buckles at {factor:.6} times its axial force, {:.6e} N",
+            -load
+        )
+    } else {
+        format!(
+            "it buckles at {factor:.6} times its axial force, {:.6e} N",
+            -load
+        )
+    })
 }
 
 /// Which part of the list is certain, and which is not.

@@ -83,7 +83,7 @@ fn text_of(argument: &OsStr, label: &str) -> Result<(Source, String), Failure> {
 fn change(model: &mut Model, set: &str) -> Result<(), Failure> {
     let (pattern, text) = set.split_once('=').ok_or_else(|| {
         Failure::input(format!(
-            "--set {set}: wants PATH=VALUE, such as beam.length=3.5"
+            "--set {set}: must be PATH=VALUE, such as beam.length=3.5"
         ))
     })?;
     let fail = |message: String| Failure::input(format!("--set {set}: {message}"));

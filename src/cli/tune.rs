@@ -57,7 +57,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         .map_err(|faults| Failure::faults(label, &faults))?;
     for path in problem.outside() {
         warn(&format!(
-            "{path} lies outside of its bounds; the search starts at the nearer one"
+            "{path} is outside its bounds; the search starts at the nearer one"
         ));
     }
     let interruption = Interruption::listen(Target {
@@ -101,7 +101,7 @@ fn written(opened: &Opened, tuned: &Tuned) -> Result<String, Failure> {
     match faults.first() {
         None => Ok(model::write(&model, &opened.text)),
         Some(fault) => Err(Failure::Other(format!(
-            "the tuned model is not a possible one: {fault}"
+            "the tuned model is invalid: {fault}"
         ))),
     }
 }
@@ -132,13 +132,15 @@ fn warn_of(tuned: &Tuned, output: Option<&Path>) {
             Some(file) => format!(", and is in {}", shown_path(file)),
             None => String::new(),
         };
-        say(&format!("stopped: the best so far is what counts{written}"));
+        say(&format!("stopped: the best so far is the result{written}"));
     }
     if tuned.limits.iter().any(|limit| !limit.holds) {
-        warn("no model that keeps all limits was found");
+        warn("no model within all limits was found");
     }
     if tuned.after.iter().any(|one| one.overlooked.is_some()) {
-        warn("there is a higher peak than the search saw; another --seed may find a better model");
+        warn(
+            "there is a higher peak than the search evaluated; another --seed may find a better model",
+        );
     }
 }
 

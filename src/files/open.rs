@@ -77,7 +77,7 @@ pub fn text_of(source: impl io::Read) -> io::Result<String> {
     source.take(LONGEST + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > LONGEST {
         return Err(io::Error::other(
-            "it is longer than 256 MiB, which no model file is",
+            "it is longer than 256 MiB, the limit of a model file",
         ));
     }
     String::from_utf8(bytes).map_err(|error| {

@@ -3,10 +3,12 @@
 use std::iter::Peekable;
 use std::str::Lines;
 
+use crate::wrap::{width, wrap};
+
 /// Columns between two cells of a table.
 const GAP: usize = 2;
 
-/// What a line is.
+/// The kind of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// A heading, with its `#`.
@@ -20,13 +22,13 @@ pub enum Kind {
 /// A line of a chapter as a terminal shows it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Line {
-    /// What it is.
+    /// The kind.
     pub kind: Kind,
     /// Its text.
     pub text: String,
 }
 
-/// Markdown in lines of at most so many columns; code is as wide as it is.
+/// Markdown in lines of at most this number of columns; code is not wrapped.
 ///
 /// It understands the Markdown of the guide: headings, paragraphs, lists of one level, tables, code blocks, comments,
 /// and within a line code, emphasis and links.
@@ -178,33 +180,13 @@ fn widths(rows: &[Vec<String>], columns: usize) -> Vec<usize> {
 
 fn aligned<'a>(cells: impl Iterator<Item = &'a str>, widths: &[usize]) -> String {
     let padded = cells.zip(widths).map(|(cell, width)| {
-        let blank = " ".repeat((width + GAP).saturating_sub(self::width(cell)));
+        let blank = " ".repeat((width + GAP).saturating_sub(crate::wrap::width(cell)));
         format!("{cell}{blank}")
     });
     padded.collect::<String>().trim_end().to_owned()
 }
 
-/// A text in lines of at most so many columns; all but the first begin with an indent.
-fn wrap(text: &str, columns: usize, indent: usize) -> Vec<String> {
-    let mut lines = Vec::new();
-    let mut line = String::new();
-    let mut is_fresh = true;
-    for word in text.split_whitespace() {
-        if !is_fresh && width(&line) + 1 + width(word) > columns {
-            lines.push(std::mem::replace(&mut line, " ".repeat(indent)));
-            is_fresh = true;
-        }
-        if !is_fresh {
-            line.push(' ');
-        }
-        line.push_str(word);
-        is_fresh = false;
-    }
-    lines.push(line);
-    lines
-}
-
-/// A line without its marks: emphasis and links; code keeps its quotes where that is wanted.
+/// A line without its marks: emphasis and links; code keeps its backticks if requested.
 fn plain(text: &str, with_quotes: bool) -> String {
     let mut shown = String::new();
     let mut rest = text;
@@ -240,11 +222,6 @@ fn link(text: &str) -> (String, &str) {
         Some((format!("{words} ({address})"), rest))
     });
     parts.unwrap_or(("[".to_owned(), &text[1..]))
-}
-
-/// Columns of a text: the guide has no characters of two columns.
-fn width(text: &str) -> usize {
-    text.chars().count()
 }
 
 #[cfg(test)]

@@ -187,12 +187,12 @@ fn universal(bytes: &[u8], hint: &Hint) -> Result<Inspection, Fault> {
     let recognised = curves.iter().map(|curve| {
         let words = curve.unknown.iter();
         let words: Vec<String> = words
-            .map(|(_, word)| format!("{word:?} is no unit that is known"))
+            .map(|(_, word)| format!("{word:?} is not a known unit"))
             .collect();
         let unit = match curve.kind {
             _ if !words.is_empty() => words.join(", "),
             Some(kind) => kind.unit(),
-            None => "unit not said".to_owned(),
+            None => "unit not given".to_owned(),
         };
         let phase = if curve.phase_known {
             ""

@@ -225,7 +225,7 @@ mod tests {
             ("hz; re im; furlong", "\"furlong\"", "m/s2/N"),
             ("hz; -re im", "\"-re im\"", "re im"),
             ("hz; re 2 im", "\"re 2 im\"", "re 8; im 9"),
-            ("hz; re 2 4; im 3; m", "\"re 2 4 im 3\"", "as many"),
+            ("hz; re 2 4; im 3; m", "\"re 2 4 im 3\"", "the same number"),
             ("hz 0; re im", "\"0\"", "from 1"),
             ("hz; re 0; im 1", "\"0\"", "from 1"),
             ("hz; re 99999999999999999999; im 1", "", "from 1"),

@@ -21,9 +21,9 @@ use std::ops::{Deref, RangeInclusive};
 /// underflow.
 const SIZES: RangeInclusive<f64> = 1e-60..=1e60;
 
-/// A model that passed [`check()`], or at least [`check_state()`]: what the solvers take.
+/// A model that passed [`check()`], or at least [`check_state()`]: the input of the solvers.
 ///
-/// It does not change. What is edited becomes a [`Model`] first and is checked again.
+/// It does not change. An edit takes the [`Model`] out and checks it again.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Checked(pub(super) Model);
 
@@ -36,7 +36,7 @@ impl Checked {
         Self::if_none(check(&model), model)
     }
 
-    /// A model whose structure is possible, whatever its studies and its tuning ask for.
+    /// A model with a valid structure; its studies and its tuning are not checked.
     ///
     /// # Errors
     /// What [`check_state()`] refuses.
@@ -52,8 +52,8 @@ impl Checked {
         }
     }
 
-    /// The same structure that is asked for something else, or that has less of what it has: `change` may set responses,
-    /// forces, studies, the tuning and texts, take out damping, and move what has been checked before; nothing else.
+    /// The same structure with other requests, or with parts removed: `change` may set responses, forces, studies, the
+    /// tuning and texts, remove damping, and move parts to positions that were checked before; nothing else.
     pub(crate) fn derived(&self, change: impl FnOnce(&mut Model)) -> Self {
         let mut model = self.0.clone();
         change(&mut model);
@@ -66,10 +66,10 @@ impl Checked {
     }
 }
 
-/// A model of a test, whose structure is possible.
+/// A model of a test with a valid structure.
 ///
 /// # Panics
-/// Where it is not.
+/// If the structure is invalid.
 #[cfg(test)]
 pub fn checked(model: &Model) -> Checked {
     Checked::of_state(model.clone()).unwrap()
@@ -149,15 +149,40 @@ fn beam(beam: &Beam, faults: &mut Vec<Fault>) {
     numbers("beam.material", &beam.material, &MATERIAL, faults);
     numbers("beam.section", &beam.section, &SECTION, faults);
     let section = &beam.section;
-    let least = section.area * section.centroid_offset * section.centroid_offset;
+    let (least, formula) = section.least_polar_moment();
     if section.polar_moment > 0.0 && section.polar_moment <= least {
         faults.push(Fault::new(
             "beam.section.polar_moment",
             format!(
-                "is {} m4; must be > A z_c^2 = {least:.5e} m4 (it is taken about the shear centre)",
+                "is {} m4; must be > {formula} = {least:.5e} m4 (it is taken about the shear centre)",
                 format_number(section.polar_moment)
             ),
         ));
+    }
+    let most = section.most_product_moment();
+    if section.product_moment.abs() >= most {
+        faults.push(Fault::new(
+            "beam.section.product_moment",
+            format!(
+                "is {} m4; must be within +-sqrt(I_y I_z) = {most:.5e} m4",
+                format_number(section.product_moment)
+            ),
+        ));
+    }
+    let areas = [
+        ("shear_area_y", section.shear_area_y),
+        ("shear_area_z", section.shear_area_z),
+    ];
+    for (key, area) in areas {
+        if beam.theory.has_shear() && area == 0.0 {
+            faults.push(Fault::new(
+                format!("beam.section.{key}"),
+                format!(
+                    "is missing or 0; must be > 0 m2 for the theory \"{}\"",
+                    beam.theory.key()
+                ),
+            ));
+        }
     }
     if section.torsion_constant == 0.0 && section.warping_constant == 0.0 {
         faults.push(Fault::new(
@@ -189,7 +214,7 @@ fn element_names<'a>(
         let message = if name.trim().is_empty() {
             "is empty; must be a name".to_owned()
         } else if name.contains(char::is_control) {
-            format!("{name:?} holds a control character; must be one line of text")
+            format!("{name:?} contains a control character; must be one line of text")
         } else if is_too_long(name) {
             let length = name.chars().count();
             format!("is {length} characters long; must be at most {LONGEST_NAME}")
@@ -348,7 +373,7 @@ mod tests {
     }
 
     #[test]
-    fn names_that_cannot_be_told_apart_are_numbers_in_paths() {
+    fn ambiguous_names_are_numbers_in_paths() {
         let long = "n".repeat(LONGEST_NAME + 1);
         let names = ["a", "", "a", "b.c", "7", "two\nlines", &long];
         let keys = element_keys(names.into_iter());

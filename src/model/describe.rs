@@ -104,7 +104,7 @@ fn range(model: &Model, id: ParameterId) -> String {
         (Kind::Count, _) => format!("{FEWEST_POINTS} to {MOST_POINTS}"),
         (Kind::Line, _) => "one line of text".to_owned(),
         (Kind::Text, _) => "any text".to_owned(),
-        (Kind::Name, _) => "a name that no other has".to_owned(),
+        (Kind::Name, _) => "a unique name".to_owned(),
         (Kind::Flag, _) => "true or false".to_owned(),
         (Kind::Place, _) => places(model),
         (_, Group::Section) => section_range(model, id),
@@ -124,8 +124,12 @@ fn section_range(model: &Model, id: ParameterId) -> String {
     let section = &model.beam.section;
     match SectionKey::ALL[id.row] {
         SectionKey::PolarMoment => {
-            let least = section.area * section.centroid_offset * section.centroid_offset;
-            format!("> A z_c^2 = {}", Unit::METRE_4.format(least))
+            let (least, formula) = section.least_polar_moment();
+            format!("> {formula} = {}", Unit::METRE_4.format(least))
+        }
+        SectionKey::ProductMoment => {
+            let most = section.most_product_moment();
+            format!("within +-sqrt(I_y I_z) = {}", Unit::METRE_4.format(most))
         }
         SectionKey::TorsionConstant if section.warping_constant == 0.0 => {
             "> 0 without a warping constant".to_owned()

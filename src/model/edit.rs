@@ -229,13 +229,13 @@ mod tests {
             number(&model, "title")
                 .unwrap_err()
                 .message
-                .contains("no number")
+                .contains("not a number")
         );
         assert!(
             number(&model, "sweep.points")
                 .unwrap_err()
                 .message
-                .contains("no number")
+                .contains("not a number")
         );
         let found = numbers(&model, "subsystems.*.mass").unwrap();
         let mass = |i| Group::Subsystem(i).parameter(SubsystemKey::Mass as usize);

@@ -25,7 +25,7 @@ pub struct Key {
     pub kind: Kind,
     /// The range of a number.
     pub range: Range,
-    /// The default of a number; none if the file must give it.
+    /// The default of a number; none if the file must give it. 0 of a flag that is false by default.
     pub default: Option<f64>,
     /// Whether it is a stiffness or damping, which is searched on a logarithmic scale.
     pub is_spring: bool,
@@ -35,6 +35,13 @@ pub struct Key {
     pub spoken: &'static [&'static str],
 }
 
+impl Key {
+    /// Whether a flag is true where the file does not set it.
+    pub fn is_on_by_default(&self) -> bool {
+        self.default != Some(0.0)
+    }
+}
+
 /// The kind of a key's value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
@@ -42,7 +49,7 @@ pub enum Kind {
     Number,
     /// A whole number.
     Count,
-    /// True or false; the default is true.
+    /// True or false.
     Flag,
     /// One of some words.
     Word,
@@ -241,6 +248,9 @@ macro_rules! key {
     (word $key:literal, $words:ident, $meaning:literal, $place:ident) => {
         Key { key: $key, meaning: $meaning, kind: Kind::Word, words: $words::WORDS, ..BLANK }
     };
+    (switch $key:literal, $kind:ident, $meaning:literal, $place:ident) => {
+        Key { default: Some(0.0), ..key!(flag $key, $kind, $meaning, $place) }
+    };
     ($access:ident $key:literal, $kind:ident, $meaning:expr $(, $place:ident)?) => {
         Key { key: $key, meaning: $meaning, kind: Kind::$kind, ..BLANK }
     };
@@ -287,6 +297,7 @@ macro_rules! access {
     (flag $key:literal, $kind:ident, $meaning:literal, $place:ident) => {
         Access::Flag(|of| of.$place, |of, flag| of.$place = flag)
     };
+    (switch $key:literal, $kind:ident, $meaning:literal, $place:ident) => { access!(flag $key, $kind, $meaning, $place) };
     (text $key:literal, $kind:ident, $meaning:literal, $place:ident) => {
         Access::Text(|of| &of.$place, |of| &mut of.$place)
     };
@@ -300,7 +311,8 @@ macro_rules! access {
 /// - `word(key, type of the words, meaning, place)`
 /// - `number_of(key, unit, range, ..)`, `word_of(key, words, ..)`, `text_of(key, kind, ..)`: meaning, variant, field of
 ///   an enum
-/// - `count`, `flag` or `text(key, kind, meaning, place)`, `own(key, kind, meaning)`
+/// - `count`, `flag` (true by default), `switch` (a flag, false by default) or `text(key, kind, meaning, place)`,
+///   `own(key, kind, meaning)`
 macro_rules! rows {
     ($(#[$doc:meta])* $name:ident of $of:ty { $($kind:ident($($row:tt)*),)* }) => {
         $(#[$doc])*

@@ -45,10 +45,44 @@ impl Model {
 pub struct Beam {
     /// Length L, m.
     pub length: f64,
+    /// Theory of bending.
+    pub theory: Theory,
+    /// Whether warping has inertia: rho `Gamma_0` on psi'.
+    pub warping_inertia: bool,
+    /// Axial force N along the centroids, N; tension > 0.
+    pub axial_force: f64,
     /// Its material.
     pub material: Material,
     /// Its cross-section.
     pub section: Section,
+}
+
+words! {
+    /// Theories of bending.
+    #[derive(Default)]
+    pub enum Theory {
+        /// Bernoulli and Euler: neither rotary inertia nor shear deformation.
+        #[default]
+        EulerBernoulli = "euler_bernoulli",
+        /// Rayleigh: with the rotary inertia of the section.
+        Rayleigh = "rayleigh",
+        /// With shear deformation alone.
+        Shear = "shear",
+        /// Timoshenko: with both.
+        Timoshenko = "timoshenko",
+    }
+}
+
+impl Theory {
+    /// Whether sections shear.
+    pub const fn has_shear(self) -> bool {
+        matches!(self, Self::Shear | Self::Timoshenko)
+    }
+
+    /// Whether the rotation of a section has inertia.
+    pub const fn has_rotary_inertia(self) -> bool {
+        matches!(self, Self::Rayleigh | Self::Timoshenko)
+    }
 }
 
 /// An isotropic material with hysteretic damping.
@@ -79,8 +113,45 @@ pub struct Section {
     pub warping_constant: f64,
     /// Polar moment of area `I_0` about the shear centre, m4.
     pub polar_moment: f64,
-    /// Offset `z_c` of the centroid from the shear centre, m; any sign.
+    /// Offset `z_c` of the centroid from the shear centre along z, m; any sign.
     pub centroid_offset: f64,
+    /// Product moment of area `I_yz` about the centroid, m4; any sign.
+    pub product_moment: f64,
+    /// Offset `y_c` of the centroid from the shear centre along y, m; any sign.
+    pub centroid_offset_y: f64,
+    /// Effective area `A_y` for shear along y, m2; 0 if not given.
+    pub shear_area_y: f64,
+    /// Effective area `A_z` for shear along z, m2; 0 if not given.
+    pub shear_area_z: f64,
+}
+
+impl Beam {
+    /// Whether the section has one offset at most, along z, and its principal axes along y and z, and the beam neither
+    /// rotary inertia nor an axial force: the beam of Chen & Liu, Mathematics 2022, 10(16), 2849, where v is on its own.
+    pub(crate) fn is_of_one_offset(&self) -> bool {
+        self.section.product_moment == 0.0
+            && self.section.centroid_offset_y == 0.0
+            && self.axial_force == 0.0
+            && self.theory == Theory::EulerBernoulli
+            && !self.warping_inertia
+    }
+}
+
+impl Section {
+    /// The polar moment, m4, that `I_0` must exceed, and its formula: `A (y_c^2 + z_c^2)`.
+    pub(crate) fn least_polar_moment(&self) -> (f64, &'static str) {
+        let (y, z) = (self.centroid_offset_y, self.centroid_offset);
+        if y == 0.0 {
+            (self.area * z * z, "A z_c^2")
+        } else {
+            (self.area * (y * y + z * z), "A (y_c^2 + z_c^2)")
+        }
+    }
+
+    /// The product moment, m4, that `I_yz` must not reach in magnitude: `sqrt(I_y I_z)`.
+    pub(crate) fn most_product_moment(&self) -> f64 {
+        self.second_moment_y.sqrt() * self.second_moment_z.sqrt()
+    }
 }
 
 words! {

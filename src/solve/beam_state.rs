@@ -3,7 +3,7 @@
 use num_complex::Complex64;
 
 use super::linear::ZERO;
-use super::waves::{Amplitudes, Waves, reach};
+use super::waves::{Amplitudes, Waves};
 use crate::model::BeamMotion;
 
 /// Motions and internal forces at a point.
@@ -21,9 +21,8 @@ impl BeamState {
         let sum: Amplitudes = std::array::from_fn(|wave| a[wave] + b[wave]);
         let difference: Amplitudes = std::array::from_fn(|wave| a[wave] - b[wave]);
         let times = |rows: &[Amplitudes; 3], amplitudes: &Amplitudes, row: usize| -> Complex64 {
-            reach(row)
-                .map(|wave| rows[row][wave] * amplitudes[wave])
-                .sum()
+            let waves = waves.of_row(row);
+            waves.map(|wave| rows[row][wave] * amplitudes[wave]).sum()
         };
         let mut local = Self {
             motion: [ZERO; 6],

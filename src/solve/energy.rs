@@ -31,10 +31,11 @@ impl SpanEnergy {
         Self::new(plan, waves, &inertia_weights(plan, waves), decays)
     }
 
-    /// The forms of twice the strain energy `int E Iy |w''|^2 + E Iz |v''|^2 + E G0 |psi''|^2 + G J |psi'|^2 dx`, with
-    /// the real parts of the moduli, J.
+    /// The forms of twice the strain energy of the material, `int q''^H D q'' + G J |psi'|^2 dx` with the bending matrix D
+    /// and the real parts of the moduli, J.
     ///
-    /// Source: the strain energy of Vlasov's beam, as Chen & Liu 2022, Section 2, derive their equations from.
+    /// Source: the strain energy of Vlasov's beam, as Chen & Liu 2022, Section 2, derive their equations from; an axial
+    /// force dissipates nothing.
     pub(super) fn strain(plan: &Plan, waves: &Waves, decays: &[Amplitudes]) -> Self {
         Self::new(plan, waves, &strain_weights(plan, waves), decays)
     }
@@ -119,14 +120,19 @@ fn inertia_weights(plan: &Plan, waves: &Waves) -> Weights {
     }
 }
 
-/// E Iy W''* W'' + E Iz V''* V'' + E G0 Psi''* Psi'' + G J Psi'* Psi' of each pair of waves.
+/// The bending and warping energy and that of twist of each pair of waves.
 fn strain_weights(plan: &Plan, waves: &Waves) -> Weights {
     let curvatures = [0, 1, 2].map(|row| curvature(waves, row));
-    let stiffness = [
-        plan.beam.bending_w.re,
-        plan.beam.warping.re,
-        plan.beam.bending_v.re,
-    ];
+    let matrices = &plan.beam.matrices;
+    let bending = matrices.bending.map(|entry| entry.re);
+    // |F|^2 Re(F^-1) of the shear forces g = f - C q'.
+    let compliance = [matrices.shear.w, matrices.shear.psi, matrices.shear.v].map(|entry| entry.re);
+    let forces: [Amplitudes; 3] = std::array::from_fn(|row| {
+        std::array::from_fn(|wave| {
+            let shape = [0, 1, 2].map(|motion| waves.displacement[motion][wave]);
+            waves.force[row][wave] + waves.kappa[wave] * matrices.tension.times(shape)[row]
+        })
+    });
     let rate = &waves.slope[1];
     let (mut same, mut against) = (zeros::<6, 6>(), zeros::<6, 6>());
     for i in 0..6 {
@@ -135,15 +141,20 @@ fn strain_weights(plan: &Plan, waves: &Waves) -> Weights {
             if waves.kappa[i].re.is_infinite() || waves.kappa[j].re.is_infinite() {
                 continue;
             }
-            let bending: Complex64 = curvatures
-                .iter()
-                .zip(stiffness)
-                .map(|(curvature, stiffness)| stiffness * curvature[i].conj() * curvature[j])
+            let moments = bending.times(curvatures.map(|curvature| curvature[j]));
+            let products = curvatures.iter().zip(moments);
+            let bending: Complex64 = products
+                .map(|(curvature, moment)| curvature[i].conj() * moment)
                 .sum();
-            // The rate of twist of a left-going wave has the opposite sign.
+            // The rate of twist and the shear of a left-going wave have the opposite sign.
             let twist = plan.beam.torsion.re * rate[i].conj() * rate[j];
-            same[i][j] = bending + twist;
-            against[i][j] = bending - twist;
+            let shear: Complex64 = (0..3)
+                .filter(|&row| compliance[row] != 0.0)
+                .map(|row| compliance[row] * forces[row][i].conj() * forces[row][j])
+                .sum();
+            let odd = twist + shear;
+            same[i][j] = bending + odd;
+            against[i][j] = bending - odd;
         }
     }
     Weights { same, against }

@@ -41,16 +41,19 @@
 
 mod attachment;
 pub mod band;
+mod beam_matrices;
 mod beam_state;
 mod cancelled;
 pub mod compare;
 mod energy;
+pub(crate) mod extrema;
 pub mod fem;
 mod kernel;
 mod layout;
 mod limit;
 mod linear;
 pub mod modes;
+mod notes;
 pub mod operating;
 pub mod peaks;
 mod plan;
@@ -62,12 +65,20 @@ mod springs;
 mod sweep;
 mod sweep_cache;
 pub mod transfer_matrix;
+mod validity;
 mod waves;
 
 pub use cancelled::Cancelled;
-pub use kernel::{Instructions, Work, work};
+pub use notes::{Note, notes};
 pub use reference::Reference;
-#[doc(hidden)]
-pub use sweep::sweep_with;
 pub use sweep::{Column, ColumnKind, Frf, frequencies, sweep, sweep_alone};
 pub use sweep_cache::SweepCache;
+pub use validity::euler_bernoulli_up_to;
+
+/// The kernel with a given instruction set, and its operations: only for the benchmark of the kernel, which measures
+/// them.
+#[doc(hidden)]
+pub mod instruction_sets {
+    pub use super::kernel::{Instructions, Work, work};
+    pub use super::sweep::sweep_with;
+}

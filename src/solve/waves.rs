@@ -6,6 +6,7 @@
 
 use num_complex::Complex64;
 
+use super::beam_matrices::BeamMatrices;
 use super::linear::{Matrix, ZERO, size};
 use crate::model::Beam;
 
@@ -31,6 +32,10 @@ pub(super) struct BeamConstants {
     pub(super) coupling: f64,
     /// Radius of gyration about the shear centre, m: scales twist to displacement.
     pub(super) radius: f64,
+    /// All of it.
+    pub(super) matrices: BeamMatrices,
+    /// The numbers above are not all of it: v may be coupled, or there is rotary inertia or an axial force.
+    pub(super) is_general: bool,
 }
 
 impl BeamConstants {
@@ -48,6 +53,8 @@ impl BeamConstants {
             polar: material.density * section.polar_moment,
             coupling: mass * section.centroid_offset,
             radius: (section.polar_moment / section.area).sqrt(),
+            is_general: !beam.is_of_one_offset(),
+            matrices: BeamMatrices::new(beam),
         }
     }
 
@@ -70,6 +77,8 @@ pub(super) struct Waves {
     pub(super) force: Matrix<3, 6>,
     /// M: internal moments (`M_w`, B, `M_v`). If `Gamma_0` = 0 only the warping wave has an entry in the row of B.
     pub(super) moment: Matrix<3, 6>,
+    /// Each wave may move w, psi and v; otherwise the first four move w and psi, and the others v.
+    pub(super) all_coupled: bool,
 }
 
 /// One of the four coupled waves: h = kappa^2 and its shape.
@@ -89,6 +98,15 @@ impl Waves {
         self.kappa[WARPING_WAVE].re.is_infinite()
     }
 
+    /// Columns of the waves that contribute to a row (w, psi, v) of Q, S, P or M.
+    pub(super) fn of_row(&self, row: usize) -> std::ops::Range<usize> {
+        match (self.all_coupled, row) {
+            (true, _) => 0..6,
+            (false, 2) => 4..6,
+            (false, _) => 0..4,
+        }
+    }
+
     /// exp(-kappa l) over a length, m; 1 over the length 0, also for the wave that decays at once.
     pub(super) fn decay(&self, length: f64) -> Amplitudes {
         self.kappa.map(|kappa| {
@@ -101,11 +119,6 @@ impl Waves {
             }
         })
     }
-}
-
-/// Columns of the waves that contribute to a row (w, psi, v) of Q, S, P or M.
-pub(super) const fn reach(row: usize) -> std::ops::Range<usize> {
-    if row < 2 { 0..4 } else { 4..6 }
 }
 
 /// The four roots `h = kappa^2` of the state equation and their shapes: two evanescent, two travelling.
@@ -365,7 +378,9 @@ mod tests {
                 warping_constant,
                 polar_moment: 5.9992e-4,
                 centroid_offset,
+                ..Default::default()
             },
+            ..Default::default()
         }
     }
 

@@ -40,13 +40,13 @@ pub use crate::tui::panels::chart::{
 pub use crate::tui::panels::comparison::{Comparison, Reference};
 pub use crate::tui::panels::dialogs::{Next, Overlay, ReplaceReason};
 pub use crate::tui::panels::fem_overlay::{FemOverlay, FemPicture};
-pub use crate::tui::panels::measured::{Measured, OpenedMeasured};
+pub use crate::tui::panels::measured::{Fitted, Measured, OpenedMeasured};
 pub use crate::tui::panels::modes::{Completeness, ModeKind, ModeList, ModeRow, ModesState, Shape};
 pub use crate::tui::panels::palette::{Entry, Found, Palette};
 pub use crate::tui::panels::prompt::{Asked, AskedKind, Prompt, Purpose, Question};
 pub use crate::tui::panels::readings::{Reading, Value};
 pub use crate::tui::panels::search::Search;
-pub use crate::tui::panels::sensitivity::{Effects, Sensed, Sensitivities};
+pub use crate::tui::panels::sensitivity::{Effects, Sensed, Sensitivities, Weighed};
 pub use crate::tui::panels::tables::{Anchor, Table, Tables};
 pub use crate::tui::panels::tree::Selection;
 pub use crate::tui::panels::tuning::{Progress, Run, Tuning};

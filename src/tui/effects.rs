@@ -170,7 +170,7 @@ impl Performer {
         let place = shown_path(&found.path);
         if let Err(error) = found.discard() {
             app.update(Event::Trouble(format!(
-                "{place} is not removed: {}",
+                "{place} cannot be removed: {}",
                 error_text(&error)
             )));
         }
@@ -192,11 +192,11 @@ impl Performer {
                 shown_path(&path)
             )),
             Ok(Left::Elsewhere(path)) => Some(format!(
-                "unsaved changes are in {}; it is a model file",
+                "unsaved changes are in {}, which is a model file",
                 shown_path(&path)
             )),
             Err(error) if nothing => Some(format!(
-                "the recovery file is not removed: {}",
+                "the recovery file cannot be removed: {}",
                 error_text(&error)
             )),
             Err(error) => Some(format!("unsaved changes are lost: {}", error_text(&error))),

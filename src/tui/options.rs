@@ -3,41 +3,29 @@
 use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
 
+use crate::words::words;
+
 /// An enum of choices, each with its word on the command line and in the configuration file.
 macro_rules! choices {
     (
         $(#[$meta:meta])*
         $name:ident { $($(#[doc = $doc:literal])+ $choice:ident = $word:literal,)+ }
     ) => {
-        $(#[$meta])*
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-        pub enum $name {
-            $($(#[doc = $doc])+ $choice,)+
-        }
-
-        impl $name {
-            /// All of them, in listing order.
-            pub const ALL: &'static [Self] = &[$(Self::$choice),+];
-
-            /// Its word.
-            pub const fn word(self) -> &'static str {
-                match self {
-                    $(Self::$choice => $word,)+
-                }
-            }
-
+        words! {
+            $(#[$meta])*
+            pub enum $name { $($(#[doc = $doc])+ $choice = $word,)+ }
         }
 
         impl ValueEnum for $name {
             fn value_variants<'a>() -> &'a [Self] {
-                Self::ALL
+                &Self::ALL
             }
 
             fn to_possible_value(&self) -> Option<PossibleValue> {
                 let help = match self {
                     $(Self::$choice => concat!($($doc),+).trim().trim_end_matches('.'),)+
                 };
-                Some(PossibleValue::new(self.word()).help(help))
+                Some(PossibleValue::new(self.key()).help(help))
             }
         }
     };
@@ -46,9 +34,9 @@ macro_rules! choices {
 choices! {
     /// How many colours are used.
     Colours {
-        /// As many as the terminal says it has; none where `NO_COLOR` is set.
+        /// As many as the terminal reports; none if `NO_COLOR` is set.
         Auto = "auto",
-        /// The same, whatever `NO_COLOR` says.
+        /// The same, regardless of `NO_COLOR`.
         Always = "always",
         /// None: bold, dim, underlined and reversed instead.
         Never = "never",
@@ -56,33 +44,33 @@ choices! {
         Sixteen = "16",
         /// The fixed palette of 256.
         TwoFiftySix = "256",
-        /// Red, green and blue, a byte each.
+        /// Red, green and blue, one byte each.
         Truecolor = "truecolor",
     }
 }
 
 choices! {
-    /// The ground on which the terminal writes.
+    /// The background of the terminal.
     Ground {
-        /// As the environment says, else unknown.
+        /// As the environment says, otherwise unknown.
         Auto = "auto",
-        /// Light letters on a dark ground.
+        /// Light text on a dark background.
         Dark = "dark",
-        /// Dark letters on a light ground.
+        /// Dark text on a light background.
         Light = "light",
     }
 }
 
 choices! {
-    /// The characters of which curves are made.
+    /// The characters that draw curves.
     Marker {
-        /// Dots, eight a cell.
+        /// Dots, eight per cell.
         Braille = "braille",
         /// Eighths of a cell; few fonts have them.
         Octant = "octant",
         /// Quarters of a cell.
         Block = "block",
-        /// A bullet a cell.
+        /// A bullet per cell.
         Dot = "dot",
         /// ASCII letters and signs.
         Ascii = "ascii",
@@ -125,13 +113,13 @@ pub struct AppearanceArguments {
     /// How many colours to use.
     #[arg(long, value_name = "WHEN")]
     pub color: Option<Colours>,
-    /// The terminal's ground, for which colours are chosen.
-    #[arg(long, value_name = "GROUND")]
+    /// The background of the terminal; sets which colours are used.
+    #[arg(long, value_name = "BACKGROUND")]
     pub theme: Option<Ground>,
-    /// Draws with ASCII characters only; `--ascii=false` with all, whatever the locale says.
+    /// Draws with ASCII characters only; `--ascii=false` with all, regardless of the locale.
     #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
     pub ascii: Option<bool>,
-    /// The characters of which curves are made.
+    /// The characters that draw curves.
     #[arg(long, value_name = "KIND")]
     pub marker: Option<Marker>,
     /// Leaves the mouse to the terminal.
@@ -227,16 +215,16 @@ mod tests {
     fn every_word_names_one_choice() {
         for colours in Colours::ALL {
             let expected = Options {
-                colours: Some(*colours),
+                colours: Some(colours),
                 ..Options::default()
             };
-            assert_eq!(options(&["--color", colours.word()]), expected);
+            assert_eq!(options(&["--color", colours.key()]), expected);
         }
         for marker in Marker::ALL {
-            assert_eq!(options(&["--marker", marker.word()]).marker, Some(*marker));
+            assert_eq!(options(&["--marker", marker.key()]).marker, Some(marker));
         }
         for ground in Ground::ALL {
-            assert_eq!(options(&["--theme", ground.word()]).ground, Some(*ground));
+            assert_eq!(options(&["--theme", ground.key()]).ground, Some(ground));
         }
     }
 

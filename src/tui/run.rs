@@ -262,7 +262,7 @@ impl Stage<'_> {
 
     /// Reports that there is no shell to return to.
     fn say_alone(&mut self) {
-        let words = "the terminal runs nothing but this program: no shell could go on with it";
+        let words = "the terminal runs only this program: there is no shell to continue it";
         self.app.update(Event::Trouble(words.to_owned()));
     }
 

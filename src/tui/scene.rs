@@ -1,4 +1,5 @@
-//! What stands on the chart, before anything draws it: the widgets on the screen and the exported files both do.
+//! The contents of the chart, independent of the output: the widgets on the screen and the exported files draw the same
+//! scene.
 
 pub mod axes;
 mod build;
@@ -28,7 +29,7 @@ pub enum ChartView {
     Difference,
 }
 
-/// All that stands on the chart.
+/// The contents of the chart.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
     /// What of the values is drawn.
@@ -222,7 +223,7 @@ mod tests {
     }
 
     #[test]
-    fn levels_are_told_against_each_other() {
+    fn levels_are_compared_with_each_other() {
         // Closed form: a factor of 10 is 20 dB of an amplitude and 10 dB of an energy.
         let (one, ten) = (Complex64::new(0.0, 1.0), Complex64::from(10.0));
         assert!((difference(false, ten, one) - 20.0).abs() < 1e-12);

@@ -13,13 +13,13 @@ pub use node::Node;
 pub use text::{label, of_parameter, subject, value, without_unit_of};
 pub use tuning::{limit_at, objective_at, variable_at};
 
-use crate::model::schema::Kind;
+use crate::model::schema::{Key, Kind};
 use crate::model::{Group, Model, Restraint};
 
 /// A row on the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Row {
-    /// What it shows.
+    /// The node that it shows.
     pub node: Node,
     /// The depth in the tree.
     pub depth: u16,
@@ -74,14 +74,14 @@ pub fn children(model: &Model, node: Node) -> Vec<Node> {
     let Node::Group(group) = node else {
         return Vec::new();
     };
-    let elsewhere = |kind| {
-        matches!(
-            kind,
-            Kind::Name | Kind::Flag | Kind::Support | Kind::Restraint
-        )
+    let elsewhere = |key: &Key| match key.kind {
+        Kind::Name | Kind::Support | Kind::Restraint => true,
+        // That of the whole group: its own row shows it.
+        Kind::Flag => key.is_on_by_default(),
+        _ => false,
     };
     let keys = group.parameters();
-    let keys = keys.filter(|id| !elsewhere(id.key().kind) && id.exists(model));
+    let keys = keys.filter(|id| !elsewhere(id.key()) && id.exists(model));
     let mut children: Vec<Node> = keys.map(Node::Parameter).collect();
     children.extend(group.groups(model).into_iter().map(Node::Group));
     if let Group::Study(i) = group {

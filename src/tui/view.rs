@@ -38,9 +38,16 @@ pub fn draw(frame: &mut Frame<'_>, app: &App) -> Option<Screen> {
 
 fn draw_panels(frame: &mut Frame<'_>, app: &App, theme: Theme) -> Option<Screen> {
     let mut tables = app.tables;
-    tables.readings.set_rows(readings::view::count(app));
-    tables.band.set_rows(band::view::rows(app).len());
-    tables.tuning.set_rows(tuning::view::rows(app).len());
+    let rows = TableRows {
+        readings: readings::view::rows(app),
+        band: band::view::rows(app),
+        tuning: tuning::view::rows(app),
+    };
+    tables.readings.set_rows(rows.readings.len());
+    tables
+        .band
+        .set_rows(rows.band.len() + app.comparison.fits.len());
+    tables.tuning.set_rows(rows.tuning.len());
     let list = tables.open.map(|table| *tables.list_mut(table));
     let wanted = OptionalPanels {
         table: list.map(|list| (list.rows.max(1) as u16).saturating_add(table::FRAME_ROWS)),
@@ -64,7 +71,7 @@ fn draw_panels(frame: &mut Frame<'_>, app: &App, theme: Theme) -> Option<Screen>
     }
     let table = tables.open.map(|open| {
         let list = tables.list_mut(open);
-        draw_table(frame, app, open, list, panels.table)
+        draw_table(frame, app, (open, &rows), list, panels.table)
     });
     status::draw_hints(frame, app, theme, panels.hints);
     let (dialog, list) = dialogs::view::draw(frame, app, theme, &panels);
@@ -85,16 +92,48 @@ fn draw_panels(frame: &mut Frame<'_>, app: &App, theme: Theme) -> Option<Screen>
     })
 }
 
+/// The rows that the views make, once for a drawing: their number sets the height of the table.
+struct TableRows {
+    readings: Vec<readings::view::Row>,
+    band: Vec<band::view::Row>,
+    tuning: Vec<tuning::view::Row>,
+}
+
 /// Draws the open table; returns the area of its rows.
-fn draw_table(frame: &mut Frame<'_>, app: &App, open: Table, list: &mut List, area: Rect) -> Rows {
-    let theme = app.theme;
+fn draw_table(
+    frame: &mut Frame<'_>,
+    app: &App,
+    (open, rows): (Table, &TableRows),
+    list: &mut List,
+    area: Rect,
+) -> Rows {
     match open {
-        Table::Modes => modes::view::draw(frame, app, list, theme, area),
-        Table::Peaks => peaks::draw(frame, app, list, theme, area),
-        Table::Readings => readings::view::draw(frame, app, list, theme, area),
-        Table::Band => band::view::draw(frame, app, list, theme, area),
-        Table::Sensitivities => sensitivity::view::draw(frame, app, list, theme, area),
-        Table::Tuning => tuning::view::draw(frame, app, list, theme, area),
+        Table::Modes => table::draw(
+            frame,
+            app,
+            &modes::view::content(app, area.width),
+            list,
+            area,
+        ),
+        Table::Peaks => table::draw(frame, app, &peaks::content(app), list, area),
+        Table::Readings => {
+            let content = readings::view::content(app, &rows.readings);
+            table::draw(frame, app, &content, list, area)
+        }
+        Table::Band => table::draw(
+            frame,
+            app,
+            &band::view::content(app, &rows.band),
+            list,
+            area,
+        ),
+        Table::Sensitivities => {
+            table::draw(frame, app, &sensitivity::view::content(app), list, area)
+        }
+        Table::Tuning => {
+            let content = tuning::view::content(app, &rows.tuning);
+            table::draw(frame, app, &content, list, area)
+        }
     }
 }
 
@@ -130,7 +169,7 @@ fn too_small(frame: &mut Frame<'_>, leave: &str) {
     let area = frame.area();
     let (width, height) = SMALLEST;
     let text = format!(
-        "The designer needs {width} columns and {height} rows; here are {} and {}. {leave} leaves it and keeps what is not saved.",
+        "The designer needs {width} columns and {height} rows; here are {} and {}. {leave} quits and keeps unsaved changes for recovery.",
         area.width, area.height
     );
     frame.render_widget(Paragraph::new(text).wrap(Wrap { trim: true }), area);

@@ -12,7 +12,7 @@ use crate::solve::Cancelled;
 
 /// The merit function of a problem: a [`Landscape`] over its unit box.
 #[derive(Debug)]
-pub struct MeritFunction<'a> {
+pub(super) struct MeritFunction<'a> {
     pub(super) problem: &'a Problem,
     pub(super) cancel: &'a AtomicBool,
     scale: Scale,
@@ -68,7 +68,7 @@ impl<'a> MeritFunction<'a> {
     ///
     /// # Errors
     /// `cancel` became true before the end.
-    pub fn new(
+    pub(super) fn new(
         problem: &'a Problem,
         start: &[f64],
         cancel: &'a AtomicBool,
@@ -96,7 +96,7 @@ impl<'a> MeritFunction<'a> {
     }
 
     /// The combined figure of a goal, for display.
-    pub fn figure(&self, goal: f64) -> f64 {
+    pub(super) fn figure(&self, goal: f64) -> f64 {
         match self.scale {
             Scale::Logarithm => goal.exp(),
             Scale::Over(scale) => goal * scale,
@@ -270,3 +270,6 @@ impl Fit for Matched<'_> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests;

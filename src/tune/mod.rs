@@ -40,7 +40,6 @@ mod spread;
 pub mod words;
 mod worst_case;
 
-pub use merit::MeritFunction;
 pub use problem::{Problem, check_match};
 pub use report::{Achieved, LimitOutcome, Moved, WorstCase};
 pub use run::{Options, Status, Tuned, default_budget, run};

@@ -128,14 +128,8 @@ impl Problem {
         self.coordinates.len()
     }
 
-    /// The model at a point of the unit box; everything else is as in the original.
-    pub fn model_at(&self, x: &[f64]) -> Model {
-        let mut model = self.given.clone().into_inner();
-        self.set(&mut model, x, &[]);
-        model
-    }
-
-    /// The same at a point that was a candidate, so that it is possible; at its own point exactly the original model.
+    /// The model at a point of the unit box that was a candidate, so that it is possible; at its own point exactly the
+    /// original model.
     pub(super) fn tuned(&self, x: &[f64]) -> Checked {
         self.given.derived(|model| {
             for (one, value) in self.coordinates.iter().zip(self.values(x)) {
@@ -311,7 +305,7 @@ fn crowded(model: &Checked, tune: &Tune) -> Vec<Fault> {
         let to = limits::looks_to(limit).filter(|&to| are_too_many(model, to))?;
         Some(Fault::new(
             format!("tune.limits.{}", index + 1),
-            format!("asks for the modes up to {to:?} Hz, of which there are more than {MOST_MODES}; its `to` must be lower"),
+            format!("needs the modes up to {to:?} Hz, of which there are more than {MOST_MODES}; its `to` must be lower"),
         ))
     });
     crowded.collect()
@@ -329,7 +323,7 @@ fn restless(model: &Checked, tune: &Tune) -> Vec<Fault> {
         let place = format!("tune.limits.{}", index + 1);
         let of = model.responses.iter().find(|one| one.name == *response);
         if !of.is_some_and(|one| objectives::is_displacement(&one.quantity)) {
-            let message = format!("{response:?} is no displacement; must be one");
+            let message = format!("{response:?} is not a displacement; must be one");
             faults.push(Fault::new(&place, message));
         }
         if count(model, SLOWEST) > 0 {

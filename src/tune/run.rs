@@ -103,7 +103,7 @@ pub fn run(
     };
     if found.figure.is_nan() || found.figure.is_infinite() {
         return Err(
-            "the objective has no finite value anywhere the search looked: an undamped resonance \
+            "the objective is not finite for any evaluated model: an undamped resonance \
             in its band, or a band without a value"
                 .to_owned(),
         );

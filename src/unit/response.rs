@@ -43,7 +43,7 @@ impl ValueUnit {
     /// The error and what is accepted.
     pub fn parse(text: &str) -> Result<Self, String> {
         let text = text.trim();
-        let wrong = || format!("{text:?} is no unit of a response: {ACCEPTED}");
+        let wrong = || format!("{text:?} is not a unit of a response: {ACCEPTED}");
         let (factor, symbols) = factor(text);
         let (scale, powers) = product(symbols).ok_or_else(wrong)?;
         let scale = factor * scale;

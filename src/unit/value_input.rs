@@ -61,7 +61,7 @@ pub fn count(text: &str, old: usize) -> Result<usize, String> {
     // Above 2^53, floats do not represent every whole number.
     if value.fract() != 0.0 || !(0.0..=9.0e15).contains(&value) {
         return Err(format!(
-            "{} is no count: accepted is a whole number, 0 or more",
+            "{} is not a count: accepted is a whole number, 0 or more",
             text.trim()
         ));
     }
@@ -105,7 +105,7 @@ fn factor(text: &str, unit: &Unit) -> Result<f64, String> {
     match split(text.trim()) {
         Some((number, "")) => scaled(number, 0),
         Some((_, rest)) => Err(format!(
-            "\"{rest}\" is too much: a factor is a number without unit"
+            "\"{rest}\" is not accepted: a factor is a number without unit"
         )),
         None => Err(no_number(text, unit)),
     }
@@ -160,7 +160,7 @@ fn power(text: &str, unit: &Unit) -> Result<i32, String> {
 fn wrong_unit(text: &str, unit: &Unit) -> String {
     if text == "m" || text.starts_with("m ") {
         return format!(
-            "a lone \"m\" could be milli or a slip for M: accepted is {}",
+            "a single \"m\" could be milli or a typo for M: accepted is {}",
             accepted(unit)
         );
     }
@@ -174,7 +174,7 @@ fn no_number(text: &str, unit: &Unit) -> String {
     let said = if text.trim().is_empty() {
         "no number".to_owned()
     } else {
-        format!("\"{}\" is no number", text.trim())
+        format!("\"{}\" is not a number", text.trim())
     };
     format!("{said}: accepted is {}", accepted(unit))
 }
@@ -224,12 +224,12 @@ fn scaled(number: &str, power: i32) -> Result<f64, String> {
         .saturating_add(i64::from(power));
     let value: f64 = format!("{mantissa}e{exponent}")
         .parse()
-        .map_err(|_| format!("\"{number}\" is no number"))?;
+        .map_err(|_| format!("\"{number}\" is not a number"))?;
     if value.is_infinite() {
         return Err(format!("{number} is too large: accepted is up to 1.8e308"));
     }
     if value == 0.0 && mantissa.contains(|letter| matches!(letter, '1'..='9')) {
-        return Err(format!("{number} is too small to be told from 0"));
+        return Err(format!("{number} is too small to be distinguished from 0"));
     }
     Ok(value)
 }

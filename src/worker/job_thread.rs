@@ -94,6 +94,8 @@ pub(super) fn guarded<T>(
         Ok(Ok(found)) => Ok(Ok(found)),
         Ok(Err(Unfinished::Failed(reason))) => Ok(Err(reason)),
         Ok(Err(Unfinished::Cancelled(cancelled))) => Err(cancelled),
-        Err(_) => Ok(Err("the solver stopped at a fault of its own".to_owned())),
+        Err(_) => Ok(Err(
+            "the solver stopped because of an internal error".to_owned()
+        )),
     }
 }

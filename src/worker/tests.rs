@@ -145,12 +145,12 @@ fn the_next_edit_cancels_the_count_and_the_last_one_makes_it() {
     // An edit arrives as soon as the modes are shown.
     for (generation, model) in [(1, &model), (2, &longer), (3, &model)] {
         let cancel = AtomicBool::new(false);
-        let told = std::sync::Mutex::new(Vec::new());
+        let answers = std::sync::Mutex::new(Vec::new());
         resolver.answer(&unresolved(generation, model), &cancel, &|answer| {
-            told.lock().unwrap().push(answer.stage);
+            answers.lock().unwrap().push(answer.stage);
             cancel.store(true, std::sync::atomic::Ordering::Relaxed);
         });
-        assert_eq!(*told.lock().unwrap(), [Stage::Resolved]);
+        assert_eq!(*answers.lock().unwrap(), [Stage::Resolved]);
     }
     // No key is pressed; the same model again, as when a study is selected.
     let (sender, receiver) = channel();
@@ -158,17 +158,17 @@ fn the_next_edit_cancels_the_count_and_the_last_one_makes_it() {
     resolver.answer(&unresolved(4, &model), &never, &|answer| {
         drop(sender.send(answer));
     });
-    let told: Vec<CurvesAnswer> = receiver.try_iter().collect();
-    let stages: Vec<Stage> = told.iter().map(|answer| answer.stage).collect();
+    let answers: Vec<CurvesAnswer> = receiver.try_iter().collect();
+    let stages: Vec<Stage> = answers.iter().map(|answer| answer.stage).collect();
     assert_eq!(stages, [Stage::Resolved, Stage::Counted]);
-    let counted = told[1].result.as_ref().unwrap().modes.as_ref().unwrap();
+    let counted = answers[1].result.as_ref().unwrap().modes.as_ref().unwrap();
     assert_eq!(counted.modes.completeness, Completeness::Certain);
     // The count is then verified.
     resolver.answer(&unresolved(5, &model), &never, &|answer| {
         drop(sender.send(answer));
     });
-    let told: Vec<Stage> = receiver.try_iter().map(|answer| answer.stage).collect();
-    assert_eq!(told, [Stage::Counted]);
+    let answers: Vec<Stage> = receiver.try_iter().map(|answer| answer.stage).collect();
+    assert_eq!(answers, [Stage::Counted]);
 }
 
 #[test]
@@ -198,10 +198,10 @@ fn followed_modes_equal_those_of_a_full_search() {
         }
         modes.unwrap().modes
     };
-    let (followed, anew) = (modes_of(&[&before, &changed]), modes_of(&[&changed]));
-    assert_eq!(followed.modes.len(), anew.modes.len());
-    assert_eq!(followed.completeness, anew.completeness);
-    for (a, b) in followed.modes.iter().zip(&anew.modes) {
+    let (followed, fresh) = (modes_of(&[&before, &changed]), modes_of(&[&changed]));
+    assert_eq!(followed.modes.len(), fresh.modes.len());
+    assert_eq!(followed.completeness, fresh.completeness);
+    for (a, b) in followed.modes.iter().zip(&fresh.modes) {
         // Both have a relative tolerance of 1e-10.
         assert!((a.omega - b.omega).norm() <= 1e-9 * b.omega.norm() + 1e-9);
     }

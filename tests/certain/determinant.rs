@@ -1,5 +1,5 @@
-//! The characteristic determinant of a model, by means that share nothing with the program's: the state equation of the
-//! beam by its Taylor series over short lengths, in numbers of 32 digits, six solutions kept independent from the left
+//! The characteristic determinant of a model, by methods independent of the program's: the state equation of the beam
+//! by its Taylor series over short lengths, in numbers of 32 digits, with six solutions kept independent from the left
 //! end to the right (Godunov 1961; Conte, SIAM Rev. 8 (1966) 309-321).
 
 use beamtune::model::{BeamMotion, Model, Restraint, Spring, Subsystem, Support};
@@ -13,13 +13,13 @@ const FIELDS: usize = 3;
 /// The derivatives of order 0 to 3 of (w, psi, v), order by order, each times a length to the power of its order.
 type State = [Complex2; 12];
 
-/// Numbers between the fields; w and psi know nothing of v.
+/// Coefficients between the fields; w and psi are not coupled to v.
 type Block = [[Complex2; FIELDS]; FIELDS];
 
 /// Terms of the Taylor series by order: 4^53 / 53! is below 1e-37.
 const TERMS: usize = 54;
 
-/// How far a step carries the solutions at most: by e^4.
+/// The largest growth of the solutions in a step: by e^4.
 const GROWTH: f64 = 4.0;
 
 /// A number times a power of two.
@@ -41,7 +41,7 @@ impl Scaled {
     }
 }
 
-/// A model laid out for its determinant.
+/// A model prepared for its determinant.
 pub struct Determinant<'a> {
     model: &'a Model,
     /// 1 / (E (1 + i eta) (`I_y`, `Gamma_0`, `I_z`)).
@@ -56,7 +56,7 @@ pub struct Determinant<'a> {
     weights: [Double2; TERMS],
 }
 
-/// Six states at a place, and the power of two that was taken out of them.
+/// Six states at a position, and the power of two that was factored out of them.
 struct Basis {
     states: [State; 6],
     /// The length of the states, m.
@@ -149,8 +149,8 @@ impl<'a> Determinant<'a> {
         }
     }
 
-    /// Adds what acts along a motion to the resultants of a state of unit 1 m: `-E I w'''`, `E I w''`,
-    /// `G J psi' - E Gamma psi'''`, `E Gamma psi''`.
+    /// Adds the resultants of a state of unit 1 m along a motion: `-E I w'''`, `E I w''`, `G J psi' - E Gamma psi'''`,
+    /// `E Gamma psi''`.
     fn load(&self, state: &mut State, motion: usize, force: Complex2) {
         let jump = force * self.compliance[motion % FIELDS];
         if motion < FIELDS {
@@ -160,7 +160,7 @@ impl<'a> Determinant<'a> {
         }
     }
 
-    /// What the right support asks to be zero, of each state.
+    /// The values that must be zero at the right support, of each state.
     fn right_end(
         &self,
         omega: Complex2,
@@ -187,7 +187,7 @@ impl<'a> Determinant<'a> {
         })
     }
 
-    /// Carries the states from one place to another.
+    /// Propagates the states from one position to another.
     fn cross(&self, from: f64, to: f64, omega: Complex2, basis: &mut Basis) {
         let length = Double2::from(to) - Double2::from(from);
         if length.rounded() <= 0.0 {
@@ -208,7 +208,7 @@ impl<'a> Determinant<'a> {
         }
     }
 
-    /// How many rad the fastest wave of an angular frequency (rad/s) runs along the beam, at most.
+    /// An upper bound on the phase (rad) of the fastest wave of an angular frequency (rad/s) along the beam.
     pub fn waves(&self, omega: f64) -> f64 {
         let omega = Complex2::from(Complex64::from(omega));
         self.fastest(omega) * self.model.beam.length
@@ -300,7 +300,7 @@ impl<'a> Determinant<'a> {
     }
 }
 
-/// The fields that act on one within the beam.
+/// The fields that a field is coupled with in the beam.
 fn coupled(field: usize) -> &'static [usize] {
     if field < 2 { &[0, 1] } else { &[2] }
 }
@@ -374,7 +374,7 @@ fn stiffness(support: &Support, motion: usize, omega: Complex2) -> Option<Comple
     }
 }
 
-/// Makes the length of states `ratio` times as long.
+/// Multiplies the states' unit of length by `ratio`.
 fn rescale(states: &mut [State; 6], ratio: Double2) {
     for state in states {
         let mut power = ratio;
@@ -401,8 +401,8 @@ fn carried(columns: &[State; 12], state: &State) -> State {
 }
 
 impl Basis {
-    /// Makes the states about orthogonal and of size 1. What is taken from one is a multiple of another, which leaves the
-    /// determinant as it is, so that the multiple need not be exact.
+    /// Makes the states nearly orthogonal and of size 1. It subtracts multiples of other states, which does not change
+    /// the determinant, so the multiples need not be exact.
     fn separate(&mut self) {
         for index in 0..self.states.len() {
             let (done, rest) = self.states.split_at_mut(index);
@@ -424,7 +424,7 @@ impl Basis {
     }
 }
 
-/// Takes a power of two out of numbers so that the largest is about 1; returns its exponent.
+/// Factors a power of two out of numbers so that the largest is about 1; returns its exponent.
 fn normalise(values: &mut [Complex2]) -> i32 {
     let parts = values.iter().map(|value| value.rounded());
     let largest = parts.fold(0.0, |largest, z| z.re.abs().max(z.im.abs()).max(largest));

@@ -32,7 +32,7 @@ fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, (a - (sum - of_b)) + (b - of_b))
 }
 
-/// The same where |a| >= |b|.
+/// The same for |a| >= |b|.
 #[inline(always)]
 fn renormalised(a: f64, b: f64) -> Double2 {
     let high = a + b;
@@ -42,7 +42,7 @@ fn renormalised(a: f64, b: f64) -> Double2 {
     }
 }
 
-/// A number as two of at most 26 bits.
+/// A number as a sum of two numbers of at most 26 bits.
 #[inline(always)]
 fn split(a: f64) -> (f64, f64) {
     // 2^27 + 1.

@@ -1,7 +1,8 @@
-//! Damped modes from finite elements, polished on the exact determinant: starts that owe nothing to what finds lists.
+//! Damped modes from finite elements, refined on the exact determinant: starting values independent of the program's
+//! solver.
 //!
-//! Hermite's cubics for w, psi and v with consistent mass; the damping is projected on the lowest undamped modes, and the
-//! quadratic problem solved as a dense linear one of twice the size.
+//! Hermite's cubics for w, psi and v with consistent mass; the damping is projected on the lowest undamped modes, and
+//! the quadratic problem solved as a dense linear one of twice the size.
 
 use crate::checked::checked;
 use std::f64::consts::TAU;
@@ -14,7 +15,7 @@ use rayon::prelude::*;
 use super::determinant::Determinant;
 use super::{NEVER, modes, random};
 
-/// K of the beam, K of the springs, C and M; rows that are held are taken out.
+/// K of the beam, K of the springs, C and M; fixed rows are removed.
 struct Matrices {
     beam: DMatrix<f64>,
     springs: DMatrix<f64>,
@@ -22,7 +23,7 @@ struct Matrices {
     mass: DMatrix<f64>,
 }
 
-/// Six unknowns a node (w, psi, v and their slopes), then three a mass.
+/// Six unknowns per node (w, psi, v and their slopes), then three per mass.
 impl Matrices {
     fn new(model: &Model) -> Self {
         let nodes = nodes(model);
@@ -121,7 +122,7 @@ impl Matrices {
         }
     }
 
-    /// Roots omega of the whole with `|omega|` about up to `to`, rad/s, from the modes up to several times that.
+    /// Roots omega of the whole model with `|omega|` up to about `to`, rad/s, from the modes up to several times that.
     fn roots(&self, loss_factor: f64, to: f64) -> Vec<Complex64> {
         const MARGIN: f64 = 5.0;
         let lower = Cholesky::new(self.mass.clone()).unwrap().unpack();
@@ -158,7 +159,7 @@ impl Matrices {
     }
 }
 
-/// The ends, the subsystems' places, and about twenty more.
+/// The ends, the subsystems' positions, and about twenty more.
 fn nodes(model: &Model) -> Vec<f64> {
     const ELEMENTS: f64 = 20.0;
     let length = model.beam.length;
@@ -192,7 +193,7 @@ fn hermite(h: f64) -> [[[f64; 4]; 4]; 3] {
     })
 }
 
-/// The root that a start leads to, by secants on the exact determinant.
+/// The root reached from a starting value, by secants on the exact determinant.
 fn polished(determinant: &Determinant, start: Complex64) -> Option<Complex64> {
     const MOST_STEPS: usize = 80;
     let (mut before, mut here) = (start * (1.0 + 1e-4), start);
@@ -209,10 +210,10 @@ fn polished(determinant: &Determinant, start: Complex64) -> Option<Complex64> {
     None
 }
 
-/// Expected: finite elements, polished on the exact determinant.
+/// Expected: finite elements, refined on the exact determinant.
 #[test]
 fn what_finite_elements_lead_to_is_listed() {
-    /// Of the random models, but for those of a wrong list.
+    /// Of the random models, except those of a wrong list.
     const SAMPLE: [u64; 10] = [1, 12, 23, 34, 45, 56, 67, 78, 89, 100];
     let counts = SAMPLE.into_par_iter().map(|seed| {
         let (model, hertz) = random::model(seed);
@@ -226,7 +227,7 @@ fn what_finite_elements_lead_to_is_listed() {
         let roots = starts
             .iter()
             .filter_map(|&start| polished(&determinant, start));
-        // With a loss factor what is left of the axis is not listed, however close.
+        // With a loss factor, a root left of the axis is not listed, however close.
         let axis = if loss_factor == 0.0 { -1e-9 } else { 1e-12 };
         let inside = |z: &Complex64| z.re > axis * z.norm() && z.norm() < (1.0 - 1e-9) * to;
         let roots: Vec<Complex64> = roots.filter(inside).collect();
@@ -246,6 +247,6 @@ fn what_finite_elements_lead_to_is_listed() {
     });
     let sum = |a: [usize; 2], b: [usize; 2]| [a[0] + b[0], a[1] + b[1]];
     let [led, listed] = counts.reduce(|| [0; 2], sum);
-    // The others are at 0, on the axis with a loss factor, or in a group of which another root was led to.
+    // The others are at 0, on the axis with a loss factor, or in a group of which another root was reached.
     assert!(led * 10 > listed * 8, "{led} of {listed}");
 }

@@ -1,7 +1,7 @@
 //! Equal and nearly equal modes over families of models: frequencies, shapes and derivatives.
 //!
-//! Expected: closed forms of what moves alone; the definition of (bi-)orthogonality with integrals of this file; residues
-//! of responses on circles of this file.
+//! Expected: closed forms of masses that move alone; the definition of (bi-)orthogonality with integrals of this file;
+//! residues of responses on circles of this file.
 
 use crate::checked::checked;
 use std::f64::consts::TAU;
@@ -17,19 +17,20 @@ use rayon::prelude::*;
 
 use super::{NEVER, certain, load};
 
-/// Points of a shape, so that Simpson's rule errs by less than 1e-10; places in hundredths of the length are among them.
+/// Points of a shape, so that Simpson's rule errs by less than 1e-10; the positions in hundredths of the length are
+/// among them.
 const POINTS: usize = 1201;
 
-/// A model with what is known of it.
+/// A model with its known results.
 struct Case {
     name: String,
     model: Model,
     to: f64,
-    /// Roots that are exact, rad/s, each as often as it occurs.
+    /// Exact roots, rad/s, repeated by multiplicity.
     roots: Vec<Complex64>,
 }
 
-/// A pinned beam with `count` masses of one kind, at `places` (shares of the length), whose inertias step by `step`.
+/// A pinned beam with `count` masses of one kind, at `places` (shares of the length), whose inertias differ by `step`.
 fn with_masses(count: usize, places: fn(usize) -> f64, damping: f64, step: f64) -> Model {
     let mut model = load("three_alike_undamped");
     let spring = Spring {
@@ -59,7 +60,8 @@ fn root(mass: f64, damping: f64, stiffness: f64) -> Complex64 {
     (Complex64::I * damping + square.sqrt()) / (2.0 * mass)
 }
 
-/// The roots of masses that turn by their z springs alone (`mount_y` = 0, equal arms): the beam does not feel it.
+/// The roots of masses that rotate on their z springs alone (`mount_y` = 0, equal arms), which exert no net force on
+/// the beam.
 fn turning(model: &Model) -> Vec<Complex64> {
     let of = |one: &Subsystem| {
         let square = 2.0 * one.arm_left.powi(2);
@@ -95,7 +97,7 @@ fn families() -> Vec<Case> {
                     model,
                 });
             }
-            // At one place all but one of each kind of motion leave the beam at rest.
+            // At one position, all but one mode of each kind leave the beam at rest.
             let mut model = with_masses(count, together, damping, 0.0);
             model.beam.material.loss_factor = loss_factor;
             let one = &model.subsystems[0];
@@ -116,7 +118,7 @@ fn families() -> Vec<Case> {
     cases
 }
 
-/// A free beam that bends alike along y and z but for a step of the stiffness.
+/// A free beam with equal bending along y and z, except for a step of the stiffness.
 ///
 /// Expected: cos(k L) cosh(k L) = 1, its first three roots (Abramowitz & Stegun, 4.3.147 and by Newton's method).
 fn free_beam(step: f64, loss_factor: f64) -> Case {
@@ -152,7 +154,7 @@ fn free_beam(step: f64, loss_factor: f64) -> Case {
     }
 }
 
-/// The indices of modes that lie together (relative 1e-3), rigid-body modes among them.
+/// The indices of modes that are close together (relative 1e-3), rigid-body modes among them.
 fn groups(found: &Modes) -> Vec<Vec<usize>> {
     const CLOSE: f64 = 1e-3;
     let mut groups: Vec<Vec<usize>> = Vec::new();
@@ -228,7 +230,7 @@ fn unorthogonal(case: &Case, found: &Modes, shapes: &[Shape], group: &[usize]) -
     worst
 }
 
-/// Where responses are compared: masses, and places of the beam.
+/// Where responses are compared: masses, and positions on the beam.
 fn targets(model: &Model) -> Vec<Target> {
     let place = Place::Position(0.61 * model.beam.length);
     let mut targets = [BeamMotion::W, BeamMotion::V]
@@ -268,7 +270,7 @@ fn residues(case: &Case, found: &Modes, shapes: &[Shape], group: &[usize]) -> f6
         .map(|&i| (omega(i) - centre).norm())
         .fold(0.0, f64::max);
     let radius = (size * gap).sqrt().max(0.2 * gap);
-    // What the trapezoidal rule leaves of a pole inside and of one outside: 1e-12.
+    // The error of the trapezoidal rule for a pole inside and one outside: 1e-12.
     let share = (size / radius).max(radius / gap);
     assert!(share < 0.9, "{}: a group that others are among", case.name);
     let points = (1e-12_f64.ln() / share.ln()).ceil() as usize;
@@ -407,7 +409,7 @@ fn derivatives_of_equal_modes_are_those_of_their_splitting() {
             for name in &["S0", "S1"][..if count < 12 { 2 } else { 1 }] {
                 let slopes =
                     by_logarithm(&model, &found, equal, &format!("subsystems.{name}.inertia"));
-                // The frequency falls: the first of the list as the inertia rises.
+                // The frequency falls as the inertia rises: the first of the list.
                 for (place, found) in slopes.iter().enumerate() {
                     let want = if place == 0 { slope } else { Complex64::ZERO };
                     assert!(
@@ -420,7 +422,7 @@ fn derivatives_of_equal_modes_are_those_of_their_splitting() {
     }
 }
 
-/// Expected: closed form, f goes with the roots of E, 1 / rho and of its own second moment, and with 1 / L^2.
+/// Expected: closed form, f is proportional to the roots of E, 1 / rho and of its own second moment, and to 1 / L^2.
 #[test]
 fn derivatives_of_equal_bending_modes() {
     let case = free_beam(0.0, 0.0);
@@ -448,7 +450,7 @@ fn derivatives_of_equal_bending_modes() {
     }
 }
 
-/// Expected: closed form. Modes that lie near each other are those of one mass each.
+/// Expected: closed form. Modes that are close to each other belong to one mass each.
 #[test]
 fn derivatives_of_nearly_equal_modes_are_their_own() {
     for (step, tolerance) in [(1e-4, 1e-8), (1e-6, 1e-8), (1e-8, 1e-7)] {
@@ -478,8 +480,8 @@ fn derivatives_of_nearly_equal_modes_are_their_own() {
     }
 }
 
-/// Expected: one-sided differences of the list. Four masses at one place: in three modes of each kind the beam rests, and
-/// whatever changes one of the masses, or the place of one, moves several of them.
+/// Expected: one-sided differences of the list. Four masses at one position: in three modes of each kind the beam
+/// rests, and a change of one of the masses, or of its position, moves several of them.
 #[test]
 fn derivatives_of_equal_modes_follow_the_list() {
     const STEP: f64 = 2e-4;

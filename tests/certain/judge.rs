@@ -1,8 +1,8 @@
-//! A judge of lists of damped modes: the argument principle on a small circle around each root, or group of roots that
-//! lie close together, and on the whole region, of the [`Determinant`].
+//! A check of lists of damped modes: the argument principle on a small circle around each root, or group of roots that
+//! are close together, and on the whole region, of the [`Determinant`].
 //!
-//! The determinant is divided by the distances to the roots of the list, so that its phase turns only for roots that the
-//! list lacks, or has too many.
+//! The determinant is divided by the distances to the roots of the list, so that its phase turns only for missing or
+//! surplus roots.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -12,7 +12,7 @@ use num_complex::Complex64;
 
 use super::determinant::Determinant;
 
-/// A list before its judge; everything in rad/s.
+/// A list to check; everything in rad/s.
 struct Judge<'a> {
     determinant: Determinant<'a>,
     hysteretic: bool,
@@ -24,11 +24,11 @@ struct Judge<'a> {
     at_zero: usize,
     /// Upper end of the range.
     to: f64,
-    /// Where the list says that it is not settled, and nothing is promised.
+    /// Where the list is open, so that nothing is promised.
     open: Vec<[f64; 2]>,
 }
 
-/// What speaks against a list: where it is certain, it must have each mode as often as it is. None where it is right.
+/// The errors of a list: where it is certain, it must have each mode with its multiplicity. None if it is right.
 pub fn fault(model: &Model, found: &Modes) -> Option<String> {
     let judge = Judge::new(model, found);
     judge.fault_near_a_root().or_else(|| judge.fault_anywhere())
@@ -82,7 +82,7 @@ impl<'a> Judge<'a> {
 
     fn fault_near_a_root(&self) -> Option<String> {
         groups(&self.all).into_iter().find_map(|group| {
-            // Of mirror images one is enough, and what lies beyond the range is not promised.
+            // Of two mirror images one is enough, and roots beyond the range are not promised.
             if group[0] >= self.moving.len() {
                 return None;
             }
@@ -92,7 +92,7 @@ impl<'a> Judge<'a> {
                 return None;
             }
             let missing = self.missing_in_circle(centre, radius);
-            // What lies to the left of the imaginary axis is not listed with a loss factor.
+            // With a loss factor, roots left of the imaginary axis are not listed.
             let unlisted = self.hysteretic && centre.re < radius && missing > Some(0);
             (missing != Some(0) && !unlisted).then(|| {
                 let hertz = centre / TAU;
@@ -101,7 +101,8 @@ impl<'a> Judge<'a> {
         })
     }
 
-    /// A circle around a group, well within the gap to other roots, and no larger than the roots are exact.
+    /// A circle around a group, well within the gap to other roots, and no larger than the accuracy of the roots
+    /// requires.
     fn circle(&self, group: &[usize]) -> (Complex64, f64) {
         const EXACT: f64 = 1e-7;
         let members = || group.iter().map(|&index| self.all[index]);
@@ -117,13 +118,13 @@ impl<'a> Judge<'a> {
     }
 
     fn fault_anywhere(&self) -> Option<String> {
-        /// How far below the end of the range the region may end for a root there.
+        /// How far below the end of the range the region may end to avoid a root there.
         const ASIDE: f64 = 1e-5;
         let sizes = || self.all.iter().map(|root| root.norm());
         let free = |radius: &f64| sizes().all(|size| (size - radius).abs() > 0.3 * ASIDE * size);
         let mut outer = (0..).map(|k| self.to * (1.0 - ASIDE * f64::from(k)));
         let outer = outer.find(free)?;
-        // Above the rounding of as many roots at 0.
+        // Above the rounding error of this number of roots at 0.
         let small = 1e-16_f64.powf(1.0 / (self.at_zero + 4) as f64);
         let inner = small * sizes().fold(0.3 * self.to, f64::min);
         let mut rings = vec![[inner, outer]];
@@ -147,13 +148,13 @@ impl<'a> Judge<'a> {
             })
     }
 
-    /// Roots that the list lacks within a circle.
+    /// Number of missing roots within a circle.
     fn missing_in_circle(&self, centre: Complex64, radius: f64) -> Option<i64> {
         let path = |t: f64| centre + Complex64::from_polar(radius, TAU * t);
         whole(self.turns(&path, 6)?)
     }
 
-    /// Roots that the list lacks between two radii; the left half of the plane mirrors the right one.
+    /// Number of missing roots between two radii; the left half of the plane mirrors the right one.
     fn missing_in_ring(&self, [inner, outer]: [f64; 2]) -> Option<i64> {
         let half = |radius: f64| {
             let path = move |t: f64| Complex64::from_polar(radius, PI * t - FRAC_PI_2);
@@ -162,7 +163,7 @@ impl<'a> Judge<'a> {
         whole(2.0 * (half(outer)? - half(inner)?))
     }
 
-    /// Roots that the list lacks between two radii, from below the real axis to just before the imaginary one, beyond
+    /// Number of missing roots between two radii, from below the real axis to just before the imaginary one, beyond
     /// which there are others.
     fn missing_in_sector(&self, [inner, outer]: [f64; 2]) -> Option<i64> {
         const BELOW: f64 = -0.2;
@@ -185,7 +186,7 @@ impl<'a> Judge<'a> {
         whole(outward + ray(angle, outer, inner)? + arc(inner, angle, BELOW)?)
     }
 
-    /// Points for the waves that run along the beam.
+    /// Number of points for the waves along the beam.
     fn density(&self, radius: f64) -> usize {
         (0.25 * self.determinant.waves(radius)) as usize
     }
@@ -196,15 +197,15 @@ impl<'a> Judge<'a> {
         self.determinant.at(omega).ln() - roots - self.at_zero as f64 * omega.ln()
     }
 
-    /// How often the phase turns along a path of a parameter from 0 to 1; none where that is not certain. A step is halved
-    /// where the logarithm's slope changes: roots close to the path, also double ones, show so.
+    /// How often the phase turns along a path of a parameter from 0 to 1; none if that is not certain. A step is halved
+    /// where the logarithm's slope changes, which shows roots close to the path, also double ones.
     fn turns(&self, path: &dyn Fn(f64) -> Complex64, steps: usize) -> Option<f64> {
         const MOST: usize = 4000;
         let look = |t: f64| Look {
             t,
             log: self.log(path(t)),
         };
-        // A short step first: no number of whole turns a step escapes it.
+        // A short step first, so that the phase cannot make a whole turn within a step.
         let places = [0.0, 0.35].into_iter().chain((1..=steps).map(|k| k as f64));
         let mut looks: Vec<Look> = places.map(|k| look(k / steps as f64)).collect();
         while looks.len() < MOST {
@@ -226,14 +227,14 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// A place on a path and the logarithm there.
+/// A point on a path and the logarithm there.
 #[derive(Debug, Clone, Copy)]
 struct Look {
     t: f64,
     log: Complex64,
 }
 
-/// The change of the logarithm, its phase the smaller way round.
+/// The change of the logarithm, with the smaller change of phase.
 fn change(from: Look, to: Look) -> Complex64 {
     let change = to.log - from.log;
     let turns = (change.im / TAU).round();
@@ -259,7 +260,7 @@ fn rough(looks: &[Look]) -> Vec<bool> {
     rough
 }
 
-/// The number that a sum of turns is; none where it is no whole one.
+/// The whole number of turns; none if the sum is not a whole number.
 fn whole(turns: f64) -> Option<i64> {
     ((turns - turns.round()).abs() < 0.05).then(|| turns.round() as i64)
 }
@@ -269,7 +270,7 @@ fn range(gap: &Gap) -> [f64; 2] {
     [TAU * gap.from, TAU * gap.to]
 }
 
-/// Roots that lie close together, one to the next, by their places; the first of each is the lowest place.
+/// Groups of roots that are close together, by index; the first of each group is the lowest index.
 fn groups(all: &[Complex64]) -> Vec<Vec<usize>> {
     const CLOSE: f64 = 1e-6;
     let mut left: Vec<usize> = (0..all.len()).rev().collect();

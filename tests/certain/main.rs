@@ -1,10 +1,12 @@
-//! Lists of modes are complete and right: models whose lists were wrong or open once, and random models before a judge.
+//! Lists of modes are complete and right: models whose lists were wrong or open once, and random models with an
+//! independent check.
 //!
 //! Expected values: `tests/data/modes/exact.json`, roots of the exact determinant in ball arithmetic as
-//! `tests/data/README.md` says; closed forms; the judge, and finite elements polished on its determinant.
+//! `tests/data/README.md` describes; closed forms; the argument principle, and finite elements refined on the
+//! determinant.
 //!
-//! `MODES_CASES=2000 MODES_STUDIES=1 cargo test --release --test certain` looks at 2,000 random models in place of 200, and
-//! at all members of all studies in place of a sample: about an hour on two cores.
+//! `MODES_CASES=2000 MODES_STUDIES=1 cargo test --release --test certain` checks 2,000 random models instead of 200,
+//! and all members of all studies instead of a sample: about an hour on two cores.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
@@ -55,7 +57,7 @@ struct Exact {
     /// Frequency in Hz, damping ratio and multiplicity of all modes above 0.
     #[serde(default)]
     all: Vec<(f64, f64, usize)>,
-    /// The same of the modes of some range.
+    /// The modes of a range, in the same form.
     #[serde(default)]
     some: Vec<(f64, f64, usize)>,
     #[serde(default)]
@@ -93,7 +95,7 @@ fn lists_that_lacked_modes_or_had_some_twice_are_exact() {
                 case.file
             );
             for mode in hits {
-                // Two roots this close together are known to the root of the rounding of what separates them.
+                // The accuracy of two roots this close together is the square root of the rounding error.
                 assert!(
                     (mode.frequency() / hertz - 1.0).abs() < 1e-9,
                     "{}: {mode:?} {hertz}",
@@ -128,8 +130,8 @@ fn a_judge_counts_the_roots_of_ball_arithmetic() {
     }
 }
 
-/// Expected: closed form, `omega^2 J - i omega c - k = 0`. Three masses turn on springs through which the beam feels
-/// nothing, with equal moments of inertia and with steps between them.
+/// Expected: closed form, `omega^2 J - i omega c - k = 0`. Three masses rotate on springs that exert no net force on
+/// the beam, with equal moments of inertia and with steps between them.
 #[test]
 fn masses_that_turn_nearly_alike_are_listed_one_by_one() {
     for name in ["nearly_alike_undamped", "nearly_alike_damped"] {
@@ -157,8 +159,8 @@ fn masses_that_turn_nearly_alike_are_listed_one_by_one() {
 }
 
 /// Expected: a sign change of the exact determinant on the imaginary axis (ball arithmetic; 8 digits given), or closed
-/// form, `m s^2 + c s + k = 0`, where the beam is all but rigid or held (123.1 Hz); 6.957 Hz is a sign change of the
-/// state equation in double precision.
+/// form, `m s^2 + c s + k = 0`, where the beam is practically rigid or fixed (123.1 Hz); 6.957 Hz is a sign change of
+/// the state equation in double precision.
 #[test]
 fn overdamped_modes_are_those_of_the_exact_determinant() {
     for (name, to, tolerance, expected) in [
@@ -213,7 +215,7 @@ fn a_damped_mass_at_a_held_end_is_a_mode() {
     assert!(listed.fold(f64::INFINITY, f64::min) < 1e-10 * rate);
 }
 
-/// Expected: as many modes as without damping, in a list that is certain.
+/// Expected: as many modes as without damping, in a complete list.
 #[test]
 fn a_small_loss_factor_leaves_a_list_certain() {
     for (name, to, count) in [
@@ -243,7 +245,7 @@ fn certain_and_right(model: &Model, to: f64) -> Result<usize, String> {
     }
 }
 
-/// The models whose lists are wrong, with what is, and those whose lists are open.
+/// The models whose lists are wrong, with the error, and those whose lists are open.
 fn report<T: Ord + Clone + Debug>(
     verdicts: Vec<(T, Result<usize, String>)>,
 ) -> (BTreeMap<T, String>, Vec<T>) {

@@ -1,4 +1,4 @@
-//! Random models: 0 to 20 subsystems, half of the models with some that are alike.
+//! Random models: 0 to 20 subsystems, half of the models with some equal ones.
 
 use beamtune::model::{
     Beam, Elastic, Material, Model, Restraint, Section, Spacing, Spring, Subsystem, Support,
@@ -11,7 +11,7 @@ use super::frequency_of::frequency_of;
 struct Dice(u64);
 
 impl Dice {
-    /// Of a mixed seed (Steele, Lea & Flood, OOPSLA 2014): neighbours have nothing in common.
+    /// From a mixed seed (Steele, Lea & Flood, OOPSLA 2014): adjacent seeds are independent.
     fn new(seed: u64) -> Self {
         let mut z = seed.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -31,7 +31,7 @@ impl Dice {
         from + (to - from) * self.next()
     }
 
-    /// Evenly by its logarithm.
+    /// Uniform in the logarithm.
     fn power(&mut self, from: f64, to: f64) -> f64 {
         (self.between(from.ln(), to.ln())).exp()
     }
@@ -41,7 +41,7 @@ impl Dice {
     }
 }
 
-/// A model and the frequency (Hz) up to which its modes are asked for.
+/// A model and the upper frequency limit (Hz) of its modes.
 pub fn model(seed: u64) -> (Model, f64) {
     let mut dice = Dice::new(seed);
     let beam = beam(&mut dice);
@@ -52,7 +52,7 @@ pub fn model(seed: u64) -> (Model, f64) {
         let first = subsystem(&mut dice, &beam);
         for index in 0..alike {
             let mut next = first.clone();
-            // Some at one place.
+            // Some at the same position.
             if index > 0 && dice.next() < 0.8 {
                 next.position = dice.next() * beam.length;
             }
@@ -109,7 +109,9 @@ fn beam(dice: &mut Dice) -> Beam {
             warping_constant: dice.power(1e-9, 3e-8),
             polar_moment: 5.9992e-4,
             centroid_offset: dice.pick(&[0.0, 0.0619, -0.12]),
+            ..Default::default()
         },
+        ..Default::default()
     }
 }
 

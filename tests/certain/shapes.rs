@@ -10,7 +10,7 @@ use num_complex::Complex64;
 
 use super::{certain, load};
 
-/// Expected: w and psi of a rigid-body mode of a free beam span {1, x | 1, x | 1}; what lies outside is rounding.
+/// Expected: w and psi of a rigid-body mode of a free beam span {1, x | 1, x | 1}; the remainder is rounding error.
 #[test]
 fn rigid_body_modes_are_straight() {
     let fig08 = model::read(presets::find("fig08").unwrap().text)
@@ -51,8 +51,8 @@ fn rigid_body_modes_are_straight() {
     }
 }
 
-/// Expected: closed form. Three masses turn on springs through which the beam feels nothing (`mount_y` = 0, equal arms),
-/// at sqrt(k l^2 / J), with steps of 1e-7 and 3e-6 between their inertias: in each mode one of them turns.
+/// Expected: closed form. Three masses rotate on springs that exert no net force on the beam (`mount_y` = 0, equal
+/// arms), at sqrt(k l^2 / J), with steps of 1e-7 and 3e-6 between their inertias: in each mode one of them rotates.
 #[test]
 fn nearly_equal_modes_are_separate() {
     for name in ["nearly_alike_undamped", "nearly_alike_damped"] {
@@ -74,7 +74,7 @@ fn nearly_equal_modes_are_separate() {
     }
 }
 
-/// A list that has a mode by mistake, once alone and once twice: nothing moves in it, and the others stay what they are.
+/// A list that has a mode by mistake, once alone and once twice: nothing moves in it, and the others are unchanged.
 #[test]
 fn a_mode_that_is_none_does_not_move() {
     let model = load("overdamped_once");
@@ -132,7 +132,7 @@ fn product(model: &Model, a: &Shape, b: &Shape) -> Complex64 {
         .sum()
 }
 
-/// Expected: equal modes that turn nothing but masses are orthogonal in these.
+/// Expected: equal modes in which only masses rotate are orthogonal in these.
 #[test]
 fn equal_modes_are_orthogonal() {
     let model = load("three_alike_undamped");
@@ -202,7 +202,7 @@ fn four_equal_damped_modes() {
     assert_eq!(found.modes.iter().filter(near).count(), 4);
 }
 
-/// Stiffness, damping and inertia of a mass that turns by its z springs alone.
+/// Stiffness, damping and inertia of a mass that rotates on its z springs alone.
 fn turning(model: &Model) -> (f64, f64, f64) {
     let one = &model.subsystems[0];
     let square = 2.0 * one.arm_left.powi(2);

@@ -9,8 +9,8 @@ use super::{certain_and_right, report};
 /// Factors of every damper and of the loss factor.
 const DAMPING: [f64; 4] = [0.1, 1.0, 10.0, 100.0];
 
-/// One of so many models is looked at by default, of each factor in turn; `MODES_STUDIES` sets another share: 1 is all,
-/// some minutes.
+/// By default one of this many models is checked, with each factor in turn; `MODES_STUDIES` sets another share: 1 is
+/// all, some minutes.
 const SAMPLE: usize = 17;
 
 /// Expected: the judge counts what is listed, group by group and as a whole.

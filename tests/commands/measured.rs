@@ -69,7 +69,7 @@ fn curves_are_written_in_si_as_frf_writes_them() {
                 "{name} {row:?}"
             );
         }
-        // It is its own kind of table: nothing has to be asked.
+        // The kind of table is recognised: no question is necessary.
         let again = output(&["measured", path]);
         assert!(
             again.contains(&format!("\n{curve},complex,,,39,10.0,200.0,")),

@@ -1,7 +1,7 @@
 //! Characters that a terminal obeys or that are invisible, by the Unicode character database (16.0), apart from the
 //! program's own table.
 
-/// Of each kind that is no control: bidirectional marks, zero-width characters, separators, fillers, tags.
+/// One of each kind that is not a control: bidirectional marks, zero-width characters, separators, fillers, tags.
 pub const HIDDEN: &[char] = &[
     '\u{ad}',
     '\u{34f}',
@@ -50,7 +50,7 @@ pub fn controls() -> Vec<char> {
         .collect()
 }
 
-/// Output as text, which has none of them but line feeds.
+/// Output as text; line feeds are its only controls.
 pub fn assert_safe(what: &str, output: &[u8]) {
     let text = std::str::from_utf8(output).unwrap_or_else(|error| panic!("{what}: {error}"));
     let found = text

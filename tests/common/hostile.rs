@@ -1,11 +1,11 @@
-//! Models whose names and titles have characters that a terminal would obey.
+//! Models whose names and titles contain characters that would control a terminal.
 
 use beamtune::presets;
 
 use super::dice::Dice;
 use super::hidden::{HIDDEN, in_toml};
 
-/// Letters with hidden characters between them; no controls where it is to be a name.
+/// Letters with hidden characters between them; without controls if used as a name.
 pub fn hostile(dice: &mut Dice, controls: &[char]) -> String {
     let mut text = String::from("x");
     for _ in 0..6 {
@@ -17,7 +17,7 @@ pub fn hostile(dice: &mut Dice, controls: &[char]) -> String {
     text
 }
 
-/// The cantilever with other names, a title of controls too, and tolerances.
+/// The cantilever with other names, controls in its title, and tolerances.
 pub fn hostile_model(name: &str, title: &str) -> String {
     let text = presets::find("cantilever").unwrap().text;
     text.replace("Damper", &in_toml(name))

@@ -3,6 +3,7 @@
 use beamtune::model::{
     Beam, BeamMotion, Elastic, Force, MassMotion, Material, Measure, Model, Place, Quantity,
     Response, Restraint, Section, Spacing, Spring, Subsystem, Support, Supports, Sweep, Target,
+    Theory,
 };
 use num_complex::Complex64;
 use proptest::prelude::*;
@@ -34,8 +35,42 @@ fn beams() -> impl Strategy<Value = Beam> {
                 warping_constant,
                 polar_moment: 5.9992e-4,
                 centroid_offset,
+                ..Default::default()
             },
+            ..Default::default()
         })
+}
+
+/// The same, half of them without any symmetry, with another theory of bending or under an axial force.
+fn any_beams() -> impl Strategy<Value = Beam> {
+    let maybe = |range: std::ops::Range<f64>| prop_oneof![Just(0.0), range];
+    let general = (
+        maybe(-0.1..0.1),
+        maybe(-1e-4..1e-4),
+        maybe(-2e5..2e6),
+        prop::sample::select(Theory::ALL.to_vec()),
+        any::<bool>(),
+    );
+    (beams(), prop::option::of(general)).prop_map(|(beam, general)| {
+        let Some((centroid_offset_y, product_moment, axial_force, theory, warping_inertia)) =
+            general
+        else {
+            return beam;
+        };
+        Beam {
+            theory,
+            warping_inertia,
+            axial_force,
+            section: Section {
+                centroid_offset_y,
+                product_moment,
+                shear_area_y: 6e-3,
+                shear_area_z: 4e-3,
+                ..beam.section
+            },
+            ..beam
+        }
+    })
 }
 
 /// Free, fixed or elastic.
@@ -96,10 +131,22 @@ pub fn subsystems() -> impl Strategy<Value = Subsystem> {
         )
 }
 
-/// A damped model with up to four subsystems named S1, S2, ..., without forces and responses.
+/// Models of any beams.
+#[allow(dead_code, reason = "not every test program uses it")]
 pub fn models() -> impl Strategy<Value = Model> {
+    models_with(any_beams())
+}
+
+/// Models of beams whose v is on its own, as the paper's.
+#[allow(dead_code, reason = "not every test program uses it")]
+pub fn models_of_one_offset() -> impl Strategy<Value = Model> {
+    models_with(beams())
+}
+
+/// A damped model with up to four subsystems named S1, S2, ..., without forces and responses.
+fn models_with(beams: impl Strategy<Value = Beam>) -> impl Strategy<Value = Model> {
     (
-        beams(),
+        beams,
         supports(),
         supports(),
         prop::collection::vec(subsystems(), 0..=4),
@@ -128,7 +175,7 @@ pub fn models() -> impl Strategy<Value = Model> {
         })
 }
 
-/// A motion of the beam somewhere between its ends, or of a mass.
+/// A motion of the beam between its ends, or of a mass.
 pub fn targets() -> impl Strategy<Value = Target> {
     let motion = prop_oneof![
         Just(BeamMotion::W),
@@ -148,7 +195,7 @@ pub fn targets() -> impl Strategy<Value = Target> {
     ]
 }
 
-/// Whether a model has what a target names.
+/// Whether a model contains the place of a target.
 pub fn exists(model: &Model, target: &Target) -> bool {
     matches!(target, Target::Beam(..)) || !model.subsystems.is_empty()
 }

@@ -1,4 +1,4 @@
-//! The chart as an analyser: what is read off it, against the solver, closed forms and laws.
+//! The chart as an analyser: its readings against the solver, closed forms and physical laws.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
@@ -26,7 +26,7 @@ fn scene(driver: &Driver) -> Scene {
     driver.app.scene()
 }
 
-/// A value of the first response of the driver's model as it is solved at a frequency.
+/// The solver's value of the first response of the driver's model at a frequency.
 fn first_response(driver: &Driver, frequency: f64) -> Complex64 {
     solved(driver.app.model(), &[frequency]).columns[0].values[0]
 }
@@ -40,14 +40,14 @@ fn assert_near(actual: f64, expected: f64, relative: f64) {
 fn the_cursor_reads_what_is_solved_at_its_frequency() {
     let mut driver = Driver::preset("fig05a");
     driver.keys("@").typed("123.456789 Hz").keys("Enter b");
-    // Expected: the solver at that frequency, which is none of the sweep's.
+    // Expected: the solver at that frequency, which is not a point of the sweep.
     let cursor = driver.app.curves.cursor.unwrap();
     assert_eq!(cursor, 123.456_789);
     let expected = first_response(&driver, cursor);
     let at_cursor = scene(&driver).curves[0].at_cursor.clone().unwrap();
     assert_near(at_cursor[0], expected.norm(), 1e-14);
     assert_near(at_cursor[1], expected.arg().to_degrees(), 1e-12);
-    // The same in the table, to the digits that are written.
+    // The same in the table, to the displayed digits.
     let screen = driver.keys("\"").screen(120, 40);
     assert!(screen.contains(&format!("{:.3e}", expected.norm())));
     assert!(screen.contains(&format!("{:.1}", expected.arg().to_degrees())));
@@ -115,7 +115,7 @@ fn harmonics_are_multiples_within_the_sweep() {
         .collect();
     assert!(!expected.is_empty());
     assert_eq!(scene(&driver).marks.harmonics, expected);
-    // Each is read exactly.
+    // Each value is exact.
     let screen = driver.keys("\"").screen(120, 40);
     let value = first_response(&driver, 240.0).norm();
     assert!(screen.contains(&format!("{value:.3e}")));
@@ -289,7 +289,7 @@ fn a_study_is_made_of_the_selected_parameter_and_kept_in_the_file() {
     driver.select("subsystems.S1.mass");
     driver.keys("Ctrl-t").typed("= 80 kg, 0.2 t").keys("Enter");
     assert_eq!(driver.app.curves.picture().unwrap().members.len(), 2);
-    // What is saved reads back to the same model.
+    // The saved file reads back as the same model.
     let read = beamtune::model::read(&driver.app.document.text())
         .unwrap()
         .into_inner();
@@ -297,7 +297,7 @@ fn a_study_is_made_of_the_selected_parameter_and_kept_in_the_file() {
     assert_eq!(read.studies.len(), studies + 2);
     driver.keys("u u");
     assert_eq!(driver.app.model().studies.len(), studies);
-    // What no model could be is refused.
+    // Changes that give an impossible model are refused.
     driver.select("subsystems.S1.mass");
     for refused in ["", "x", "-1", "0", "= -2", "1 2 3 4 5 6 7 8 9 10 11 12 13"] {
         driver.keys("Ctrl-t").typed(refused).keys("Enter");
@@ -389,14 +389,14 @@ fn load(driver: &mut Driver, text: &str) {
 
 #[test]
 fn a_measured_curve_fits_in_every_form_whatever_was_measured() {
-    // What an accelerometer in g over newtons would have seen: -omega^2 H / 9.80665.
+    // The reading of an accelerometer in g per newton: -omega^2 H / 9.80665.
     let mut driver = with_measured("g/N", |f, h| {
         let omega = std::f64::consts::TAU * f;
         -omega * omega * h / 9.806_65
     });
     for form in [None].into_iter().chain(Form::ALL.map(Some)) {
         assert_eq!(driver.app.display.form, form);
-        // Expected: it is the model's own response, so that FRAC is 1 and nothing differs.
+        // Expected: it is the model's own response, so FRAC is 1 and the differences are 0.
         let fit = &driver.app.comparison.fits[0].fit;
         assert_near(fit.frac, 1.0, 1e-12);
         assert!(fit.mean_decibels.abs() < 1e-10, "{form:?}");
@@ -416,9 +416,9 @@ fn a_measured_curve_fits_in_every_form_whatever_was_measured() {
     }
 }
 
-/// The box says what is open and shows the first rows; the status line says all that was left out.
+/// The dialog names the file and shows its first rows; the status line lists what was ignored.
 #[test]
-fn columns_are_asked_for_with_a_preview_and_notes_are_told() {
+fn columns_are_requested_with_a_preview_and_notes_are_shown() {
     let text = "Pt Force at Tip\n1 10 2e-6 OK\n2 20 3e-6 OK\nsaved today\n";
     let mut hint = Hint {
         name: "table.txt".to_owned(),
@@ -458,7 +458,7 @@ fn columns_are_asked_for_with_a_preview_and_notes_are_told() {
 #[test]
 fn a_fit_follows_the_model_and_a_file_that_is_loaded_again() {
     let mut driver = with_measured("m/N", |_, h| 2.0 * h);
-    // Closed form: twice the response is 6.0206 dB, of one shape.
+    // Closed form: twice the response is 6.0206 dB, with the same shape.
     assert_near(driver.app.comparison.fits[0].fit.frac, 1.0, 1e-12);
     assert_near(
         driver.app.comparison.fits[0].fit.mean_decibels,
@@ -547,7 +547,7 @@ fn the_sweep_keeps_what_is_marked_on_its_axis() {
 
 #[test]
 fn a_measured_motion_stands_with_the_motion_under_the_one_force() {
-    // Accelerations of the tip under the preset's 100 N, as an accelerometer alone has them.
+    // Accelerations of the tip under the preset's 100 N, as recorded by an accelerometer without a force sensor.
     let amplitude = 100.0;
     let mut driver = with_measured("m/s2", |f, h| {
         let omega = std::f64::consts::TAU * f;
@@ -556,7 +556,10 @@ fn a_measured_motion_stands_with_the_motion_under_the_one_force() {
     assert!(driver.app.comparison.fits.is_empty());
     driver.keys("Q");
     let screen = driver.screen(120, 40);
-    assert!(screen.contains("does not fit what shows"), "{screen}");
+    assert!(
+        screen.contains("does not match the visible curves"),
+        "{screen}"
+    );
     driver.keys("Esc I");
     assert!(driver.app.display.motion && driver.app.display.form.is_none());
     let fit = &driver.app.comparison.fits[0].fit;
@@ -577,7 +580,7 @@ fn a_measured_motion_stands_with_the_motion_under_the_one_force() {
     driver.keys("i");
     assert_near(motion, 100.0 * read(&driver), 1e-12);
     assert_eq!(driver.app.display.shown_units(&driver.app.curves), ["m/N"]);
-    // Where several forces act there is no ratio, and so no such form.
+    // If several forces act there is no ratio, and so this form does not exist.
     let mut several = Driver::preset("fig05a");
     several.keys("I");
     assert!(!several.app.display.motion);
@@ -600,7 +603,7 @@ fn of_a_file_with_many_curves_any_can_be_chosen() {
         let measured = driver.app.comparison.measured.iter();
         measured.map(|one| one.name.clone()).collect()
     };
-    // What chooses nothing or too much keeps the box and says so.
+    // An answer that selects nothing or too much keeps the dialog open and explains why.
     for (wrong, word) in [("50", "50"), ("1-13", "room for 12"), ("P", "40 curves")] {
         driver.typed(wrong).keys("Enter");
         let screen = driver.screen(80, 24);
@@ -612,11 +615,11 @@ fn of_a_file_with_many_curves_any_can_be_chosen() {
     driver.typed("13, P40").keys("Enter");
     assert_eq!(names(&driver), ["P13", "P40"]);
     assert!(driver.app.overlay.is_none());
-    // Again, for more: as many as there is room for are proposed.
+    // Again, for more: it proposes as many as fit.
     load(&mut driver, &text);
     driver.keys("Enter");
     assert_eq!(names(&driver).len(), 12);
-    // Every one can be reached.
+    // Every one can be selected.
     for number in 13..=40 {
         let mut driver = Driver::preset("cantilever");
         driver.without_answers();
@@ -638,24 +641,30 @@ fn in_the_difference_view_the_difference_is_read() {
     while driver.app.display.view != ChartView::Difference {
         driver.keys("b");
     }
-    // Closed form: 20 log10 of the ratio of what the solver gives for both models.
+    // Closed form: 20 log10 of the ratio of the solver's values for both models.
     let expected = 20.0 * (first_response(&driver, 31.5).norm() / before.norm()).log10();
     assert!(expected.abs() > 0.05, "{expected}");
-    let told = format!("31.5 Hz  {expected:+.2} dB");
+    let expected_text = format!("31.5 Hz  {expected:+.2} dB");
     let screen = driver.screen(80, 24);
-    assert!(screen.contains(&told), "no {told} in {screen}");
+    assert!(
+        screen.contains(&expected_text),
+        "no {expected_text} in {screen}"
+    );
     driver.keys("\"");
     let screen = driver.screen(120, 40);
     assert!(screen.contains("against before"), "{screen}");
     assert!(screen.contains(&format!(" {expected:+.2}")), "{screen}");
-    // From another cursor the difference of differences is counted.
+    // From another cursor, the difference of the differences is shown.
     driver.keys("c @").typed("20").keys("Enter");
     let here = driver
         .app
         .difference_at(0, driver.app.curves.first_trace().unwrap().1, 20.0);
-    let told = format!("{:+.2}", here.unwrap().decibels - expected);
+    let expected_text = format!("{:+.2}", here.unwrap().decibels - expected);
     let screen = driver.screen(120, 40);
-    assert!(screen.contains(&told), "no {told} in {screen}");
+    assert!(
+        screen.contains(&expected_text),
+        "no {expected_text} in {screen}"
+    );
 }
 
 #[test]
@@ -668,10 +677,13 @@ fn two_cursors_keep_the_frequency_and_the_value_on_a_small_screen() {
         .typed("25.25")
         .keys("Enter");
     let value = first_response(&driver, 25.25).norm() / driver.app.model().forces[0].amplitude;
-    let told = format!("25.25 Hz  {value:.3e} m/N");
+    let expected_text = format!("25.25 Hz  {value:.3e} m/N");
     for size in [(80, 24), (120, 40)] {
         let screen = driver.screen(size.0, size.1);
-        assert!(screen.contains(&told), "no {told} in {screen}");
+        assert!(
+            screen.contains(&expected_text),
+            "no {expected_text} in {screen}"
+        );
         assert!(screen.lines().nth(1).unwrap().contains(" dB"), "{screen}");
     }
 }
@@ -685,7 +697,7 @@ fn names_of_sensitivities_are_whole_where_there_is_room() {
         .keys("Enter @")
         .typed("10")
         .keys("Enter ~");
-    // The name in its column has blanks behind it; the title of the details has a rule.
+    // The name is padded with blanks in its column; the title of the details is in a rule.
     let name = "a machine with quite a long name mass  ";
     let screen = driver.screen(160, 40);
     assert!(screen.contains(name), "no {name} in {screen}");

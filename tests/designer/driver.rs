@@ -21,15 +21,33 @@ use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
 use ratatui::style::Style;
 
-/// The designer with somebody at its keys.
+/// `fig05a` with a thousand of its first subsystem, evenly along the beam.
+pub fn thousand() -> Model {
+    let preset = presets::find("fig05a").expect("a preset");
+    let mut model = model::read(preset.text)
+        .expect("a possible model")
+        .into_inner();
+    let first = model.subsystems[0].clone();
+    model.subsystems = (0..1000)
+        .map(|i| {
+            let mut one = first.clone();
+            one.name = format!("S{}", i + 1);
+            one.position = model.beam.length * f64::from(i) / 999.0;
+            one
+        })
+        .collect();
+    model
+}
+
+/// The designer with a simulated user.
 pub struct Driver {
     pub app: App,
     answers: bool,
-    /// Requests that wait for [`Driver::answer_next`], where answers come late.
+    /// Requests that wait for [`Driver::answer_next`], for tests of late answers.
     late: Option<VecDeque<Request>>,
-    /// What a file holds that is read again.
+    /// The contents of a file that is read again.
     pub disk: Option<String>,
-    /// The code or signal with which it ended.
+    /// The exit code or the signal.
     pub ended: bool,
 }
 
@@ -50,7 +68,12 @@ impl Driver {
         driver
     }
 
-    /// The designer with a preset whose first curves are still in work; what is asked for later is answered.
+    /// A model with a thousand subsystems; nothing is solved.
+    pub fn thousand() -> Self {
+        Self::waiting(thousand(), String::new(), Source::Stdin)
+    }
+
+    /// The designer with a preset whose first curves are not solved yet; later requests are answered.
     pub fn begun(name: &str) -> Self {
         let preset = presets::find(name).expect("a preset");
         let model = model::read(preset.text)
@@ -63,7 +86,7 @@ impl Driver {
         driver
     }
 
-    /// A designer whose requests stay without answers.
+    /// A designer whose requests are not answered.
     fn waiting(model: Model, text: String, source: Source) -> Self {
         let app = App::new(Opened {
             model: Checked::new(model).expect("a possible model"),
@@ -79,13 +102,13 @@ impl Driver {
         }
     }
 
-    /// From now on an answer comes when it is asked for.
+    /// From now on, answers come only on demand.
     pub fn with_late_answers(mut self) -> Self {
         self.late = Some(VecDeque::new());
         self
     }
 
-    /// Lets the answer to the oldest request come, if one waits.
+    /// Delivers the answer to the oldest request, if one waits.
     pub fn answer_next(&mut self) {
         if let Some(request) = self.late.as_mut().and_then(VecDeque::pop_front) {
             self.answer(request);
@@ -99,7 +122,7 @@ impl Driver {
         }
     }
 
-    /// As for the worker, a newer request for curves takes the place of older ones.
+    /// As in the worker, a newer request for curves replaces older ones.
     fn put_off(&mut self, request: Request) {
         let Some(waiting) = &mut self.late else {
             return;
@@ -125,7 +148,7 @@ impl Driver {
         self
     }
 
-    /// Presses keys, named as in help, with spaces between.
+    /// Presses keys, named as in the help, separated by spaces.
     pub fn keys(&mut self, keys: &str) -> &mut Self {
         for name in keys.split_whitespace() {
             self.press(named(name));
@@ -133,7 +156,7 @@ impl Driver {
         self
     }
 
-    /// Replaces what is in a prompt.
+    /// Replaces the text of a prompt.
     pub fn typed(&mut self, text: &str) -> &mut Self {
         self.press(KeyEvent::new(KeyCode::Char('u'), KeyModifiers::CONTROL));
         for c in text.chars() {
@@ -146,7 +169,7 @@ impl Driver {
         self.happen(Event::Key(key));
     }
 
-    /// Lets something happen.
+    /// Handles an event.
     pub fn happen(&mut self, event: Event) {
         let effects = self.app.update(event);
         self.perform(effects);
@@ -164,7 +187,7 @@ impl Driver {
         self
     }
 
-    /// Answers the last request as changed by `change`.
+    /// Answers the last request, modified by `change`.
     pub fn answered(&mut self, change: impl FnOnce(&mut CurvesAnswer)) -> &mut Self {
         let (generation, model) = (self.app.curves.generation, self.app.model().clone());
         let request = Request::Curves(Subject {
@@ -179,29 +202,14 @@ impl Driver {
         self
     }
 
-    /// The time of the next frame has come.
+    /// Triggers the next frame.
     pub fn tick(&mut self) -> &mut Self {
         assert!(self.app.moves());
         self.app.update(Event::Tick);
         self
     }
 
-    /// A model with a thousand subsystems, all open.
-    pub fn thousand_subsystems(&mut self) {
-        let mut model = Model::clone(self.app.model());
-        let first = model.subsystems[0].clone();
-        model.subsystems = (0..1000)
-            .map(|i| {
-                let mut one = first.clone();
-                one.name = format!("S{}", i + 1);
-                one.position = model.beam.length * f64::from(i) / 999.0;
-                one
-            })
-            .collect();
-        *self = Self::waiting(model, String::new(), Source::Stdin);
-    }
-
-    /// Does what is asked for outside, as far as it is answered here.
+    /// Performs an effect, as far as the tests support it.
     pub fn perform(&mut self, effects: Vec<Effect>) {
         for effect in effects {
             match effect {
@@ -246,7 +254,7 @@ impl Driver {
         }
     }
 
-    /// The screen: its symbols, then a letter for each cell's style, then what the letters mean.
+    /// The screen: its symbols, then a letter for each cell's style, then the legend of the letters.
     pub fn screen(&mut self, width: u16, height: u16) -> String {
         let mut terminal = Terminal::new(TestBackend::new(width, height)).expect("a screen");
         let mut drawn = None;
@@ -258,13 +266,13 @@ impl Driver {
     }
 }
 
-/// What the worker answers to a request at last, and the curves of the whole sweep before that.
+/// The worker's final answer to a request, after the curves of the whole sweep.
 fn solved(request: Request) -> Vec<Answer> {
     if matches!(request, Request::EndTuning) {
         return Vec::new();
     }
     let (sender, receiver) = channel();
-    // Nobody listens to what comes after the last answer.
+    // The receiver may be closed after the last answer.
     let worker = Worker::start(move |answer| drop(sender.send(answer)));
     worker.request(request);
     let mut answers = Vec::new();
@@ -280,7 +288,7 @@ fn solved(request: Request) -> Vec<Answer> {
             }
             _ => true,
         };
-        // Whether there is a coarse one depends on the machine.
+        // Whether there is a coarse answer depends on the machine.
         if !matches!(&answer, Answer::Curves(curves) if curves.stage == Stage::Coarse) {
             answers.push(answer);
         }
@@ -322,7 +330,7 @@ fn in_words(buffer: &Buffer) -> String {
     text
 }
 
-/// How many points peaks need depends on the last digit of everything: the number is left out.
+/// The number of points at peaks depends on the last digits of the platform's arithmetic: it is masked.
 fn without_count(line: &str) -> String {
     let Some((before, after)) = line.split_once("solved ") else {
         return line.to_owned();

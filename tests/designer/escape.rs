@@ -1,4 +1,4 @@
-//! Names from outside are shown escaped on every screen.
+//! Names from files are shown escaped on every screen.
 
 use std::ffi::OsString;
 use std::os::unix::ffi::OsStringExt as _;

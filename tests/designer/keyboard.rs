@@ -1,4 +1,4 @@
-//! A short run, the same every time, of what the fuzz target `keyboard` looks for without end.
+//! A short run, the same every time, of what the fuzz target `keyboard` runs without end.
 
 use std::time::Duration;
 
@@ -9,7 +9,7 @@ mod properties;
 
 use properties::{MOST, input};
 
-/// Pieces of what terminals send, and what they are made of.
+/// Pieces of terminal input, and their building blocks.
 const SENT: &[&[u8]] = &[
     b"\x1b",
     b"\x1b",
@@ -42,14 +42,14 @@ const SENT: &[&[u8]] = &[
     b"jjjj",
 ];
 
-/// How many inputs come from a terminal.
+/// Number of inputs from a terminal.
 const INPUTS: usize = 3_000;
 
 #[test]
 fn whatever_a_terminal_sends_the_next_key_is_heard() {
     let mut dice = Dice(6);
     for turn in 0..INPUTS {
-        // Mostly short; some as long as they may be.
+        // Mostly short; some of the maximum length.
         let most = [8, 8, 40, 400, MOST][turn % 5];
         let length = 1 + dice.roll(most);
         let mut bytes = Vec::with_capacity(length);

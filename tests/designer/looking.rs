@@ -7,7 +7,7 @@ use beamtune::tui::theme::Theme;
 
 const SIZES: [(u16, u16); 3] = [(60, 18), (80, 24), (120, 40)];
 
-/// The rows of the screen, without what follows of styles.
+/// The rows of the screen, without the style section.
 fn rows(driver: &mut Driver, (width, height): (u16, u16)) -> Vec<String> {
     let screen = driver.screen(width, height);
     let rows = screen.lines().take(usize::from(height));
@@ -76,8 +76,7 @@ fn the_drawings_are_ascii_where_that_is_asked_for() {
 
 #[test]
 fn a_thousand_subsystems_are_drawn() {
-    let mut driver = Driver::preset("fig05a");
-    driver.thousand_subsystems();
+    let mut driver = Driver::thousand();
     driver.keys("B");
     for size in SIZES {
         assert_holds(&rows(&mut driver, size), "1,000 masses");

@@ -1,4 +1,4 @@
-//! The looks of the designer: ASCII, other markers, and how many bytes a change takes.
+//! The appearance of the designer: ASCII, other markers, and the number of bytes per change.
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
 use std::io;
@@ -13,7 +13,7 @@ use ratatui::layout::{Rect, Size};
 
 const SIZES: [(u16, u16); 2] = [(80, 24), (120, 40)];
 
-/// A look in a locale of UTF-8.
+/// A theme in a locale of UTF-8.
 fn theme(options: Options) -> Theme {
     let environment = Environment {
         locale: Some("C.UTF-8".to_owned()),
@@ -37,7 +37,7 @@ fn with_marker(marker: Marker) -> Theme {
     })
 }
 
-/// Designers with something of everything that is drawn, and what their screens must hold.
+/// Designers that together show every kind of element, and texts that their screens must contain.
 fn scenes() -> Vec<(Driver, &'static str)> {
     let mut scenes = Vec::new();
     let mut scene = |preset: &str, path: &str, keys: &str, holds| {
@@ -101,12 +101,12 @@ fn in_other_markers() {
     insta::assert_snapshot!("dots_80x24", driver.screen(80, 24));
 }
 
-#[allow(clippy::unnecessary_wraps)] // As a terminal's size that may not be told.
+#[allow(clippy::unnecessary_wraps)] // Like a terminal size that may be unknown.
 fn size() -> io::Result<Size> {
     Ok(Size::new(120, 40))
 }
 
-/// A designer before a terminal that counts bytes.
+/// A designer with a terminal that counts bytes.
 struct Counter {
     driver: Driver,
     terminal: Terminal<CompactBackend<Vec<u8>>>,
@@ -122,7 +122,7 @@ impl Counter {
         counter
     }
 
-    /// Draws what has changed; the number of bytes.
+    /// Draws the changes; returns the number of bytes.
     fn draw(&mut self) -> usize {
         let app = &mut self.driver.app;
         let mut drawn = None;
@@ -140,8 +140,8 @@ impl Counter {
     }
 }
 
-/// The aim is a third of a full repaint, for the parameter in the middle. A picture is drawn once for a key: whether it
-/// is, is the pace's concern.
+/// The goal is a third of a full repaint, for the parameter in the middle. One picture per key is assumed; the frame
+/// scheduler is tested elsewhere.
 #[test]
 fn a_nudge_is_written_in_under_a_third_of_a_repaint() {
     let mut counter = Counter::new("fig05a");

@@ -1,11 +1,11 @@
-//! The designer as a user sees it, driven from inside, where its modules are private: keys in, screens out.
-#![allow(clippy::expect_used)] // The driver's functions are no tests themselves.
+//! The designer as a user sees it, driven from inside, because its modules are private: keys in, screens out.
+#![allow(clippy::expect_used)] // The driver's functions are not tests themselves.
 
 mod analyser;
 #[path = "../fuzz/dice.rs"]
 #[allow(dead_code)]
 mod dice;
-mod driver;
+pub(crate) mod driver;
 #[cfg(unix)]
 mod escape;
 #[path = "../common/hidden.rs"]
@@ -16,7 +16,6 @@ mod keyboard;
 mod looking;
 mod looks;
 mod readme;
-mod recovery_times;
 mod screens;
 mod sensitivities_shown;
 mod tuning_shown;

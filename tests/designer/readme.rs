@@ -1,4 +1,4 @@
-//! The README and the guide say what the program does.
+//! The README and the guide match the program.
 //!
 //! With `UPDATE_GUIDE=1` in the environment, the tests write their pictures and tables into the files instead.
 #![allow(clippy::unwrap_used, clippy::expect_used)]
@@ -15,17 +15,17 @@ use beamtune::tui::user::config;
 
 use super::driver::Driver;
 
-/// The text between two marks, with what stands before and after it.
+/// The text between two markers, with the text before and after it.
 fn split<'a>(text: &'a str, start: &str, end: &str) -> [&'a str; 3] {
     let (before, rest) = text.split_once(start).expect(start);
     let (between, after) = rest.split_once(end).expect(end);
     [before, between, after]
 }
 
-/// Several tests write to one file.
+/// Several tests write to the same file.
 static FILES: Mutex<()> = Mutex::new(());
 
-/// Holds the text between two marks of a file equal to what the program shows.
+/// Compares the text between two markers of a file with the program's, or writes it.
 fn hold(file: &str, start: &str, end: &str, shown: &str) {
     let _turn = FILES.lock().unwrap_or_else(PoisonError::into_inner);
     let text = std::fs::read_to_string(file).unwrap();
@@ -53,9 +53,9 @@ fn the_keys_are_those_of_the_key_table() {
     hold("src/guide/keys.md", start, "<!-- end of keys -->", &table);
 }
 
-/// Each key of the README's short table runs one of the commands that stand in its row.
+/// Each key of the README's short table runs one of the commands in its row.
 #[test]
-fn the_twenty_keys_run_the_commands_beside_them() {
+fn the_twenty_keys_run_the_commands_in_their_rows() {
     let readme = std::fs::read_to_string("README.md").unwrap();
     let section = split(&readme, "## Twenty keys\n", "\n## ")[1];
     let map = KeyMap::default();
@@ -110,7 +110,7 @@ fn the_examples_of_a_model_file_are_possible_models() {
     assert_eq!(model::read(&tuned).map(drop), Ok(()));
 }
 
-/// What a key of the model file accepts, in words.
+/// The values that a key of the model file accepts, as text.
 fn accepted(key: &schema::Key) -> String {
     let number = |kind: &str| match key.unit.symbol {
         "" => kind.to_owned(),
@@ -184,10 +184,10 @@ fn the_keys_of_the_model_file_are_those_of_the_schema() {
     );
 }
 
-/// Where the tree ends and the chart begins, columns.
+/// The border between tree and chart, columns.
 const TREE: usize = 37;
 
-/// A terminal of 80x24 after some keys, without its first line, which tells times.
+/// A terminal of 80x24 after some keys, without its first line, which contains times.
 fn whole_screen(driver: &mut Driver, keys: &str) -> String {
     driver.keys(keys);
     let screen = driver.screen(80, 24);
@@ -211,7 +211,7 @@ fn right_side(driver: &mut Driver, keys: &str) -> String {
     rows.collect::<Vec<_>>().join("\n")
 }
 
-/// Puts the cursor at a frequency.
+/// Moves the cursor to a frequency.
 fn at(preset: &str, frequency: &str) -> Driver {
     let mut driver = Driver::preset(preset);
     driver.keys("@").typed(frequency).keys("Enter");

@@ -1,5 +1,5 @@
-//! The designer on a screen in memory: what is drawn after some keys, symbols and styles.
-#![allow(clippy::expect_used)] // The driver's functions are no tests themselves.
+//! The designer on a screen in memory after some keys: symbols and styles.
+#![allow(clippy::expect_used)] // The driver's functions are not tests themselves.
 
 #[path = "screens/changed.rs"]
 mod changed;
@@ -52,7 +52,7 @@ fn after_edit() {
     screen!("after_edit_120x40", edited(), 120 x 40);
 }
 
-/// A beam whose second cursor and cursor stand at frequencies, as typed.
+/// A beam with its second cursor and cursor at the given frequencies.
 fn read_at(preset: &str, frequencies: [&str; 2]) -> Driver {
     let mut driver = Driver::preset(preset);
     let [second, first] = frequencies;
@@ -194,7 +194,7 @@ fn a_count_is_shown() {
     let screen = driver.screen(80, 24);
     let last = screen.lines().nth(23).unwrap_or_default();
     assert!(
-        last.starts_with("| 10 times the next key; Esc drops"),
+        last.starts_with("| 10 times the next key; Esc cancels"),
         "{last}"
     );
 }
@@ -243,7 +243,7 @@ fn a_file_that_another_program_changed_is_marked() {
     driver.select("beam.length").keys("+");
     assert!(status(&mut driver).contains("· changed, also on disk"));
     driver.app.reply(Reply::Compared(ExternalChange::Gone));
-    assert!(status(&mut driver).contains("· gone from disk"));
+    assert!(status(&mut driver).contains("· missing on disk"));
 }
 
 #[test]
@@ -349,7 +349,7 @@ fn modes() {
     screen!("modes_120x40", chosen(), 120 x 40);
 }
 
-/// The modes of a preset as a model leaves them whose list is not certain, or not yet.
+/// The modes of a preset with an incomplete or a pending list.
 fn in_doubt(completeness: &Completeness) -> Driver {
     let mut driver = Driver::preset("fig05a");
     driver.keys("m Down Down Down").answered(|answer| {
@@ -430,7 +430,7 @@ fn a_shape_moves_and_stands_still_again() {
         frames.push(driver.tick().screen(80, 24));
     }
     assert_ne!(frames[0], frames[6]);
-    // After a period it is where it was.
+    // After a period it is back at the start.
     assert_eq!(frames[0], frames[24]);
     driver.keys("A");
     assert_eq!(driver.screen(80, 24), still);
@@ -459,7 +459,7 @@ fn poles_are_drawn_and_called_so() {
 }
 
 #[test]
-fn finite_elements_stand_beside_the_curve() {
+fn finite_elements_are_drawn_over_the_curve() {
     let mut driver = Driver::preset("fig06");
     driver.keys("w m");
     screen!("finite_elements_80x24", driver, 80 x 24);
@@ -521,8 +521,7 @@ fn any_size_is_drawn() {
 
 #[test]
 fn a_thousand_subsystems_are_drawn() {
-    let mut driver = Driver::preset("fig05a").without_answers_at_all();
-    driver.thousand_subsystems();
+    let mut driver = Driver::thousand();
     driver.keys("End Home Tab Tab PgDn PgDn n N");
     let screen = driver.screen(80, 24);
     assert!(screen.contains("of 10"), "{screen}");

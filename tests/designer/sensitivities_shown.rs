@@ -1,4 +1,4 @@
-//! Which parameter matters, as the designer shows it: against differences of the solver.
+//! The sensitivities that the designer shows, against differences of the solver.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
@@ -16,8 +16,8 @@ use beamtune::tui::tree;
 
 use super::driver::Driver;
 
-/// The derivative of `figure` by the logarithm of a parameter: central differences of fourth order, whose error is about
-/// 1e-9 of it at this step.
+/// The derivative of `figure` by the logarithm of a parameter: central differences of fourth order, with a relative
+/// error of about 1e-9 at this step.
 fn difference(model: &Model, path: &str, figure: impl Fn(&Model) -> f64) -> f64 {
     const STEP: f64 = 2e-4;
     let value = path::number(model, path).unwrap();
@@ -97,7 +97,7 @@ fn a_peak_has_the_derivatives_of_its_height_and_frequency() {
     let model = driver.app.model().clone();
     let effects = effects(&driver);
     assert_eq!(effects.sensed, Sensed::Peak);
-    // The peak that the table of peaks would have, by its place among them.
+    // The peak that the table of peaks would list, by its index.
     let row = driver.app.tables.peaks.row;
     let peak = |model: &Model| {
         let never = AtomicBool::new(false);
@@ -107,8 +107,8 @@ fn a_peak_has_the_derivatives_of_its_height_and_frequency() {
         peaks(&frf.frequencies, &frf.columns[0], &modes)[row]
     };
     for path in SOME {
-        // A step moves the peak by many of its widths: the differences are good to 1e-4 of themselves, and not below
-        // the 1e-5 dB to which the table knows a height, divided by the step.
+        // A step moves the peak by many of its widths: the differences are accurate to 1e-4 relative, and no better
+        // than the 1e-5 dB accuracy of a height in the table, divided by the step.
         let height = difference(&model, path, |model| 20.0 * peak(model).height.log10());
         let tolerance = 1e-4 * height.abs() + 5e-2;
         assert_near(of(&driver, path).level.unwrap(), height, tolerance);
@@ -164,7 +164,7 @@ fn a_band_has_the_derivatives_of_its_mean_square() {
         10.0 * levels[0].mean_square.log10()
     };
     for path in SOME {
-        // The quadrature is good to 1e-8, so its differences are to 1e-8 / 2e-4.
+        // The quadrature is accurate to 1e-8, so its differences are accurate to 1e-8 / 2e-4.
         let expected = difference(&model, path, mean);
         assert_near(of(&driver, path).level.unwrap(), expected, 1e-3);
     }
@@ -185,7 +185,7 @@ fn the_tree_carries_bars_and_the_table_leads_to_the_parameter() {
     assert_eq!(driver.app.selection.node(), largest);
     let name = tree::subject(driver.app.model(), largest);
     assert!(driver.screen(120, 40).contains(&name));
-    // What is nudged there is that parameter; the row stays with it.
+    // A nudge in the table changes that parameter; the row stays with it.
     let before = driver.app.model().clone();
     driver.keys("+");
     assert_ne!(*driver.app.model(), before);
@@ -246,5 +246,5 @@ fn sensitivities_of_a_peak_that_never_comes_say_so() {
     });
     assert!(driver.app.lacks_figure());
     let screen = driver.screen(80, 24);
-    assert!(screen.contains("there is none now"), "{screen}");
+    assert!(screen.contains("there is no such"), "{screen}");
 }

@@ -1,4 +1,4 @@
-//! The search for better parameters at the designer's keys.
+//! Tuning in the designer, by keys.
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
@@ -29,7 +29,7 @@ fn refusal(driver: &Driver) -> String {
     }
 }
 
-fn names_beside(driver: &Driver) -> Vec<&str> {
+fn names_of_references(driver: &Driver) -> Vec<&str> {
     let references = driver.app.comparison.references.iter();
     references.map(|one| one.name.as_str()).collect()
 }
@@ -44,21 +44,21 @@ fn a_search_is_taken_as_one_step() {
         panic!("{:?}", run.progress);
     };
     assert!(tuned.evaluations <= 150, "{}", tuned.evaluations);
-    // The levels of the band are solved from the modes, not by the search.
+    // The levels of the band are computed from the modes, not by the search.
     let (start, found) = (peak(&before), peak(&tuned.model));
     assert!((tuned.before[0].figure / start - 1.0).abs() < 1e-6);
     assert!((tuned.after[0].figure / found - 1.0).abs() < 1e-6);
     assert!(found < 0.5 * start, "{found} of {start}");
     let model = tuned.model.clone();
-    // Meanwhile it stands beside the model.
+    // Meanwhile the best result is drawn next to the model.
     assert_eq!(driver.app.tables.open, Some(Table::Tuning));
-    assert_eq!(names_beside(&driver), ["best so far"]);
+    assert_eq!(names_of_references(&driver), ["best so far"]);
     assert_eq!(*driver.app.model(), before);
     let screen = driver.screen(100, 30);
     assert!(screen.contains("Tuned: "), "{screen}");
     driver.keys("Ctrl-y");
     assert_eq!(**driver.app.model(), model);
-    assert!(names_beside(&driver).is_empty());
+    assert!(names_of_references(&driver).is_empty());
     assert!(driver.app.tuning.run.is_none());
     driver.keys("u");
     assert_eq!(*driver.app.model(), before);
@@ -73,10 +73,10 @@ fn a_search_that_is_dropped_leaves_nothing() {
     driver.keys("4 0 Ctrl-g Ctrl-x");
     assert_eq!(*driver.app.model(), before);
     assert!(!driver.app.document.is_changed());
-    assert!(names_beside(&driver).is_empty());
+    assert!(names_of_references(&driver).is_empty());
     assert_eq!(driver.app.tables.open, None);
     driver.keys("Ctrl-x");
-    assert_eq!(refusal(&driver), "nothing was sought");
+    assert_eq!(refusal(&driver), "there is no search");
 }
 
 #[test]
@@ -117,7 +117,7 @@ fn a_search_is_held_up_and_ended() {
     driver.app.update(key("Ctrl-g"));
     assert_eq!(progress(&driver), "Searching");
     driver.app.update(key("Ctrl-y"));
-    assert_eq!(refusal(&driver), "nothing is found yet");
+    assert_eq!(refusal(&driver), "the search has no result yet");
     let effects = driver.app.update(key("Ctrl-x"));
     assert!(solved(&effects, |one| matches!(one, Request::EndTuning)));
 }
@@ -126,11 +126,11 @@ fn a_search_is_held_up_and_ended() {
 fn variables_are_chosen_in_the_tree() {
     let mut driver = Driver::preset("fig05a");
     driver.keys("Ctrl-g");
-    assert!(refusal(&driver).contains("nothing may move yet"));
+    assert!(refusal(&driver).contains("no variables yet"));
     driver.select("subsystems.S1.mass").keys("$ Enter");
     let tune = driver.app.model().tune.clone().unwrap();
     let variable = &tune.variables[0];
-    // A tenth and ten times of the preset's 100 kg.
+    // A tenth and ten times the preset's 100 kg.
     assert_eq!(variable.paths, ["subsystems.S1.mass"]);
     assert_eq!((variable.min, variable.max), (10.0, 1000.0));
     assert_eq!(tune.objectives[0].aim, Aim::Peak);
@@ -145,7 +145,7 @@ fn variables_are_chosen_in_the_tree() {
     assert_eq!((tune.variables[1].min, tune.variables[1].max), (0.5, 2.5));
     assert_eq!(tune.variables[1].tolerance, 2.0);
     assert_eq!(tune.variables[1].scale, Some(Spacing::Linear));
-    // Again: it stays; without variables there is nothing to tune.
+    // Again: it is fixed; without variables there is nothing to tune.
     driver.keys("$");
     assert_eq!(driver.app.model().tune.as_ref().unwrap().variables.len(), 1);
     driver.select("subsystems.S1.mass").keys("$");
@@ -158,8 +158,8 @@ fn variables_are_chosen_in_the_tree() {
 fn bounds_that_make_no_model_are_refused() {
     let mut driver = Driver::preset("fig05a");
     for (text, word) in [
-        ("", "bounds are wanted"),
-        ("1 .. x", "bounds are wanted"),
+        ("", "type bounds"),
+        ("1 .. x", "type bounds"),
         ("5 .. 1", "below max"),
         ("-5 .. 1", "impossible"),
         ("1 .. 5 +-200 %", "tolerance"),
@@ -198,7 +198,7 @@ fn a_match_is_read_where_it_is_typed() {
         (" columns hz 2; re 3; im 4; furlong", "m/s2/N"),
         (
             " columns hz 2; re 3; im 4; rad/(N m)",
-            "not what the response is",
+            "does not match the response",
         ),
     ] {
         driver.typed(&format!("match {path}{answer}")).keys("Enter");
@@ -279,7 +279,7 @@ fn tolerances_make_a_band_around_the_curve() {
         .map(|curve| curve.label.as_str())
         .collect();
     assert_eq!(labels, ["5, 50, 95 %", "", "", "tip w"]);
-    // Quantiles are in order at every frequency, and apart where the damper matters.
+    // Quantiles are ordered at every frequency, and separate where the damper has an effect.
     let [low, median, high] = [0, 1, 2].map(|index| &scene.curves[index].values[0]);
     for index in 0..low.len() {
         assert!(low[index] <= median[index] && median[index] <= high[index]);

@@ -1,8 +1,8 @@
-//! Texts spoilt by chance: bytes, words, lines and pieces of other texts.
+//! Randomly damaged texts: bytes, words, lines and pieces of other texts.
 
 use crate::dice::Dice;
 
-/// What may stand where a value stood.
+/// Replacements of a value.
 const VALUES: &[&str] = &[
     "0",
     "-0.0",
@@ -40,7 +40,7 @@ const VALUES: &[&str] = &[
     "# nothing",
 ];
 
-/// What may stand anywhere.
+/// Words to insert anywhere.
 const PIECES: &[&str] = &[
     "\n",
     "\r\n",
@@ -81,7 +81,7 @@ const PIECES: &[&str] = &[
     "notes = \"a\"\n",
 ];
 
-/// A model file spoilt in a few places; with `turn` every seed has its turn.
+/// A model file damaged in a few places; `turn` selects the seed file.
 pub fn file(seeds: &[String], turn: usize, dice: &mut Dice) -> String {
     let mut text = seeds[turn % seeds.len()].clone();
     for _ in 0..=dice.roll(3) {
@@ -98,7 +98,7 @@ pub fn file(seeds: &[String], turn: usize, dice: &mut Dice) -> String {
     text
 }
 
-/// Changes, drops or doubles a byte; what is no text then is mended as a program would.
+/// Changes, drops or doubles a byte; invalid UTF-8 is repaired as a program would.
 fn bytes(text: &str, dice: &mut Dice) -> String {
     let mut bytes = text.as_bytes().to_vec();
     if bytes.is_empty() {
@@ -113,7 +113,7 @@ fn bytes(text: &str, dice: &mut Dice) -> String {
     String::from_utf8_lossy(&bytes).into_owned()
 }
 
-/// Puts another value behind some equals sign.
+/// Puts another value after an equals sign.
 fn value(text: &str, dice: &mut Dice) -> String {
     let signs: Vec<usize> = text.match_indices('=').map(|(at, _)| at + 1).collect();
     if signs.is_empty() {
@@ -148,14 +148,14 @@ fn lines(text: &str, dice: &mut Dice) -> String {
     lines.concat()
 }
 
-/// The beginning of one text and the end of another, or a piece of it put in between.
+/// The beginning of one text and the end of another, or a piece of it inserted.
 fn splice(text: &str, other: &str, dice: &mut Dice) -> String {
     let (cut, from) = (place(text, dice), place(other, dice));
     let rest = if dice.roll(2) == 0 { "" } else { &text[cut..] };
     format!("{}{}{rest}", &text[..cut], &other[from..])
 }
 
-/// A comment behind some line.
+/// A comment after a line.
 fn comment(text: &str, dice: &mut Dice) -> String {
     let ends: Vec<usize> = text.match_indices('\n').map(|(at, _)| at).collect();
     if ends.is_empty() {
@@ -170,7 +170,7 @@ fn insert(text: &str, piece: &str, dice: &mut Dice) -> String {
     format!("{}{piece}{}", &text[..at], &text[at..])
 }
 
-/// Between two characters.
+/// Inserts between two characters.
 fn place(text: &str, dice: &mut Dice) -> usize {
     let mut at = dice.roll(text.len() + 1);
     while !text.is_char_boundary(at) {
@@ -179,7 +179,7 @@ fn place(text: &str, dice: &mut Dice) -> usize {
     at
 }
 
-/// Any finite number, the ends of the range among them.
+/// A finite number, the ends of the range among them.
 pub fn number(dice: &mut Dice) -> f64 {
     let number = match dice.roll(6) {
         0 => [0.0, -0.0, 5e-324, f64::MIN_POSITIVE, f64::MAX, -f64::MAX][dice.roll(6)],
@@ -190,7 +190,7 @@ pub fn number(dice: &mut Dice) -> f64 {
     if number.is_finite() { number } else { 1.0 }
 }
 
-/// What a hasty person may type for a value or as a path.
+/// Hasty input for a value or a path.
 pub fn typed(dice: &mut Dice) -> String {
     const PARTS: &[&str] = &[
         "*",

@@ -1,8 +1,8 @@
-//! Files of bytes spoilt by chance: numbers, lines, pieces of other files, ends cut off.
+//! Randomly damaged files of bytes: numbers, lines, pieces of other files, cut ends.
 
 use crate::dice::Dice;
 
-/// What may stand where a number stood.
+/// Replacements of a number.
 const NUMBERS: &[&str] = &[
     "0",
     "-0",
@@ -30,7 +30,7 @@ const NUMBERS: &[&str] = &[
     "1_0",
 ];
 
-/// What may stand anywhere.
+/// Words to insert anywhere.
 const PIECES: &[&[u8]] = &[
     b"\n",
     b"\r\n",
@@ -66,7 +66,7 @@ const PIECES: &[&[u8]] = &[
     b" OK\n",
 ];
 
-/// A file spoilt in a few places; with `turn` every seed has its turn.
+/// A file damaged in a few places; `turn` selects the seed file.
 pub fn file(seeds: &[Vec<u8>], turn: usize, dice: &mut Dice) -> Vec<u8> {
     let mut bytes = seeds[turn % seeds.len()].clone();
     for _ in 0..=dice.roll(3) {
@@ -107,7 +107,7 @@ fn lines(bytes: &mut Vec<u8>, dice: &mut Dice) {
     *bytes = lines.concat();
 }
 
-/// Puts another number where the next one is; half the time in the same number of columns.
+/// Replaces the next number by another; half the time in the same number of columns.
 fn number(bytes: &mut Vec<u8>, at: usize, dice: &mut Dice) {
     let part = |byte: &u8| byte.is_ascii_digit() || b"+-.eEdD".contains(byte);
     let Some(start) = bytes[at..].iter().position(part).map(|start| at + start) else {

@@ -41,7 +41,7 @@ impl Products {
 }
 
 /// Gere & Lin, Coupled Vibrations of Thin-Walled Beams of Open Cross Section, 1958: both ends pinned, so that w and psi
-/// are sin(n pi x / L), and omega^2 is a root of a quadratic. A guided end (slopes fixed) takes a cosine in the same way.
+/// are sin(n pi x / L), and omega^2 is a root of a quadratic. A guided end (slopes fixed) has a cosine in the same way.
 /// All natural frequencies above zero, Hz, up to `to`, not sorted.
 pub fn sinusoidal(model: &Model, to: f64) -> Vec<f64> {
     let guided = |support: &Support| match support.0 {
@@ -70,7 +70,7 @@ pub fn sinusoidal(model: &Model, to: f64) -> Vec<f64> {
     all
 }
 
-/// Both frequencies in Hz that go with a wave number.
+/// Both frequencies in Hz for a wave number.
 fn quadratic(products: &Products, wave: f64) -> [f64; 2] {
     let bending = products.bending * wave.powi(4);
     let twist = products.warping * wave.powi(4) + products.torsion * wave.powi(2);
@@ -183,7 +183,7 @@ fn boundary(model: &Model, products: &Products, omega: f64) -> f64 {
     matrix.determinant()
 }
 
-/// The conditions of one end: the motion, or the internal force with what the support answers to the motion.
+/// The conditions of one end: the motion, or the internal force with the reaction of the support.
 fn end_rows(
     products: &Products,
     support: &Support,

@@ -7,7 +7,7 @@ const START: f64 = 2e-4;
 
 /// Every sign change of `equation` over the frequency in Hz, from just above zero to `to`, rising.
 ///
-/// Two roots within a step would be missed together; the comparison of whole lists then fails, for want of two.
+/// Two roots within a step would be missed together; the comparison of whole lists then fails, because two are missing.
 pub fn roots(to: f64, equation: impl Fn(f64) -> f64) -> Vec<f64> {
     let at = |step: usize| {
         let share = step as f64 / STEPS as f64;

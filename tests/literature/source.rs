@@ -1,4 +1,4 @@
-//! The case files: what a source says, of which model, and how closely it can be held to.
+//! The case files: the statements of a source, the model, and the accuracy of the comparison.
 
 use std::collections::BTreeMap;
 
@@ -10,29 +10,29 @@ use serde::Deserialize;
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Source {
-    /// What is compared, a few words for the guide's table.
+    /// The subject of the comparison, a few words for the guide's table.
     pub subject: String,
     pub authors: String,
     pub year: u16,
     pub title: String,
     /// What a reader must know before trusting the numbers.
     pub doubtful: String,
-    /// A model file of the format `beamtune/1` that the cases start from.
+    /// A model file of the format `beamtune/1`, the basis of the cases.
     #[serde(default)]
     pub model: String,
     #[serde(default)]
     pub cases: Vec<Case>,
-    /// Sentences without numbers, each held by a test elsewhere.
+    /// Sentences without numbers, each checked by a test elsewhere.
     #[serde(default)]
     pub statements: Vec<Statement>,
 }
 
-/// One model, with what is expected of its natural frequencies.
+/// One model, with its expected natural frequencies.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Case {
     pub name: String,
-    /// Parameter paths and what they are set to.
+    /// Parameter paths and their values.
     #[serde(default)]
     pub set: BTreeMap<String, toml::Value>,
     pub published: Option<Published>,
@@ -45,9 +45,9 @@ pub struct Case {
 pub struct Published {
     pub unit: Unit,
     pub values: Vec<f64>,
-    /// Largest relative difference that the print supports.
+    /// Largest relative difference that the printed digits allow.
     pub tolerance: f64,
-    /// True where the source has shear deformation and rotary inertia, so that ours lie above.
+    /// True if the source has shear deformation and rotary inertia, so that our frequencies are higher.
     #[serde(default)]
     pub ours_lie_above: bool,
 }
@@ -88,14 +88,14 @@ pub enum Unit {
     BetaLSquared,
 }
 
-/// A sentence of the source, and the test that holds it.
+/// A sentence of the source, and the test that checks it.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Statement {
     pub figure: String,
     pub sentence: String,
     pub test: String,
-    /// Empty where the sentence holds as it stands.
+    /// Empty if the sentence holds as printed.
     #[serde(default)]
     pub departs: String,
 }

@@ -7,7 +7,7 @@ use beamtune::model::{Model, Support};
 use super::roots::roots;
 use super::uncoupled;
 
-/// The mass answers with k m omega^2 / (k - m omega^2) to the motion of its foot, and the beam with its receptance
+/// The mass reacts with k m omega^2 / (k - m omega^2) to the motion of its foot, and the beam with its receptance
 /// (Bishop & Johnson, The Mechanics of Vibration, 1960, Table 7.1: pinned ends at any point, a cantilever at its tip);
 /// their product is one. The other motions of the beam are as if the mass were not there. All natural frequencies above
 /// zero, Hz, up to `to`, not sorted.

@@ -2,7 +2,8 @@
 //!
 //! Bending: Blevins, Formulas for Natural Frequency and Mode Shape, 1979, Table 8-1. Torsion with warping: Gere,
 //! Torsional Vibrations of Beams of Thin-Walled Open Section, Journal of Applied Mechanics 21, 1954, and the same
-//! derivation for the ends that he leaves out. All are divided by the hyperbolic cosines in them, which would overflow.
+//! derivation for the ends that he does not treat. All are divided by the hyperbolic cosines in them, which would
+//! overflow.
 
 use std::f64::consts::TAU;
 
@@ -10,7 +11,7 @@ use beamtune::model::{BeamMotion, Elastic, Model, Restraint, Support};
 
 use super::roots::roots;
 
-/// What an end does to a displacement and its slope.
+/// The condition of an end on a displacement and its slope.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum End {
     Clamped,
@@ -51,7 +52,7 @@ pub fn frequencies(model: &Model, to: f64) -> Vec<f64> {
     all
 }
 
-/// Bending along z, which nothing couples to the others.
+/// Bending along z, which is not coupled to the others.
 pub fn bending_v(model: &Model, to: f64) -> Vec<f64> {
     let pair = ends(model, BeamMotion::V, BeamMotion::VSlope);
     bending(model, model.beam.section.second_moment_z, pair, to)

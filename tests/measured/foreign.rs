@@ -1,7 +1,7 @@
 //! Tables as other programs write them: `tests/data/measured/tables`.
 //!
 //! Expected: the closed form of one mass on a spring, H = 1/(160e3 - 4 w^2 + 40 i w) m/N, at 10, 15 .. 200 Hz; to the
-//! digits of the files, which are five at least.
+//! digits of the files, which are at least five.
 
 use super::*;
 
@@ -28,7 +28,7 @@ fn missing(name: &str) -> Vec<Question> {
     seen.missing
 }
 
-/// That a curve is the exact one, within so much of each value's magnitude.
+/// Checks that a curve is the exact one, within a tolerance relative to each value's magnitude.
 #[track_caller]
 fn is_exact(curve: &Curve, tolerance: f64) {
     let frequencies: Vec<f64> = (2..=40).map(|index| 5.0 * f64::from(index)).collect();
@@ -202,7 +202,7 @@ fn complex_numbers_in_one_cell_are_one_curve() {
             "{table}"
         );
     }
-    // Which of two columns are the frequencies is asked.
+    // If the frequency column is ambiguous, the program asks.
     let bare = "0,10,1+2i\n1,20,3+4i\n";
     let seen = inspect(bare.as_bytes(), &hint("", None)).unwrap();
     assert!(seen.missing.contains(&Question::Values), "{seen:?}");
@@ -319,7 +319,7 @@ fn header_words_find_their_columns_among_blanks() {
     ] {
         are_three(format!("{header}\n{parts}"), called);
     }
-    // What fits in no way is asked about, and what was found of it is said.
+    // If no reading fits, the program asks, and reports what it found.
     let odd = format!("Frequency step Real Imag Phase\n{parts}");
     let seen = inspect(odd.as_bytes(), &hint("run 7.txt", None)).unwrap();
     assert!(seen.missing.contains(&Question::Values), "{seen:?}");
@@ -340,7 +340,7 @@ fn header_words_find_their_columns_among_blanks() {
     assert_eq!(found[0].name, "run 7");
 }
 
-/// Some programs write the words behind the first row of numbers.
+/// Some programs write the text after the first row of numbers.
 #[test]
 fn a_header_behind_the_first_row_is_found() {
     let parts = rows(|f, h| format!("{f}\t{:e}\t{:e}\n", h.re, h.im));
@@ -387,7 +387,7 @@ fn a_minus_of_the_header_is_undone() {
         let called = if header.contains('x') { "x" } else { "run 7" };
         are_three(format!("{header}\n{polar}"), called);
     }
-    // A dash between words is none.
+    // A dash between words is not a minus sign.
     let plain = rows(|f, h| format!("{f},{:e},{:e}\n", h.re, h.im));
     for header in [
         "f [Hz],H-Re [m/N],H-Im [m/N]",
@@ -395,7 +395,7 @@ fn a_minus_of_the_header_is_undone() {
     ] {
         assert_eq!(are_three(format!("{header}\n{plain}"), "H").notes, [""; 0]);
     }
-    // Where a person says it, once is enough.
+    // One statement by the user is enough.
     let bare = curves(&parts, Some("hz; re -im; m/N"));
     near(bare[0].values[0], exact(10.0), 1e-12);
     let said = curves(format!("f [Hz],Re,-Im\n{parts}"), Some("hz; re -im; m/N"));
@@ -436,7 +436,7 @@ fn what_stands_behind_the_numbers_is_left_out_with_a_note() {
     );
 }
 
-/// A phase without a unit is asked for, except where its size shows that it is in degrees.
+/// If a phase has no unit the program asks, except if its size shows that it is in degrees.
 #[test]
 fn the_unit_of_phases_is_not_guessed() {
     let question = |text: &str| {
@@ -450,7 +450,7 @@ fn the_unit_of_phases_is_not_guessed() {
     assert_eq!(question(&format!("{header}1,2,-0.5\n2,2,-179\n")), []);
     let found = curves(&radians, Some("hz; mag rad; m/N"));
     near(found[0].values[1], Complex64::from_polar(2.0, -3.1), 1e-15);
-    // An angle over a load is a response and no phase.
+    // An angle over a load is a response, not a phase.
     let found = curves(
         "f [Hz],phi re [rad/(N m)],phi im [rad/(N m)]\n1,2,3\n2,3,4\n",
         None,
@@ -468,7 +468,7 @@ fn the_unit_of_phases_is_not_guessed() {
 
 #[test]
 fn an_answer_wins_over_the_header() {
-    // What does not fit it is left out, where its unit is not known.
+    // A column that does not fit it is ignored if its unit is unknown.
     let table = "f [Hz],U mag,U phase [deg],H re,H im\n1,1,0,2,3\n2,1,0,4,5\n";
     let found = curves(table, Some("hz; re im; m/N"));
     assert_eq!((found.len(), found[0].name.as_str()), (1, "H"));
@@ -477,7 +477,7 @@ fn an_answer_wins_over_the_header() {
         found[0].notes,
         ["column 2 (U mag) and column 3 (U phase [deg]) skipped: mag deg, which was not requested"]
     );
-    // A magnitude alone is that of the header, and its phase is none.
+    // A single magnitude has the quantity of the header, and has no phase.
     let table = "f [Hz],Mag [m/N],Phase [deg]\n1,2,-90\n2,3,-170\n";
     let found = curves(table, Some("hz; mag; mm/N"));
     assert_eq!((found.len(), found[0].phase_known), (1, false));
@@ -486,7 +486,7 @@ fn an_answer_wins_over_the_header() {
         ["column 3 skipped: only magnitudes were requested"]
     );
     near(found[0].values[0], 2e-3.into(), 1e-15);
-    // Its unit is the unit, whatever the header says, also where that is none.
+    // Its unit takes precedence over the header's, also if there is none.
     let table = "f [Hz],H re [furlong],H im [furlong]\n1,2,3\n2,4,5\n";
     let seen = inspect(table.as_bytes(), &hint("run 7.csv", None)).unwrap();
     assert_eq!(seen.missing, [Question::Unit]);

@@ -11,7 +11,7 @@ const VALUES: [Complex64; 3] = [
     Complex64::new(0.0, -7.125),
 ];
 
-/// Magnitude and phase (rad) as a file has them.
+/// Magnitude and phase (rad) as in a file.
 type Cells = fn(f64, f64) -> (f64, f64);
 
 fn accelerance() -> Kind {
@@ -128,7 +128,7 @@ fn what_a_table_does_not_say_is_asked_and_answered() {
     let answered = inspect(bare.as_bytes(), &hint("", Some("hz; re im; m/s2/N"))).unwrap();
     assert!(answered.missing.is_empty());
 
-    // One unit alone is missing: the values stand as they are.
+    // Only the unit is missing: the values are unchanged.
     let half = "Frequency [Hz],Re,Im\n10,1.5,-0.25\n20,-2e-3,4\n40.5,0,-7.125\n";
     assert_eq!(
         inspect(half.as_bytes(), &hint("", None)).unwrap().missing,
@@ -161,7 +161,7 @@ fn what_a_table_does_not_say_is_asked_and_answered() {
 }
 
 #[test]
-fn several_curves_are_told_apart() {
+fn several_curves_are_distinguished() {
     let table = "frequency_hz,P1 w.re,P1 w.im,E_V,P2 w.re,P2 w.im\n1,1,2,3,4,5\n2,6,7,8,9,10\n";
     let found = curves(table, None);
     let names: Vec<&str> = found.iter().map(|curve| curve.name.as_str()).collect();
@@ -185,7 +185,7 @@ fn several_curves_are_told_apart() {
     let names: Vec<&str> = found.iter().map(|curve| curve.name.as_str()).collect();
     assert_eq!(names, ["w, 0.5", "w, soft spring"]);
     assert_eq!(found[1].values[1], Complex64::new(7.0, 8.0));
-    // Without words there is a curve for each pair, and no name twice.
+    // Without text there is a curve for each pair, and no name twice.
     let found = curves("1 1 2 3 4\n2 5 6 7 8\n", Some("hz; re im; m"));
     let names: Vec<&str> = found.iter().map(|curve| curve.name.as_str()).collect();
     assert_eq!(names, ["run 7", "run 7 (2)"]);
@@ -301,7 +301,7 @@ fn what_is_wrong_with_a_table_has_its_place() {
 
 #[test]
 fn a_header_may_be_corrected() {
-    // The words say magnitude and phase without units.
+    // The text gives magnitude and phase without units.
     let table = "frequency_hz,mag,phase\n1,2,3.125\n2,2,0\n";
     let degrees = curves(table, None);
     near(
@@ -315,7 +315,7 @@ fn a_header_may_be_corrected() {
         Complex64::from_polar(2.0, 3.125),
         1e-15,
     );
-    // The words are wrong altogether.
+    // The text is wrong altogether.
     let turned = curves(table, Some("hz; re im; m"));
     assert_eq!(turned[0].values[0], Complex64::new(2.0, 3.125));
     let seen = inspect(table.as_bytes(), &hint("", None)).unwrap();
@@ -328,7 +328,7 @@ fn a_header_may_be_corrected() {
     );
 }
 
-/// What a terminal would obey does not get through.
+/// Control characters do not get through.
 #[test]
 fn names_are_of_visible_letters() {
     let table = b"f [Hz],\x1b[2JGr\xf6\xdfe\x07.re,\x1b[2JGr\xf6\xdfe\x07.im\n1,2,3\n2,3,4\n";

@@ -8,7 +8,7 @@ use super::*;
 
 const UNEVEN: [f64; 7] = [1.0, 2.0, 5.0, 10.0, 20.25, 50.0, 100.0];
 
-/// What the files of `tests/data/measured` hold, m/N.
+/// The contents of the files of `tests/data/measured`, m/N.
 fn oscillator(f: f64) -> Complex64 {
     1e-3 / Complex64::new(100.0 - f * f, 0.1 * f)
 }
@@ -21,7 +21,7 @@ fn receptance() -> Kind {
     motion(Moves::Length, Measure::Displacement, Some(Load::Force))
 }
 
-/// Expected: closed form, to the digits of the format (see the README beside the files).
+/// Expected: closed form, to the digits of the format (see the README next to the files).
 #[test]
 fn all_eight_data_forms_of_another_program_are_read() {
     for spacing in ["even", "uneven"] {
@@ -106,18 +106,22 @@ fn other_data_sets_are_passed_over_and_units_and_senses_turned() {
         found[0].notes,
         [inverted, "1 function of type 6 (coherence) skipped"]
     );
-    // What is not said is asked.
+    // If the file does not state it, the program asks.
     let seen = inspect(&data("several.uff"), &hint("", None)).unwrap();
     assert_eq!(
         (seen.format, seen.missing),
         (Format::Uff, vec![Question::Unit])
     );
-    let told = read(&data("several.uff"), &hint("", Some("hz; re im; g/N"))).unwrap();
+    let read_with_hint = read(&data("several.uff"), &hint("", Some("hz; re im; g/N"))).unwrap();
     assert_eq!(
-        told[2].kind,
+        read_with_hint[2].kind,
         Some(motion(Moves::Length, Measure::Acceleration, force))
     );
-    near(told[2].values[0], 9.80665 * oscillator(1.0), 1e-11);
+    near(
+        read_with_hint[2].values[0],
+        9.80665 * oscillator(1.0),
+        1e-11,
+    );
 }
 
 /// A function of data set 58 as text: records 6 to 11 as given, and the data.
@@ -134,7 +138,7 @@ const FRF: &str =
     "    4         1    0         0       NONE         3   2       NONE         1   2";
 const DISPLACEMENT: [&str; 3] = ["        18", "         8", "        13"];
 
-/// Fields lie side by side without blanks, and exponents are Fortran's.
+/// Fields are adjacent without blanks, and exponents are Fortran's.
 #[test]
 fn fields_are_read_by_their_columns() {
     let data = "-1.25000E-101-2.50000E-100-1.00000D+00 1.00000+100\n";
@@ -161,7 +165,7 @@ fn fields_are_read_by_their_columns() {
             4.0.into()
         ]
     );
-    // Windows ends of lines, and no end of the last data set.
+    // Windows line ends, and no end of the last data set.
     let text = function(FRF, form, DISPLACEMENT, data).replace('\n', "\r\n");
     assert_eq!(
         curves(text.trim_end().trim_end_matches("-1"), None)[0].frequencies,
@@ -212,7 +216,7 @@ fn axes_say_what_the_values_are() {
             )),
             2.0,
         ),
-        // A force over a motion is turned.
+        // A force over a motion is inverted.
         (
             FRF,
             ["        18", "        13", "        12"],
@@ -271,7 +275,7 @@ fn axes_say_what_the_values_are() {
     assert_eq!(curve.notes, ["frequencies are in rad/s"]);
 }
 
-/// Binary data by the letter of the standard, and with an end of line behind them.
+/// Binary data exactly as in the standard, and with a line end after them.
 #[test]
 fn binary_data_are_read_in_either_byte_order_and_precision() {
     for little in [true, false] {
@@ -525,7 +529,7 @@ fn what_is_written_is_read() {
 }
 
 #[test]
-fn what_the_format_loses_is_told() {
+fn losses_of_the_format_are_reported() {
     let frequencies = [1.234_567_89, 2.469_135_78, 3.5, 400.123_456];
     let values = [
         Complex64::ONE,

@@ -1,4 +1,4 @@
-//! Universal files as other programs write them: words for units, and what is not by the letter of the standard.
+//! Universal files as other programs write them: words for units, and deviations from the standard.
 
 use std::fmt::Write as _;
 
@@ -11,7 +11,7 @@ fn file(name: &str) -> Vec<u8> {
     data(&format!("universal/{name}.uff"))
 }
 
-/// The receptance that the files hold, m/N, and -w^2 of it.
+/// The receptance in the files, m/N, and -w^2 times it.
 fn truth(frequency: f64, measure: Measure) -> Complex64 {
     let omega = std::f64::consts::TAU * frequency;
     let receptance = 1.0 / Complex64::new(160e3 - 4.0 * omega * omega, 40.0 * omega);
@@ -22,7 +22,7 @@ fn truth(frequency: f64, measure: Measure) -> Complex64 {
     }
 }
 
-/// Holds a curve of the files to the closed form, to the six digits of the files.
+/// Compares a curve of the files with the closed form, to the six digits of the files.
 #[track_caller]
 fn is_true(curve: &Curve, measure: Measure) {
     let per = Some(Load::Force);
@@ -69,7 +69,7 @@ fn with_words(from: &str, to: &str) -> String {
 /// Expected: closed form; the file's numbers are the accelerance in g/N, so in N/furlong they are those of the inverse.
 #[test]
 fn words_that_are_not_known_are_asked_for() {
-    // Not known, and known but not of an acceleration or a force.
+    // Unknown, and known but not of an acceleration or a force.
     for (from, to) in [
         ("G ", "furlong/s2"),
         ("G ", "g rms"),
@@ -83,7 +83,7 @@ fn words_that_are_not_known_are_asked_for() {
         let found = &curves(&text, None)[0];
         assert_eq!(found.kind, None, "{to}");
         assert_eq!(found.unknown, [(Question::Unit, to.to_owned())]);
-        let note = format!("{to:?} is no unit that is known");
+        let note = format!("{to:?} is not a known unit");
         assert!(found.notes[0].contains(&note), "{:?}", found.notes);
         let seen = inspect(text.as_bytes(), &hint("", None)).unwrap();
         assert_eq!(seen.missing, [Question::Unit]);
@@ -93,7 +93,7 @@ fn words_that_are_not_known_are_asked_for() {
         let seen = inspect(text.as_bytes(), &hint("", Some("hz; re im; g/N"))).unwrap();
         assert!(seen.missing.is_empty());
     }
-    // A unit without a word, and one that is no word, are those of data set 164, or SI.
+    // A missing unit word, or an unknown one, means the unit of data set 164, or SI.
     for word in ["NONE", "", "-"] {
         let found = &curves(with_words("G ", word), None)[0];
         let unit = ValueUnit::parse("g/N").unwrap();
@@ -122,7 +122,7 @@ fn words_for_frequencies_that_are_not_known_are_asked_for() {
         truth(10.0, Measure::Acceleration),
         1e-5,
     );
-    // A curve that is understood is read without the other.
+    // A curve that is understood is read without the other one.
     let both = format!("{text}{}", with_words("G ", "gn"));
     let found = curves(both, None);
     assert_eq!(found.len(), 1);
@@ -174,7 +174,7 @@ fn a_name_of_eleven_letters_moves_the_rest_of_its_record() {
         let curve = named(name);
         assert_eq!(curve.name, "FRF at point 3 3:+Z / 1:+Z", "{name}");
     }
-    // Two ways to read it: unsaid.
+    // Two readings are possible: the program does not choose.
     let curve = named("PF-I-0301 3 3");
     assert_eq!(curve.name, "FRF at point 3");
     assert!(
@@ -184,7 +184,7 @@ fn a_name_of_eleven_letters_moves_the_rest_of_its_record() {
     );
 }
 
-/// Wherever a file is cut off, the curves that are whole are read, to the last bit, and the next one is spoken of.
+/// Wherever a file is cut off, the complete curves are read, to the last bit, and the next one is reported.
 #[test]
 fn a_curve_that_is_cut_off_does_not_take_the_others_with_it() {
     let bytes = file("cut_off");
@@ -226,7 +226,8 @@ fn a_curve_that_is_cut_off_does_not_take_the_others_with_it() {
     assert!(found[0].notes[0].starts_with("data set 1 skipped: ends after 39 of 40"));
 }
 
-/// What surrounds the numbers does not matter. Expected: the file as it is, which is held to the closed form above.
+/// The text around the numbers does not matter. Expected: the original file, which is compared with the closed form
+/// above.
 #[test]
 fn line_ends_blanks_tabs_and_exponents_of_other_programs_are_read() {
     let text = String::from_utf8(file("capital_g")).unwrap();
@@ -301,7 +302,7 @@ fn line_ends_blanks_tabs_and_exponents_of_other_programs_are_read() {
     assert_eq!(curves(two.replace('\n', "\r"), None).len(), 2);
 }
 
-/// A value that is not a number is left out and spoken of; one in the head is refused.
+/// A value that is not a number is ignored and reported; one in the header is refused.
 #[test]
 fn what_is_not_finite_is_left_out_or_refused() {
     let text = String::from_utf8(file("capital_g")).unwrap();

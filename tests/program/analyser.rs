@@ -1,10 +1,10 @@
-//! Reading, comparing and looking, as an engineer does, at the two usual sizes of a terminal.
+//! An engineer's session of reading and comparing curves, at the two usual sizes of a terminal.
 
 use std::fs;
 
 use super::harness::{ESCAPE, Home, LARGE, Program, SMALL};
 
-/// Both sizes at which everything is to work.
+/// Both sizes at which everything must work.
 fn both(play: impl Fn(&Home, &mut dyn FnMut(&[&str]) -> Program)) {
     for size in [SMALL, LARGE] {
         let home = Home::new();
@@ -21,7 +21,7 @@ fn leave(mut program: Program) {
     assert_eq!(program.end(), 0);
 }
 
-/// Types a line into a box, in place of what stands there, and takes it.
+/// Replaces the text of a dialog by a line, and accepts it.
 fn type_line(program: &mut Program, line: &str) {
     program.press(&format!("\u{15}{line}\r"));
 }
@@ -33,7 +33,7 @@ fn every_view_and_form_shows() {
         program.press("b");
         program.wait_for("phase, deg");
         program.press("'");
-        program.wait_for("phase runs on");
+        program.wait_for("phase unwrapped");
         program.press("b");
         program.wait_for("Im, 0-peak");
         program.press("b");
@@ -83,7 +83,7 @@ fn cursors_are_read_in_a_table() {
         program.wait_for("2 x f");
         program.press("_");
         program.wait_for("Band 20");
-        // The maximum in the band is told.
+        // The maximum in the band is shown.
         program.wait("the levels", |screen| {
             screen.contains("max") && screen.contains("tip w")
         });
@@ -94,7 +94,7 @@ fn cursors_are_read_in_a_table() {
 }
 
 #[test]
-fn zoom_solves_anew_and_goes_back() {
+fn zoom_solves_again_and_goes_back() {
     both(|_, start| {
         let mut program = start(&["cantilever"]);
         program.press("@");
@@ -122,7 +122,7 @@ fn the_beam_is_looked_at() {
         program.wait_for("Deflection at");
         program.press("A");
         program.press("A`");
-        program.wait_for("further in the period");
+        program.wait_for("animation stepped by");
         for panel in [
             "Bending moments",
             "Shear forces",
@@ -149,7 +149,7 @@ fn references_are_listed_and_loaded() {
         home.preset("cantilever", "other.toml");
         let mut program = start(&["cantilever"]);
         program.press("fQ");
-        program.wait_for("Beside the model");
+        program.wait_for("References and measured curves");
         program.wait_for("before");
         program.press("a");
         program.wait_for("Load a model");
@@ -162,15 +162,15 @@ fn references_are_listed_and_loaded() {
         program.press(&format!("x{ESCAPE}"));
         program.wait_for("other.toml");
         program.press("F");
-        program.wait_for("reference other.toml dropped");
+        program.wait_for("reference other.toml removed");
         leave(program);
     });
 }
 
 #[test]
-fn a_measurement_is_laid_beside_the_model() {
+fn a_measurement_is_compared_with_the_model() {
     both(|home, start| {
-        // Made by the program itself: it must fit.
+        // The program wrote the file itself: it must match.
         let model = beamtune::model::read(beamtune::presets::find("cantilever").unwrap().text);
         let model = model.unwrap();
         let frequencies: Vec<f64> = (1..=200).map(f64::from).map(|f| f + 2.0).collect();
@@ -189,8 +189,8 @@ fn a_measurement_is_laid_beside_the_model() {
         type_line(&mut program, "none.csv");
         program.wait_for("none.csv");
         type_line(&mut program, "measured.csv");
-        program.wait_for("What the columns are");
-        // The unit of what shows is proposed.
+        program.wait_for("Describe the columns");
+        // The unit of the visible curves is proposed.
         program.wait_for("hz; re im; m/N");
         program.press("\r");
         program.wait_for("1 measured curve");
@@ -227,7 +227,7 @@ fn what_is_on_the_screen_is_written_to_files() {
         let mut write = |name: &str, answer: &str| {
             // Ctrl-e.
             program.press("\u{5}");
-            program.wait_for("Write what is on the screen");
+            program.wait_for("Export the screen");
             type_line(&mut program, name);
             program.wait_for(answer);
             name.to_owned()
@@ -237,9 +237,9 @@ fn what_is_on_the_screen_is_written_to_files() {
         write("screen.txt", "written to screen.txt");
         write("curves.pdf", "must end in .csv, .svg or .txt");
         program.press(ESCAPE);
-        // A file that is there is replaced only after a question.
+        // An existing file is replaced only after a confirmation.
         program.press("\u{5}");
-        program.wait_for("Write what is on the screen");
+        program.wait_for("Export the screen");
         type_line(&mut program, "screen.txt");
         program.wait_for("replace");
         program.press("y");
@@ -250,7 +250,7 @@ fn what_is_on_the_screen_is_written_to_files() {
         let svg = fs::read_to_string(home.file("chart.svg")).unwrap();
         assert!(svg.contains("<svg") && svg.trim_end().ends_with("</svg>"));
         let text = fs::read_to_string(home.file("screen.txt")).unwrap();
-        assert!(text.contains("tip w") && !text.contains("Write what is"));
+        assert!(text.contains("tip w") && !text.contains("Export the screen"));
         leave(program);
     });
 }

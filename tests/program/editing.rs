@@ -1,4 +1,4 @@
-//! Tuning a beam: start, edit, look, save, leave.
+//! An engineer's session: start, edit, view, save, quit.
 
 use super::harness::{Home, Program, picture};
 
@@ -31,7 +31,7 @@ fn a_parameter_is_tuned_and_saved() {
     assert_eq!(comments(&saved), comments(text));
 }
 
-/// The title of the panel that tells of the selected row.
+/// The title of the panel with the details of the selected row.
 fn details(screen: &str) -> Option<&str> {
     let titles = screen.lines().filter_map(|line| line.strip_prefix("─ "));
     titles
@@ -40,7 +40,7 @@ fn details(screen: &str) -> Option<&str> {
         .find(|title| *title != "Model")
 }
 
-/// Goes from parameter to parameter until the details are those of `name`.
+/// Steps through the parameters until the details are those of `name`.
 fn select(program: &mut Program, name: &str) {
     for _ in 0..60 {
         let before = program.text();
@@ -48,7 +48,7 @@ fn select(program: &mut Program, name: &str) {
             return;
         }
         program.press("\t");
-        // Not any change will do: new curves may arrive at any time.
+        // A change of the screen alone is not enough: new curves may arrive at any time.
         program.wait("the next parameter", |screen| {
             details(screen).is_some() && details(screen) != details(&before)
         });
@@ -56,7 +56,7 @@ fn select(program: &mut Program, name: &str) {
     panic!("{name} not found; the screen is\n{}", program.text());
 }
 
-/// A changed model is not thrown away without a question.
+/// A changed model is not discarded without a confirmation.
 #[test]
 fn quitting_asks_when_something_is_unsaved() {
     let home = Home::new();
@@ -72,7 +72,7 @@ fn quitting_asks_when_something_is_unsaved() {
     assert_eq!(program.end(), 0);
 }
 
-/// A shape moves by itself, and stands still again by the same key.
+/// A shape is animated, and the same key stops it.
 #[test]
 fn a_shape_moves_while_it_shall() {
     let home = Home::new();
@@ -89,7 +89,7 @@ fn a_shape_moves_while_it_shall() {
     program.wait("a frame", |screen| picture(screen) != still);
     let frame = program.picture();
     program.wait("the next frame", |screen| picture(screen) != frame);
-    // It stands still where it is; shown anew it is at its widest.
+    // It stops where it is; when shown again, it is at its largest.
     program.press("A");
     program.press("MM");
     program.wait("the shape at its widest", |screen| picture(screen) == still);
@@ -97,8 +97,8 @@ fn a_shape_moves_while_it_shall() {
     assert_eq!(program.end(), 0);
 }
 
-/// A beam around the whole earth has more modes below 400 Hz than anybody can wait for. The program can be left all the
-/// same, while it counts them.
+/// A beam around the whole earth has too many modes below 400 Hz to wait for. The user can still quit the program while
+/// it counts them.
 #[test]
 fn a_beam_with_too_many_modes_says_so_and_shows_its_curves() {
     let home = Home::new();
@@ -112,14 +112,14 @@ fn a_beam_with_too_many_modes_says_so_and_shows_its_curves() {
 }
 
 #[test]
-fn a_model_that_takes_for_ever_holds_up_nobody() {
+fn an_endless_model_does_not_block_the_user() {
     let home = Home::new();
     home.preset("fig08", "beam.toml");
     let mut program = Program::start(&home, &["beam.toml", "--set", "beam.length=1500"]);
-    program.wait_for("modes in work");
+    program.wait_for("computing modes");
     program.press("\t");
     program.wait_for("length of the beam");
-    // Every answer is overtaken by the next edit.
+    // Every answer is superseded by the next edit.
     for _ in 0..20 {
         program.press("+");
         program.settle();

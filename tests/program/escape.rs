@@ -1,4 +1,4 @@
-//! Files that say what a terminal would obey, in names, values and their own names.
+//! Files with terminal control sequences in names, in values and in their own names.
 
 use std::ffi::OsString;
 use std::fs;
@@ -7,7 +7,7 @@ use std::os::unix::ffi::OsStringExt as _;
 use super::harness::{Home, LARGE, Program};
 use super::hidden::{HIDDEN, assert_safe, controls, in_toml};
 
-/// A file name that is no text and sets a window's title.
+/// A file name that is not text and would set a window's title.
 const NAME: &[u8] = b"m\x1b]0;x\x07\xff\xe2\x80\xae.toml";
 
 fn name(bytes: &[u8]) -> OsString {
@@ -33,7 +33,7 @@ fn model() -> String {
         .replace("points = 2000", "points = 20")
 }
 
-/// Of all that was sent, nothing but the program's own sequences acts on the terminal.
+/// In all that was sent, only the program's own sequences act on the terminal.
 fn assert_sent_safe(what: &str, raw: &[u8]) {
     let text = std::str::from_utf8(raw).unwrap_or_else(|error| panic!("{what}: {error}"));
     assert!(
@@ -44,7 +44,7 @@ fn assert_sent_safe(what: &str, raw: &[u8]) {
         HIDDEN.contains(letter)
             || ('\u{7f}'..='\u{9f}').contains(letter)
             || matches!(letter, '\0'..='\u{7}' | '\t' | '\u{b}' | '\u{c}' | '\u{e}'..='\u{1a}')
-            // What a widget let through.
+            // Hidden characters that a widget let through.
             || *letter == char::REPLACEMENT_CHARACTER
     });
     assert_eq!(found, None, "{what}");
@@ -68,7 +68,7 @@ fn a_hostile_file_is_edited_without_its_names_reaching_the_terminal() {
         program.press("\u{1b}[27u\u{1b}[27u");
         program.settle();
     }
-    // The same name is proposed, and stands for the same file.
+    // The same name is proposed, and means the same file.
     program.press("S");
     program.wait_for("Save as");
     program.press("\r");
@@ -84,7 +84,7 @@ fn a_hostile_file_is_edited_without_its_names_reaching_the_terminal() {
     );
     for ending in ["svg", "csv", "txt"] {
         program.press("\u{5}");
-        program.wait_for("Write");
+        program.wait_for("Export");
         program.press(&format!("\u{7f}\u{7f}\u{7f}{ending}\r"));
         program.wait_for(&format!("\\u{{202e}}.{ending}"));
         program.wait_for("written to m");
@@ -108,7 +108,7 @@ fn a_hostile_file_that_cannot_be_opened_says_so_safely() {
     fs::write(home.file("bad.toml"), text).unwrap();
     let table = format!("Frequency,{evil}\nonce,{evil}\n");
     fs::write(home.file("bad.csv"), table).unwrap();
-    // What was remembered is broken in the same way.
+    // A remembered file with the same defect.
     let state = home.state("memory.toml");
     fs::create_dir_all(state.parent().unwrap()).unwrap();
     fs::write(&state, format!("[\"{}\"\n{evil}", in_toml(&evil))).unwrap();
@@ -120,7 +120,7 @@ fn a_hostile_file_that_cannot_be_opened_says_so_safely() {
     program.settle();
     program.press("bad.csv\r");
     program.settle();
-    // Ctrl-C counts inside of a paste, too.
+    // Ctrl-C also works inside of a paste.
     let pasted = evil.replace('\u{3}', "");
     program.press(&format!("\u{1b}[200~{pasted}\u{1b}[201~"));
     program.settle();

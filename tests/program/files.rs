@@ -1,4 +1,4 @@
-//! Saving where it cannot be done, and beside other programs.
+//! Saving that fails, and saving while other programs change the file.
 
 use std::fs;
 use std::os::unix::fs::{MetadataExt as _, PermissionsExt as _, chown};
@@ -8,15 +8,15 @@ use std::process::{Command, Output, Stdio};
 
 use super::harness::{BEAMTUNE, Home, LARGE, Program};
 
-/// Changes a model on its way in, so that there is something to save.
+/// Changes the model on the command line, so that there are changes to save.
 const CHANGE: &str = "subsystems.S1.mass=200";
 
-/// The mass that the change gives, in a file.
+/// The changed mass, as in a file.
 fn mass(text: &str) -> f64 {
     beamtune::model::read(text).unwrap().into_inner().subsystems[0].mass
 }
 
-/// A write fails midway, as on a full disk: the old file is whole, and nothing else is left.
+/// A write fails midway, as on a full disk: the old file is intact, and no other file is left.
 #[test]
 fn a_full_disk_leaves_the_old_file() {
     let home = Home::new();
@@ -30,7 +30,7 @@ fn a_full_disk_leaves_the_old_file() {
     });
     assert_eq!(fs::read_to_string(home.file("beam.toml")).unwrap(), text);
     assert_eq!(home.names(), ["beam.toml"]);
-    // Still changed: leaving asks.
+    // Still changed: quitting asks.
     program.press("q");
     program.wait_for("discard");
     program.press("d");
@@ -39,10 +39,10 @@ fn a_full_disk_leaves_the_old_file() {
     assert_eq!(home.names(), ["beam.toml"]);
 }
 
-/// The device that is always full says what a full disk says.
+/// The device that is always full gives the error of a full disk.
 #[cfg(target_os = "linux")]
 #[test]
-fn a_full_device_is_told_and_another_file_taken() {
+fn a_full_device_is_reported_and_another_file_accepted() {
     let home = Home::new();
     let text = home.preset("fig08", "beam.toml");
     let mut program = Program::start(&home, &["beam.toml", "--set", CHANGE]);
@@ -66,15 +66,15 @@ fn a_full_device_is_told_and_another_file_taken() {
     assert_eq!(program.end(), 0);
 }
 
-/// Types a path into the box for it, which may be open already.
+/// Types a path into its dialog, which may be open already.
 fn save_as(program: &mut Program, path: &str) {
     program.press("\u{1b}[27uS");
     program.press(&format!("\u{15}{path}\r"));
 }
 
-/// A folder in which nothing can be made, and a file in it that nobody may write.
+/// A folder in which no file can be created, and a read-only file in it.
 #[test]
-fn a_read_only_folder_is_told_and_another_file_taken() {
+fn a_read_only_folder_is_reported_and_another_file_accepted() {
     let home = Home::new();
     let folder = home.file("shelf");
     fs::create_dir(&folder).unwrap();
@@ -92,7 +92,7 @@ fn a_read_only_folder_is_told_and_another_file_taken() {
             && (screen.contains("read-only") || screen.contains("denied"))
     });
     assert_eq!(fs::read_to_string(folder.join("beam.toml")).unwrap(), text);
-    // Root may write into every folder but those of the kernel.
+    // Root may write into every folder except those of the kernel.
     let shut = if fs::write(folder.join("probe"), "").is_ok() {
         fs::remove_file(folder.join("probe")).unwrap();
         "/proc/new.toml"
@@ -115,7 +115,7 @@ fn a_read_only_folder_is_told_and_another_file_taken() {
     mode(&folder, 0o755);
 }
 
-/// What another program has saved in the meantime is not replaced without a question.
+/// A version that another program has saved is not replaced without a confirmation.
 #[test]
 fn another_programs_save_is_not_replaced_unasked() {
     let home = Home::new();
@@ -148,7 +148,7 @@ fn another_programs_save_is_not_replaced_unasked() {
     assert_eq!(program.end(), 0);
 }
 
-/// Two programs on one file notice each other's saves, without a key being pressed.
+/// Two programs with one file notice each other's saves, without a key press.
 #[test]
 fn another_programs_save_is_noticed_and_read() {
     let home = Home::new();
@@ -167,8 +167,8 @@ fn another_programs_save_is_noticed_and_read() {
         program.wait_for("changed on disk");
     }
     looking.press("R");
-    looking.wait_for("read the file again");
-    // What was read is the file's: nothing is there to be saved.
+    looking.wait_for("file reloaded");
+    // The reloaded model matches the file: there is nothing to save.
     assert!(!looking.text().contains("· changed"), "{}", looking.text());
     looking.press("q");
     assert_eq!(looking.end(), 0);
@@ -188,14 +188,14 @@ fn another_programs_save_is_noticed_and_read() {
     assert_eq!(editing.end(), 0);
 }
 
-/// Puts a pipe in the place of a file.
+/// Replaces a file by a pipe.
 fn pipe(path: &Path) {
     let _ = fs::remove_file(path);
     let made = Command::new("mkfifo").arg(path).status();
     assert!(made.unwrap().success());
 }
 
-/// The model's file becomes a pipe: reading it again and saving say so, and do not wait.
+/// The model's file becomes a pipe: reload and save report it, and do not block.
 #[test]
 fn a_file_that_became_a_pipe_is_not_waited_for() {
     let home = Home::new();
@@ -218,7 +218,7 @@ fn a_file_that_became_a_pipe_is_not_waited_for() {
     assert_eq!(program.end(), 0);
 }
 
-/// What the program keeps for its user, as pipes.
+/// The program's own files for its user, as pipes.
 #[test]
 fn pipes_among_the_users_own_files_are_not_waited_for() {
     let home = Home::new();
@@ -234,7 +234,7 @@ fn pipes_among_the_users_own_files_are_not_waited_for() {
         pipe(&home.state(name));
     }
     let mut program = Program::sized(&home, &["beam.toml"], LARGE);
-    program.wait_for("is not read: it is a pipe");
+    program.wait_for("cannot be read: it is a pipe");
     program.press("q");
     assert_eq!(program.end(), 0);
     home.configure("");
@@ -245,7 +245,7 @@ fn pipes_among_the_users_own_files_are_not_waited_for() {
     assert_eq!(program.end(), 2);
 }
 
-/// A pipe that is named on the command line is what was meant.
+/// A pipe that is named on the command line is used on purpose.
 #[test]
 fn a_model_comes_through_a_pipe() {
     let home = Home::new();
@@ -267,8 +267,8 @@ fn shell(home: &Home, script: &str) -> Output {
     command.output().unwrap()
 }
 
-/// A signal of any kind leaves no temporary file, and not the half of a table; what a killed program left goes when the
-/// next one writes.
+/// A signal of any kind leaves no temporary file, and no partial table; the next write removes the files of a killed
+/// program.
 #[test]
 fn a_signal_leaves_no_temporary_file() {
     let home = Home::new();
@@ -303,7 +303,7 @@ fn a_signal_leaves_no_temporary_file() {
     assert_eq!(home.names(), ["short.csv"]);
 }
 
-/// Somebody's file in a folder in which all may write. Only root can make one of another user.
+/// Another user's file in a world-writable folder. Only root can create one.
 #[test]
 fn a_file_of_another_owner_keeps_it_or_the_loss_is_said() {
     const OTHER: u32 = 12_345;
@@ -336,11 +336,11 @@ fn a_file_of_another_owner_keeps_it_or_the_loss_is_said() {
         assert_eq!(home.names(), ["out.csv"]);
         String::from_utf8(output.stderr).unwrap()
     };
-    // All may write the file: it is written in place.
+    // The file is world-writable: it is written in place.
     mode(&file, 0o666);
     assert_eq!(run(), "");
     assert_eq!(fs::metadata(&file).unwrap().uid(), OTHER);
-    // Only its owner may: it can be replaced, and the owner cannot be given.
+    // Only its owner may write: it can be replaced, but the owner cannot be preserved.
     fs::write(&file, "old").unwrap();
     mode(&file, 0o644);
     assert_eq!(

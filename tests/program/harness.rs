@@ -1,6 +1,6 @@
-//! A terminal with somebody at its keys.
+//! A terminal with a simulated user.
 //!
-//! Every step waits for what should appear; the only clock is the one that ends a test that hangs.
+//! Every step waits for what should appear; the only clock is the timeout of a test that hangs.
 
 use std::io::Read;
 use std::path::Path;
@@ -18,10 +18,10 @@ pub use super::home::{BEAMTUNE, Home, names};
 pub use super::pty::picture;
 use super::pty::{find, parser, settings, signal, typist};
 
-/// After this long a test has failed.
+/// The timeout of a test.
 pub const PATIENCE: Duration = Duration::from_secs(60);
 
-/// From one key to the next of somebody who repeats it until it is heard.
+/// The interval at which a key is repeated until it has an effect.
 const REPEAT: Duration = Duration::from_millis(300);
 
 /// Columns and rows of a small terminal.
@@ -30,13 +30,13 @@ pub const SMALL: (u16, u16) = (80, 24);
 /// Columns and rows of a large one.
 pub const LARGE: (u16, u16) = (120, 40);
 
-/// Escape as a key of its own, also where other keys follow at once.
+/// Escape as a key of its own, also if other keys follow at once.
 pub const ESCAPE: &str = "\u{1b}[27u";
 
-/// What is sent to begin the painting of a whole screen.
+/// The sequence that begins a full repaint.
 const CLEAR: &[u8] = b"\x1b[2J";
 
-/// What is sent behind every picture.
+/// The sequence after every picture.
 const SHOWN: &[u8] = b"\x1b[?2026l";
 
 /// A running program and its terminal.
@@ -47,11 +47,11 @@ pub struct Program {
     id: u32,
     ended: Receiver<ExitStatus>,
     reader: Option<JoinHandle<()>>,
-    /// The reader is to stop at what comes next.
+    /// The reader is to stop at the next output.
     let_go: Arc<AtomicBool>,
     output: Receiver<Vec<u8>>,
     screen: Parser,
-    /// All that the program has written.
+    /// The whole output of the program.
     pub raw: Vec<u8>,
     /// The terminal's settings before the program.
     settings: String,
@@ -68,7 +68,7 @@ impl Program {
         Self::launch(home.beamtune(arguments), size)
     }
 
-    /// The designer with other variables; an empty one is not set.
+    /// The designer with other variables; an empty one is unset.
     pub fn with(home: &Home, arguments: &[&str], variables: &[(&str, &str)]) -> Self {
         let mut command = home.beamtune(arguments);
         for (name, value) in variables {
@@ -87,10 +87,10 @@ impl Program {
         Self::launch(command, SMALL)
     }
 
-    /// A shell with a prompt, as people have it.
+    /// An ordinary shell with a prompt.
     pub fn shell(home: &Home) -> Self {
         let mut command = home.program(Path::new("/bin/bash"));
-        // Without editing, which has modes of the terminal of its own.
+        // Without line editing, which sets terminal modes of its own.
         command.args(["--norc", "--noprofile", "--noediting", "-i"]);
         command.env("PS1", "prompt> ");
         Self::launch(command, SMALL)
@@ -143,7 +143,7 @@ impl Program {
         self.send(keys.as_bytes());
     }
 
-    /// Sends one byte after another with this pause behind each; without one, all in one piece.
+    /// Sends one byte after another with this pause after each; without a pause, all in one piece.
     pub fn press_slowly(&mut self, bytes: &[u8], pause: Duration) {
         if pause.is_zero() {
             return self.send(bytes);
@@ -169,11 +169,11 @@ impl Program {
     }
 
     pub fn send(&mut self, bytes: &[u8]) {
-        // A program that has ended is noticed by what waits for it.
+        // The functions that wait notice if the program has ended.
         let _ = self.keys.as_ref().unwrap().send(bytes.to_vec());
     }
 
-    /// Gives the terminal another size.
+    /// Resizes the terminal.
     pub fn resize(&mut self, (columns, rows): (u16, u16)) {
         let size = PtySize {
             rows,
@@ -200,22 +200,22 @@ impl Program {
         self.screen().contents()
     }
 
-    /// Its text as one sees it: a blank that was written is none other than one that was not.
+    /// Its text as seen: written blanks and empty cells are the same.
     pub fn picture(&self) -> Vec<String> {
         picture(&self.text())
     }
 
-    /// The settings of the terminal now, in the words of `stty -g`.
+    /// The settings of the terminal now, as printed by `stty -g`.
     pub fn settings(&self) -> String {
         settings(self.master.as_ref().unwrap().tty_name().as_deref())
     }
 
-    /// Whether nobody has changed the terminal's settings.
+    /// Whether the terminal's settings are unchanged.
     pub fn is_plain(&self) -> bool {
         self.settings() == self.settings
     }
 
-    /// Reads until the screen is as wanted.
+    /// Reads until the screen meets a condition.
     pub fn wait(&mut self, what: &str, mut wanted: impl FnMut(&str) -> bool) {
         let end = Instant::now() + PATIENCE;
         while !wanted(&self.text()) {
@@ -227,7 +227,7 @@ impl Program {
         self.wait(text, |screen| screen.contains(text));
     }
 
-    /// Reads what is written next.
+    /// Reads the next output.
     fn read_on(&mut self, what: &str, end: Instant) {
         let left = end.saturating_duration_since(Instant::now());
         match self.output.recv_timeout(left) {
@@ -239,7 +239,7 @@ impl Program {
         }
     }
 
-    /// Reads what is written in this time.
+    /// Reads the output of this time.
     fn read_for(&mut self, time: Duration) {
         let end = Instant::now() + time;
         let left = || end.saturating_duration_since(Instant::now());
@@ -253,27 +253,26 @@ impl Program {
         self.raw.extend(bytes);
     }
 
-    /// Waits until all that was pressed has been done and shown: asks for a new painting and reads to its end. What
-    /// it wrote for that.
+    /// Waits until all pressed keys are handled and shown: requests a repaint and reads to its end. Returns the output.
     pub fn settle(&mut self) -> Vec<u8> {
         let from = self.pending();
         self.press("\u{c}");
         self.read_past(from, &[CLEAR, SHOWN], "a new painting")
     }
 
-    /// Waits for a picture of what was done last.
+    /// Waits for a picture of the last action.
     pub fn painted(&mut self) {
         let from = self.raw.len();
         self.read_past(from, &[SHOWN], "a picture");
     }
 
-    /// Waits for a painting of the whole screen that was not asked for.
-    pub fn painted_anew(&mut self) {
+    /// Waits for an unrequested full repaint.
+    pub fn repainted(&mut self) {
         let from = self.raw.len();
         self.read_past(from, &[CLEAR, SHOWN], "a new painting");
     }
 
-    /// Takes what is on its way already; how much has been written up to now.
+    /// Reads the pending output; returns the number of bytes written up to now.
     pub fn pending(&mut self) -> usize {
         while let Ok(bytes) = self.output.try_recv() {
             self.take(&bytes);
@@ -281,7 +280,8 @@ impl Program {
         self.raw.len()
     }
 
-    /// Reads until some pieces have come in their order; all from where it looked to the last one's end.
+    /// Reads until some pieces have arrived in order; returns the output from the start of the search to the end of the
+    /// last piece.
     fn read_past(&mut self, from: usize, pieces: &[&[u8]], what: &str) -> Vec<u8> {
         let end = Instant::now() + PATIENCE;
         loop {
@@ -296,7 +296,7 @@ impl Program {
         }
     }
 
-    /// Asks for new paintings until something outside of the terminal has come about.
+    /// Requests repaints until a condition outside of the terminal is met.
     pub fn until(&mut self, what: &str, mut come: impl FnMut() -> bool) {
         let end = Instant::now() + PATIENCE;
         while !come() {
@@ -309,7 +309,7 @@ impl Program {
         }
     }
 
-    /// Takes the terminal away, as a line that drops does. The program's end is left to wait for.
+    /// Closes the terminal, like a dropped connection. The caller waits for the program's end.
     pub fn hang_up(mut self) -> Orphan {
         self.let_go.store(true, Ordering::SeqCst);
         // The reader holds the terminal until it has read something.
@@ -325,7 +325,7 @@ impl Program {
         }
     }
 
-    /// Waits for the program's end; its exit code. The terminal must be given back as it was found.
+    /// Waits for the program's end; returns its exit code. The terminal's settings must be restored.
     pub fn end(mut self) -> u32 {
         let code = self.exit();
         let screen = self.screen();
@@ -342,14 +342,14 @@ impl Program {
         code
     }
 
-    /// [`Program::end`], with all that the terminal shows then.
+    /// [`Program::end`], which also returns the final screen.
     pub fn last_words(mut self) -> (u32, String) {
         self.read_out();
         let text = self.text();
         (self.end(), text)
     }
 
-    /// Waits for the end, however it leaves the terminal; the exit code.
+    /// Waits for the end, whatever the state of the terminal; returns the exit code.
     pub fn exit(&mut self) -> u32 {
         self.read_out();
         let status = self.ended.recv_timeout(PATIENCE).unwrap();
@@ -357,7 +357,7 @@ impl Program {
         status.exit_code()
     }
 
-    /// Reads all that is written until nobody is left to write.
+    /// Reads until all writers are closed.
     fn read_out(&mut self) {
         loop {
             match self.output.recv_timeout(PATIENCE) {
@@ -369,7 +369,7 @@ impl Program {
     }
 }
 
-/// A test that fails leaves no program behind.
+/// A failed test leaves no program running.
 impl Drop for Program {
     fn drop(&mut self) {
         if std::thread::panicking() && self.id != 0 {
@@ -381,21 +381,21 @@ impl Drop for Program {
     }
 }
 
-/// A program whose terminal has gone.
+/// A program whose terminal is closed.
 pub struct Orphan {
     since: Instant,
     ended: Receiver<ExitStatus>,
 }
 
 impl Orphan {
-    /// Waits for its end; the exit code and how long that took.
+    /// Waits for its end; returns the exit code and the time that it took.
     pub fn end(self) -> (u32, Duration) {
         let status = self.ended.recv_timeout(PATIENCE).unwrap();
         (status.exit_code(), self.since.elapsed())
     }
 }
 
-/// The harness itself sees what a program leaves behind.
+/// Tests of the harness itself: it sees what a program leaves behind.
 #[test]
 fn a_terminal_that_is_not_given_back_is_noticed() {
     let home = Home::new();

@@ -1,4 +1,4 @@
-//! A home of its own for every program.
+//! A separate home folder for every program.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ use tempfile::TempDir;
 /// The program.
 pub const BEAMTUNE: &str = env!("CARGO_BIN_EXE_beamtune");
 
-/// Somebody's folders: for configuration, for state, and one to work in.
+/// A user's folders: for configuration, for state, and to work in.
 pub struct Home(TempDir);
 
 impl Home {
@@ -29,14 +29,14 @@ impl Home {
         self.work().join(name)
     }
 
-    /// The user's configuration file is to hold this.
+    /// Writes the user's configuration file.
     pub fn configure(&self, text: &str) {
         let folder = self.0.path().join("config/beamtune");
         fs::create_dir_all(&folder).unwrap();
         fs::write(folder.join("config.toml"), text).unwrap();
     }
 
-    /// A file or folder of the program's own, in the user's folder for state.
+    /// A file or folder of the program in the user's state folder.
     pub fn state(&self, name: &str) -> PathBuf {
         self.0.path().join("state/beamtune").join(name)
     }
@@ -52,19 +52,19 @@ impl Home {
         files.map(|name| folder.join(name)).collect()
     }
 
-    /// Puts a preset into that folder; its text.
+    /// Writes a preset into that folder; returns its text.
     pub fn preset(&self, preset: &str, name: &str) -> &'static str {
         let text = beamtune::presets::find(preset).unwrap().text;
         fs::write(self.file(name), text).unwrap();
         text
     }
 
-    /// The names of all that is in that folder.
+    /// The names of all entries of that folder.
     pub fn names(&self) -> Vec<String> {
         names(&self.work())
     }
 
-    /// Runs `beamtune` with these arguments, with nothing of the tests' own surroundings.
+    /// Runs `beamtune` with these arguments, without the environment of the tests.
     pub fn beamtune(&self, arguments: &[&str]) -> CommandBuilder {
         let mut command = self.program(Path::new(BEAMTUNE));
         command.args(arguments);
@@ -82,7 +82,7 @@ impl Home {
         command
     }
 
-    /// Every variable that a program sees here.
+    /// Every environment variable of a program.
     pub fn environment(&self) -> Vec<(&'static str, String)> {
         let folder = |name: &str| self.0.path().join(name).display().to_string();
         let own = |name| std::env::var(name).unwrap_or_default();
@@ -98,7 +98,7 @@ impl Home {
     }
 }
 
-/// The names in a folder, in order; none where there is no such folder.
+/// The names in a folder, in order; none if the folder does not exist.
 pub fn names(folder: &Path) -> Vec<String> {
     let Ok(entries) = fs::read_dir(folder) else {
         return Vec::new();

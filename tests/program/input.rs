@@ -1,4 +1,4 @@
-//! More input than anybody types: sizes and pastes without end.
+//! Extreme input: many sizes and very long pastes.
 
 use super::dice::Dice;
 use super::harness::{ESCAPE, Home, Program, SMALL, picture};
@@ -6,7 +6,7 @@ use super::harness::{ESCAPE, Home, Program, SMALL, picture};
 /// A megabyte.
 const LARGE_PASTE: usize = 1_000_000;
 
-/// The row that is selected: the first line of the tree with reversed letters.
+/// The selected row: the first line of the tree with reversed letters.
 fn selected(program: &Program) -> String {
     let screen = program.screen();
     let (rows, columns) = screen.size();
@@ -23,7 +23,7 @@ fn selected(program: &Program) -> String {
         .unwrap_or_default()
 }
 
-/// Five hundred sizes in a row from 1x1 to 300x100: each is drawn, and what was selected still is.
+/// Five hundred sizes in a row from 1x1 to 300x100: each is drawn, and the selection stays.
 #[test]
 fn five_hundred_sizes_in_a_row_keep_the_selection() {
     let home = Home::new();
@@ -40,7 +40,7 @@ fn five_hundred_sizes_in_a_row_keep_the_selection() {
     let picture = program.picture();
     let mut dice = Dice(5);
     for turn in 0..500_u16 {
-        // Often the extremes; never the same size twice, which would be no change.
+        // Often the extremes; never the same size twice, which would not be a change.
         let size = match turn % 10 {
             0 => (1, 1),
             1 => (300, 100),
@@ -49,7 +49,7 @@ fn five_hundred_sizes_in_a_row_keep_the_selection() {
             _ => (2 + dice.roll(297) as u16, 2 + dice.roll(97) as u16),
         };
         program.resize(size);
-        // Some are overtaken by the next, as when a window is pulled by its corner.
+        // Some are superseded by the next, as when a window is resized by its corner.
         if turn % 4 < 2 {
             program.painted();
         }
@@ -63,7 +63,7 @@ fn five_hundred_sizes_in_a_row_keep_the_selection() {
     assert_eq!(program.end(), 0);
 }
 
-/// A megabyte in one piece where nothing is typed: it is no commands, and changes nothing.
+/// A megabyte in one piece without a prompt: it does not act as commands, and changes nothing.
 #[test]
 fn a_large_paste_outside_of_a_box_does_nothing() {
     let home = Home::new();
@@ -71,7 +71,7 @@ fn a_large_paste_outside_of_a_box_does_nothing() {
     program.wait_for("modes,");
     program.settle();
     let before = program.picture();
-    // As keys these would add, delete and quit.
+    // As keys, these would add, delete and quit.
     let text = "aDx+q\n".repeat(LARGE_PASTE / 6);
     program.press(&format!("\u{1b}[200~{text}\u{1b}[201~"));
     program.settle();
@@ -80,7 +80,7 @@ fn a_large_paste_outside_of_a_box_does_nothing() {
     assert_eq!(program.end(), 0);
 }
 
-/// A megabyte in one piece where a value is typed: it is refused as any other nonsense, and the box goes.
+/// A megabyte in one piece into a prompt: it is refused as invalid, and the dialog can be closed.
 #[test]
 fn a_large_paste_into_a_box_is_taken_or_refused_at_once() {
     let home = Home::new();
@@ -103,7 +103,7 @@ fn a_large_paste_into_a_box_is_taken_or_refused_at_once() {
     assert_eq!(program.end(), 0);
 }
 
-/// A megabyte from a terminal that knows no bracketed paste: it is keys, here of the box that is open.
+/// A megabyte from a terminal without bracketed paste: it arrives as keys, here into the open dialog.
 #[test]
 fn a_large_paste_as_keys_is_taken_too() {
     let home = Home::new();
@@ -114,7 +114,7 @@ fn a_large_paste_as_keys_is_taken_too() {
     program.settle();
     program.press(ESCAPE);
     program.settle();
-    // And of none: up and down the tree.
+    // And without a dialog: up and down the tree.
     program.send(&b"jk".repeat(LARGE_PASTE / 2));
     program.settle();
     assert!(!program.text().contains("changed"), "{}", program.text());

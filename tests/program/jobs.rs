@@ -1,8 +1,8 @@
-//! Stopped and gone on with, as shells do it.
+//! Job control: stopped and continued, as by shells.
 
 use super::harness::{Home, Program, picture};
 
-/// A program that another one stops and lets go on paints its screen again, without a key.
+/// A program that another one stops and continues repaints its screen, without a key.
 #[test]
 fn a_stopped_program_paints_again_when_it_goes_on() {
     let home = Home::new();
@@ -11,13 +11,13 @@ fn a_stopped_program_paints_again_when_it_goes_on() {
     program.settle();
     program.signal("STOP");
     program.signal("CONT");
-    program.painted_anew();
+    program.repainted();
     assert!(!program.is_plain(), "the terminal is not raw");
     program.press("q");
     assert_eq!(program.end(), 0);
 }
 
-/// Ctrl-Z gives the shell back, with a terminal as it was; `fg` brings the designer again, with all it showed.
+/// Ctrl-Z returns to the shell, with the terminal restored; `fg` brings back the designer with its whole screen.
 #[test]
 fn a_shell_suspends_and_resumes_it() {
     let home = Home::new();
@@ -41,7 +41,7 @@ fn a_shell_suspends_and_resumes_it() {
         shell.wait("the designer", |screen| picture(screen) == before);
         assert!(shell.screen().alternate_screen() && shell.screen().hide_cursor());
     }
-    // Raw again: keys are not echoed and do what they did.
+    // Raw mode again: keys are not echoed and work as before.
     shell.press("?");
     shell.wait_for("Keys");
     shell.press("qq");

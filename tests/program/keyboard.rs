@@ -1,4 +1,4 @@
-//! What a keyboard sends by halves: sequences that stay unfinished, are typed key by key, or come in pieces.
+//! Incomplete key sequences: unfinished ones, sequences typed key by key, and sequences in pieces.
 
 use std::time::Duration;
 
@@ -17,14 +17,14 @@ const UNFINISHED: [&[u8]; 9] = [
     b"\xe2\x82",
 ];
 
-/// The designer on a model that differs from its file, so that it asks before it ends.
+/// The designer on a model that differs from its file, so that it asks before it quits.
 fn changed(home: &Home) -> Program {
     let mut program = Program::start(home, &["fig08", "--set", "subsystems.S1.mass=200"]);
     program.wait_for("modes,");
     program
 }
 
-/// Closes the question whether to end.
+/// Closes the confirmation.
 fn stay(program: &mut Program) {
     program.press(ESCAPE);
     program.wait("the question to go", |screen| !screen.contains("discard"));
@@ -37,7 +37,7 @@ fn leave(mut program: Program) {
     assert_eq!(program.end(), 0);
 }
 
-/// Ctrl-C answers inside of each, in the same read and in the next one.
+/// Ctrl-C works inside of each, in the same read and in the next one.
 #[test]
 fn control_c_answers_inside_of_an_unfinished_sequence() {
     let home = Home::new();
@@ -67,7 +67,7 @@ fn keys_answer_after_an_unfinished_sequence() {
     leave(program);
 }
 
-/// Esc, `[` and `<` take the selected number 10 % down, whether a person types them or tmux sends them together.
+/// Esc, `[` and `<` lower the selected number by 10 %, whether a person types them or tmux sends them together.
 #[test]
 fn keys_that_could_begin_a_sequence_do_what_they_do() {
     let home = Home::new();
@@ -87,13 +87,13 @@ fn keys_that_could_begin_a_sequence_do_what_they_do() {
     assert_eq!(program.end(), 0);
 }
 
-/// A function key that a slow line brings byte by byte is that key.
+/// A function key that arrives byte by byte over a slow connection is that key.
 #[test]
 fn a_key_that_comes_in_pieces_is_one() {
     let home = Home::new();
     let mut program = Program::start(&home, &["fig08"]);
     program.wait_for("modes,");
-    // A busy machine may make a longer pause of one, but not of all.
+    // A busy machine may lengthen one pause, but not all of them.
     let helps = |_| {
         program.press_slowly(b"\x1bOP", Duration::from_millis(10));
         program.settle();

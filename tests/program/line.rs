@@ -1,15 +1,15 @@
-//! The line that drops: the terminal is gone, and nobody is left to ask.
+//! A dropped connection: the terminal is closed, and the program cannot ask.
 
 use std::fs;
 use std::time::Duration;
 
 use super::harness::{Home, Program};
 
-/// It shall be a second; here it may be a busy machine.
+/// The goal is one second; here the machine may be busy.
 const SOON: Duration = Duration::from_secs(10);
 
-/// A processor that spins until the program ends uses up a second of its time. Ends within it, and this bound, are
-/// those of a program that does not.
+/// A program that spins until it ends uses a full second of processor time. An end below this bound shows that it does
+/// not spin.
 const LITTLE: f64 = 1.0;
 
 #[test]
@@ -33,7 +33,7 @@ fn a_line_that_drops_ends_it_also_where_hang_ups_are_ignored() {
     assert!(after < SOON, "ended only after {after:?}");
 }
 
-/// No signal comes at all, since another process leads the session; then only the terminal itself tells.
+/// No signal arrives, because another process leads the session; only the terminal itself shows the loss.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_line_that_drops_unheard_ends_it_without_spinning() {
@@ -55,10 +55,11 @@ fn a_line_that_drops_unheard_ends_it_without_spinning() {
     );
 }
 
-/// Seconds of a processor that a process has used so far.
+/// Seconds of processor time that a process has used.
 fn used(id: &str) -> f64 {
     let stat = fs::read_to_string(format!("/proc/{id}/stat")).unwrap();
-    // The name, which may hold anything, stands in parentheses; then the state is field 3, the times 14 and 15.
+    // The name, which may contain anything, is in parentheses; after it, the state is field 3, the times are fields 14
+    // and 15.
     let (_, fields) = stat.rsplit_once(')').unwrap();
     let times = fields.split_whitespace().skip(14 - 3).take(2);
     // Ticks of a hundredth of a second.
@@ -67,7 +68,7 @@ fn used(id: &str) -> f64 {
         .sum()
 }
 
-/// Seconds of a processor that the children of a shell have used, from the second line of its `times`.
+/// Seconds of processor time that the children of a shell have used, from the second line of its `times`.
 fn all_used(times: &str) -> f64 {
     let of_children = times.lines().nth(1).unwrap().split_whitespace();
     let seconds = |time: &str| {
@@ -77,7 +78,7 @@ fn all_used(times: &str) -> f64 {
     of_children.map(seconds).sum()
 }
 
-/// The reading of the shell's own clock, of which the bound above is made.
+/// The resolution of the shell's clock, from which the bound above is derived.
 #[test]
 fn times_of_a_shell_are_read() {
     assert!((all_used("0m0.00s 0m0.00s\n0m1.25s 1m0.50s\n") - 61.75).abs() < 1e-9);

@@ -1,4 +1,4 @@
-//! Colours, characters and keys as asked for.
+//! Colours, characters and keys as configured.
 
 use vt100::Color;
 
@@ -17,7 +17,7 @@ fn leave(mut program: Program) {
     assert_eq!(program.end(), 0);
 }
 
-/// Every colour on the screen, of letters and behind them.
+/// Every colour on the screen, of text and background.
 fn colours(program: &Program) -> Vec<Color> {
     let screen = program.screen();
     let (rows, columns) = screen.size();
@@ -29,7 +29,7 @@ fn colours(program: &Program) -> Vec<Color> {
         .collect()
 }
 
-/// Whether some cell stands out without a colour.
+/// Whether some cell is emphasised without a colour.
 fn is_marked(program: &Program) -> bool {
     let screen = program.screen();
     let (rows, columns) = screen.size();
@@ -54,7 +54,7 @@ fn without_colours_the_selection_still_shows() {
     }
 }
 
-/// The sixteen colours of the terminal are what everybody has, also where it claims more and nobody knows its ground.
+/// The default is the terminal's sixteen colours, also if it claims more, because its background is unknown.
 #[test]
 fn colours_are_as_many_as_asked_for() {
     let sixteen = |colour: &Color| matches!(colour, Color::Idx(0..16));
@@ -82,14 +82,14 @@ fn colours_are_as_many_as_asked_for() {
     assert!(free);
     let [_, _, free] = kinds(&["fig08", "--theme", "light"], &truecolor);
     assert!(free);
-    // Asked for on the command line counts more than the variable.
+    // The command line takes precedence over the variable.
     assert_eq!(
         kinds(&["fig08", "--color", "always"], &[("NO_COLOR", "1")]),
         [true, false, false]
     );
 }
 
-/// Where the terminal may not know more, not a byte beyond ASCII is sent.
+/// If the terminal may not support more, no byte beyond ASCII is sent.
 #[test]
 fn a_plain_terminal_gets_plain_characters() {
     for (arguments, variables) in [

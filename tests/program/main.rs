@@ -1,4 +1,4 @@
-//! The real binary in a pseudo-terminal, as an engineer uses it, and under every fault it shall survive.
+//! The real binary in a pseudo-terminal, as an engineer uses it, and under every fault that it must survive.
 
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, clippy::expect_used)]

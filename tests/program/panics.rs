@@ -1,4 +1,5 @@
-//! Injected faults: with `BEAMTUNE_FAULT` in its environment, a debug build panics at that place once the model's title is `panic now`.
+//! Injected faults: with `BEAMTUNE_FAULT` in its environment, a debug build panics at that place once the model's title
+//! is `panic now`.
 
 #![cfg(debug_assertions)]
 
@@ -6,10 +7,10 @@ use std::fs;
 
 use super::harness::{Home, Program};
 
-/// Gives the model a title, by the first row of the tree.
+/// Sets the model's title, by the first row of the tree.
 fn retitle(program: &mut Program, title: &str) {
     program.press("g\r");
-    program.wait_for("take it");
+    program.wait_for("accept");
     program.press(&format!("\u{15}{title}\r"));
 }
 
@@ -21,11 +22,11 @@ fn a_fault_of_the_worker_is_reported_and_the_designer_continues() {
     program.wait_for("modes,");
     retitle(&mut program, "panic now");
     program.wait_for("not solved: ");
-    // The screen is whole: nothing was written over it.
+    // The screen is intact: nothing was written over it.
     let mut before = program.picture();
     program.settle();
     let mut after = program.picture();
-    // The last line spoke of the edit, until the next key.
+    // The last line showed the edit, until the next key.
     before.pop();
     after.pop();
     assert_eq!(after, before);
@@ -41,8 +42,8 @@ fn a_fault_of_the_worker_is_reported_and_the_designer_continues() {
     assert!(log.contains("injected fault: worker"), "{log}");
 }
 
-/// A panic while drawing ends the program: the terminal is given back, a line says why, and what was not saved is
-/// kept.
+/// A panic while drawing ends the program: the terminal is restored, a line gives the reason, and unsaved changes are
+/// in the recovery file.
 #[test]
 fn a_fault_in_drawing_gives_the_terminal_back_and_loses_nothing() {
     let home = Home::new();
@@ -51,7 +52,7 @@ fn a_fault_in_drawing_gives_the_terminal_back_and_loses_nothing() {
     retitle(&mut program, "panic now");
     let (code, said) = program.last_words();
     assert_eq!(code, 101);
-    // Lines longer than the terminal go on in the next row.
+    // Lines longer than the terminal continue in the next row.
     let said = said.replace('\n', "");
     assert_eq!(said.matches("injected fault: drawing").count(), 1, "{said}");
     assert_eq!(said.matches("unsaved changes are in").count(), 1, "{said}");

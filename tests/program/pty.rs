@@ -1,4 +1,4 @@
-//! What a harness needs of terminals and processes.
+//! Parts of the harness for terminals and processes.
 
 use std::fs;
 use std::io::Write;
@@ -10,7 +10,7 @@ use std::thread::JoinHandle;
 
 use vt100::Parser;
 
-/// The lines of a screen as one sees them.
+/// The lines of a screen as seen.
 pub fn picture(screen: &str) -> Vec<String> {
     let lines = screen.lines();
     lines.map(|line| line.trim_end().to_owned()).collect()
@@ -24,12 +24,12 @@ pub fn signal(id: u32, name: &str) {
     assert!(sent.unwrap().success(), "SIG{name} is not sent");
 }
 
-/// Whoever types, on a thread of their own: a program that does not read shall hold up nobody else.
+/// The input, on its own thread: a program that does not read must not block the test.
 pub fn typist(mut terminal: Box<dyn Write + Send>) -> (Sender<Vec<u8>>, JoinHandle<()>) {
     let (keys, typed) = channel::<Vec<u8>>();
     let writer = std::thread::spawn(move || {
         for bytes in typed {
-            // A terminal that is gone takes no more; what waits for an answer then says so.
+            // A closed terminal accepts no input; the function that waits for an answer then reports it.
             if terminal
                 .write_all(&bytes)
                 .and_then(|()| terminal.flush())
@@ -50,7 +50,7 @@ pub fn parser(columns: u16, rows: u16) -> Parser {
     Parser::new(rows, columns, 0)
 }
 
-/// The settings of a terminal, in the words of `stty -g`.
+/// The settings of a terminal, as printed by `stty -g`.
 pub fn settings(terminal: Option<&Path>) -> String {
     let terminal = fs::File::open(terminal.unwrap()).unwrap();
     let output = Command::new("stty")
@@ -62,7 +62,7 @@ pub fn settings(terminal: Option<&Path>) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
-/// Where a piece begins.
+/// The position at which a piece begins.
 pub fn find(bytes: &[u8], piece: &[u8]) -> Option<usize> {
     bytes
         .windows(piece.len())

@@ -1,5 +1,5 @@
-//! Ten thousand keys at random, twenty times over, by the real terminal: no panic, a possible model at any time, and
-//! a way back to the file as it was opened, to the last byte.
+//! Ten thousand random keys, twenty times, through the real terminal: no panic, a valid model at any time, and undo
+//! leads back to the opened file, to the last byte.
 
 use std::fs;
 
@@ -8,14 +8,14 @@ use beamtune::{guide, model};
 use super::dice::Dice;
 use super::harness::{ESCAPE, Home, Program};
 
-/// As many at once as a reader of the terminal may find waiting; then it is looked whether all is well.
+/// As many at once as may wait for a reader of the terminal; then the state is checked.
 const BURST: usize = 1_000;
 
-/// Bursts of one seed.
+/// Bursts per seed.
 const BURSTS: usize = 10;
 
-/// Leaving, other files, and what stops the program are out of reach; so is saving over the file. F9 to F11 are not
-/// among what is pressed at random.
+/// Quitting, other files, and suspending are excluded; so is saving over the file. F9 to F11 are not among the random
+/// keys.
 const CONFIGURATION: &str = "
 [keys.model]
 quit = []
@@ -31,7 +31,7 @@ end = [\"F10\"]
 save = [\"F11\"]
 ";
 
-/// What is typed into boxes, and where none is open does what its letters do.
+/// Texts typed into dialogs; without a dialog, their letters act as commands.
 const TYPED: [&str; 12] = [
     "4e7",
     "*1.1",
@@ -47,7 +47,7 @@ const TYPED: [&str; 12] = [
     "\u{b5}\u{df}\u{4e2d}",
 ];
 
-/// Sequences of no key, broken ones, and what terminals say of themselves.
+/// Sequences that are not keys, broken ones, and reports of terminals.
 const STRANGE: [&str; 8] = [
     "\u{1b}[I",
     "\u{1b}[O",
@@ -59,7 +59,7 @@ const STRANGE: [&str; 8] = [
     "\u{1b}[1;5C",
 ];
 
-/// What a terminal sends for a key of this name.
+/// The bytes that a terminal sends for a key of this name.
 fn bytes(key: &str) -> String {
     let number = match key {
         "Enter" => return "\r".to_owned(),
@@ -91,7 +91,7 @@ fn bytes(key: &str) -> String {
     format!("\u{1b}[{number}")
 }
 
-/// Every key of the guide's key table but those of some commands, as a terminal sends it.
+/// Every key of the guide's key table except those of some commands, as a terminal sends it.
 fn keys_without(left_out: &[&str]) -> Vec<String> {
     let chapter = guide::find("keys").unwrap();
     let rows = chapter.markdown.lines().filter_map(|line| {
@@ -104,18 +104,18 @@ fn keys_without(left_out: &[&str]) -> Vec<String> {
             .any(|out| name.contains(&format!("`{out}`")))
     });
     let names = rows.flat_map(|(keys, _)| keys.split(['`', ' ']).filter(|name| !name.is_empty()));
-    // A bar is written as \| in a table, and a backtick cannot be told from the marks of code.
+    // A bar is written as \| in a table, and a backtick is indistinguishable from the marks of code.
     let keys = names.map(|name| bytes(if name == "\\|" { "|" } else { name }));
     keys.chain(["`".to_owned()]).collect()
 }
 
-/// Some key, or what else comes from a keyboard and a mouse.
+/// A key, or another input from a keyboard and a mouse.
 fn roll(dice: &mut Dice, keys: &[String]) -> String {
     match dice.roll(40) {
         0..3 => format!("\u{15}{}\r", dice.pick(&TYPED)),
         3..6 => dice.roll(30).to_string(),
         6..10 => {
-            // Buttons, dragging, letting go, the wheel; also outside of the screen.
+            // Press, drag, release, the wheel; also outside of the screen.
             let button = [0, 0, 1, 2, 32, 64, 65][dice.roll(7)];
             let end = ["M", "M", "m"][dice.roll(3)];
             format!(
@@ -146,7 +146,7 @@ fn play(seed: u64, keys: &[String]) {
         let burst: String = (0..BURST).map(|_| roll(&mut dice, keys)).collect();
         program.press(&burst);
         program.settle();
-        // What is kept is the model as it stood a moment ago.
+        // The recovery file contains the model of a moment ago.
         for kept in home.recovery() {
             let kept = fs::read_to_string(kept).unwrap_or_else(|_| text.to_owned());
             assert_eq!(model::read(&kept).err(), None, "seed {seed}");
@@ -177,7 +177,7 @@ fn play(seed: u64, keys: &[String]) {
     assert!(report.is_err(), "seed {seed} left a report: {report:?}");
 }
 
-/// Four lots of five seeds, side by side.
+/// Four batches of five seeds, side by side.
 fn play_lot(lot: u64) {
     let keys = keys_without(&[
         "suspend", "end", "quit", "save", "save-as", "open", "presets", "palette",

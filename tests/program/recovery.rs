@@ -1,11 +1,11 @@
-//! What is not saved survives the program, however it ends.
+//! Unsaved changes survive the program, however it ends.
 
 use std::fs;
 use std::path::Path;
 
 use super::harness::{Home, Program};
 
-/// The ends of a program, and its exit codes then.
+/// The ways in which a program ends, with their exit codes.
 const ENDS: [(&str, u32); 6] = [
     ("TERM", 143),
     ("INT", 130),
@@ -25,7 +25,7 @@ fn length(path: &Path) -> f64 {
         .length
 }
 
-/// A designer in which the beam was made a tenth longer, which is not saved.
+/// A designer with an unsaved edit: the beam is a tenth longer.
 fn edited(home: &Home) -> Program {
     let mut program = Program::start(home, &["beam.toml"]);
     program.wait_for("solved");
@@ -38,7 +38,7 @@ fn edited(home: &Home) -> Program {
     program
 }
 
-/// The next start offers the edits; they are taken, undone, redone and saved, and nothing is left to offer.
+/// The next start offers the edits; they are recovered, undone, redone and saved, and nothing is left to offer.
 fn recovers(home: &Home, text: &str) {
     let mut program = Program::start(home, &["beam.toml"]);
     program.wait("the offer", |screen| {
@@ -88,7 +88,7 @@ fn edits_survive_signals() {
     }
 }
 
-/// A killed program can do nothing any more: what is kept was kept before.
+/// A killed program cannot act: the changes were stored before.
 #[test]
 fn edits_survive_being_killed() {
     let home = Home::new();
@@ -103,7 +103,7 @@ fn edits_survive_being_killed() {
     recovers(&home, text);
 }
 
-/// The line drops: nothing can be said, but what was edited is there.
+/// The connection drops: nothing can be shown, but the edits are stored.
 #[test]
 fn edits_survive_a_line_that_drops() {
     let home = Home::new();
@@ -113,7 +113,7 @@ fn edits_survive_a_line_that_drops() {
     recovers(&home, text);
 }
 
-/// What nobody wants now is offered again; what nobody wants ever is not.
+/// Changes that the user postpones are offered again; discarded ones are not.
 #[test]
 fn an_offer_can_wait_or_be_discarded() {
     let home = Home::new();
@@ -144,7 +144,7 @@ fn an_offer_can_wait_or_be_discarded() {
     assert_eq!(program.end(), 0);
 }
 
-/// Changes of a program that runs are its own.
+/// Changes of a running program are not offered to another.
 #[test]
 fn what_a_running_program_holds_is_not_offered() {
     let home = Home::new();
@@ -167,7 +167,7 @@ fn what_a_running_program_holds_is_not_offered() {
     assert_eq!(program.end(), 0);
 }
 
-/// Quitting on purpose leaves nothing behind.
+/// A normal exit leaves no recovery file.
 #[test]
 fn what_is_discarded_on_purpose_is_not_kept() {
     let home = Home::new();
@@ -181,7 +181,7 @@ fn what_is_discarded_on_purpose_is_not_kept() {
     assert!(home.recovery().is_empty());
 }
 
-/// A file that is opened has its own changes offered, and none of another file.
+/// Opening a file offers its own changes, and none of another file.
 #[test]
 fn the_changes_of_another_file_are_not_offered() {
     let home = Home::new();

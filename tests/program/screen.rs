@@ -1,10 +1,9 @@
-//! The screen as it is found and left, also where there is no alternate one (GNU screen, mosh, `alternate-screen off`
-//! of tmux).
+//! The screen before and after, also without an alternate screen (GNU screen, mosh, `alternate-screen off` of tmux).
 
 use super::harness::{Home, Program, SMALL};
 use super::pty::parser;
 
-/// What a terminal without an alternate screen shows of all that was written up to now.
+/// The screen that a terminal without an alternate screen shows after all output so far.
 fn plain(program: &Program) -> String {
     let written = String::from_utf8_lossy(&program.raw);
     let written = written
@@ -37,10 +36,10 @@ fn old_text_never_shines_through() {
     shows(&mut shell);
     shell.press("\u{1a}");
     shell.wait_for("Stopped");
-    // The shell goes on below the picture.
+    // The shell continues below the picture.
     let found = plain(&shell);
     let (picture, below) = found.split_at(found.find("Stopped").unwrap());
-    // Its first rows go up for what the shell writes.
+    // The first rows scroll up for the shell's output.
     assert!(picture.contains("Responses"), "{found}");
     assert!(!below.contains("Responses"), "{found}");
     fill(&mut shell, 2);

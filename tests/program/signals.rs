@@ -2,7 +2,8 @@
 
 use super::harness::{Home, Program};
 
-/// Signals and their numbers: on any system, and others that Linux knows (signal(7)); 64 is the last of real time.
+/// Signals and their numbers: on any system, and others that Linux defines (signal(7)); 64 is the last real-time
+/// signal.
 const ENDING: [(&str, u32); 9] = [
     ("TERM", 15),
     ("INT", 2),
@@ -33,20 +34,20 @@ fn end_by(signals: &[(&str, u32)]) {
     }
 }
 
-/// The terminal is given back after a signal, and the exit code says which.
+/// The terminal is restored after a signal, and the exit code names it.
 #[test]
 fn signals_give_the_terminal_back() {
     end_by(&ENDING);
 }
 
-/// The same of signals of the system itself.
+/// The same with signals of the system itself.
 #[cfg(target_os = "linux")]
 #[test]
 fn signals_of_the_system_give_the_terminal_back() {
     end_by(&LIMITS);
 }
 
-/// A signal that the parent process has set to be ignored is none.
+/// A signal that the parent process ignores is ignored.
 #[cfg(target_os = "linux")]
 #[test]
 fn ignored_signals_stay_ignored() {

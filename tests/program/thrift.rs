@@ -1,15 +1,15 @@
-//! Few bytes: a slow line is not filled with what is on the screen already.
+//! Few bytes: unchanged cells are not sent again over a slow connection.
 
 use beamtune::model::Unit;
 
 use super::harness::{Home, LARGE, Program};
 
-/// Whether everything is solved and nothing more will come.
+/// Whether everything is solved and no more output is pending.
 fn complete(screen: &str) -> bool {
-    screen.contains("modes, solved") && !screen.contains("in work")
+    screen.contains("modes, solved") && !screen.contains("computing")
 }
 
-/// Nudges, of which the ones that nothing held up count.
+/// Nudges without delay, which are counted.
 const NUDGES: usize = 20;
 
 /// A nudge redraws what changes: less than a third of the screen.
@@ -26,7 +26,7 @@ fn a_nudge_costs_less_than_a_third_of_a_painting() {
     for _ in 0..NUDGES {
         let before = program.pending();
         program.press(".");
-        // As a nudge does it: six digits are kept.
+        // The value as a nudge stores it, with six digits.
         length = format!("{:.5e}", length * 1.001).parse().unwrap();
         let shown = Unit::METRE.format(length);
         program.wait("the nudge, solved", |screen| {
@@ -47,7 +47,7 @@ fn a_nudge_costs_less_than_a_third_of_a_painting() {
     assert_eq!(program.end(), 0);
 }
 
-/// Once everything is shown nothing more is written, however long that lasts.
+/// Once everything is shown, no more bytes are written, however long the program waits.
 #[test]
 fn an_idle_program_writes_nothing() {
     let home = Home::new();
@@ -55,7 +55,7 @@ fn an_idle_program_writes_nothing() {
     program.wait("everything", complete);
     program.settle();
     let before = program.raw.len();
-    // Time goes by: another program solves the same beam, several times.
+    // Time passes: another program solves the same beam, several times.
     for _ in 0..3 {
         let mut other = Program::start(&home, &["fig05a"]);
         other.wait("everything", |screen| screen.contains("modes,"));
@@ -67,7 +67,7 @@ fn an_idle_program_writes_nothing() {
         before,
         "bytes were written by an idle program"
     );
-    // It was not dead.
+    // The program was still alive.
     program.settle();
     program.press("q");
     assert_eq!(program.end(), 0);

@@ -1,4 +1,4 @@
-//! Sensitivities and the search for better parameters, as an engineer uses them, at the two usual sizes of a terminal.
+//! An engineer's session of sensitivities and tuning, at the two usual sizes of a terminal.
 
 use std::fs;
 
@@ -44,9 +44,9 @@ fn a_search_is_paused_and_dropped() {
         program.press("\u{7}");
         program.wait_for("paused");
         program.press("\u{7}");
-        program.wait_for("the search goes on");
+        program.wait_for("the search continues");
         program.press("\u{18}");
-        program.wait_for("the search is dropped");
+        program.wait_for("search discarded");
         program.press("q");
         assert_eq!(program.end(), 0);
     });

@@ -1,4 +1,4 @@
-//! Started where there is no terminal.
+//! Starts without a terminal.
 
 use std::process::{Command, Output, Stdio};
 
@@ -15,7 +15,7 @@ fn run(home: &Home, arguments: &[&str], input: Stdio) -> Output {
         .unwrap()
 }
 
-/// Standard output is a pipe: the designer says what it needs, and writes nothing else.
+/// Standard output is a pipe: the designer reports what it needs, and writes nothing else.
 #[test]
 fn the_designer_needs_a_terminal_to_draw_on() {
     let home = Home::new();
@@ -31,7 +31,7 @@ fn the_designer_needs_a_terminal_to_draw_on() {
     assert_eq!(home.names(), [""; 0]);
 }
 
-/// Standard input is no terminal, but standard output is: keys come from the terminal all the same.
+/// Standard input is not a terminal, but standard output is: keys come from the terminal anyway.
 #[test]
 fn keys_come_from_the_terminal_also_where_input_is_a_pipe() {
     let home = Home::new();
@@ -47,7 +47,7 @@ fn keys_come_from_the_terminal_also_where_input_is_a_pipe() {
     }
 }
 
-/// A terminal that only writes lines, as in Emacs, or none that is known: one line says so, and nothing else is sent.
+/// A terminal that only writes lines, as in Emacs, or an unknown one: one line reports it, and nothing else is sent.
 #[test]
 fn the_designer_needs_a_terminal_with_a_screen() {
     let home = Home::new();

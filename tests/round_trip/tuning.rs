@@ -1,4 +1,4 @@
-//! The tuning: any of it, and what edits of it make of its text.
+//! Tuning: any `[tune]`, and edits of it in its text.
 
 use beamtune::model::*;
 use proptest::collection::vec;
@@ -50,7 +50,7 @@ fn variables() -> impl Strategy<Value = Vec<Variable>> {
         .prop_flat_map(move |pools| pools.into_iter().map(one).collect::<Vec<_>>())
 }
 
-/// What is sought, and of which response.
+/// The objective, and its response.
 fn aim(
     names: &[Vec<String>; 3],
     from: f64,
@@ -165,7 +165,7 @@ proptest! {
     }
 }
 
-/// The example with a tuning as people write it.
+/// The example with a typical tuning.
 fn tuned() -> String {
     let example = super::EXAMPLE.replace("\n# The end.\n", "");
     example

@@ -1,4 +1,4 @@
-//! Den Hartog's damped absorber on an undamped mass: the least highest peak in two variables.
+//! Den Hartog's damped absorber on an undamped mass: the lowest maximum of the peaks, in two variables.
 
 use beamtune::solve::Cancelled;
 use beamtune::tune::search::{Evaluation, Function, Landscape, Merit};

@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::NEVER;
 
-/// A model of data, and what is certified of it.
+/// A model of data, with its certified values.
 struct Data {
     name: &'static str,
     x: &'static [f64],
@@ -220,9 +220,9 @@ fn certified_values_and_deviations_come_out() {
     }
 }
 
-/// Held at its bound a parameter has no deviation, and the other has that of a fit in one variable, s / |J|.
+/// A parameter held at its bound has no deviation, and the other has that of a fit in one variable, s / |J|.
 #[test]
-fn a_variable_at_its_bound_is_told() {
+fn a_variable_at_its_bound_is_reported() {
     let mut problem = misra1a();
     problem.bounds[0] = [100.0, 200.0];
     let found = fitted(&problem, &[0.5, 0.5], 200);
@@ -242,7 +242,7 @@ fn a_variable_at_its_bound_is_told() {
     assert_eq!(covariance.row(0).amax(), 0.0);
 }
 
-/// y = (a + 2 b) x: only the sum is known, a and b are not.
+/// y = (a + 2 b) x: only the sum is determined, a and b are not.
 struct Twins;
 
 impl Fit for Twins {
@@ -262,7 +262,7 @@ fn what_the_residuals_do_not_tell_apart_is_said() {
     let Certainty::Singular { direction } = &found.certainty else {
         panic!("{:?}", found.certainty);
     };
-    // Along (2, -1) the sum stays.
+    // Along (2, -1) the sum is constant.
     assert!(
         (direction[0] + 2.0 * direction[1]).abs() < 1e-12,
         "{direction:?}"
@@ -287,13 +287,13 @@ impl<F: Fit> Fit for First<F> {
 }
 
 #[test]
-fn too_few_residuals_are_told() {
+fn too_few_residuals_are_reported() {
     let found = fitted(&First(misra1a(), 2), &[0.5, 0.5], 200);
     assert_eq!(found.certainty, Certainty::TooFewResiduals);
     assert!(found.sum_of_squares < 1e-20, "{found:?}");
 }
 
-/// Not a number where the first variable is large.
+/// NaN where the first variable is large.
 struct Hole(Data);
 
 impl Fit for Hole {

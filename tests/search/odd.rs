@@ -1,4 +1,4 @@
-//! Landscapes that are not smooth, not finite, flat or impossible.
+//! Functions that are not smooth, not finite, constant or infeasible.
 
 use beamtune::solve::Cancelled;
 use beamtune::tune::search::{Evaluation, Function, Landscape, Merit, Stop};
@@ -6,7 +6,7 @@ use beamtune::tune::search::{Evaluation, Function, Landscape, Merit, Stop};
 use super::problems::{Problem, cb2, chained};
 use super::{apart, downhill, everywhere};
 
-/// Anything that gives an evaluation.
+/// A problem from a closure.
 struct Odd<F> {
     variables: usize,
     evaluate: F,
@@ -110,13 +110,13 @@ fn holes() -> impl Landscape {
 }
 
 #[test]
-fn values_that_are_not_finite_are_gone_around() {
+fn values_that_are_not_finite_are_avoided() {
     for start in [[0.9, 0.1], [0.5, 0.95], [0.0, 0.0]] {
         let found = everywhere(&holes(), &start, 300, 1);
         assert!(found.merit.goal < 1e-12, "{found:?}");
     }
     assert_eq!(downhill(&holes(), &[0.9, 0.1], 50).stop, Stop::NotFinite);
-    // Out of reach of the first steps lies a hole.
+    // The minimum is in a hole out of reach of the first steps.
     let found = downhill(&holes(), &[0.0, 0.89], 100);
     assert!(found.merit.goal < 1e-12, "{found:?}");
 }
@@ -139,9 +139,9 @@ fn a_plateau_ends_the_walk_at_once() {
     assert_eq!(everywhere(&flat, &[0.2; 3], 5000, 1).x, [0.2; 3]);
 }
 
-/// x >= 0.8 and x <= 0.2 cannot both be; the sum of what they miss is 0.6 for every x between.
+/// x >= 0.8 and x <= 0.2 contradict each other; the sum of the violations is 0.6 for every x between.
 #[test]
-fn limits_that_cannot_be_met_are_told() {
+fn limits_that_cannot_be_met_are_reported() {
     let impossible = Odd {
         variables: 1,
         evaluate: |x: &[f64]| {

@@ -9,16 +9,16 @@ pub type Value = (f64, Vec<f64>);
 /// Terms and limits.
 pub type Values = (Vec<Vec<Value>>, Vec<Value>);
 
-/// A problem over a box of its own.
+/// A problem over its own box.
 #[derive(Clone)]
 pub struct Problem {
     pub name: &'static str,
-    /// Least and largest value of every variable.
+    /// Least and greatest value of every variable.
     pub bounds: Vec<[f64; 2]>,
     pub start: Vec<f64>,
-    /// The published goal.
+    /// The published objective.
     pub optimum: f64,
-    /// Where it is, where the source gives it exactly.
+    /// The published optimum, if the source gives it exactly.
     pub at: Option<Vec<f64>>,
     pub values: fn(&[f64]) -> Values,
 }

@@ -1,4 +1,4 @@
-//! The whole search: multimodal problems, threads, budget and cancelling.
+//! The whole search: multimodal problems, threads, budget and cancellation.
 
 use std::f64::consts::PI;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
@@ -114,7 +114,7 @@ fn the_number_of_threads_changes_nothing() {
     let alone = on(1);
     assert_eq!(alone, on(2));
     assert_eq!(alone, on(3));
-    // Another seed looks elsewhere.
+    // Another seed samples other points.
     let smooth = Smooth {
         reach: 5.12,
         value: rastrigin,
@@ -124,11 +124,11 @@ fn the_number_of_threads_changes_nothing() {
     assert_ne!(seeds[0].x, seeds[1].x);
 }
 
-/// Counts what it is asked.
+/// Counts the evaluations.
 struct Counted<L> {
     inner: L,
     asked: AtomicUsize,
-    /// From here on it gives nothing.
+    /// From this evaluation on, it fails.
     until: usize,
 }
 
@@ -179,7 +179,7 @@ fn no_evaluation_beyond_the_budget() {
         );
         let found = everywhere(&counted, &[0.1; 4], budget, 1);
         assert_eq!(found.evaluations, counted.asked.load(Relaxed), "{budget}");
-        // It may have found all it can before.
+        // It may have found its whole result before.
         let all = found.evaluations == budget && found.stop == Stop::Budget;
         let fewer = found.evaluations < budget && found.stop == Stop::Converged;
         assert!(all || fewer, "{budget}: {found:?}");
@@ -198,7 +198,7 @@ fn a_small_budget_goes_downhill() {
     );
 }
 
-/// Cancelled from `tell` once so many evaluations are used.
+/// Cancelled from `tell` after this number of evaluations.
 fn cancelled_after(
     landscape: &dyn Landscape,
     start: &[f64],
@@ -226,9 +226,9 @@ fn cancelled_after(
 fn cancelled_it_gives_the_best_so_far() {
     let problem = hs76();
     for evaluations in [1, 20, 200, 700, 1100] {
-        let (found, told) = cancelled_after(&problem, &problem.start(), evaluations);
+        let (found, reported) = cancelled_after(&problem, &problem.start(), evaluations);
         assert_eq!(found.stop, Stop::Cancelled, "{evaluations}");
-        assert_eq!(found.merit, told);
+        assert_eq!(found.merit, reported);
         assert_eq!(problem.merit(&found.x), Ok(found.merit));
         assert!(!found.start.is_better_than(&found.merit));
         assert!(found.evaluations < evaluations + 60);

@@ -1,4 +1,4 @@
-//! Derivatives by differences of high order, of anything that a model gives.
+//! Derivatives by differences of high order, of any result of a model.
 
 use crate::checked::checked;
 use beamtune::model::edit::{self, Value};
@@ -25,20 +25,20 @@ const FORWARD: [f64; 7] = [
     -1.0 / 6.0,
 ];
 
-/// How derivatives are held against differences.
+/// How derivatives are compared with differences.
 #[derive(Clone, Copy)]
 pub struct Trial {
-    /// An error is relative to the parameter's own effect, or to this share of the value, where that is more.
+    /// An error is relative to the parameter's own effect, or to this share of the value if that is greater.
     pub least: f64,
-    /// Steps, as shares of what a parameter may change by.
+    /// Steps, as shares of the allowed change of a parameter.
     pub steps: &'static [f64],
-    /// How many times their value the numbers of supports and subsystems may change by as well.
+    /// The largest change of the numbers of supports and subsystems, as a multiple of their value.
     pub far: Option<f64>,
-    /// The parameters: those whose path ends so.
+    /// The parameters: those whose path ends in this.
     pub only: &'static [&'static str],
 }
 
-/// For what is smooth over any change and costs next to nothing.
+/// For results that are smooth over any change and cheap.
 pub const WIDE: Trial = Trial {
     least: 1e-6,
     steps: &[0.3, 0.1, 0.03, 0.01, 3e-3, 1e-3, 2e-4, 3e-5],
@@ -46,7 +46,7 @@ pub const WIDE: Trial = Trial {
     only: &[""],
 };
 
-/// For what must be found anew for every change, which is to leave it near.
+/// For results that a new search finds after every change, which must stay close.
 pub const NEAR: Trial = Trial {
     least: 1e-4,
     steps: &[1e-3, 1e-4],
@@ -64,8 +64,8 @@ pub fn with(model: &Model, path: &str, value: f64) -> Model {
     changed
 }
 
-/// Which side of a number a difference takes: a place at an end can only move inwards, and nothing but more beam goes
-/// on beyond a place at the right end.
+/// The side of a difference: a position at an end can only move inwards, and beyond a position at the right end there
+/// is only more beam.
 fn side(model: &Model, path: &str, value: f64) -> f64 {
     let length = model.beam.length;
     let is_at_end =
@@ -128,11 +128,11 @@ fn is_possible(model: &Model) -> bool {
     Checked::of_state(model.clone()).is_ok()
 }
 
-/// The largest error of `exact` over all parameters against differences of `of`, with its place.
+/// The largest error of `exact` over all parameters against differences of `of`, with its location.
 ///
-/// A parameter's own effect is that of changing it by its value, or by what changes `of` by a hundredth where it is 0. What
-/// has no finite derivative is passed over. Of some steps within the possible models the one counts whose outcome is
-/// nearest: a short one rounds, a long one bends.
+/// A parameter's own effect is that of a change by its value, or, if it is 0, by the amount that changes `of` by a
+/// hundredth. Values without a finite derivative are skipped. Of some steps within the valid models the one with the
+/// closest result counts: a short one suffers from rounding, a long one from curvature.
 pub fn worst(
     model: &Model,
     exact: &[Exact],
@@ -156,7 +156,7 @@ pub fn worst(
             .iter()
             .flat_map(|scale| trial.steps.iter().map(move |step| step * scale))
         {
-            // Where the central points leave the possible models, those of one side do.
+            // Where the central points leave the valid models, one-sided ones stay inside.
             let is_within = |side: &f64| {
                 let mut points = reach(*side).into_iter();
                 points.all(|steps| is_possible(&with(model, path, parameter + steps * step)))
@@ -181,8 +181,8 @@ pub fn worst(
     worst
 }
 
-/// By what a parameter may change: by its value, the numbers of supports and subsystems also by far more; one that is 0 by so much
-/// as changes some of the values by a hundredth, or as is usual where that is less.
+/// The allowed change of a parameter: its value, for numbers of supports and subsystems far more; for one that is 0 the
+/// amount that changes some of the values by a hundredth, or a usual value if that is less.
 fn scales(path: &str, parameter: f64, index: usize, exact: &[Exact], far: Option<f64>) -> Vec<f64> {
     let can_be_any = path.starts_with("supports") || path.starts_with("subsystems");
     if path.ends_with(".position") {
@@ -197,7 +197,7 @@ fn scales(path: &str, parameter: f64, index: usize, exact: &[Exact], far: Option
         let most = effects
             .filter(|effect| effect.is_finite())
             .fold(0.0, f64::max);
-        // Of these only one-sided differences are possible, which bend sooner.
+        // Of these only one-sided differences are possible, which are less accurate for long steps.
         let unit = (0.01 / most).min(usual(path));
         [1.0, 0.1, 0.01, 10.0].map(|times| times * unit).to_vec()
     }
@@ -207,8 +207,10 @@ fn scales(path: &str, parameter: f64, index: usize, exact: &[Exact], far: Option
 fn usual(path: &str) -> f64 {
     match path.rsplit('.').next().unwrap() {
         "stiffness" => 1e6,
-        "damping" => 1e3,
+        "damping" | "axial_force" => 1e3,
         "mass" | "inertia" | "phase" => 10.0,
+        "product_moment" => 1e-8,
+        "centroid_offset_y" => 1e-2,
         _ => 0.1,
     }
 }

@@ -9,7 +9,7 @@ use num_complex::Complex64;
 use super::difference::{Exact, NEAR, Trial, worst};
 use super::{never, preset, rich};
 
-/// What is found anew for every change takes its time: some parameters of every part.
+/// A new search for every change takes time: only some parameters of every part.
 const SOME: Trial = Trial {
     only: &[
         "beam.length",
@@ -73,8 +73,8 @@ fn peaks_of(model: &Model, response: usize) -> Vec<peaks::Peak> {
     peaks::peaks(&frf.frequencies, &frf.columns[response], &found)
 }
 
-/// Expected: differences of where the extremum of the changed model is, which comes from values alone; the extremum
-/// itself is that of the table of peaks, within what its fit errs.
+/// Expected: differences of the position of the changed model's extremum, from values alone; the extremum itself is
+/// that of the table of peaks, within the error of its fit.
 #[test]
 fn heights_and_frequencies_of_peaks() {
     for (model, response) in [(rich(true), 2), (rich(true), 13)] {
@@ -97,7 +97,7 @@ fn heights_and_frequencies_of_peaks() {
     }
 }
 
-/// Where an extremum is about to be after a change of the parameters, Hz: where the search for it starts.
+/// The approximate position of an extremum after a change of the parameters, Hz: the start of the search.
 fn predicted(here: &PeakGradient, before: &[f64], after: &[f64]) -> f64 {
     let changes = before
         .iter()
@@ -109,7 +109,7 @@ fn predicted(here: &PeakGradient, before: &[f64], after: &[f64]) -> f64 {
     here.frequency + moves.map(|(change, by)| change * by).sum::<f64>()
 }
 
-/// Expected: differences of the mean squares of [`band::levels`], which are known to 1e-8.
+/// Expected: differences of the mean squares of [`band::levels`], which are accurate to 1e-8.
 #[test]
 fn mean_squares_in_a_band() {
     const BAND: [f64; 2] = [30.0, 180.0];
@@ -141,7 +141,7 @@ fn mean_squares_in_a_band() {
     }
 }
 
-/// An undamped resonance has no finite height and no finite mean square; the mode says how it moves.
+/// An undamped resonance has no finite height and no finite mean square; its shift is that of the mode.
 #[test]
 fn an_undamped_resonance_has_no_peak() {
     let mut model = preset("cantilever");

@@ -1,5 +1,6 @@
-//! Laws that derivatives obey by Euler's theorem on homogeneous functions (closed form): where responses go like a power
-//! of a factor that parameters are multiplied by, the sum of `power p dr/dp` over them is that power times the response.
+//! Laws that derivatives obey by Euler's theorem on homogeneous functions (closed form): if a response is proportional
+//! to a power of a factor that multiplies parameters, the sum of `power p dr/dp` over them is that power times the
+//! response.
 
 use crate::checked::checked;
 use beamtune::model::{BeamMotion, Measure, Model, Place, Quantity, Target};
@@ -7,7 +8,7 @@ use beamtune::solve::sensitivity::Differentiator;
 
 use super::{preset, rich, thousand};
 
-/// The powers of a factor with which a response and the frequency go.
+/// The exponents of a factor for a response and for the frequency.
 struct Law {
     /// Of a parameter, by its path.
     of: fn(&str) -> f64,
@@ -21,7 +22,7 @@ fn key(path: &str) -> &str {
     path.rsplit('.').next().unwrap()
 }
 
-/// All stiffnesses, dampings and inertias times alpha: a motion goes with 1 / alpha; so does the energy, with
+/// All stiffnesses, dampings and inertias times alpha: a motion is proportional to 1 / alpha; so is the energy, by
 /// alpha / alpha^2.
 const STIFFER: Law = Law {
     of: |path| match key(path) {
@@ -43,7 +44,7 @@ const LOUDER: Law = Law {
     },
 };
 
-/// The unit of time: stiffnesses go with alpha^2, dampers and the frequency with alpha.
+/// The unit of time: stiffnesses are proportional to alpha^2, dampers and the frequency to alpha.
 const FASTER: Law = Law {
     of: |path| match key(path) {
         "young_modulus" | "shear_modulus" | "stiffness" => 2.0,
@@ -61,7 +62,7 @@ const FASTER: Law = Law {
     },
 };
 
-/// The unit of length, with that of force (kg m/s2) following it.
+/// The unit of length; that of force (kg m/s2) follows it.
 const LONGER: Law = Law {
     of: |path| {
         let word = key(path);
@@ -100,7 +101,7 @@ const LONGER: Law = Law {
     },
 };
 
-/// The power of the unit of length in a load.
+/// The exponent of the unit of length in a load.
 fn load_power(target: &Target) -> f64 {
     match target {
         Target::Beam(_, BeamMotion::W | BeamMotion::V) => 1.0,
@@ -141,7 +142,7 @@ fn deviation(model: &Model, law: &Law, loads: fn(&Target) -> f64, frequency: f64
     worst
 }
 
-/// Without what lies at a fixed distance from the left end: no parameter says where it is.
+/// Without parts at a fixed distance from the left end: no parameter gives their position.
 fn without_places(mut model: Model) -> Model {
     let is_place = |target: &Target| matches!(target, Target::Beam(Place::Position(_), _));
     model.forces.retain(|force| !is_place(&force.target));
@@ -151,7 +152,7 @@ fn without_places(mut model: Model) -> Model {
     model
 }
 
-/// Expected: nothing but rounding, which at 1 Hz is that of a beam whose waves are far longer than itself.
+/// Expected: only rounding errors, which at 1 Hz are those of a beam with waves far longer than itself.
 #[test]
 fn every_scaling_law_holds() {
     let models = [

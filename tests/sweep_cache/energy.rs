@@ -1,4 +1,4 @@
-//! What is kept with a response `E_V`, to which every place along the beam adds.
+//! The cache for a response `E_V`, to which every position along the beam contributes.
 //!
 //! Differences are shares of the energy at each frequency.
 
@@ -18,7 +18,7 @@ fn with_energy(mut model: Model) -> Model {
     model
 }
 
-/// A model's edits one after the other are solved as afresh; something is kept for them.
+/// After each of a series of edits of a model, the result is that of a fresh solution; the cache is used.
 fn assert_edits_are_kept(mut model: Model, frequencies: &[f64], edit: impl Fn(&mut Model)) {
     let mut kept = SweepCache::default();
     for _ in 0..3 {
@@ -32,7 +32,7 @@ fn assert_edits_are_kept(mut model: Model, frequencies: &[f64], edit: impl Fn(&m
     assert!(kept.bytes() > 0);
 }
 
-/// Over what a beam is used at, by rising steps.
+/// The usual range of a beam, in rising steps.
 fn wide_grid(from: f64) -> Vec<f64> {
     let points = 48;
     let step = (2000.0 / from).powf(1.0 / f64::from(points - 1));
@@ -52,7 +52,7 @@ fn edits_of_every_kind_are_solved_as_afresh() {
 fn edits_from_low_to_high_frequencies_are_solved_as_afresh() {
     let mass = |m: &mut Model| m.subsystems[19].mass *= 1.1;
     assert_edits_are_kept(with_energy(crowded(40)), &wide_grid(1.0), mass);
-    // Without a spring to the ground the waves cancel to fewer digits: also in a fresh solve.
+    // Without a spring to the ground the waves cancel to fewer digits: also in a fresh solution.
     let mut held = with_energy(crowded(40));
     held.supports.left = Support::CLAMPED;
     assert_edits_are_kept(held.clone(), &wide_grid(5.0), mass);
@@ -107,7 +107,7 @@ fn random_models_are_solved_as_afresh() {
     }
 }
 
-/// Any supports, places, masses, sections and losses.
+/// Any supports, positions, masses, sections and losses.
 fn random_model(random: &mut fastrand::Rng) -> Model {
     let mut model = with_energy(crowded(20));
     model.beam.material.loss_factor = [0.001, 0.01, 0.2][random.usize(0..3)];

@@ -94,13 +94,14 @@ pub fn natural() -> f64 {
     (STIFFNESS / MASS).sqrt()
 }
 
-/// |w| in the middle, m, of the rigid beam with an absorber: of a mass (kg), the stiffness (N/m) and damping (N s/m) of
-/// one of its two springs, at a frequency (Hz). Closed form of two masses: Den Hartog, Mechanical Vibrations, 1956, 3.3.
+/// |w| in the middle, m, of the rigid beam with an absorber, from its mass (kg), the stiffness (N/m) and damping (N
+/// s/m) of one of its two springs, and a frequency (Hz). Closed form of two masses: Den Hartog, Mechanical Vibrations,
+/// 1956, 3.3.
 pub fn receptance(frequency: f64, mass: f64, values: [f64; 2]) -> f64 {
     receptance_on(STIFFNESS, frequency, mass, values)
 }
 
-/// The same of a beam on other springs, N/m together.
+/// The same for a beam on other springs, N/m together.
 pub fn receptance_on(springs: f64, frequency: f64, mass: f64, values: [f64; 2]) -> f64 {
     let [stiffness, damping] = values;
     let omega = TAU * frequency;

@@ -1,4 +1,4 @@
-//! Each kind of objective on the beam with an absorber, which two masses describe in closed form.
+//! Each kind of objective on the beam with an absorber, which has the closed form of two masses.
 
 use crate::checked::checked;
 use std::f64::consts::TAU;
@@ -48,14 +48,14 @@ const WHOLE: [[f64; 2]; 2] = [[1e3, 1e6], [0.1, 1e4]];
 /// Bounds about Den Hartog's absorber.
 const NEAR: [[f64; 2]; 2] = [[1e4, 3e4], [20.0, 200.0]];
 
-/// The least of a figure over 60 stiffnesses and 60 dampings that lie logarithmically between bounds.
+/// The minimum of a figure over a logarithmic grid of 60 stiffnesses and 60 dampings between bounds.
 fn least([stiffness, damping]: [[f64; 2]; 2], figure: impl Fn([f64; 2]) -> f64) -> f64 {
     let place = |index: i32, [from, to]: [f64; 2]| from * (to / from).powf(f64::from(index) / 59.0);
     let all = (0..3600).map(|index| [place(index / 60, stiffness), place(index % 60, damping)]);
     all.map(figure).fold(f64::INFINITY, f64::min)
 }
 
-/// Closed form: the beam stands still where the undamped absorber alone resonates, 2 k = m (2 pi f)^2.
+/// Closed form: the beam is at rest where the undamped absorber alone resonates, 2 k = m (2 pi f)^2.
 #[test]
 fn an_anti_resonance_comes_to_where_it_is_wanted() {
     const AT: f64 = 15.0;
@@ -91,7 +91,7 @@ fn widest_left([from, to]: [f64; 2], below: f64, values: [f64; 2]) -> f64 {
     to - from - widest
 }
 
-/// Expected: never worse than the start, what a fine sweep of the closed form shows, and no worse than the best of a grid
+/// Expected: never worse than the start, equal to a fine sweep of the closed form, and no worse than the best of a grid
 /// over both variables.
 #[test]
 fn the_band_below_a_level_becomes_as_wide_as_it_can() {
@@ -153,8 +153,8 @@ fn the_mean_square_is_warburton_s() {
     assert_eq!(found.after[0].unit, "m2");
 }
 
-/// Closed form: all of the rigid beam moves alike, so that its energy is its mass times the mean square, and both are
-/// least at the same absorber.
+/// Closed form: the rigid beam has one motion, so its energy is its mass times the mean square, and both are least at
+/// the same absorber.
 #[test]
 fn the_energy_of_a_rigid_beam_is_its_mass_times_the_mean_square() {
     let energy = absorber::model(r#"objective = { minimise = "energy", from = 5.0, to = 60.0 }"#);
@@ -166,12 +166,12 @@ fn the_energy_of_a_rigid_beam_is_its_mass_times_the_mean_square() {
     assert!((ratio - 1.0).abs() < 1e-6, "{ratio}");
     assert!(energy.after[0].figure < energy.before[0].figure);
     for (one, other) in values(&energy).into_iter().zip(values(&square)) {
-        // A minimum is flat: 1e-8 of its height are 1e-4 of its place.
+        // A minimum is flat: 1e-8 of its height corresponds to 1e-4 of its position.
         assert!((one / other - 1.0).abs() < 1e-4, "{one} {other}");
     }
 }
 
-/// Two peaks of unlike weights as one objective, and the best combined figure that the search told.
+/// Two peaks with different weights as one objective, and the best combined figure that the search reported.
 fn two_peaks(combine: Combine) -> (Tuned, f64) {
     let mut model = absorber::model(
         r#"
@@ -218,8 +218,8 @@ fn several_objectives_are_summed_with_their_weights() {
     assert!(sum < grid * (1.0 + 1e-4), "{sum} {grid}");
 }
 
-/// Expected: the larger of the weighted figures, no more than on a grid; both are equal, since either falls alone at the
-/// other's cost.
+/// Expected: the larger of the weighted figures, no more than on a grid; both are equal, because each decreases only at
+/// the other's cost.
 #[test]
 fn of_several_objectives_the_worst_counts() {
     let (found, best) = two_peaks(Combine::Worst);
@@ -256,8 +256,8 @@ fn corners(found: &Tuned, tolerances: [f64; 2]) -> f64 {
     worst
 }
 
-/// Expected: over the same corners no worse than the optimum that knows no tolerances; the worst case as
-/// `solve::band::levels` and a grid of the closed form have it.
+/// Expected: over the same corners no worse than the optimum without tolerances; the worst case as computed by
+/// `solve::band::levels` and by a grid of the closed form.
 #[test]
 fn with_tolerances_the_worst_case_is_least() {
     const TOLERANCES: [f64; 2] = [0.08, 0.3];
@@ -280,7 +280,7 @@ fn with_tolerances_the_worst_case_is_least() {
         "{worst:?} {of_robust}"
     );
     assert!(worst.after <= worst.before);
-    // What the tolerances cost: the tuned model itself is worse than the plain optimum.
+    // The cost of the tolerances: the tuned model itself is worse than the optimum without them.
     assert!(robust.after[0].figure > plain.after[0].figure);
     let grid = least(NEAR, |[stiffness, damping]| {
         let corner = |first: f64, second: f64| {

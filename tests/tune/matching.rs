@@ -1,4 +1,4 @@
-//! Model updating: the parameters of a perturbed model come back from its noisy response.
+//! Model updating: the parameters of a perturbed model are identified from its noisy response.
 
 use crate::checked::checked;
 use std::fmt::Write as _;
@@ -18,7 +18,7 @@ const PATHS: [&str; 3] = [
     "subsystems.Damper.y_left.stiffness",
     "subsystems.Damper.mass",
 ];
-/// What the perturbed model has more or less.
+/// The changes of the perturbed model.
 const FACTORS: [f64; 3] = [1.03, 0.9, 1.08];
 const BAND: [f64; 2] = [10.0, 80.0];
 
@@ -32,8 +32,8 @@ fn values(model: &Model) -> [f64; 3] {
     PATHS.map(|path| path::number(model, path).unwrap())
 }
 
-/// The response of the perturbed model with normal noise in its real and imaginary part: of a share of each value, or,
-/// as a comparison of complex values takes it to be, of a share of their root mean square everywhere.
+/// The response of the perturbed model with normal noise in its real and imaginary part: relative to each value, or, as
+/// in a comparison of complex values, relative to their root mean square.
 fn measure(folder: &Path, share: f64, compare: Compare, seed: u64) {
     let mut model = cantilever();
     for (path, factor) in PATHS.into_iter().zip(FACTORS) {
@@ -43,7 +43,7 @@ fn measure(folder: &Path, share: f64, compare: Compare, seed: u64) {
     let frequencies: Vec<f64> = (0..141).map(|i| BAND[0] + 0.5 * f64::from(i)).collect();
     let frf = sweep(&checked(&model), &frequencies, &AtomicBool::new(false)).unwrap();
     let mut random = Rng::with_seed(seed);
-    // The sum of twelve uniform numbers less six is normal to a good part (Box & Muller's alternative of old).
+    // The sum of twelve uniform numbers minus six is approximately normal.
     let mut normal = || (0..12).map(|_| random.f64()).sum::<f64>() - 6.0;
     let mut text = "frequency_hz,tip w.re,tip w.im\n".to_owned();
     let values = &frf.columns[0].values;
@@ -68,7 +68,7 @@ fn updated(folder: &Path, compare: Compare) -> Tuned {
     updated_with(folder, compare, None)
 }
 
-/// The same with what the columns are.
+/// The same with the meaning of the columns.
 fn updated_with(folder: &Path, compare: Compare, columns: Option<&str>) -> Tuned {
     let mut model = cantilever();
     let variables = PATHS.into_iter().zip(values(&model));
@@ -106,7 +106,7 @@ fn updated_with(folder: &Path, compare: Compare, columns: Option<&str>) -> Tuned
     run(&problem, &options, &AtomicBool::new(false), &mut |_| {}).unwrap()
 }
 
-/// Expected: the parameters with which the measurement was made.
+/// Expected: the parameters of the measured model.
 #[test]
 fn without_noise_the_parameters_come_back() {
     let folder = tempfile::tempdir().unwrap();
@@ -121,8 +121,8 @@ fn without_noise_the_parameters_come_back() {
 }
 
 /// Expected: the same within three of their standard uncertainties. Over many seeds an error over its standard
-/// uncertainty has a root mean square of 1; of 3 parameters and 10 seeds it lies between 0.6 and 1.45 but for one time in
-/// a thousand (chi-square).
+/// uncertainty has a root mean square of 1; for 3 parameters and 10 seeds it is between 0.6 and 1.45 except in one of a
+/// thousand cases (chi-square).
 #[test]
 fn with_noise_they_come_back_within_their_uncertainty() {
     let folder = tempfile::tempdir().unwrap();
@@ -139,7 +139,7 @@ fn with_noise_they_come_back_within_their_uncertainty() {
                     "{compare:?} {seed} {:?}: {error}",
                     found.paths
                 );
-                // 1 % of noise tells the parameters to about as much, or better.
+                // 1 % of noise determines the parameters to about as much, or better.
                 assert!(uncertainty < 0.02 * found.before);
                 squares += error * error;
             }
@@ -149,21 +149,21 @@ fn with_noise_they_come_back_within_their_uncertainty() {
     }
 }
 
-/// What stands in the way where the curve is sought in a folder.
+/// Error cases of the folder in which the measured file is searched.
 fn refused(folder: &Path, tune: Option<&Tune>) -> Vec<Fault> {
     let mut model = cantilever();
     model.tune = tune.cloned();
     Problem::new(&checked(&model), folder).unwrap_err()
 }
 
-/// Expected: the parameters with which the measurement was made, from a table that needs an answer.
+/// Expected: the parameters of the measured model, from a table that needs an answer.
 #[test]
 fn an_answer_opens_a_table_that_does_not_say_what_it_is() {
     let folder = tempfile::tempdir().unwrap();
     measure(folder.path(), 0.0, Compare::Complex, 1);
     let file = folder.path().join("measured.csv");
     let text = std::fs::read_to_string(&file).unwrap();
-    // A running number in front, kHz, and mm: nothing of it is said.
+    // A running number in front, kHz, and mm: the file states none of it.
     let rows = text.lines().skip(1).enumerate().map(|(index, row)| {
         let cells: Vec<f64> = row.split(',').map(|cell| cell.parse().unwrap()).collect();
         format!(
@@ -203,7 +203,7 @@ fn an_answer_opens_a_table_that_does_not_say_what_it_is() {
         assert!(faults[0].path.contains("measured.csv"), "{faults:?}");
         assert!(faults[0].message.contains(part), "{answer:?}: {faults:?}");
     }
-    // A unit that is not stated is not taken for SI.
+    // A unit that is not stated is not assumed to be SI.
     std::fs::write(&file, "f [Hz],tip w re,tip w im\n20,1,2\n30,1,2\n").unwrap();
     let mut asked = tune.model.tune.clone().unwrap();
     if let Aim::Match { columns, .. } = &mut asked.objectives[0].aim {
@@ -216,7 +216,7 @@ fn an_answer_opens_a_table_that_does_not_say_what_it_is() {
     );
 }
 
-/// Expected: one fault that names the file, and the curves it has where another is asked for.
+/// Expected: one fault that names the file, and its curves if another one is requested.
 #[test]
 fn a_curve_that_cannot_be_read_is_named() {
     let folder = tempfile::tempdir().unwrap();

@@ -13,7 +13,7 @@ use crate::absorber::{self, MASS};
 const SAMPLES: usize = 2000;
 /// Hz; the beam resonates at 18 Hz.
 const FREQUENCIES: [f64; 3] = [1.0, 3.0, 6.0];
-/// Share.
+/// Relative.
 const TOLERANCE: f64 = 0.1;
 /// One of both springs, N/m.
 const SPRING: f64 = 5e5;
@@ -53,9 +53,9 @@ fn quantiles(seed: u64) -> Spread {
     found.unwrap().unwrap().remove(0)
 }
 
-/// Closed form: |H| = 1 / (2 k - M w^2) falls with k, so that its quantile p is |H| at the quantile 1 - p of k, which is
-/// uniform. The share of models below a sample quantile has the standard error sqrt(p (1 - p) / n) (David & Nagaraja,
-/// Order Statistics, 2003, 2.5); four of them are left.
+/// Closed form: |H| = 1 / (2 k - M w^2) falls with k, so that its quantile p is |H| at the quantile 1 - p of k, which
+/// is uniform. The share of models below a sample quantile has the standard error sqrt(p (1 - p) / n) (David &
+/// Nagaraja, Order Statistics, 2003, 2.5); the tolerance is four of them.
 #[test]
 fn quantiles_are_those_of_a_uniform_spring() {
     for seed in 1..=3 {
@@ -78,7 +78,7 @@ fn quantiles_are_those_of_a_uniform_spring() {
     }
 }
 
-/// Expected: the same to the last bit for the same seed on any number of threads, something else for another.
+/// Expected: the same to the last bit for the same seed on any number of threads, and different for another seed.
 #[test]
 fn a_seed_gives_one_result() {
     let found = quantiles(7);
@@ -102,7 +102,7 @@ fn without_tolerances_nothing_is_spread() {
     }
 }
 
-/// Expected: nothing where it is cancelled.
+/// Expected: no result if cancelled.
 #[test]
 fn a_cancelled_spread_is_none() {
     let (model, tune) = on_springs();
@@ -116,7 +116,7 @@ fn a_cancelled_spread_is_none() {
     assert_eq!(found, Ok(Err(Cancelled)));
 }
 
-/// Closed form: `I_0` = 2e-4 m4 less 45 % and `A z_c^2` = 1e-4 m4 more 60 % are each possible alone and not together.
+/// Closed form: `I_0` = 2e-4 m4 less 45 % and `A z_c^2` = 1e-4 m4 more 60 % are valid alone but not together.
 #[test]
 fn tolerances_that_are_impossible_together_are_refused() {
     let (mut model, mut tune) = on_springs();

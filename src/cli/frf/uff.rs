@@ -204,14 +204,14 @@ fn position(model: &Checked, place: Place) -> f64 {
 fn warn_of_losses(written: Written) {
     if written.frequency_error > 0.0 {
         say(&format!(
-            "warning: data set 58 has six digits for a frequency, and where they are even for the first and the step: \
-             they are up to {:.1e} Hz off; CSV has them all",
+            "warning: data set 58 stores six digits of each frequency, or of the first one and the step if they are even: \
+             they are up to {:.1e} Hz off; CSV has all digits",
             written.frequency_error
         ));
     }
     if written.repeated > 0 {
         say(&format!(
-            "warning: {} left out: in six digits their frequencies are those of their neighbours; CSV has them all",
+            "warning: {} left out: in six digits their frequencies equal those of their neighbours; CSV has them all",
             values(written.repeated)
         ));
     }

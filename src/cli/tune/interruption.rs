@@ -121,13 +121,13 @@ impl Interruption {
             seed,
         } = &self.target;
         let Some(file) = output else {
-            say("stopped: the best so far is, as --set takes it");
+            say("stopped: the best so far is, as arguments of --set");
             // Ignore a closed pipe.
             let _ = super::print(&values(&best.model));
             return;
         };
         let note = format!(
-            "Tuned: {} models, seed {seed}, cancelled before what the best achieves was evaluated.\n",
+            "Tuned: {} models, seed {seed}, cancelled before the best result was evaluated.\n",
             best.evaluations
         );
         let text = model::write(&notes_added(&best.model, &note), &opened.text);
@@ -140,7 +140,7 @@ impl Interruption {
             Err(Failure::Input(why)) => why.iter().for_each(|why| say(&format!("error: {why}"))),
         }
         if !best.is_possible {
-            warn("no model that keeps all limits was found");
+            warn("no model within all limits was found");
         }
     }
 }

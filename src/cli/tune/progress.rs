@@ -64,7 +64,7 @@ fn line(status: &Status, elapsed: Duration) -> String {
     );
     let share = 100.0 * status.best / status.start;
     if !status.is_possible {
-        line.push_str(", limits not kept yet");
+        line.push_str(", limits not met yet");
     } else if share.is_finite() {
         let _ = write!(line, ", best {share:.4} % of the start");
     }
@@ -113,7 +113,7 @@ mod tests {
         status.is_possible = false;
         assert_eq!(
             line(&status, elapsed),
-            "global search: 0 of 2,500 models, limits not kept yet"
+            "global search: 0 of 2,500 models, limits not met yet"
         );
         assert_eq!(time(600.0), "10 min");
         assert_eq!(time(9000.0), "2.5 h");

@@ -180,7 +180,7 @@ fn worst_case(tuned: &Tuned, worst: &WorstCase) -> Row {
     let limits = if worst.is_possible {
         ""
     } else {
-        ", limits not kept"
+        ", limits not met"
     };
     Row {
         what: "worst over the tolerances".to_owned(),

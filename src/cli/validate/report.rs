@@ -26,12 +26,17 @@ pub(super) fn text(model: &Checked, findings: &Findings, arguments: &Arguments) 
     let (elements, first) = &findings.meshes[0];
     let _ = writeln!(
         out,
-        "\nFinite elements beside the exact solution, {elements} elements"
+        "\nFinite elements compared with the exact solution, {elements} elements"
     );
     out += &table(&response_rows(&findings.exact, first));
-    out += "\nConvergence of the finite elements (order expected: 4)\n";
+    // The shear force is constant along an element.
+    let order = if model.beam.theory.has_shear() { 2 } else { 4 };
+    let _ = writeln!(
+        out,
+        "\nConvergence of the finite elements (order expected: {order})"
+    );
     out += &table(&convergence_rows(findings));
-    out += "\nTransfer matrices of Chen & Liu 2022 beside the exact solution (shown, never used): digits right\n";
+    out += "\nTransfer matrices of Chen & Liu 2022 compared with the exact solution (for information only): correct digits\n";
     match &findings.chain {
         Ok(chain) => out += &table(&digit_rows(frequencies, chain, !arguments.at.is_empty())),
         Err(reason) => {

@@ -39,7 +39,7 @@ impl Word {
 /// Reads a layout.
 pub(super) fn layout(text: &str) -> Result<Layout, String> {
     let wrong = || {
-        "wants a frequency unit, the columns and their unit, such as hz; re im; m/s2/N, or by number hz 1; re 8; im 9; \
+        "needs a frequency unit, the columns and their unit, such as hz; re im; m/s2/N, or by number hz 1; re 8; im 9; \
          m/s2/N"
             .to_owned()
     };
@@ -97,21 +97,21 @@ fn frequencies(part: &str) -> Result<(FrequencyUnit, Option<usize>), String> {
     };
     let unit = FrequencyUnit::from_word(unit).ok_or_else(|| {
         let accepted = FrequencyUnit::ACCEPTED;
-        format!("{part:?} is no unit of a frequency: accepted is {accepted}, and behind it the number of the column")
+        format!("{part:?} is not a unit of frequency: accepted is {accepted}, followed by the number of the column")
     })?;
     Ok((unit, column))
 }
 
 fn place(word: &str) -> Result<usize, String> {
     let place = word.parse().ok().filter(|place| *place > 0);
-    place.ok_or_else(|| format!("{word:?} is no column: they count from 1"))
+    place.ok_or_else(|| format!("{word:?} is not a column: columns are numbered from 1"))
 }
 
 /// The columns of a curve, whether the second one has a minus, and their numbers, if given.
 fn values(text: &str) -> Result<(Values, bool, Vec<[usize; 2]>), String> {
     let wrong = || {
         format!(
-            "{text:?} are no columns: accepted is re im, mag deg, mag rad, dB deg, dB rad, mag or dB, or with the numbers of \
+            "{text:?} are not columns: accepted is re im, mag deg, mag rad, dB deg, dB rad, mag or dB, or with the numbers of \
              the columns, as re 8; im 9"
         )
     };
@@ -148,7 +148,7 @@ fn values(text: &str) -> Result<(Values, bool, Vec<[usize; 2]>), String> {
     }
     if first.len() != second.len() {
         return Err(format!(
-            "{text:?} has {} columns of one kind and {} of the other: as many would be accepted",
+            "{text:?} has {} columns of one kind and {} of the other: the same number would be accepted",
             first.len(),
             second.len()
         ));

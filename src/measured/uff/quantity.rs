@@ -150,7 +150,7 @@ impl FunctionQuantity {
         });
         for (_, word) in &self.unknown {
             self.notes.push(format!(
-                "{word:?} is no unit that is known: numbers are as in the file"
+                "{word:?} is not a known unit: numbers are as in the file"
             ));
         }
     }

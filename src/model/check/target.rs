@@ -96,7 +96,7 @@ fn no_such_place(name: &str, model: &Model, hint: bool) -> String {
     };
     let near = near.map_or_else(String::new, |near| format!(" (did you mean {near:?}?)"));
     format!(
-        "{name:?} is no subsystem{near}; must be \"left\", \"right\", a position in m or {}",
+        "{name:?} is not a subsystem{near}; must be \"left\", \"right\", a position in m or {}",
         if model.subsystems.is_empty() {
             "a subsystem's name (there is none)"
         } else {

@@ -95,7 +95,7 @@ impl Rules<'_> {
         }
         match *moved.entry(id).or_insert(index) {
             other if other != index => Some(format!(
-                "{}: is moved by variable {} already; must be moved by one only",
+                "{}: is already changed by variable {}; must be changed by one only",
                 path(),
                 other + 1
             )),
@@ -174,10 +174,7 @@ fn range(at: &str, variable: &Variable, faults: &mut Vec<Fault>) {
         let message = format!("is {min}; must be below max = {max}");
         faults.push(Fault::new(format!("{at}.min"), message));
     } else if variable.scale == Some(Spacing::Log) && min <= 0.0 {
-        let message = format!(
-            "is {}; must be > 0 where scale is \"log\"",
-            format_number(min)
-        );
+        let message = format!("is {}; must be > 0 if scale is \"log\"", format_number(min));
         faults.push(Fault::new(format!("{at}.min"), message));
     }
     let tolerance = variable.tolerance;
@@ -271,7 +268,7 @@ fn response(at: &str, model: &Model, name: Option<&String>, asked: Asked, faults
                 .map(|response| response.name.as_str());
             let near = spelling::nearest(name, known);
             let near = near.map_or_else(String::new, |near| format!(" (did you mean {near:?}?)"));
-            format!("{name:?} is no response{near}; must be the name of one")
+            format!("{name:?} is not a response{near}; must be the name of one")
         }
         Some(found) if !found.enabled => {
             format!("{name:?} is disabled; must be an enabled response")
@@ -302,7 +299,7 @@ fn not_blank(path: &str, text: &str, what: &str, faults: &mut Vec<Fault>) {
     let message = if text.trim().is_empty() {
         format!("is empty; must be the name of {what}")
     } else if text.contains(char::is_control) {
-        format!("{text:?} holds a control character; must be the name of {what}")
+        format!("{text:?} contains a control character; must be the name of {what}")
     } else {
         return;
     };

@@ -200,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn members_are_told_apart() {
+    fn members_are_distinguished() {
         let values = [0.5, -0.3, 1e6, 0.0];
         let family = |operation| vary(&["beam.length"], operation, &values);
         assert_eq!(

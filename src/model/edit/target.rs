@@ -70,7 +70,7 @@ pub fn target_of(model: &Model, group: Group) -> Option<&Target> {
 
 /// As [`target_of`], or a message if there is none.
 pub(super) fn known(model: &Model, group: Group) -> Result<&Target, String> {
-    target_of(model, group).ok_or_else(|| "is an energy, which is the whole beam's; the measure must be displacement, velocity or acceleration first".to_owned())
+    target_of(model, group).ok_or_else(|| "is an energy, that of the whole beam; the measure must be displacement, velocity or acceleration first".to_owned())
 }
 
 fn put(model: &mut Model, group: Group, new: Target) {

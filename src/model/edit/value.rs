@@ -132,7 +132,7 @@ pub fn get(model: &Model, id: ParameterId) -> Result<Value, String> {
 pub fn number(model: &Model, id: ParameterId) -> Result<f64, String> {
     get(model, id)?
         .number()
-        .map_err(|message| format!("is no number: {message}"))
+        .map_err(|message| format!("is not a number: {message}"))
 }
 
 /// The value of a parameter with its own rules.
@@ -233,7 +233,7 @@ fn put_support(support: &mut Support, word: &str) -> Result<(), String> {
         return if support.kind() == "elastic" {
             Ok(())
         } else {
-            Err("does not become elastic as a whole; set a spring of one motion instead".to_owned())
+            Err("cannot be elastic as a whole; set a spring of one motion instead".to_owned())
         };
     }
     *support = Support::of_word(word)

@@ -87,7 +87,9 @@ fn beam() -> Beam {
             warping_constant: 2.2783e-8,
             polar_moment: 5.9992e-4,
             centroid_offset: 0.0619,
+            ..Default::default()
         },
+        ..Default::default()
     }
 }
 

@@ -23,7 +23,7 @@ pub(super) fn explain(finder: &Finder<'_>, mut parts: Vec<Part>, mismatch: Misma
         return format!("matches nothing; the model has no {}", parts[0].word());
     }
     let Some(wrong) = parts.get(mismatch.at).map(|part| part.word().to_owned()) else {
-        return format!("is no parameter but a table; must go on with {listed}");
+        return format!("is a table, not a parameter; must continue with {listed}");
     };
     if mismatch.known.is_empty() {
         return format!("matches nothing; must end before `{wrong}`");
@@ -114,9 +114,12 @@ mod tests {
             ("subsystems.3.mass", r#"must be S1, "a.b""#),
             ("subsystems.0.mass", "there is no `0` in `subsystems`"),
             ("forces.5.amplitude", "must be 1, 2, 3, 4"),
-            ("beam.material", "must go on with young_modulus"),
-            ("subsystems", r#"must go on with S1, "a.b""#),
-            ("subsystems.S1", "must go on with name, enabled, position"),
+            ("beam.material", "must continue with young_modulus"),
+            ("subsystems", r#"must continue with S1, "a.b""#),
+            (
+                "subsystems.S1",
+                "must continue with name, enabled, position",
+            ),
             ("beam.length.x", "must end before `x`"),
             ("nothing.like.it", "must be title, notes, beam"),
             ("*", "must be title"),

@@ -82,7 +82,7 @@ fn quantity(table: &mut Table<'_>, names: &[&str], reader: &mut Reader) -> Quant
         Some(_) => {
             for key in ["at", "direction"] {
                 if let Some((path, node)) = table.take(key, reader) {
-                    let message = "stands beside measure = \"energy\"; must be left out, an energy is the whole beam's";
+                    let message = "cannot be combined with measure = \"energy\", that of the whole beam; must be omitted";
                     reader.fault(node.span().start, &path, message);
                 }
             }

@@ -91,7 +91,7 @@ fn support(table: Option<Table<'_>>, reader: &mut Reader) -> Support {
         support = Support::KINDS[index];
     }
     let motions = BeamMotion::WORDS.iter().copied();
-    let beside: Vec<_> = motions.filter(|key| table.has(key)).collect();
+    let conflicting: Vec<_> = motions.filter(|key| table.has(key)).collect();
     for motion in BeamMotion::ALL {
         if let Some((path, node)) = table.take(motion.key(), reader) {
             let restraint = restraint(&path, node, motion, reader);
@@ -101,12 +101,12 @@ fn support(table: Option<Table<'_>>, reader: &mut Reader) -> Support {
         }
     }
     if kind
-        && !beside.is_empty()
+        && !conflicting.is_empty()
         && let Some((path, node)) = table.take("kind", reader)
     {
         let message = format!(
-            "stands beside {}; must be either kind or the six motions",
-            beside.join(", ")
+            "cannot be combined with {}; must be either kind or the six motions",
+            conflicting.join(", ")
         );
         reader.fault(node.span().start, &path, message);
     }

@@ -37,7 +37,12 @@ impl<'a> Table<'a> {
                         set(of, count);
                     }
                 }
-                Access::Flag(_, set) => set(of, self.flag(key.key, reader).unwrap_or(true)),
+                Access::Flag(_, set) => {
+                    set(
+                        of,
+                        self.flag(key.key, reader).unwrap_or(key.is_on_by_default()),
+                    );
+                }
                 Access::Word(_, set) => {
                     if let Some(index) = self.word(key.key, key.words, Some(0), reader) {
                         set(of, index);

@@ -34,15 +34,14 @@ fn study(table: Option<Table<'_>>, reader: &mut Reader) -> Study {
         let other = ["vary"]
             .into_iter()
             .chain(operations.iter().map(|operation| operation.key()));
-        let beside: Vec<_> = other.filter(|key| table.has(key)).collect();
-        for key in &beside {
+        let conflicting: Vec<_> = other.filter(|key| table.has(key)).collect();
+        for key in &conflicting {
             table.take(key, reader);
         }
-        if let [first, ..] = beside[..]
+        if let [first, ..] = conflicting[..]
             && let Some((path, node)) = table.take(first, reader)
         {
-            let message =
-                "stands beside cases; must be either cases, or vary with multiply, set or add";
+            let message = "cannot be combined with cases; must be either cases, or vary with multiply, set or add";
             reader.fault(node.span().start, &path, message);
         }
         cases(&mut table, reader)
@@ -79,7 +78,7 @@ fn vary(table: &mut Table<'_>, operations: &[Operation], reader: &mut Reader) ->
             for other in others {
                 if let Some((path, node)) = table.take(other.key(), reader) {
                     let message = format!(
-                        "stands beside {}; must be only one of multiply, set and add",
+                        "cannot be combined with {}; must be only one of multiply, set and add",
                         first.key()
                     );
                     reader.fault(node.span().start, &path, message);
@@ -129,7 +128,7 @@ fn assignments(set: &Table<'_>, reader: &mut Reader) -> Vec<(Pattern, f64)> {
         let path = set.at(&spelling::segment(key));
         reader.place(&path, node.span().start);
         let value = if let DeValue::Table(_) = node.get_ref() {
-            let expected = "a number (the whole path stands in one pair of quotes)";
+            let expected = "a number (put the whole path in one pair of quotes)";
             reader.fault(node.span().start, &path, wrong_type(node, expected));
             f64::NAN
         } else {

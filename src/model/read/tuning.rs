@@ -84,7 +84,8 @@ fn one_or_several<'a>(
         return node.into_iter().collect();
     }
     if let Some((path, node)) = table.take(one, reader) {
-        let message = format!("stands beside {several}; must be either {one} or {several}");
+        let message =
+            format!("cannot be combined with {several}; must be either {one} or {several}");
         reader.fault(node.span().start, &path, message);
     }
     table.accept(one);
@@ -144,14 +145,14 @@ fn objective(path: String, node: Node<'_>, reader: &mut Reader) -> Objective {
         &OBJECTIVE,
         reader,
         // The aim determines whether there is a response.
-        |table, of, _, reader| sought(table, of, choice, reader),
+        |table, of, _, reader| aim_and_response(table, of, choice, reader),
     );
     table.finish(reader);
     objective
 }
 
 /// The aim of an objective and its response.
-fn sought(
+fn aim_and_response(
     table: &mut Table<'_>,
     of: &mut Objective,
     choice: Option<&'static Choice<Aim>>,
@@ -190,7 +191,7 @@ fn aim(table: &mut Table<'_>, reader: &mut Reader) -> Option<&'static Choice<Aim
             for other in others {
                 if let Some((path, node)) = table.take(other, reader) {
                     let message = format!(
-                        "stands beside {first}; must be only one of {}",
+                        "cannot be combined with {first}; must be only one of {}",
                         AIM_KEYS.join(", ")
                     );
                     reader.fault(node.span().start, &path, message);
@@ -227,7 +228,7 @@ fn leave_out<'a, T>(
         if table.has(key)
             && let Some((path, node)) = table.take(key, reader)
         {
-            let message = format!("does not belong to {what}; must be left out");
+            let message = format!("does not belong to {what}; must be omitted");
             reader.fault(node.span().start, &path, message);
         }
     }

@@ -3,7 +3,7 @@
 use super::{Access, BLANK, Key, Kind, Range, Rows};
 use crate::model::types::{
     Beam, BeamMotion, Elastic, Force, Material, Model, Response, Section, Spacing, Study,
-    Subsystem, Support, Sweep,
+    Subsystem, Support, Sweep, Theory,
 };
 use crate::unit::Unit;
 
@@ -19,6 +19,9 @@ rows! {
     /// The beam itself.
     BEAM of Beam as BeamKey {
         Length = number("length", "L", METRE, Positive, "length of the beam", length),
+        Theory = word("theory", Theory, "theory of bending; rayleigh: with rotary inertia, shear: with shear deformation, timoshenko: with both", theory),
+        WarpingInertia = switch("warping_inertia", Flag, "whether warping has inertia, rho Gamma_0 on the rate of twist", warping_inertia),
+        AxialForce = number("axial_force", "N", FORCE, Any or 0.0, "axial force along the centroids, tension > 0", axial_force),
     }
 }
 
@@ -40,8 +43,12 @@ rows! {
         SecondMomentZ = number("second_moment_z", "I_z", METRE_4, Positive, "second moment of area, bending of v (along z)", second_moment_z),
         TorsionConstant = number("torsion_constant", "J", METRE_4, NonNegative, "Saint-Venant torsion constant", torsion_constant),
         WarpingConstant = number("warping_constant", "Gamma_0", METRE_6, NonNegative, "warping constant; 0: no warping stiffness", warping_constant),
-        PolarMoment = number("polar_moment", "I_0", METRE_4, Positive, "polar moment of area about the shear centre, > A z_c^2", polar_moment),
-        CentroidOffset = number("centroid_offset", "z_c", METRE, Any, "offset of the centroid from the shear centre", centroid_offset),
+        PolarMoment = number("polar_moment", "I_0", METRE_4, Positive, "polar moment of area about the shear centre, > A (y_c^2 + z_c^2)", polar_moment),
+        CentroidOffset = number("centroid_offset", "z_c", METRE, Any, "offset of the centroid from the shear centre, along z", centroid_offset),
+        ProductMoment = number("product_moment", "I_yz", METRE_4, Any or 0.0, "product moment of area about the centroid, int y z dA", product_moment),
+        CentroidOffsetY = number("centroid_offset_y", "y_c", METRE, Any or 0.0, "offset of the centroid from the shear centre, along y", centroid_offset_y),
+        ShearAreaY = number("shear_area_y", "A_y", AREA, NonNegative or 0.0, "effective area for shear along y; only the theories with shear use it", shear_area_y),
+        ShearAreaZ = number("shear_area_z", "A_z", AREA, NonNegative or 0.0, "effective area for shear along z; only the theories with shear use it", shear_area_z),
     }
 }
 

@@ -83,7 +83,7 @@ pub(super) fn rows<T>(of: &T, rows: &Rows<T>) -> Vec<Entry> {
                 (Node::Number(value), default == Some(value.to_bits()))
             }
             Access::Count(get, _) => (Node::Count(get(of)), false),
-            Access::Flag(get, _) => (Node::Flag(get(of)), get(of)),
+            Access::Flag(get, _) => (Node::Flag(get(of)), get(of) == key.is_on_by_default()),
             Access::Word(get, _) => (Node::Text(key.words[get(of)].to_owned()), get(of) == 0),
             Access::Text(get, _) => {
                 let at_default = key.kind == Kind::Text && get(of).is_empty();

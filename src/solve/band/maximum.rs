@@ -3,8 +3,9 @@
 use std::sync::atomic::AtomicBool;
 
 use super::{Sample, samples};
-use crate::model::{Checked, Quantity};
+use crate::model::{Checked, Quantity, Response};
 use crate::solve::Cancelled;
+use crate::solve::extrema::{self, Bracket, Point, Turn};
 
 /// A local maximum below this fraction of the highest sample cannot be the highest point: samples are dense enough that
 /// none is farther below its peak.
@@ -13,11 +14,8 @@ const LIKELY: f64 = 0.5;
 /// The most maxima to refine; a response with more of them is rounding noise.
 const MOST_TOPS: usize = 8;
 
-/// Each round reduces the bracket to a quarter: enough to reach 1e-12 of the height.
-const ROUNDS: usize = 10;
-
-/// Frequencies per round inside a bracket.
-const INSIDE: usize = 7;
+/// The distance of points from the ends of the band, relative to the next sample: they reveal a maximum at an end.
+const NEAR_END: f64 = 1e-3;
 
 /// A highest point.
 #[derive(Debug, Clone, Copy)]
@@ -41,15 +39,6 @@ impl Top {
     }
 }
 
-/// A local maximum of a response between two frequencies.
-#[derive(Debug, Clone, Copy)]
-struct Bracket {
-    response: usize,
-    /// Hz.
-    ends: [f64; 2],
-    best: [f64; 2],
-}
-
 /// The highest point of each response; `solved` are by ascending frequency and inside the band.
 pub(super) fn tops(
     model: &Checked,
@@ -57,76 +46,87 @@ pub(super) fn tops(
     band: [f64; 2],
     cancel: &AtomicBool,
 ) -> Result<Vec<Top>, Cancelled> {
-    let mut all = samples(model, &band, cancel)?;
-    all.splice(1..1, solved.iter().cloned());
+    let all = with_ends(model, solved, band, cancel)?;
     let responses = model.responses.iter().filter(|response| response.enabled);
-    let mut brackets: Vec<Bracket> = Vec::new();
+    let (mut owners, mut brackets) = (Vec::new(), Vec::new());
     for response in 0..responses.clone().count() {
         brackets.extend(likely(&all, response));
+        owners.resize(brackets.len(), response);
     }
-    for _ in 0..ROUNDS {
-        narrow(model, &mut brackets, cancel)?;
-    }
-    let top = |(response, one): (usize, &crate::model::Response)| {
-        let of = brackets
+    let refined = extrema::refined(brackets, |wanted| {
+        let frequencies: Vec<f64> = wanted.iter().map(|(_, frequency)| *frequency).collect();
+        let solved = samples(model, &frequencies, cancel)?.into_iter();
+        let owners = wanted.iter().map(|(bracket, _)| owners[*bracket]);
+        Ok(solved
+            .zip(owners)
+            .map(|(one, owner)| one.powers[owner])
+            .collect())
+    })?;
+    let top = |(response, one): (usize, &Response)| {
+        let own = refined
             .iter()
-            .filter(|bracket| bracket.response == response);
-        let best = of
-            .map(|bracket| bracket.best)
-            .max_by(|a, b| a[1].total_cmp(&b[1]));
-        let [frequency, power] = best.unwrap_or([band[0], 0.0]);
+            .zip(&owners)
+            .filter(|(_, owner)| **owner == response);
+        let ends = [all.last(), all.first()].into_iter().flatten();
+        let points = own
+            .map(|(point, _)| *point)
+            .chain(ends.map(|end| end.point(response)));
+        let highest = points.max_by(|a, b| a.size.total_cmp(&b.size));
         Top {
-            frequency,
-            power,
+            frequency: highest.map_or(band[0], |point| point.frequency),
+            power: highest.map_or(0.0, |point| point.size),
             energy: one.quantity == Quantity::Energy,
         }
     };
     Ok(responses.enumerate().map(top).collect())
 }
 
-/// The samples that may be next to the highest point of a response, each with its neighbours.
-fn likely(all: &[Sample], response: usize) -> Vec<Bracket> {
-    let power = |index: usize| all[index].powers[response];
-    let highest = (0..all.len()).map(power).fold(0.0, f64::max);
-    let tops = (0..all.len()).filter(|&index| {
-        if highest == 0.0 {
-            return index == 0;
-        }
-        let (left, right) = (index.saturating_sub(1), (index + 1).min(all.len() - 1));
-        let here = power(index);
-        here >= LIKELY * highest && here >= power(left) && here >= power(right)
-    });
-    let mut tops: Vec<usize> = tops.collect();
-    tops.sort_by(|&a, &b| power(b).total_cmp(&power(a)));
-    tops.truncate(MOST_TOPS);
-    let bracket = |index: usize| Bracket {
-        response,
-        ends: [index.saturating_sub(1), (index + 1).min(all.len() - 1)]
-            .map(|index| all[index].frequency),
-        best: [all[index].frequency, power(index)],
-    };
-    tops.into_iter().map(bracket).collect()
+/// The samples with the ends of the band and a point next to each.
+fn with_ends(
+    model: &Checked,
+    solved: &[Sample],
+    [low, high]: [f64; 2],
+    cancel: &AtomicBool,
+) -> Result<Vec<Sample>, Cancelled> {
+    let first = solved.first().map_or(high, |sample| sample.frequency);
+    let last = solved.last().map_or(low, |sample| sample.frequency);
+    let near = [
+        low + NEAR_END * (first - low),
+        high - NEAR_END * (high - last),
+    ];
+    let mut all = samples(model, &[low, near[0], near[1], high], cancel)?;
+    all.splice(2..2, solved.iter().cloned());
+    Ok(all)
 }
 
-/// Samples each bracket more finely and shrinks it to the neighbours of its highest point.
-fn narrow(model: &Checked, brackets: &mut [Bracket], cancel: &AtomicBool) -> Result<(), Cancelled> {
-    let inside = |bracket: &Bracket| -> [f64; INSIDE] {
-        let [from, to] = bracket.ends;
-        std::array::from_fn(|index| from + (to - from) * (index + 1) as f64 / (INSIDE + 1) as f64)
-    };
-    let frequencies: Vec<f64> = brackets.iter().flat_map(inside).collect();
-    let solved = samples(model, &frequencies, cancel)?;
-    for (bracket, solved) in brackets.iter_mut().zip(solved.chunks(INSIDE)) {
-        for sample in solved {
-            let power = sample.powers[bracket.response];
-            if power > bracket.best[1] {
-                bracket.best = [sample.frequency, power];
-            }
+/// The local maxima of a response that may be its highest point, by descending size.
+fn likely(all: &[Sample], response: usize) -> Vec<Bracket> {
+    let highest = all
+        .iter()
+        .map(|sample| sample.powers[response])
+        .fold(0.0, f64::max);
+    let three = all
+        .windows(3)
+        .map(|three| [0, 1, 2].map(|index| three[index].point(response)));
+    let mut tops: Vec<[Point; 3]> = three
+        .filter(|three| {
+            let sizes = three.map(|point| point.size);
+            Turn::of(sizes) == Some(Turn::Maximum) && sizes[1] >= LIKELY * highest
+        })
+        .collect();
+    tops.sort_by(|a, b| b[1].size.total_cmp(&a[1].size));
+    tops.truncate(MOST_TOPS);
+    // Sizes are squares already.
+    tops.into_iter()
+        .map(|three| Bracket::new(three, Turn::Maximum, 1))
+        .collect()
+}
+
+impl Sample {
+    fn point(&self, response: usize) -> Point {
+        Point {
+            frequency: self.frequency,
+            size: self.powers[response],
         }
-        let [from, to] = bracket.ends;
-        let step = (to - from) / (INSIDE + 1) as f64;
-        let at = bracket.best[0];
-        bracket.ends = [(at - step).max(from), (at + step).min(to)];
     }
-    Ok(())
 }

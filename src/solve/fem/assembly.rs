@@ -2,7 +2,7 @@
 
 use num_complex::Complex64;
 
-use super::hermite;
+use super::beam_element::{BeamElement, Row, UNKNOWNS};
 use super::mesh::{Mesh, Unknown};
 use crate::model::{BeamMotion, Measure, Restraint, Spring, Subsystem};
 use crate::solve::layout::{Layout, Reading};
@@ -12,7 +12,7 @@ use crate::solve::layout::{Layout, Reading};
 pub(super) struct Resistance {
     /// The beam's own stiffness, which the loss factor makes complex.
     pub(super) elastic: f64,
-    /// A spring's.
+    /// That of the axial force, or a spring's.
     pub(super) stiffness: f64,
     /// A damper's.
     pub(super) damping: f64,
@@ -31,9 +31,9 @@ impl Resistance {
 /// A stretch, a sum of unknowns times `factors`, and its resistance: an element's strain or a spring.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Stretch {
-    pub(super) unknowns: [usize; 6],
-    pub(super) factors: [f64; 6],
-    /// The number of used entries, up to six.
+    pub(super) unknowns: [usize; UNKNOWNS],
+    pub(super) factors: [f64; UNKNOWNS],
+    /// The number of used entries.
     pub(super) terms: usize,
     pub(super) by: Resistance,
 }
@@ -58,7 +58,7 @@ pub(super) enum Source {
 /// An element in the energy: the unknowns of (w, psi, v), and its span.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Element {
-    pub(super) fields: [[Unknown; 4]; 3],
+    pub(super) unknowns: [Unknown; UNKNOWNS],
     pub(super) span: usize,
 }
 
@@ -76,24 +76,19 @@ pub(super) struct System {
     pub(super) loss_factor: f64,
     pub(super) sources: Vec<Source>,
     pub(super) elements: Vec<Element>,
-    /// int `N_i N_j` dx of the elements of each span, m.
-    pub(super) masses: Vec<[[f64; 4]; 4]>,
-    /// rho A, rho `I_0`, rho A: the inertia per length of (w, psi, v), kg/m and kg m.
-    pub(super) per_length: [f64; 3],
+    /// The matrix of `E_V` of the elements of each span.
+    pub(super) vibration: Vec<[Row; UNKNOWNS]>,
 }
 
 impl System {
     /// Assembles a layout whose spans are divided into so many elements each.
     pub(super) fn new(layout: &Layout, divisions: &[usize]) -> Self {
         let mesh = Mesh::new(layout, divisions);
-        let (section, material) = (&layout.model.beam.section, &layout.model.beam.material);
-        let areas = [section.area, section.polar_moment, section.area];
         let mut system = Self {
             unknowns: mesh.unknowns,
             loads: loads(layout, &mesh),
-            loss_factor: material.loss_factor,
+            loss_factor: layout.model.beam.material.loss_factor,
             sources: layout.readings.iter().map(|r| source(&mesh, *r)).collect(),
-            per_length: areas.map(|area| material.density * area),
             ..Self::default()
         };
         system.add_elements(layout, &mesh, divisions);
@@ -109,49 +104,40 @@ impl System {
         system
     }
 
-    /// The strain energy and the kinetic energy of every element (Chen & Liu 2022, Section 2.2).
+    /// The strain energy and the kinetic energy of every element.
     fn add_elements(&mut self, layout: &Layout, mesh: &Mesh, divisions: &[usize]) {
-        let (section, material) = (&layout.model.beam.section, &layout.model.beam.material);
-        let (e, g) = (material.young_modulus, material.shear_modulus);
-        let stiffness = [
-            (e * section.second_moment_y, 0.0),
-            (e * section.warping_constant, g * section.torsion_constant),
-            (e * section.second_moment_z, 0.0),
-        ];
         let ends = layout.positions.windows(2);
         let lengths = ends
             .zip(divisions)
             .map(|(ends, &count)| (ends[1] - ends[0]) / count as f64);
-        let lengths: Vec<f64> = lengths.collect();
-        self.masses = lengths.iter().map(|&h| hermite::mass(h)).collect();
+        let of = |h: f64| BeamElement::new(&layout.model.beam, h);
+        let elements: Vec<BeamElement> = lengths.map(of).collect();
         for (index, &span) in mesh.spans.iter().enumerate() {
-            let fields = fields(mesh, index);
-            for (unknowns, (bending, torsion)) in fields.iter().zip(stiffness) {
-                for strain in hermite::strains(lengths[span], bending, torsion) {
-                    let by = Resistance {
-                        elastic: strain.stiffness,
-                        ..Resistance::default()
-                    };
-                    self.add_stretch(unknowns, &strain.of, by);
+            let unknowns = unknowns(mesh, index);
+            let element = &elements[span];
+            for square in &element.strains {
+                let by = Resistance {
+                    elastic: square.stiffness,
+                    ..Resistance::default()
+                };
+                self.add_stretch(&unknowns, &square.of, by);
+            }
+            for square in &element.axial {
+                let by = Resistance {
+                    stiffness: square.stiffness,
+                    ..Resistance::default()
+                };
+                self.add_stretch(&unknowns, &square.of, by);
+            }
+            for (row, inertias) in unknowns.iter().zip(&element.inertia) {
+                for (column, inertia) in unknowns.iter().zip(inertias) {
+                    self.add_inertia(*row, *column, *inertia);
                 }
             }
-            self.add_mass(&fields, span, self.per_length[0] * section.centroid_offset);
-            self.elements.push(Element { fields, span });
+            self.elements.push(Element { unknowns, span });
         }
-    }
-
-    /// The consistent mass of an element; `coupling` (kg) is that of w and psi, rho A `z_c`.
-    fn add_mass(&mut self, fields: &[[Unknown; 4]; 3], span: usize, coupling: f64) {
-        let shapes = self.masses[span];
-        for i in 0..4 {
-            for j in 0..4 {
-                for (field, per_length) in fields.iter().zip(self.per_length) {
-                    self.add_inertia(field[i], field[j], per_length * shapes[i][j]);
-                }
-                self.add_inertia(fields[0][i], fields[1][j], coupling * shapes[i][j]);
-                self.add_inertia(fields[1][i], fields[0][j], coupling * shapes[i][j]);
-            }
-        }
+        let vibration = elements.into_iter().map(|element| element.vibration);
+        self.vibration = vibration.collect();
     }
 
     fn add_inertia(&mut self, row: Unknown, column: Unknown, value: f64) {
@@ -162,14 +148,14 @@ impl System {
         }
     }
 
-    /// Adds a stretch of at most six unknowns; fixed ones do not move.
+    /// Adds a stretch of at most twelve unknowns; fixed ones do not move.
     fn add_stretch(&mut self, unknowns: &[Unknown], factors: &[f64], by: Resistance) {
         if [by.elastic, by.stiffness, by.damping] == [0.0; 3] {
             return;
         }
         let mut stretch = Stretch {
-            unknowns: [0; 6],
-            factors: [0.0; 6],
+            unknowns: [0; UNKNOWNS],
+            factors: [0.0; UNKNOWNS],
             terms: 0,
             by,
         };
@@ -266,11 +252,15 @@ impl Stretch {
     }
 }
 
-/// The unknowns of an element: (value, slope) at the left and the right end, of w, psi and v.
-fn fields(mesh: &Mesh, element: usize) -> [[Unknown; 4]; 3] {
+/// The unknowns of an element: (value, rotation) at the left and the right end, of w, psi and v.
+fn unknowns(mesh: &Mesh, element: usize) -> [Unknown; UNKNOWNS] {
     let left = &mesh.nodes[element].of_right_element;
     let right = &mesh.nodes[element + 1].of_left_element;
-    std::array::from_fn(|field| [left[field], left[field + 3], right[field], right[field + 3]])
+    std::array::from_fn(|unknown| {
+        let (motion, place) = (unknown / 4, unknown % 4);
+        let node = if place < 2 { left } else { right };
+        node[motion + 3 * (place % 2)]
+    })
 }
 
 /// The springs of a subsystem and their stretches over (y, z, theta | w, psi, v) (Chen & Liu 2022, Eq. 30).

@@ -1,11 +1,11 @@
 //! The cubic Hermite shape functions, and the energy of an element with them.
 
 /// Coefficients of a cubic of s = x / h in [0, 1], by ascending power.
-type Cubic = [f64; 4];
+pub(super) type Cubic = [f64; 4];
 
 /// The four cubics with 1 for one and 0 for the other three of: value and slope (d/ds) at the left end, value and slope
 /// at the right end.
-const SHAPES: [Cubic; 4] = [
+pub(super) const SHAPES: [Cubic; 4] = [
     [1.0, 0.0, -3.0, 2.0],
     [0.0, 1.0, -2.0, 1.0],
     [0.0, 0.0, 3.0, -2.0],
@@ -43,26 +43,13 @@ pub(super) fn strains(h: f64, bending: f64, torsion: f64) -> [Strain; 3] {
     ]
 }
 
-/// int `N_i N_j` dx over an element of length `h`, 4x4, m for values: the consistent mass of 1 kg/m.
-pub(super) fn mass(h: f64) -> [[f64; 4]; 4] {
-    products(&SHAPES, h, h)
-}
-
-/// The integrals over s of all products, times `scale` for dx, and times h for each slope: a slope d/dx of 1 is h in
-/// terms of s.
-fn products(functions: &[Cubic; 4], h: f64, scale: f64) -> [[f64; 4]; 4] {
-    let unit = [1.0, h, 1.0, h];
-    let mut out = [[0.0; 4]; 4];
-    for i in 0..4 {
-        for j in 0..4 {
-            out[i][j] = scale * (unit[i] * unit[j]) * integral(&functions[i], &functions[j]);
-        }
-    }
-    out
+/// d/ds.
+pub(super) fn derivative(cubic: Cubic) -> Cubic {
+    [cubic[1], 2.0 * cubic[2], 3.0 * cubic[3], 0.0]
 }
 
 /// int a b ds over [0, 1].
-fn integral(a: &Cubic, b: &Cubic) -> f64 {
+pub(super) fn integral(a: &Cubic, b: &Cubic) -> f64 {
     let mut sum = 0.0;
     for (i, a) in a.iter().enumerate() {
         for (j, b) in b.iter().enumerate() {
@@ -78,8 +65,17 @@ mod tests {
 
     const LENGTH: f64 = 0.3;
 
-    fn derivative(cubic: Cubic) -> Cubic {
-        [cubic[1], 2.0 * cubic[2], 3.0 * cubic[3], 0.0]
+    /// The integrals over s of all products, times `scale` for dx, and times h for each slope: a slope d/dx of 1 is h in
+    /// terms of s.
+    fn products(functions: &[Cubic; 4], h: f64, scale: f64) -> [[f64; 4]; 4] {
+        let unit = [1.0, h, 1.0, h];
+        let mut out = [[0.0; 4]; 4];
+        for i in 0..4 {
+            for j in 0..4 {
+                out[i][j] = scale * (unit[i] * unit[j]) * integral(&functions[i], &functions[j]);
+            }
+        }
+        out
     }
 
     fn assert_near(a: f64, b: f64) {
@@ -103,18 +99,5 @@ mod tests {
                 assert_near(by_strains / 1e3, expected / 1e3);
             }
         }
-    }
-
-    /// Expected: the consistent mass of the textbooks, 1/420 of 156, 22 h, 54, -13 h, 4 h^2, -3 h^2 (Archer 1963).
-    #[test]
-    fn the_mass_is_the_textbooks() {
-        let h = LENGTH;
-        let mass = mass(h);
-        let row = [156.0, 22.0 * h, 54.0, -13.0 * h];
-        for column in 0..4 {
-            assert_near(mass[0][column], row[column] * h / 420.0);
-        }
-        assert_near(mass[1][1], 4.0 * h.powi(3) / 420.0);
-        assert_near(mass[3][1], -3.0 * h.powi(3) / 420.0);
     }
 }

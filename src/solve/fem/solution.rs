@@ -169,12 +169,11 @@ impl System {
         let of = |unknown: Unknown| unknown.map_or(Complex64::ZERO, |index| x[index]);
         let mut sum = 0.0;
         for element in &self.elements {
-            let shapes = &self.masses[element.span];
-            for (field, inertia) in element.fields.iter().zip(self.per_length) {
-                let moved = field.map(of);
-                for i in 0..4 {
-                    for j in 0..4 {
-                        sum += inertia * shapes[i][j] * (moved[i].conj() * moved[j]).re;
+            let moved = element.unknowns.map(of);
+            for (row, weights) in self.vibration[element.span].iter().enumerate() {
+                for (column, weight) in weights.iter().enumerate() {
+                    if *weight != 0.0 {
+                        sum += weight * (moved[row].conj() * moved[column]).re;
                     }
                 }
             }

@@ -15,7 +15,7 @@ use crate::solve::plan::End;
 /// to the last digits of the frequency.
 const RESONANT: f64 = 1e-14;
 
-/// The motions of an end: first those of the coupled waves, then those of the other two.
+/// The motions of an end: first w and psi, which may be coupled, then v.
 const MOTIONS: [BeamMotion; 6] = [
     BeamMotion::W,
     BeamMotion::Psi,
@@ -25,12 +25,12 @@ const MOTIONS: [BeamMotion; 6] = [
     BeamMotion::VSlope,
 ];
 
-/// The equation of one motion of an end for the outgoing and the incoming waves: four or two of them, from the first
-/// that moves it on.
+/// The equation of one motion of an end for the outgoing and the incoming waves: those that move it, from the first of
+/// them on.
 #[derive(Debug, Clone)]
 struct EndRow<A> {
-    of_leaving: [Complex<A>; 4],
-    of_arriving: [Complex<A>; 4],
+    of_leaving: [Complex<A>; 6],
+    of_arriving: [Complex<A>; 6],
     load: Complex<A>,
     /// A power of two that scales the row.
     scale: Real<A>,
@@ -38,26 +38,32 @@ struct EndRow<A> {
 
 impl<A: Arithmetic> EndRow<A> {
     const NONE: Self = Self {
-        of_leaving: [Complex::ZERO; 4],
-        of_arriving: [Complex::ZERO; 4],
+        of_leaving: [Complex::ZERO; 6],
+        of_arriving: [Complex::ZERO; 6],
         load: Complex::ZERO,
         scale: Real::ONE,
     };
 
     /// Becomes K q - p = F at the left end. At the right end p has the other sign; there the outgoing waves go left, so
     /// forces and slopes also change sign, and the equation is the same except for the load of a slope.
-    fn set(&mut self, waves: &Waves<A>, end: &End, motion: BeamMotion, side: Side) {
-        A::outlined(SetRow((self, waves, end, motion, side)));
+    fn set<const ALL: bool>(
+        &mut self,
+        waves: &Waves<A>,
+        end: &End,
+        motion: BeamMotion,
+        side: Side,
+    ) {
+        A::outlined(SetRow::<A, ALL>((self, waves, end, motion, side)));
     }
 
     #[inline(always)]
-    fn set_inlined(
+    fn set_inlined<const ALL: bool>(
         (this, waves, end, motion, side): (&mut Self, &Waves<A>, &End, BeamMotion, Side),
     ) {
         let row = motion as usize % 3;
         let is_slope = motion as usize >= 3;
         let (stiffness, acts, load) = restraint(waves.omega, end, motion);
-        let (from, to) = reach(row);
+        let (from, to) = reach::<ALL>(row);
         let mut largest = Real::ZERO;
         for wave in from..to {
             let (leaving, arriving) = if is_slope {
@@ -125,18 +131,26 @@ fn reflection_inlined<A: Arithmetic>(
     (waves, end, side, mut determinant): (&Waves<A>, &End, Side, Option<&mut ScaledProduct<A>>),
 ) -> Reflection<A> {
     let mut out = Reflection::NONE;
-    let coupled = reflect::<A, 4, 5>(waves, (end, side), 0, determinant.is_some(), &mut out);
-    let bending = reflect::<A, 2, 3>(waves, (end, side), 4, determinant.is_some(), &mut out);
+    let wanted = determinant.is_some();
+    let determinants = if waves.all_coupled {
+        let all = reflect::<A, 6, 7, true>(waves, (end, side), 0, wanted, &mut out);
+        [all, Complex::ONE]
+    } else {
+        [
+            reflect::<A, 4, 5, false>(waves, (end, side), 0, wanted, &mut out),
+            reflect::<A, 2, 3, false>(waves, (end, side), 4, wanted, &mut out),
+        ]
+    };
     if let Some(product) = &mut determinant {
-        product.times(coupled);
-        product.times(bending);
+        product.times(determinants[0]);
+        product.times(determinants[1]);
     }
     out
 }
 
 /// The block of `N` waves from `first` on, and its determinant if requested; `R` is `N` + 1.
 #[inline(always)]
-fn reflect<A: Arithmetic, const N: usize, const R: usize>(
+fn reflect<A: Arithmetic, const N: usize, const R: usize, const ALL: bool>(
     waves: &Waves<A>,
     (end, side): (&End, Side),
     first: usize,
@@ -148,7 +162,7 @@ fn reflect<A: Arithmetic, const N: usize, const R: usize>(
     let mut right = [[Complex::ZERO; R]; N];
     let mut equation = EndRow::NONE;
     for row in 0..N {
-        equation.set(waves, end, MOTIONS[first + row], side);
+        equation.set::<ALL>(waves, end, MOTIONS[first + row], side);
         for column in 0..N {
             of_leaving[row][column] = equation.of_leaving[column];
             let radiation = waves.radiation[first + column];
@@ -188,7 +202,11 @@ fn right_end_inlined<A: Arithmetic>(
     (waves, end, at): (&Waves<A>, &End, &Reflection<A>),
 ) -> Amplitudes<A> {
     let mut system = RightSystem::NONE;
-    system.set(waves, end, at);
+    if waves.all_coupled {
+        system.set::<true>(waves, end, at);
+    } else {
+        system.set::<false>(waves, end, at);
+    }
     finite_where_resolved(&mut system.of_b, &mut system.right, &system.terms)
 }
 
@@ -207,7 +225,11 @@ fn right_determinant_inlined<A: Arithmetic>(
     (waves, end, at, product): (&Waves<A>, &End, &Reflection<A>, &mut ScaledProduct<A>),
 ) {
     let mut system = RightSystem::NONE;
-    system.set(waves, end, at);
+    if waves.all_coupled {
+        system.set::<true>(waves, end, at);
+    } else {
+        system.set::<false>(waves, end, at);
+    }
     product.times(solve_with_determinant(&mut system.of_b, &mut system.right));
     let mut unscaled = Real::ONE;
     for scale in system.scales {
@@ -236,15 +258,15 @@ impl<A: Arithmetic> RightSystem<A> {
     };
 
     #[inline(always)]
-    fn set(&mut self, waves: &Waves<A>, end: &End, at: &Reflection<A>) {
+    fn set<const ALL: bool>(&mut self, waves: &Waves<A>, end: &End, at: &Reflection<A>) {
         let mut sizes = [Real::ZERO; super::reflection::ENTRIES];
         for (size, r) in sizes.iter_mut().zip(&at.r) {
             *size = r.size();
         }
         let mut equation = EndRow::NONE;
         for row in 0..6 {
-            equation.set(waves, end, MOTIONS[row], Side::Right);
-            let (from, to) = if row < 4 { (0, 4) } else { (4, 6) };
+            equation.set::<ALL>(waves, end, MOTIONS[row], Side::Right);
+            let (from, to) = reach::<ALL>(MOTIONS[row] as usize % 3);
             self.scales[row] = equation.scale;
             self.right[row][0] = equation.load;
             for wave in from..to {
@@ -338,9 +360,9 @@ part!(
 );
 
 part!(
-    SetRow ['a, A: Arithmetic] ['a, A]
+    SetRow ['a, A: Arithmetic, const ALL: bool] ['a, A, ALL]
     (&'a mut EndRow<A>, &'a Waves<A>, &'a End, BeamMotion, Side) -> (),
-    EndRow::set_inlined
+    EndRow::set_inlined::<ALL>
 );
 
 part!(

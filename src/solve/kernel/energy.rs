@@ -1,17 +1,23 @@
 //! The vibration energy `E_V` at several frequencies at once; the equations are those of [`crate::solve::energy`].
 //!
-//! Both forms of a span are Hermitian, and shapes that move w and psi do not overlap with those that move v: 13 of
-//! their 36 entries are stored. The exponentials are products of those of the span.
+//! Both forms of a span are Hermitian: 21 of their 36 entries are stored, 13 if shapes that move w and psi do not
+//! overlap with those that move v. The exponentials are products of those of the span.
 
 use super::complex::Complex;
 use super::number::{Arithmetic, Real, part};
-use super::reflection::{Amplitudes, reach};
+use super::reflection::Amplitudes;
 use super::waves::Waves;
 use crate::solve::energy::LEAST_SHARE;
 use crate::solve::waves::BeamConstants;
 
-/// Pairs of waves that overlap.
-pub(super) const PAIRS: usize = 13;
+/// The most pairs of waves that overlap.
+pub(super) const PAIRS: usize = 21;
+
+/// The first wave, and the one after the last, of each block of waves that overlap.
+#[inline(always)]
+const fn blocks<const ALL: bool>() -> &'static [(usize, usize)] {
+    if ALL { &[(0, 6)] } else { &[(0, 4), (4, 6)] }
+}
 
 /// The energy forms of spans of one length.
 #[derive(Debug, Clone)]
@@ -20,6 +26,8 @@ pub(super) struct Form<A> {
     pub(super) same: [Complex<A>; PAIRS],
     /// Waves that travel in opposite directions.
     pub(super) against: [Complex<A>; PAIRS],
+    /// All waves overlap.
+    pub(super) all_coupled: bool,
 }
 
 /// A sum, and the sum of the magnitudes of its terms.
@@ -35,21 +43,36 @@ pub(super) fn weights<A: Arithmetic>(
     waves: &Waves<A>,
     beam: &BeamConstants,
 ) -> [Complex<A>; PAIRS] {
+    if waves.all_coupled {
+        weights_of::<A, true>(waves, beam)
+    } else {
+        weights_of::<A, false>(waves, beam)
+    }
+}
+
+#[inline(always)]
+fn weights_of<A: Arithmetic, const ALL: bool>(
+    waves: &Waves<A>,
+    beam: &BeamConstants,
+) -> [Complex<A>; PAIRS] {
     let (mass, polar) = (Real::splat(beam.mass), Real::splat(beam.polar));
     let [w, psi, v] = &waves.displacement;
     let mut out = [Complex::ZERO; PAIRS];
     let mut pair = 0;
-    for row in [0, 2] {
-        let (from, to) = reach(row);
+    for &(from, to) in blocks::<ALL>() {
         for i in from..to {
             for j in i..to {
-                out[pair] = if row == 0 {
-                    w[i].conj_times(w[j])
+                let mut weight = Complex::ZERO;
+                if ALL || from == 0 {
+                    weight = w[i]
+                        .conj_times(w[j])
                         .scaled(mass)
-                        .plus_scaled(polar, psi[i].conj_times(psi[j]))
-                } else {
-                    v[i].conj_times(v[j]).scaled(mass)
-                };
+                        .plus_scaled(polar, psi[i].conj_times(psi[j]));
+                }
+                if ALL || from == 4 {
+                    weight = weight.plus_scaled(mass, v[i].conj_times(v[j]));
+                }
+                out[pair] = weight;
                 pair += 1;
             }
         }
@@ -61,6 +84,7 @@ impl<A: Arithmetic> Form<A> {
     pub(super) const NONE: Self = Self {
         same: [Complex::ZERO; PAIRS],
         against: [Complex::ZERO; PAIRS],
+        all_coupled: false,
     };
 
     /// The form of spans of a length, m.
@@ -70,17 +94,23 @@ impl<A: Arithmetic> Form<A> {
         length: f64,
         decay: &Amplitudes<A>,
     ) -> Self {
-        A::outlined(NewForm((waves, weights, length, decay)))
+        if waves.all_coupled {
+            A::outlined(NewForm::<A, true>((waves, weights, length, decay)))
+        } else {
+            A::outlined(NewForm::<A, false>((waves, weights, length, decay)))
+        }
     }
 
     #[inline(always)]
-    fn new_inlined(
+    fn new_inlined<const ALL: bool>(
         (waves, weights, length, decay): (&Waves<A>, &[Complex<A>; PAIRS], f64, &Amplitudes<A>),
     ) -> Self {
-        let mut form = Self::NONE;
+        let mut form = Self {
+            all_coupled: ALL,
+            ..Self::NONE
+        };
         let mut pair = 0;
-        for row in [0, 2] {
-            let (from, to) = reach(row);
+        for &(from, to) in blocks::<ALL>() {
             for i in from..to {
                 for j in i..to {
                     let (left, right) = (waves.kappa[i].conj(), waves.kappa[j]);
@@ -99,14 +129,19 @@ impl<A: Arithmetic> Form<A> {
 
     /// The energy of a span: a at its left end, b at its right end.
     pub(super) fn of(&self, a: &Amplitudes<A>, b: &Amplitudes<A>, sum: &mut Sum<A>) {
-        A::outlined(Of((self, a, b, sum)));
+        if self.all_coupled {
+            A::outlined(Of::<A, true>((self, a, b, sum)));
+        } else {
+            A::outlined(Of::<A, false>((self, a, b, sum)));
+        }
     }
 
     #[inline(always)]
-    fn of_inlined((this, a, b, sum): (&Self, &Amplitudes<A>, &Amplitudes<A>, &mut Sum<A>)) {
+    fn of_inlined<const ALL: bool>(
+        (this, a, b, sum): (&Self, &Amplitudes<A>, &Amplitudes<A>, &mut Sum<A>),
+    ) {
         let mut pair = 0;
-        for row in [0, 2] {
-            let (from, to) = reach(row);
+        for &(from, to) in blocks::<ALL>() {
             for i in from..to {
                 for j in i..to {
                     let same = a[i].conj_times(a[j]) + b[i].conj_times(b[j]);
@@ -125,16 +160,18 @@ impl<A: Arithmetic> Form<A> {
 }
 
 impl<A: Arithmetic> Form<A> {
-    /// The energy of a span if each of its waves were alone, at least an eighth of the magnitudes that `of` sums: a
-    /// positive semidefinite form is at most its diagonal times the number of overlapping waves, which is eight.
+    /// The energy of a span if each of its waves were alone, at least a twelfth of the magnitudes that `of` sums: a
+    /// positive semidefinite form is at most its diagonal times the number of overlapping waves, which is eight or, if
+    /// all are coupled, twelve.
     #[inline(always)]
     pub(super) fn apart(&self, a: &Amplitudes<A>, b: &Amplitudes<A>) -> Real<A> {
         /// Index of the pair of each wave with itself.
-        const OWN: [usize; 6] = [0, 4, 7, 9, 10, 12];
+        const OWN: [[usize; 6]; 2] = [[0, 4, 7, 9, 10, 12], [0, 6, 11, 15, 18, 20]];
+        let own = &OWN[usize::from(self.all_coupled)];
         let mut sum = Real::ZERO;
         for wave in 0..6 {
             let squares = a[wave].norm_sqr() + b[wave].norm_sqr();
-            sum = self.same[OWN[wave]].re.multiply_add(squares, sum);
+            sum = self.same[own[wave]].re.multiply_add(squares, sum);
         }
         sum
     }
@@ -195,15 +232,15 @@ fn mean_difference_inlined<A: Arithmetic>(
 }
 
 part!(
-    NewForm ['a, A: Arithmetic] ['a, A]
+    NewForm ['a, A: Arithmetic, const ALL: bool] ['a, A, ALL]
     (&'a Waves<A>, &'a [Complex<A>; PAIRS], f64, &'a Amplitudes<A>) -> Form<A>,
-    Form::new_inlined
+    Form::new_inlined::<ALL>
 );
 
 part!(
-    Of ['a, A: Arithmetic] ['a, A]
+    Of ['a, A: Arithmetic, const ALL: bool] ['a, A, ALL]
     (&'a Form<A>, &'a Amplitudes<A>, &'a Amplitudes<A>, &'a mut Sum<A>) -> (),
-    Form::of_inlined
+    Form::of_inlined::<ALL>
 );
 
 part!(

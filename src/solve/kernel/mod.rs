@@ -7,7 +7,8 @@
 //!
 //! At every point the right-going amplitudes are `a = R b + s`, seen looking left (`reflection`); only decaying
 //! exponentials occur, so no digits are lost for any length of beam or frequency, while a product of transfer matrices
-//! loses digits like `exp(2 kappa L)` (Chen & Liu 2022, Eq. 48). `waves` and `roots` compute the waves, `ends` the
+//! loses digits like `exp(2 kappa L)` (Chen & Liu 2022, Eq. 48). `waves` and `roots` compute the waves of the
+//! paper's beam, where v is on its own, `general_waves` those of any other; `ends` the
 //! supports, `station` the subsystems, `recursion` sweeps to the right and back, `read` evaluates the responses,
 //! `energy` integrates along the spans. Cost and memory are linear in the number of stations.
 //!
@@ -28,6 +29,7 @@ mod dispatch;
 mod elementary;
 mod ends;
 mod energy;
+mod general_waves;
 mod linear;
 mod number;
 mod operation_count;

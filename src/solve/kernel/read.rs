@@ -76,7 +76,11 @@ impl<A: Arithmetic> State<A> {
     #[inline(always)]
     fn motion(&self, waves: &Waves<A>, motion: BeamMotion) -> Complex<A> {
         let row = motion as usize;
-        let (from, to) = reach(row % 3);
+        let (from, to) = if waves.all_coupled {
+            reach::<true>(row % 3)
+        } else {
+            reach::<false>(row % 3)
+        };
         let mut sum = Complex::ZERO;
         for wave in from..to {
             let (a, b) = (self.a[wave], self.b[wave]);

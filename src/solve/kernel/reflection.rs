@@ -42,10 +42,17 @@ pub(super) enum Side {
     Right,
 }
 
-/// Columns of the waves that contribute to a row (w, psi, v) of Q, S, P or M.
+/// Columns of the waves that contribute to a row (w, psi, v) of Q, S, P or M; `ALL` if [all waves are
+/// coupled](Waves::all_coupled).
 #[inline(always)]
-pub(super) const fn reach(row: usize) -> (usize, usize) {
-    if row < 2 { (0, 4) } else { (4, 6) }
+pub(super) const fn reach<const ALL: bool>(row: usize) -> (usize, usize) {
+    if ALL {
+        (0, 6)
+    } else if row < 2 {
+        (0, 4)
+    } else {
+        (4, 6)
+    }
 }
 
 impl<A: Arithmetic> Reflection<A> {
@@ -138,11 +145,17 @@ pub(super) struct Jumps<A> {
 impl<A: Arithmetic> Jumps<A> {
     /// The jumps of loads along the six motions: p(x+) = p(x-) - F.
     pub(super) fn of_load(waves: &Waves<A>, load: &[num_complex::Complex64; 6]) -> Self {
-        A::outlined(OfLoad((waves, load)))
+        if waves.all_coupled {
+            A::outlined(OfLoad::<A, true>((waves, load)))
+        } else {
+            A::outlined(OfLoad::<A, false>((waves, load)))
+        }
     }
 
     #[inline(always)]
-    fn of_load_inlined((waves, load): (&Waves<A>, &[num_complex::Complex64; 6])) -> Self {
+    fn of_load_inlined<const ALL: bool>(
+        (waves, load): (&Waves<A>, &[num_complex::Complex64; 6]),
+    ) -> Self {
         let mut jumps = Self {
             even: [Complex::ZERO; 6],
             odd: [Complex::ZERO; 6],
@@ -150,7 +163,7 @@ impl<A: Arithmetic> Jumps<A> {
         for row in 0..3 {
             let force = Complex::splat(-load[row]);
             let moment = Complex::splat(-load[row + 3]);
-            let (from, to) = reach(row);
+            let (from, to) = reach::<ALL>(row);
             for wave in from..to {
                 jumps.even[wave] =
                     jumps.even[wave].plus_product(waves.displacement[row][wave], force);
@@ -197,7 +210,7 @@ part!(
 );
 
 part!(
-    OfLoad ['a, A: Arithmetic] ['a, A]
+    OfLoad ['a, A: Arithmetic, const ALL: bool] ['a, A, ALL]
     (&'a Waves<A>, &'a [num_complex::Complex64; 6]) -> Jumps<A>,
-    Jumps::of_load_inlined
+    Jumps::of_load_inlined::<ALL>
 );

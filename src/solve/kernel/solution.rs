@@ -130,6 +130,7 @@ impl<A: Arithmetic> Waves<A> {
             slope: self.slope.each_ref().map(plain),
             force: self.force.each_ref().map(plain),
             moment: self.moment.each_ref().map(plain),
+            all_coupled: self.all_coupled,
         }
     }
 }

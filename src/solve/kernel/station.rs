@@ -8,13 +8,20 @@ use super::complex::{Complex, Matrix};
 use super::linear::{solve, solve_with_determinant};
 use super::number::{Arithmetic, Real, part};
 use super::product::ScaledProduct;
-use super::reflection::{Amplitudes, Reflection, entry};
+use super::reflection::{Amplitudes, Reflection, entry, reach};
 use super::waves::Waves;
 use crate::solve::attachment::{Attachment, UNKNOWNS};
 use crate::solve::linear::ZERO;
 
 /// Channels: the y springs, the sum and the difference of the z springs.
 pub(super) const CHANNELS: usize = 3;
+
+/// Index of the sum of the z springs.
+const SUM: usize = 1;
+
+/// Rows of w and v.
+const W: usize = 0;
+const V: usize = 2;
 
 /// The forces of the channels: `from_waves b' + forced` for the waves b' that come from the far side.
 #[derive(Debug, Clone)]
@@ -39,12 +46,13 @@ pub(super) struct Unknowns<'a, A> {
     pub(super) determinant: Option<&'a mut ScaledProduct<A>>,
 }
 
-/// Stretches of the channels by each wave: w + `z_b` psi and `y_u` psi for the coupled ones; v for the other two is 1.
+/// Stretches of the channels by each wave: w + `z_b` psi, v and `y_u` psi.
 #[derive(Debug, Clone)]
 pub(super) struct Stretches<A> {
-    y: [Complex<A>; 4],
-    sum: Real<A>,
-    difference: [Complex<A>; 4],
+    y: Amplitudes<A>,
+    sum: Amplitudes<A>,
+    difference: Amplitudes<A>,
+    all_coupled: bool,
 }
 
 /// The stretches, without motions that a support fixes.
@@ -61,15 +69,21 @@ pub(super) fn stretches_without<A: Arithmetic>(
     [w_held, psi_held, v_held]: [bool; 3],
 ) -> Stretches<A> {
     let mut out = Stretches {
-        y: [Complex::ZERO; 4],
-        sum: if v_held { Real::ZERO } else { Real::ONE },
-        difference: [Complex::ZERO; 4],
+        y: [Complex::ZERO; 6],
+        sum: if v_held {
+            [Complex::ZERO; 6]
+        } else {
+            waves.displacement[2]
+        },
+        difference: [Complex::ZERO; 6],
+        all_coupled: waves.all_coupled,
     };
     let (z, y) = (
         Real::splat(attachment.mount_z),
         Real::splat(attachment.mount_y),
     );
-    for wave in 0..4 {
+    let moving = if waves.all_coupled { 6 } else { 4 };
+    for wave in 0..moving {
         let (mut w, mut psi) = (waves.displacement[0][wave], waves.displacement[1][wave]);
         if w_held {
             w = Complex::ZERO;
@@ -142,6 +156,27 @@ impl<A: Arithmetic> Springs<A> {
     }
 }
 
+/// Columns of the waves that stretch a channel.
+#[inline(always)]
+const fn waves_of<const ALL: bool>(channel: usize) -> (usize, usize) {
+    reach::<ALL>(if channel == SUM { V } else { W })
+}
+
+/// sum + stretch a. Without coupling v of both its waves is 1, or 0 if it is fixed.
+#[inline(always)]
+fn stretched_by<A: Arithmetic, const ALL: bool>(
+    sum: Complex<A>,
+    channel: usize,
+    stretch: Complex<A>,
+    a: Complex<A>,
+) -> Complex<A> {
+    if !ALL && channel == SUM {
+        sum.plus_scaled(stretch.re, a)
+    } else {
+        sum.plus_product(stretch, a)
+    }
+}
+
 /// The beam where a subsystem is attached.
 struct Contact<A> {
     /// Stretches per b'.
@@ -154,50 +189,46 @@ struct Contact<A> {
 
 impl<A: Arithmetic> Contact<A> {
     #[inline(always)]
-    fn new(waves: &Waves<A>, attachment: &Attachment, at: &Reflection<A>) -> Self {
-        let Stretches { y, sum, difference } = stretches(waves, attachment);
+    fn new<const ALL: bool>(waves: &Waves<A>, attachment: &Attachment, at: &Reflection<A>) -> Self {
+        let stretches = stretches(waves, attachment);
         let mut contact = Self {
             moved: [[Complex::ZERO; 6]; CHANNELS],
             still: [Complex::ZERO; CHANNELS],
             receptance: [[Complex::ZERO; CHANNELS]; CHANNELS],
         };
-        for column in 0..6 {
-            let [mut by_y, mut by_difference] = [Complex::ZERO; 2];
-            if column < 4 {
-                by_y = y[column] * waves.radiation[column];
-                by_difference = difference[column] * waves.radiation[column];
-            }
-            for wave in 0..4 {
-                let r = at.r[entry(wave, column)];
-                by_y = by_y.plus_product(y[wave], r);
-                by_difference = by_difference.plus_product(difference[wave], r);
-            }
-            let mut by_sum = at.r[entry(4, column)] + at.r[entry(5, column)];
-            if column >= 4 {
-                by_sum += waves.radiation[column];
-            }
-            contact.moved[0][column] = by_y;
-            contact.moved[1][column] = by_sum.scaled(sum);
-            contact.moved[2][column] = by_difference;
-        }
-        contact.still[1] = (at.s[4] + at.s[5]).scaled(sum);
-        for wave in 0..4 {
-            contact.still[0] = contact.still[0].plus_product(y[wave], at.s[wave]);
-            contact.still[2] = contact.still[2].plus_product(difference[wave], at.s[wave]);
-        }
+        let by = [&stretches.y, &stretches.sum, &stretches.difference];
         for channel in 0..CHANNELS {
-            let moved = &contact.moved[channel];
-            let by_sum = (moved[4] + moved[5]).scaled(sum);
-            contact.receptance[channel][1] = by_sum;
-            contact.receptance[1][channel] = by_sum;
-        }
-        for (one, other, by) in [(0, 0, &y), (0, 2, &difference), (2, 2, &difference)] {
-            let mut total = Complex::ZERO;
-            for wave in 0..4 {
-                total = total.plus_product(contact.moved[one][wave], by[wave]);
+            let (from, to) = waves_of::<ALL>(channel);
+            for column in 0..6 {
+                let mut sum = Complex::ZERO;
+                if column >= from && column < to {
+                    sum = by[channel][column] * waves.radiation[column];
+                }
+                for wave in from..to {
+                    let r = at.r[entry(wave, column)];
+                    sum = stretched_by::<A, ALL>(sum, channel, by[channel][wave], r);
+                }
+                contact.moved[channel][column] = sum;
             }
-            contact.receptance[one][other] = total;
-            contact.receptance[other][one] = total;
+            for wave in from..to {
+                let still = contact.still[channel];
+                contact.still[channel] =
+                    stretched_by::<A, ALL>(still, channel, by[channel][wave], at.s[wave]);
+            }
+        }
+        for one in 0..CHANNELS {
+            for other in one..CHANNELS {
+                // The channel with the fewest waves.
+                let (moved, channel) = if other == 1 { (one, 1) } else { (other, one) };
+                let (from, to) = waves_of::<ALL>(channel);
+                let mut total = Complex::ZERO;
+                for wave in from..to {
+                    let of = contact.moved[moved][wave];
+                    total = stretched_by::<A, ALL>(total, channel, by[channel][wave], of);
+                }
+                contact.receptance[one][other] = total;
+                contact.receptance[other][one] = total;
+            }
         }
         contact
     }
@@ -232,11 +263,15 @@ impl<A: Arithmetic> Reflection<A> {
         attachment: &Attachment,
         unknowns: Unknowns<A>,
     ) {
-        A::outlined(Attach((self, waves, attachment, unknowns)));
+        if waves.all_coupled {
+            A::outlined(Attach::<A, true>((self, waves, attachment, unknowns)));
+        } else {
+            A::outlined(Attach::<A, false>((self, waves, attachment, unknowns)));
+        }
     }
 
     #[inline(always)]
-    fn attach_inlined(
+    fn attach_inlined<const ALL: bool>(
         (this, waves, attachment, wanted): (&mut Self, &Waves<A>, &Attachment, Unknowns<A>),
     ) {
         let Unknowns {
@@ -244,7 +279,7 @@ impl<A: Arithmetic> Reflection<A> {
             turn,
             determinant,
         } = wanted;
-        let contact = Contact::new(waves, attachment, this);
+        let contact = Contact::new::<ALL>(waves, attachment, this);
         let springs = Springs::new(waves.omega, attachment);
         let (by_stretch, by_load) =
             unknowns(&springs, attachment, &contact.receptance, determinant);
@@ -464,16 +499,23 @@ pub(super) fn sent<A: Arithmetic>(
     stretches: &Stretches<A>,
     forces: &[Complex<A>; CHANNELS],
 ) -> Amplitudes<A> {
-    let mut out = [forces[1].scaled(stretches.sum); 6];
-    for wave in 0..4 {
-        out[wave] =
-            (stretches.y[wave] * forces[0]).plus_product(stretches.difference[wave], forces[2]);
+    let mut out = [Complex::ZERO; 6];
+    for wave in 0..6 {
+        if stretches.all_coupled || wave < 4 {
+            out[wave] =
+                (stretches.y[wave] * forces[0]).plus_product(stretches.difference[wave], forces[2]);
+        }
+        if stretches.all_coupled {
+            out[wave] = out[wave].plus_product(stretches.sum[wave], forces[SUM]);
+        } else if wave >= 4 {
+            out[wave] = forces[SUM].scaled(stretches.sum[wave].re);
+        }
     }
     out
 }
 
 part!(
-    Attach ['a, A: Arithmetic] ['a, A]
+    Attach ['a, A: Arithmetic, const ALL: bool] ['a, A, ALL]
     (&'a mut Reflection<A>, &'a Waves<A>, &'a Attachment, Unknowns<'a, A>) -> (),
-    Reflection::attach_inlined
+    Reflection::attach_inlined::<ALL>
 );

@@ -20,7 +20,7 @@ use super::waves::{Constants, Waves};
 use super::{Instructions, Solver};
 use crate::model::{
     BeamMotion, Elastic, Force, MassMotion, Measure, Model, Place, Quantity, Response, Restraint,
-    Support, Target, check, read,
+    Support, Target, Theory, check, read,
 };
 use crate::presets;
 use crate::solve::fem;
@@ -120,6 +120,14 @@ fn random_model(random: &mut fastrand::Rng) -> Model {
     let section = &mut model.beam.section;
     section.warping_constant *= [0.0, 0.1, 1.0, 10.0][random.usize(0..4)];
     section.centroid_offset *= [0.0, 1.0, -2.0][random.usize(0..3)];
+    (section.shear_area_y, section.shear_area_z) = (6e-3, 4e-3);
+    if random.bool() {
+        section.centroid_offset_y = [0.0, 0.05, -0.1][random.usize(0..3)];
+        section.product_moment = [0.0, 3e-5, -1e-4][random.usize(0..3)];
+        model.beam.axial_force = [0.0, 2e6, -1e5][random.usize(0..3)];
+        model.beam.warping_inertia = random.bool();
+        model.beam.theory = Theory::ALL[random.usize(0..4)];
+    }
     for support in [&mut model.supports.left, &mut model.supports.right] {
         *support = random_support(random);
     }

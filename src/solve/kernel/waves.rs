@@ -8,6 +8,7 @@
 use num_complex::Complex64;
 
 use super::complex::{Complex, Matrix};
+use super::general_waves::GeneralConstants;
 use super::number::{Arithmetic, Real, part};
 use super::roots::{Pair, Root, roots};
 use crate::solve::waves::{BeamConstants, WARPING_WAVE, coupled_waves};
@@ -20,6 +21,8 @@ pub(super) struct Constants {
     bending: [Complex64; 2],
     /// 1 / (E `Gamma_0`); 0 if `Gamma_0` is 0.
     inverse_warping: Complex64,
+    /// For a beam that is not the paper's.
+    general: Option<Box<GeneralConstants>>,
 }
 
 impl Constants {
@@ -34,6 +37,9 @@ impl Constants {
             } else {
                 beam.warping.inv()
             },
+            general: beam
+                .is_general
+                .then(|| Box::new(GeneralConstants::new(&beam.matrices))),
         }
     }
 }
@@ -59,6 +65,8 @@ pub(super) struct Waves<A> {
     pub(super) weight: [Complex<A>; 6],
     /// The warping wave decays at once.
     pub(super) without_warping: bool,
+    /// Each wave may move w, psi and v; otherwise the first four waves move w and psi, and the others v.
+    pub(super) all_coupled: bool,
 }
 
 /// A beam and the angular frequencies, rad/s.
@@ -130,6 +138,7 @@ impl<A: Arithmetic> Waves<A> {
         radiation: [Complex::ZERO; 6],
         weight: [Complex::ZERO; 6],
         without_warping: false,
+        all_coupled: false,
     };
 
     /// Becomes the waves at angular frequencies, rad/s.
@@ -141,11 +150,16 @@ impl<A: Arithmetic> Waves<A> {
     fn set_inlined((this, constants, omega): (&mut Self, &Constants, Complex<A>)) {
         this.omega = omega;
         this.without_warping = constants.beam.without_warping();
-        this.set_coupled(constants);
+        this.all_coupled = constants.general.is_some();
+        if let Some(general) = &constants.general {
+            this.set_general(general);
+        } else {
+            this.set_coupled(constants);
+            this.set_bending_v(constants);
+        }
         if this.without_warping {
             this.set_warping_limit();
         }
-        this.set_bending_v(constants);
     }
 
     /// The four coupled waves: two evanescent, two travelling.
@@ -285,7 +299,7 @@ impl<A: Arithmetic> Waves<A> {
     }
 
     #[inline(always)]
-    fn set_weight(&mut self, column: usize, weight: Complex<A>) {
+    pub(super) fn set_weight(&mut self, column: usize, weight: Complex<A>) {
         self.weight[column] = weight;
         self.radiation[column] = weight.inverse();
     }

@@ -7,6 +7,7 @@ use std::f64::consts::PI;
 
 use super::MOST_MODES;
 use crate::model::Model;
+use crate::solve::beam_matrices::BeamMatrices;
 
 /// Whether a beam has too many modes below an angular frequency (rad/s) to count them, or numbers outside the range of
 /// the arithmetic.
@@ -23,18 +24,30 @@ pub(super) fn is_beyond(model: &Model, omega: f64) -> bool {
 /// The number of half waves of uncoupled bending and twist on the beam: equal to the number of modes, except for a few
 /// at its ends.
 fn half_waves(model: &Model, omega: f64) -> f64 {
-    let (material, section) = (&model.beam.material, &model.beam.section);
-    let bending = |second_moment: f64| {
-        let slowness = material.density / material.young_modulus * (section.area / second_moment);
-        omega.sqrt() * slowness.sqrt().sqrt()
+    let matrices = BeamMatrices::new(&model.beam);
+    let BeamMatrices {
+        bending,
+        tension,
+        shear,
+        mass,
+        rotary,
+    } = &matrices;
+    // The wave number k of d k^4 + c k^2 = omega^2 m, in a form without cancellation and overflow; rotary inertia and
+    // shear lower c.
+    let wave_number = |[d, c, r, f, m]: [f64; 5]| {
+        let c = c - omega * (omega * (r + d * f * m));
+        let root = c.hypot(2.0 * omega * (d * m).sqrt());
+        let square = if c > 0.0 {
+            2.0 * omega * (omega * m / (c + root))
+        } else {
+            (root - c) / (2.0 * d)
+        };
+        square.sqrt()
     };
-    // The wave number k of E G0 k^4 + G J k^2 = omega^2 rho I0, in a form without cancellation.
-    let inertia = material.density * section.polar_moment;
-    let torsion = material.shear_modulus * section.torsion_constant;
-    let warping = material.young_modulus * section.warping_constant;
-    let root = torsion.hypot(2.0 * omega * (warping * inertia).sqrt());
-    let twist = (2.0 * omega).sqrt() * (omega * inertia / (torsion + root)).sqrt();
-    let waves = bending(section.second_moment_y) + bending(section.second_moment_z) + twist;
+    let [first, second] = matrices.principal_bending();
+    let waves = wave_number([first, tension.w.re, rotary.w, shear.w.re, mass.w])
+        + wave_number([second, tension.v.re, rotary.v, shear.v.re, mass.v])
+        + wave_number([bending.psi.re, tension.psi.re, rotary.psi, 0.0, mass.psi]);
     waves * model.beam.length / PI
 }
 

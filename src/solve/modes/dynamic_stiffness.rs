@@ -2,30 +2,50 @@
 //!
 //! All numbers are dimensionless: lengths in units of a reference length, twist times the radius of gyration,
 //! stiffnesses over `E Iy / length^3`. Degrees of freedom are (w, psi, v, w', psi', v'), as in
-//! [`BeamMotion`](crate::model::BeamMotion). The solutions are power series of the equations of motion (Chen & Liu,
-//! Mathematics 2022, 10(16), 2849, Eqs. 11 to 13): they use no waves, so this count is independent of the frequency
-//! responses. Uncoupled motions are separate, each with its own step.
+//! [`BeamMotion`](crate::model::BeamMotion). The solutions are power series of the equations of motion (for the paper's
+//! beam: Chen & Liu, Mathematics 2022, 10(16), 2849, Eqs. 11 to 13): they use no waves, so this count is independent of
+//! the frequency responses. Motions without coupling are separate, each with its own step.
 
-use nalgebra::{Matrix6, SMatrix};
+use nalgebra::{Matrix3, Matrix6, SMatrix};
 
 use super::matrix_inertia::eliminate;
-use super::series::{bending, coupled, twist};
+use super::series::transfer;
 
-/// The dimensionless coefficients of the equations of motion.
+/// Index of psi among the motions (w, psi, v).
+const PSI: usize = 1;
+
+/// The dimensionless matrices of the beam at one frequency: see [`crate::solve::beam_matrices`].
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Field {
-    /// `E Iz / E Iy`.
-    pub(super) bending_v: f64,
-    /// `E Gamma_0 / (E Iy r^2)`; 0 without warping stiffness.
-    pub(super) warping: f64,
-    /// `G J length^2 / (E Iy r^2)`.
-    pub(super) torsion: f64,
-    /// `omega^2 rho A length^4 / E Iy`.
-    pub(super) mass: f64,
-    /// `omega^2 rho I_0 length^4 / (E Iy r^2)`.
-    pub(super) polar: f64,
-    /// `omega^2 rho A z_c length^4 / (E Iy r)`.
-    pub(super) coupling: f64,
+    /// D, over `E Iy`.
+    pub(super) bending: Matrix3<f64>,
+    /// C, times length^2.
+    pub(super) tension: Matrix3<f64>,
+    /// omega^2 R, times length^2.
+    pub(super) rotary: Matrix3<f64>,
+    /// F, over length^2: diagonal.
+    pub(super) shear: Matrix3<f64>,
+    /// omega^2 M, times length^4.
+    pub(super) mass: Matrix3<f64>,
+}
+
+/// The same for some motions that are coupled to no others.
+#[derive(Debug, Clone)]
+pub(super) struct Block<const K: usize> {
+    /// D^-1; 0 for twist without warping stiffness.
+    pub(super) flexibility: SMatrix<f64, K, K>,
+    pub(super) tension: SMatrix<f64, K, K>,
+    pub(super) rotary: SMatrix<f64, K, K>,
+    pub(super) shear: SMatrix<f64, K, K>,
+    pub(super) mass: SMatrix<f64, K, K>,
+    /// The index of the twist, if it has no warping stiffness.
+    pub(super) without_warping: Option<usize>,
+    /// For each motion a lower bound of D.
+    bending: [f64; K],
+    /// For each motion a lower bound of C.
+    least_tension: [f64; K],
+    /// The motions.
+    motions: [usize; K],
 }
 
 /// q' = A q + B p and p' = C q + D p over a span, with p the internal forces conjugate to q.
@@ -61,6 +81,34 @@ const FIRST_CLAMPED: f64 = 4.730;
 /// The longest k l for which the power series converge fast.
 const CONVERGENT: f64 = 1.5;
 
+/// Evaluates an expression for each block of coupled motions; `$n` is twice their number.
+macro_rules! for_each_block {
+    ($field:expr, |$block:ident, $n:ident| $do:expr) => {
+        match $field.couplings() {
+            [false, false, false] => {
+                for_each_block!(@ $field, |$block, $n| $do, [0] 2, [PSI] 2, [2] 2);
+            }
+            [true, false, false] => {
+                for_each_block!(@ $field, |$block, $n| $do, [0, PSI] 4, [2] 2);
+            }
+            [false, true, false] => {
+                for_each_block!(@ $field, |$block, $n| $do, [PSI, 2] 4, [0] 2);
+            }
+            [false, false, true] => {
+                for_each_block!(@ $field, |$block, $n| $do, [0, 2] 4, [PSI] 2);
+            }
+            _ => for_each_block!(@ $field, |$block, $n| $do, [0, PSI, 2] 6),
+        }
+    };
+    (@ $field:expr, |$block:ident, $n:ident| $do:expr, $($motions:tt $twice:literal),*) => {
+        $({
+            const $n: usize = $twice;
+            let $block = $field.block($motions);
+            $do;
+        })*
+    };
+}
+
 impl Field {
     /// A span of a length.
     pub(super) fn span(&self, length: f64) -> Span {
@@ -73,81 +121,173 @@ impl Field {
             },
             transfer: Some(Transfer::zeros()),
         };
-        let v = |h: f64| bending(self.bending_v, self.mass, h);
-        span.put(
-            [2, 5],
-            joined(length, v, |h| {
-                is_short_in_bending(self.mass / self.bending_v, h)
-            }),
-        );
-        if self.coupling == 0.0 {
-            let w = |h: f64| bending(1.0, self.mass, h);
-            span.put(
-                [0, 3],
-                joined(length, w, |h| is_short_in_bending(self.mass, h)),
-            );
-            span.put(
-                [1, 4],
-                joined(length, |h| twist(self, h), |h| self.is_short(h)),
-            );
-        } else {
-            span.put(
-                [0, 1, 3, 4],
-                joined(length, |h| coupled(self, h), |h| self.is_short(h)),
-            );
-        }
+        for_each_block!(self, |block, N| span.put::<_, N>(&block, length));
         span
     }
 
     /// The number of pieces of a span. If warping decays over much less than a bending wavelength, halves short enough
     /// for it would be so stiff in bending that rounding hides the inertia: then each piece is a transfer matrix.
     pub(super) fn pieces(&self, length: f64) -> usize {
+        let mut pieces = 1;
+        for_each_block!(self, |block, _N| pieces = pieces.max(block.pieces(length)));
+        pieces
+    }
+
+    /// Whether w and psi, psi and v, and w and v are coupled.
+    fn couplings(&self) -> [bool; 3] {
+        let matrices = [&self.bending, &self.tension, &self.rotary, &self.mass];
+        [(0, PSI), (PSI, 2), (0, 2)].map(|at| matrices.iter().any(|matrix| matrix[at] != 0.0))
+    }
+
+    fn block<const K: usize>(&self, motions: [usize; K]) -> Block<K> {
+        let of = |matrix: &Matrix3<f64>| {
+            SMatrix::<f64, K, K>::from_fn(|i, j| matrix[(motions[i], motions[j])])
+        };
+        let (bending, tension) = (of(&self.bending), of(&self.tension));
+        let without_warping =
+            (0..K).find(|&index| motions[index] == PSI && bending[(index, index)] == 0.0);
+        let mut regular = bending;
+        if let Some(twist) = without_warping {
+            regular[(twist, twist)] = 1.0;
+        }
+        let mut flexibility = regular.try_inverse().unwrap_or_else(SMatrix::zeros);
+        if let Some(twist) = without_warping {
+            flexibility[(twist, twist)] = 0.0;
+        }
+        let psi = (0..K).find(|&index| motions[index] == PSI);
+        Block {
+            flexibility,
+            mass: of(&self.mass),
+            rotary: of(&self.rotary),
+            shear: of(&self.shear),
+            without_warping,
+            bending: std::array::from_fn(|index| {
+                let others = (0..K).filter(|&other| bending[(index, other)] != 0.0);
+                least_eigenvalue(&bending, &others.collect::<Vec<_>>())
+            }),
+            least_tension: std::array::from_fn(|index| least_tension(&tension, index, psi)),
+            tension,
+            motions,
+        }
+    }
+}
+
+/// The least eigenvalue of a symmetric matrix over one or two of its rows; 0 for none.
+fn least_eigenvalue<const K: usize>(matrix: &SMatrix<f64, K, K>, rows: &[usize]) -> f64 {
+    match *rows {
+        [] => 0.0,
+        [row] => matrix[(row, row)],
+        [one, other, ..] => {
+            let (a, b, c) = (
+                matrix[(one, one)],
+                matrix[(other, other)],
+                matrix[(one, other)],
+            );
+            // a b - c^2 over the larger one, without cancellation.
+            let larger = 0.5 * (a + b) + (0.5 * (a - b)).hypot(c);
+            (a * b - c * c) / larger
+        }
+    }
+}
+
+/// A coefficient c for each motion so that `q'^T T q' >= sum c q'^2` for the matrix T of C.
+///
+/// A product of twist and a slope is at least minus a quarter of the own term of twist and the rest of the slope's
+/// (Young's inequality), or minus half of both their squares.
+fn least_tension<const K: usize>(
+    tension: &SMatrix<f64, K, K>,
+    index: usize,
+    twist: Option<usize>,
+) -> f64 {
+    let own = tension[(index, index)];
+    let across = |other: usize| tension[(index, other)].abs();
+    let others = (0..K).filter(|&other| other != index && across(other) != 0.0);
+    match twist.filter(|&twist| tension[(twist, twist)] > 0.0) {
+        Some(twist) if twist == index => own * (1.0 - 0.25 * others.count() as f64),
+        Some(twist) => others.fold(own, |sum, other| {
+            let less = if other == twist {
+                4.0 * across(other).powi(2) / tension[(twist, twist)]
+            } else {
+                across(other)
+            };
+            sum - less
+        }),
+        None => others.fold(own, |sum, other| sum - across(other)),
+    }
+}
+
+impl<const K: usize> Block<K> {
+    /// The pieces of a span: more than one only if twist is coupled to displacements.
+    fn pieces(&self, length: f64) -> usize {
         const MOST_HALVINGS: u32 = 12;
         const HARMLESS: u32 = 1;
-        if self.coupling == 0.0 {
+        if K == 1 || !self.motions.contains(&PSI) {
             return 1;
         }
-        let bending = halvings(length, |h| is_short_in_bending(self.mass, h));
-        let both = halvings(length, |h| self.is_short(h));
-        if both > bending + HARMLESS && both <= MOST_HALVINGS {
-            1 << both
+        let bends = (0..K).filter(|&index| self.motions[index] != PSI);
+        let bending = halvings(length, |h| {
+            bends.clone().all(|index| self.converges_in(index, h))
+        });
+        let all = halvings(length, |h| self.is_short(h));
+        if all > bending + HARMLESS && all <= MOST_HALVINGS {
+            1 << all
         } else {
             1
         }
     }
 
-    /// Whether w and psi, clamped, have no mode below the frequency over a length, and their series converge fast.
+    /// Whether the motions, clamped, have no mode below the frequency over a length, and their series converge fast.
     ///
-    /// The mass matrix of the two is at most twice its diagonal, so each uncoupled clamped mode with twice its mass is
-    /// a lower bound.
+    /// The mass matrix is at most `K` times its diagonal, so each uncoupled clamped mode with `K` times its mass is a
+    /// lower bound. Compression (negative tension) and rotary inertia c take the fraction `c l^2 / (4 pi^2 D)` of the
+    /// bending stiffness, by Euler's load of a clamped column. With shear deformation the clamped frequency is at least
+    /// that of the parts in series (Dunkerley), and the slope q' is the sum of a rotation and a shear angle, so that
+    /// `q'^2` is at most twice the sum of their squares.
     fn is_short(&self, length: f64) -> bool {
-        let k = (FIRST_CLAMPED / length).powi(4);
-        let twisting = self.warping * k + self.torsion * (std::f64::consts::PI / length).powi(2);
-        let no_mode = 2.0 * self.mass < k && 2.0 * self.polar < twisting;
-        no_mode && length * self.largest_wave_number() < CONVERGENT
+        let bends = (FIRST_CLAMPED / length).powi(4);
+        let turns = (std::f64::consts::PI / length).powi(2);
+        (0..K).all(|index| {
+            let (bending, tension) = (self.bending[index], self.least_tension[index]);
+            let compression = (-tension).max(0.0);
+            let rotary: f64 = self.rotary.row(index).iter().map(|entry| entry.abs()).sum();
+            let shear = self.shear[(index, index)];
+            let (left, sheared) = if shear > 0.0 {
+                let left = bending - (2.0 * compression + rotary) / turns;
+                (left, shear / (turns * (1.0 - 2.0 * compression * shear)))
+            } else {
+                (bending - (compression + rotary) / (4.0 * turns), 0.0)
+            };
+            let bent = left * bends;
+            let stiffness = bent / (1.0 + bent * sheared) + tension.max(0.0) * turns;
+            let is_stable = left >= 0.0 && sheared >= 0.0;
+            let no_mode = is_stable && K as f64 * self.mass[(index, index)] < stiffness;
+            no_mode && self.converges_in(index, length)
+        })
     }
 
-    /// An upper bound of the wave numbers of w and psi: the coupling changes a squared one by less than the larger.
-    fn largest_wave_number(&self) -> f64 {
-        let root = (self.torsion * self.torsion + 4.0 * self.polar * self.warping).sqrt();
-        let twisting = if self.warping == 0.0 {
-            self.polar / self.torsion
+    /// Whether the series of a motion converge fast over a length: `k l` is small for the largest wave number k, by an
+    /// upper bound: coupling changes a squared one by less than the larger.
+    fn converges_in(&self, index: usize, length: f64) -> bool {
+        let mass = self.mass[(index, index)];
+        let bending = self.bending[index];
+        let tension = self.tension[(index, index)].abs()
+            + self.rotary[(index, index)]
+            + bending * self.shear[(index, index)] * mass;
+        let square = if bending == 0.0 {
+            mass / tension
         } else {
-            (self.torsion + root) / (2.0 * self.warping)
+            (tension + (tension * tension + 4.0 * mass * bending).sqrt()) / (2.0 * bending)
         };
-        (self.mass.sqrt().max(twisting) * 2.0_f64.sqrt()).sqrt()
+        length * (square * (K as f64).sqrt()).sqrt() < CONVERGENT
     }
-}
-
-/// Bending with `k^4` = mass over stiffness: its first clamped mode is far above the range of fast convergence.
-fn is_short_in_bending(k4: f64, length: f64) -> bool {
-    length * k4.sqrt().sqrt() < CONVERGENT
 }
 
 /// The number of halvings until a length is short.
 fn halvings(length: f64, is_short: impl Fn(f64) -> bool) -> u32 {
+    /// Beyond, no length is short: the beam is unstable however short it is.
+    const MOST: u32 = 60;
     let mut halvings = 0;
-    while !is_short(length / 2.0_f64.powi(halvings as i32)) {
+    while halvings < MOST && !is_short(length / 2.0_f64.powi(halvings as i32)) {
         halvings += 1;
     }
     halvings
@@ -171,12 +311,15 @@ fn joined<const N: usize>(
 }
 
 impl Span {
-    /// Copies motions without coupling to the others into their rows.
-    fn put<const N: usize>(
-        &mut self,
-        rows: [usize; N],
-        (ends, transfer): (Ends<N>, Option<Transfer<N>>),
-    ) {
+    /// Solves a block and copies it into its rows; `N` is twice `K`.
+    fn put<const K: usize, const N: usize>(&mut self, block: &Block<K>, length: f64) {
+        let (ends, transfer) = joined(
+            length,
+            |h| transfer::<K, N>(block, h),
+            |h| block.is_short(h),
+        );
+        let rows: [usize; N] =
+            std::array::from_fn(|index| block.motions[index % K] + 3 * (index / K));
         self.ends.clamped = self.ends.clamped.saturating_add(ends.clamped);
         self.transfer = self.transfer.take().filter(|_| transfer.is_some());
         for (i, &row) in rows.iter().enumerate() {

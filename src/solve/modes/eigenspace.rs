@@ -18,6 +18,7 @@ use super::pencil::{Pair, pairs};
 use crate::model::{
     BeamMotion, Force, MassMotion, Measure, Model, Place, Quantity, Response, Target,
 };
+use crate::solve::beam_matrices::Symmetric;
 use crate::solve::kernel::{Prepared, Solver, waves};
 use crate::solve::plan::Plan;
 use crate::solve::quadrature::{Node, nodes};
@@ -76,18 +77,26 @@ pub(super) struct Probe<'a> {
     pub(super) looked_at: Vec<f64>,
     /// The nodes of the integrals along the beam.
     pub(super) nodes: Vec<Node>,
+    /// The motions that have inertia along the beam: slopes only with rotary inertia.
+    read: &'static [BeamMotion],
 }
 
 impl<'a> Probe<'a> {
     /// For modes near `omega`, rad/s.
     pub(super) fn new(model: &'a Model, omega: Complex64, looked_at: Vec<f64>) -> Self {
-        let waves = waves(&BeamConstants::new(&model.beam), omega);
+        let beam = BeamConstants::new(&model.beam);
+        let waves = waves(&beam, omega);
         let mut stations: Vec<f64> = model.attached().map(|of| of.position).collect();
         stations.sort_by(f64::total_cmp);
         Self {
             model,
             looked_at,
             nodes: nodes(stations, &waves.kappa, model.beam.length),
+            read: if beam.matrices.rotary == Symmetric::ZERO {
+                &DISPLACEMENTS
+            } else {
+                &BeamMotion::ALL
+            },
         }
     }
 
@@ -132,7 +141,8 @@ impl<'a> Probe<'a> {
     fn responses(&self) -> Vec<Response> {
         let mut targets = Vec::new();
         for x in self.places() {
-            targets.extend(DISPLACEMENTS.map(|motion| Target::Beam(Place::Position(x), motion)));
+            let place = Place::Position(x);
+            targets.extend(self.read.iter().map(|&motion| Target::Beam(place, motion)));
         }
         for subsystem in self.model.attached() {
             let place = Place::Position(subsystem.position);
@@ -155,11 +165,15 @@ impl<'a> Probe<'a> {
                 .map(|chunk| [chunk[0], chunk[1], chunk[2]])
                 .collect()
         };
-        let (beam, rest) = values.split_at(3 * (self.looked_at.len() + self.nodes.len()));
+        let read = self.read.len();
+        let (beam, rest) = values.split_at(read * (self.looked_at.len() + self.nodes.len()));
         let (stations, rest) = rest.split_at(3 * self.model.attached().count());
         let (ends, masses) = rest.split_at(12);
         Motion {
-            beam: triples(beam),
+            beam: beam
+                .chunks_exact(read)
+                .map(|chunk| std::array::from_fn(|row| chunk.get(row).copied().unwrap_or_default()))
+                .collect(),
             stations: triples(stations),
             ends: [
                 std::array::from_fn(|row| ends[row]),

@@ -1,7 +1,8 @@
 //! Natural frequencies, damped modes and mode shapes: every list is proven to be complete, or states its gaps.
 //!
 //! Undamped: `wittrick_williams` counts the modes below a frequency (Wittrick & Williams 1971), from
-//! `dynamic_stiffness`, `series`, `station`, `rigid` and `matrix_inertia`; `undamped` compares this count with the sign
+//! `dynamic_stiffness`, `series`, `station`, `rigid` and `matrix_inertia`, and `buckling` the same at frequency 0;
+//! `undamped` compares this count with the sign
 //! changes, each narrowed by a `bracket`, of the `characteristic` function, which comes from the reflections of the
 //! frequency responses and shares nothing with the count. Damped: `damped` moves all roots of that function together by
 //! the iteration in `aberth`, accepts those with a `proof`, and counts the missing ones by the `argument_principle`;
@@ -14,6 +15,7 @@ mod argument_principle;
 mod blocked;
 mod bound;
 mod bracket;
+mod buckling;
 mod characteristic;
 mod damped;
 mod dynamic_stiffness;
@@ -38,6 +40,7 @@ mod wittrick_williams;
 use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
 
+pub use buckling::buckling_load;
 pub(super) use group::Group;
 pub(super) use pencil::eigenvalues;
 pub use shape::{shape, shapes, shares};
@@ -254,6 +257,7 @@ fn collected(counter: &wittrick_williams::Counter, to: f64, found: &damped::Foun
     Modes {
         to,
         undamped: counter.below(TAU * to),
+        unstable: counter.unstable(),
         modes: std::iter::repeat_n(still, counter.rigid())
             .chain(inside)
             .collect(),

@@ -5,8 +5,9 @@ use num_complex::Complex64;
 /// The motion at all positions.
 #[derive(Debug, Clone)]
 pub(super) struct Motion {
-    /// (w, psi, v) at the positions of the shape, then at those of the quadrature.
-    pub(super) beam: Vec<[Complex64; 3]>,
+    /// (w, psi, v) and their slopes at the positions of the shape, then at those of the quadrature; the slopes are 0 if
+    /// they have no inertia.
+    pub(super) beam: Vec<[Complex64; 6]>,
     /// (w, psi, v) at the position of each enabled subsystem.
     pub(super) stations: Vec<[Complex64; 3]>,
     /// The six motions of the left and of the right end.
@@ -37,8 +38,8 @@ impl Motion {
     }
 
     fn values_mut(&mut self) -> impl Iterator<Item = &mut Complex64> {
-        let places = self.beam.iter_mut().chain(&mut self.stations);
-        let triples = places.chain(&mut self.masses).flatten();
-        triples.chain(self.ends.iter_mut().flatten())
+        let triples = self.stations.iter_mut().chain(&mut self.masses).flatten();
+        let all = self.beam.iter_mut().chain(&mut self.ends).flatten();
+        triples.chain(all)
     }
 }

@@ -9,6 +9,7 @@ use num_complex::Complex64;
 
 use super::motion::Motion;
 use crate::model::{BeamMotion, Model};
+use crate::solve::beam_matrices::BeamMatrices;
 use crate::solve::quadrature::Node;
 use crate::solve::springs::{geometric_stretches, springs};
 
@@ -54,15 +55,12 @@ pub(super) fn bi_orthogonalise(
 
 /// `a^T M b` and `a^T C b` (without the beam's loss factor, which is a stiffness).
 fn products(model: &Model, nodes: &[Node], [a, b]: [&Motion; 2]) -> [Complex64; 2] {
-    let (material, section) = (&model.beam.material, &model.beam.section);
+    let matrices = BeamMatrices::new(&model.beam);
     let (mut mass, mut damping) = (Complex64::ZERO, Complex64::ZERO);
     let looked_at = a.beam.len() - nodes.len();
     let places = a.beam[looked_at..].iter().zip(&b.beam[looked_at..]);
-    for (node, ([w, psi, v], [w_b, psi_b, v_b])) in nodes.iter().zip(places) {
-        let offset = section.centroid_offset;
-        let moved = w * w_b + v * v_b + offset * (w * psi_b + psi * w_b);
-        let density = section.area * moved + section.polar_moment * psi * psi_b;
-        mass += node.weight * material.density * density;
+    for (node, (a, b)) in nodes.iter().zip(places) {
+        mass += node.weight * matrices.inertia(a, b);
     }
     let supports = [&model.supports.left, &model.supports.right];
     for (end, support) in supports.into_iter().enumerate() {

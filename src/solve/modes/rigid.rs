@@ -1,9 +1,11 @@
 //! The modes at frequency 0: motions of the beam and the masses that stretch no spring.
 
 use nalgebra::{DMatrix, SMatrix, SVector, SymmetricEigen};
+use num_complex::Complex64;
 
 use super::station::{End, Mass};
-use crate::model::{BeamMotion, Model, Spring, Subsystem};
+use crate::model::{Beam, BeamMotion, Model, Spring, Subsystem};
+use crate::solve::beam_matrices::BeamMatrices;
 
 /// A motion at frequency 0.
 #[derive(Debug, Clone)]
@@ -15,9 +17,9 @@ pub(super) struct RigidMotion {
 }
 
 /// The modes at frequency 0: motions of the rigid beam and the masses that stretch no spring.
-pub(super) fn count(left: &End, right: &End, masses: &[Mass], length: f64) -> usize {
+pub(super) fn count(ends: [&End; 2], masses: &[Mass], beam: &Beam) -> usize {
     let loose: usize = masses.iter().map(|mass| mass.condensed_static().1).sum();
-    loose + still(&stiffness(left, right, masses, length)).len()
+    loose + still(&stiffness(ends, masses, beam)).len()
 }
 
 /// The modes at frequency 0 of a model, of modal mass 1 and orthogonal.
@@ -25,7 +27,7 @@ pub(super) fn motions(model: &Model) -> Vec<RigidMotion> {
     let warps = model.beam.section.warping_constant > 0.0;
     let [left, right] = [&model.supports.left, &model.supports.right].map(|s| End::new(s, warps));
     let masses: Vec<Mass> = model.attached().map(Mass::new).collect();
-    let of_beam = still(&stiffness(&left, &right, &masses, model.beam.length));
+    let of_beam = still(&stiffness([&left, &right], &masses, &model.beam));
     let mut motions: Vec<RigidMotion> = of_beam
         .into_iter()
         .map(|beam| RigidMotion {
@@ -150,16 +152,15 @@ fn orthonormal(model: &Model, ends: [&End; 2], motions: Vec<RigidMotion>) -> Vec
 
 /// `a^T M b`, closed form along the beam.
 fn mass(model: &Model, ends: [&End; 2], a: &RigidMotion, b: &RigidMotion) -> f64 {
-    let (material, section) = (&model.beam.material, &model.beam.section);
     let length = model.beam.length;
+    let matrices = BeamMatrices::new(&model.beam);
     let density = |x: f64| {
-        let ([w, psi, v], [w_b, psi_b, v_b]) = (a.at(x), b.at(x));
-        let polar = section.polar_moment / section.area;
-        w * w_b + v * v_b + polar * psi * psi_b + section.centroid_offset * (w * psi_b + psi * w_b)
+        let [a, b] = [a, b].map(|motion| motion.all_at(x).map(Complex64::from));
+        matrices.inertia(&a, &b).re
     };
     // Simpson's rule is exact for the product of two straight lines.
     let mean = (density(0.0) + 4.0 * density(0.5 * length) + density(length)) / 6.0;
-    let mut sum = material.density * section.area * length * mean;
+    let mut sum = length * mean;
     for (end, x) in ends.iter().zip([0.0, length]) {
         for (row, elastic) in rigid_motions(x).iter().zip(end.elastic()) {
             sum += elastic.inertia * row.dot(&a.beam) * row.dot(&b.beam);
@@ -178,11 +179,16 @@ fn moved(beam: &SVector<f64, 5>, x: f64) -> [f64; 3] {
 }
 
 /// The stiffness over (w, psi, v, w', v') of a rigid beam at its left end, while its masses follow.
-fn stiffness(left: &End, right: &End, masses: &[Mass], length: f64) -> SMatrix<f64, 5, 5> {
+///
+/// An axial force resists a slope, or turns the beam further; both are no motion at frequency 0.
+fn stiffness([left, right]: [&End; 2], masses: &[Mass], beam: &Beam) -> SMatrix<f64, 5, 5> {
     // A rigid beam has no rate of twist.
     let mut rigid = SMatrix::<f64, 5, 5>::zeros();
+    for slope in [3, 4] {
+        rigid[(slope, slope)] = beam.axial_force.abs() * beam.length;
+    }
     let held = held_stiffness([left, right], masses);
-    for (end, x) in [(left, 0.0), (right, length)] {
+    for (end, x) in [(left, 0.0), (right, beam.length)] {
         let (fixed, elastic) = (end.fixed(), end.elastic());
         for (row, motion) in rigid_motions(x).iter().enumerate() {
             let stiffness = if fixed[row] {

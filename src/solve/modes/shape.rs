@@ -12,6 +12,7 @@ use super::rigid::{self, RigidMotion};
 use super::types::{Modes, Shape, Shares};
 use crate::model::{BeamMotion, Checked, Model};
 use crate::solve::Cancelled;
+use crate::solve::beam_matrices::BeamMatrices;
 use crate::solve::quadrature::Node;
 
 /// The motion of the mode `index` of `modes` at `points` (2 or more) equally spaced positions along the beam.
@@ -119,10 +120,11 @@ fn still(model: &Model, count: usize, points: usize) -> Vec<(usize, Shape)> {
 
 fn rigid_motion(model: &Model, probe: &Probe, rigid: &RigidMotion) -> Motion {
     let at = |x: f64| rigid.at(x).map(Complex64::from);
+    let all_at = |x: f64| rigid.all_at(x).map(Complex64::from);
     Motion {
-        beam: probe.places().map(at).collect(),
+        beam: probe.places().map(all_at).collect(),
         stations: model.attached().map(|of| at(of.position)).collect(),
-        ends: [0.0, model.beam.length].map(|x| rigid.all_at(x).map(Complex64::from)),
+        ends: [0.0, model.beam.length].map(all_at),
         masses: rigid
             .masses
             .iter()
@@ -165,16 +167,20 @@ fn shaped(model: &Model, probe: &Probe, motion: Motion) -> Shape {
 
 /// Shares of the kinetic energy.
 fn energy_shares(nodes: &[Node], model: &Model, motion: &Motion, skip: usize) -> Shares {
-    let (material, section) = (&model.beam.material, &model.beam.section);
-    let offset = section.centroid_offset;
-    // Square of the radius of gyration about the centroid.
-    let about_centroid = section.polar_moment / section.area - offset * offset;
+    let section = &model.beam.section;
+    let BeamMatrices { mass, rotary, .. } = BeamMatrices::new(&model.beam);
+    let (offset_y, offset_z) = (section.centroid_offset_y, section.centroid_offset);
+    let about_centroid = mass.psi - mass.w * (offset_y * offset_y + offset_z * offset_z);
     let mut shares = Shares::default();
-    for (node, [w, psi, v]) in nodes.iter().zip(&motion.beam[skip..]) {
-        let mass = node.weight * material.density * section.area;
-        shares.bending_y += mass * (w + offset * psi).norm_sqr();
-        shares.bending_z += mass * v.norm_sqr();
-        shares.twist += mass * about_centroid * psi.norm_sqr();
+    for (node, [w, psi, v, w_slope, rate, v_slope]) in nodes.iter().zip(&motion.beam[skip..]) {
+        let weight = node.weight;
+        // Half of what both bendings share.
+        let shared = rotary.w_v * (w_slope.conj() * v_slope).re;
+        let along_y = mass.w * (w + offset_z * psi).norm_sqr();
+        let along_z = mass.v * (v - offset_y * psi).norm_sqr();
+        shares.bending_y += weight * (along_y + rotary.w * w_slope.norm_sqr() + shared);
+        shares.bending_z += weight * (along_z + rotary.v * v_slope.norm_sqr() + shared);
+        shares.twist += weight * (about_centroid * psi.norm_sqr() + rotary.psi * rate.norm_sqr());
     }
     for (subsystem, [y, z, theta]) in model.attached().zip(&motion.masses) {
         shares.subsystems +=

@@ -20,6 +20,8 @@ pub(super) struct Mass {
     pub(super) position: f64,
     pub(super) stiffness: Matrix6<f64>,
     pub(super) inertia: [f64; 3],
+    /// The stiffness over psi while the mass follows, N m/rad.
+    following: f64,
 }
 
 /// The units of the dimensionless numbers at one frequency.
@@ -63,6 +65,18 @@ impl End {
     }
 }
 
+/// The stiffness over psi, N m/rad, while a mass follows at rest, in closed form.
+///
+/// It follows the y springs, and z and theta follow both z springs, unless these act at one point of the mass: then they
+/// are in series between the two mounts.
+fn following_stiffness(subsystem: &Subsystem) -> f64 {
+    let (left, right) = (subsystem.z_left.stiffness, subsystem.z_right.stiffness);
+    if subsystem.arm_left + subsystem.arm_right != 0.0 || left == 0.0 || right == 0.0 {
+        return 0.0;
+    }
+    left * right / (left + right) * (2.0 * subsystem.mount_y).powi(2)
+}
+
 impl Mass {
     /// Chen & Liu 2022, Appendix A, without damping.
     pub(super) fn new(subsystem: &Subsystem) -> Self {
@@ -81,6 +95,7 @@ impl Mass {
             position: subsystem.position,
             stiffness,
             inertia,
+            following: following_stiffness(subsystem),
         }
     }
 
@@ -107,20 +122,11 @@ impl Mass {
 
     /// The static stiffness over (w, psi, v) while the mass follows, and the number of its motions without a spring.
     pub(super) fn condensed_static(&self) -> (Matrix3<f64>, usize) {
-        let across = self.stiffness.fixed_view::<3, 3>(0, 3);
-        let direct = self.stiffness.fixed_view::<3, 3>(3, 3);
+        let mut condensed = Matrix3::zeros();
+        condensed[(1, 1)] = self.following;
         let own = self.own_motions();
-        let mut condensed = direct.into_owned();
-        for (value, vector) in own.iter().filter(|(value, _)| *value > 0.0) {
-            let pulled = across.transpose() * vector;
-            condensed -= pulled * pulled.transpose() / *value;
-        }
-        // If the mass can follow, only rounding is left.
-        let scale = direct.amax();
-        (
-            condensed.map(|x| if x.abs() < RESOLVED * scale { 0.0 } else { x }),
-            own.iter().filter(|(value, _)| *value == 0.0).count(),
-        )
+        let loose = own.iter().filter(|(value, _)| *value == 0.0);
+        (condensed, loose.count())
     }
 
     /// The motion of the mass for a static motion (w, psi, v) of the beam.

@@ -6,7 +6,7 @@ use super::with_damping_times;
 use super::wittrick_williams::Counter;
 use crate::model::{
     Beam, Elastic, Material, Model, Restraint, Section, Spacing, Spring, Subsystem, Support,
-    Supports, Sweep,
+    Supports, Sweep, Theory,
 };
 use crate::presets;
 
@@ -47,24 +47,44 @@ fn the_count_and_the_characteristic_function_agree_on_every_preset() {
 fn beams() -> impl Strategy<Value = Beam> {
     let warping = prop_oneof![Just(0.0), 1e-11..1e-7];
     let offset = prop_oneof![Just(0.0), -0.15..0.15, 1e-9..1e-3];
-    (0.5..8.0, warping, offset, 1e-5..3e-4).prop_map(|(length, warping, offset, second)| Beam {
-        length,
-        material: Material {
-            young_modulus: 2.1e11,
-            shear_modulus: 8e10,
-            density: 7850.0,
-            loss_factor: 0.0,
+    let general = (
+        prop_oneof![Just(0.0), -0.1..0.1],
+        prop_oneof![Just(0.0), -0.9..0.9],
+        prop_oneof![Just(0.0), 0.0..1e7],
+        prop::sample::select(Theory::ALL.to_vec()),
+        any::<bool>(),
+    );
+    let general = prop_oneof![
+        Just((0.0, 0.0, 0.0, Theory::EulerBernoulli, false)),
+        general
+    ];
+    (0.5..8.0, warping, offset, 1e-5..3e-4, general).prop_map(
+        |(length, warping, offset, second, (offset_y, product, axial_force, theory, warps))| Beam {
+            length,
+            axial_force,
+            warping_inertia: warps,
+            theory,
+            material: Material {
+                young_modulus: 2.1e11,
+                shear_modulus: 8e10,
+                density: 7850.0,
+                loss_factor: 0.0,
+            },
+            section: Section {
+                area: 0.0116,
+                second_moment_y: 1.6625e-4,
+                second_moment_z: second,
+                torsion_constant: 4.7657e-7,
+                warping_constant: warping,
+                polar_moment: 5.9992e-4,
+                centroid_offset: offset,
+                centroid_offset_y: offset_y,
+                product_moment: product * (1.6625e-4 * second).sqrt(),
+                shear_area_y: 6e-3,
+                shear_area_z: 4e-3,
+            },
         },
-        section: Section {
-            area: 0.0116,
-            second_moment_y: 1.6625e-4,
-            second_moment_z: second,
-            torsion_constant: 4.7657e-7,
-            warping_constant: warping,
-            polar_moment: 5.9992e-4,
-            centroid_offset: offset,
-        },
-    })
+    )
 }
 
 fn restraints() -> impl Strategy<Value = Restraint> {

@@ -9,6 +9,8 @@ pub struct Modes {
     pub to: f64,
     /// Number of undamped modes below `to`, rigid-body modes included (Wittrick & Williams 1971).
     pub undamped: usize,
+    /// Number of buckled modes: they grow without oscillating, and are not in the list.
+    pub unstable: usize,
     /// The modes with damping, by ascending |omega|.
     pub modes: Vec<Mode>,
     /// Some modes beyond `to`: a change of the model may move them into the range.
@@ -62,6 +64,7 @@ impl Modes {
         Self {
             to: 0.0,
             undamped: 0,
+            unstable: 0,
             modes: Vec::new(),
             beyond: Vec::new(),
             completeness: Completeness::Uncounted,
@@ -73,6 +76,7 @@ impl Modes {
         Self {
             to,
             undamped: usize::MAX,
+            unstable: 0,
             modes: Vec::new(),
             beyond: Vec::new(),
             completeness: Completeness::TooMany,

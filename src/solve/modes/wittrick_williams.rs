@@ -8,13 +8,15 @@
 
 use std::ops::Range;
 
-use nalgebra::Matrix6;
+use nalgebra::{Matrix3, Matrix6, Vector3};
+use num_complex::Complex64;
 
 use super::dynamic_stiffness::{Field, Span, symmetric};
 use super::matrix_inertia::{eliminate, negatives};
 use super::rigid;
 use super::station::{End, Mass, Units};
 use crate::model::{Beam, Model};
+use crate::solve::beam_matrices::{BeamMatrices, Symmetric};
 
 /// A model laid out for the count.
 #[derive(Debug, Clone)]
@@ -32,6 +34,8 @@ pub(super) struct Counter {
     longest: usize,
     /// Number of modes at frequency 0.
     rigid: usize,
+    /// Number of modes that an axial compression makes grow.
+    unstable: usize,
 }
 
 impl Counter {
@@ -54,13 +58,17 @@ impl Counter {
             nodes,
             spans,
             rigid: 0,
+            unstable: 0,
         };
         counter.rigid = rigid::count(
-            &counter.left,
-            &counter.right,
+            [&counter.left, &counter.right],
             &counter.masses,
-            counter.beam.length,
+            &counter.beam,
         );
+        if counter.beam.axial_force < 0.0 {
+            let slow = counter.slow();
+            counter.unstable = counter.below(slow).saturating_sub(counter.rigid);
+        }
         counter
     }
 
@@ -69,7 +77,21 @@ impl Counter {
         self.rigid
     }
 
-    /// Number of modes below the angular frequency `omega` > 0, rad/s, those at 0 included.
+    /// Number of modes that an axial compression makes grow instead of oscillate.
+    pub(super) fn unstable(&self) -> usize {
+        self.unstable
+    }
+
+    /// An angular frequency, rad/s, at which a beam is as good as at rest.
+    fn slow(&self) -> f64 {
+        const SHARE: f64 = 1e-6;
+        let (material, section) = (&self.beam.material, &self.beam.section);
+        let stiffness = material.young_modulus * section.second_moment_y;
+        let mass = material.density * section.area;
+        SHARE * (stiffness / mass).sqrt() / self.beam.length.powi(2)
+    }
+
+    /// Number of modes below the angular frequency `omega` > 0, rad/s, those at 0 included, without the unstable ones.
     ///
     /// The left and the right part meet within the longest span, at an irregular fraction of it: with a clamp at an end
     /// or in the middle the modes of a part may coincide with those of the whole (a clamped and a free beam have the
@@ -90,7 +112,10 @@ impl Counter {
         let left = march.over(&self.left, &from_left, SHARE);
         let right = march.over(&self.right, &from_right, 1.0 - SHARE);
         let joint = negatives(&(left + mirrored(&right)));
-        march.count.saturating_add(joint)
+        march
+            .count
+            .saturating_add(joint)
+            .saturating_sub(self.unstable)
     }
 
     fn units(&self, omega: f64) -> Units {
@@ -108,20 +133,27 @@ impl Counter {
 
     fn field(&self, omega: f64) -> Field {
         let units = self.units(omega);
-        let (material, section) = (&self.beam.material, &self.beam.section);
-        let inertia =
-            omega * omega * material.density * section.area * units.length / units.stiffness;
-        let radius_square = section.polar_moment / section.area;
+        let matrices = BeamMatrices::new(&self.beam);
+        let real = |of: &Symmetric<Complex64>| dimensionless(&of.map(|entry| entry.re), &units);
+        // E Iy, and the square of the length over it.
+        let bending = units.stiffness * units.length.powi(3);
+        let square = units.length * units.length / bending;
+        let [w, v] = [matrices.shear.w, matrices.shear.v].map(|compliance| compliance.re / square);
         Field {
-            bending_v: section.second_moment_z / section.second_moment_y,
-            warping: section.warping_constant / (section.second_moment_y * radius_square),
-            torsion: material.shear_modulus * section.torsion_constant
-                / (units.stiffness * units.length * radius_square),
-            mass: inertia,
-            polar: inertia,
-            coupling: inertia * section.centroid_offset / radius_square.sqrt(),
+            bending: real(&matrices.bending) / bending,
+            tension: real(&matrices.tension) * square,
+            rotary: dimensionless(&matrices.rotary, &units) * (omega * omega * square),
+            shear: Matrix3::from_diagonal(&Vector3::new(w, 0.0, v)),
+            mass: dimensionless(&matrices.mass, &units)
+                * (omega * omega * square * units.length * units.length),
         }
     }
+}
+
+/// A matrix over (w, psi, v) with twist in its unit.
+fn dimensionless(of: &Symmetric<f64>, units: &Units) -> Matrix3<f64> {
+    let rows = of.rows();
+    Matrix3::from_fn(|i, j| rows[i][j] * units.motion[i] * units.motion[j])
 }
 
 /// Whether the warping of an end decays within so little of the beam that it does not affect the count.

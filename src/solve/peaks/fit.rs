@@ -8,6 +8,7 @@
 use num_complex::Complex64;
 
 use super::grid::Feature;
+use crate::solve::extrema::Turn;
 use crate::solve::{Column, ColumnKind};
 
 /// One sample of a response.
@@ -19,15 +20,6 @@ pub(super) struct Sample {
     pub(super) value: Complex64,
     /// |value|.
     pub(super) size: f64,
-}
-
-/// The kind of an extremum.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Turn {
-    /// A peak.
-    Peak,
-    /// An anti-resonance, or another minimum.
-    Dip,
 }
 
 /// The samples of a column with finite values, by ascending frequency.
@@ -45,14 +37,7 @@ pub(super) fn samples(frequencies: &[f64], column: &Column) -> Vec<Sample> {
 /// The indices of samples at which |H| has an extremum, and its kind.
 pub(super) fn turns(samples: &[Sample]) -> impl Iterator<Item = (usize, Turn)> {
     samples.windows(3).enumerate().filter_map(|(index, three)| {
-        let [left, middle, right] = [0, 1, 2].map(|i| three[i].size);
-        let turn = if left < middle && middle >= right {
-            Turn::Peak
-        } else if left > middle && middle <= right {
-            Turn::Dip
-        } else {
-            return None;
-        };
+        let turn = Turn::of([0, 1, 2].map(|i| three[i].size))?;
         Some((index + 1, turn))
     })
 }
@@ -80,8 +65,8 @@ impl Fit {
         let &[a, b, c] = samples else { return None };
         let samples = [a, b, c];
         let g = samples.map(|sample| match turn {
-            Turn::Peak => sample.value.inv(),
-            Turn::Dip => sample.value,
+            Turn::Maximum => sample.value.inv(),
+            Turn::Minimum => sample.value,
         });
         let unit = g[1].norm();
         let [left, middle, right] = g.map(|g| g / unit);
@@ -139,8 +124,8 @@ impl Fit {
     pub(super) fn value(&self, frequency: f64) -> Complex64 {
         let g = self.unit * self.g(self.t(frequency).into());
         match self.turn {
-            Turn::Peak => g.inv(),
-            Turn::Dip => g,
+            Turn::Maximum => g.inv(),
+            Turn::Minimum => g,
         }
     }
 
@@ -239,7 +224,7 @@ mod tests {
     fn a_lone_mode_is_fitted_exactly() {
         let mode = Complex64::new(100.0, 0.01);
         let factor = Complex64::new(3e5, -4e5);
-        let fit = fit_of(Turn::Peak, |f| (factor * (f - mode)).inv());
+        let fit = fit_of(Turn::Maximum, |f| (factor * (f - mode)).inv());
         let top = fit.extremum();
         assert!((top.centre - 100.0).abs() < 1e-9 && (top.half_width - 0.01).abs() < 1e-9);
         assert!((fit.root(top) - mode).norm() < 1e-9);
@@ -252,7 +237,7 @@ mod tests {
     #[test]
     fn a_lone_zero_is_fitted_exactly() {
         for width in [0.01, 0.0] {
-            let fit = fit_of(Turn::Dip, |f| 1e-7 * (f - Complex64::new(100.0, width)));
+            let fit = fit_of(Turn::Minimum, |f| 1e-7 * (f - Complex64::new(100.0, width)));
             let bottom = fit.extremum();
             assert!((bottom.centre - 100.0).abs() < 1e-9, "{bottom:?}");
             assert!((bottom.half_width - width).abs() < 1e-9, "{bottom:?}");

@@ -1,9 +1,10 @@
 //! The points that the grid of one response still needs at its extrema.
 
 use super::NEAREST;
-use super::fit::{Fit, Sample, Turn, turns};
+use super::fit::{Fit, Sample, turns};
 use super::grid::{Feature, Mark, fits_between, is_on_pole};
 use crate::solve::ColumnKind;
+use crate::solve::extrema::Turn;
 
 /// The missing points of one response.
 #[derive(Debug, Default)]
@@ -34,7 +35,7 @@ impl MissingPoints {
             points.retain(|mark| !is_on_pole(mark.frequency, modes));
             if !points.is_empty() {
                 lacks.extrema.push(points);
-            } else if turn == Turn::Dip {
+            } else if turn == Turn::Minimum {
                 lacks.dips.push(extremum);
             }
         }
@@ -52,7 +53,7 @@ pub(super) fn hidden(kind: ColumnKind, samples: &[Sample], most: usize) -> Vec<f
     let mut steps = Vec::new();
     let last = samples.len().saturating_sub(3);
     for (index, three) in samples.windows(3).enumerate() {
-        let Some(fit) = Fit::new(kind, Turn::Dip, three) else {
+        let Some(fit) = Fit::new(kind, Turn::Minimum, three) else {
             continue;
         };
         let [before, after] = [&three[..2], &three[1..]];

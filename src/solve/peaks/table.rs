@@ -2,8 +2,9 @@
 
 use num_complex::Complex64;
 
-use super::fit::{Fit, Sample, Turn, samples, turns};
+use super::fit::{Fit, Sample, samples, turns};
 use super::{NEAREST, centre, half_width, is_pole};
+use crate::solve::extrema::Turn;
 use crate::solve::modes::{Mode, ModeKind, Modes};
 use crate::solve::{Column, ColumnKind};
 
@@ -40,7 +41,7 @@ pub fn peaks(frequencies: &[f64], column: &Column, modes: &Modes) -> Vec<Peak> {
         kind: column.kind,
         samples: samples(frequencies, column),
     };
-    let tops = turns(&curve.samples).filter(|&(_, turn)| turn == Turn::Peak);
+    let tops = turns(&curve.samples).filter(|&(_, turn)| turn == Turn::Maximum);
     tops.filter(|&(top, _)| curve.is_prominent(top))
         .filter_map(
             |(top, _)| match pole_at(&curve.samples[top - 1..=top + 1], modes) {
@@ -122,7 +123,7 @@ impl Curve {
     /// The fit around a sample; `None` for the first and the last.
     fn fit(&self, middle: usize) -> Option<Fit> {
         let three = self.samples.get(middle.checked_sub(1)?..=middle + 1)?;
-        Fit::new(self.kind, Turn::Peak, three)
+        Fit::new(self.kind, Turn::Maximum, three)
     }
 
     /// True if the curve falls by more than 0.01 dB on both sides of a peak before it rises again.

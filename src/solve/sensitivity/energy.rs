@@ -14,7 +14,8 @@ use super::field::{Field, Reader, Setting};
 use super::overlap::Spans;
 use super::product::Product;
 use super::{Differentiator, Gradient, forces, mass_stations};
-use crate::model::Model;
+use crate::model::schema::{BeamKey, MaterialKey, SectionKey};
+use crate::model::{Group, Model, ParameterId};
 use crate::solve::energy::{SpanEnergy, Sum};
 use crate::solve::kernel::Prepared;
 use crate::solve::linear::ZERO;
@@ -22,12 +23,6 @@ use crate::solve::plan::{Event, Plan};
 use crate::solve::quadrature::{Node, nodes};
 use crate::solve::solution::{MassSolution, Solution, SpanWaves};
 use crate::solve::waves::Amplitudes;
-
-/// The indices of the parameters of W, in the order of the model file.
-const LENGTH: usize = 0;
-const DENSITY: usize = 3;
-const AREA: usize = 5;
-const POLAR_MOMENT: usize = 10;
 
 impl Differentiator {
     /// The derivatives of `E_V` at a frequency, rad/s.
@@ -79,8 +74,10 @@ impl Differentiator {
         for value in &mut by_parameter {
             *value = (2.0 * value.re).into();
         }
-        for (index, share) in spread.of_weights(&self.model, &u_field) {
-            by_parameter[index] += share;
+        for (id, share) in spread.of_weights(&self.model, &u_field) {
+            if let Some(index) = self.ids().iter().position(|own| *own == id) {
+                by_parameter[index] += share;
+            }
         }
         Gradient {
             value: energy(&self.prepared.plan, &solution).into(),
@@ -198,9 +195,8 @@ impl Spread {
         loaded
     }
 
-    /// The contributions of the parameters in the weights of the energy and of the length of the beam: indices of the
-    /// parameters, and derivatives.
-    fn of_weights(&self, model: &Model, u: &Field) -> [(usize, f64); 4] {
+    /// The contributions of the parameters in the weights of the energy and of the length of the beam: derivatives.
+    fn of_weights(&self, model: &Model, u: &Field) -> [(ParameterId, f64); 4] {
         let (mut along, mut about) = (0.0, 0.0);
         for node in &self.nodes {
             let [w, psi, v] = node.motion.map(|moved| node.weight * moved.norm_sqr());
@@ -210,10 +206,22 @@ impl Spread {
         let (material, section) = (&model.beam.material, &model.beam.section);
         let [w, psi, v] = [0, 1, 2].map(|row: usize| u.edge.motion[row].norm_sqr());
         [
-            (LENGTH, self.mass * (w + v) + self.polar * psi),
-            (DENSITY, section.area * along + section.polar_moment * about),
-            (AREA, material.density * along),
-            (POLAR_MOMENT, material.density * about),
+            (
+                Group::Beam.parameter(BeamKey::Length as usize),
+                self.mass * (w + v) + self.polar * psi,
+            ),
+            (
+                Group::Material.parameter(MaterialKey::Density as usize),
+                section.area * along + section.polar_moment * about,
+            ),
+            (
+                Group::Section.parameter(SectionKey::Area as usize),
+                material.density * along,
+            ),
+            (
+                Group::Section.parameter(SectionKey::PolarMoment as usize),
+                material.density * about,
+            ),
         ]
     }
 }

@@ -50,7 +50,7 @@ pub(super) struct MassField {
     pub(super) motion: [Complex64; 3],
     /// The twist psi of the beam there.
     pub(super) twist: Complex64,
-    /// w', psi', v' of the beam there; if the twist has a kink, the mean of both sides.
+    /// w', psi', v' of the beam there; at a kink the mean of both sides.
     pub(super) slope: [Complex64; 3],
     /// The displacement of the mass's end of each spring (y left, y right, z left, z right) relative to the beam's, m.
     pub(super) stretches: [Complex64; 4],
@@ -167,9 +167,15 @@ fn mass(
     let [w, psi, v, ..] = local.motion;
     let stretches = stretches(setting.omega, subsystem, [motion, [w, psi, v]], forces);
     let springs = springs(subsystem);
+    let matrices = &setting.plan.beam.matrices;
     let mut slope = [local.motion[3], local.motion[4], local.motion[5]];
-    if setting.plan.beam.without_warping() {
-        slope[1] = mean_torque(setting, reader, station) / setting.plan.beam.torsion;
+    let without_warping = setting.plan.beam.without_warping();
+    if without_warping || matrices.has_shear() {
+        let forces = mean_forces(setting, reader, station);
+        slope = matrices.slopes(slope, forces);
+        if without_warping {
+            slope[1] = matrices.rate_of_twist(forces[1], [slope[0], slope[2]]);
+        }
     }
     MassField {
         motion,
@@ -182,22 +188,32 @@ fn mass(
     }
 }
 
-/// The mean of the torque, N m, on both sides of all stations at the position of a station.
+/// The mean of the internal forces `S_w`, T, `S_v` on both sides of all stations at the position of a station.
 ///
-/// Without warping stiffness psi has a kink at a torque: the slope for a force that moves across it is the mean of both
-/// sides. At an end a station can only move inwards, past all others there.
-fn mean_torque(setting: &Setting<'_>, reader: &Reader<'_>, station: usize) -> Complex64 {
+/// Without warping stiffness psi has a kink at a torque, and with shear deformation w and v have one at a force: the slope
+/// for a force that moves across it is the mean of both sides. At an end a station can only move inwards, past all
+/// others there.
+fn mean_forces(setting: &Setting<'_>, reader: &Reader<'_>, station: usize) -> [Complex64; 3] {
     let stations = &setting.plan.stations;
     let x = stations[station].position;
     let first = stations.partition_point(|other| other.position < x);
     let last = stations.partition_point(|other| other.position <= x) - 1;
-    let own = torque(&reader.start(station + 1)) - torque(&reader.end(station));
-    let (before, after) = (torque(&reader.end(first)), torque(&reader.start(last + 1)));
-    if x == 0.0 {
-        after - 0.5 * own
-    } else if x == setting.model.beam.length {
-        before + 0.5 * own
-    } else {
-        0.5 * (before + after)
-    }
+    let forces = [
+        reader.end(station),
+        reader.start(station + 1),
+        reader.end(first),
+        reader.start(last + 1),
+    ]
+    .map(|local| local.force);
+    std::array::from_fn(|row| {
+        let [own_before, own_after, before, after] = forces.map(|force| force[row]);
+        let own = own_after - own_before;
+        if x == 0.0 {
+            after - 0.5 * own
+        } else if x == setting.model.beam.length {
+            before + 0.5 * own
+        } else {
+            0.5 * (before + after)
+        }
+    })
 }

@@ -6,6 +6,7 @@
 
 use num_complex::Complex64;
 
+use crate::solve::beam_matrices::BeamMatrices;
 use crate::solve::energy::mean_decay;
 use crate::solve::linear::{Matrix, ZERO, zeros};
 use crate::solve::plan::Plan;
@@ -13,26 +14,36 @@ use crate::solve::solution::{Solution, SpanWaves};
 use crate::solve::waves::Amplitudes;
 use crate::solve::waves::{WARPING_WAVE, Waves};
 
-/// The blocks of waves with common motions: those of w and psi, and those of v.
-const BLOCKS: [std::ops::Range<usize>; 2] = [0..4, 4..6];
-
-/// Integrals along the whole beam of products of two fields, each m times the unit of the product.
-#[derive(Debug, Clone, Copy, Default)]
+/// Integrals along the whole beam of the products of two fields, over (w, psi, v) of the one and of the other.
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Overlap {
-    /// w'' w''.
-    pub(super) bending_w: Complex64,
-    /// v'' v''.
-    pub(super) bending_v: Complex64,
-    /// psi'' psi''.
-    pub(super) warping: Complex64,
-    /// psi' psi'.
-    pub(super) torsion: Complex64,
-    /// w w + v v.
-    pub(super) translation: Complex64,
-    /// w psi + psi w.
-    pub(super) coupling: Complex64,
-    /// psi psi.
-    pub(super) rotation: Complex64,
+    /// Of s', the derivatives of the rotations.
+    curvature: [[Complex64; 3]; 3],
+    /// Of q', the slopes of the axis.
+    slope: [[Complex64; 3]; 3],
+    /// Of s, the rotations of the section: the slopes without shear deformation.
+    rotation: [[Complex64; 3]; 3],
+    /// Of the shear forces; 0 without shear deformation.
+    shear: [[Complex64; 3]; 3],
+    /// Of the motions.
+    motion: [[Complex64; 3]; 3],
+}
+
+impl Overlap {
+    /// The change of the form of the beam with its matrices, with the rotations s and the shear forces g of both fields:
+    ///
+    /// ```text
+    /// int s'^T dD s' + q'^T dC q' - g^T dF g - omega^2 (q^T dM q + s^T dR s) dx
+    /// ```
+    pub(super) fn form(&self, matrices: &BeamMatrices, omega: Complex64) -> Complex64 {
+        let strain = matrices.bending.on(&self.curvature) + matrices.tension.on(&self.slope);
+        strain - matrices.shear.on(&self.shear) - omega * omega * self.inertia(matrices)
+    }
+
+    /// `int lambda^T M u + lambda_s^T R u_s dx`.
+    pub(super) fn inertia(&self, matrices: &BeamMatrices) -> Complex64 {
+        matrices.mass.on(&self.motion) + matrices.rotary.on(&self.rotation)
+    }
 }
 
 /// The integrals over a span of each pair of waves.
@@ -71,18 +82,16 @@ impl Spans {
         let (mut same, mut against) = (zeros::<6, 6>(), zeros::<6, 6>());
         for ((one, other), &span) in one.iter().zip(other).zip(&plan.spans) {
             let pairs = &self.pairs[span];
-            for block in BLOCKS {
-                for i in block.clone() {
-                    for j in block.clone() {
-                        same[i][j] +=
-                            pairs.same[i][j] * (one.a[i] * other.a[j] + one.b[i] * other.b[j]);
-                        against[i][j] +=
-                            pairs.against[i][j] * (one.a[i] * other.b[j] + one.b[i] * other.a[j]);
-                    }
+            for i in 0..6 {
+                for j in 0..6 {
+                    same[i][j] +=
+                        pairs.same[i][j] * (one.a[i] * other.a[j] + one.b[i] * other.b[j]);
+                    against[i][j] +=
+                        pairs.against[i][j] * (one.a[i] * other.b[j] + one.b[i] * other.a[j]);
                 }
             }
         }
-        weighed(waves, &same, &against)
+        weighed(waves, &plan.beam.matrices, &same, &against)
     }
 }
 
@@ -92,18 +101,16 @@ impl Pairs {
             same: zeros(),
             against: zeros(),
         };
-        for block in BLOCKS {
-            for i in block.clone() {
-                for j in block.clone() {
-                    // A wave that decays at once does not contribute to an integral.
-                    if waves.without_warping() && (i == WARPING_WAVE || j == WARPING_WAVE) {
-                        continue;
-                    }
-                    let kappa = [waves.kappa[i], waves.kappa[j]];
-                    let decay = [decay[i], decay[j]];
-                    pairs.same[i][j] = same(kappa, decay, length);
-                    pairs.against[i][j] = against(kappa, decay, length);
+        for i in 0..6 {
+            for j in 0..6 {
+                // A wave that decays at once does not contribute to an integral.
+                if waves.without_warping() && (i == WARPING_WAVE || j == WARPING_WAVE) {
+                    continue;
                 }
+                let kappa = [waves.kappa[i], waves.kappa[j]];
+                let decay = [decay[i], decay[j]];
+                pairs.same[i][j] = same(kappa, decay, length);
+                pairs.against[i][j] = against(kappa, decay, length);
             }
         }
         pairs
@@ -136,26 +143,54 @@ fn against(kappa: [Complex64; 2], decay: [Complex64; 2], length: f64) -> Complex
 }
 
 /// The integrals from the sums over the spans of each pair of waves.
-fn weighed(waves: &Waves, same: &Matrix<6, 6>, against: &Matrix<6, 6>) -> Overlap {
-    let [w, psi, v] = &waves.displacement;
+fn weighed(
+    waves: &Waves,
+    matrices: &BeamMatrices,
+    same: &Matrix<6, 6>,
+    against: &Matrix<6, 6>,
+) -> Overlap {
     let kappa = finite(waves);
-    let mut sums = Overlap::default();
-    for block in BLOCKS {
-        for i in block.clone() {
-            for j in block.clone() {
-                let (even, odd) = (same[i][j] + against[i][j], same[i][j] - against[i][j]);
-                let rates = kappa[i] * kappa[j];
-                let squares = rates * rates;
-                sums.bending_w += squares * w[i] * w[j] * even;
-                sums.bending_v += squares * v[i] * v[j] * even;
-                sums.warping += squares * psi[i] * psi[j] * even;
-                // The rate of twist of a left-going wave has the opposite sign.
-                sums.torsion += rates * psi[i] * psi[j] * odd;
-                sums.translation += (w[i] * w[j] + v[i] * v[j]) * even;
-                sums.coupling += (w[i] * psi[j] + psi[i] * w[j]) * even;
-                sums.rotation += psi[i] * psi[j] * even;
+    let has_shear = matrices.has_shear();
+    // q, s and g of each wave.
+    let (q, s) = (&waves.displacement, &waves.slope);
+    let pulled = kappa.iter().enumerate().map(|(wave, kappa)| {
+        let shape = [q[0][wave], q[1][wave], q[2][wave]];
+        matrices.tension.times(shape).map(|pull| kappa * pull)
+    });
+    let pulled: Vec<[Complex64; 3]> = pulled.collect();
+    let g = |row: usize, wave: usize| waves.force[row][wave] + pulled[wave][row];
+    let mut sums = Overlap {
+        curvature: zeros(),
+        slope: zeros(),
+        rotation: zeros(),
+        shear: zeros(),
+        motion: zeros(),
+    };
+    for i in 0..6 {
+        for j in 0..6 {
+            // Slopes, rotations and forces of a left-going wave have the opposite sign.
+            let (even, odd) = (same[i][j] + against[i][j], same[i][j] - against[i][j]);
+            let rates = kappa[i] * kappa[j];
+            for row in 0..3 {
+                for column in 0..3 {
+                    let moved = q[row][i] * q[column][j];
+                    sums.motion[row][column] += even * moved;
+                    sums.slope[row][column] += odd * rates * moved;
+                    let turned = if has_shear {
+                        let turned = s[row][i] * s[column][j];
+                        sums.rotation[row][column] += odd * turned;
+                        sums.shear[row][column] += odd * g(row, i) * g(column, j);
+                        rates * turned
+                    } else {
+                        rates * rates * moved
+                    };
+                    sums.curvature[row][column] += even * turned;
+                }
             }
         }
+    }
+    if !has_shear {
+        sums.rotation = sums.slope;
     }
     sums
 }

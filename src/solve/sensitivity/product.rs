@@ -2,12 +2,10 @@
 //!
 //! The beam, its supports and its subsystems are one system `D u = F`, complex and symmetric; a response is `e^T u` and
 //! `lambda` the solution for `e` instead of the loads. So `dr/dp = lambda^T (dF/dp - (dD/dp) u)`. Every spring, damper
-//! and mass is one term of D, and the beam is the bilinear form (the strain and kinetic energies of Vlasov's beam, from
-//! which Chen & Liu, Mathematics 2022, 10(16), 2849, Section 2, derive their equations)
+//! and mass is one term of D, and the beam is the bilinear form of its [matrices](crate::solve::beam_matrices),
 //!
 //! ```text
-//! int E Iz v'' v'' + E Iy w'' w'' + E G0 psi'' psi'' + G J psi' psi'
-//!     - omega^2 [rho A (w w + v v + z_c (w psi + psi w)) + rho I0 psi psi] dx
+//! int lambda''^T D u'' + lambda'^T C u' - omega^2 (lambda^T M u + lambda'^T R u') dx
 //! ```
 //!
 //! The adjoint: Lions, Optimal Control of Systems (1971); for vibration: Adelman & Haftka, AIAA J. 24 (1986) 823-832.
@@ -18,6 +16,7 @@ use super::field::{Field, MassField, Setting};
 use super::overlap::Overlap;
 use crate::model::schema::{BeamKey, ElasticKey, MaterialKey, SectionKey, SubsystemKey};
 use crate::model::{BeamMotion, Restraint, Subsystem, Support};
+use crate::solve::beam_matrices::BeamMatrices;
 use crate::solve::beam_state::BeamState;
 use crate::solve::linear::ZERO;
 use crate::solve::springs::{rows, springs};
@@ -34,11 +33,20 @@ impl Product<'_> {
     /// `-lambda^T (dD/dp) u` for the parameters of the beam, the supports and the subsystems, in their order; `held`
     /// are the loads (of lambda and of u) whose position is constant while the right end moves.
     pub(super) fn by_parameter(&self, held: [&[Complex64; 6]; 2]) -> Vec<Complex64> {
-        let mut all = BeamKey::ALL
-            .map(|BeamKey::Length| self.by_length(held))
-            .to_vec();
-        all.extend(self.by_material());
-        all.extend(self.by_section());
+        let beam = &self.setting.model.beam;
+        let by = |matrices: &BeamMatrices| -self.overlap.form(matrices, self.setting.omega);
+        let own = BeamKey::ALL.into_iter().filter_map(|key| match key {
+            BeamKey::Length => Some(self.by_length(held)),
+            key => BeamMatrices::by_beam(beam, key).as_ref().map(by),
+        });
+        let mut all: Vec<Complex64> = own.collect();
+        all.extend(MaterialKey::ALL.map(|key| by(&BeamMatrices::by_material(beam, key))));
+        all.extend(SectionKey::ALL.map(|key| match key {
+            SectionKey::WarpingConstant if self.is_infinite_by_warping() => {
+                Complex64::new(f64::INFINITY, f64::INFINITY)
+            }
+            key => by(&BeamMatrices::by_section(beam, key)),
+        }));
         let supports = &self.setting.model.supports;
         for (end, support) in [&supports.left, &supports.right].into_iter().enumerate() {
             self.by_support(support, end, &mut all);
@@ -52,7 +60,8 @@ impl Product<'_> {
 
     /// `-lambda^T (dD/d omega) u = lambda^T (2 omega M - i C) u`, per rad/s.
     pub(super) fn by_omega(&self) -> Complex64 {
-        let (mut mass, mut damping) = (self.mass_of_beam(), ZERO);
+        let matrices = &self.setting.plan.beam.matrices;
+        let (mut mass, mut damping) = (self.overlap.inertia(matrices), ZERO);
         let supports = &self.setting.model.supports;
         for (end, support) in [&supports.left, &supports.right].into_iter().enumerate() {
             for motion in BeamMotion::ALL {
@@ -85,23 +94,8 @@ impl Product<'_> {
         let [lambda, u] = [self.lambda, self.u];
         let edges = [(lambda, held[0]), (u, held[1])].map(|(field, held)| self.beyond(field, held));
         let [l, u] = &edges;
-        let mut sum = ZERO;
-        for row in 0..3 {
-            sum += l.force[row] * u.motion[row + 3] + u.force[row] * l.motion[row + 3];
-        }
-        // M q'' in both orders minus the density M M / EI of bending.
-        let stiffnesses = [beam.bending_w, beam.warping, beam.bending_v];
-        for (row, stiffness) in stiffnesses.into_iter().enumerate() {
-            if stiffness != ZERO {
-                sum += l.force[row + 3] * u.force[row + 3] / stiffness;
-            }
-        }
-        sum -= beam.torsion * l.motion[4] * u.motion[4];
-        let [w, psi, v] = [0, 1, 2].map(|row| l.motion[row] * u.motion[row]);
-        let coupled = l.motion[0] * u.motion[1] + l.motion[1] * u.motion[0];
-        let section = &self.setting.model.beam.section;
-        let inertia = beam.mass * (w + v + section.centroid_offset * coupled) + beam.polar * psi;
-        sum + self.setting.omega * self.setting.omega * inertia
+        let (motions, forces) = ([&l.motion, &u.motion], [&l.force, &u.force]);
+        beam.matrices.shifted(self.setting.omega, motions, forces)
     }
 
     /// The right end just beyond the loads whose position is constant.
@@ -112,73 +106,26 @@ impl Product<'_> {
             *force -= held;
         }
         if beam.without_warping() {
+            let torque = edge.force[BeamMotion::Psi as usize];
+            let slopes =
+                [BeamMotion::WSlope, BeamMotion::VSlope].map(|slope| edge.motion[slope as usize]);
             edge.motion[BeamMotion::PsiSlope as usize] =
-                edge.force[BeamMotion::Psi as usize] / beam.torsion;
+                beam.matrices.rate_of_twist(torque, slopes);
         }
         edge
     }
 
-    fn by_material(&self) -> [Complex64; MaterialKey::ALL.len()] {
-        let material = &self.setting.model.beam.material;
-        let section = &self.setting.model.beam.section;
-        let o = &self.overlap;
-        let bending = section.second_moment_z * o.bending_v
-            + section.second_moment_y * o.bending_w
-            + section.warping_constant * o.warping;
-        let twist = section.torsion_constant * o.torsion;
-        let loss = Complex64::new(1.0, material.loss_factor);
-        let stored = material.young_modulus * bending + material.shear_modulus * twist;
-        let square = self.setting.omega * self.setting.omega;
-        MaterialKey::ALL.map(|key| match key {
-            MaterialKey::YoungModulus => -loss * bending,
-            MaterialKey::ShearModulus => -loss * twist,
-            MaterialKey::Density => square * self.mass_of_beam() / material.density,
-            MaterialKey::LossFactor => -Complex64::I * stored,
-        })
-    }
-
-    fn by_section(&self) -> [Complex64; SectionKey::ALL.len()] {
-        let material = &self.setting.model.beam.material;
-        let section = &self.setting.model.beam.section;
-        let o = &self.overlap;
-        let loss = Complex64::new(1.0, material.loss_factor);
-        let (young, shear) = (loss * material.young_modulus, loss * material.shear_modulus);
-        let inertia = self.setting.omega * self.setting.omega * material.density;
-        SectionKey::ALL.map(|key| match key {
-            SectionKey::Area => inertia * (o.translation + section.centroid_offset * o.coupling),
-            SectionKey::SecondMomentY => -young * o.bending_w,
-            SectionKey::SecondMomentZ => -young * o.bending_v,
-            SectionKey::TorsionConstant => -shear * o.torsion,
-            SectionKey::WarpingConstant => self.by_warping(young),
-            SectionKey::PolarMoment => inertia * o.rotation,
-            SectionKey::CentroidOffset => inertia * section.area * o.coupling,
-        })
-    }
-
-    /// The derivative by `Gamma_0`; if that is 0, for an increase from 0.
+    /// Whether the derivative by `Gamma_0`, which is 0 and can only increase, is infinite.
     ///
     /// Warping stiffness then makes boundary layers of the thickness sqrt(E `Gamma_0` / G J) at torques and at ends
-    /// with a fixed rate of twist. They stiffen the beam in proportion to it, so the derivative is infinite, unless one
-    /// of the two fields has no torque.
-    fn by_warping(&self, young: Complex64) -> Complex64 {
+    /// with a fixed rate of twist. They stiffen the beam in proportion to it, unless one of the two fields has no
+    /// torque.
+    fn is_infinite_by_warping(&self) -> bool {
         let [lambda, u] = [&self.lambda.kinks, &self.u.kinks];
         let sum = |one: &[Complex64], other: &[Complex64]| -> Complex64 {
             one.iter().zip(other).map(|(one, other)| one * other).sum()
         };
-        let layers = 0.5 * sum(&lambda.jumps, &u.jumps) + sum(&lambda.held, &u.held);
-        if layers == ZERO {
-            -young * self.overlap.warping
-        } else {
-            Complex64::new(f64::INFINITY, f64::INFINITY)
-        }
-    }
-
-    /// `lambda^T M u` of the beam.
-    fn mass_of_beam(&self) -> Complex64 {
-        let beam = &self.setting.plan.beam;
-        let offset = self.setting.model.beam.section.centroid_offset;
-        let o = &self.overlap;
-        beam.mass * (o.translation + offset * o.coupling) + beam.polar * o.rotation
+        0.5 * sum(&lambda.jumps, &u.jumps) + sum(&lambda.held, &u.held) != ZERO
     }
 
     fn by_support(&self, support: &Support, end: usize, all: &mut Vec<Complex64>) {

@@ -47,6 +47,8 @@ pub enum NotApplicable {
     NoOffset,
     /// The warping constant is 0: Eq. (19) is of the eighth order by E `Gamma_0`.
     NoWarping,
+    /// v is coupled, or there is rotary inertia or an axial force: Eqs. (11) to (13) have none of them.
+    OtherBeam,
 }
 
 impl std::fmt::Display for NotApplicable {
@@ -54,6 +56,9 @@ impl std::fmt::Display for NotApplicable {
         f.write_str(match self {
             Self::NoOffset => "its ratios t divide by the centroid offset z_c, which is 0",
             Self::NoWarping => "its shape functions need a warping constant above 0",
+            Self::OtherBeam => {
+                "it is derived for a centroid offset along z alone, without product moment, axial force and rotary inertia"
+            }
         })
     }
 }
@@ -70,6 +75,9 @@ pub fn sweep(
     frequencies: &[f64],
     cancel: &AtomicBool,
 ) -> Result<Result<Frf, Cancelled>, NotApplicable> {
+    if !model.beam.is_of_one_offset() {
+        return Err(NotApplicable::OtherBeam);
+    }
     if model.beam.section.centroid_offset == 0.0 {
         return Err(NotApplicable::NoOffset);
     }

@@ -60,7 +60,7 @@ impl App {
                 self.repeat.count = None;
                 let help = self.keys.key_of(FileCommand::Help);
                 self.refuse(format!(
-                    "{} has no meaning here: {help} shows every key",
+                    "{} is not bound here: {help} shows every key",
                     key.name()
                 ));
             }
@@ -146,10 +146,10 @@ impl App {
     fn tree_command(&mut self, command: TreeCommand, count: u32) {
         match command {
             TreeCommand::Expand => {
-                self.change_selection("this row holds no others", Selection::expand);
+                self.change_selection("this row has no children", Selection::expand);
             }
             TreeCommand::Collapse => {
-                self.change_selection("no group holds this row", Selection::collapse);
+                self.change_selection("this row has no parent", Selection::collapse);
             }
             TreeCommand::ExpandAll => {
                 self.change_selection("every group is open", Selection::expand_all);
@@ -159,12 +159,12 @@ impl App {
             }
             // Avoids a pass through the whole tree for each step of a count.
             TreeCommand::NextParameter => {
-                self.change_selection("there is no further parameter", |selection, model| {
+                self.change_selection("there is no next parameter", |selection, model| {
                     selection.next_parameter(model, true, count as usize);
                 });
             }
             TreeCommand::PreviousParameter => {
-                self.change_selection("there is no parameter before", |selection, model| {
+                self.change_selection("there is no previous parameter", |selection, model| {
                     selection.next_parameter(model, false, count as usize);
                 });
             }
@@ -325,8 +325,8 @@ impl App {
         let model = Arc::clone(self.document.model());
         match tree::alike(&model, self.selection.node(), forward) {
             Some(node) => self.selection.select(&model, node),
-            None if forward => self.refuse("there is no further one like this"),
-            None => self.refuse("there is none like this before"),
+            None if forward => self.refuse("there is no next one of this kind"),
+            None => self.refuse("there is no previous one of this kind"),
         }
     }
 

@@ -206,7 +206,7 @@ impl Document {
         self.saved = Arc::new(model.clone());
         self.text = text.into();
         self.base = Base::Own;
-        self.replace("read the file again".to_owned(), model);
+        self.replace("reload the file".to_owned(), model);
     }
 
     fn take(&mut self, after: Arc<Checked>) {

@@ -155,7 +155,7 @@ impl App {
             Value::Number(0.0) => {
                 let enter = self.keys.key_of(ModelCommand::Edit);
                 return self.refuse(format!(
-                    "{subject} is 0, of which no percentage is more: {enter} types a value"
+                    "{subject} is 0, and so is every percentage of it: {enter} types a value"
                 ));
             }
             Value::Number(old) => {
@@ -179,7 +179,7 @@ impl App {
         let model = Arc::clone(self.document.model());
         let node = self.selection.node();
         let Some(id) = node.parameter() else {
-            return self.refuse("select a single value to put the file's back");
+            return self.refuse("select a single value to restore the file's");
         };
         let Some(saved) = self.saved_value(id) else {
             return self.refuse("the file has no value for this");
@@ -291,7 +291,7 @@ pub(crate) fn faults_in_words(faults: &[Fault], path: &str, subject: &str) -> St
     // The fault of the parameter itself is more useful than its consequences.
     let own = faults.iter().find(|fault| fault.path == path);
     let Some(first) = own.or(faults.first()) else {
-        return "the model would not be possible".to_owned();
+        return "the model would be invalid".to_owned();
     };
     let place = if first.path == path {
         subject

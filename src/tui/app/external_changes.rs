@@ -60,15 +60,17 @@ impl App {
         self.files.external_change = outside;
         let name = self.document.source().name();
         match outside {
-            ExternalChange::Same => self.done(format!("{name} is again as it was")),
+            ExternalChange::Same => self.done(format!("{name} has its former content again")),
             ExternalChange::Changed => {
                 let key = self.keys.key_of(FileCommand::Reload);
                 self.refuse(format!(
-                    "{name} was changed on disk by another program: {key} reads it again"
+                    "{name} was changed on disk by another program: {key} reloads it"
                 ));
             }
             ExternalChange::Gone => {
-                self.refuse(format!("{name} is no more on disk; saving writes it again"));
+                self.refuse(format!(
+                    "{name} no longer exists on disk; saving writes it again"
+                ));
             }
         }
     }
@@ -79,7 +81,7 @@ impl App {
             return self.leave(Next::Reload);
         }
         let name = self.document.source().name();
-        self.refuse(format!("{name} is no file that could be read again"));
+        self.refuse(format!("{name} is not a file that can be reloaded"));
         Vec::new()
     }
 
@@ -91,14 +93,12 @@ impl App {
     pub(crate) fn reloaded(&mut self, opened: Opened) {
         self.files.external_change = ExternalChange::Same;
         if opened.text == self.document.saved_text() {
-            return self.done("the file is as it was");
+            return self.done("the file is unchanged");
         }
         let before = Arc::clone(self.document.model());
         self.document.reload(opened.model, opened.text);
         self.follow(&before);
         let undo = self.keys.key_of(ModelCommand::Undo);
-        self.done(format!(
-            "read the file again; {undo} brings back what was here"
-        ));
+        self.done(format!("file reloaded; {undo} undoes it"));
     }
 }

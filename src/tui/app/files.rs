@@ -215,7 +215,7 @@ impl App {
                 Vec::new()
             }
             Reply::NotRead(path, reason) => {
-                self.refuse_prompt(format!("{} is not read: {reason}", shown_path(&path)));
+                self.refuse_prompt(format!("{} cannot be read: {reason}", shown_path(&path)));
                 Vec::new()
             }
             Reply::Completed(text) => {

@@ -17,9 +17,9 @@ impl App {
         self.stored.changed.mouse = Some(self.mouse.captured);
         let key = self.keys.key_of(FileCommand::Mouse);
         self.done(if self.mouse.captured {
-            format!("the mouse is the designer's; with Shift it selects text, {key} leaves it to the terminal")
+            format!("mouse captured; with Shift it selects text, {key} releases it")
         } else {
-            format!("the mouse is the terminal's; {key} takes it")
+            format!("mouse released to the terminal; {key} captures it")
         });
         vec![Effect::Mouse(self.mouse.captured)]
     }

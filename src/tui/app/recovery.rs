@@ -51,7 +51,9 @@ impl App {
             }
             RecoveryCommand::Cancel => {
                 self.overlay = None;
-                self.done("unsaved changes are kept; the next start offers them again");
+                self.done(
+                    "unsaved changes stay in the recovery file; the next start offers them again",
+                );
                 Vec::new()
             }
         }
@@ -65,13 +67,16 @@ impl App {
         );
         let mut words = vec![format!("unsaved changes recovered: {save} saves them")];
         if base != Base::Missing {
-            words.push(format!("{undo} drops them"));
+            words.push(format!("{undo} undoes them"));
         }
         if others > 0 {
-            words.insert(0, counted(others, "more is kept", "more are kept"));
+            words.insert(
+                0,
+                counted(others, "more recovery file", "more recovery files"),
+            );
         }
         if base == Base::Newer {
-            words.insert(0, "the file was changed after them".to_owned());
+            words.insert(0, "the file was changed later".to_owned());
         }
         self.done(words.join(", "));
     }

@@ -49,7 +49,7 @@ impl App {
     /// Repeats the last change.
     pub(crate) fn repeat(&mut self) {
         match self.repeat.last_change.clone() {
-            None => self.refuse("there is no change to do again yet"),
+            None => self.refuse("there is no change to repeat yet"),
             Some(LastChange::Command(command, times)) => drop(self.repeated(command, times)),
             Some(LastChange::Typed(text)) => self.type_again(&text),
         }
@@ -80,7 +80,7 @@ impl App {
 /// How often a repeated command ran.
 fn last_of(done: String, times: u32) -> String {
     if times > 1 {
-        format!("{done}, the last of {times}")
+        format!("{done}, the last of {times} times")
     } else {
         done
     }

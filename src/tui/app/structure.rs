@@ -63,7 +63,7 @@ impl App {
                 format!("{study} on a number of the model adds a study of it; others are added in the file")
             }
             Some(Group::Tune) => {
-                format!("{variable} on a number lets a search move it, {objective} adds what is sought")
+                format!("{variable} on a number makes it a variable, {objective} adds an objective")
             }
             _ => "subsystems, forces and responses can be added: select one of them, or their group"
                 .to_owned(),
@@ -168,8 +168,8 @@ fn user_of(model: &Model, after: &Model, element: Group) -> Option<String> {
         Group::Response(i) => {
             let tune = model.tune.as_ref()?;
             let name = Some(&model.responses[i].name);
-            let mut sought = tune.objectives.iter();
-            return sought
+            let mut objectives = tune.objectives.iter();
+            return objectives
                 .any(|one| one.response.as_ref() == name)
                 .then(|| "the objective of [tune]".to_owned());
         }
@@ -191,6 +191,6 @@ fn mass_user(model: &Model, name: &String) -> Option<String> {
         .map(|i| format!("force {}, which acts on it", i + 1))
         .or_else(|| {
             let name = &model.responses[response?].name;
-            Some(format!("response {name}, which is taken on it"))
+            Some(format!("response {name}, which refers to it"))
         })
 }

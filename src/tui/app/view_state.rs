@@ -126,9 +126,7 @@ impl App {
         let mut forms = Form::ALL.into_iter();
         self.display.form = forms.find(|known| view.form.as_deref() == Some(known.name()));
         self.display.motion = view.form.as_deref() == Some(MOTION);
-        self.tables.open = Table::ALL
-            .into_iter()
-            .find(|table| view.table.as_deref() == Some(table.key()));
+        self.tables.open = view.table.as_deref().and_then(Table::of_word);
         let rows = tree::all_rows(&model);
         let trails: HashMap<Vec<String>, Node> = rows
             .iter()

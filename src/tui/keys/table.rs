@@ -99,13 +99,13 @@ key_table! {
     /// Move in the tree, and open and close its groups.
     Tree(TreeCommand) in Main, "Move in the model", list!("row") => {
         Expand "expand" [special(Right), key('l')], Group("open"), "open the group, or go into it";
-        Collapse "collapse" [special(Left), key('h')], Never, "close the group, or go to the one that holds the row";
-        ExpandAll "expand-all" [key('E')], Never, "open every group, but for the springs of free motions";
+        Collapse "collapse" [special(Left), key('h')], Never, "close the group, or go to its parent";
+        ExpandAll "expand-all" [key('E')], Never, "open every group, except the springs of free motions";
         CollapseAll "collapse-all" [key('C')], Never, "close every group";
         NextParameter "next-parameter" [special(Tab)], Group("next value"), "next parameter, opening the group that holds it";
-        PreviousParameter "previous-parameter" [special(BackTab)], Never, "parameter before";
-        NextAlike "next-alike" [key('n')], Never, "same parameter of the next subsystem, support, force or response; after a search its next row";
-        PreviousAlike "previous-alike" [key('N')], Never, "same parameter of the one before; after a search the row before";
+        PreviousParameter "previous-parameter" [special(BackTab)], Never, "previous parameter";
+        NextAlike "next-alike" [key('n')], Never, "same parameter of the next subsystem, support, force or response; after a search the next match";
+        PreviousAlike "previous-alike" [key('N')], Never, "same parameter of the previous one; after a search the previous match";
         Search "search" [key('/')], Group("search"), "search the tree";
     }
 
@@ -119,8 +119,8 @@ key_table! {
         NudgeUpFine "nudge-up-fine" [key('.')], Never, "0.1 % more";
         NudgeDownFine "nudge-down-fine" [key(',')], Never, "0.1 % less";
         Cycle "cycle" [key(' ')], Choice("next choice"), "next choice (support, spacing, measure, direction, place), or open and close";
-        Repeat "repeat" [key(';')], Never, "the last change again (a typed one too), on the selected row";
-        Revert "revert" [special(Backspace)], Never, "put the file's value back";
+        Repeat "repeat" [key(';')], Never, "repeat the last change (also a typed one) on the selected row";
+        Revert "revert" [special(Backspace)], Never, "restore the file's value";
         Add "add" [key('a')], List("add"), "add a subsystem, force or response";
         Duplicate "duplicate" [key('D')], Item("duplicate"), "duplicate the subsystem, force or response";
         Rename "rename" [key('r')], Item("rename"), "rename the subsystem, response or study";
@@ -134,58 +134,58 @@ key_table! {
     Curves(CurvesCommand) in Main, "Curves", &[] => {
         Show "show" [key('v')], Item("show"), "show or hide the response's curve";
         Solo "solo" [key('V')], Never, "show only this response; again: all of its unit";
-        Freeze "freeze" [key('f')], Always("freeze"), "keep the curves as a reference, dotted";
-        Unfreeze "unfreeze" [key('F')], Never, "drop the newest reference";
+        Freeze "freeze" [key('f')], Always("freeze"), "freeze the curves as a reference, dotted";
+        Unfreeze "unfreeze" [key('F')], Never, "remove the newest reference";
         Study "study" [key('t')], Always("study"), "next study, or none";
-        ZoomIn "zoom-in" [key('z')], Never, "half of the frequencies, about the cursor";
-        ZoomOut "zoom-out" [key('Z')], Never, "twice the frequencies";
-        ZoomWhole "zoom-whole" [key('W')], Never, "the whole sweep, levels that follow the curves";
-        PanUp "pan-up" [key('K'), shifted(Right)], Never, "higher frequencies, by a quarter of those that show";
+        ZoomIn "zoom-in" [key('z')], Never, "halve the frequency range, about the cursor";
+        ZoomOut "zoom-out" [key('Z')], Never, "double the frequency range";
+        ZoomWhole "zoom-whole" [key('W')], Never, "the whole sweep, automatic levels";
+        PanUp "pan-up" [key('K'), shifted(Right)], Never, "higher frequencies, by a quarter of the range";
         PanDown "pan-down" [key('J'), shifted(Left)], Never, "lower frequencies";
         LogFrequency "log-frequency" [key('L')], Never, "frequency axis logarithmic or linear";
-        LevelIn "level-in" [key('*')], Never, "half of the levels, about the middle; they are fixed then";
-        LevelOut "level-out" [key('&')], Never, "twice the levels";
-        LevelUp "level-up" [shifted(Up)], Never, "higher levels, by a quarter of those that show";
+        LevelIn "level-in" [key('*')], Never, "halve the range of levels, about the middle, and fix it";
+        LevelOut "level-out" [key('&')], Never, "double the range of levels";
+        LevelUp "level-up" [shifted(Up)], Never, "higher levels, by a quarter of the range";
         LevelDown "level-down" [shifted(Down)], Never, "lower levels";
-        LevelFix "level-fix" [key('!')], Never, "keep the levels that show, or let them follow the curves";
+        LevelFix "level-fix" [key('!')], Never, "fix the levels, or let them follow the curves";
     }
 
     /// Read values off the chart: views, units and cursors.
     Reading(ReadingCommand) in Main, "Read the curves", &[] => {
         NextView "next-view" [key('b')], Never, "next view: magnitude, with phase, real and imaginary, Nyquist, difference to the reference";
-        NextForm "next-form" [key('i')], Never, "next form: as asked for, receptance, mobility, accelerance, their inverses, motion under the force as it is";
-        PreviousForm "previous-form" [key('I')], Never, "form before";
+        NextForm "next-form" [key('i')], Never, "next form: the model's, receptance, mobility, accelerance, their inverses, motion under the actual forces";
+        PreviousForm "previous-form" [key('I')], Never, "previous form";
         Decibels "decibels" [key('d')], Never, "magnitude in powers of ten or in decibels";
         DecibelReference "decibel-reference" [key('%')], Never, "type the value of 0 dB";
         FrequencyUnit "frequency-unit" [key('#')], Never, "frequencies in Hz, rad/s or rpm";
-        Unwrap "unwrap" [key('\'')], Never, "phase runs on, or stays within half a turn";
+        Unwrap "unwrap" [key('\'')], Never, "unwrap the phase, or wrap it to half a turn";
         CursorRight "cursor-right" [key(']')], Never, "cursor a column to the right";
         CursorLeft "cursor-left" [key('[')], Never, "cursor a column to the left";
-        CursorOff "cursor-off" [special(Esc)], Never, "drop a count that was typed, end a search, or take the cursor off the chart";
+        CursorOff "cursor-off" [special(Esc)], Never, "cancel a typed count, end a search, or remove the cursor";
         NextPeak "next-peak" [key('}')], Never, "cursor to the next peak of the first curve";
-        PreviousPeak "previous-peak" [key('{')], Never, "cursor to the peak before";
+        PreviousPeak "previous-peak" [key('{')], Never, "cursor to the previous peak";
         NextDip "next-dip" [key('\\')], Never, "cursor to the next anti-resonance of the first curve";
-        PreviousDip "previous-dip" [key('|')], Never, "cursor to the anti-resonance before";
-        GoTo "go-to" [key('@')], Never, "cursor to a frequency that is typed";
-        Readings "readings" [key('"')], Never, "table of what every curve is at the cursors, or close it";
-        SecondCursor "second-cursor" [key('c')], Never, "second cursor here, from which differences are counted; again: without";
-        Harmonics "harmonics" [key('H')], Never, "mark the harmonics of the cursor, or not";
-        Band "band" [key('_')], Never, "mark the band between the cursors, or that shows, and tell its levels; again: without";
+        PreviousDip "previous-dip" [key('|')], Never, "cursor to the previous anti-resonance";
+        GoTo "go-to" [key('@')], Never, "cursor to a typed frequency";
+        Readings "readings" [key('"')], Never, "table of the values at the cursors, or close it";
+        SecondCursor "second-cursor" [key('c')], Never, "second cursor here, the reference of differences; again: remove it";
+        Harmonics "harmonics" [key('H')], Never, "mark the harmonics of the cursor; again: remove the marks";
+        Band "band" [key('_')], Never, "mark the band between the cursors, or the visible one, and list its levels; again: remove it";
     }
 
     /// Compare with references and measured curves, and export.
     Compare(CompareCommand) in Main, "Compare", &[] => {
-        List "beside" [key('Q')], Never, "references and measured curves: show, name, drop, load";
+        List "beside" [key('Q')], Never, "references and measured curves: show, rename, remove, load";
         AddMeasured "add-measured" [control('o')], Never, "open a measured curve: CSV or universal file (UFF 58)";
-        MakeStudy "make-study" [control('t')], Never, "sweep the selected parameter: a study of it with factors or values that are typed";
-        Export "export" [control('e')], Never, "write what is on the screen: .csv, .svg or .txt";
+        MakeStudy "make-study" [control('t')], Never, "sweep the selected parameter: a study of it with typed factors or values";
+        Export "export" [control('e')], Never, "export the screen: .csv, .svg or .txt";
     }
 
-    /// Look at the beam: what it does and what it is.
+    /// Views of the beam: its motion and its drawing.
     BeamView(BeamViewCommand) in Main, "Look at the beam", &[] => {
-        Operating "operating" [key('O')], Never, "operating deflection at the cursor, then internal forces, then power; again: nothing";
-        PhaseStep "phase-step" [key('`')], Never, "a step further in the period of what moves";
-        Structure "structure" [key('B')], Never, "drawing of the beam, then of its cross-section; again: nothing";
+        Operating "operating" [key('O')], Never, "operating deflection at the cursor, then internal forces, then power; again: close";
+        PhaseStep "phase-step" [key('`')], Never, "step the animation through its period";
+        Structure "structure" [key('B')], Never, "drawing of the beam, then of its cross-section; again: close";
     }
 
     /// Modes, peaks and finite elements.
@@ -193,56 +193,56 @@ key_table! {
         ModeTable "mode-table" [key('m')], Always("modes"), "table of modes, or close it";
         PeakTable "peak-table" [key('P')], Table("peaks"), "table of the first curve's peaks, or close it";
         NextMode "next-mode" [key(')')], Never, "select the next mode; the cursor goes to it";
-        PreviousMode "previous-mode" [key('(')], Never, "select the mode before";
+        PreviousMode "previous-mode" [key('(')], Never, "select the previous mode";
         Shape "shape" [key('M')], Table("shape"), "shape of the selected mode, or hide it";
-        Animate "animate" [key('A')], Table("move it"), "let the shape move, or stand still";
-        FiniteElements "finite-elements" [key('w')], Never, "finite-element curve beside the exact one, as points, or without";
+        Animate "animate" [key('A')], Table("animate"), "start or stop the animation";
+        FiniteElements "finite-elements" [key('w')], Never, "finite-element curves as points over the exact ones, or hide them";
     }
 
     /// Sensitivities and the search for better parameters.
     Tune(TuneCommand) in Main, "Tune", &[] => {
-        Sensitivities "sensitivities" [key('~')], Table("sensitivities"), "which parameter matters: bars and a table for the cursor, then the peak, the mode, the band; again: without";
-        TuneVariable "tune-variable" [key('$')], Never, "let a search move the selected parameter, within bounds that are typed; again: keep it";
-        TuneObjective "tune-objective" [key('^')], Never, "say what is sought of the first curve in the marked band, or the one that shows";
-        Tune "tune" [control('g')], Never, "search; again: pause, go on; a count before it is the most evaluations it may take";
-        TuneAccept "tune-accept" [control('y')], Never, "put the best found so far into the model, as one step";
-        TuneDiscard "tune-discard" [control('x')], Never, "drop the search and what it has found";
-        Tolerances "tolerances" [control('k')], Never, "band in which nine of ten curves lie when the variables are off by their tolerances, or without";
+        Sensitivities "sensitivities" [key('~')], Table("sensitivities"), "sensitivities: bars and a table for the cursor, then the peak, the mode, the band; again: close";
+        TuneVariable "tune-variable" [key('$')], Never, "let a search change the selected parameter, within typed bounds; again: fix it";
+        TuneObjective "tune-objective" [key('^')], Never, "set the objective of the first curve in the marked band, or in the visible one";
+        Tune "tune" [control('g')], Never, "search; again: pause, continue; a count before it limits the evaluations";
+        TuneAccept "tune-accept" [control('y')], Never, "apply the best so far to the model, as one step";
+        TuneDiscard "tune-discard" [control('x')], Never, "discard the search and its result";
+        Tolerances "tolerances" [control('k')], Never, "band of nine of ten curves when the variables vary within their tolerances, or hide it";
     }
 
     /// Files and the program.
     File(FileCommand) in Main, "Files and program", &[] => {
         Save "save" [key('s'), control('s')], Always("save"), "save";
         SaveAs "save-as" [key('S')], Never, "save to another file";
-        Reload "reload" [key('R')], Never, "read the file again; asks when something is not saved";
+        Reload "reload" [key('R')], Never, "reload the file; asks if there are unsaved changes";
         Open "open" [key('o')], Never, "open a file";
         Presets "presets" [key('p')], Always("presets"), "choose a preset";
         Palette "palette" [key(':')], Always("commands"), "search every command and every parameter";
-        CopyValue "copy-value" [key('y')], Never, "send the value to the terminal's clipboard (OSC 52)";
-        CopyModel "copy-model" [key('Y')], Never, "send the model's text to the terminal's clipboard";
-        Theme "theme" [key('T')], Never, "next theme: the terminal's colours, for a dark ground, for a light one, none";
-        Mouse "mouse" [key('X')], Never, "take the mouse, or leave it to the terminal (to select text)";
+        CopyValue "copy-value" [key('y')], Never, "copy the value to the terminal's clipboard (OSC 52)";
+        CopyModel "copy-model" [key('Y')], Never, "copy the model's text to the terminal's clipboard";
+        Theme "theme" [key('T')], Never, "next theme: the terminal's colours, for a dark background, for a light one, none";
+        Mouse "mouse" [key('X')], Never, "capture the mouse, or leave it to the terminal (to select text)";
         Help "help" [key('?'), special(F(1))], Always("help"), "this help";
         Guide "guide" [], Never, "read a chapter of the guide";
-        Quit "quit" [key('q')], Always("quit"), "quit; asks when something is not saved";
+        Quit "quit" [key('q')], Always("quit"), "quit; asks if there are unsaved changes";
     }
 
     /// In every scope.
     Anywhere(AnywhereCommand) in Any, "Everywhere", &[] => {
-        Redraw "redraw" [control('l')], Never, "draw the screen anew";
-        Suspend "suspend" [control('z')], Never, "stop; `fg` in the shell goes on";
-        End "end" [control('c')], Never, "quit; asks when something is not saved";
+        Redraw "redraw" [control('l')], Never, "redraw the screen";
+        Suspend "suspend" [control('z')], Never, "suspend; `fg` in the shell continues";
+        End "end" [control('c')], Never, "quit; asks if there are unsaved changes";
     }
 
     /// In a table below the chart.
-    Table(TableCommand) in Table, "In a table below the chart (all other keys as without it)", list!("row", Always("next row"), "row below; the cursor goes to it") => {
+    Table(TableCommand) in Table, "In a table below the chart (all other keys as usual)", list!("row", Always("next row"), "row below; the cursor goes to it") => {
         Close "close" [special(Esc)], Always("close"), "close the table";
     }
 
     /// In a prompt.
     Prompt(PromptCommand) in Prompt, "While typing", &[] => {
-        Accept "accept" [special(Enter)], Always("take it"), "take what is typed";
-        Cancel "cancel" [special(Esc)], Always("leave as it was"), "close the box, changing nothing";
+        Accept "accept" [special(Enter)], Always("accept"), "accept the typed text";
+        Cancel "cancel" [special(Esc)], Always("cancel"), "close the dialog without changes";
         Complete "complete" [special(Tab)], Never, "complete a file's path";
     }
 
@@ -253,14 +253,14 @@ key_table! {
         PageUp [special(PageUp)], Never, "one screen up";
         PageDown [special(PageDown)], Never, "one screen down";
     } => {
-        Accept "accept" [special(Enter)], Always("do or edit it"), "do the command, or go to the parameter and edit it";
+        Accept "accept" [special(Enter)], Always("run or edit it"), "run the command, or go to the parameter and edit it";
         Cancel "cancel" [special(Esc)], Always("close"), "close the palette";
     }
 
     /// While the tree is searched.
     Search(SearchCommand) in Search, "While searching the tree", moves! {
-        Up LINE_UP, Never, "found row above";
-        Down LINE_DOWN, Always("next"), "found row below";
+        Up LINE_UP, Never, "match above";
+        Down LINE_DOWN, Always("next"), "match below";
     } => {
         Accept "accept" [special(Enter)], Always("stay there"), "stay on the row";
         Cancel "cancel" [special(Esc)], Always("go back"), "go back to the row where the search began";
@@ -277,8 +277,8 @@ key_table! {
         Accept "accept" [special(Enter)], Always("show or hide"), "show it, or hide it";
         AddReference "add-reference" [key('a')], Always("load a model"), "load a model as a reference";
         AddMeasured "add-measured" [key('m')], Always("load a measured curve"), "load a measured curve";
-        Rename "rename" [key('r')], Always("rename"), "give it another name";
-        Delete "delete" [key('x'), special(Delete)], Always("drop"), "drop it";
+        Rename "rename" [key('r')], Always("rename"), "rename it";
+        Delete "delete" [key('x'), special(Delete)], Always("remove"), "remove it";
         Cancel "cancel" [special(Esc), key('q'), key('Q')], Always("close"), "close the list";
     }
 
@@ -295,25 +295,25 @@ key_table! {
     }
 
     /// In the confirmation about unsaved changes.
-    Unsaved(UnsavedCommand) in Unsaved, "Asked about unsaved changes", &[] => {
-        Save "save" [key('s'), key('y')], Always("save first"), "save, then go on";
-        Discard "discard" [key('d'), key('n')], Always("discard the changes"), "go on without saving";
-        Cancel "cancel" [special(Esc)], Always("stay"), "stay, as if nothing had been asked";
+    Unsaved(UnsavedCommand) in Unsaved, "Confirm: unsaved changes", &[] => {
+        Save "save" [key('s'), key('y')], Always("save first"), "save, then continue";
+        Discard "discard" [key('d'), key('n')], Always("discard the changes"), "continue without saving";
+        Cancel "cancel" [special(Esc)], Always("cancel"), "cancel; nothing changes";
     }
 
     /// In the confirmation before a file is replaced.
-    Replace(ReplaceCommand) in Replace, "Asked before a file is replaced", &[] => {
+    Replace(ReplaceCommand) in Replace, "Confirm: replace a file", &[] => {
         Replace "replace" [key('y')], Always("replace it"), "replace the file";
         Cancel "cancel" [special(Esc), key('n')], Always("keep it"), "keep the file; nothing is saved";
     }
 
     /// In the list of recovered changes.
-    Recovery(RecoveryCommand) in Recovery, "Unsaved changes that were found", moves! {
+    Recovery(RecoveryCommand) in Recovery, "Recover unsaved changes", moves! {
         Up UP, Never, "changes above";
         Down DOWN, Never, "changes below";
     } => {
-        Accept "accept" [special(Enter)], Always("take them"), "take the changes: the model is as it was when they were lost";
-        Discard "discard" [key('x'), key('d'), special(Delete)], Always("discard"), "discard the changes for good";
+        Accept "accept" [special(Enter)], Always("recover"), "recover the changes";
+        Discard "discard" [key('x'), key('d'), special(Delete)], Always("discard"), "delete the changes";
         Cancel "cancel" [special(Esc), key('q')], Always("later"), "leave them for the next start";
     }
 }

@@ -1,4 +1,4 @@
-//! The first line, what is open and what is solved; and the last, what can be done.
+//! The first line: the open model and the solution; and the last one: what can be done.
 
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -19,7 +19,7 @@ use crate::tui::view::text::{cut, significant, width};
 pub(crate) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
     let half = usize::from(area.width / 2);
     let (said, wrong) = solver(app);
-    // The first that fits; it is said shorter where there is less room.
+    // The first text that fits.
     let fits = said.iter().find(|text| width(text) <= half);
     let solver = cut(fits.or(said.last()).map_or("", String::as_str), half);
     let changed = match (app.document.is_changed(), app.files.external_change) {
@@ -27,7 +27,7 @@ pub(crate) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
         (true, ExternalChange::Same) => " · changed",
         (false, ExternalChange::Changed) => " · changed on disk",
         (true, ExternalChange::Changed) => " · changed, also on disk",
-        (_, ExternalChange::Gone) => " · gone from disk",
+        (_, ExternalChange::Gone) => " · missing on disk",
     };
     let room = usize::from(area.width).saturating_sub(width(&solver) + width(changed) + 3);
     let name = cut(&app.document.source().name(), room);
@@ -45,7 +45,7 @@ pub(crate) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
     frame.render_widget(right, area);
 }
 
-/// What the solver has to say, from long to short, and whether it is bad news.
+/// The message of the solver, from long to short, and whether it is a warning.
 fn solver(app: &App) -> (Vec<String>, bool) {
     let solving = || (vec!["solving".to_owned()], false);
     match &app.curves.shown {
@@ -59,7 +59,7 @@ fn solver(app: &App) -> (Vec<String>, bool) {
             (_, FemOverlay::Failed(reason)) => {
                 (vec![format!("no finite elements: {reason}")], true)
             }
-            (_, FemOverlay::Waiting(_)) => (vec!["finite elements in work".to_owned()], false),
+            (_, FemOverlay::Waiting(_)) => (vec!["computing finite elements".to_owned()], false),
             (_, FemOverlay::Shown(witness)) => (difference(app, witness), false),
             ([], FemOverlay::Off) => (solved(app, picture), false),
             ([first], _) => (
@@ -81,7 +81,7 @@ fn solver(app: &App) -> (Vec<String>, bool) {
     }
 }
 
-/// How much was solved, in which time; and the modes, above all whether one was lost or won.
+/// The size of the solution and its time; and the modes, above all whether one was lost or gained.
 fn solved(app: &App, picture: &Picture) -> Vec<String> {
     let solved = format!("solved {} in {}", extent(picture), elapsed(picture));
     let list = app.modes.list.as_ref();
@@ -89,8 +89,8 @@ fn solved(app: &App, picture: &Picture) -> Vec<String> {
         let short = format!("{} in {}", extent(picture), elapsed(picture));
         return [solved, short]
             .into_iter()
-            .map(|text| format!("{text}, modes in work"))
-            .chain(["modes in work".to_owned()])
+            .map(|text| format!("{text}, computing modes"))
+            .chain(["computing modes".to_owned()])
             .collect();
     };
     let modes = counted(list.rows.len(), "mode", "modes");
@@ -106,7 +106,7 @@ fn solved(app: &App, picture: &Picture) -> Vec<String> {
             return vec![format!("{modes}, {solved}"), modes];
         }
     };
-    // Where there is room for one thing only, doubt comes before what it took.
+    // If there is room for one thing only, a doubt comes before the time.
     let short = match &list.completeness {
         Completeness::Certain => solved.clone(),
         _ => modes.clone(),
@@ -125,7 +125,7 @@ fn solved(app: &App, picture: &Picture) -> Vec<String> {
     ]
 }
 
-/// The largest difference between the finite-element curves that show and the exact ones.
+/// The largest difference between the visible finite-element curves and the exact ones.
 fn difference(app: &App, witness: &FemPicture) -> Vec<String> {
     let largest = witness
         .members
@@ -188,11 +188,11 @@ pub(crate) fn draw_hints(frame: &mut Frame<'_>, app: &App, theme: Theme, area: R
     frame.render_widget(line, area);
 }
 
-/// The count that was typed, and what it is for.
+/// The typed count, and its purpose.
 fn count_line(app: &App, theme: Theme, columns: usize) -> Line<'static> {
     let count = app.repeat.count.unwrap_or(1).to_string();
     let escape = app.keys.key_of(ReadingCommand::CursorOff);
-    let words = format!(" times the next key; {escape} drops the count");
+    let words = format!(" times the next key; {escape} cancels the count");
     let words = cut(&words, columns.saturating_sub(width(&count)));
     Line::from(vec![
         Span::styled(count, theme.key()),
@@ -200,7 +200,7 @@ fn count_line(app: &App, theme: Theme, columns: usize) -> Line<'static> {
     ])
 }
 
-/// The line of the search, and how much was found.
+/// The line of the search, and the number of matches.
 fn draw_search(frame: &mut Frame<'_>, app: &App, search: &Search, theme: Theme, area: Rect) {
     let place = search.place(app.selection.node());
     let found = match (search.input.value().trim(), place) {
@@ -228,7 +228,7 @@ fn draw_search(frame: &mut Frame<'_>, app: &App, search: &Search, theme: Theme, 
     frame.render_widget(Line::styled(found, theme.dim()), found_area);
 }
 
-/// As many hints as there is room for, whole ones.
+/// The hints that fit, none of them cut.
 fn hints(app: &App, theme: Theme, columns: usize) -> Line<'static> {
     let mut spans = Vec::new();
     let mut taken = 0;
@@ -247,7 +247,7 @@ fn hints(app: &App, theme: Theme, columns: usize) -> Line<'static> {
     Line::from(spans)
 }
 
-/// What a search for better parameters waits for.
+/// What the tuning waits for.
 fn search_hints(app: &App) -> Vec<(String, &'static str)> {
     let at_the_model = matches!(app.scope(), Scope::Main | Scope::Table);
     let Some(run) = app.tuning.run.as_ref().filter(|_| at_the_model) else {
@@ -255,13 +255,13 @@ fn search_hints(app: &App) -> Vec<(String, &'static str)> {
     };
     let hold = match run.progress {
         Progress::Searching => Some("pause"),
-        Progress::Paused => Some("go on"),
+        Progress::Paused => Some("continue"),
         Progress::Found(_) | Progress::Failed(_) => None,
     };
     let hold = hold.map(|words| (TuneCommand::Tune, words));
     let hints = [
-        (TuneCommand::TuneAccept, "take the best"),
-        (TuneCommand::TuneDiscard, "drop it"),
+        (TuneCommand::TuneAccept, "apply the best"),
+        (TuneCommand::TuneDiscard, "discard it"),
     ];
     let hints = hold.into_iter().chain(hints);
     hints
@@ -269,7 +269,7 @@ fn search_hints(app: &App) -> Vec<(String, &'static str)> {
         .collect()
 }
 
-/// What kind of row is selected.
+/// The kind of the selected row.
 fn row_kind(app: &App) -> RowKind {
     let node = app.selection.node();
     match (node.parameter().map(|id| id.key().kind), node) {

@@ -72,7 +72,7 @@ pub struct Spot {
     pub style: Style,
 }
 
-/// What is below the plot.
+/// The content below the plot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) enum Below {
     /// The horizontal axis with labels and marks.
@@ -119,7 +119,7 @@ pub struct Chart<'a> {
     pub styles: ChartStyles,
     /// Whether this is a Nyquist plot: the points of a curve are joined in their order, in any direction.
     pub(super) nyquist: bool,
-    /// What is below the plot.
+    /// The content below the plot.
     pub(super) below: Below,
     /// Fewest columns of the value labels.
     pub(super) label_columns: u16,

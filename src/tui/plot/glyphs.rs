@@ -3,7 +3,6 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
-use ratatui::text::Span;
 
 use super::axis::{Direction, Ruler};
 use crate::escape::escape;
@@ -48,7 +47,7 @@ pub(super) fn rulers(columns: u16, rows: u16, glyphs: Glyphs) -> [Ruler; 2] {
 
 /// The width in columns of a text as [`put`] writes it.
 pub(super) fn width(text: &str) -> u16 {
-    Span::raw(escape(text)).width() as u16
+    crate::wrap::width(text) as u16
 }
 
 /// Writes a text into one row, hidden characters escaped, truncated at the end of the row.

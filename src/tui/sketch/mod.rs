@@ -8,7 +8,6 @@ pub(super) use signs::{BIMOMENT, Frame, POINTER, POINTER_BACK, Signs, TORQUE};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
-use ratatui::text::Span;
 
 use crate::escape::escape;
 
@@ -139,7 +138,7 @@ fn is_adjacent(start: i32, columns: i32, column: i32) -> bool {
 
 /// The width of a word in columns, hidden characters escaped.
 pub(super) fn width(word: &str) -> i32 {
-    Span::raw(escape(word)).width() as i32
+    crate::wrap::width(word) as i32
 }
 
 /// The cells of a straight line, both ends included.

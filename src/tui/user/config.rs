@@ -8,7 +8,7 @@
 //! marker = "braille"     # braille, octant, block, dot, ascii
 //! mouse = true
 //! [keys.model]           # a table for each part of the key table; `beamtune man` has the names
-//! undo = ["u", "Alt-u"]  # the first is the one in hints; [] takes a command's keys away
+//! undo = ["u", "Alt-u"]  # the first is the one in hints; [] removes a command's keys
 //! ```
 
 use crossterm::event::KeyCode;
@@ -21,7 +21,7 @@ use crate::model::read::value::{Node, wrong_type};
 use crate::tui::keys::{self, Conflict, Key, KeyMap, Scope};
 use crate::tui::options::{Colours, Ground, Marker, Options};
 
-/// What a list of keys must be.
+/// The accepted list of keys.
 const LIST: &str = "a list of keys in quotes, such as [\"u\", \"Alt-u\"]";
 /// Several kinds of keys.
 const EXAMPLES: &str = "u, U, Ctrl-z, Alt-x, F5, PgDn, Space or Shift-Tab";
@@ -75,31 +75,29 @@ pub fn read(text: &str) -> Result<Config, Vec<Fault>> {
 
 fn options(mut table: Table<'_>, reader: &mut Reader) -> Options {
     let options = Options {
-        colours: choice(&mut table, "color", Colours::ALL, Colours::word, reader),
-        ground: choice(&mut table, "theme", Ground::ALL, Ground::word, reader),
+        colours: choice(&mut table, "color", Colours::WORDS, reader).and_then(Colours::of_word),
+        ground: choice(&mut table, "theme", Ground::WORDS, reader).and_then(Ground::of_word),
         ascii: table.flag("ascii", reader),
-        marker: choice(&mut table, "marker", Marker::ALL, Marker::word, reader),
+        marker: choice(&mut table, "marker", Marker::WORDS, reader).and_then(Marker::of_word),
         mouse: table.flag("mouse", reader),
     };
     table.finish(reader);
     options
 }
 
-/// A choice by its word; none if missing or another word.
-fn choice<'a, T: Copy>(
+/// The word of a choice; none if missing or another word.
+fn choice<'a>(
     table: &mut Table<'a>,
     key: &'a str,
-    all: &[T],
-    word: fn(T) -> &'static str,
+    words: &[&'static str],
     reader: &mut Reader,
-) -> Option<T> {
+) -> Option<&'static str> {
     if !table.has(key) {
         table.accept(key);
         return None;
     }
-    let words: Vec<&str> = all.iter().map(|choice| word(*choice)).collect();
-    let index = table.word(key, &words, None, reader)?;
-    all.get(index).copied()
+    let index = table.word(key, words, None, reader)?;
+    words.get(index).copied()
 }
 
 /// A key that the file binds to a command.
@@ -156,7 +154,7 @@ impl Row {
         };
         if list.is_empty() && self.is_needed() {
             let message =
-                "is empty; must have a key, or what is open could not be answered or closed";
+                "is empty; must have a key, without which the dialog cannot be answered or closed";
             reader.fault(node.span().start, &self.path, message);
         }
         let mut keys: Vec<Given> = Vec::new();
@@ -186,7 +184,7 @@ impl Row {
         let text = text.ok_or_else(|| wrong_type(node, "a key in quotes"))?;
         let key = Key::parse(text).ok_or_else(|| {
             format!(
-                "is {}, which names no key; must be one such as {EXAMPLES}",
+                "is {}, which is not a key; must be one such as {EXAMPLES}",
                 quoted(text)
             )
         })?;
@@ -198,7 +196,7 @@ impl Row {
         }
         if self.takes_typing(key) {
             return Err(format!(
-                "is {}, which is needed where something is typed; must be another key, such as Ctrl-z, Alt-x or F5",
+                "is {}, which is needed for typing; must be another key, such as Ctrl-z, Alt-x or F5",
                 quoted(text)
             ));
         }
@@ -245,7 +243,7 @@ fn refuse(conflict: &Conflict, given: &[Given], reader: &mut Reader) {
         Scope::Any
     };
     let message = format!(
-        "`{}` is given to both `{first}` of {} and `{second}` of {}; must be one's alone",
+        "`{}` is given to both `{first}` of {} and `{second}` of {}; a key must have one command only",
         conflict.key.name(),
         conflict.scope.key(),
         place.key(),
@@ -398,7 +396,7 @@ mod tests {
         for nonsense in ["", "Ctrl-", "Strg-z", "uu", "F99"] {
             let fault = fault(&format!("[keys.model]\nundo = [\"{nonsense}\"]\n"));
             let start = format!(
-                "2:9: keys.model.undo: is \"{nonsense}\", which names no key; must be one such as u,"
+                "2:9: keys.model.undo: is \"{nonsense}\", which is not a key; must be one such as u,"
             );
             assert!(fault.starts_with(&start), "{fault}");
         }
@@ -412,16 +410,16 @@ mod tests {
     fn a_key_for_two_commands_is_refused_where_it_is_given() {
         assert_eq!(
             fault("[keys.model]\nundo = [\"u\", \"s\"]\n"),
-            "2:14: keys.model.undo: `s` is given to both `undo` of model and `save` of model; must be one's alone"
+            "2:14: keys.model.undo: `s` is given to both `undo` of model and `save` of model; a key must have one command only"
         );
         assert_eq!(
             fault("[keys.model]\nsave = [\"F9\"]\nundo = [\"F9\"]\n"),
-            "3:9: keys.model.undo: `F9` is given to both `undo` of model and `save` of model; must be one's alone"
+            "3:9: keys.model.undo: `F9` is given to both `undo` of model and `save` of model; a key must have one command only"
         );
         let everywhere = faults("[keys.everywhere]\nredraw = [\"F1\"]\n");
         assert_eq!(
             everywhere[0],
-            "2:11: keys.everywhere.redraw: `F1` is given to both `help` of model and `redraw` of everywhere; must be one's alone"
+            "2:11: keys.everywhere.redraw: `F1` is given to both `help` of model and `redraw` of everywhere; a key must have one command only"
         );
     }
 
@@ -449,7 +447,7 @@ mod tests {
             for key in ["x", "Space", "ä", "Backspace", "Left", "Home"] {
                 let faults = faults(&format!("[keys.{part}]\n{name} = [\"{key}\"]\n"));
                 let first = format!(
-                    "2:{}: keys.{part}.{name}: is \"{key}\", which is needed where something is typed",
+                    "2:{}: keys.{part}.{name}: is \"{key}\", which is needed for typing",
                     name.len() + 5
                 );
                 assert!(faults[0].starts_with(&first), "{faults:#?}");
@@ -488,7 +486,7 @@ mod tests {
     }
 
     #[test]
-    fn all_faults_are_told_in_the_order_of_the_text() {
+    fn all_faults_are_reported_in_the_order_of_the_text() {
         let faults = faults(
             "[keys.model]\nundo = [\"s\", \"nonsense\"]\nfly = []\n[options]\ncolor = 16\nfont = 1\n[colours]\n",
         );

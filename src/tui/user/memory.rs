@@ -95,11 +95,11 @@ impl Memory {
     /// # Errors
     /// A message if the file cannot be read or has another structure. The program continues with the default.
     pub fn load(path: &Path) -> Result<Self, String> {
-        let told = |reason| format!("{} is not read: {reason}", shown_path(path));
+        let reported = |reason| format!("{} cannot be read: {reason}", shown_path(path));
         match read_if_there(path) {
-            Ok(Some(text)) => parse(&text).map_err(told),
+            Ok(Some(text)) => parse(&text).map_err(reported),
             Ok(None) => Ok(Self::default()),
-            Err(error) => Err(told(error_text(&error))),
+            Err(error) => Err(reported(error_text(&error))),
         }
     }
 
@@ -159,7 +159,7 @@ fn parse(text: &str) -> Result<Memory, String> {
 pub fn store(path: &Path, memory: &Memory) -> Result<(), String> {
     try_store(path, memory).map_err(|error| {
         format!(
-            "{} is not written: {}",
+            "{} cannot be written: {}",
             shown_path(path),
             error_text(&error)
         )
@@ -170,7 +170,7 @@ fn try_store(path: &Path, memory: &Memory) -> io::Result<()> {
     if let Some(folder) = path.parent() {
         make_private(folder)?;
     }
-    let _turn = turn(&beside(path, "lock"));
+    let _turn = turn(&sibling(path, "lock"));
     let read = match read_if_there(path) {
         Ok(Some(text)) => parse(&text).ok(),
         Ok(None) => Some(Memory::default()),
@@ -180,7 +180,7 @@ fn try_store(path: &Path, memory: &Memory) -> io::Result<()> {
     let mut stored = if let Some(stored) = read {
         stored
     } else {
-        fs::rename(path, beside(path, "old"))?;
+        fs::rename(path, sibling(path, "old"))?;
         Memory::default()
     };
     stored.take(memory);
@@ -189,7 +189,7 @@ fn try_store(path: &Path, memory: &Memory) -> io::Result<()> {
 }
 
 /// `memory.toml` with another extension appended.
-fn beside(path: &Path, ending: &str) -> PathBuf {
+fn sibling(path: &Path, ending: &str) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(".");
     name.push(ending);
@@ -363,13 +363,13 @@ mod tests {
     }
 
     #[test]
-    fn a_broken_file_is_told_and_kept_aside() {
+    fn a_broken_file_is_reported_and_renamed() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("memory.toml");
         for broken in [&b"views = 3\n"[..], b"[opt", b"a = \"\xff\"\n"] {
             fs::write(&path, broken).unwrap();
             let reason = Memory::load(&path).unwrap_err();
-            assert!(reason.contains("memory.toml is not read: "), "{reason}");
+            assert!(reason.contains("memory.toml cannot be read: "), "{reason}");
             look_at(&path, "/a");
             assert_eq!(remembered(&path).views.len(), 1);
             assert_eq!(
@@ -380,7 +380,7 @@ mod tests {
     }
 
     #[test]
-    fn a_folder_that_cannot_be_made_is_told() {
+    fn a_folder_that_cannot_be_created_is_reported() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("file");
         fs::write(&file, "").unwrap();
@@ -389,6 +389,9 @@ mod tests {
             Ok(Memory::default())
         );
         let reason = store(&file.join("memory.toml"), &Memory::default()).unwrap_err();
-        assert!(reason.contains("memory.toml is not written: "), "{reason}");
+        assert!(
+            reason.contains("memory.toml cannot be written: "),
+            "{reason}"
+        );
     }
 }

@@ -1,4 +1,4 @@
-//! The box of a dialog: its place on the screen, its border, and lines in it that are read and scrolled.
+//! The frame of a dialog: its area on the screen, its border, and scrollable lines of text.
 
 use ratatui::Frame;
 use ratatui::layout::Rect;
@@ -9,17 +9,17 @@ use super::text::cut;
 use crate::tui::app::List;
 use crate::tui::theme::Theme;
 
-/// Columns of a box at most.
+/// The largest width of a dialog, in columns.
 const WIDEST: u16 = 72;
 /// Columns of its border and of the blanks inside it.
 pub(crate) const FRAME: u16 = 4;
 
-/// Columns of text in a centred box.
+/// Columns of text in a centred dialog.
 pub(crate) fn dialog_width(area: Rect) -> u16 {
     area.width.min(WIDEST).saturating_sub(FRAME)
 }
 
-/// Clears a place and draws a border around it; what is inside.
+/// Clears an area and draws a border around it; returns the area inside.
 pub(crate) fn open_dialog(frame: &mut Frame<'_>, area: Rect, title: &str, theme: Theme) -> Rect {
     let block = Block::bordered()
         .border_style(theme.accent())
@@ -34,7 +34,7 @@ pub(crate) fn open_dialog(frame: &mut Frame<'_>, area: Rect, title: &str, theme:
     inside
 }
 
-/// A box in the middle for so many lines of text.
+/// A centred dialog with room for this number of lines.
 pub(crate) fn middle(area: Rect, lines: usize) -> Rect {
     middle_of_width(area, lines, WIDEST)
 }
@@ -52,7 +52,7 @@ fn middle_of_width(area: Rect, lines: usize, widest: u16) -> Rect {
     )
 }
 
-/// Draws lines that are read and scrolled; how many of them there are and there is room for.
+/// Draws scrollable lines; returns their number and the number of visible rows.
 pub(crate) fn draw_reader(
     frame: &mut Frame<'_>,
     title: &str,

@@ -48,7 +48,7 @@ pub(crate) fn panels(area: Rect, wanted: OptionalPanels) -> Option<Panels> {
     ])
     .areas(area);
     let mut panels = if area.width >= BESIDE {
-        beside(middle, wanted)
+        side_by_side(middle, wanted)
     } else {
         stacked(middle, wanted)
     };
@@ -66,7 +66,7 @@ pub(crate) fn panels(area: Rect, wanted: OptionalPanels) -> Option<Panels> {
 }
 
 /// Tree and details on the left, the chart with a table below it on the right.
-fn beside(area: Rect, wanted: OptionalPanels) -> Panels {
+fn side_by_side(area: Rect, wanted: OptionalPanels) -> Panels {
     let width = (area.width / 3).clamp(36, 42);
     let [left, right] =
         Layout::horizontal([Constraint::Length(width), Constraint::Fill(1)]).areas(area);

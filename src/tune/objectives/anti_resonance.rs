@@ -4,9 +4,10 @@ use num_complex::Complex64;
 
 use super::super::candidate::{Candidate, Slopes};
 use super::super::search::Function;
-use super::curve::{Curve, Turn};
+use super::curve::Curve;
 use super::value::{Band, ObjectiveValue};
 use crate::solve::Cancelled;
+use crate::solve::extrema::Turn;
 use crate::solve::sensitivity::Differentiator;
 
 /// The distance from `at` to the nearest complex zero z of the response with Re z in the band, |Re z - at|, Hz.

@@ -1,28 +1,10 @@
 //! The magnitude of a response in a band, with its maxima, minima and level crossings.
 //!
-//! The grid is as dense as the half-power bands of the modes need, so that no extremum is missed. Each extremum is then
-//! refined by parabolas through 1/|H|^2 (a minimum: |H|^2), which is a parabola next to an isolated mode (a zero), with
-//! golden-section steps if they do not help, following Brent, Algorithms for Minimization without Derivatives, 1973,
-//! chapter 5.
+//! The grid is as dense as the half-power bands of the modes need, so that no extremum is missed.
 
 use super::super::candidate::Candidate;
+use crate::solve::extrema::{self, Bracket, Point, Turn};
 use crate::solve::{Cancelled, peaks};
-
-/// A point of a curve.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Point {
-    /// Hz.
-    pub(super) frequency: f64,
-    /// |H|, or the energy.
-    pub(super) size: f64,
-}
-
-/// The kind of extremum.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Turn {
-    Maximum,
-    Minimum,
-}
 
 /// A response of a model in a band.
 pub(super) struct Curve<'a> {
@@ -77,47 +59,23 @@ impl<'a> Curve<'a> {
         turn: Turn,
         wanted: impl Fn(f64) -> bool,
     ) -> Result<Vec<Point>, Cancelled> {
-        let three = self.points.windows(3);
-        let turns = three.filter(|three| {
-            let [left, middle, right] = [0, 1, 2].map(|index| three[index].size);
-            let is_one = match turn {
-                Turn::Maximum => left < middle && middle >= right,
-                Turn::Minimum => left > middle && middle <= right,
-            };
-            is_one && wanted(middle)
-        });
-        let brackets = turns.map(|three| Bracket::new([three[0], three[1], three[2]]));
-        self.drawn_in(turn, brackets.collect())
-    }
-
-    /// Narrows brackets until each is reduced to its extremum.
-    fn drawn_in(&self, turn: Turn, mut brackets: Vec<Bracket>) -> Result<Vec<Point>, Cancelled> {
-        const MOST_ROUNDS: usize = 60;
-        let power = if self.candidate.is_energy(self.response) {
+        let exponent = if self.candidate.is_energy(self.response) {
             1
         } else {
             2
         };
-        let depth = |size: f64| match turn {
-            Turn::Maximum => size.powi(-power),
-            Turn::Minimum => size.powi(power),
-        };
-        for round in 0..MOST_ROUNDS {
-            let wanted: Vec<(usize, f64)> = brackets
-                .iter_mut()
-                .enumerate()
-                .filter_map(|(index, bracket)| Some((index, bracket.next(round, depth)?)))
-                .collect();
-            if wanted.is_empty() {
-                break;
-            }
+        let three = self
+            .points
+            .windows(3)
+            .map(|three| [0, 1, 2].map(|index| three[index]));
+        let turns = three.filter(|three| {
+            Turn::of(three.map(|point| point.size)) == Some(turn) && wanted(three[1].size)
+        });
+        let brackets = turns.map(|three| Bracket::new(three, turn, exponent));
+        extrema::refined(brackets.collect(), |wanted| {
             let frequencies: Vec<f64> = wanted.iter().map(|(_, frequency)| *frequency).collect();
-            let sizes = self.candidate.sizes(self.response, &frequencies)?;
-            for ((index, frequency), size) in wanted.into_iter().zip(sizes) {
-                brackets[index].take(Point { frequency, size }, depth);
-            }
-        }
-        Ok(brackets.into_iter().map(|bracket| bracket.middle).collect())
+            self.candidate.sizes(self.response, &frequencies)
+        })
     }
 
     /// The points merged with others.
@@ -149,83 +107,6 @@ impl<'a> Curve<'a> {
             }
         }
         Ok(all.iter().map(Crossing::place).collect())
-    }
-}
-
-/// Three points; the middle one is the best.
-#[derive(Debug, Clone, Copy)]
-struct Bracket {
-    left: Point,
-    middle: Point,
-    right: Point,
-    settled: bool,
-}
-
-impl Bracket {
-    fn new([left, middle, right]: [Point; 3]) -> Self {
-        Self {
-            left,
-            middle,
-            right,
-            settled: false,
-        }
-    }
-
-    /// The next frequency; `None` once the extremum is known. `depth` makes every extremum a minimum.
-    fn next(&mut self, round: usize, depth: impl Fn(f64) -> f64) -> Option<f64> {
-        /// In half-widths: 1e-14 of the height.
-        const NEAR: f64 = 1e-7;
-        const FINEST: f64 = 4.0 * f64::EPSILON;
-        /// Every so many steps one divides the longer side, independently of the parabola.
-        const CUT: usize = 4;
-        if self.settled {
-            return None;
-        }
-        let sides = [self.left, self.right].map(|side| side.frequency - self.middle.frequency);
-        let bottom = depth(self.middle.size);
-        let slopes = [self.left, self.right]
-            .map(|side| (depth(side.size) - bottom) / (side.frequency - self.middle.frequency));
-        let curvature = (slopes[1] - slopes[0]) / (sides[1] - sides[0]);
-        let slope = slopes[0] - curvature * sides[0];
-        let shift = -0.5 * slope / curvature;
-        let half_width = (bottom / curvature).sqrt();
-        let nearest = (NEAR * half_width).max(FINEST * self.middle.frequency);
-        let is_inside = shift > sides[0] && shift < sides[1];
-        self.settled = sides[1] - sides[0] <= 4.0 * FINEST * self.middle.frequency
-            || (is_inside && shift.abs() <= nearest);
-        if self.settled {
-            return None;
-        }
-        let longer = if -sides[0] > sides[1] {
-            sides[0]
-        } else {
-            sides[1]
-        };
-        let step = if is_inside && round % CUT != CUT - 1 {
-            shift
-        } else {
-            0.381_966 * longer
-        };
-        Some(self.middle.frequency + step)
-    }
-
-    fn take(&mut self, point: Point, depth: impl Fn(f64) -> f64) {
-        let (new, old) = (depth(point.size), depth(self.middle.size));
-        let is_left = point.frequency < self.middle.frequency;
-        if point.frequency == self.middle.frequency || !new.is_finite() {
-            self.settled = true;
-        } else if new <= old {
-            if is_left {
-                self.right = self.middle;
-            } else {
-                self.left = self.middle;
-            }
-            self.middle = point;
-        } else if is_left {
-            self.left = point;
-        } else {
-            self.right = point;
-        }
     }
 }
 

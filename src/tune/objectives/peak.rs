@@ -2,9 +2,10 @@
 
 use super::super::candidate::{Candidate, Slopes};
 use super::super::search::Function;
-use super::curve::{Curve, Point, Turn};
+use super::curve::Curve;
 use super::value::{Band, ObjectiveValue};
 use crate::solve::Cancelled;
+use crate::solve::extrema::{Point, Turn};
 
 /// A maximum below this fraction of the highest point cannot be the highest: points are dense enough that none is
 /// farther below its peak.

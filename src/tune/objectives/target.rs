@@ -27,7 +27,7 @@ pub(super) fn matching(
         compare,
     } = &objective.aim
     else {
-        return Err(Fault::new("tune", "asks for no measured curve"));
+        return Err(Fault::new("tune", "has no measured curve"));
     };
     let band = [objective.from, objective.to];
     let name = objective.response.as_deref().unwrap_or_default();
@@ -129,7 +129,7 @@ fn in_form_of(model: &Checked, curve: &Curve, response: usize) -> Result<Vec<Com
     let dimension = quantity.and_then(|one| one.kind(reference.map(|one| one.load)).motion());
     let Some(dimension) = dimension.filter(|one| one.moves == own.moves) else {
         return Err(format!(
-            "is in {}, which is not what the response is",
+            "is in {}, which does not match the response",
             Kind::Motion(own).unit()
         ));
     };
@@ -138,7 +138,7 @@ fn in_form_of(model: &Checked, curve: &Curve, response: usize) -> Result<Vec<Com
         (Some(load), Some(reference)) if load == reference.load => reference.amplitude,
         _ => {
             return Err(format!(
-                "is in {}, per load; the model must have that one force alone, so that its response can be divided by it",
+                "is in {}, per load; the model must have exactly that force, so that its response can be divided by it",
                 Kind::Motion(own).unit()
             ));
         }

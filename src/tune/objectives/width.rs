@@ -2,9 +2,10 @@
 
 use super::super::candidate::{Candidate, Slopes, growth};
 use super::super::search::Function;
-use super::curve::{Curve, Turn};
+use super::curve::Curve;
 use super::value::{Band, ObjectiveValue};
 use crate::solve::Cancelled;
+use crate::solve::extrema::Turn;
 
 /// The part of the band outside its widest part below a level, Hz.
 ///

@@ -70,7 +70,7 @@ fn known(points: Vec<Vec<f64>>, merits: &[Merit]) -> impl Iterator<Item = Known>
         .map(|(x, &merit)| Known { x, merit })
 }
 
-/// Latin hypercube: so many points of which every coordinate has one in each of equally wide intervals (`McKay` et al.,
+/// Latin hypercube: points of which every coordinate has one in each of equally wide intervals (`McKay` et al.,
 /// Technometrics 1979, 21, 239-245).
 fn latin_hypercube(random: &mut Rng, points: usize, variables: usize) -> Vec<Vec<f64>> {
     let mut all = vec![vec![0.0; variables]; points];

@@ -234,9 +234,9 @@ impl fmt::Display for Stop {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Converged => "converged",
-            Self::NoProgress => "no step made it better",
+            Self::NoProgress => "no step improved it",
             Self::LimitsUnmet => "the limits cannot be met",
-            Self::Stagnated => "the global search found nothing better",
+            Self::Stagnated => "the global search found no better model",
             Self::Budget => "all evaluations were used",
             Self::Cancelled => "cancelled",
             Self::NotFinite => "no finite value to start from",

@@ -1,4 +1,4 @@
-//! What was found for a model stays with it while subsystems, forces and responses come and go.
+//! Results stay attached to their rows while subsystems, forces and responses are added and deleted.
 
 use beamtune::files::Source;
 use beamtune::model::{self, Model};
@@ -8,7 +8,8 @@ use beamtune::tui::tree;
 use crate::designer::dice::Dice;
 use crate::designer::driver::Driver;
 
-/// What adds, deletes and changes rows, and what shows rows of a model that was solved. Twice what is to be frequent.
+/// Keys that add, delete and change rows, and that show rows of a solved model. Repeated entries are pressed more
+/// often.
 const KEYS: [&str; 44] = [
     "~",
     "~",
@@ -59,7 +60,7 @@ const KEYS: [&str; 44] = [
 /// Keys pressed with each seed.
 const PRESSED: usize = 80;
 
-/// A file with a preset of few frequencies; on the disk another program has dropped a subsystem, or added one.
+/// A file with a preset of few frequencies; on disk another program has removed a subsystem, or added one.
 fn driver(preset: &str, fewer: bool) -> Driver {
     let text = presets::find(preset).expect("a preset").text;
     let mut model = model::read(text).expect("a possible model").into_inner();
@@ -79,7 +80,8 @@ fn driver(preset: &str, fewer: bool) -> Driver {
     driver
 }
 
-/// Every row of the sensitivities that is in the tree is the same parameter there; its owner may have another name.
+/// Every row of the sensitivities that is in the tree refers to the same parameter there; its owner may have another
+/// name.
 fn assert_rows_stay(driver: &Driver) {
     let Some(effects) = &driver.app.sensitivities.effects else {
         return;
@@ -103,13 +105,13 @@ fn sensitivities_keep_the_names_of_the_model_they_are_of() {
     for (before, change, gone) in cases {
         let mut driver = Driver::preset("fig08");
         driver.select("subsystems.S1.mass").keys(before);
-        // What is solved for the changed model is still to come.
+        // The changed model is not solved yet.
         driver.without_answers().keys(change);
         let screen = driver.screen(120, 40);
         assert!(screen.contains("Sensitivities of"), "{screen}");
         let effects = driver.app.sensitivities.effects.as_ref().expect("effects");
         let of_gone = effects.rows.iter().filter(|row| row.name.starts_with(gone));
-        // A subsystem has 14 numbers, of which all but 0 have an effect that is told.
+        // A subsystem has 14 numbers; all that are not 0 have an effect, which is listed.
         assert!(of_gone.clone().count() > 10, "{gone}");
         assert!(of_gone.into_iter().all(|row| row.node.is_none()), "{gone}");
         assert_rows_stay(&driver);

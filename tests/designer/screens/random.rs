@@ -1,4 +1,4 @@
-//! Whoever presses keys at random breaks nothing.
+//! Random keys break nothing.
 
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ use crate::designer::driver::Driver;
 /// Keys pressed with each seed.
 const KEYS: usize = 10_000;
 
-/// What is typed into boxes.
+/// Texts typed into dialogs.
 const TYPED: [&str; 15] = [
     "4e7",
     "*1.1",
@@ -32,18 +32,18 @@ const TYPED: [&str; 15] = [
     "",
 ];
 
-/// Sizes of the screen; at the last one nothing can be seen, and keys wait.
+/// Sizes of the screen; the last one is too small, and keys wait.
 const SIZES: [(u16, u16); 4] = [(80, 24), (60, 18), (120, 40), (1, 1)];
 
-/// Somebody at the keys who never looks.
+/// A user who presses keys without looking.
 struct Player {
     dice: Dice,
     driver: Driver,
-    /// Of every scope.
+    /// Keys of every scope.
     keys: Vec<Key>,
-    /// The model that was found possible.
+    /// The last model that was checked.
     checked: Arc<Checked>,
-    /// What was done last.
+    /// The last input.
     log: Vec<String>,
 }
 
@@ -83,7 +83,7 @@ impl Player {
             }
             _ => {
                 let key = self.keys[self.dice.roll(self.keys.len())];
-                // Another model has no way back to this one.
+                // Undo does not lead from another model back to this one.
                 if key.code == KeyCode::Char('p') && self.dice.roll(20) > 0 {
                     return;
                 }
@@ -113,7 +113,7 @@ impl Player {
         }
     }
 
-    /// The model is a possible one.
+    /// The model is valid.
     fn check(&mut self) {
         let model = self.driver.app.model();
         if !Arc::ptr_eq(model, &self.checked) {
@@ -123,7 +123,7 @@ impl Player {
         }
     }
 
-    /// With what it began, and what was done last.
+    /// Reports the seed and the last input.
     fn said(&self) -> String {
         let last = self.log.len().saturating_sub(40).max(1);
         format!("{}: .. {:?}", self.log[0], &self.log[last..])

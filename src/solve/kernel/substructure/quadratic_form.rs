@@ -8,9 +8,9 @@
 //! the work: `a* S a + b* S b + 2 Re(a* C b) = ((a + b)* (S + C) (a + b) + (a - b)* (S - C) (a - b)) / 2`.
 //!
 //! The squares alone measure the cancellation: `sum_k S_kk |x_k|^2` over the waves of a span and `sum_j |y_j|^2` times
-//! that of each column over the arrivals. For a positive semidefinite form this is at least a 56th of the magnitudes
-//! that a full solution sums (an eighth for the eight overlapping waves, a seventh for the arrivals), and more if the
-//! arrivals also cancel.
+//! that of each column over the arrivals. For a positive semidefinite form this is at least an 84th of the magnitudes
+//! that a full solution sums (a twelfth for the overlapping waves, a seventh for the arrivals), and more if the arrivals
+//! also cancel.
 
 use crate::solve::kernel::complex::{Complex, Matrix};
 use crate::solve::kernel::energy::{Form, Sum};
@@ -26,7 +26,7 @@ pub(super) const FORCED: usize = 6;
 /// Entries of a Hermitian 7x7 matrix.
 const ENTRIES: usize = ARRIVALS * (ARRIVALS + 1) / 2;
 
-/// Pairs of the coupled waves; those of the others follow from them.
+/// Pairs of the first four waves; those of the others follow them if not all are coupled.
 const COUPLED: usize = 10;
 
 /// Waves at a place for each of the arrivals alone.
@@ -76,8 +76,12 @@ impl<A: Arithmetic> QuadraticForm<A> {
             this.apart[arrival] = this.apart[arrival] + apart;
         }
         for is_sum in [true, false] {
-            this.add_block::<4>(form, (one, other), is_sum, 0);
-            this.add_block::<2>(form, (one, other), is_sum, 4);
+            if form.all_coupled {
+                this.add_block::<6>(form, (one, other), is_sum, 0);
+            } else {
+                this.add_block::<4>(form, (one, other), is_sum, 0);
+                this.add_block::<2>(form, (one, other), is_sum, 4);
+            }
         }
     }
 

@@ -80,7 +80,7 @@ fn the_last_change_is_done_again_on_another_row() {
 fn a_typed_value_that_does_not_fit_is_refused_when_done_again() {
     let mut app = app("fig05a");
     keys(&mut app, ";");
-    assert_eq!(message(&app), "there is no change to do again yet");
+    assert_eq!(message(&app), "there is no change to repeat yet");
     select(&mut app, "subsystems.S1.mass");
     press(&mut app, KeyCode::Enter);
     enter(&mut app, "120 kg");
@@ -95,7 +95,7 @@ fn a_typed_value_that_does_not_fit_is_refused_when_done_again() {
 fn a_key_without_meaning_says_where_the_keys_are() {
     let mut app = app("fig05a");
     keys(&mut app, "0");
-    assert_eq!(message(&app), "0 has no meaning here: ? shows every key");
+    assert_eq!(message(&app), "0 is not bound here: ? shows every key");
 }
 
 /// Everything a command can change, as text.
@@ -187,7 +187,7 @@ fn a_count_moves_in_a_table_and_among_parameters() {
     press(&mut app, KeyCode::Tab);
     assert_eq!(app.message, None);
     press(&mut app, KeyCode::Tab);
-    assert_eq!(message(&app), "there is no further parameter");
+    assert_eq!(message(&app), "there is no next parameter");
 }
 
 #[test]
@@ -197,7 +197,7 @@ fn a_count_deletes_and_duplicates_so_many_as_there_are() {
     keys(&mut app, "3D");
     assert_eq!(app.model().subsystems.len(), 6);
     assert!(
-        message(&app).ends_with(", the last of 3"),
+        message(&app).ends_with(", the last of 3 times"),
         "{}",
         message(&app)
     );

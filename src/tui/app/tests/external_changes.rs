@@ -201,7 +201,7 @@ fn a_save_that_was_given_up_quits_nothing_later() {
 }
 
 #[test]
-fn a_file_that_is_gone_is_saved_although_nothing_was_changed() {
+fn a_missing_file_is_saved_even_without_changes() {
     let mut app = of_file();
     assert!(keys(&mut app, "s").is_empty());
     app.reply(Reply::Compared(ExternalChange::Gone));

@@ -14,7 +14,7 @@ impl App {
         if self.curves.band.take().is_some() {
             self.band.levels = None;
             self.tables.close(Table::Band);
-            return self.done("band taken away");
+            return self.done("band removed");
         }
         let span = match (self.curves.cursor, self.reading.second) {
             (Some(one), Some(other)) if one != other => [one.min(other), one.max(other)],

@@ -1,75 +1,64 @@
 //! The table of the levels in the marked band, and how well the model fits the measurements there.
 
-use ratatui::Frame;
-use ratatui::layout::Rect;
-
 use crate::measured::Fit;
 use crate::model::counted;
 use crate::solve::band::Level;
-use crate::tui::app::{App, List, MemberLevels, ResponseLevel, Rows};
-use crate::tui::theme::Theme;
-use crate::tui::view::table::{self, Column, Content};
+use crate::tui::app::{App, Fitted, MemberLevels, ResponseLevel};
+use crate::tui::view::table::Kind::Plain;
+use crate::tui::view::table::{Column, Content, column};
 use crate::tui::view::text::significant;
 use crate::unit::Kind;
 
-/// The columns, in what there is room for. A reduction is positive where the level is lower than the reference's.
-const LAYOUTS: [&[Column]; 2] = [
-    &[
-        ("curve", 20),
-        ("maximum", 12),
-        ("at", 11),
-        ("root mean square", 18),
-        ("max reduced dB", 16),
-        ("rms reduced dB", 16),
-    ],
-    &[
-        ("curve", 8),
-        ("max", 10),
-        ("rms", 10),
-        ("max -dB", 8),
-        ("rms -dB", 8),
-    ],
+/// The columns. A reduction is positive where the level is lower than the reference's.
+#[rustfmt::skip]
+const COLUMNS: [Column<Row>; 6] = [
+    column(Plain, &[("curve", 20), ("curve", 8)], |_, row| row.label.clone()),
+    column(Plain, &[("maximum", 12), ("max", 10)], |_, row| number(row.level.maximum)),
+    column(Plain, &[("at", 11)], |app, row| app.display.frequency_digits(row.level.at)),
+    column(Plain, &[("root mean square", 18), ("rms", 10)], |_, row| number(row.size(&row.level))),
+    column(Plain, &[("max reduced dB", 16), ("max -dB", 8)], |_, row| row.reduced(|level| level.maximum)),
+    column(Plain, &[("rms reduced dB", 16), ("rms -dB", 8)], |_, row| row.reduced(|level| row.size(level))),
 ];
 
-/// A curve of fewer points has the shape of any other.
+/// The least number of points: fewer have no shape to compare.
 const FEWEST: usize = 3;
 
-/// A row of the table.
-pub(crate) enum Row {
-    /// The level of a curve, and that of the reference it is held against.
-    Level {
-        label: String,
-        level: Level,
-        energy: bool,
-        against: Option<Level>,
-    },
-    /// How well a response fits a measured curve, in words.
-    Fit(String),
+/// The level of a curve, and the level of the reference to compare it with.
+pub(crate) struct Row {
+    label: String,
+    level: Level,
+    energy: bool,
+    against: Option<Level>,
 }
 
-/// A row for each curve that shows, the references, and the measured curves.
+/// A row for each visible curve and for the references.
 pub(crate) fn rows(app: &App) -> Vec<Row> {
-    let mut rows = Vec::new();
-    if let Some(levels) = &app.band.levels {
-        let first = levels.references.first().map(|(_, members)| &members[..]);
-        rows.extend(levels_of(app, &levels.members, "", first));
-        for (id, members) in &levels.references {
-            let mut references = app.comparison.shown();
-            let name = references.find(|one| one.id == *id).map(|one| &*one.name);
-            rows.extend(levels_of(app, members, name.unwrap_or_default(), None));
-        }
+    let Some(levels) = &app.band.levels else {
+        return Vec::new();
+    };
+    let first = levels.references.first().map(|(_, members)| &members[..]);
+    let mut rows = levels_of(app, &levels.members, "", first);
+    for (id, members) in &levels.references {
+        let mut references = app.comparison.shown();
+        let name = references.find(|one| one.id == *id).map(|one| &*one.name);
+        rows.extend(levels_of(app, members, name.unwrap_or_default(), None));
     }
-    rows.extend(app.comparison.fits.iter().map(|fitted| {
+    rows
+}
+
+/// How well responses fit the measured curves: a sentence for each.
+fn fits(app: &App) -> Vec<String> {
+    let sentence = |fitted: &Fitted| {
         let mut measured = app.comparison.measured.iter();
         let name = measured
             .find(|one| one.id == fitted.measured)
             .map_or("", |one| &one.name);
-        Row::Fit(format!("{}: {name}", fit_words(&fitted.fit)))
-    }));
-    rows
+        format!("{}: {name}", fit_words(&fitted.fit))
+    };
+    app.comparison.fits.iter().map(sentence).collect()
 }
 
-/// How well a response fits a measured curve.
+/// How well a response matches a measured curve, as text.
 pub(crate) fn fit_words(fit: &Fit) -> String {
     if fit.points < FEWEST {
         return format!(
@@ -108,7 +97,7 @@ fn levels_of(
                 let other = against
                     .and_then(|members| members.get(number).or(members.first()))
                     .and_then(|member| level_of(member, response));
-                Row::Level {
+                Row {
                     label: words.join(" "),
                     level: one.level,
                     energy: one.kind == Kind::Energy,
@@ -124,45 +113,33 @@ fn level_of<'a>(member: &'a MemberLevels, response: &str) -> Option<&'a Response
     member.levels.iter().find(|one| one.response == response)
 }
 
-pub(crate) fn draw(
-    frame: &mut Frame<'_>,
-    app: &App,
-    list: &mut List,
-    theme: Theme,
-    area: Rect,
-) -> Rows {
-    let rows = rows(app);
-    let title = match app.curves.band {
-        Some([low, high]) => format!(
-            "Band {} to {}",
-            app.display.frequency_text(low),
-            app.display.frequency_text(high)
-        ),
-        None => "Band".to_owned(),
-    };
-    let columns = table::fitting(&LAYOUTS, area.width);
+pub(crate) fn content<'a>(app: &'a App, rows: &'a [Row]) -> Content<'a, Row> {
     let levels = app.band.levels.as_ref();
-    let content = Content {
-        title,
-        warns: false,
-        frequency_unit: app.display.unit,
-        note: unit(app),
-        columns,
-        row: &|index| {
-            rows.get(index)
-                .map_or(Vec::new(), |row| cells(app, row, columns))
+    Content {
+        title: match app.curves.band {
+            Some([low, high]) => format!(
+                "Band {} to {}",
+                app.display.frequency_text(low),
+                app.display.frequency_text(high)
+            ),
+            None => "Band".to_owned(),
         },
+        warns: false,
+        note: unit(app),
+        columns: &COLUMNS,
+        rows,
+        sentences: fits(app),
         empty: match (&app.band.failure, app.curves.band) {
             (Some(reason), _) => reason,
             (None, None) => "no band is marked",
-            (None, Some(_)) => "solving the levels",
-        },
+            (None, Some(_)) => "computing the levels",
+        }
+        .into(),
         stale: levels.is_some_and(|levels| levels.generation != app.curves.generation),
-    };
-    table::draw(frame, &content, list, theme, area)
+    }
 }
 
-/// The units of the levels that show.
+/// The units of the visible levels.
 fn unit(app: &App) -> String {
     let mut units: Vec<String> = Vec::new();
     let members = app.band.levels.iter().flat_map(|levels| &levels.members);
@@ -179,54 +156,34 @@ fn unit(app: &App) -> String {
     }
 }
 
-fn cells(app: &App, row: &Row, columns: &[Column]) -> Vec<String> {
-    let (label, level, energy, against) = match row {
-        Row::Fit(words) => return vec![words.clone()],
-        Row::Level {
-            label,
-            level,
-            energy,
-            against,
-        } => (label, level, *energy, against),
-    };
-    let number = |value: f64| {
-        if value.is_finite() {
-            format!("{value:.3e}")
-        } else if value == f64::INFINITY {
-            "infinite".to_owned()
-        } else {
-            "-".to_owned()
-        }
-    };
-    // An energy is a square already.
-    let size = |level: &Level| {
-        if energy {
+impl Row {
+    /// The root mean square of a level; an energy is a square already.
+    fn size(&self, level: &Level) -> f64 {
+        if self.energy {
             level.mean_square
         } else {
             level.mean_square.sqrt()
         }
-    };
-    let factor = if energy { 10.0 } else { 20.0 };
-    let reduced = |of: &dyn Fn(&Level) -> f64| {
-        let decibels = against.map(|other| factor * (of(&other) / of(level)).log10());
-        let finite = decibels.filter(|decibels| decibels.is_finite());
-        finite.map_or_else(|| "-".to_owned(), significant_decibels)
-    };
-    let cell = |name: &str| match name {
-        "curve" => label.clone(),
-        "maximum" | "max" => number(level.maximum),
-        "at" => app.display.frequency_digits(level.at),
-        "root mean square" | "rms" => number(size(level)),
-        "max reduced dB" | "max -dB" => reduced(&|level| level.maximum),
-        _ => reduced(&size),
-    };
-    columns.iter().map(|(name, _)| cell(name)).collect()
+    }
+
+    /// By how many decibels a figure of the level is lower than that of the reference.
+    fn reduced(&self, of: impl Fn(&Level) -> f64) -> String {
+        let factor = if self.energy { 10.0 } else { 20.0 };
+        let decibels = |other: &Level| factor * (of(other) / of(&self.level)).log10();
+        match self.against.as_ref().map(decibels) {
+            Some(0.0) => "0".to_owned(),
+            Some(decibels) if decibels.is_finite() => significant(decibels, 4),
+            _ => "-".to_owned(),
+        }
+    }
 }
 
-fn significant_decibels(decibels: f64) -> String {
-    if decibels == 0.0 {
-        "0".to_owned()
+fn number(value: f64) -> String {
+    if value.is_finite() {
+        format!("{value:.3e}")
+    } else if value == f64::INFINITY {
+        "infinite".to_owned()
     } else {
-        significant(decibels, 4)
+        "-".to_owned()
     }
 }

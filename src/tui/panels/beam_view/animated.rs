@@ -1,4 +1,4 @@
-//! Pieces of the panels that show what the beam does at the cursor.
+//! Shared parts of the panels that show the beam's motion at the cursor.
 
 use num_complex::Complex64;
 use ratatui::Frame;
@@ -15,21 +15,21 @@ use crate::tui::view::frame;
 use crate::tui::view::text::{cut, width};
 use crate::unit::Unit;
 
-/// What is smaller than this share of the rest (1 m to 1 rad) is not blown up to be seen.
+/// Below this share of the rest (1 m to 1 rad), a motion is not scaled up.
 const NEGLIGIBLE: f64 = 1e-6;
 
-/// What is wider than this share of the widest is about as wide.
+/// Above this share of the largest deflection, a deflection counts as equally large.
 const ABOUT: f64 = 0.9;
 
-/// What the beam does, at a moment of its period.
+/// The motion of the beam at a moment of its period.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Seen<'a> {
-    /// The model whose beam it is.
+    /// The model of the beam.
     pub(crate) model: &'a Model,
     pub(crate) operating: &'a Operating,
-    /// The frequency in words.
+    /// The frequency as text.
     pub(crate) at: &'a str,
-    /// The angle of the period from the moment of the widest deflection, rad.
+    /// The angle of the period from the moment of the largest deflection, rad.
     pub(crate) angle: f64,
     /// Whether it belongs to an older model or another frequency.
     pub(crate) stale: bool,
@@ -43,7 +43,7 @@ pub(crate) struct Words {
     pub(crate) note: String,
 }
 
-/// How wide the deflection is, zero to peak.
+/// The largest deflections, zero to peak.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Reach {
     /// The largest w, v, y or z, m.
@@ -52,7 +52,7 @@ pub(crate) struct Reach {
     pub(crate) rotation: f64,
 }
 
-/// Draws what the beam does at the cursor by `draw`, or says why there is nothing.
+/// Draws the motion at the cursor with `draw`, or says why there is none.
 pub(crate) fn draw(
     frame: &mut Frame<'_>,
     app: &App,
@@ -61,12 +61,12 @@ pub(crate) fn draw(
     draw: impl Fn(&mut Frame<'_>, Seen<'_>, Rect),
 ) {
     let reason = match (app.curves.cursor, &app.beam_view.operating) {
-        (None, _) => " no cursor is on the chart",
+        (None, _) => " there is no cursor on the chart",
         (_, None) => app
             .beam_view
             .failure
             .as_deref()
-            .unwrap_or(" solving what the beam does"),
+            .unwrap_or(" computing the beam's motion"),
         (_, Some((_, operating))) if !is_finite(operating) => {
             " no finite answer: a resonance without damping"
         }
@@ -96,13 +96,13 @@ fn is_finite(operating: &Operating) -> bool {
     along.all(|value| value.is_finite())
 }
 
-/// Whether a panel of so many columns has room for its note.
+/// Whether a panel of this width in columns has room for its note.
 pub(crate) fn has_room(words: &Words, columns: u16) -> bool {
     // The rule has a sign and a blank on both sides of either.
     width(&words.title) + width(&words.note) + 6 <= usize::from(columns)
 }
 
-/// A panel with its title in a rule at the top; what returns is inside of it.
+/// A panel with its title in a rule at the top; returns the area inside.
 pub(crate) fn panel(frame: &mut Frame<'_>, words: &Words, theme: Theme, area: Rect) -> Rect {
     let title = cut(&words.title, usize::from(area.width).saturating_sub(4));
     let note = Line::styled(format!(" {} ", words.note), theme.dim());
@@ -115,7 +115,7 @@ pub(crate) fn panel(frame: &mut Frame<'_>, words: &Words, theme: Theme, area: Re
     inside
 }
 
-/// Names the motions of the masses in one entry of the legend, each marker in its colour.
+/// Adds one legend entry that names the motions of the masses, each marker in its colour.
 pub(crate) fn name_masses(points: &mut [Curve<'_>]) {
     if let Some((first, others)) = points.split_first_mut() {
         "masses".clone_into(&mut first.label);
@@ -168,7 +168,7 @@ impl Reach {
         }
     }
 
-    /// What is drawn as 1: of translations (m) and of rotations (rad), so that rounding is not blown up.
+    /// The scale: what is drawn as 1, of translations (m) and of rotations (rad). It does not magnify rounding errors.
     pub(crate) fn units(self) -> [f64; 2] {
         let least = f64::MIN_POSITIVE;
         [
@@ -179,18 +179,18 @@ impl Reach {
 }
 
 impl Seen<'_> {
-    /// A curve at the moment that is shown.
+    /// A curve at the shown moment.
     pub(crate) fn now(self, curve: &[Complex64]) -> Vec<f64> {
         let turn = Complex64::from_polar(1.0, self.phase());
         curve.iter().map(|u| (u * turn).re).collect()
     }
 
-    /// omega t of the moment that is shown, rad: 0 where a force of phase 0 is largest.
+    /// omega t of the shown moment, rad: 0 where a force of phase 0 is largest.
     pub(crate) fn phase(self) -> f64 {
         self.angle + widest(self.operating)
     }
 
-    /// The frequency and the phase in words.
+    /// The frequency and the phase as text.
     pub(crate) fn moment(self) -> String {
         // Zero has no sign here.
         let degrees = self.phase().to_degrees().round().rem_euclid(360.0) + 0.0;
@@ -198,8 +198,8 @@ impl Seen<'_> {
     }
 }
 
-/// omega t (rad) at which most of the deflection is at its widest, and the first of the widest places of the beam on the
-/// positive side.
+/// omega t (rad) at which most of the deflection is largest, with the first place of largest deflection on the positive
+/// side.
 fn widest(operating: &Operating) -> f64 {
     let units = Reach::of(operating).units();
     let scaled = || {
@@ -209,7 +209,7 @@ fn widest(operating: &Operating) -> f64 {
             curve.map(move |u| u / units[unit])
         })
     };
-    // The sum of squares is turned by twice the angle by which all are turned.
+    // A rotation of all values by an angle rotates the sum of their squares by twice that angle.
     let square: Complex64 = scaled().map(|u| u * u).sum();
     let turn = -0.5 * square.arg();
     let most = scaled().map(Complex64::norm).fold(0.0, f64::max);

@@ -30,7 +30,7 @@ impl App {
             let kind = self.modes.list.as_ref().map(|list| list.rows.get(row));
             match kind.map(|row| row.map(|row| row.kind)) {
                 None => return self.refuse("the modes are not solved yet"),
-                Some(None) => return self.refuse("there is no mode to move"),
+                Some(None) => return self.refuse("there is no mode to animate"),
                 Some(Some(ModeKind::Oscillating)) => self.beam_view.show(Some(BeamView::Mode)),
                 Some(Some(_)) => return self.refuse("the selected mode does not oscillate"),
             }
@@ -40,11 +40,11 @@ impl App {
 
     pub(crate) fn step_phase(&mut self) {
         if !self.beam_view.shown.is_some_and(BeamView::moves) {
-            return self.refuse("nothing that moves shows");
+            return self.refuse("nothing is animated here");
         }
         self.beam_view.moment.runs = false;
         self.beam_view.moment.step();
-        self.done(format!("{} deg further in the period", 360 / FRAMES));
+        self.done(format!("animation stepped by {} deg", 360 / FRAMES));
     }
 
     /// Stops the animation, because the connection is too slow for it.
@@ -52,7 +52,7 @@ impl App {
         if std::mem::take(&mut self.beam_view.moment.runs) {
             let key = self.keys.key_of(BeamViewCommand::PhaseStep);
             self.refuse(format!(
-                "the line is too slow for what moves: {key} goes a step further"
+                "the connection is too slow for the animation: {key} steps it"
             ));
         }
     }

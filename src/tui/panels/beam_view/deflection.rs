@@ -10,14 +10,14 @@ use crate::tui::plot::{Axis, Curve, LineStyle, Scale};
 use crate::tui::theme::Theme;
 use crate::tui::view::text::significant;
 
-/// The beam's motions in the order of the drawing; the masses' on the same scales have these letters.
+/// The beam's motions in drawing order; the masses' motions on the same scales have these letters.
 const MOTIONS: [(BeamMotion, &str, char); 3] = [
     (BeamMotion::W, "w", 'y'),
     (BeamMotion::V, "v", 'z'),
     (BeamMotion::Psi, "psi", 't'),
 ];
 
-/// What reaches less far than this is left out of the picture.
+/// Smaller motions than this are not drawn.
 const UNSEEN: f64 = 1e-4;
 
 /// The value axis: a little more than from -1 to 1.
@@ -27,7 +27,7 @@ pub(crate) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
     animated::draw(frame, app, (theme, area), "Deflection", deflection);
 }
 
-/// The deflection at a moment: the beam as lines, its masses as letters that springs join to it.
+/// The deflection at a moment: the beam as lines, its masses as letters joined by springs.
 fn deflection(frame: &mut Frame<'_>, seen: Seen<'_>, area: Rect) {
     let reach = Reach::of(seen.operating);
     let words = Words {
@@ -43,7 +43,7 @@ fn deflection(frame: &mut Frame<'_>, seen: Seen<'_>, area: Rect) {
     for motion in motions.iter().filter(|motion| motion.beam_seen) {
         curves.push(motion.line(seen));
     }
-    // Points stand on the lines, and behind them in the legend.
+    // Points are drawn over lines, and listed after them in the legend.
     let mut points: Vec<Curve<'_>> = motions
         .iter()
         .filter(|motion| motion.masses_seen)
@@ -51,7 +51,7 @@ fn deflection(frame: &mut Frame<'_>, seen: Seen<'_>, area: Rect) {
         .collect();
     animated::name_masses(&mut points);
     curves.extend(points);
-    // The scale shows in any case: above the axis where the rule has no room for it.
+    // The scale is always shown: above the axis if the rule has no room for it.
     let unit = if animated::has_room(&words, area.width) {
         ""
     } else {
@@ -61,7 +61,7 @@ fn deflection(frame: &mut Frame<'_>, seen: Seen<'_>, area: Rect) {
     animated::chart(frame, seen, curves, value, inside);
 }
 
-/// What is drawn as 1.
+/// The scale as text: what is drawn as 1.
 fn scale(reach: Reach) -> String {
     let [translation, rotation] = reach.units().map(|unit| significant(unit, 3));
     match reach {
@@ -77,7 +77,7 @@ fn scale(reach: Reach) -> String {
     }
 }
 
-/// One motion of the beam with that of the masses, at the moment that is shown.
+/// One motion of the beam with that of the masses, at the shown moment.
 struct Motion {
     /// Index into [`MOTIONS`].
     number: usize,
@@ -86,7 +86,7 @@ struct Motion {
     masses_seen: bool,
     beam: Vec<f64>,
     masses: Vec<f64>,
-    /// Each mass's place twice, and the beam there and the mass.
+    /// For each mass its position twice, with the motion of the beam there and of the mass.
     joints: Vec<([f64; 2], [f64; 2])>,
 }
 
@@ -136,7 +136,7 @@ impl Motion {
         }
     }
 
-    /// From the beam to each mass.
+    /// The springs from the beam to each mass.
     fn springs(&self, theme: Theme) -> impl Iterator<Item = Curve<'_>> {
         self.joints.iter().map(move |(x, ends)| Curve {
             line: LineStyle::Dotted,

@@ -10,20 +10,20 @@ use crate::tui::theme::Theme;
 use crate::tui::view::text::significant;
 use crate::unit::{Load, Unit};
 
-/// A force smaller than this share of the group's largest is left out of the picture: rounding makes as much.
+/// A force smaller than this share of the group's largest is not drawn: it may be a rounding error.
 const UNSEEN: f64 = 1e-9;
 
-/// Forces that show together.
+/// Forces that share a panel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Group {
     name: &'static str,
     /// SI.
     unit: &'static str,
-    /// Their names, and their places among the forces conjugate to the six motions.
+    /// Their names, and their indices among the forces conjugate to the six motions.
     members: &'static [(&'static str, usize)],
 }
 
-/// The forces of a look; those along the six motions are `S_w`, T, `S_v`, `M_w`, B, `M_v`.
+/// The groups of forces of a view; those along the six motions are `S_w`, T, `S_v`, `M_w`, B, `M_v`.
 fn group(look: BeamView) -> Option<Group> {
     let group = |name, load: Load, members| {
         Some(Group {
@@ -93,7 +93,7 @@ fn forces(frame: &mut Frame<'_>, seen: Seen<'_>, group: Group, area: Rect) {
     animated::chart(frame, seen, curves, value, inside);
 }
 
-/// The largest amplitude of the group, and where it is.
+/// The largest amplitude of the group, and its position.
 fn largest(seen: Seen<'_>, group: Group) -> String {
     let positions = &seen.operating.positions;
     let all = group.members.iter().flat_map(|(name, row)| {
@@ -114,9 +114,9 @@ fn largest(seen: Seen<'_>, group: Group) -> String {
 /// One force along the beam.
 struct Member {
     name: &'static str,
-    /// At the moment that is shown.
+    /// At the shown moment.
     now: Vec<f64>,
-    /// Its amplitude at both sides of 0.
+    /// Its amplitude, positive and negative.
     bounds: [Vec<f64>; 2],
 }
 

@@ -13,10 +13,10 @@ use crate::tui::theme::Theme;
 use crate::tui::view::{frame, text::significant};
 use crate::unit::Unit;
 
-/// Names of the beam's motions, and the markers of the masses' (y, z, theta) on the same scales.
+/// Names of the beam's motions, and the markers of the masses' motions (y, z, theta) on the same scales.
 const MOTIONS: [(&str, char); 3] = [("w", 'y'), ("v", 'z'), ("psi", 't')];
 
-/// What reaches less far than this is left out of the picture.
+/// Smaller motions than this are not drawn.
 const UNSEEN: f64 = 1e-4;
 
 /// The value axis: a little more than from -1 to 1.
@@ -45,7 +45,7 @@ pub(crate) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
         ..Curve::new(&ends, &rest)
     }];
     curves.extend(lines(shape, &beam, theme));
-    // Points stand on the lines, and behind them in the legend.
+    // Points are drawn over lines, and listed after them in the legend.
     curves.extend(points(shape, &masses, theme));
     let stale = shape.generation != app.curves.generation || shape.mode != app.tables.modes.row;
     for curve in &mut curves {
@@ -73,7 +73,7 @@ fn lines<'a>(shape: &'a Shape, beam: &'a [Vec<f64>; 3], theme: Theme) -> Vec<Cur
     .collect()
 }
 
-/// y, z and theta of the masses; the first of them is named for all.
+/// y, z and theta of the masses; the first one has the legend entry for all.
 fn points<'a>(shape: &'a Shape, masses: &'a [Vec<f64>; 3], theme: Theme) -> Vec<Curve<'a>> {
     let seen = (0..3).filter(|motion| reaches(&shape.masses[*motion]));
     let mut curves: Vec<Curve<'_>> = seen
@@ -109,7 +109,7 @@ fn heading(app: &App) -> String {
     format!("Mode {}: {frequency}, {how}", row + 1)
 }
 
-/// What a full rotation is beside a full translation.
+/// The scale of a full rotation relative to a full translation.
 fn scale(shape: Option<&Shape>) -> String {
     match shape.map(|shape| shape.rotation) {
         None => String::new(),
@@ -121,8 +121,8 @@ fn scale(shape: Option<&Shape>) -> String {
 
 fn why_empty(app: &App) -> String {
     match &app.modes.list {
-        None => " solving the modes".to_owned(),
+        None => " computing the modes".to_owned(),
         Some(list) if list.rows.is_empty() => " there is no mode in the sweep".to_owned(),
-        Some(_) => " solving the shape".to_owned(),
+        Some(_) => " computing the shape".to_owned(),
     }
 }

@@ -1,4 +1,4 @@
-//! Where the power comes from and goes to at the cursor's frequency, and how it flows along the beam.
+//! The sources and sinks of power at the cursor's frequency, and the power flow along the beam.
 
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -16,14 +16,14 @@ use crate::unit::Unit;
 /// Columns of the numbers: power in W, and its percentage.
 const NUMBERS: [usize; 2] = [10, 7];
 
-/// Columns of the longest label that is not cut, and of the table with its bars beside the flow.
+/// Columns of the longest label that is not cut, and of the table with its bars next to the flow.
 const LABEL: usize = 16;
 const TABLE: u16 = 46;
 
-/// The flow shows where it has so many columns beside the table.
+/// The flow is shown if there are this number of columns next to the table.
 const FLOW: u16 = 30;
 
-/// More forces than these are told in one row.
+/// More forces than these share one row.
 const MOST_FORCES: usize = 3;
 
 /// A row of the table.
@@ -32,7 +32,7 @@ struct Row {
     label: String,
     /// W.
     power: f64,
-    /// Whether it goes out, and has a bar.
+    /// Whether the power is a loss, and has a bar.
     loss: bool,
 }
 
@@ -78,7 +78,7 @@ fn power(frame: &mut Frame<'_>, seen: Seen<'_>, area: Rect) {
     }
 }
 
-/// A power without its unit; a dash where rounding is all that is left of it.
+/// A power without its unit; a dash if only a rounding error is left.
 fn watts(power: f64) -> String {
     if power.is_finite() {
         significant(power, 3)
@@ -102,7 +102,7 @@ fn label_columns(table: Rect) -> usize {
     (usize::from(table.width) / 2).min(LABEL)
 }
 
-/// What each force puts in, then what takes most out, and the material with its loss factor.
+/// The input of each force, then the largest losses, and the material with its loss factor.
 fn rows(seen: Seen<'_>) -> Vec<Row> {
     let power = &seen.operating.power;
     let mut rows = Vec::new();
@@ -135,7 +135,7 @@ fn rows(seen: Seen<'_>) -> Vec<Row> {
     rows
 }
 
-/// "in left w"; with its number where the model has that force no more.
+/// "in left w"; with its number if the model no longer has that force.
 fn label(index: usize, force: Option<&Force>) -> String {
     match force.map(|force| &force.target) {
         None => format!("in force {}", index + 1),
@@ -146,7 +146,7 @@ fn label(index: usize, force: Option<&Force>) -> String {
     }
 }
 
-/// At most so many rows: what does not fit is told together in the last.
+/// Limits the number of rows: the last one sums up those that do not fit.
 fn fitted(mut rows: Vec<Row>, most: usize) -> Vec<Row> {
     if rows.len() > most && most > 0 {
         let rest = rows.split_off(most - 1);
@@ -193,7 +193,7 @@ impl Row {
     }
 }
 
-/// The power that flows in +x.
+/// The power flow in +x.
 fn flow(frame: &mut Frame<'_>, seen: Seen<'_>, area: Rect) {
     let x = &seen.operating.positions;
     let curve = Curve {

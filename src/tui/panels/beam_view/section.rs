@@ -1,10 +1,10 @@
 //! The cross-section, looking along x: shear centre, centroid, radii of gyration, and where the springs of a subsystem
 //! meet the beam.
 //!
-//! A point (y, z) of the section moves by w + z psi along y and by v - y psi along z, from the shear centre at
-//! (0, 0) (Chen & Liu 2022, Section 2). A left spring along z meets v - `y_u` psi, so it is at y = +`y_u`; with y to
-//! the left it stands at the left. Second moments: `I_y` of y squared (bending along y), `I_z` of z squared about the
-//! centroid. Where the mass is and how long its springs are is no part of the model: it is drawn below everything.
+//! A point (y, z) of the section moves by w + z psi along y and by v - y psi along z, from the shear centre at (0, 0)
+//! (Chen & Liu 2022, Section 2). A left spring along z meets v - `y_u` psi, so it is at y = +`y_u`; with y to the left
+//! it is on the left. Second moments: `I_y` of y squared (bending along y), `I_z` of z squared about the centroid. The
+//! model does not contain the position of the mass or the lengths of its springs: the mass is drawn below everything.
 
 mod mass;
 mod plane;
@@ -23,7 +23,7 @@ use crate::tui::tree::Node;
 use crate::tui::view::frame;
 use crate::tui::view::text::cut;
 
-/// From so many rows on, one at the top is kept for words.
+/// From this number of rows on, the top row is reserved for text.
 const HEADED: u16 = 10;
 
 pub(crate) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
@@ -48,7 +48,7 @@ pub(crate) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
     picture.draw(&mut board);
 }
 
-/// The subsystem that is selected, or at whose mass the selected force or response is; else the first one attached.
+/// The selected subsystem, or the one whose mass has the selected force or response; otherwise the first enabled one.
 fn subsystem(model: &Model, node: Node) -> Option<&Subsystem> {
     let named = |target: &Target| match target {
         Target::Mass(name, _) => model.subsystems.iter().find(|one| one.name == *name),
@@ -79,9 +79,14 @@ fn heading(subsystem: Option<&Subsystem>, columns: usize) -> String {
     }
 }
 
-/// The numbers of the section and the mounts, the longest first.
+/// The numbers of the section and the mounts, the longest texts first.
 fn notes(section: &Section, subsystem: Option<&Subsystem>, signs: &Signs) -> Vec<String> {
-    let centroid = format!("z_c {} mm", millimetres(section.centroid_offset));
+    let along_z = format!("z_c {} mm", millimetres(section.centroid_offset));
+    let centroid = if section.centroid_offset_y == 0.0 {
+        along_z
+    } else {
+        format!("y_c {}, {along_z}", millimetres(section.centroid_offset_y))
+    };
     let Some(subsystem) = subsystem else {
         return vec![centroid];
     };
@@ -108,7 +113,7 @@ fn millimetres(metres: f64) -> String {
     }
 }
 
-/// What is drawn, and where.
+/// What is drawn, and its position.
 struct Picture<'a> {
     section: &'a Section,
     subsystem: Option<&'a Subsystem>,
@@ -127,7 +132,10 @@ impl<'a> Picture<'a> {
         let mut extent = Extent::default();
         let [across, up] = radii(section);
         for side in [-1.0, 1.0] {
-            extent.take(side * across, section.centroid_offset + side * up);
+            extent.take(
+                section.centroid_offset_y + side * across,
+                section.centroid_offset + side * up,
+            );
         }
         let mut reserve = plane::Reserve::default();
         if let Some(subsystem) = subsystem {
@@ -146,12 +154,13 @@ impl<'a> Picture<'a> {
 
     fn draw(&self, board: &mut Board<'_>) {
         let shear = self.plane.cell(0.0, 0.0);
-        let centroid = self.plane.cell(0.0, self.section.centroid_offset);
+        let section = self.section;
+        let centroid = (self.plane).cell(section.centroid_offset_y, section.centroid_offset);
         let bold = self.theme.accent();
         board.sign(shear, self.signs.shear_centre, bold);
         board.sign_if_free(centroid, self.signs.centroid, bold);
         let [first, second] = [(shear, 'S'), (centroid, 'C')];
-        // Letters at the right, so that both can be read where the two points are one.
+        // Letters at the right, so that both can be read if the two points coincide.
         letter(board, first, bold);
         letter(board, second, bold);
         if let Some(subsystem) = self.subsystem {
@@ -162,10 +171,14 @@ impl<'a> Picture<'a> {
         self.draw_words(board);
     }
 
-    /// The ellipse of the radii of gyration about the centroid, a dot a column or so.
+    /// The ellipse of inertia about the centroid, about one dot per column: its axes are the principal axes, with the radii of
+    /// gyration.
     fn draw_ellipse(&self, board: &mut Board<'_>) {
-        let [across, up] = radii(self.section);
-        let centre = self.section.centroid_offset;
+        let section = self.section;
+        let [across, up] = radii(section);
+        // (y, z) = (across cos, lean cos + rise sin) is the ellipse of the matrix of second moments over A.
+        let lean = section.product_moment / (section.area * across);
+        let rise = (up * up - lean * lean).max(0.0).sqrt();
         let scale = self.plane.metres_per_column();
         let columns = std::f64::consts::PI * (across + up) / scale;
         let count = if columns.is_finite() {
@@ -175,7 +188,11 @@ impl<'a> Picture<'a> {
         };
         let points = (0..count).map(|i| {
             let angle = std::f64::consts::TAU * f64::from(i) / f64::from(count);
-            (across * angle.cos(), centre + up * angle.sin())
+            let (cosine, sine) = (angle.cos(), angle.sin());
+            (
+                section.centroid_offset_y + across * cosine,
+                section.centroid_offset + lean * cosine + rise * sine,
+            )
         });
         self.plane
             .draw_dots(board, points, self.theme.glyphs(), self.theme.curve(0));
@@ -195,7 +212,7 @@ impl<'a> Picture<'a> {
             .flat_map(|word| rows.clone().map(move |row| (word, row)))
         {
             let columns = width(word);
-            // At the right or at the left, apart from the picture.
+            // At the right or at the left, outside the picture.
             for column in [board.columns() - columns, self.plane.first_column() + 1] {
                 let free = board.is_free([column - 1, row], columns + 2);
                 if free && board.word([column, row], word, self.theme.dim()) {
@@ -211,7 +228,7 @@ fn radii(section: &Section) -> [f64; 2] {
     [section.second_moment_y, section.second_moment_z].map(|moment| (moment / section.area).sqrt())
 }
 
-/// Puts a letter beside a point: at the right, or where else there is room.
+/// Puts a letter next to a point: at the right, or at another place with room.
 fn letter(board: &mut Board<'_>, ([column, row], letter): ([i32; 2], char), style: Style) {
     let places = [
         [column + 1, row],

@@ -1,8 +1,7 @@
-//! The structure from the side: the beam with what holds it, what hangs on it, what acts on it and where its responses
-//! are taken, to scale along x.
+//! Side view of the structure, to scale along x: the beam with its supports, subsystems, forces and responses.
 //!
-//! Upward is y, so w is up and down; z is out of the picture. What hangs on the beam hangs below it wherever its springs
-//! point: it shows that they are there, and along what.
+//! Upward is y, so w is up and down; z is out of the picture. Every subsystem is drawn below the beam, in whichever
+//! direction its springs act: the picture shows that the springs exist, and their directions.
 
 mod loads;
 mod masses;
@@ -25,10 +24,10 @@ use crate::tui::tree::{self, Node};
 use crate::tui::view::frame;
 use crate::tui::view::text::cut;
 
-/// Columns left and right of the beam, for walls and words at its ends; fewer where there are few columns.
+/// Columns left and right of the beam, for walls and text at its ends; fewer if there are few columns.
 const MARGIN: u16 = 3;
 
-/// What the selected row is about.
+/// What the selected row refers to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Focus {
     Beam,
@@ -52,7 +51,7 @@ impl Focus {
     }
 }
 
-/// All that the parts of the picture are drawn by.
+/// What all parts of the picture need to be drawn.
 struct Picture<'a> {
     model: &'a Model,
     focus: Focus,
@@ -66,7 +65,7 @@ struct Picture<'a> {
 
 impl<'a> Picture<'a> {
     fn new(model: &'a Model, node: Node, theme: Theme, [columns, rows]: [u16; 2]) -> Self {
-        // On few columns all of them are the beam's.
+        // If there are few columns, the beam takes all of them.
         let margin = MARGIN.min(columns.saturating_sub(8) / 4);
         let length = columns.saturating_sub(2 * margin).max(1);
         let axis = Axis::new(Scale::Linear, [0.0, model.beam.length], Unit::METRE.symbol);
@@ -96,7 +95,7 @@ impl<'a> Picture<'a> {
         }
     }
 
-    /// The style of something, by whether it counts and whether it is selected.
+    /// The style of a part, from whether it is enabled and whether it is selected.
     fn style(&self, counts: bool, selected: bool) -> Style {
         if selected {
             self.theme.accent().patch(self.theme.selection())
@@ -107,7 +106,7 @@ impl<'a> Picture<'a> {
         }
     }
 
-    /// Marks what is selected without colour: a pointer left of it, else right of it.
+    /// Marks the selection without colour: a pointer left of it, otherwise right of it.
     fn point(&self, board: &mut Board<'_>, [column, row]: [i32; 2], columns: i32) {
         let style = self.style(true, true);
         if board.sign_if_free([column - 1, row], POINTER, style)
@@ -158,14 +157,14 @@ fn draw_beam(picture: &Picture<'_>, board: &mut Board<'_>) {
         board.sign([column, picture.rows.beam], picture.signs.beam, style);
     }
     if picture.focus == Focus::Beam {
-        // From both ends, where a support has the pointer at its own.
+        // Signs from both ends inwards; a support has its pointer at its own end.
         let (row, style) = (picture.rows.beam, picture.style(true, true));
         board.sign([(picture.ends[0] - 1).max(0), row], POINTER, style);
         board.sign([picture.ends[1] + 1, row], POINTER_BACK, style);
     }
 }
 
-/// Round values of x beneath the picture, and their unit.
+/// Round values of x below the picture, and their unit.
 fn draw_ruler(picture: &Picture<'_>, board: &mut Board<'_>) {
     let dim = picture.theme.dim();
     let [line, major, minor] = picture.signs.ruler;
@@ -182,7 +181,7 @@ fn draw_ruler(picture: &Picture<'_>, board: &mut Board<'_>) {
     let Some(row) = picture.rows.numbers else {
         return;
     };
-    // No number stands without its unit.
+    // Numbers are shown only with their unit.
     board.word([board.columns() - 1, row], "m", Style::new());
     for tick in &ticks {
         let Some(label) = &tick.label else {
@@ -197,7 +196,7 @@ fn draw_ruler(picture: &Picture<'_>, board: &mut Board<'_>) {
     }
 }
 
-/// What the signs mean, as many of those in the picture as have room.
+/// The meanings of the signs in the picture, as many as fit.
 fn draw_key(picture: &Picture<'_>, board: &mut Board<'_>) {
     let Some(row) = picture.rows.key else {
         return;
@@ -216,7 +215,7 @@ fn draw_key(picture: &Picture<'_>, board: &mut Board<'_>) {
     }
 }
 
-/// What is selected, in words.
+/// The selection as text.
 fn note(model: &Model, focus: Focus) -> String {
     match focus {
         Focus::Subsystem(i) => {
@@ -250,7 +249,7 @@ fn note(model: &Model, focus: Focus) -> String {
     }
 }
 
-/// What stands for a spring with a damper beside it: springs zigzag; none for neither of them.
+/// The sign of a spring with a damper parallel to it: springs zigzag; none if there is neither.
 fn spring_sign(signs: &Signs, spring: Spring, row: i32) -> Option<char> {
     if spring.stiffness > 0.0 {
         Some(signs.zigzag[(row % 2) as usize])

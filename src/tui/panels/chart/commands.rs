@@ -38,7 +38,7 @@ impl App {
             return;
         }
         if self.search.take().is_none() && self.curves.cursor.take().is_none() {
-            self.refuse("there is no count, search or cursor to take away");
+            self.refuse("there is no count, search or cursor to remove");
         }
         self.free_cursor();
     }
@@ -154,7 +154,7 @@ impl App {
     /// Why there is none, in one line.
     fn next_turn(&self, turn: Turn, forward: bool) -> Result<f64, &'static str> {
         let Some((member, trace)) = self.curves.first_trace() else {
-            return Err("no curve shows");
+            return Err("no curve is visible");
         };
         let shown = |i: usize| {
             let frequency = member.frequencies[i];
@@ -183,8 +183,8 @@ impl App {
             }
         };
         found.map(frequency).ok_or(match turn {
-            Turn::Peak => "the first curve has no further peak there",
-            Turn::Dip => "the first curve has no further anti-resonance there",
+            Turn::Peak => "the first curve has no other peak there",
+            Turn::Dip => "the first curve has no other anti-resonance there",
         })
     }
 }

@@ -33,9 +33,9 @@ impl App {
     pub(crate) fn toggle_unwrapping(&mut self) {
         self.display.unwrapped = !self.display.unwrapped;
         self.done(if self.display.unwrapped {
-            "phase runs on"
+            "phase unwrapped"
         } else {
-            "phase within half a turn"
+            "phase wrapped to half a turn"
         });
     }
 
@@ -49,7 +49,7 @@ impl App {
         let shown = self.curves.shown_traces();
         let dimensions: Vec<Dimension> = shown.filter_map(|trace| trace.dimension).collect();
         if dimensions.is_empty() {
-            return self.refuse("no response of a motion shows: an energy has one form");
+            return self.refuse("no response of a motion is visible: an energy has one form");
         }
         let has = |form: &Form| dimensions.iter().any(|dimension| dimension.has(*form));
         let ratio = dimensions.iter().any(|dimension| dimension.per.is_some());
@@ -69,13 +69,13 @@ impl App {
         };
         self.display.levels = None;
         self.done(match (next, ratio) {
-            (Choice::AsAsked, _) => "each response as the model asks for it".to_owned(),
+            (Choice::AsAsked, _) => "each response in the model's form".to_owned(),
             (Choice::Motion, _) => format!("{MOTION} as it is"),
             (Choice::Form(form), true) => form.name().to_owned(),
             // The first three without a single force to divide by.
             (Choice::Form(form), false) => {
                 let motion = form.measure().key();
-                format!("{motion}; several forces act, so that there is no ratio and no inverse")
+                format!("{motion}; several forces act, so there is no ratio and no inverse")
             }
         });
     }
@@ -130,14 +130,14 @@ impl App {
                 let key = self.keys.key_of(CurvesCommand::LevelFix);
                 self.done(format!("levels fixed; {key} lets them follow the curves"));
             }
-            None => self.refuse("no value axis shows"),
+            None => self.refuse("no value axis is visible"),
         }
     }
 
     /// Changes the range of levels in axis coordinates (logarithmic for magnitudes).
     fn change_levels(&mut self, change: impl Fn([f64; 2]) -> [f64; 2]) {
         let Some(levels) = self.screen.levels else {
-            return self.refuse("no value axis shows");
+            return self.refuse("no value axis is visible");
         };
         let bounds = self.display.levels.unwrap_or(levels.bounds);
         let changed = if levels.log {
@@ -151,7 +151,7 @@ impl App {
         if drawable {
             self.display.fix_levels(changed, &self.curves);
         } else {
-            self.refuse("no such levels can be drawn");
+            self.refuse("these levels cannot be drawn");
         }
     }
 }

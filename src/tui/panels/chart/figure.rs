@@ -1,4 +1,4 @@
-//! A scene drawn into an area of the screen.
+//! Draws a scene into an area of the screen.
 
 mod nyquist;
 
@@ -12,12 +12,12 @@ use crate::tui::scene::axes::{Loci, Ruled, frequency_axis};
 use crate::tui::scene::{ChartView, CurveKind, Scene, SceneCurve};
 use crate::tui::theme::Theme;
 
-/// What of the figure the program wants to know.
+/// What the program needs to know about a drawn figure.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Drawn {
-    /// Where the frequencies are; none where no axis has them.
+    /// The area of the frequency axis; none without such an axis.
     pub(crate) plot: Option<Plot>,
-    /// The value axis, of two the upper one; none where it cannot be chosen.
+    /// The value axis, the upper one of two; none if it cannot be set.
     pub(crate) levels: Option<Levels>,
 }
 
@@ -68,7 +68,7 @@ fn draw_panels(
     };
     let hertz = 1.0 / scene.frequency.unit.per_hertz();
     let [low, high] = scene.frequency.bounds;
-    // What is divided may miss the bounds by a rounding error.
+    // A division may miss the bounds by a rounding error.
     let frequencies = frequencies
         .into_iter()
         .map(|value| (value * hertz).clamp(low.min(high), high.max(low)));
@@ -119,7 +119,7 @@ fn style(chart: &mut Chart<'_>, scene: &Scene, theme: Theme) {
     }
 }
 
-/// The curves of a panel as they are drawn in so many columns.
+/// The curves of a panel as drawn in this number of columns.
 fn curves<'a>(ruled: &'a Ruled<'_>, panel: usize, theme: Theme, columns: u16) -> Vec<Curve<'a>> {
     let plain = ruled.curves(panel);
     plain
@@ -132,7 +132,7 @@ fn curves<'a>(ruled: &'a Ruled<'_>, panel: usize, theme: Theme, columns: u16) ->
         .collect()
 }
 
-/// How the curve with this index is told from others, without its points.
+/// The style that distinguishes the curve with this index from others, without its points.
 fn look(index: usize, scene: &Scene, theme: Theme, columns: u16) -> Curve<'static> {
     let curve = &scene.curves[index];
     let style = theme.curve(curve.colour);

@@ -1,31 +1,31 @@
-//! What is read at the cursor, in a line: the frequency, and the first curve there.
+//! The readout of the cursor, one line: the frequency, and the value of the first curve.
 
 use crate::tui::app::{App, Trace, Value};
 use crate::tui::plot::Level;
 use crate::tui::scene::{self, ChartView};
 use crate::tui::view::text::width;
 
-/// The line that fits into a width in columns; empty without a cursor. The frequency and the value are left out last.
+/// The line that fits into a width in columns; empty without a cursor. The frequency and the value are dropped last.
 pub(crate) fn line(app: &App, columns: usize) -> String {
     let Some(cursor) = app.curves.cursor else {
         return String::new();
     };
     let frequency = app.display.frequency_text(cursor);
-    let told = app.curves.first_trace().and_then(|(member, trace)| {
+    let readout = app.curves.first_trace().and_then(|(member, trace)| {
         let of = match &member.label {
             None if app.curves.visible.len() == 1 => String::new(),
             _ => format!("{}: ", scene::label(&app.curves, trace, member)),
         };
-        Some((of, told(app, trace, cursor)?))
+        Some((of, readout(app, trace, cursor)?))
     });
     let Some((
         of,
-        Told {
+        Readout {
             value,
             phase,
             delta,
         },
-    )) = told
+    )) = readout
     else {
         return format!(" {frequency} ");
     };
@@ -54,27 +54,27 @@ pub(crate) fn line(app: &App, columns: usize) -> String {
     fits.or(lines.last()).cloned().unwrap_or_default()
 }
 
-/// A difference of levels; none where one of them has none, as that of zero.
+/// A difference of levels; none if one of them has none, such as that of zero.
 fn finite(decibels: f64) -> Option<f64> {
     Some(decibels).filter(|decibels| decibels.is_finite())
 }
 
-/// What is read of a curve.
-struct Told {
+/// The readout of a curve.
+struct Readout {
     value: String,
-    /// With two spaces before it; empty where there is none.
+    /// With two leading spaces; empty if there is none.
     phase: String,
-    /// How much higher it is than at the second cursor, dB.
+    /// The difference in level to the second cursor, dB.
     delta: Option<f64>,
 }
 
-fn told(app: &App, trace: &Trace, cursor: f64) -> Option<Told> {
+fn readout(app: &App, trace: &Trace, cursor: f64) -> Option<Readout> {
     let second = app.reading.second;
     if app.display.view == ChartView::Difference {
         let at = |f| app.difference_at(0, trace, f);
         let here = at(cursor)?;
         let near = if here.exact { "" } else { "~" };
-        return Some(Told {
+        return Some(Readout {
             value: format!("{near}{:+.2} dB", here.decibels),
             phase: String::new(),
             delta: second
@@ -89,14 +89,14 @@ fn told(app: &App, trace: &Trace, cursor: f64) -> Option<Told> {
     let degrees = here.shown.arg().to_degrees().round() + 0.0;
     let phase = has_phase.then(|| format!("  {degrees:.0} deg"));
     let there = second.and_then(at);
-    Some(Told {
+    Some(Readout {
         value: magnitude(app, here, energy),
         phase: phase.unwrap_or_default(),
         delta: there.and_then(|there| finite(scene::difference(energy, here.shown, there.shown))),
     })
 }
 
-/// A magnitude as the axis has it, with its unit; with a tilde where it is only near.
+/// A magnitude in the axis's unit; with a tilde if it is approximate.
 fn magnitude(app: &App, value: Value, energy: bool) -> String {
     let scale = app.display.scale(&app.curves);
     let near = if value.exact { "" } else { "~" };

@@ -1,4 +1,4 @@
-//! The chart of the responses that show.
+//! The chart of the visible responses.
 
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Rect};
@@ -14,10 +14,10 @@ use crate::tui::theme::Theme;
 use crate::tui::view::frame;
 use crate::tui::view::text::{cut, width};
 
-/// Draws the chart; where its curves are and what its value axis spans, if there are any.
+/// Draws the chart; returns the area of its curves and the range of its value axis, if there are any.
 pub(crate) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) -> Drawn {
     let scene = app.scene();
-    // Of a long title at least a part stays, and what is read is not cut off.
+    // At least a part of a long title stays; the readout is never cut off.
     let columns = usize::from(area.width);
     let title = width(&scene.title).min(columns / 4);
     let read = readout::line(app, columns.saturating_sub(title + 5));
@@ -40,7 +40,7 @@ pub(crate) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) -
     figure::draw(&scene, theme, inside, frame.buffer_mut())
 }
 
-/// Which place a response that shows has among those that show.
+/// The index of a response among the visible ones.
 pub(crate) fn place(app: &App, response: &str) -> Option<usize> {
     app.curves.visible.iter().position(|name| name == response)
 }
@@ -54,16 +54,16 @@ fn why_empty(app: &App) -> String {
             .all(|response| !response.enabled) =>
         {
             format!(
-                " no response is asked for: {} on Responses adds one",
+                " the model has no responses: {} on Responses adds one",
                 app.keys.key_of(ModelCommand::Add)
             )
         }
         _ if app.curves.visible.is_empty() => format!(
-            " no response shows: select one, then {}",
+            " no response is visible: select one, then {}",
             app.keys.key_of(CurvesCommand::Show)
         ),
         Shown::Failed(reason, _) => format!(" no curves: {reason}"),
         Shown::Nothing => " solving".to_owned(),
-        Shown::Picture(_) => " the responses that show have no curves yet".to_owned(),
+        Shown::Picture(_) => " the visible responses have no curves yet".to_owned(),
     }
 }

@@ -77,10 +77,10 @@ impl Curves {
             ..shown
         };
         if factor > 1.0 && shown.width() >= whole.width() {
-            return Err("the whole sweep shows already");
+            return Err("the whole sweep is already visible");
         }
         if wanted.width() < NARROWEST * whole.width() * 2.0 {
-            return Err("no narrower band shows");
+            return Err("this is the narrowest band");
         }
         self.show_band(wanted.within(whole), sweep);
         Ok(())
@@ -97,7 +97,7 @@ impl Curves {
         .within(whole);
         if moved.low == shown.low {
             return Err(if shown.width() >= whole.width() {
-                "the whole sweep shows already"
+                "the whole sweep is already visible"
             } else {
                 "the sweep ends here"
             });
@@ -174,12 +174,13 @@ impl App {
             self.refuse(reason);
         }
     }
+
     /// Shows the whole sweep with automatic levels.
     pub(crate) fn show_whole(&mut self) {
         let window = self.curves.window.take().is_some();
         let levels = self.display.levels.take().is_some();
         if !window && !levels {
-            self.refuse("the whole sweep shows already");
+            self.refuse("the whole sweep is already visible");
         }
     }
 

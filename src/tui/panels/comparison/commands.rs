@@ -30,7 +30,7 @@ impl App {
             _ => return self.refuse("there are no curves to freeze yet"),
         };
         if self.curves.is_stale() {
-            return self.refuse("the curves are being solved: freeze them then");
+            return self.refuse("the curves are being solved: freeze them afterwards");
         }
         let model = Arc::clone(self.document.model());
         if let Some(name) = self.add_reference("before", model, self.curves.study, Some(picture)) {
@@ -38,7 +38,7 @@ impl App {
             let key = self.keys.key_of(CurvesCommand::Unfreeze);
             let list = self.keys.key_of(CompareCommand::List);
             self.done(format!(
-                "curves frozen as {name}; {key} drops it, {list} lists all"
+                "curves frozen as {name}; {key} removes it, {list} lists all"
             ));
         }
     }
@@ -54,7 +54,7 @@ impl App {
         if self.comparison.references.len() == MOST_REFERENCES {
             let list = self.keys.key_of(CompareCommand::List);
             self.refuse(format!(
-                "{MOST_REFERENCES} references are the most: {list} lists them, to drop some"
+                "{MOST_REFERENCES} references are the most: {list} lists them, to remove some"
             ));
             return None;
         }
@@ -76,7 +76,7 @@ impl App {
     /// Removes the newest reference.
     pub(crate) fn unfreeze(&mut self) {
         if let Some(dropped) = self.comparison.references.pop() {
-            self.done(format!("reference {} dropped", dropped.name));
+            self.done(format!("reference {} removed", dropped.name));
         } else {
             let key = self.keys.key_of(CurvesCommand::Freeze);
             self.refuse(format!("no reference is frozen; {key} freezes one"));
@@ -116,7 +116,7 @@ impl App {
             ComparisonCommand::Accept | ComparisonCommand::Rename | ComparisonCommand::Delete
                 if !listed =>
             {
-                self.refuse("nothing is listed yet");
+                self.refuse("the list is empty");
             }
             ComparisonCommand::Accept => {
                 if let Some((_, shown)) = self.comparison.entry(row) {

@@ -137,7 +137,7 @@ impl Comparison {
             return Err("type a name".to_owned());
         }
         if name != old && self.free_name(name) != name {
-            return Err(format!("{name} is another one's name"));
+            return Err(format!("the name {name} is already used"));
         }
         let Some(row) = self.row_of(old) else {
             return Err(format!("{old} is no longer listed"));
@@ -205,8 +205,8 @@ impl Comparison {
             .collect();
         let measured = self.measured.iter().filter(|one| one.shown);
         measured.filter_map(move |one| {
-            let mut alike = shown.iter().filter(|response| one.fits(response.as_ref()));
-            alike.next().map(|response| (one, *response))
+            let mut matching = shown.iter().filter(|response| one.fits(response.as_ref()));
+            matching.next().map(|response| (one, *response))
         })
     }
 }

@@ -1,4 +1,4 @@
-//! The list of what stands on the chart beside the model.
+//! The dialog with the list of references and measured curves.
 
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout};
@@ -13,14 +13,14 @@ use crate::tui::view::dialog_box::{middle, open_dialog};
 use crate::tui::view::text::{cut, width};
 use crate::unit::Kind;
 
-/// An entry: whether it shows, its name, and what it is.
+/// An entry: whether it is visible, its name, and its kind.
 type Entry = (bool, String, String);
 
-/// Draws the list; with how many entries it has and there is room for, and where they are.
+/// Draws the list; returns its number of entries and of visible rows, and its area.
 pub(crate) fn draw(frame: &mut Frame<'_>, app: &App, mut list: List, theme: Theme) -> (List, Rows) {
     let entries = entries(app);
     let place = middle(frame.area(), entries.len().max(3) + 1);
-    let inside = open_dialog(frame, place, " Beside the model ", theme);
+    let inside = open_dialog(frame, place, " References and measured curves ", theme);
     let [above, below] =
         Layout::vertical([Constraint::Fill(1), Constraint::Length(1)]).areas(inside);
     list.set_rows(entries.len());
@@ -109,7 +109,7 @@ fn measurement(app: &App, one: &Measured) -> Entry {
             } else {
                 String::new()
             };
-            format!("measured in {unit}: does not fit what shows, in {units}{hint}")
+            format!("measured in {unit}: does not match the visible curves, in {units}{hint}")
         }
         None => format!("measured, {}", counted(points, "point", "points")),
     };

@@ -1,4 +1,4 @@
-//! The boxes that ask: about unsaved changes, before a file is replaced, and about changes that were found.
+//! The confirmation dialogs: unsaved changes, replacing a file, and recovered changes.
 
 use std::path::Path;
 use std::time::Duration;
@@ -14,10 +14,10 @@ use crate::tui::theme::Theme;
 use crate::tui::view::dialog_box::{dialog_width, middle, open_dialog};
 use crate::tui::view::text::{cut, width, wrapped};
 
-/// Keys that answer, with what they mean.
+/// The keys that answer, with their meanings.
 type Answers<'a> = Vec<(String, &'a str)>;
 
-/// Asks what becomes of the changes to `source`.
+/// Asks what to do with the changes to `source`.
 pub(crate) fn draw_unsaved(
     frame: &mut Frame<'_>,
     next: Next,
@@ -34,7 +34,7 @@ pub(crate) fn draw_unsaved(
     );
 }
 
-/// Asks whether a file is replaced.
+/// Asks whether to replace a file.
 pub(crate) fn draw_replace(
     frame: &mut Frame<'_>,
     reason: &ReplaceReason,
@@ -56,8 +56,8 @@ fn unsaved_words(next: Next, source: &str) -> String {
         Next::Quit => "quitting",
         Next::AskPath => "opening a file",
         Next::Preset(_) => "opening the preset",
-        Next::Reload => "reading the file again",
-        Next::Recover(_) => "taking the unsaved changes that were found",
+        Next::Reload => "reloading the file",
+        Next::Recover(_) => "recovering unsaved changes",
     };
     format!("The changes to {source} are not saved. Save them before {before}?")
 }
@@ -65,7 +65,7 @@ fn unsaved_words(next: Next, source: &str) -> String {
 fn replace_words(reason: &ReplaceReason, path: &Path) -> String {
     let path = shown_path(path);
     match reason {
-        ReplaceReason::Exists => format!("{path} is there already. Replace it?"),
+        ReplaceReason::Exists => format!("{path} already exists. Replace it?"),
         ReplaceReason::ChangedOutside => {
             format!("{path} was changed by another program after it was opened here. Replace it?")
         }
@@ -75,7 +75,8 @@ fn replace_words(reason: &ReplaceReason, path: &Path) -> String {
     }
 }
 
-/// Draws unsaved changes of programs that were killed, a line each, and the keys that answer; the list, and where it is.
+/// Draws the unsaved changes of programs that were killed, one per line, and the keys that answer. Returns the list and
+/// its area.
 pub(crate) fn draw_recovery(
     frame: &mut Frame<'_>,
     lost: &[Lost],
@@ -83,7 +84,7 @@ pub(crate) fn draw_recovery(
     answers: Answers<'_>,
     theme: Theme,
 ) -> (List, Rows) {
-    const WORDS: &str = "A designer ended without saving. Its changes were kept:";
+    const WORDS: &str = "A designer ended without saving. These changes can be recovered:";
     let words = wrapped(WORDS, usize::from(dialog_width(frame.area())));
     let place = middle(frame.area(), words.len() + lost.len() + 3);
     let title = format!(" Unsaved changes  {} of {} ", list.row + 1, lost.len());
@@ -115,7 +116,7 @@ pub(crate) fn draw_recovery(
     (list, Rows { area: rows, first })
 }
 
-/// How long ago something was, as precisely as one would say it.
+/// How long ago something was, rounded as in speech.
 fn ago(age: Duration) -> String {
     const UNITS: [(u64, &str); 4] = [
         (86_400, "day"),
@@ -143,7 +144,7 @@ fn draw(frame: &mut Frame<'_>, title: &str, text: &str, answers: Answers<'_>, th
     frame.render_widget(Paragraph::new(lines), inside);
 }
 
-/// The keys that answer, with what they mean.
+/// The keys that answer, with their meanings.
 fn answer_line(answers: Answers<'_>, theme: Theme) -> Line<'static> {
     let answers = answers.into_iter().flat_map(|(key, words)| {
         [

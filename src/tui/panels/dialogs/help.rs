@@ -1,4 +1,4 @@
-//! What is read: every key, from the key table, and the chapters of the guide.
+//! Text to read: every key, from the key table, and the chapters of the guide.
 
 use ratatui::text::{Line, Span};
 
@@ -7,7 +7,7 @@ use crate::tui::keys::{FileCommand, KeyMap};
 use crate::tui::theme::Theme;
 use crate::tui::view::text::{width, wrapped};
 
-/// Every key and what it does, in lines of at most so many columns.
+/// Every key and its effect, in lines of at most this number of columns.
 pub(crate) fn lines(keys: &KeyMap, theme: Theme, columns: usize) -> Vec<Line<'static>> {
     let widest = keys
         .rows()
@@ -43,7 +43,7 @@ pub(crate) fn lines(keys: &KeyMap, theme: Theme, columns: usize) -> Vec<Line<'st
     lines
 }
 
-/// A chapter of the guide in lines of at most so many columns; a picture may be wider.
+/// A chapter of the guide in lines of at most this number of columns; a picture may be wider.
 pub(crate) fn chapter(chapter: &Chapter, theme: Theme, columns: usize) -> Vec<Line<'static>> {
     let styled = |line: guide::Line| match line.kind {
         Kind::Heading => {

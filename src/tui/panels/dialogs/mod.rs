@@ -34,7 +34,7 @@ pub enum Overlay {
     Faults {
         /// The file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// Its faults.
         faults: Vec<Fault>,
         /// The scroll position.
         list: List,

@@ -1,4 +1,4 @@
-//! The boxes over the designer: which one is drawn, and lists that are read or chosen from.
+//! The dialogs over the designer: which one is open, and lists to read or to choose from.
 
 use ratatui::Frame;
 use ratatui::text::{Line, Span};
@@ -18,7 +18,7 @@ use crate::tui::view::text::{cut, width, wrapped};
 /// Columns of the widest picture of the guide.
 const PICTURE: usize = 80;
 
-/// Draws the open dialog; its list, and the rows of it that can be clicked.
+/// Draws the open dialog; returns its list, and the rows of it that can be clicked.
 pub(crate) fn draw(
     frame: &mut Frame<'_>,
     app: &App,

@@ -16,7 +16,7 @@ pub(crate) fn allowed(curves: &[Curve]) -> String {
         names.push(format!("to {}", curves.len()));
     }
     format!(
-        "numbers, names or parts of names with commas between, as 1-6, 13; at most {MOST_CURVES} stand on the chart. {}",
+        "numbers, names or parts of names with commas between, as 1-6, 13; at most {MOST_CURVES} on the chart. {}",
         names.join(", ")
     )
 }
@@ -68,8 +68,8 @@ fn part_of(part: &str, names: &[&str]) -> Option<Vec<usize>> {
     if let Some((from, to)) = range.filter(|(from, to)| from <= to) {
         return Some((from - 1..to).collect());
     }
-    let sought = part.to_lowercase();
-    let holds = |place: &usize| names[*place].to_lowercase().contains(&sought);
+    let wanted = part.to_lowercase();
+    let holds = |place: &usize| names[*place].to_lowercase().contains(&wanted);
     let holding: Vec<usize> = (0..names.len()).filter(holds).collect();
     if !holding.is_empty() {
         return Some(holding);

@@ -47,7 +47,7 @@ impl App {
         if room == 0 {
             let list = self.keys.key_of(CompareCommand::List);
             return self.refuse(format!(
-                "{MOST_CURVES} measured curves are the most: {list} lists them, to drop some"
+                "{MOST_CURVES} measured curves are the most: {list} lists them, to remove some"
             ));
         }
         if curves.len() > room {
@@ -103,7 +103,7 @@ impl App {
             let some: Vec<&str> = chosen.iter().take(3).map(|i| names[*i]).collect();
             return Err(format!(
                 "{} curves ({}, ..) are chosen, and there is room for {room}: {MOST_CURVES} are the most, {list} lists \
-                 those that stand there",
+                 the present ones",
                 chosen.len(),
                 some.join(", ")
             ));

@@ -19,6 +19,8 @@ const LOOP_POINTS: u32 = 72;
 /// A mode as it is listed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ModeRow {
+    /// Its number, from 1.
+    pub number: usize,
     /// |omega| / 2 pi, Hz.
     pub frequency: f64,
     /// Im omega / |omega|.
@@ -104,7 +106,9 @@ impl ModesState {
             .modes
             .iter()
             .zip(shares)
-            .map(|(mode, shares)| ModeRow {
+            .enumerate()
+            .map(|(index, (mode, shares))| ModeRow {
+                number: index + 1,
                 frequency: mode.frequency(),
                 damping_ratio: mode.damping_ratio(),
                 kind: mode.kind,

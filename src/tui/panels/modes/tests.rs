@@ -91,6 +91,7 @@ fn mode(frequency: f64) -> Mode {
 
 fn resolved(app: &App, frequencies: &[f64], completeness: Completeness) -> CurvesAnswer {
     let modes = Modes {
+        unstable: 0,
         to: app.model().sweep.to,
         undamped: frequencies.len(),
         modes: frequencies.iter().map(|f| mode(*f)).collect(),
@@ -158,11 +159,11 @@ fn the_cursor_jumps_from_mode_to_mode_in_the_sweep() {
     assert_eq!(bench.app.tables.modes.row, 4);
     bench.keys(")");
     bench.keys(")");
-    assert_eq!(said(&bench.app), "there is no further mode in the sweep");
+    assert_eq!(said(&bench.app), "there is no next mode in the sweep");
     assert_eq!(cursor(bench.keys("((((")), Some(20.0));
     bench.keys("(");
     assert!(matches!(bench.app.message, Some(Message::Refused(_))));
-    // From wherever the cursor was moved to.
+    // From the cursor's position.
     bench.keys("]]]]]]]]]]]]]]]]]");
     assert_eq!(cursor(bench.keys("))")), Some(120.0));
 }
@@ -178,7 +179,7 @@ fn what_cannot_be_done_without_modes_says_why() {
     none.keys(")");
     assert_eq!(said(&none.app), "there is no mode below 400 Hz");
     none.keys("A");
-    assert_eq!(said(&none.app), "there is no mode to move");
+    assert_eq!(said(&none.app), "there is no mode to animate");
     let mut rigid = Bench::new(&[0.0]);
     rigid.keys("A");
     assert_eq!(said(&rigid.app), "the selected mode does not oscillate");

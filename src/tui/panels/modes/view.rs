@@ -1,97 +1,60 @@
 //! The table of modes.
 
-use ratatui::Frame;
-use ratatui::layout::Rect;
-
 use crate::model::counted;
 use crate::solve::modes::{Gap, MOST_MODES};
-use crate::tui::app::{App, Completeness, List, ModeKind, ModeList, ModeRow, Rows};
-use crate::tui::theme::Theme;
-use crate::tui::view::table::{self, Column, Content, FREQUENCY};
+use crate::tui::app::{App, Completeness, ModeKind, ModeList, ModeRow};
+use crate::tui::view::table::Kind::{Frequency, Plain};
+use crate::tui::view::table::{self, Column, Content, NONE, column};
 use crate::tui::view::text::{significant, width};
 
-/// The columns, in what there is room for.
-const LAYOUTS: [&[Column]; 3] = [
-    &[
-        ("mode", 6),
-        (FREQUENCY, 11),
-        ("damping %", 12),
-        ("bending y %", 13),
-        ("bending z %", 13),
-        ("twist %", 9),
-        ("subsystems %", 14),
-        ("supports %", 12),
-    ],
-    &[
-        ("mode", 5),
-        (FREQUENCY, 10),
-        ("damping %", 11),
-        ("bending y %", 12),
-        ("bending z %", 12),
-        ("twist %", 8),
-        ("subsystems %", 13),
-    ],
-    &[
-        ("no", 5),
-        (FREQUENCY, 9),
-        ("damping%", 9),
-        ("y%", 4),
-        ("z%", 4),
-        ("twist%", 7),
-        ("subs%", 6),
-    ],
+/// Columns with other texts in the narrowest layout are there twice.
+#[rustfmt::skip]
+const COLUMNS: [Column<ModeRow>; 13] = [
+    column(Plain, &[("mode", 6), ("mode", 5), ("no", 5)], number),
+    column(Frequency, &[("", 11), ("", 10), ("", 9)], |app, mode| app.display.frequency_digits(mode.frequency)),
+    column(Plain, &[("damping %", 12), ("damping %", 11)], |_, mode| damping(mode, "overdamped")),
+    column(Plain, &[NONE, NONE, ("damping%", 9)], |_, mode| damping(mode, "overd.")),
+    column(Plain, &[("bending y %", 13), ("bending y %", 12)], |_, mode| tenths(mode.shares.bending_y)),
+    column(Plain, &[NONE, NONE, ("y%", 4)], |_, mode| whole(mode.shares.bending_y)),
+    column(Plain, &[("bending z %", 13), ("bending z %", 12)], |_, mode| tenths(mode.shares.bending_z)),
+    column(Plain, &[NONE, NONE, ("z%", 4)], |_, mode| whole(mode.shares.bending_z)),
+    column(Plain, &[("twist %", 9), ("twist %", 8)], |_, mode| tenths(mode.shares.twist)),
+    column(Plain, &[NONE, NONE, ("twist%", 7)], |_, mode| whole(mode.shares.twist)),
+    column(Plain, &[("subsystems %", 14), ("subsystems %", 13)], |_, mode| tenths(mode.shares.subsystems)),
+    column(Plain, &[NONE, NONE, ("subs%", 6)], |_, mode| whole(mode.shares.subsystems)),
+    column(Plain, &[("supports %", 12)], |_, mode| tenths(mode.shares.supports)),
 ];
 
-pub(crate) fn draw(
-    frame: &mut Frame<'_>,
-    app: &App,
-    list: &mut List,
-    theme: Theme,
-    area: Rect,
-) -> Rows {
-    let columns = table::fitting(&LAYOUTS, area.width);
+/// The table in so many columns of the screen.
+pub(crate) fn content(app: &App, columns: u16) -> Content<'_, ModeRow> {
     let modes = app.modes.list.as_ref();
-    let rows = modes.map_or(&[][..], |modes| &modes.rows);
-    let empty = match modes {
-        None => "solving the modes".to_owned(),
-        Some(list) if list.completeness == Completeness::TooMany => {
-            format!("none is listed: at most {MOST_MODES} are; a lower end of the sweep has fewer")
-        }
-        Some(list) => format!("no mode below {}", app.display.frequency_text(list.to)),
-    };
-    let content = Content {
-        title: modes.map_or("Modes".to_owned(), |list| title(app, list, area.width)),
+    Content {
+        title: modes.map_or("Modes".to_owned(), |list| title(app, list, columns)),
         warns: modes.is_some_and(|list| match list.completeness {
-            // The count comes in a moment.
+            // The certified count follows in a moment.
             Completeness::Certain | Completeness::Uncounted => false,
             Completeness::Open(_) | Completeness::TooMany => true,
         }),
-        frequency_unit: app.display.unit,
         note: match modes.map(|list| &list.completeness) {
             Some(Completeness::Open(_)) => "? in an open range".to_owned(),
             _ => "shares of kinetic energy".to_owned(),
         },
-        columns,
-        row: &|row| {
-            rows.get(row).map_or(Vec::new(), |mode| {
-                let frequency = app.display.frequency_digits(mode.frequency);
-                let is_open = modes.is_some_and(|list| list.is_open_at(mode));
-                let number = format!("{}{}", if is_open { "?" } else { "" }, row + 1);
-                cells(
-                    number,
-                    mode,
-                    frequency,
-                    columns == LAYOUTS[LAYOUTS.len() - 1],
-                )
-            })
+        columns: &COLUMNS,
+        rows: modes.map_or(&[], |modes| &modes.rows),
+        sentences: Vec::new(),
+        empty: match modes {
+            None => "computing the modes".into(),
+            Some(list) if list.completeness == Completeness::TooMany => format!(
+                "none is listed: at most {MOST_MODES} are; a lower end of the sweep has fewer"
+            )
+            .into(),
+            Some(list) => format!("no mode below {}", app.display.frequency_text(list.to)).into(),
         },
-        empty: &empty,
         stale: modes.is_some_and(|list| list.generation != app.curves.generation),
-    };
-    table::draw(frame, &content, list, theme, area)
+    }
 }
 
-/// How many there are, and whether these are all; open ranges as far as there is room for.
+/// The number of modes, and whether the list is complete; open ranges as far as there is room for them.
 fn title(app: &App, list: &ModeList, columns: u16) -> String {
     let found = list.rows.len();
     let to = app.display.frequency_text(list.to);
@@ -129,25 +92,26 @@ fn range(app: &App, gap: &Gap) -> String {
     }
 }
 
-fn cells(number: String, mode: &ModeRow, frequency: String, narrow: bool) -> Vec<String> {
-    let damping = match mode.kind {
+fn number(app: &App, mode: &ModeRow) -> String {
+    let list = app.modes.list.as_ref();
+    let is_open = list.is_some_and(|list| list.is_open_at(mode));
+    format!("{}{}", if is_open { "?" } else { "" }, mode.number)
+}
+
+fn damping(mode: &ModeRow, overdamped: &str) -> String {
+    match mode.kind {
         ModeKind::RigidBody => "rigid".to_owned(),
         ModeKind::Oscillating => significant(100.0 * mode.damping_ratio, 4),
-        ModeKind::Overdamped if narrow => "overd.".to_owned(),
-        ModeKind::Overdamped => "overdamped".to_owned(),
-    };
-    let shares = mode.shares;
-    let decimals = usize::from(!narrow);
-    // A rounding error below 0 is 0.
-    let share = |share: f64| format!("{:.decimals$}", 100.0 * share.max(0.0));
-    vec![
-        number,
-        frequency,
-        damping,
-        share(shares.bending_y),
-        share(shares.bending_z),
-        share(shares.twist),
-        share(shares.subsystems),
-        share(shares.supports),
-    ]
+        ModeKind::Overdamped => overdamped.to_owned(),
+    }
+}
+
+/// A share in percent with one decimal; a rounding error below 0 is 0.
+fn tenths(share: f64) -> String {
+    format!("{:.1}", 100.0 * share.max(0.0))
+}
+
+/// The same without decimals.
+fn whole(share: f64) -> String {
+    format!("{:.0}", 100.0 * share.max(0.0))
 }

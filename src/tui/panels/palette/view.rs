@@ -1,4 +1,4 @@
-//! The palette: a line that is typed, and what was found for it.
+//! The palette: an input line, and what it finds.
 
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -12,12 +12,12 @@ use crate::tui::tree;
 use crate::tui::view::dialog_box::{middle, open_dialog};
 use crate::tui::view::text::{cut, width};
 
-/// Columns of a command's name, the widest.
+/// Columns of the widest name of a command.
 const NAMES: usize = 19;
-/// Lines of what was found, at most.
+/// The largest number of results.
 const MOST_LINES: usize = 16;
 
-/// Draws the palette; its list with how many lines there is room for, and where they are.
+/// Draws the palette; returns its list with the number of visible rows, and its area.
 pub(crate) fn draw(
     frame: &mut Frame<'_>,
     palette: &Palette,
@@ -59,23 +59,23 @@ pub(crate) fn draw(
     (list, Rows { area: rest, first })
 }
 
-/// A command with what it does and its keys, a chapter with its summary, or a row of the tree with its value.
+/// A command with its description and keys, a chapter with its summary, or a row of the tree with its value.
 fn entry_line(entry: &Entry, model: &Model, theme: Theme, columns: usize) -> Line<'static> {
-    let (beside, right) = match entry.found {
+    let (description, right) = match entry.found {
         Found::Command(_) | Found::Chapter(_) => (entry.help, entry.keys.clone()),
         Found::Row(node) => ("", tree::value(model, node)),
     };
     let right = cut(&right, columns / 2);
     let room = columns.saturating_sub(width(&right) + 1);
-    let name = match beside {
+    let name = match description {
         "" => cut(&entry.name, room),
         _ => format!("{:<NAMES$}", cut(&entry.name, NAMES.min(room))),
     };
-    let beside = cut(beside, room.saturating_sub(width(&name) + 1));
-    let blank = " ".repeat((room + 1).saturating_sub(width(&name) + 1 + width(&beside)));
+    let description = cut(description, room.saturating_sub(width(&name) + 1));
+    let blank = " ".repeat((room + 1).saturating_sub(width(&name) + 1 + width(&description)));
     Line::from(vec![
         Span::styled(name, theme.key()),
-        Span::styled(format!(" {beside}{blank}"), theme.dim()),
+        Span::styled(format!(" {description}{blank}"), theme.dim()),
         Span::raw(right),
     ])
 }

@@ -29,7 +29,7 @@ impl App {
             room
         });
         if !taken {
-            self.refuse_prompt(format!("more than {MOST_TYPED} bytes are not taken"));
+            self.refuse_prompt(format!("the text is limited to {MOST_TYPED} bytes"));
         }
         Vec::new()
     }
@@ -39,7 +39,7 @@ impl App {
         if !self.scope().is_typing() {
             let edit = self.keys.key_of(ModelCommand::Edit);
             self.refuse(format!(
-                "nothing is typed here: {edit} opens a value to paste into"
+                "there is no prompt: {edit} opens a value to paste into"
             ));
             return Vec::new();
         }
@@ -53,7 +53,7 @@ impl App {
         });
         if !taken {
             self.refuse_prompt(format!(
-                "what was pasted makes more than {MOST_TYPED} bytes: nothing is taken of it"
+                "the pasted text exceeds {MOST_TYPED} bytes: nothing was pasted"
             ));
         }
         Vec::new()

@@ -19,7 +19,7 @@ use crate::unit::FrequencyUnit;
 /// A prompt for one line.
 #[derive(Debug)]
 pub struct Prompt {
-    /// What it is for.
+    /// Its purpose.
     pub purpose: Purpose,
     /// The typed text.
     pub input: Input,
@@ -176,7 +176,7 @@ impl Question {
                 return (
                     format!(" Study of {subject} "),
                     format!(
-                        "factors, as 0.5 1 2; or = and values, as = 1e6 2e6 ({symbol}); or + and what is added"
+                        "factors, as 0.5 1 2; or = and values, as = 1e6 2e6 ({symbol}); or + and increments"
                     ),
                 );
             }
@@ -187,8 +187,10 @@ impl Question {
                     format!(" {}", unit.symbol)
                 };
                 return (
-                    format!(" Move {subject} between "),
-                    format!("LOW .. HIGH{symbol}; then perhaps +-5 % (tolerance), log or linear"),
+                    format!(" Bounds of {subject} "),
+                    format!(
+                        "LOW .. HIGH{symbol}; then optionally +-5 % (tolerance), log or linear"
+                    ),
                 );
             }
             Self::Objective { subject, .. } => {
@@ -206,13 +208,13 @@ impl Question {
                 "Load a measured curve",
                 format!("CSV or universal file (UFF 58); {complete} completes the path"),
             ),
-            Self::Columns { seen, .. } => ("What the columns are", seen.clone()),
+            Self::Columns { seen, .. } => ("Describe the columns", seen.clone()),
             Self::Curves(curves) => {
                 let title = format!(" Which of {} curves ", curves.len());
                 return (title, choose::allowed(curves));
             }
             Self::Export => (
-                "Write what is on the screen",
+                "Export the screen",
                 format!("path ending in .csv, .svg or .txt; {complete} completes it"),
             ),
         };

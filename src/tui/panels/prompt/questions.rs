@@ -87,9 +87,9 @@ impl App {
         let units = self.display.shown_units(&self.curves);
         let [unit] = units.as_slice() else {
             return self.refuse(if units.is_empty() {
-                "no response shows"
+                "no response is visible"
             } else {
-                "the curves that show have several units: 0 dB is 1 of each"
+                "the visible curves have several units: 0 dB is 1 of each"
             });
         };
         let text = format!("{:e}", self.display.decibel_reference(unit));
@@ -130,7 +130,7 @@ impl App {
         let (operation, values) = read_factors(text, unit)?;
         let now = edit::get(self.model(), id);
         if operation == Operation::Multiply && matches!(now, Ok(Value::Number(0.0))) {
-            return Err("factors leave a 0 as it is: = and values, as = 50 150".to_owned());
+            return Err("factors do not change a 0: = and values, as = 50 150".to_owned());
         }
         let mut changed = Model::clone(self.model());
         let path = path::text(&changed, id);
@@ -177,9 +177,8 @@ fn free_study_name(model: &Model, path: &str) -> String {
 /// A 0 dB reference in a unit: a number, or one with another unit of the same quantity.
 fn read_decibel_reference(text: &str, unit: &str) -> Result<f64, String> {
     let refusal = || {
-        value_input::decimal_comma(text).unwrap_or_else(|| {
-            format!("a number above 0 is wanted, in {unit} or a unit of its kind")
-        })
+        value_input::decimal_comma(text)
+            .unwrap_or_else(|| format!("type a number above 0, in {unit} or a unit of its kind"))
     };
     let value = plain(text, Unit::ONE).ok().or_else(|| {
         let [typed, own] = [text, unit].map(ValueUnit::parse);
@@ -214,7 +213,7 @@ fn read_factors(text: &str, unit: Unit) -> Result<(Operation, Vec<f64>), String>
     match values? {
         values if values.is_empty() => Err("type at least one factor or value".to_owned()),
         values if values.len() > MOST_CURVES => Err(format!(
-            "{} curves; {MOST_CURVES} are the most that can be told apart",
+            "{} curves; {MOST_CURVES} are the most that can be distinguished",
             values.len()
         )),
         values => Ok((operation, values)),
@@ -224,7 +223,7 @@ fn read_factors(text: &str, unit: Unit) -> Result<(Operation, Vec<f64>), String>
 /// A factor, also as 50% or *0.5; else a value with or without unit.
 fn number_of(word: &str, operation: Operation, unit: Unit) -> Result<f64, String> {
     let refusal = |_| {
-        format!("{word} is no number: factors, as 0.5 50% 2; = and values; + and what is added")
+        format!("{word} is not a number: factors, as 0.5 50% 2; = and values; + and increments")
     };
     if operation == Operation::Multiply {
         let word = word.trim_start_matches('*');
@@ -253,7 +252,7 @@ fn read_frequency(text: &str, unit: FrequencyUnit) -> Result<f64, String> {
     let (number, unit) = own.unwrap_or((text, unit));
     let hertz = plain(number, Unit::ONE).map(|value| value / unit.per_hertz());
     hertz.or_else(|_| plain(text, Unit::HERTZ)).map_err(|_| {
-        let form = "a frequency is wanted, as 120, 120 Hz, 754 rad/s or 7200 rpm";
+        let form = "type a frequency, as 120, 120 Hz, 754 rad/s or 7200 rpm";
         value_input::decimal_comma(text).unwrap_or_else(|| form.to_owned())
     })
 }

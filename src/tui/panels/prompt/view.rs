@@ -1,4 +1,4 @@
-//! The box in which a value, a name or a path is typed.
+//! The dialog to type a value, a name or a path.
 
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Position, Rect};
@@ -16,13 +16,13 @@ use crate::tui::view::frame::block_inside;
 use crate::tui::view::layout::Panels;
 use crate::tui::view::text::{cut, width, wrapped};
 
-/// Columns of a box whose text does not need more.
+/// Columns of a dialog with a short text.
 const COLUMNS: u16 = 56;
 
-/// Rows of a box for what is typed; of more, those about the cursor show.
+/// Rows for the typed text; of more, those around the cursor are visible.
 const MOST_ROWS: usize = 5;
 
-/// The row below the selected one of the tree; the top where the tree does not show.
+/// The row below the selected one of the tree; the top row if the tree is hidden.
 pub(crate) fn row_below(app: &App, panels: &Panels) -> u16 {
     if panels.tree.height == 0 {
         return 0;
@@ -33,7 +33,7 @@ pub(crate) fn row_below(app: &App, panels: &Panels) -> u16 {
     panels.tree.y + 2 + row.min(app.selection.rows().len()) as u16
 }
 
-/// Draws the box under the selected row.
+/// Draws the dialog below the selected row.
 pub(crate) fn draw(
     frame: &mut Frame<'_>,
     prompt: &Prompt,
@@ -48,7 +48,7 @@ pub(crate) fn draw(
         _ => &[],
     };
     let most = area.width.saturating_sub(2);
-    // A long text widens the box, and then goes on below.
+    // A long text widens the dialog, then wraps.
     let wanted = width(prompt.input.value()).min(usize::from(most)) as u16 + 5;
     let columns = wanted.max(COLUMNS).min(most);
     let text = usize::from(columns.saturating_sub(4));
@@ -58,10 +58,10 @@ pub(crate) fn draw(
         Some(refusal) => (wrapped(refusal, text), theme.refusal()),
         None => (wrapped(&allowed, text), theme.dim()),
     };
-    // The rows come first: the words may be more than the screen has room for.
+    // The typed rows come first: the help may be longer than the screen.
     lines.splice(0..0, preview.iter().map(|line| cut(line, text)));
     let height = lines.len() as u16 + 2 + typed_rows;
-    // Under the selected row, or above it where there is no room; on the screen in any case.
+    // Below the selected row, or above it if there is no room; always on the screen.
     let y = if below + height < area.height {
         below
     } else {
@@ -86,7 +86,7 @@ pub(crate) fn draw(
     frame.render_widget(Paragraph::new(lines), rest);
 }
 
-/// The title of a prompt, and what may be typed.
+/// The title of a prompt, and what can be typed.
 fn prompt_words(purpose: &Purpose, complete: &str) -> (String, String) {
     let path = || format!("path; {complete} completes it");
     match purpose {
@@ -106,7 +106,7 @@ fn prompt_words(purpose: &Purpose, complete: &str) -> (String, String) {
     }
 }
 
-/// What is typed in rows of a box, hidden characters escaped.
+/// The typed text in rows, hidden characters escaped.
 struct Typed {
     rows: Vec<String>,
     /// The column and the row of the cursor.
@@ -133,7 +133,7 @@ impl Typed {
         typed
     }
 
-    /// The rows that have room, that of the cursor among them.
+    /// The visible rows, with that of the cursor among them.
     fn draw(&self, frame: &mut Frame<'_>, area: Rect, style: Style) {
         let [column, row] = self.cursor;
         let first = (row + 1).saturating_sub(usize::from(area.height));
@@ -145,7 +145,7 @@ impl Typed {
     }
 }
 
-/// A text in rows of a width in columns, broken wherever a row ends; one row at least.
+/// A text in rows of a width in columns, broken where a row ends; at least one row.
 fn rows(text: &str, columns: usize) -> Vec<String> {
     let mut rows = vec![String::new()];
     let mut taken = 0;
@@ -193,7 +193,7 @@ mod tests {
         assert_eq!(typed("abcd", 4), (rows(&["abcd", ""]), [0, 1]));
         assert_eq!(typed("abcdef", 6), (rows(&["abcd", "ef"]), [2, 1]));
         assert_eq!(typed("abcdef", 4), (rows(&["abcd", "ef"]), [0, 1]));
-        // Two columns a character.
+        // Two columns per character.
         assert_eq!(
             typed("abc\u{4e2d}", 4),
             (rows(&["abc", "\u{4e2d}"]), [2, 1])

@@ -123,16 +123,16 @@ impl App {
         match (self.reading.second.take(), self.curves.cursor) {
             (Some(second), Some(cursor)) if second != cursor => {
                 self.reading.second = Some(cursor);
-                self.done("second cursor moved here; again at its place takes it away");
+                self.done("second cursor moved here; press again to remove it");
             }
-            (Some(_), _) => self.done("second cursor taken away"),
+            (Some(_), _) => self.done("second cursor removed"),
             (None, Some(cursor)) => {
                 self.reading.second = Some(cursor);
-                self.done("second cursor here: differences are counted from it");
+                self.done("second cursor here: differences are relative to it");
             }
             (None, None) => {
                 let key = self.keys.key_of(ReadingCommand::CursorRight);
-                self.refuse(format!("there is no cursor: {key} puts one on the chart"));
+                self.refuse(format!("there is no cursor: {key} shows it"));
             }
         }
     }
@@ -140,12 +140,12 @@ impl App {
     pub(crate) fn turn_harmonics(&mut self) {
         if self.curves.cursor.is_none() {
             let key = self.keys.key_of(ReadingCommand::CursorRight);
-            return self.refuse(format!("there is no cursor: {key} puts one on the chart"));
+            return self.refuse(format!("there is no cursor: {key} shows it"));
         }
         self.reading.harmonics = !self.reading.harmonics;
         let count = self.harmonics().len();
         self.done(match (self.reading.harmonics, count) {
-            (false, _) => "without harmonics".to_owned(),
+            (false, _) => "harmonics hidden".to_owned(),
             (true, 0) => "harmonics of the cursor: none within the sweep".to_owned(),
             (true, count) => format!("harmonics of the cursor: {count} within the sweep"),
         });

@@ -1,148 +1,134 @@
-//! The table of what every curve is at the cursors.
+//! The table of the curves' values at the cursors.
 
 use num_complex::Complex64;
-use ratatui::Frame;
-use ratatui::layout::Rect;
 
-use crate::tui::app::{App, List, Rows, Trace, Value};
+use crate::tui::app::{App, Member, Picture, Trace, Value};
 use crate::tui::scene::{self, ChartView};
-use crate::tui::theme::Theme;
-use crate::tui::view::table::{self, Column, Content};
+use crate::tui::view::table::Kind::Plain;
+use crate::tui::view::table::{Column, Content, column};
 
-/// The columns, in what there is room for.
-const LAYOUTS: [&[Column]; 3] = [
-    &[
-        ("curve", 22),
-        ("magnitude", 13),
-        ("unit", 11),
-        ("dB", 9),
-        ("phase deg", 11),
-        ("delta dB", 10),
-        ("ratio", 11),
-    ],
-    &[
-        ("curve", 16),
-        ("magnitude", 11),
-        ("unit", 8),
-        ("dB", 8),
-        ("deg", 7),
-        ("delta dB", 9),
-    ],
-    &[
-        ("curve", 10),
-        ("magnitude", 10),
-        ("dB", 8),
-        ("deg", 7),
-        ("delta dB", 9),
-    ],
+#[rustfmt::skip]
+const COLUMNS: [Column<Row>; 7] = [
+    column(Plain, &[("curve", 22), ("curve", 16), ("curve", 10)], label),
+    column(Plain, &[("magnitude", 13), ("magnitude", 11), ("magnitude", 10)], magnitude),
+    column(Plain, &[("unit", 11), ("unit", 8)], |_, row| row.unit.clone()),
+    column(Plain, &[("dB", 9), ("dB", 8), ("dB", 8)], |_, row| finite(row.decibels, |one| format!("{one:.2}"))),
+    column(Plain, &[("phase deg", 11), ("deg", 7), ("deg", 7)], phase),
+    column(Plain, &[("delta dB", 10), ("delta dB", 9), ("delta dB", 9)], delta),
+    column(Plain, &[("ratio", 11)], |_, row| finite(row.ratio, |ratio| format!("{ratio:.4e}"))),
 ];
 
-/// The columns of levels against a reference.
-const DIFFERENCES: [&[Column]; 2] = [
-    &[("curve", 30), ("dB", 12), ("delta dB", 12)],
-    &[("curve", 20), ("dB", 10), ("delta dB", 10)],
+/// The columns of levels relative to a reference.
+#[rustfmt::skip]
+const DIFFERENCES: [Column<Row>; 3] = [
+    column(Plain, &[("curve", 30), ("curve", 20)], label),
+    column(Plain, &[("dB", 12), ("dB", 10)], difference),
+    column(Plain, &[("delta dB", 12), ("delta dB", 10)], delta),
 ];
 
-/// A curve at the cursors.
+/// A curve at the cursor, and its change from the second cursor.
+#[derive(Default)]
 pub(crate) struct Row {
-    /// Its name.
     label: String,
     unit: String,
-    energy: bool,
-    /// The value of 0 dB.
-    reference: f64,
-    /// At the cursor, and at the second one.
-    values: [Option<Value>; 2],
-    /// Whether there is a phase.
-    phase: bool,
+    /// "~" between solved or measured points.
+    near: &'static str,
+    size: Option<f64>,
+    decibels: Option<f64>,
+    /// Degrees.
+    phase: Option<f64>,
+    /// Decibels.
+    delta: Option<f64>,
+    ratio: Option<f64>,
 }
 
-/// How many rows the table has.
-pub(crate) fn count(app: &App) -> usize {
-    if app.display.view == ChartView::Difference {
-        differences(app).len()
-    } else {
-        rows(app).len()
-    }
+fn label(_: &App, row: &Row) -> String {
+    row.label.clone()
 }
 
-/// The cells of every curve in the difference view.
-fn differences(app: &App) -> Vec<Vec<String>> {
-    let (Some(cursor), Some(picture)) = (app.curves.cursor, app.curves.picture()) else {
-        return Vec::new();
-    };
-    let mut rows = Vec::new();
-    for name in &app.curves.visible {
-        for (number, member) in picture.members.iter().enumerate() {
-            let Some(trace) = member.trace(name) else {
-                continue;
-            };
-            let at = |f| app.difference_at(number, trace, f);
-            let here = at(cursor);
-            let there = app.reading.second.and_then(at);
-            let decibels = |value: f64, near: &str| {
-                if value.is_finite() {
-                    format!("{near}{value:+.2}")
-                } else {
-                    "-".to_owned()
-                }
-            };
-            let none = || "-".to_owned();
-            rows.push(vec![
-                scene::label(&app.curves, trace, member),
-                here.map_or_else(none, |here| {
-                    decibels(here.decibels, if here.exact { "" } else { "~" })
-                }),
-                here.zip(there).map_or_else(none, |(here, there)| {
-                    decibels(here.decibels - there.decibels, "")
-                }),
-            ]);
-        }
-    }
-    rows
+fn magnitude(_: &App, row: &Row) -> String {
+    finite(row.size, |size| format!("{}{size:.3e}", row.near))
 }
 
-/// A row for each curve that shows, and for the harmonics of the first.
+fn phase(_: &App, row: &Row) -> String {
+    finite(row.phase, |degrees| format!("{:.1}", degrees + 0.0))
+}
+
+fn difference(_: &App, row: &Row) -> String {
+    finite(row.decibels, |one| format!("{}{one:+.2}", row.near))
+}
+
+fn delta(_: &App, row: &Row) -> String {
+    finite(row.delta, |delta| format!("{delta:+.2}"))
+}
+
+const fn near(is_exact: bool) -> &'static str {
+    if is_exact { "" } else { "~" }
+}
+
+fn finite(value: Option<f64>, text: impl Fn(f64) -> String) -> String {
+    let value = value.filter(|value| value.is_finite());
+    value.map_or_else(|| "-".to_owned(), text)
+}
+
+/// A row for each visible curve, and for the harmonics of the first.
 pub(crate) fn rows(app: &App) -> Vec<Row> {
     let Some(cursor) = app.curves.cursor else {
         return Vec::new();
     };
+    if app.display.view == ChartView::Difference {
+        return differences(app, cursor);
+    }
     let mut rows = model(app, cursor);
     rows.extend(references(app, cursor));
     rows.extend(measured(app, cursor));
-    rows.extend(harmonics(app));
+    rows.extend(harmonics(app, cursor));
     rows
 }
 
-fn row(app: &App, label: String, trace: &Trace, values: [Option<Value>; 2]) -> Row {
-    let dimension = app.display.dimension_of(trace);
-    let unit = app.display.unit_of(dimension.as_ref());
-    Row {
-        label,
-        energy: trace.dimension.is_none(),
-        reference: app.decibel_zero(&unit),
-        unit,
-        values,
-        phase: trace.dimension.is_some(),
-    }
+/// The visible curves of a picture, with the number of their member.
+fn traces<'a>(
+    app: &'a App,
+    picture: &'a Picture,
+) -> impl Iterator<Item = (usize, &'a Member, &'a Trace)> {
+    app.curves.visible.iter().flat_map(move |name| {
+        let members = picture.members.iter().enumerate();
+        members.filter_map(move |(number, member)| Some((number, member, member.trace(name)?)))
+    })
+}
+
+/// The model relative to the reference.
+fn differences(app: &App, cursor: f64) -> Vec<Row> {
+    let pictures = app.curves.picture().into_iter();
+    let traces = pictures.flat_map(|picture| traces(app, picture));
+    traces
+        .map(|(number, member, trace)| {
+            let at = |f| app.difference_at(number, trace, f);
+            let here = at(cursor);
+            let there = app.reading.second.and_then(at);
+            Row {
+                label: scene::label(&app.curves, trace, member),
+                near: near(here.is_none_or(|here| here.exact)),
+                decibels: here.map(|here| here.decibels),
+                delta: here
+                    .zip(there)
+                    .map(|(here, there)| here.decibels - there.decibels),
+                ..Row::default()
+            }
+        })
+        .collect()
 }
 
 fn model(app: &App, cursor: f64) -> Vec<Row> {
-    let Some(picture) = app.curves.picture() else {
-        return Vec::new();
-    };
-    let mut rows = Vec::new();
-    for name in &app.curves.visible {
-        for (number, member) in picture.members.iter().enumerate() {
-            for trace in member.traces.iter().filter(|one| one.response == *name) {
-                let label = scene::label(&app.curves, trace, member);
-                let at = |f| app.value_at(number, trace, f);
-                let values = [at(cursor), app.reading.second.and_then(at)];
-                rows.push(row(app, label, trace, values));
-            }
-        }
-    }
-    rows
+    let pictures = app.curves.picture().into_iter();
+    let traces = pictures.flat_map(|picture| traces(app, picture));
+    traces
+        .map(|(number, member, trace)| {
+            let at = |f| app.value_at(number, trace, f);
+            let values = [at(cursor), app.reading.second.and_then(at)];
+            row(app, scene::label(&app.curves, trace, member), trace, values)
+        })
+        .collect()
 }
 
 fn references(app: &App, cursor: f64) -> Vec<Row> {
@@ -151,27 +137,22 @@ fn references(app: &App, cursor: f64) -> Vec<Row> {
         let Some(picture) = &reference.picture else {
             continue;
         };
-        for name in &app.curves.visible {
-            for (number, member) in picture.members.iter().enumerate() {
-                for trace in member.traces.iter().filter(|one| one.response == *name) {
-                    let label = match &member.label {
-                        Some(label) => format!("{} {label}", reference.name),
-                        None if app.curves.visible.len() > 1 => {
-                            format!("{} {name}", reference.name)
-                        }
-                        None => reference.name.clone(),
-                    };
-                    let at = |f| app.reference_at((reference.id, number), member, trace, f);
-                    let values = [at(cursor), app.reading.second.and_then(at)];
-                    rows.push(row(app, label, trace, values));
-                }
-            }
-        }
+        rows.extend(traces(app, picture).map(|(number, member, trace)| {
+            let name = &reference.name;
+            let label = match &member.label {
+                Some(label) => format!("{name} {label}"),
+                None if app.curves.visible.len() > 1 => format!("{name} {}", trace.response),
+                None => name.clone(),
+            };
+            let at = |f| app.reference_at((reference.id, number), member, trace, f);
+            let values = [at(cursor), app.reading.second.and_then(at)];
+            row(app, label, trace, values)
+        }));
     }
     rows
 }
 
-/// Measured curves, between their points.
+/// Measured curves, interpolated.
 fn measured(app: &App, cursor: f64) -> Vec<Row> {
     app.measured_shown()
         .map(|(one, response)| {
@@ -183,22 +164,20 @@ fn measured(app: &App, cursor: f64) -> Vec<Row> {
                     exact: false,
                 })
             };
-            let (unit, energy) = (app.display.unit_of(response), one.is_energy(response));
-            Row {
-                label: one.name.clone(),
-                energy,
-                reference: app.decibel_zero(&unit),
-                unit,
-                values: [at(cursor), app.reading.second.and_then(at)],
-                phase: one.curve.phase_known && !energy,
-            }
+            let unit = app.display.unit_of(response);
+            let values = [at(cursor), app.reading.second.and_then(at)];
+            let mut row = reading(app, unit, one.is_energy(response), values);
+            row.label.clone_from(&one.name);
+            row.phase = row.phase.filter(|_| one.curve.phase_known);
+            row
         })
         .collect()
 }
 
-/// The first curve at the harmonics of the cursor; differences are to the second cursor, or to the cursor itself.
-fn harmonics(app: &App) -> Vec<Row> {
-    let (Some((_, trace)), Some(cursor)) = (app.curves.first_trace(), app.curves.cursor) else {
+/// The first curve at the harmonics of the cursor; differences are relative to the second cursor,
+/// or to the cursor itself.
+fn harmonics(app: &App, cursor: f64) -> Vec<Row> {
+    let Some((_, trace)) = app.curves.first_trace() else {
         return Vec::new();
     };
     let harmonics = app.harmonics().into_iter().enumerate();
@@ -215,41 +194,58 @@ fn harmonics(app: &App) -> Vec<Row> {
         .collect()
 }
 
-pub(crate) fn draw(
-    frame: &mut Frame<'_>,
-    app: &App,
-    list: &mut List,
-    theme: Theme,
-    area: Rect,
-) -> Rows {
-    let difference = app.display.view == ChartView::Difference;
+fn row(app: &App, label: String, trace: &Trace, values: [Option<Value>; 2]) -> Row {
+    let dimension = app.display.dimension_of(trace);
+    let unit = app.display.unit_of(dimension.as_ref());
+    Row {
+        label,
+        ..reading(app, unit, trace.dimension.is_none(), values)
+    }
+}
+
+/// A row without its label, from the values at the two cursors.
+fn reading(app: &App, unit: String, energy: bool, [here, there]: [Option<Value>; 2]) -> Row {
+    let reference = app.decibel_zero(&unit);
+    let factor = if energy { 10.0 } else { 20.0 };
+    let size = |value: Complex64| if energy { value.re } else { value.norm() };
+    let near = near(here.is_none_or(|here| here.exact));
+    let [here, there] = [here, there].map(|one| one.map(|value| value.shown));
+    let pair = here.zip(there);
+    Row {
+        label: String::new(),
+        unit,
+        near,
+        size: here.map(size),
+        decibels: here.map(|here| factor * (size(here) / reference).log10()),
+        phase: here
+            .filter(|here| !energy && *here != Complex64::ZERO)
+            .map(|here| here.arg().to_degrees()),
+        delta: pair.map(|(here, there)| scene::difference(energy, here, there)),
+        ratio: pair.map(|(here, there)| size(here) / size(there)),
+    }
+}
+
+pub(crate) fn content<'a>(app: &App, rows: &'a [Row]) -> Content<'a, Row> {
     let (title, note) = words(app);
-    let columns = if difference {
-        table::fitting(&DIFFERENCES, area.width)
-    } else {
-        table::fitting(&LAYOUTS, area.width)
-    };
-    let cells: Vec<Vec<String>> = if difference {
-        differences(app)
-    } else {
-        let rows = rows(app);
-        rows.iter().map(|row| cells(row, columns)).collect()
-    };
-    let content = Content {
+    Content {
         title,
         warns: false,
-        frequency_unit: app.display.unit,
         note,
-        columns,
-        row: &|index| cells.get(index).cloned().unwrap_or_default(),
-        empty: if app.curves.cursor.is_none() {
-            "no cursor is on the chart"
+        columns: if app.display.view == ChartView::Difference {
+            &DIFFERENCES
         } else {
-            "no response shows"
+            &COLUMNS
         },
+        rows,
+        sentences: Vec::new(),
+        empty: if app.curves.cursor.is_none() {
+            "there is no cursor on the chart"
+        } else {
+            "no response is visible"
+        }
+        .into(),
         stale: app.curves.is_stale(),
-    };
-    table::draw(frame, &content, list, theme, area)
+    }
 }
 
 /// The title and the note of the table.
@@ -278,40 +274,4 @@ fn words(app: &App) -> (String, String) {
             (format!("At {at}, {delta} from the second cursor"), note)
         }
     }
-}
-
-fn cells(row: &Row, columns: &[Column]) -> Vec<String> {
-    let none = || "-".to_owned();
-    let [here, there] = row.values;
-    let size = |value: Complex64| {
-        if row.energy { value.re } else { value.norm() }
-    };
-    let factor = if row.energy { 10.0 } else { 20.0 };
-    let finite = |text: String, value: f64| if value.is_finite() { text } else { none() };
-    let value = |here: Value| here.shown;
-    let near = if here.is_some_and(|here| !here.exact) {
-        "~"
-    } else {
-        ""
-    };
-    let decibels = here.map(|here| factor * (size(value(here)) / row.reference).log10());
-    let phase = here
-        .filter(|here| row.phase && value(*here) != Complex64::ZERO)
-        .map(|here| value(here).arg().to_degrees());
-    let pair = here.zip(there);
-    let delta = pair.map(|(a, b)| scene::difference(row.energy, value(a), value(b)));
-    let ratio = pair.map(|(a, b)| size(value(a)) / size(value(b)));
-    let cell = |name: &str| match name {
-        "curve" => row.label.clone(),
-        "unit" => row.unit.clone(),
-        "magnitude" => here.map_or_else(none, |here| {
-            let size = size(value(here));
-            finite(format!("{near}{size:.3e}"), size)
-        }),
-        "dB" => decibels.map_or_else(none, |one| finite(format!("{one:.2}"), one)),
-        "delta dB" => delta.map_or_else(none, |one| finite(format!("{one:+.2}"), one)),
-        "ratio" => ratio.map_or_else(none, |one| finite(format!("{one:.4e}"), one)),
-        _ => phase.map_or_else(none, |one| finite(format!("{:.1}", one + 0.0), one)),
-    };
-    columns.iter().map(|(name, _)| cell(name)).collect()
 }

@@ -52,17 +52,17 @@ impl App {
             return;
         };
         search.typing = false;
-        let (sought, count) = (search.input.value().to_owned(), search.found.len());
+        let (query, count) = (search.input.value().to_owned(), search.found.len());
         let next = self.keys.key_of(TreeCommand::NextAlike);
-        if sought.trim().is_empty() {
+        if query.trim().is_empty() {
             self.search = None;
         } else if count == 0 {
             self.search = None;
-            self.refuse(format!("no row has `{sought}` in its name"));
+            self.refuse(format!("no row has `{query}` in its name"));
         } else {
             let end = self.keys.key_of(ReadingCommand::CursorOff);
             self.done(format!(
-                "`{sought}`: {}; {next} goes to the next, {end} ends the search",
+                "`{query}`: {}; {next} goes to the next, {end} ends the search",
                 counted(count, "row", "rows")
             ));
         }
@@ -76,8 +76,8 @@ impl App {
         };
         let count = search.found.len();
         if count == 0 {
-            let sought = search.input.value();
-            return self.refuse(format!("no row has `{sought}` in its name"));
+            let query = search.input.value();
+            return self.refuse(format!("no row has `{query}` in its name"));
         }
         let here = self.selection.node();
         let next = match (search.place(here), forward) {
@@ -86,10 +86,10 @@ impl App {
             (None, _) => search.nearest(&model, here, forward),
         };
         let node = search.found[next];
-        let sought = search.input.value().to_owned();
+        let query = search.input.value().to_owned();
         self.selection.select(&model, node);
         self.done(format!(
-            "`{sought}`: {} of {}",
+            "`{query}`: {} of {}",
             next + 1,
             counted(count, "row", "rows")
         ));

@@ -45,7 +45,7 @@ impl App {
             });
         } else {
             self.tables.close(Table::Sensitivities);
-            self.done("without sensitivities");
+            self.done("sensitivities hidden");
         }
     }
 

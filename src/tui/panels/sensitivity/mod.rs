@@ -6,7 +6,7 @@ pub(crate) mod view;
 
 use std::sync::Arc;
 
-pub use effects::Effects;
+pub use effects::{Effects, Weighed};
 
 use crate::model::Checked;
 use crate::tui::app::last_request::LastRequest;

@@ -1,84 +1,51 @@
-//! Which parameter matters: the table, and the bars of the tree.
+//! Sensitivities: the table, and the bars of the tree.
 
-use ratatui::Frame;
-use ratatui::layout::Rect;
-
-use crate::tui::app::{App, Effects, List, Rows, Sensed};
+use crate::tui::app::{App, Effects, Sensed, Weighed};
 use crate::tui::theme::Theme;
 use crate::tui::tree::Node;
-use crate::tui::view::table::{self, Column, Content};
-use crate::tui::view::text::{cut, significant, width};
+use crate::tui::view::table::Kind::{Name, Plain};
+use crate::tui::view::table::{Column, Content, column};
+use crate::tui::view::text::significant;
 
-/// Cells of a bar at either side of its axis.
+/// Cells of a bar on either side of its axis.
 const HALF: usize = 3;
 
-/// Columns for a level, in what there is room for.
-const LEVEL: [&[Column]; 2] = [
-    &[
-        ("parameter", 32),
-        ("", 10),
-        ("dB for p x e", 14),
-        ("for +1 %", 12),
-    ],
-    &[("parameter", 24), ("", 9), ("dB", 8)],
+/// Columns for a level.
+#[rustfmt::skip]
+const LEVEL: [Column<Weighed>; 4] = [
+    column(Name, &[("parameter", 32), ("parameter", 24)], name),
+    column(Plain, &[("", 10), ("", 9)], bar_of),
+    column(Plain, &[("dB for p x e", 14), ("dB", 8)], level),
+    column(Plain, &[("for +1 %", 12)], |_, row| number(row.effect.level.map(|one| one * 1.01_f64.ln()))),
 ];
 
 /// Columns for a peak.
-const PEAK: [&[Column]; 2] = [
-    &[
-        ("parameter", 30),
-        ("", 10),
-        ("dB for p x e", 14),
-        ("shift", 12),
-    ],
-    &[("parameter", 18), ("", 8), ("dB", 8), ("shift", 8)],
+#[rustfmt::skip]
+const PEAK: [Column<Weighed>; 4] = [
+    column(Name, &[("parameter", 30), ("parameter", 18)], name),
+    column(Plain, &[("", 10), ("", 8)], bar_of),
+    column(Plain, &[("dB for p x e", 14), ("dB", 8)], level),
+    column(Plain, &[("shift", 12), ("shift", 8)], shift),
 ];
 
 /// Columns for a mode.
-const MODE: [&[Column]; 2] = [
-    &[
-        ("parameter", 30),
-        ("", 10),
-        ("shift for p x e", 16),
-        ("damping %", 12),
-    ],
-    &[("parameter", 17), ("", 8), ("shift", 9), ("damp %", 8)],
+#[rustfmt::skip]
+const MODE: [Column<Weighed>; 4] = [
+    column(Name, &[("parameter", 30), ("parameter", 17)], name),
+    column(Plain, &[("", 10), ("", 8)], bar_of),
+    column(Plain, &[("shift for p x e", 16), ("shift", 9)], shift),
+    column(Plain, &[("damping %", 12), ("damp %", 8)], damping),
 ];
 
-pub(crate) fn draw(
-    frame: &mut Frame<'_>,
-    app: &App,
-    list: &mut List,
-    theme: Theme,
-    area: Rect,
-) -> Rows {
+pub(crate) fn content(app: &App) -> Content<'_, Weighed> {
     let effects = app.sensitivities.effects.as_ref();
     let sensed = effects
         .map(|effects| effects.sensed)
         .or(app.sensitivities.sensed);
-    let columns = table::fitting(
-        match sensed {
-            Some(Sensed::Mode) => &MODE,
-            Some(Sensed::Peak) => &PEAK,
-            Some(Sensed::Cursor | Sensed::Band) | None => &LEVEL,
-        },
-        area.width,
-    );
-    let rows = effects.map_or(&[][..], |effects| &effects.rows);
-    let longest = rows.iter().map(|row| width(&row.name)).max().unwrap_or(0);
-    let columns = &*table::widened(columns, longest, area.width);
-    let empty = match (&app.sensitivities.failure, sensed) {
-        (Some(failure), _) => failure.as_str(),
-        (None, None) => "what they are of is chosen by the key that opened this table",
-        (None, Some(_)) if effects.is_some() => "no parameter matters",
-        (None, Some(_)) if app.lacks_figure() => "there is none now that they could be of",
-        (None, Some(_)) => "solving",
-    };
     let lack = effects.and_then(|effects| effects.lack.as_deref());
-    let content = Content {
+    Content {
         title: title(app, effects),
         warns: app.sensitivities.failure.is_some() || lack.is_some(),
-        frequency_unit: app.display.unit,
         note: match (lack, sensed) {
             (Some(reason), _) => reason.to_owned(),
             (None, Some(Sensed::Peak | Sensed::Mode)) => {
@@ -86,12 +53,23 @@ pub(crate) fn draw(
             }
             (None, _) => String::new(),
         },
-        columns,
-        row: &|row| cells(app, theme, row, columns),
-        empty,
+        columns: match sensed {
+            Some(Sensed::Mode) => &MODE,
+            Some(Sensed::Peak) => &PEAK,
+            Some(Sensed::Cursor | Sensed::Band) | None => &LEVEL,
+        },
+        rows: effects.map_or(&[], |effects| &effects.rows),
+        sentences: Vec::new(),
+        empty: match (&app.sensitivities.failure, sensed) {
+            (Some(failure), _) => failure.as_str(),
+            (None, None) => "what they are of is chosen by the key that opened this table",
+            (None, Some(_)) if effects.is_some() => "no parameter matters",
+            (None, Some(_)) if app.lacks_figure() => "there is none now that they could be of",
+            (None, Some(_)) => "solving",
+        }
+        .into(),
         stale: effects.is_some_and(|effects| effects.generation != app.curves.generation),
-    };
-    table::draw(frame, &content, list, theme, area)
+    }
 }
 
 /// What the sensitivities are of.
@@ -114,31 +92,30 @@ fn title(app: &App, effects: Option<&Effects>) -> String {
     }
 }
 
-fn cells(app: &App, theme: Theme, row: usize, columns: &[Column]) -> Vec<String> {
-    let Some(effects) = &app.sensitivities.effects else {
-        return Vec::new();
-    };
-    let Some(row) = effects.rows.get(row) else {
-        return Vec::new();
-    };
-    let one = &row.effect;
-    let room = columns.first().map_or(0, |column| column.1 - 1);
-    let name = cut(&row.name, room);
-    let name = format!("{name}{}", " ".repeat(room - width(&name)));
-    let number = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), signed);
-    let shift = one.frequency.map(|f| f * app.display.unit.per_hertz());
-    let bar = bar(effects.share(row), theme);
-    match effects.sensed {
-        Sensed::Cursor | Sensed::Band => {
-            let percent = one.level.map(|level| level * 1.01_f64.ln());
-            vec![name, bar, number(one.level), number(percent)]
-        }
-        Sensed::Peak => vec![name, bar, number(one.level), number(shift)],
-        Sensed::Mode => {
-            let damping = one.damping_ratio.map(|ratio| 100.0 * ratio);
-            vec![name, bar, number(shift), number(damping)]
-        }
-    }
+fn name(_: &App, row: &Weighed) -> String {
+    row.name.clone()
+}
+
+fn bar_of(app: &App, row: &Weighed) -> String {
+    let effects = app.sensitivities.effects.as_ref();
+    bar(effects.map_or(0.0, |effects| effects.share(row)), app.theme)
+}
+
+fn level(_: &App, row: &Weighed) -> String {
+    number(row.effect.level)
+}
+
+fn shift(app: &App, row: &Weighed) -> String {
+    let shift = row.effect.frequency;
+    number(shift.map(|shift| shift * app.display.unit.per_hertz()))
+}
+
+fn damping(_: &App, row: &Weighed) -> String {
+    number(row.effect.damping_ratio.map(|ratio| 100.0 * ratio))
+}
+
+fn number(value: Option<f64>) -> String {
+    value.map_or_else(|| "-".to_owned(), signed)
 }
 
 /// A number with its sign.
@@ -151,9 +128,9 @@ fn signed(value: f64) -> String {
     }
 }
 
-/// A bar from its axis to the left for what is below 0, to the right for what is above; `share` from -1 to 1.
+/// A bar from its axis to the left for negative values, to the right for positive ones; `share` from -1 to 1.
 fn bar(share: f64, theme: Theme) -> String {
-    // What there is at all shows.
+    // Any value other than 0 is visible.
     let halves = (share.abs() * (2 * HALF) as f64).round() as usize;
     let (full, half) = (halves / 2, halves % 2);
     let (left_half, right_half) = if theme.is_ascii() {
@@ -171,7 +148,7 @@ fn bar(share: f64, theme: Theme) -> String {
     }
 }
 
-/// What stands in place of a row's value in the tree: its bar and its effect; none where sensitivities do not show.
+/// The content of a row in place of its value: its bar and its effect; none if sensitivities are hidden.
 pub(crate) fn in_tree(app: &App, theme: Theme, node: Node) -> Option<String> {
     app.sensitivities.sensed?;
     let effects = app.sensitivities.effects.as_ref()?;
@@ -204,7 +181,7 @@ mod tests {
 
     #[test]
     fn bars_are_as_long_as_their_share() {
-        // Closed form: three cells are the whole, half a cell a sixth.
+        // Closed form: three cells are the full length, half a cell is a sixth.
         let theme = Theme::new(true);
         assert_eq!(bar(1.0, theme), "   │███");
         assert_eq!(bar(-1.0, theme), "███│   ");

@@ -64,7 +64,7 @@ impl App {
                 let to = self.display.frequency_text(list.to);
                 self.refuse(format!("there is no mode below {to}"));
             }
-            None => self.refuse("there is no further mode in the sweep"),
+            None => self.refuse("there is no next mode in the sweep"),
         }
     }
 
@@ -82,11 +82,9 @@ impl App {
         if self.fem_overlay.toggle() {
             self.requests.fem = None;
             let key = self.keys.key_of(ModesCommand::FiniteElements);
-            self.done(format!(
-                "finite elements as points; {key} leaves them out again"
-            ));
+            self.done(format!("finite elements as points; {key} hides them"));
         } else {
-            self.done("without finite elements");
+            self.done("finite elements hidden");
         }
     }
 

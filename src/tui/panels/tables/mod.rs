@@ -4,45 +4,23 @@ mod commands;
 mod selected;
 
 use crate::tui::app::list::List;
+use crate::words::words;
 
-/// A table below the chart.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Table {
-    /// The modes of the model.
-    Modes,
-    /// The peaks of the first visible curve.
-    Peaks,
-    /// The values of the curves at the cursors.
-    Readings,
-    /// The levels in the marked band.
-    Band,
-    /// The sensitivities.
-    Sensitivities,
-    /// The search for better parameters.
-    Tuning,
-}
-
-impl Table {
-    /// Every table.
-    pub const ALL: [Self; 6] = [
-        Self::Modes,
-        Self::Peaks,
-        Self::Readings,
-        Self::Band,
-        Self::Sensitivities,
-        Self::Tuning,
-    ];
-
-    /// Its word in the stored view state.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Modes => "modes",
-            Self::Peaks => "peaks",
-            Self::Readings => "readings",
-            Self::Band => "band",
-            Self::Sensitivities => "sensitivities",
-            Self::Tuning => "tuning",
-        }
+words! {
+    /// A table below the chart; its words are in the stored view state.
+    pub enum Table {
+        /// The modes of the model.
+        Modes = "modes",
+        /// The peaks of the first visible curve.
+        Peaks = "peaks",
+        /// The values of the curves at the cursors.
+        Readings = "readings",
+        /// The levels in the marked band.
+        Band = "band",
+        /// The sensitivities.
+        Sensitivities = "sensitivities",
+        /// The search for better parameters.
+        Tuning = "tuning",
     }
 }
 

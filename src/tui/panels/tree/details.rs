@@ -1,4 +1,4 @@
-//! What is known of the selected row: symbol, unit, meaning, range, and its value before and now.
+//! The details of the selected row: symbol, unit, meaning, range, and its value before and after.
 
 use ratatui::Frame;
 use ratatui::layout::Rect;
@@ -7,6 +7,7 @@ use ratatui::widgets::Paragraph;
 
 use crate::model::edit::Value;
 use crate::model::{Parameter, path};
+use crate::solve;
 use crate::tui::app::App;
 use crate::tui::panels::tree::summary;
 use crate::tui::theme::Theme;
@@ -55,10 +56,13 @@ fn lines(app: &App, theme: Theme, node: Node, columns: usize) -> Vec<Line<'stati
     }
     lines.extend(meaning(theme, &parameter, columns));
     lines.extend(dimmed(&allowed(&parameter), columns, theme));
+    for note in solve::notes(model).iter().filter(|note| note.id == id) {
+        lines.extend(plain(&note.message, columns));
+    }
     lines
 }
 
-/// The symbol, and beside it what it means.
+/// The symbol and its meaning.
 fn meaning(theme: Theme, parameter: &Parameter, columns: usize) -> Vec<Line<'static>> {
     let indent = if parameter.symbol.is_empty() {
         0
@@ -93,7 +97,7 @@ fn dimmed(text: &str, columns: usize, theme: Theme) -> Vec<Line<'static>> {
         .collect()
 }
 
-/// The unit and what is allowed.
+/// The unit and the allowed range.
 fn allowed(parameter: &Parameter) -> String {
     if !parameter.choices.is_empty() {
         return parameter.choices.join(", ");
@@ -105,7 +109,7 @@ fn allowed(parameter: &Parameter) -> String {
     }
 }
 
-/// The value; where it differs from the file's, that before it and the difference.
+/// The value; if it differs from the file's, also the old value and the difference.
 fn value_line(app: &App, theme: Theme, parameter: &Parameter, columns: usize) -> Line<'static> {
     let now = tree::of_parameter(parameter, &parameter.value);
     let before = app.saved_value(parameter.id);
@@ -126,7 +130,7 @@ fn value_line(app: &App, theme: Theme, parameter: &Parameter, columns: usize) ->
     )
 }
 
-/// A relative difference in percent, as finely as it matters.
+/// A relative difference in percent, with as many digits as are useful.
 fn percent(difference: f64) -> String {
     let percent = difference * 100.0;
     match percent.abs() {

@@ -94,13 +94,13 @@ impl Selection {
     pub fn refresh(&mut self, model: &Model) {
         let node = self.rows.get(self.cursor).map(|row| row.node);
         self.rows = tree::rows(model, |node| self.open.contains(&node));
-        let mut sought = node;
-        while let Some(node) = sought {
+        let mut shown = node;
+        while let Some(node) = shown {
             if let Some(found) = self.rows.iter().position(|row| row.node == node) {
                 self.cursor = found;
                 break;
             }
-            sought = node.parent();
+            shown = node.parent();
         }
         self.cursor = self.cursor.min(self.rows.len().saturating_sub(1));
         self.scroll();

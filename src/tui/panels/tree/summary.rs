@@ -1,4 +1,4 @@
-//! What is worth knowing of a group of the tree.
+//! The summary of a group of the tree.
 
 use std::f64::consts::PI;
 
@@ -7,7 +7,7 @@ use crate::tui::keys::{CurvesCommand, KeyMap, ModelCommand, TuneCommand};
 use crate::tui::tree::{self, Node};
 use crate::tune::words;
 
-/// What the details say of a row that is no parameter, a line for each thing.
+/// The details of a row that is not a parameter, one line per fact.
 pub(crate) fn of(model: &Model, node: Node, keys: &KeyMap) -> String {
     let group = match node {
         Node::Group(group) => group,
@@ -19,7 +19,7 @@ pub(crate) fn of(model: &Model, node: Node, keys: &KeyMap) -> String {
         Group::Material => material(&model.beam.material),
         Group::Section => section(&model.beam.section),
         Group::Supports => format!(
-            "what holds the two ends; {} on an end takes the next kind",
+            "the supports of the two ends; {} on an end selects the next kind",
             keys.key_of(ModelCommand::Cycle)
         ),
         Group::Subsystems => enabled_of(model.subsystems.iter().map(|one| one.enabled), keys),
@@ -36,7 +36,7 @@ pub(crate) fn of(model: &Model, node: Node, keys: &KeyMap) -> String {
             format!("{edit} shows a study's curves, {study} the next study's")
         }
         Group::Tune => format!(
-            "what a search may move, and what for; {} starts it",
+            "variables and objectives of a search; {} starts it",
             keys.key_of(TuneCommand::Tune)
         ),
         Group::Variable(i) => tree::variable_at(model, i)
@@ -66,14 +66,25 @@ fn section(section: &Section) -> String {
     let area = Unit::AREA.format(section.area);
     let moments =
         [section.second_moment_y, section.second_moment_z].map(|of| Unit::METRE_4.format(of));
-    let offset = Unit::METRE.format(section.centroid_offset);
-    format!(
-        "A {area}\nI_y {}\nI_z {}\nz_c {offset}",
-        moments[0], moments[1]
-    )
+    let product = (section.product_moment != 0.0)
+        .then(|| format!("I_yz {}", Unit::METRE_4.format(section.product_moment)));
+    let along_y = (section.centroid_offset_y != 0.0)
+        .then(|| format!("y_c {}", Unit::METRE.format(section.centroid_offset_y)));
+    let mut lines = vec![
+        format!("A {area}"),
+        format!("I_y {}", moments[0]),
+        format!("I_z {}", moments[1]),
+    ];
+    lines.extend(product);
+    lines.extend(along_y);
+    lines.push(format!(
+        "z_c {}",
+        Unit::METRE.format(section.centroid_offset)
+    ));
+    lines.join("\n")
 }
 
-/// A subsystem's mass, and its frequencies on springs whose other ends do not move and whose arms are nothing.
+/// A subsystem's mass, and its frequencies on springs with fixed other ends and without arms.
 fn subsystem(one: &Subsystem) -> String {
     let alone = |stiffness: f64| Unit::HERTZ.format((stiffness / one.mass).sqrt() / (2.0 * PI));
     format!(

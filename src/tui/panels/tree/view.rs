@@ -1,4 +1,4 @@
-//! The tree's rows. Only those on the screen are made into text.
+//! The tree's rows. Only visible ones are made into text.
 
 use ratatui::Frame;
 use ratatui::layout::Rect;
@@ -56,7 +56,7 @@ fn row_line(app: &App, theme: Theme, row: Row, columns: u16) -> Line<'static> {
     let value = effect.unwrap_or_else(|| tree::value(model, row.node));
     let before = 3 + indent.len() + usize::from(swatch.is_some()) * 2;
     let room = columns.saturating_sub(before + 1);
-    // The value is what one looks for; the label gives way, but keeps a few letters.
+    // The value is more important; the label gives way, but keeps a few letters.
     let value = cut(&value, room.saturating_sub(width(&label).min(8) + 1));
     let label = cut(
         &label,
@@ -84,7 +84,7 @@ fn row_line(app: &App, theme: Theme, row: Row, columns: u16) -> Line<'static> {
     Line::from(spans)
 }
 
-/// The marker of a response that shows, in the colour of its curve.
+/// The marker of a visible response, in the colour of its curve.
 fn swatch(app: &App, theme: Theme, node: Node) -> Option<Span<'static>> {
     let Node::Group(Group::Response(i)) = node else {
         return None;

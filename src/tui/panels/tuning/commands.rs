@@ -28,16 +28,18 @@ impl App {
             Progress::Searching => {
                 run.pause.set(true);
                 run.progress = Progress::Paused;
-                format!("paused: {go} goes on, {accept} takes the best so far, {discard} drops it")
+                format!(
+                    "paused: {go} continues, {accept} applies the best so far, {discard} discards it"
+                )
             }
             Progress::Paused => {
                 run.pause.set(false);
                 run.progress = Progress::Searching;
-                "the search goes on".to_owned()
+                "the search continues".to_owned()
             }
             Progress::Found(_) => {
                 return self.refuse(format!(
-                    "{accept} takes what was found, {discard} drops it; then a new search can start"
+                    "{accept} applies the result, {discard} discards it; then a new search can start"
                 ));
             }
             Progress::Failed(_) => {
@@ -53,7 +55,7 @@ impl App {
             .map(|one| self.keys.key_of(one));
         if self.model().tune.is_none() {
             return self.refuse(format!(
-                "nothing may move yet: {variable} lets the selected parameter, {objective} says what for"
+                "no variables yet: {variable} adds the selected parameter, {objective} an objective"
             ));
         }
         let model = Arc::clone(self.document.model());
@@ -84,7 +86,7 @@ impl App {
         ]
         .map(|command| self.keys.key_of(command));
         self.done(format!(
-            "searching: {go} pauses, {accept} takes the best so far, {discard} drops it"
+            "searching: {go} pauses, {accept} applies the best so far, {discard} discards it"
         ));
     }
 
@@ -144,7 +146,7 @@ impl App {
                 let [accept, discard] = [TuneCommand::TuneAccept, TuneCommand::TuneDiscard]
                     .map(|command| self.keys.key_of(command));
                 self.done(format!(
-                    "{stop}: {accept} takes what was found, {discard} drops it"
+                    "{stop}: {accept} applies the result, {discard} discards it"
                 ));
                 Some(best)
             }
@@ -177,14 +179,14 @@ impl App {
     pub(crate) fn accept_tuning(&mut self) {
         let Some(run) = &self.tuning.run else {
             let go = self.keys.key_of(TuneCommand::Tune);
-            return self.refuse(format!("nothing was sought: {go} starts a search"));
+            return self.refuse(format!("there is no search: {go} starts one"));
         };
         let Some(best) = run.best() else {
-            return self.refuse("nothing is found yet");
+            return self.refuse("the search has no result yet");
         };
         let changed = match taken_over(self.model(), &run.from, best) {
             Ok(changed) => changed,
-            Err(reason) => return self.refuse(format!("not taken: {reason}")),
+            Err(reason) => return self.refuse(format!("not applied: {reason}")),
         };
         let words = format!(
             "tune {}",
@@ -196,17 +198,17 @@ impl App {
         self.follow(&before);
         let undo = self.keys.key_of(ModelCommand::Undo);
         self.done(format!(
-            "the tuned parameters are in the model; {undo} takes them back"
+            "the tuned parameters are in the model; {undo} undoes it"
         ));
     }
 
     /// Discards a search and its result.
     pub(crate) fn discard_tuning(&mut self) {
         if self.tuning.run.is_none() {
-            return self.refuse("nothing was sought");
+            return self.refuse("there is no search");
         }
         self.end_run();
-        self.done("the search is dropped; the model is as it was");
+        self.done("search discarded; the model is unchanged");
     }
 
     /// Ends a search and removes its curve from the chart.

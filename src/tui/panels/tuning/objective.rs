@@ -26,11 +26,11 @@ impl App {
                 .keys
                 .key_of(crate::tui::keys::TuneCommand::TuneVariable);
             return self.refuse(format!(
-                "nothing may move yet: {key} lets the selected parameter"
+                "no variables yet: {key} adds the selected parameter"
             ));
         }
         let Some(response) = self.curves.visible.first().cloned() else {
-            return self.refuse("no response shows that could be tuned");
+            return self.refuse("no visible response can be tuned");
         };
         let [from, to] = self.tuned_band();
         let [low, high] = [from, to].map(|f| self.display.frequency_text(f));
@@ -92,7 +92,7 @@ impl App {
     ) -> Result<(), String> {
         let typed = read_objective(text, response, band)?;
         let mut changed = Model::clone(self.model());
-        let tune = changed.tune.as_mut().ok_or("nothing may move yet")?;
+        let tune = changed.tune.as_mut().ok_or("no variables yet")?;
         let words = match typed {
             Typed::Objective { objective, added } => {
                 if !added {
@@ -111,7 +111,7 @@ impl App {
             }
             Typed::NoLimits => {
                 tune.limits.clear();
-                "without limits".to_owned()
+                "remove all limits".to_owned()
             }
         };
         self.take_tune(words, changed)
@@ -127,10 +127,10 @@ impl App {
             let key = self
                 .keys
                 .key_of(crate::tui::keys::TuneCommand::TuneObjective);
-            return self.refuse(format!("one objective is needed: {key} says another one"));
+            return self.refuse(format!("one objective is needed: {key} adds another one"));
         }
         tune.objectives.remove(index);
-        if let Err(reason) = self.take_tune("drop an objective".to_owned(), changed) {
+        if let Err(reason) = self.take_tune("remove an objective".to_owned(), changed) {
             self.refuse(reason);
         }
     }
@@ -142,7 +142,7 @@ impl App {
             return;
         };
         tune.limits.remove(index);
-        if let Err(reason) = self.take_tune("drop a limit".to_owned(), changed) {
+        if let Err(reason) = self.take_tune("remove a limit".to_owned(), changed) {
             self.refuse(reason);
         }
     }
@@ -234,7 +234,7 @@ fn read_limit(text: &str, response: &str, [from, to]: [f64; 2]) -> Result<Limit,
 fn number(text: &str) -> Result<f64, String> {
     let text = text.trim();
     text.parse().map_err(|_| {
-        value_input::decimal_comma(text).unwrap_or_else(|| format!("{text} is no number"))
+        value_input::decimal_comma(text).unwrap_or_else(|| format!("{text} is not a number"))
     })
 }
 

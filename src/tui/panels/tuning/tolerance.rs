@@ -19,7 +19,7 @@ impl App {
         if !tolerances.shown {
             tolerances.curves = None;
             tolerances.asked.forget();
-            return self.done("without the band of tolerances");
+            return self.done("tolerance band hidden");
         }
         if !has_tolerances(self) {
             self.tuning.tolerances.shown = false;
@@ -27,7 +27,7 @@ impl App {
                 "no variable of [tune] has a tolerance: +-5 % behind its bounds gives it one",
             );
         }
-        self.done("nine of ten curves within the tolerances lie in the band");
+        self.done("the band contains nine of ten curves within the tolerances");
     }
 
     /// Requests the band, once the curves are resolved.
@@ -66,7 +66,7 @@ impl App {
         }
         let spread = match answer.result {
             Ok(spread) => spread,
-            Err(reason) => return self.refuse(format!("no band of tolerances: {reason}")),
+            Err(reason) => return self.refuse(format!("no tolerance band: {reason}")),
         };
         let divisor =
             Reference::of(self.document.model()).map_or(1.0, |force| force.amplitude.norm());

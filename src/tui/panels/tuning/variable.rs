@@ -25,7 +25,7 @@ impl App {
             Some((id, unit, edit::number(self.model(), id).ok()?))
         });
         let Some((id, unit, value)) = number else {
-            return self.refuse("select a number of the model to let a search move it");
+            return self.refuse("select a number of the model to make it a variable");
         };
         if let Some(index) = variable_of(self.model(), id) {
             return self.drop_variable(index);
@@ -105,7 +105,7 @@ impl App {
             format!("bounds of {}", paths.join(", "))
         } else {
             tune.variables.push(variable);
-            format!("let {} move", paths.join(", "))
+            format!("make {} a variable", paths.join(", "))
         };
         self.take_tune(words, changed)
     }
@@ -136,9 +136,9 @@ impl App {
         let name = dropped.paths.join(", ");
         let words = if tune.variables.is_empty() {
             changed.tune = None;
-            format!("{name} does not move any more; nothing is left to tune")
+            format!("{name} is fixed; there are no variables left")
         } else {
-            format!("{name} does not move any more")
+            format!("{name} is fixed")
         };
         if let Err(reason) = self.take_tune(words, changed) {
             self.refuse(reason);
@@ -148,7 +148,7 @@ impl App {
     /// The default objective: the smallest peak of the first curve in the band.
     fn usual_objective(&self) -> Result<Objective, String> {
         let Some(response) = self.curves.visible.first() else {
-            return Err("no response shows that could be tuned".to_owned());
+            return Err("no visible response can be tuned".to_owned());
         };
         let [from, to] = self.tuned_band();
         Ok(Objective {
@@ -219,7 +219,7 @@ struct Bounds {
 
 /// `LOW .. HIGH`, then optionally a tolerance `+-5 %` and `log` or `linear`.
 fn read_bounds(text: &str, unit: Unit) -> Result<Bounds, String> {
-    let form = "bounds are wanted, as 1e5 .. 1e8, then perhaps +-5 % and log or linear";
+    let form = "type bounds, as 1e5 .. 1e8, then optionally +-5 % and log or linear";
     let text = text.replace('±', "+-");
     let (rest, scale) = match text.trim() {
         text if text.ends_with("linear") => (&text[..text.len() - 6], Some(Spacing::Linear)),
@@ -231,7 +231,7 @@ fn read_bounds(text: &str, unit: Unit) -> Result<Bounds, String> {
             let tolerance = tolerance.trim().trim_end_matches('%').trim();
             let tolerance: f64 = tolerance
                 .parse()
-                .map_err(|_| format!("{tolerance} is no tolerance in percent"))?;
+                .map_err(|_| format!("{tolerance} is not a tolerance in percent"))?;
             (bounds, tolerance)
         }
         None => (rest, 0.0),

@@ -1,41 +1,46 @@
-//! The search for better parameters: how far it is, and what it has found so far.
+//! The progress of the tuning, and its best result so far.
 
 use std::time::Duration;
 
-use ratatui::Frame;
-use ratatui::layout::Rect;
-
 use crate::model::path::{self, Pattern};
 use crate::model::{Group, Model, Parameter, Unit, counted, grouped};
-use crate::tui::app::{App, List, Progress, Rows, Run};
+use crate::tui::app::{App, Progress, Run};
 use crate::tui::keys::TuneCommand;
-use crate::tui::theme::Theme;
 use crate::tui::tree::{self, Node};
-use crate::tui::view::table::{self, Column, Content};
-use crate::tui::view::text::{cut, significant, width};
+use crate::tui::view::table::Kind::{Name, Plain, Whole};
+use crate::tui::view::table::{Column, Content, column};
+use crate::tui::view::text::significant;
 use crate::tune::Achieved;
 
-/// The columns, in what there is room for.
-const LAYOUTS: [&[Column]; 3] = [
-    &[("", 36), ("before", 15), ("now", 15), ("change", 12)],
-    &[("", 22), ("before", 15), ("now", 15), ("change", 10)],
-    &[("", 16), ("before", 14), ("now", 14)],
+#[rustfmt::skip]
+const COLUMNS: [Column<Row>; 4] = [
+    column(Name, &[("", 36), ("", 22), ("", 16)], |_, row| row.name.clone()),
+    column(Plain, &[("before", 15), ("before", 15), ("before", 14)], |_, row| row.before.clone()),
+    column(Plain, &[("now", 15), ("now", 15), ("now", 14)], |_, row| row.now.clone()),
+    column(Plain, &[("change", 12), ("change", 10)], |_, row| row.change.clone()),
 ];
 
-/// The heading of standard uncertainties.
-const UNCERTAINTY: &str = "uncertainty";
+/// The columns of a match with uncertainties.
+#[rustfmt::skip]
+const UNCERTAIN: [Column<Row>; 5] = [
+    column(Name, &[("", 24), ("", 18), ("", 12), ("", 8)], |_, row| row.name.clone()),
+    column(Plain, &[("before", 15), ("before", 15)], |_, row| row.before.clone()),
+    column(Plain, &[("now", 15), ("now", 15), ("now", 15), ("now", 13)], |_, row| row.now.clone()),
+    column(Plain, &[("change", 10)], |_, row| row.change.clone()),
+    column(Whole, &[("uncertainty", 12); 4], |_, row| row.uncertainty.clone().unwrap_or_default()),
+];
 
-/// What a row says.
+/// The content of a row.
 pub(crate) struct Row {
     name: String,
     before: String,
     now: String,
     change: String,
-    /// The standard uncertainty of what a match has found.
+    /// The standard uncertainty of a matched parameter.
     uncertainty: Option<String>,
 }
 
-/// The figures that are sought, then the parameters that move.
+/// The objectives, then the variables.
 pub(crate) fn rows(app: &App) -> Vec<Row> {
     let Some(run) = &app.tuning.run else {
         return Vec::new();
@@ -75,7 +80,7 @@ fn achieved(run: &Run, index: usize, before: &Achieved, after: &Achieved) -> Row
     }
 }
 
-/// How much less or more it is, percent.
+/// The change in percent.
 fn change(before: f64, after: f64) -> String {
     let percent = 100.0 * (after / before - 1.0);
     if percent.is_finite() {
@@ -111,7 +116,7 @@ fn variables(run: &Run) -> Vec<Row> {
     rows.collect()
 }
 
-/// Paths in words: `* y left stiffness`.
+/// Paths as text: `* y left stiffness`.
 fn words(paths: &[Pattern]) -> String {
     let words = |path: &Pattern| {
         let path = path.strip_prefix("subsystems.").unwrap_or(path);
@@ -126,15 +131,7 @@ fn first(model: &Model, pattern: &Pattern) -> Option<(f64, Unit)> {
     Some((value, Parameter::of(model, id).ok()?.unit))
 }
 
-pub(crate) fn draw(
-    frame: &mut Frame<'_>,
-    app: &App,
-    list: &mut List,
-    theme: Theme,
-    area: Rect,
-) -> Rows {
-    let rows = rows(app);
-    let columns = &*columns(&rows, area.width);
+pub(crate) fn content<'a>(app: &'a App, rows: &'a [Row]) -> Content<'a, Row> {
     let [go, accept, discard] = [
         TuneCommand::Tune,
         TuneCommand::TuneAccept,
@@ -142,64 +139,27 @@ pub(crate) fn draw(
     ]
     .map(|command| app.keys.key_of(command));
     let run = app.tuning.run.as_ref();
-    let failed = run.is_some_and(|run| matches!(run.progress, Progress::Failed(_)));
-    let content = Content {
+    Content {
         title: run.map_or_else(|| "Tuning".to_owned(), title),
-        warns: failed,
-        frequency_unit: app.display.unit,
-        note: format!("{go} pause  {accept} take  {discard} drop"),
-        columns,
-        row: &|row| {
-            rows.get(row)
-                .map_or_else(Vec::new, |row| cells(row, columns))
+        warns: run.is_some_and(|run| matches!(run.progress, Progress::Failed(_))),
+        note: format!("{go} pause  {accept} apply  {discard} discard"),
+        columns: if rows.iter().any(|row| row.uncertainty.is_some()) {
+            &UNCERTAIN
+        } else {
+            &COLUMNS
         },
+        rows,
+        sentences: Vec::new(),
         empty: match run {
-            None => "nothing is sought",
+            None => "there is no objective",
             Some(_) => "searching",
-        },
+        }
+        .into(),
         stale: false,
-    };
-    table::draw(frame, &content, list, theme, area)
+    }
 }
 
-/// The columns for some rows in a width of the screen: where a match has uncertainties these are whole.
-fn columns(rows: &[Row], room: u16) -> Vec<Column> {
-    let longest = |text: &dyn Fn(&Row) -> usize| rows.iter().map(text).max().unwrap_or(0);
-    let uncertainty = longest(&|row| row.uncertainty.as_deref().map_or(0, width));
-    let known = if uncertainty == 0 {
-        table::fitting(&LAYOUTS, room).to_vec()
-    } else {
-        let last = (UNCERTAINTY, uncertainty.max(UNCERTAINTY.len()) + 1);
-        let layouts = [
-            vec![("", 24), ("before", 15), ("now", 15), ("change", 10), last],
-            vec![("", 18), ("before", 15), ("now", 15), last],
-            vec![("", 12), ("now", 15), last],
-            vec![("", 8), ("now", 13), last],
-        ];
-        let fits = |layout: &&Vec<Column>| {
-            layout.iter().map(|column| column.1).sum::<usize>() <= usize::from(room)
-        };
-        let found = layouts.iter().find(fits).or(layouts.last());
-        found.cloned().unwrap_or_default()
-    };
-    table::widened(&known, longest(&|row| width(&row.name)), room)
-}
-
-fn cells(row: &Row, columns: &[Column]) -> Vec<String> {
-    let room = columns.first().map_or(0, |column| column.1 - 1);
-    let name = cut(&row.name, room);
-    let name = format!("{name}{}", " ".repeat(room - width(&name)));
-    let cell = |heading: &str| match heading {
-        "before" => row.before.clone(),
-        "now" => row.now.clone(),
-        UNCERTAINTY => row.uncertainty.clone().unwrap_or_default(),
-        _ => row.change.clone(),
-    };
-    let others = columns.iter().skip(1).map(|(heading, _)| cell(heading));
-    std::iter::once(name).chain(others).collect()
-}
-
-/// How far the search is.
+/// The progress of the search.
 fn title(run: &Run) -> String {
     let so_far = |word: &str| match &run.status {
         None => format!("Tuning: {word}"),
@@ -239,7 +199,14 @@ fn seconds(time: Duration) -> String {
 
 #[cfg(test)]
 mod tests {
+    use ratatui::backend::TestBackend;
+    use ratatui::buffer::Cell;
+    use ratatui::{Frame, Terminal};
+
     use super::*;
+    use crate::tui::app::List;
+    use crate::tui::view::table;
+    use crate::tui::view::text::width;
 
     #[test]
     fn an_uncertainty_has_a_heading_of_its_own_and_is_whole() {
@@ -254,24 +221,35 @@ mod tests {
             row("S1 y left stiffness", Some("+-0.01234 MN s/m")),
             row("S1 mass", None),
         ];
+        let preset = crate::presets::find("fig06").unwrap();
+        let app = App::new(crate::files::Opened::preset(preset).unwrap());
+        let drawn = |rows: &[Row], room: u16| -> Vec<String> {
+            let mut terminal = Terminal::new(TestBackend::new(room, 4)).unwrap();
+            let draw = |frame: &mut Frame<'_>| {
+                let (content, mut list) = (content(&app, rows), List::new(rows.len(), 0));
+                let _ = table::draw(frame, &app, &content, &mut list, frame.area());
+            };
+            let buffer = terminal.draw(draw).unwrap().buffer;
+            let lines = buffer.content.chunks(room.into());
+            lines
+                .map(|line| line.iter().map(Cell::symbol).collect())
+                .collect()
+        };
         for room in [42, 43, 60, 82, 120] {
-            let columns = columns(&rows, room);
-            assert!(columns.iter().map(|column| column.1).sum::<usize>() <= usize::from(room));
-            let place = columns.iter().position(|column| column.0 == UNCERTAINTY);
-            let place = place.expect("a column of uncertainties");
-            assert!(columns[place].1 > "+-0.01234 MN s/m".len());
-            assert_eq!(cells(&rows[0], &columns)[place], "+-0.01234 MN s/m");
-            assert_eq!(cells(&rows[1], &columns)[place], "");
+            let lines = drawn(&rows, room);
+            let [heading, found, plain] = [1, 2, 3].map(|line| lines[line].trim_end());
+            assert!(heading.ends_with(" uncertainty"), "{lines:?}");
+            assert!(found.ends_with(" +-0.01234 MN s/m"), "{lines:?}");
+            assert_eq!(width(found), width(heading), "{lines:?}");
+            assert!(width(plain) <= width(heading) - " +-0.01234 MN s/m".len());
             // The change stays under its own heading.
-            let change = columns.iter().position(|column| column.0 == "change");
-            assert!(change.is_none_or(|place| cells(&rows[0], &columns)[place] == "+275.0 %"));
+            if let Some(start) = lines[1].find("change") {
+                let end = start + "change".len();
+                assert!(lines[2][..end].ends_with(" +275.0 %"), "{lines:?}");
+            }
         }
-        assert!(cells(&rows[0], &columns(&rows, 120))[0].starts_with("S1 y left stiffness "));
-        assert!(
-            columns(&rows[1..], 82)
-                .iter()
-                .all(|column| column.0 != UNCERTAINTY)
-        );
+        assert!(drawn(&rows, 120)[2].starts_with(" S1 y left stiffness "));
+        assert!(!drawn(&rows[1..], 82)[1].contains("uncertainty"));
     }
 
     #[test]

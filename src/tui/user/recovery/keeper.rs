@@ -149,7 +149,7 @@ impl Drop for Keeper {
 
 /// Runs the newest job until the keeper is dropped; returns the stored state.
 fn work(inbox: &Receiver<Job>, mut files: Files, report: impl Fn(String)) -> Files {
-    let mut told = Vec::new();
+    let mut reported = Vec::new();
     let mut given = Vec::new();
     loop {
         if given.is_empty() {
@@ -168,11 +168,11 @@ fn work(inbox: &Receiver<Job>, mut files: Files, report: impl Fn(String)) -> Fil
         if let Err(error) = done {
             let folder = crate::escape::shown_path(&files.folder);
             let sentence = format!(
-                "unsaved changes are not kept in {folder}: {}",
+                "unsaved changes cannot be stored in {folder}: {}",
                 error_text(&error)
             );
-            if !told.contains(&sentence) {
-                told.push(sentence.clone());
+            if !reported.contains(&sentence) {
+                reported.push(sentence.clone());
                 report(sentence);
             }
         }
@@ -396,7 +396,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_found_goes_once_it_is_kept_anew_or_saved() {
+    fn a_recovered_file_is_removed_once_it_is_stored_again_or_saved() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path();
         for saved in [false, true] {
@@ -508,7 +508,7 @@ mod tests {
     }
 
     #[test]
-    fn an_edit_is_added_and_the_file_is_not_written_anew() {
+    fn an_edit_is_appended_and_the_file_is_not_rewritten() {
         let folder = tempfile::tempdir().unwrap();
         let mut files = Files::new(folder.path().to_owned());
         let first = long(state("fig06", 4.0));
@@ -556,7 +556,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_that_another_program_removed_or_saved_text_is_written_anew() {
+    fn a_file_that_another_program_removed_or_saved_text_is_rewritten() {
         let folder = tempfile::tempdir().unwrap();
         let mut files = Files::new(folder.path().to_owned());
         let first = long(state("fig06", 4.0));
@@ -598,14 +598,14 @@ mod tests {
     }
 
     #[test]
-    fn a_trouble_is_told_once_and_the_temporary_folder_takes_the_last_state() {
+    fn an_error_is_reported_once_and_the_temporary_folder_takes_the_last_state() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("file");
         fs::write(&file, "").unwrap();
-        let told = Arc::new(Mutex::new(Vec::new()));
-        let tell = Arc::clone(&told);
+        let reported = Arc::new(Mutex::new(Vec::new()));
+        let report = Arc::clone(&reported);
         let keeper = Keeper::start(file.join("recovery"), move |sentence| {
-            tell.lock().unwrap().push(sentence);
+            report.lock().unwrap().push(sentence);
         });
         keeper.keep(state("fig06", 4.0));
         keeper.keep(state("fig06", 5.0));
@@ -617,11 +617,11 @@ mod tests {
         fs::remove_file(&path).unwrap();
         assert!(path.starts_with(std::env::temp_dir()), "{}", path.display());
         assert_eq!(model::read(&written).unwrap().into_inner().beam.length, 6.0);
-        let told = told.lock().unwrap();
-        assert_eq!(told.len(), 1, "{told:?}");
+        let reported = reported.lock().unwrap();
+        assert_eq!(reported.len(), 1, "{reported:?}");
         assert!(
-            told[0].starts_with("unsaved changes are not kept in "),
-            "{told:?}"
+            reported[0].starts_with("unsaved changes cannot be stored in "),
+            "{reported:?}"
         );
     }
 

@@ -1,4 +1,4 @@
-//! What the tests of these panels share: an app with the cursor at a frequency, and its screen.
+//! Shared parts of the tests of these panels: an app with the cursor at a frequency, and its screen.
 
 use crate::model::Checked;
 use std::sync::Arc;
@@ -14,7 +14,7 @@ use crate::tui::app::BeamView;
 use crate::tui::ascii;
 use crate::tui::options::{Environment, Marker, Options};
 
-/// How a panel is drawn.
+/// The function that draws a panel.
 pub(crate) type Draw = fn(&mut Frame<'_>, &App, Theme, Rect);
 
 pub(crate) fn preset(name: &str) -> Model {
@@ -23,7 +23,7 @@ pub(crate) fn preset(name: &str) -> Model {
         .into_inner()
 }
 
-/// An app that looks at what a model does at a frequency, Hz.
+/// An app that shows a model's motion at a frequency, Hz.
 pub(crate) fn looking(model: Model, frequency: f64, look: BeamView) -> App {
     let model = Checked::new(model).unwrap();
     let found = operating(&model, frequency, 101);
@@ -39,7 +39,7 @@ pub(crate) fn looking(model: Model, frequency: f64, look: BeamView) -> App {
     app
 }
 
-/// The panel as text, a line a row.
+/// The panel as text, one line per row.
 pub(crate) fn screen(
     app: &App,
     theme: Theme,
@@ -59,7 +59,7 @@ pub(crate) fn screen(
     .collect()
 }
 
-/// Draws a panel at sizes from a cell to a large screen, in every set of characters.
+/// Draws a panel at sizes from one cell to a large screen, with every character set.
 pub(crate) fn draws_at_any_size(draw: Draw, look: BeamView) {
     let environment = Environment {
         locale: Some("C.UTF-8".to_owned()),

@@ -104,10 +104,10 @@ fn what_is_not_there_is_said() {
     let mut app = looking(pinned(), 20.0, BeamView::Deflection);
     app.beam_view.operating = None;
     let text = screen(&app, Theme::new(false), draw, [60, 9]).join("\n");
-    assert!(text.contains("solving what the beam does"), "{text}");
+    assert!(text.contains("computing the beam's motion"), "{text}");
     app.curves.cursor = None;
     let text = screen(&app, Theme::new(false), draw, [60, 9]).join("\n");
-    assert!(text.contains("no cursor is on the chart"), "{text}");
+    assert!(text.contains("there is no cursor on the chart"), "{text}");
     let mut resonant = looking(pinned(), 20.0, BeamView::Deflection);
     let mut found = resonant.beam_view.operating().unwrap().clone();
     found.motion[0][3] = num_complex::Complex64::new(f64::NAN, 0.0);

@@ -15,7 +15,7 @@ fn pinned() -> crate::model::Model {
     model
 }
 
-/// The row of the plot in which something is drawn in a column.
+/// The row of the plot that has a mark in a column.
 fn row_at(lines: &[String], column: usize) -> Vec<usize> {
     let drawn = |line: &String| {
         line.chars()

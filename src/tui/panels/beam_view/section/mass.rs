@@ -10,13 +10,13 @@ use crate::tui::sketch::{Board, Cell, way};
 /// One side of a subsystem.
 struct Side {
     name: char,
-    /// Where its springs meet the beam, y in m.
+    /// The position at which its springs meet the beam, y in m.
     mount: f64,
-    /// Where its z spring meets the mass, y in m.
+    /// The position at which its z spring meets the mass, y in m.
     arm: f64,
     y: Spring,
     z: Spring,
-    /// The step away from the shear centre, in columns: y grows to the left.
+    /// The direction away from the shear centre, in columns: y grows to the left.
     outward: i32,
 }
 
@@ -52,7 +52,7 @@ fn exists(spring: Spring) -> bool {
     spring.stiffness > 0.0 || spring.damping > 0.0
 }
 
-/// What of a subsystem has to be in the picture.
+/// The parts of a subsystem that must be in the picture.
 pub(super) fn take(subsystem: &Subsystem, extent: &mut Extent) {
     for side in sides(subsystem) {
         extent.take(side.mount, subsystem.mount_z);
@@ -60,7 +60,7 @@ pub(super) fn take(subsystem: &Subsystem, extent: &mut Extent) {
     }
 }
 
-/// The cells that a subsystem needs around what is to scale.
+/// The cells that a subsystem needs around the part drawn to scale.
 pub(super) fn reserve(subsystem: &Subsystem, [columns, rows]: [u16; 2]) -> Reserve {
     let springs = sides(subsystem).iter().any(|side| exists(side.y));
     let sides = match columns {
@@ -72,7 +72,7 @@ pub(super) fn reserve(subsystem: &Subsystem, [columns, rows]: [u16; 2]) -> Reser
         0..=3 => 1,
         4..=7 => 2,
         8..=15 => 3,
-        // A row of words beneath the bar.
+        // A row of text below the bar.
         _ => 5,
     };
     Reserve {
@@ -145,7 +145,7 @@ fn draw_spring(
     }
 }
 
-/// What carries a y spring on the mass: up from the bar to the height of the mounts.
+/// The bracket of a y spring on the mass: up from the bar to the height of the mounts.
 fn draw_upright(
     picture: &Picture<'_>,
     board: &mut Board<'_>,
@@ -164,7 +164,7 @@ fn draw_upright(
     }
 }
 
-/// The mass: its centre, its arms with their letters, and the bar between.
+/// The mass: its centre, its arms with their letters, and the bar between them.
 fn draw_bar(
     picture: &Picture<'_>,
     board: &mut Board<'_>,
@@ -178,7 +178,7 @@ fn draw_bar(
     for side in sides {
         let arm = picture.plane.cell(side.arm, 0.0)[0];
         ends = [ends[0].min(arm), ends[1].max(arm)];
-        // An arm of no length has its letter beside the centre.
+        // The letter of an arm without length is next to the centre.
         let column = if arm == centre {
             arm + side.outward
         } else {

@@ -1,20 +1,20 @@
-//! The plane of the section on cells: equal scales along y and z, axes with ticks at the left and beneath.
+//! The plane of the section on cells: equal scales along y and z, axes with ticks at the left and at the bottom.
 
 use ratatui::style::Style;
 
 use crate::tui::plot::{Axis, CellRuler, Glyphs, Scale, dotted};
 use crate::tui::sketch::{Board, Cell, Signs, width};
 
-/// A row of cells is so many times as high as a column is wide.
+/// The height of a cell relative to its width.
 const ROW_IN_COLUMNS: f64 = 2.0;
-/// Columns for the labels of the upright axis, its line included.
+/// Columns for the labels of the vertical axis, its line included.
 const LABELS: i32 = 5;
 /// Fewest columns and rows of a picture with axes.
 const WITH_AXES: [i32; 2] = [30, 7];
-/// A picture of less than this is measured in mm, m.
+/// A picture smaller than this is measured in mm, m.
 const IN_MILLIMETRES: f64 = 2.0;
 
-/// What has to be in the picture, m; the shear centre is.
+/// The range that must be in the picture, m; it contains the shear centre.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Extent {
     y: [f64; 2],
@@ -22,7 +22,7 @@ pub(super) struct Extent {
 }
 
 impl Extent {
-    /// Takes a point in, if it is one.
+    /// Extends the range by a point, if there is one.
     pub(super) fn take(&mut self, y: f64, z: f64) {
         for (range, value) in [(&mut self.y, y), (&mut self.z, z)] {
             if value.is_finite() {
@@ -32,14 +32,14 @@ impl Extent {
     }
 }
 
-/// Cells around what is to scale.
+/// Cells around the part drawn to scale.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Reserve {
-    /// At either side.
+    /// At the left and at the right, each.
     pub(super) sides: i32,
-    /// Beneath.
+    /// At the bottom.
     pub(super) below: i32,
-    /// At the top, for words.
+    /// At the top, for text.
     pub(super) head: i32,
 }
 
@@ -50,10 +50,10 @@ pub(super) struct Plane {
     origin: Cell,
     columns: i32,
     rows: i32,
-    /// y grows to the left: this one is from the right.
+    /// y grows to the left: this column is counted from the right.
     y: CellRuler,
     z: CellRuler,
-    /// In what the axes are labelled, and how many of it are a metre.
+    /// The unit of the labels, and the number of them in a metre.
     unit: &'static str,
     factor: f64,
     /// Metres per column.
@@ -76,7 +76,7 @@ impl Plane {
         let fitting = (wide / f64::from(across)).max(high / f64::from(down) / ROW_IN_COLUMNS);
         let scale = if fitting.is_normal() { fitting } else { 1e-3 };
         let row = ROW_IN_COLUMNS * scale;
-        // What is over lies evenly around.
+        // The remainder is shared evenly between both sides.
         let left = f64::from(columns - 1) - wide / scale;
         let top = (f64::from(down) - high / row) / 2.0;
         let y_high = extent.y[1] + left / 2.0 * scale;
@@ -125,12 +125,12 @@ impl Plane {
         ]
     }
 
-    /// A row so far below everything that is to scale, but within the plane.
+    /// A row at a distance below everything that is to scale, but within the plane.
     pub(super) fn below(&self, rows: i32) -> i32 {
         (self.lowest + rows).min(self.origin[1] + self.rows - 1)
     }
 
-    /// Draws points (y, z), m, as dots in what is free.
+    /// Draws points (y, z), m, as dots in free cells.
     pub(super) fn draw_dots(
         &self,
         board: &mut Board<'_>,
@@ -175,7 +175,7 @@ impl Plane {
     fn draw_heights(&self, board: &mut Board<'_>, signs: &Signs, style: Style) {
         let line = self.origin[0] - 1;
         let unit = format!("{}z {}", signs.up, self.unit);
-        // In the row for words, else beside the axis.
+        // In the row for text, otherwise next to the axis.
         let place = if self.origin[1] > 0 {
             0
         } else {

@@ -29,7 +29,7 @@ fn at(model: Model, node: Node) -> App {
     app
 }
 
-/// A look in a locale of UTF-8.
+/// A theme in a locale of UTF-8.
 fn theme(options: Options) -> Theme {
     let environment = Environment {
         locale: Some("C.UTF-8".to_owned()),
@@ -63,7 +63,7 @@ fn screen(model: Model, node: Node, [width, height]: [u16; 2]) -> String {
     lines(&buffer(&at(model, node), Theme::new(false), width, height)).join("\n")
 }
 
-/// Where a sign stands: column and row.
+/// The position of a sign: column and row.
 fn find(screen: &str, sign: char) -> Vec<(usize, usize)> {
     let rows = screen.lines().enumerate().skip(1);
     rows.flat_map(|(row, line)| {
@@ -73,7 +73,7 @@ fn find(screen: &str, sign: char) -> Vec<(usize, usize)> {
     .collect()
 }
 
-/// Golden: the picture as it was looked at.
+/// Golden: the picture was checked by eye.
 #[test]
 fn a_wide_panel() {
     let expected = "\
@@ -95,7 +95,7 @@ fn a_wide_panel() {
     );
 }
 
-/// Golden: the picture as it was looked at.
+/// Golden: the picture was checked by eye.
 #[test]
 fn a_narrow_panel_in_ascii() {
     let app = at(
@@ -118,8 +118,7 @@ fn a_narrow_panel_in_ascii() {
     assert_eq!(lines(&buffer).join("\n"), expected);
 }
 
-/// Without axes and without anything around: 21 x 11 cells hold +-0.1 m either way, so a column is 0.2 m / 20 and a
-/// row twice that.
+/// Without axes and surroundings: 21 x 11 cells hold +-0.1 m each way, so a column is 0.2 m / 20 and a row twice that.
 #[test]
 fn a_row_is_worth_two_columns() {
     let mut extent = Extent::default();
@@ -133,7 +132,7 @@ fn a_row_is_worth_two_columns() {
     assert_eq!(plane.cell(0.1, 0.0), [0, 5]);
     assert_eq!(plane.cell(-0.1, 0.1), [20, 0]);
     assert_eq!(plane.cell(0.04, -0.04), [6, 7]);
-    // Wider than high: the width decides, and what is over of the height, 9 - 5 rows, lies above and below.
+    // Wider than high: the width decides; the rest of the height, 9 - 5 rows, is shared by top and bottom.
     extent.take(0.3, 0.0);
     let plane = Plane::new(&extent, Reserve::default(), [21, 10]);
     assert!((plane.metres_per_column() - 0.02).abs() < 1e-15);
@@ -160,7 +159,7 @@ fn the_radii_are_those_of_bending_along_their_axes() {
         centroid_offset: 0.1,
         ..section
     };
-    // 73 columns beside the axis: 72 steps for 0.6 m; a row is worth two of them.
+    // 73 columns next to the axis: 72 steps for 0.6 m; a row is twice as much.
     let screen = screen(model, Node::Group(Group::Sweep), [78, 24]);
     let dots: Vec<(usize, usize)> = ('\u{2801}'..='\u{28ff}')
         .flat_map(|dot| find(&screen, dot))
@@ -278,7 +277,7 @@ fn nothing_degenerates() {
     let folded = screen(model.clone(), Node::Group(Group::Subsystem(0)), [44, 20]);
     assert!(folded.contains("+SC") && folded.contains("L■R"), "{folded}");
     assert!(folded.contains("z_c 0 mm"), "{folded}");
-    // Mounts and arms may lie across the axis.
+    // Mounts and arms may cross the axis.
     let one = &mut model.subsystems[0];
     (one.mount_y, one.arm_left, one.arm_right) = (-0.13, -0.2, -0.1);
     let crossed = screen(model.clone(), Node::Group(Group::Subsystem(0)), [44, 20]);

@@ -8,7 +8,7 @@ use crate::model::{BeamMotion, Force, Group, MassMotion, Model, Quantity, Target
 use crate::tui::sketch::{BIMOMENT, Board, Signs, TORQUE};
 use crate::tui::tree::{self, Node};
 
-/// Numbers of forces or responses by the column at which they are.
+/// The indices of forces or responses by column.
 type Places = BTreeMap<i32, Vec<usize>>;
 
 pub(super) fn draw(picture: &Picture<'_>, board: &mut Board<'_>) {
@@ -52,7 +52,7 @@ fn on_beam<'a>(picture: &Picture<'_>, targets: impl Iterator<Item = Option<&'a T
     places
 }
 
-/// Whether a force pushes against its direction at the moment when others are at their most.
+/// Whether a force pushes against its direction at the moment when others are largest.
 fn is_backward(force: &Force) -> bool {
     force.amplitude * force.phase.to_radians().cos() < -1e-9 * force.amplitude.abs()
 }
@@ -72,7 +72,7 @@ fn sign(signs: &Signs, force: &Force) -> char {
     }
 }
 
-/// Signs side by side, from the place into the beam; the selected one is at the place.
+/// Signs side by side, from the position into the beam; the selected one is at the position.
 fn draw_forces(picture: &Picture<'_>, board: &mut Board<'_>, forces: &Places) {
     let Some(row) = picture.rows.forces else {
         return;
@@ -96,7 +96,7 @@ fn draw_forces(picture: &Picture<'_>, board: &mut Board<'_>, forces: &Places) {
         }
     }
     for (column, sign, style) in further {
-        // The sign at the place is surely there; the others follow it where there is room.
+        // The sign at the position is always visible; the others follow if there is room.
         let inward = if column >= picture.ends[1] { -1 } else { 1 };
         for step in 1..=4 {
             if board.sign_if_free([column + inward * step, row], sign, style) {
@@ -142,7 +142,7 @@ fn draw_force_words(picture: &Picture<'_>, board: &mut Board<'_>, forces: &Place
     }
 }
 
-/// The amplitude, behind the direction where there are several.
+/// The amplitude, after the direction if there are several.
 fn of_force(model: &Model, i: usize, among_others: bool) -> String {
     let direction = match &model.forces[i].target {
         Target::Beam(_, motion) => motion.key(),
@@ -155,7 +155,7 @@ fn of_force(model: &Model, i: usize, among_others: bool) -> String {
     }
 }
 
-/// Places in order, the one with the selected member before all others.
+/// Positions in order, the one with the selected member first.
 fn selected_first(places: &Places, selected: impl Fn(&usize) -> bool) -> Vec<(i32, &Vec<usize>)> {
     let mut list: Vec<(i32, &Vec<usize>)> = places.iter().map(|(column, i)| (*column, i)).collect();
     list.sort_by_key(|(_, members)| !members.iter().any(&selected));
@@ -180,7 +180,7 @@ fn draw_probes(picture: &Picture<'_>, board: &mut Board<'_>, probes: &Places) {
     }
 }
 
-/// By the marks the motions that are taken there; the selected response by its name.
+/// The directions of the responses next to their marks; the selected response by its name.
 fn draw_probe_words(picture: &Picture<'_>, board: &mut Board<'_>, probes: &Places) {
     if picture.rows.springs == 0 {
         return;
@@ -207,14 +207,14 @@ fn draw_probe_words(picture: &Picture<'_>, board: &mut Board<'_>, probes: &Place
             }
             None => (vec![motions], picture.theme.dim()),
         };
-        // Where springs leave no room below the beam there may be some above it.
+        // If springs leave no room below the beam, there may be some above it.
         if !board.first_by([column, row], &words, style) {
             board.first_by([column, row - 2], &words, style);
         }
     }
 }
 
-/// The signs of the forces and responses of a mass, behind a blank; the selected one behind a pointer.
+/// The signs of the forces and responses of a mass, after a blank; the selected one after a pointer.
 pub(super) fn on_mass(picture: &Picture<'_>, name: &str) -> String {
     let mut signs: Vec<char> = Vec::new();
     let mut push = |sign: char, selected: bool| {
@@ -247,7 +247,7 @@ pub(super) fn on_mass(picture: &Picture<'_>, name: &str) -> String {
     }
 }
 
-/// The mass at which the selected force acts or the selected response is taken.
+/// The mass of the selected force or response.
 pub(super) fn selected_mass<'a>(picture: &Picture<'a>) -> Option<&'a str> {
     let target = match picture.focus {
         Focus::Force(i) => &picture.model.forces[i].target,
@@ -263,7 +263,7 @@ pub(super) fn selected_mass<'a>(picture: &Picture<'a>) -> Option<&'a str> {
     }
 }
 
-/// The signs of forces and responses that are in the picture, and their meanings.
+/// The signs of forces and responses in the picture, and their meanings.
 pub(super) fn keys(picture: &Picture<'_>) -> Vec<String> {
     let model = picture.model;
     let mut keys: Vec<String> = Vec::new();

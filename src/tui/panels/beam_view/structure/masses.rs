@@ -1,8 +1,9 @@
-//! The subsystems below the beam: a box each on its springs; ticks where they are too close for boxes.
+//! The subsystems below the beam: one box each on its springs; ticks if they are too close for boxes.
 
 use ratatui::style::Style;
 
-use super::{Focus, Picture, loads, spring_sign, ticks};
+use super::ticks::{self, Tick};
+use super::{Focus, Picture, loads, spring_sign};
 use crate::model::{Spring, Subsystem, Unit};
 use crate::tui::sketch::{Board, Frame, POINTER, width};
 use crate::tui::view::text::cut;
@@ -11,9 +12,9 @@ use crate::tui::view::text::cut;
 const NARROWEST: i32 = 5;
 
 /// Subsystems in one column.
-pub(super) struct Spot {
-    pub(super) column: i32,
-    pub(super) members: Vec<usize>,
+struct Spot {
+    column: i32,
+    members: Vec<usize>,
 }
 
 pub(super) fn draw(picture: &Picture<'_>, board: &mut Board<'_>) {
@@ -25,13 +26,13 @@ pub(super) fn draw(picture: &Picture<'_>, board: &mut Board<'_>) {
         .chunk_by(|left, right| right.column - left.column <= NARROWEST)
         .collect();
     let selected = |spot: &Spot| spot.members.iter().any(|i| is_selected(picture, *i));
-    // The selected one has its place before all others.
+    // The selected one has room before all others.
     let chosen = groups
         .iter()
         .flat_map(|group| group.iter().map(move |spot| (group, spot)));
     for (group, spot) in chosen.filter(|(_, spot)| selected(spot)) {
         if group.len() > 1 {
-            // Among ticks its tick is its spring.
+            // Among ticks, a tick is also the spring.
             draw_box(picture, board, spot, board.columns());
         } else {
             draw_hung(picture, board, &spots, spot);
@@ -41,13 +42,16 @@ pub(super) fn draw(picture: &Picture<'_>, board: &mut Board<'_>) {
         match group {
             [spot] if selected(spot) => {}
             [spot] => draw_hung(picture, board, &spots, spot),
-            _ => ticks::draw(picture, board, group),
+            _ => {
+                let ticks = group.iter().map(|spot| tick(picture, spot));
+                ticks::draw(picture, board, &ticks.collect::<Vec<_>>());
+            }
         }
     }
 }
 
-/// Whether a subsystem is selected, or what acts on its mass or is taken there.
-pub(super) fn is_selected(picture: &Picture<'_>, i: usize) -> bool {
+/// Whether a subsystem is selected, or a force or response on its mass.
+fn is_selected(picture: &Picture<'_>, i: usize) -> bool {
     picture.focus == Focus::Subsystem(i)
         || loads::selected_mass(picture) == Some(picture.model.subsystems[i].name.as_str())
 }
@@ -76,8 +80,8 @@ fn most_columns(picture: &Picture<'_>, spots: &[Spot], spot: &Spot) -> i32 {
     nearest.map_or(all, |gap| gap - 1).max(NARROWEST)
 }
 
-/// The subsystem of a spot that is drawn for all of them: the selected one, else an attached one, else the first.
-pub(super) fn leader<'a>(picture: &'a Picture<'_>, spot: &Spot) -> (usize, &'a Subsystem) {
+/// The subsystem that represents all of a spot: the selected one, otherwise an enabled one, otherwise the first.
+fn leader<'a>(picture: &'a Picture<'_>, spot: &Spot) -> (usize, &'a Subsystem) {
     let found = spot.members.iter().copied();
     let by = |wanted: &dyn Fn(usize) -> bool| found.clone().find(|i| wanted(*i));
     let i = by(&|i| is_selected(picture, i))
@@ -86,7 +90,17 @@ pub(super) fn leader<'a>(picture: &'a Picture<'_>, spot: &Spot) -> (usize, &'a S
     (i, &picture.model.subsystems[i])
 }
 
-/// A box on its springs, no wider than its neighbours leave it room.
+fn tick<'a>(picture: &'a Picture<'_>, spot: &Spot) -> Tick<'a> {
+    let (i, subsystem) = leader(picture, spot);
+    Tick {
+        column: spot.column,
+        count: spot.members.len(),
+        subsystem,
+        selected: is_selected(picture, i),
+    }
+}
+
+/// A box on its springs, as wide as its neighbours allow.
 fn draw_hung(picture: &Picture<'_>, board: &mut Board<'_>, spots: &[Spot], spot: &Spot) {
     let (i, subsystem) = leader(picture, spot);
     draw_springs(
@@ -105,7 +119,7 @@ fn draw_box(picture: &Picture<'_>, board: &mut Board<'_>, spot: &Spot, most: i32
     let rows = picture.rows.boxes;
     let bordered = rows > 2;
     let mass = Unit::KILOGRAM.format(subsystem.mass);
-    // With an even number of rows the last one of the text is the mass's.
+    // With an even number of rows, the mass takes the last text row.
     let mass = (rows % 2 == 0 && width(&mass) <= most - 2).then_some(mass);
     let label = label(picture, spot, i, (most.min(board.columns()) - 2).max(0));
     let inner = width(&label).max(mass.as_deref().map_or(0, width));
@@ -136,7 +150,7 @@ fn draw_box(picture: &Picture<'_>, board: &mut Board<'_>, spot: &Spot, most: i32
     }
 }
 
-/// A name with the signs of what acts and is taken at the mass, in so many columns.
+/// A name with the signs of the forces and responses of the mass, in this number of columns.
 fn label(picture: &Picture<'_>, spot: &Spot, i: usize, columns: i32) -> String {
     let name = &picture.model.subsystems[i].name;
     let pointer = match picture.focus {
@@ -156,7 +170,7 @@ fn label(picture: &Picture<'_>, spot: &Spot, i: usize, columns: i32) -> String {
     format!("{}{loads}", cut(&bare, room as usize))
 }
 
-/// The column in which a box begins: in the middle beneath its place, else moved aside until there is room.
+/// The first column of a box: centred below its position, or moved until there is room.
 fn seat(
     picture: &Picture<'_>,
     board: &Board<'_>,
@@ -176,7 +190,7 @@ fn seat(
     aside.filter(|left| (0..=last).contains(left)).find(free)
 }
 
-/// Writes a text in the middle of so many columns.
+/// Writes a centred text in this number of columns.
 fn centred(board: &mut Board<'_>, [left, row]: [i32; 2], columns: i32, text: &str, style: Style) {
     board.over([left + (columns - width(text)) / 2, row], text, style);
 }
@@ -208,7 +222,7 @@ fn draw_frame(
     }
 }
 
-/// The springs along y and along z side by side, named where there is room.
+/// The springs along y and along z side by side, with their names if there is room.
 fn draw_springs(
     picture: &Picture<'_>,
     board: &mut Board<'_>,
@@ -227,7 +241,7 @@ fn draw_springs(
     let style = picture.style(subsystem.enabled, selected);
     let first = picture.rows.beam + 1;
     for (number, (letter, spring)) in there.iter().enumerate() {
-        // Two of them stand at either side of the place.
+        // Two of them are at either side of the position.
         let outward = if *letter == 'y' { -1 } else { 1 };
         let place = if there.len() == 1 {
             column
@@ -251,7 +265,7 @@ fn draw_springs(
     }
 }
 
-/// Two springs beside each other.
+/// Two springs next to each other.
 const fn together(one: Spring, other: Spring) -> Spring {
     Spring {
         stiffness: one.stiffness + other.stiffness,

@@ -1,6 +1,6 @@
-//! How the rows of the picture are shared out.
+//! The division of the picture into rows.
 
-/// Rows of the picture, from the top. What has no room has none.
+/// Rows of the picture, from the top. A part without room has none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Rows {
     pub(super) force_words: Option<i32>,
@@ -16,7 +16,7 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    /// Shares out so many rows, what matters most first.
+    /// Divides this number of rows, the most important first.
     pub(super) fn of(height: i32) -> Self {
         let mut left = height - 1;
         let mut take = || {
@@ -30,7 +30,7 @@ impl Rows {
         boxes += take() + take() + take();
         springs += take();
         let (key, gap) = (take(), take());
-        // Rows in plenty make the picture higher.
+        // A surplus of rows makes the picture higher.
         springs += take() + take();
         let top = left.max(0) / 2;
         let beam = top + words + forces;
@@ -52,7 +52,7 @@ impl Rows {
         self.beam + 1 + self.springs
     }
 
-    /// The row behind the last one of the boxes.
+    /// The row after the last one of the boxes.
     pub(super) const fn below_boxes(&self) -> i32 {
         self.below_springs() + self.boxes
     }

@@ -1,4 +1,4 @@
-//! What holds the ends: a wall, a hinge, springs, dampers and masses along w as signs, and all of it in words.
+//! The supports of the ends: a wall, a hinge, springs, dampers and masses along w as signs, and all of it as text.
 
 use super::{Focus, Picture, spring_of, spring_sign};
 use crate::model::{BeamMotion, End, Restraint, Support};
@@ -25,7 +25,7 @@ pub(super) fn draw(picture: &Picture<'_>, board: &mut Board<'_>) {
         }
         if picture.focus == Focus::Support(end) {
             let (column, inward) = side(picture, end);
-            // At the edge of the screen the end itself is the only place.
+            // At the edge of the screen, only the end itself has room.
             let outside = (column - inward).clamp(0, board.columns() - 1);
             let sign = if inward > 0 { POINTER } else { POINTER_BACK };
             let style = picture.style(true, true);
@@ -34,7 +34,7 @@ pub(super) fn draw(picture: &Picture<'_>, board: &mut Board<'_>) {
     }
 }
 
-/// Displacement and slope are held.
+/// Displacement and slope are fixed.
 fn draw_wall(picture: &Picture<'_>, board: &mut Board<'_>, end: End) {
     let (column, inward) = side(picture, end);
     let style = picture.style(true, picture.focus == Focus::Support(end));
@@ -43,7 +43,7 @@ fn draw_wall(picture: &Picture<'_>, board: &mut Board<'_>, end: End) {
     }
 }
 
-/// The displacement is held, the slope is not.
+/// The displacement is fixed, the slope is free.
 fn draw_hinge(picture: &Picture<'_>, board: &mut Board<'_>, end: End) {
     let (column, _) = side(picture, end);
     let style = picture.style(true, picture.focus == Focus::Support(end));
@@ -59,7 +59,7 @@ fn draw_springs(picture: &Picture<'_>, board: &mut Board<'_>, end: End) {
     let elastic = end.support(picture.model)[BeamMotion::W].elastic();
     let both = spring_of(elastic);
     let first = picture.rows.beam + 1;
-    let beside = elastic.stiffness > 0.0 && elastic.damping > 0.0;
+    let parallel = elastic.stiffness > 0.0 && elastic.damping > 0.0;
     let damper = crate::model::Spring {
         stiffness: 0.0,
         damping: elastic.damping,
@@ -68,7 +68,7 @@ fn draw_springs(picture: &Picture<'_>, board: &mut Board<'_>, end: End) {
         if let Some(sign) = spring_sign(picture.signs, both, row) {
             board.sign([column, first + row], sign, style);
         }
-        if let Some(sign) = spring_sign(picture.signs, damper, row).filter(|_| beside) {
+        if let Some(sign) = spring_sign(picture.signs, damper, row).filter(|_| parallel) {
             board.sign([column + inward, first + row], sign, style);
         }
     }
@@ -89,7 +89,7 @@ fn draw_ground(picture: &Picture<'_>, board: &mut Board<'_>, columns: [i32; 2], 
     }
 }
 
-/// Says at each end what holds it, where there is room.
+/// Describes the support at each end, if there is room.
 pub(super) fn draw_words(picture: &Picture<'_>, board: &mut Board<'_>) {
     for end in End::ALL {
         let style = if picture.focus == Focus::Support(end) {
@@ -117,7 +117,7 @@ pub(super) fn draw_words(picture: &Picture<'_>, board: &mut Board<'_>) {
     }
 }
 
-/// What a support does, a line each: a word for all motions, or the motions that it holds and those on springs.
+/// The motions that a support restrains, one line each: a word for all of them, or the fixed ones and those on springs.
 pub(super) fn words(support: &Support) -> Vec<String> {
     if support.kind() != "elastic" {
         return vec![support.kind().to_owned()];

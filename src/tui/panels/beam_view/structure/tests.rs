@@ -5,6 +5,7 @@ use ratatui::buffer::Buffer;
 use ratatui::style::Modifier;
 
 use super::*;
+use crate::designer::driver::thousand;
 use crate::files::{Opened, Source};
 use crate::model::{BeamMotion, Force, MassMotion, Quantity, Restraint, Support, Target};
 use crate::presets;
@@ -34,21 +35,7 @@ fn at(model: Model, node: Node) -> App {
     app
 }
 
-fn thousand() -> Model {
-    let mut model = model("fig05a");
-    let first = model.subsystems[0].clone();
-    model.subsystems = (0..1000)
-        .map(|i| {
-            let mut one = first.clone();
-            one.name = format!("S{}", i + 1);
-            one.position = model.beam.length * f64::from(i) / 999.0;
-            one
-        })
-        .collect();
-    model
-}
-
-/// A look in a locale of UTF-8.
+/// A theme in a locale of UTF-8.
 fn theme(options: Options) -> Theme {
     let environment = Environment {
         locale: Some("C.UTF-8".to_owned()),
@@ -113,7 +100,7 @@ fn reversed(buffer: &Buffer) -> String {
         .collect()
 }
 
-/// Golden: the picture as it was looked at.
+/// Golden: the picture was checked by eye.
 #[test]
 fn a_narrow_panel() {
     let app = at(model("fig05a"), Node::Group(Group::Subsystem(1)));
@@ -131,7 +118,7 @@ fn a_narrow_panel() {
     assert_eq!(screen(&app, 44, 10), expected);
 }
 
-/// Golden: the picture as it was looked at.
+/// Golden: the picture was checked by eye.
 #[test]
 fn a_wide_panel() {
     let app = at(model("fig05a"), Node::Group(Group::Force(1)));
@@ -151,14 +138,14 @@ fn a_wide_panel() {
     assert_eq!(screen(&app, 78, 12), expected);
 }
 
-/// The columns of places and of round values: 3 columns of margin, then 72 of the beam, so x is at
-/// 3 + round(71 x / 3.2 m).
+/// The columns of positions and of round values: 3 columns of margin, then 72 of the beam, so x is at 3 + round(71 x /
+/// 3.2 m).
 #[test]
 fn signs_are_to_scale() {
     let buffer = buffer(&app(model("fig05a")), Theme::new(false), 78, 12);
     let column = |x: f64| 3 + (71.0 * x / 3.2).round() as u16;
     assert_eq!(columns(&buffer, 3, "◆"), [0.0, 1.2, 2.0, 3.2].map(column));
-    // The y springs stand left of a subsystem's place, the z springs right of it; the supports' at the ends.
+    // The y springs are left of a subsystem's position, the z springs right of it; the supports' at the ends.
     let zigzag = [columns(&buffer, 4, "╱"), columns(&buffer, 4, "╲")];
     let [s1, s2, s3] = [0.8, 1.6, 2.4].map(column);
     assert_eq!(
@@ -209,7 +196,7 @@ fn an_end_shows_what_holds_it() {
 
     let mut support = Support::FREE;
     support[BeamMotion::Psi] = Restraint::Fixed;
-    // Without w there is no sign, but the words say it.
+    // Without w there is no sign, but the text names the support.
     let held = left_end(support);
     assert_eq!(held, ["", "   ═════════", "", "", "  psi held", ""]);
     support[BeamMotion::W] = elastic(1e6, 0.0, 0.0);
@@ -221,7 +208,7 @@ fn an_end_shows_what_holds_it() {
     support[BeamMotion::W] = elastic(0.0, 2.0, 0.0);
     let damper = left_end(support);
     assert_eq!(damper[2..], ["   ╫", "   │", "  ▔▔▔", "  psi held"]);
-    // A mass alone stands on no ground.
+    // A mass alone is not connected to the ground.
     support[BeamMotion::W] = elastic(0.0, 0.0, 3.0);
     let mass = left_end(support);
     assert_eq!(mass[2..], ["  ■", "", "  psi held", "  w sprung"]);
@@ -261,7 +248,7 @@ fn forces_have_their_signs() {
         let ascii = buffer(&app, plain_ascii(), 78, 12);
         assert_eq!(ascii[(3, 2)].symbol(), ascii_sign);
     }
-    // One that does not act says so and is dim.
+    // A disabled one is labelled and dim.
     model.forces = vec![Force {
         enabled: false,
         ..force(BeamMotion::W, 1.0, 0.0)
@@ -308,7 +295,7 @@ fn what_is_not_attached_is_outlined() {
     assert!(screen(&app, 44, 10).contains("(S1)      [S2]"));
 }
 
-/// Without colour what is selected is reversed and has a pointer; without modifiers the pointer is left.
+/// Without colour the selection is reversed and has a pointer; without modifiers only the pointer.
 #[test]
 fn what_is_selected_stands_out() {
     let chosen = [
@@ -362,7 +349,7 @@ fn rows_below_a_group_belong_to_it() {
         Node::Parameter(Group::Subsystem(1).parameter(3)),
     );
     assert!(screen(&app, 78, 12).contains("║ >S2  ║"));
-    // A response of the whole beam is nowhere.
+    // A response of the whole beam has no position.
     model.responses[0].quantity = Quantity::Energy;
     let energy = screen(&at(model, Node::Group(Group::Response(0))), 78, 12);
     assert!(energy.contains("P1 w: energy") && !energy.contains(['>', '<']));
@@ -376,7 +363,7 @@ fn a_thousand_subsystems_become_ticks() {
         78,
         12,
     );
-    // 72 columns of the beam less two at either end, where the supports stand.
+    // 72 columns of the beam less two at either end, which the supports take.
     assert_eq!(columns(&many, 4, "╷").len(), 72 - 4);
     let screen = lines(&many).join("\n");
     assert!(screen.contains("─ 1,000 masses ─"), "{screen}");
@@ -409,7 +396,7 @@ fn subsystems_that_are_too_close_share_a_bracket() {
     // 21 and 25: ticks with their names.
     let named = screen(&model, 78);
     assert!(named.contains("S1  S2"), "{named}");
-    // In one column they are one box.
+    // In one column they share one box.
     model.subsystems[1].position = 0.8;
     let one = screen(&model, 78);
     assert!(one.contains("S1 +1"), "{one}");
@@ -458,13 +445,13 @@ fn every_panel_can_be_drawn() {
     }
 }
 
-/// Beneath the rule nothing needs to be replaced for a terminal of ASCII.
+/// Below the rule, nothing needs to be replaced for an ASCII terminal.
 fn inside_is_ascii(drawn: &Buffer, theme: Theme) {
     if !theme.is_ascii() {
         return;
     }
     let rows = lines(drawn);
-    // What is cut off has its ellipsis replaced.
+    // The ellipsis of a cut text is replaced.
     let strange = rows[1..].iter().flat_map(|row| row.chars());
     let strange: Vec<char> = strange.filter(|c| !c.is_ascii() && *c != '…').collect();
     assert!(strange.is_empty(), "{strange:?} in {rows:#?}");

@@ -1,24 +1,32 @@
 //! Subsystems that are too close for boxes.
 
 use super::Picture;
-use super::masses::{Spot, is_selected, leader};
-use crate::model::grouped;
+use crate::model::{Subsystem, grouped};
 use crate::tui::sketch::{Board, width};
 
-/// Ticks at their places, and beneath them their names or how many they are.
-pub(super) fn draw(picture: &Picture<'_>, board: &mut Board<'_>, group: &[Spot]) {
+/// The tick of the subsystems in one column.
+pub(super) struct Tick<'a> {
+    pub(super) column: i32,
+    /// Their number.
+    pub(super) count: usize,
+    /// The one that represents all of them.
+    pub(super) subsystem: &'a Subsystem,
+    pub(super) selected: bool,
+}
+
+/// Ticks at their positions, and below them their names or their number.
+pub(super) fn draw(picture: &Picture<'_>, board: &mut Board<'_>, group: &[Tick<'_>]) {
     let first = picture.rows.beam + 1;
-    for spot in group {
-        let (i, subsystem) = leader(picture, spot);
-        let selected = is_selected(picture, i);
+    for tick in group {
+        let (subsystem, selected) = (tick.subsystem, tick.selected);
         let style = picture.style(subsystem.enabled, selected);
         let sign = match (selected, subsystem.enabled) {
             (true, _) => picture.signs.selected_tick,
             (_, on) => picture.signs.ticks[usize::from(!on)],
         };
         for row in 0..picture.rows.springs {
-            let at = [spot.column, first + row];
-            // At the ends the springs of the supports stay.
+            let at = [tick.column, first + row];
+            // At the ends, the springs of the supports stay.
             if selected {
                 board.sign(at, sign, style);
             } else {
@@ -31,21 +39,17 @@ pub(super) fn draw(picture: &Picture<'_>, board: &mut Board<'_>, group: &[Spot])
     }
 }
 
-/// Names the ticks if all names have room; whether they had.
-fn draw_names(picture: &Picture<'_>, board: &mut Board<'_>, group: &[Spot]) -> bool {
+/// Names the ticks if all names have room; returns whether they had.
+fn draw_names(picture: &Picture<'_>, board: &mut Board<'_>, group: &[Tick<'_>]) -> bool {
     let row = picture.rows.below_springs();
     let mut behind = i32::MIN;
     let mut places = Vec::new();
-    for spot in group {
-        let (_, subsystem) = leader(picture, spot);
+    for tick in group {
+        let subsystem = tick.subsystem;
         let columns = width(&subsystem.name);
-        let left = spot.column - (columns - 1) / 2;
+        let left = tick.column - (columns - 1) / 2;
         let inside = left >= 0 && left + columns <= board.columns();
-        if spot.members.len() > 1
-            || left <= behind
-            || !inside
-            || !board.is_free([left, row], columns)
-        {
+        if tick.count > 1 || left <= behind || !inside || !board.is_free([left, row], columns) {
             return false;
         }
         behind = left + columns;
@@ -59,13 +63,13 @@ fn draw_names(picture: &Picture<'_>, board: &mut Board<'_>, group: &[Spot]) -> b
 }
 
 /// A bracket from the first tick to the last one, with their number.
-fn draw_bracket(picture: &Picture<'_>, board: &mut Board<'_>, group: &[Spot]) {
+fn draw_bracket(picture: &Picture<'_>, board: &mut Board<'_>, group: &[Tick<'_>]) {
     let row = picture.rows.below_springs();
     let [.., last] = group else {
         return;
     };
     let (left, right) = (group[0].column, last.column);
-    let count: usize = group.iter().map(|spot| spot.members.len()).sum();
+    let count: usize = group.iter().map(|tick| tick.count).sum();
     let count = grouped(count);
     let words = [format!(" {count} masses "), format!(" {count} "), count];
     let middle = left.midpoint(right);

@@ -10,7 +10,7 @@ use crate::tui::scene::axes::{Loci, nearest};
 use crate::tui::scene::{CurveKind, Scene};
 use crate::tui::theme::Theme;
 
-/// Modes that are numbered on a locus: those with one digit.
+/// Number of modes that are numbered on a locus: those with one digit.
 const NUMBERED_MODES: usize = 9;
 
 /// Draws the loci of a scene.
@@ -56,7 +56,7 @@ fn spots(scene: &Scene, theme: Theme) -> Vec<Spot> {
             })
         });
     let mut spots: Vec<Spot> = modes.collect();
-    // Of several in one cell the lowest mode shows.
+    // If several share a cell, the lowest mode is visible.
     spots.reverse();
     let sign = if theme.glyphs() == Glyphs::Ascii {
         'X'

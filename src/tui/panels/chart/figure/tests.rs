@@ -1,4 +1,4 @@
-//! Tests of scenes as they stand in a buffer.
+//! Tests of scenes as drawn in a buffer.
 
 use ratatui::style::Modifier;
 
@@ -56,7 +56,7 @@ fn every_view_names_its_axes_once() {
 }
 
 #[test]
-fn frequencies_are_shown_in_their_unit_and_told_in_hertz() {
+fn frequencies_are_shown_in_their_unit_and_returned_in_hertz() {
     for unit in FrequencyUnit::SHOWN {
         for view in [ChartView::Magnitude, ChartView::MagnitudePhase] {
             let mut scene = scene(view);
@@ -64,7 +64,7 @@ fn frequencies_are_shown_in_their_unit_and_told_in_hertz() {
             let (drawn, buffer) = drawn(&scene, Theme::new(false), [60, 21]);
             let plot = drawn.plot.unwrap();
             assert_eq!(plot.frequencies.len(), usize::from(plot.area.width));
-            // A column is so many hertz wide, the outermost dots stand for 1 and 100 Hz.
+            // The outermost dots are at 1 and 100 Hz, which gives the width of a column in hertz.
             let wide = 2.0 * 99.0 / f64::from(2 * plot.area.width - 1);
             for (column, frequency) in (0_u16..).zip(&plot.frequencies) {
                 let expected = (1.0 + wide * (f64::from(column) + 0.25)).min(100.0);
@@ -73,7 +73,7 @@ fn frequencies_are_shown_in_their_unit_and_told_in_hertz() {
                     "{frequency} {expected}"
                 );
             }
-            // The cursor stands at 30 Hz.
+            // The cursor is at 30 Hz.
             let lines = lines(&buffer);
             let foot = lines
                 .iter()
@@ -137,7 +137,7 @@ fn two_panels_are_one_plot_for_the_mouse() {
 }
 
 #[test]
-fn measured_points_are_told_from_the_model_without_colour() {
+fn measured_points_differ_from_the_model_without_colour() {
     let mut scene = scene(ChartView::Magnitude);
     scene.marks = Marked::default();
     let sparse: Vec<f64> = (1..=19).map(|k| 5.0 * f64::from(k)).collect();
@@ -148,7 +148,7 @@ fn measured_points_are_told_from_the_model_without_colour() {
         let text = text(&scene, theme, [60, 20]);
         assert_eq!(text.matches(sign).count(), 19, "{text}");
     }
-    // As many as columns make a line, marked here and there.
+    // With as many points as columns, the curve is a line with a few markers.
     scene.curves[1] = curve(ChartView::Magnitude, CurveKind::Measured, frequencies());
     let text = text(&scene, Theme::new(false), [60, 20]);
     let signs = text.matches('◇').count();

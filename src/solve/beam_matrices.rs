@@ -1,0 +1,512 @@
+//! A beam theory as four symmetric matrices over (w, psi, v): all that the solver knows of material and section.
+//!
+//! With the motions q = (w, psi, v) of the shear-centre line, its slopes q' and the rotations s of the section (s = q'
+//! without shear deformation)
+//!
+//! ```text
+//! U = 1/2 int s'^T D s' + (q' - s)^T F^-1 (q' - s) + q'^T C q' dx,   T = 1/2 int q_t^T M q_t + s_t^T R s_t dx
+//! ```
+//!
+//! D resists bending and warping, C resists twist and, under an axial force N along the centroids, the slopes; F is the
+//! compliance in shear, M the mass, R the rotary inertia. A centroid at (`y_c`, `z_c`) from the shear centre moves by `w + z_c psi` and
+//! `v - y_c psi`, so that M and N share one pattern. Source: Vlasov, Thin-Walled Elastic Beams (1961), Chapter 5; for
+//! the paper's beam these are the energies of Chen & Liu, Mathematics 2022, 10(16), 2849, Section 2.
+
+use num_complex::Complex64;
+
+use super::linear::ZERO;
+use crate::model::schema::{BeamKey, MaterialKey, SectionKey};
+use crate::model::{Beam, Section};
+
+/// A symmetric 3x3 matrix over (w, psi, v).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Symmetric<T> {
+    pub(super) w: T,
+    pub(super) psi: T,
+    pub(super) v: T,
+    pub(super) w_psi: T,
+    pub(super) psi_v: T,
+    pub(super) w_v: T,
+}
+
+/// The matrices of a beam, or their derivatives by a parameter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct BeamMatrices {
+    /// D: N m2 for the slopes of w and v, N m4 for the rate of twist; with the loss factor.
+    pub(super) bending: Symmetric<Complex64>,
+    /// C: N for the slopes of w and v, N m2 for the rate of twist.
+    pub(super) tension: Symmetric<Complex64>,
+    /// F: 1/N, of w and v.
+    pub(super) shear: Symmetric<Complex64>,
+    /// M, per length: kg/m for w and v, kg m for psi.
+    pub(super) mass: Symmetric<f64>,
+    /// R, per length: kg m for the slopes of w and v, kg m3 for the rate of twist.
+    pub(super) rotary: Symmetric<f64>,
+}
+
+impl<T: Copy> Symmetric<T> {
+    /// The rows.
+    pub(super) fn rows(&self) -> [[T; 3]; 3] {
+        [
+            [self.w, self.w_psi, self.w_v],
+            [self.w_psi, self.psi, self.psi_v],
+            [self.w_v, self.psi_v, self.v],
+        ]
+    }
+
+    /// The matrix of each entry's image.
+    pub(super) fn map<U>(&self, of: impl Fn(T) -> U) -> Symmetric<U> {
+        Symmetric {
+            w: of(self.w),
+            psi: of(self.psi),
+            v: of(self.v),
+            w_psi: of(self.w_psi),
+            psi_v: of(self.psi_v),
+            w_v: of(self.w_v),
+        }
+    }
+}
+
+impl<T: Copy + Into<Complex64>> Symmetric<T> {
+    /// The product with three numbers.
+    pub(super) fn times(&self, of: [Complex64; 3]) -> [Complex64; 3] {
+        self.rows().map(|row| {
+            let [a, b, c] = row.map(Into::into);
+            a * of[0] + b * of[1] + c * of[2]
+        })
+    }
+
+    /// The sum of the products of its entries and those of a matrix: `x^T (self) y` for the matrix `y x^T`.
+    pub(super) fn on(&self, products: &[[Complex64; 3]; 3]) -> Complex64 {
+        let rows = self.rows();
+        let entry = |i: usize, j: usize| rows[i][j].into() * products[i][j];
+        (0..9).map(|at| entry(at / 3, at % 3)).sum()
+    }
+}
+
+impl Symmetric<Complex64> {
+    fn scaled_complex(&self, by: Complex64) -> Self {
+        self.map(|entry| by * entry)
+    }
+}
+
+impl Symmetric<f64> {
+    pub(super) const ZERO: Self = Self {
+        w: 0.0,
+        psi: 0.0,
+        v: 0.0,
+        w_psi: 0.0,
+        psi_v: 0.0,
+        w_v: 0.0,
+    };
+
+    /// The form of motions of the centroid: `|w + z_c psi|^2 + |v - y_c psi|^2` and the rest of the polar moment.
+    fn of_centroid(section: &Section) -> Self {
+        Self {
+            w: 1.0,
+            psi: section.polar_moment / section.area,
+            v: 1.0,
+            w_psi: section.centroid_offset,
+            psi_v: -section.centroid_offset_y,
+            w_v: 0.0,
+        }
+    }
+
+    /// The second moments of area; `warping` is that of the warping function.
+    fn of_second_moments(section: &Section, warping: f64) -> Self {
+        Self {
+            w: section.second_moment_y,
+            psi: warping,
+            v: section.second_moment_z,
+            w_v: section.product_moment,
+            ..Self::ZERO
+        }
+    }
+
+    fn scaled(&self, by: f64) -> Self {
+        self.map(|entry| by * entry)
+    }
+
+    fn times_complex(&self, by: Complex64) -> Symmetric<Complex64> {
+        self.map(|entry| by * entry)
+    }
+}
+
+impl BeamMatrices {
+    const ZERO: Self = Self {
+        bending: Symmetric {
+            w: ZERO,
+            psi: ZERO,
+            v: ZERO,
+            w_psi: ZERO,
+            psi_v: ZERO,
+            w_v: ZERO,
+        },
+        tension: Symmetric {
+            w: ZERO,
+            psi: ZERO,
+            v: ZERO,
+            w_psi: ZERO,
+            psi_v: ZERO,
+            w_v: ZERO,
+        },
+        shear: Symmetric {
+            w: ZERO,
+            psi: ZERO,
+            v: ZERO,
+            w_psi: ZERO,
+            psi_v: ZERO,
+            w_v: ZERO,
+        },
+        mass: Symmetric::ZERO,
+        rotary: Symmetric::ZERO,
+    };
+
+    /// Those of a beam.
+    pub(super) fn new(beam: &Beam) -> Self {
+        let (material, section) = (&beam.material, &beam.section);
+        let loss = Complex64::new(1.0, material.loss_factor);
+        let centroid = Symmetric::of_centroid(section);
+        let moments = Symmetric::of_second_moments(section, section.warping_constant);
+        let mut tension = centroid.times_complex(beam.axial_force.into());
+        tension.psi += loss * material.shear_modulus * section.torsion_constant;
+        Self {
+            bending: moments.times_complex(loss * material.young_modulus),
+            tension,
+            shear: shear(beam),
+            mass: centroid.scaled(material.density * section.area),
+            rotary: rotary(beam, &moments).scaled(material.density),
+        }
+    }
+
+    /// `D^-1 m`: the curvatures, 1/m and 1/m2, for internal moments; without warping stiffness that of twist is 0.
+    pub(super) fn curvatures(&self, [w, psi, v]: [Complex64; 3]) -> [Complex64; 3] {
+        let d = &self.bending;
+        let determinant = d.w * d.v - d.w_v * d.w_v;
+        let warping = if d.psi == ZERO { ZERO } else { psi / d.psi };
+        [
+            (d.v * w - d.w_v * v) / determinant,
+            warping,
+            (d.w * v - d.w_v * w) / determinant,
+        ]
+    }
+
+    /// The real parts of the principal values of the bending of w and v, N m2, in the order of w and v if they are not
+    /// coupled.
+    pub(super) fn principal_bending(&self) -> [f64; 2] {
+        let (w, v, both) = (self.bending.w.re, self.bending.v.re, self.bending.w_v.re);
+        if both == 0.0 {
+            return [w, v];
+        }
+        let larger = 0.5 * (w + v) + (0.5 * (w - v)).hypot(both);
+        // Without cancellation.
+        [larger, (w * v - both * both) / larger]
+    }
+
+    /// `a^T M b + a'^T R b'` for the six motions of a point, kg/m times the units of both.
+    pub(super) fn inertia(&self, a: &[Complex64; 6], b: &[Complex64; 6]) -> Complex64 {
+        let form = |of: &Symmetric<f64>, first: usize| -> Complex64 {
+            let moved = of.times([b[first], b[first + 1], b[first + 2]]);
+            a[first..]
+                .iter()
+                .zip(moved)
+                .map(|(a, moved)| a * moved)
+                .sum()
+        };
+        form(&self.mass, 0) + form(&self.rotary, 3)
+    }
+
+    /// The rate of twist, rad/m, at a torque, N m, and slopes of w and v, without warping stiffness.
+    pub(super) fn rate_of_twist(&self, torque: Complex64, [w, v]: [Complex64; 2]) -> Complex64 {
+        let c = &self.tension;
+        (torque - c.w_psi * w - c.psi_v * v) / c.psi
+    }
+
+    /// Whether there is shear deformation.
+    pub(super) fn has_shear(&self) -> bool {
+        self.shear.w != ZERO || self.shear.v != ZERO
+    }
+
+    /// The shear forces g on a section, N, for internal forces and slopes q' of the axis.
+    fn shear_forces(&self, forces: [Complex64; 3], slopes: [Complex64; 3]) -> [Complex64; 3] {
+        let pulled = self.tension.times(slopes);
+        std::array::from_fn(|row| forces[row] - pulled[row])
+    }
+
+    /// The slopes q' of the axis for rotations of the section and internal forces: `(1 + F C)^-1 (s + F f)`.
+    pub(super) fn slopes(
+        &self,
+        rotations: [Complex64; 3],
+        forces: [Complex64; 3],
+    ) -> [Complex64; 3] {
+        if !self.has_shear() {
+            return rotations;
+        }
+        let (compliance, tension) = (self.shear.rows(), self.tension.rows());
+        let product = |i: usize, j: usize| (0..3).map(|k| compliance[i][k] * tension[k][j]).sum();
+        let unit = nalgebra::Matrix3::<Complex64>::identity();
+        let matrix = unit + nalgebra::Matrix3::from_fn(product);
+        let sheared = self.shear.times(forces);
+        let right = nalgebra::Vector3::from_fn(|row, _| rotations[row] + sheared[row]);
+        let slopes = matrix.lu().solve(&right).map(Into::into);
+        slopes.unwrap_or([Complex64::new(f64::NAN, f64::NAN); 3])
+    }
+
+    /// Half the sum of what two states at one place would store, less their kinetic energies, times two, and the work of
+    /// their internal forces along a shift of the place: `f q' + m s'` in both orders less the density of the form.
+    ///
+    /// `motions` are the six motions and `forces` the six internal forces of both states.
+    pub(super) fn shifted(
+        &self,
+        omega: Complex64,
+        motions: [&[Complex64; 6]; 2],
+        forces: [&[Complex64; 6]; 2],
+    ) -> Complex64 {
+        let first = |of: &[Complex64; 6]| [of[0], of[1], of[2]];
+        let last = |of: &[Complex64; 6]| [of[3], of[4], of[5]];
+        let [q, other_q] = motions.map(first);
+        let [s, other_s] = motions.map(last);
+        let [f, other_f] = forces.map(first);
+        let [m, other_m] = forces.map(last);
+        let (slopes, other_slopes) = (self.slopes(s, f), self.slopes(other_s, other_f));
+        let (g, other_g) = (
+            self.shear_forces(f, slopes),
+            self.shear_forces(other_f, other_slopes),
+        );
+        // m s' in both orders less m D^-1 m.
+        dot(f, other_slopes) + dot(other_f, slopes) + dot(m, self.curvatures(other_m))
+            - dot(slopes, self.tension.times(other_slopes))
+            - dot(g, self.shear.times(other_g))
+            + omega
+                * omega
+                * (dot(q, self.mass.times(other_q)) + dot(s, self.rotary.times(other_s)))
+    }
+
+    /// Their derivatives by a number of the beam's own table except its length.
+    pub(super) fn by_beam(beam: &Beam, key: BeamKey) -> Option<Self> {
+        match key {
+            BeamKey::Length | BeamKey::Theory | BeamKey::WarpingInertia => None,
+            BeamKey::AxialForce => Some(Self {
+                tension: Symmetric::of_centroid(&beam.section).times_complex(Complex64::ONE),
+                ..Self::ZERO
+            }),
+        }
+    }
+
+    /// Their derivatives by a number of the material.
+    pub(super) fn by_material(beam: &Beam, key: MaterialKey) -> Self {
+        let (material, section) = (&beam.material, &beam.section);
+        let loss = Complex64::new(1.0, material.loss_factor);
+        let moments = Symmetric::of_second_moments(section, section.warping_constant);
+        let twist = |by: Complex64| Symmetric {
+            psi: by * section.torsion_constant,
+            ..Self::ZERO.tension
+        };
+        match key {
+            MaterialKey::YoungModulus => Self {
+                bending: moments.times_complex(loss),
+                ..Self::ZERO
+            },
+            MaterialKey::ShearModulus => Self {
+                tension: twist(loss),
+                shear: shear(beam).scaled_complex((-1.0 / material.shear_modulus).into()),
+                ..Self::ZERO
+            },
+            MaterialKey::Density => Self {
+                mass: Symmetric::of_centroid(section).scaled(section.area),
+                rotary: rotary(beam, &moments),
+                ..Self::ZERO
+            },
+            MaterialKey::LossFactor => Self {
+                bending: moments.times_complex(Complex64::I * material.young_modulus),
+                tension: twist(Complex64::I * material.shear_modulus),
+                shear: shear(beam).scaled_complex(-Complex64::I / loss),
+                ..Self::ZERO
+            },
+        }
+    }
+
+    /// Their derivatives by a number of the section.
+    pub(super) fn by_section(beam: &Beam, key: SectionKey) -> Self {
+        let (material, section) = (&beam.material, &beam.section);
+        let loss = Complex64::new(1.0, material.loss_factor);
+        let young = loss * material.young_modulus;
+        let (density, force) = (material.density, beam.axial_force);
+        let inertia = density * section.area;
+        let of_moments = |moments: Symmetric<f64>| Self {
+            bending: moments.times_complex(young),
+            rotary: rotary(beam, &moments).scaled(density),
+            ..Self::ZERO
+        };
+        let of_centroid = |pattern: Symmetric<f64>| Self {
+            mass: pattern.scaled(inertia),
+            tension: pattern.times_complex(force.into()),
+            ..Self::ZERO
+        };
+        // An area that no theory uses may be 0.
+        let by_shear = |compliance: Complex64, area: f64, entry: EntryOf| {
+            let change = if compliance == ZERO {
+                ZERO
+            } else {
+                -compliance / area
+            };
+            Self {
+                shear: entry(change, Self::ZERO.shear),
+                ..Self::ZERO
+            }
+        };
+        let zero = Symmetric::ZERO;
+        match key {
+            SectionKey::Area => Self {
+                mass: Symmetric {
+                    psi: 0.0,
+                    ..Symmetric::of_centroid(section).scaled(density)
+                },
+                tension: Symmetric {
+                    psi: (-force * section.polar_moment / section.area.powi(2)).into(),
+                    ..Self::ZERO.tension
+                },
+                ..Self::ZERO
+            },
+            SectionKey::SecondMomentY => of_moments(Symmetric { w: 1.0, ..zero }),
+            SectionKey::SecondMomentZ => of_moments(Symmetric { v: 1.0, ..zero }),
+            SectionKey::ProductMoment => of_moments(Symmetric { w_v: 1.0, ..zero }),
+            SectionKey::WarpingConstant => of_moments(Symmetric { psi: 1.0, ..zero }),
+            SectionKey::TorsionConstant => Self {
+                tension: Symmetric {
+                    psi: loss * material.shear_modulus,
+                    ..Self::ZERO.tension
+                },
+                ..Self::ZERO
+            },
+            SectionKey::PolarMoment => of_centroid(Symmetric {
+                psi: section.area.recip(),
+                ..zero
+            }),
+            SectionKey::CentroidOffset => of_centroid(Symmetric { w_psi: 1.0, ..zero }),
+            SectionKey::CentroidOffsetY => of_centroid(Symmetric {
+                psi_v: -1.0,
+                ..zero
+            }),
+            SectionKey::ShearAreaY => by_shear(shear(beam).w, section.shear_area_y, |w, none| {
+                Symmetric { w, ..none }
+            }),
+            SectionKey::ShearAreaZ => by_shear(shear(beam).v, section.shear_area_z, |v, none| {
+                Symmetric { v, ..none }
+            }),
+        }
+    }
+}
+
+/// A matrix with one entry.
+type EntryOf = fn(Complex64, Symmetric<Complex64>) -> Symmetric<Complex64>;
+
+fn dot(one: [Complex64; 3], other: [Complex64; 3]) -> Complex64 {
+    one.iter().zip(other).map(|(one, other)| one * other).sum()
+}
+
+/// The compliance in shear.
+fn shear(beam: &Beam) -> Symmetric<Complex64> {
+    let rigid = BeamMatrices::ZERO.shear;
+    if !beam.theory.has_shear() {
+        return rigid;
+    }
+    let modulus = Complex64::new(1.0, beam.material.loss_factor) * beam.material.shear_modulus;
+    Symmetric {
+        w: (modulus * beam.section.shear_area_y).inv(),
+        v: (modulus * beam.section.shear_area_z).inv(),
+        ..rigid
+    }
+}
+
+/// The second moments that have rotary inertia.
+fn rotary(beam: &Beam, moments: &Symmetric<f64>) -> Symmetric<f64> {
+    let bends = if beam.theory.has_rotary_inertia() {
+        *moments
+    } else {
+        Symmetric::ZERO
+    };
+    Symmetric {
+        psi: if beam.warping_inertia {
+            moments.psi
+        } else {
+            0.0
+        },
+        ..bends
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Material, Theory};
+
+    fn beam() -> Beam {
+        Beam {
+            length: 3.0,
+            theory: Theory::Timoshenko,
+            warping_inertia: true,
+            axial_force: 2e4,
+            material: Material {
+                young_modulus: 2e11,
+                shear_modulus: 8e10,
+                density: 7800.0,
+                loss_factor: 0.03,
+            },
+            section: Section {
+                area: 2e-3,
+                second_moment_y: 3e-6,
+                second_moment_z: 5e-6,
+                torsion_constant: 2e-8,
+                warping_constant: 1e-9,
+                polar_moment: 1.2e-5,
+                centroid_offset: 0.02,
+                product_moment: 1e-6,
+                centroid_offset_y: -0.03,
+                shear_area_y: 1e-3,
+                shear_area_z: 1.4e-3,
+            },
+        }
+    }
+
+    /// Closed form: every matrix is at most a quadratic function of each number but the areas, and there the curvature is
+    /// 1e-8 of the difference.
+    #[test]
+    fn derivatives_are_those_of_the_matrices() {
+        let beam = beam();
+        let mut checked = 0;
+        for (row, access) in crate::model::schema::SECTION.access.iter().enumerate() {
+            let crate::model::schema::Access::Number(get, set) = access else {
+                panic!("every row of a section is a number");
+            };
+            let value = get(&beam.section);
+            let step = 1e-4 * value.abs();
+            let at = |value: f64| {
+                let mut moved = beam;
+                set(&mut moved.section, value);
+                BeamMatrices::new(&moved)
+            };
+            let (high, low) = (at(value + step), at(value - step));
+            let exact = BeamMatrices::by_section(&beam, SectionKey::ALL[row]);
+            let all = |of: &BeamMatrices| -> Vec<Complex64> {
+                let entries = [
+                    of.bending,
+                    of.tension,
+                    of.mass.map(Into::into),
+                    of.rotary.map(Into::into),
+                ];
+                entries.iter().flat_map(Symmetric::rows).flatten().collect()
+            };
+            for ((high, low), exact) in all(&high).iter().zip(all(&low)).zip(all(&exact)) {
+                let difference = (high - low) / (2.0 * step);
+                let size = (high.norm() + low.norm()) / step;
+                assert!(
+                    (difference - exact).norm() <= 1e-7 * exact.norm() + 1e-14 * size,
+                    "{row}: {difference} {exact}"
+                );
+                checked += usize::from(exact != ZERO);
+            }
+        }
+        assert!(checked > 20, "{checked}");
+    }
+}

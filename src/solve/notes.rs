@@ -1,0 +1,85 @@
+//! Notes on a possible model: what is unusual and may be a mistake, but no fault.
+
+use super::validity::{CHANGE, euler_bernoulli_up_to};
+use crate::model::schema::SectionKey;
+use crate::model::{Checked, Group, ParameterId, path};
+
+/// A note on a number of a model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Note {
+    /// The number.
+    pub id: ParameterId,
+    /// What there is to know about it.
+    pub message: String,
+}
+
+/// The notes on a model.
+pub fn notes(model: &Checked) -> Vec<Note> {
+    [polar_moment(model), sweep(model)]
+        .into_iter()
+        .flatten()
+        .collect()
+}
+
+/// A polar moment that no homogeneous section with these areas has.
+fn polar_moment(model: &Checked) -> Option<Note> {
+    /// Tables round, and thin-walled formulas leave out the corners.
+    const USUAL: f64 = 0.05;
+    let section = &model.beam.section;
+    let (y, z) = (section.centroid_offset_y, section.centroid_offset);
+    let own = section.second_moment_y + section.second_moment_z + section.area * (y * y + z * z);
+    let excess = section.polar_moment / own - 1.0;
+    (excess.abs() > USUAL).then(|| Note {
+        id: Group::Section.parameter(SectionKey::PolarMoment as usize),
+        message: format!(
+            "I_y + I_z + A (y_c^2 + z_c^2) is {own:.4e} m4, as I_0 of a homogeneous section; this one is {:+.0} % off",
+            100.0 * excess
+        ),
+    })
+}
+
+/// A sweep beyond the theory of bending.
+fn sweep(model: &Checked) -> Option<Note> {
+    let limit = euler_bernoulli_up_to(&model.beam)?;
+    if model.sweep.to <= limit {
+        return None;
+    }
+    Some(Note {
+        id: path::one(model, "sweep.to").ok()?,
+        message: format!(
+            "above {limit:.0} Hz shear and rotary inertia change the bending wave number by more than {:.0} %; the theory \"timoshenko\" has both",
+            100.0 * CHANGE
+        ),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{self, Model, checked};
+
+    fn preset(name: &str) -> Model {
+        model::read(crate::presets::find(name).unwrap().text)
+            .unwrap()
+            .into_inner()
+    }
+
+    #[test]
+    fn the_papers_polar_moment_is_noted() {
+        // Closed form: 1.6625e-4 + 1.3745e-4 + 0.0116 * 0.0619^2 = 3.4815e-4 m4, and 5.9992e-4 is 72 % more.
+        let notes = notes(&checked(&preset("fig05a")));
+        assert_eq!(notes.len(), 1, "{notes:?}");
+        assert!(notes[0].message.contains("3.4815e-4 m4") && notes[0].message.contains("+72 %"));
+    }
+
+    #[test]
+    fn a_sweep_beyond_the_theory_is_noted_and_another_theory_is_not() {
+        let mut model = preset("purlin");
+        assert_eq!(notes(&checked(&model)), []);
+        model.sweep.to = 2e4;
+        let found = notes(&checked(&model));
+        assert_eq!(path::text(&model, found[0].id), "sweep.to");
+        model.beam.theory = crate::model::Theory::Rayleigh;
+        assert_eq!(notes(&checked(&model)), []);
+    }
+}

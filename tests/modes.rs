@@ -134,6 +134,15 @@ fn theories_of_bending_without_symmetry() {
     );
 }
 
+/// Expected: the same Ritz method; a foundation along z of 2e5 N/m2.
+#[test]
+fn a_foundation_without_symmetry() {
+    let mut model = unsymmetric(1.5, Support::PINNED, Support::PINNED);
+    model.beam.foundation.v.stiffness = 2e5;
+    let along_z = [46.26534, 91.73971, 166.27289, 174.83074, 303.57655];
+    assert_modes(&model, &along_z);
+}
+
 /// Expected: closed form for pinned ends, otherwise the same Ritz method.
 #[test]
 fn an_axial_force_without_symmetry_and_its_buckling_load() {

@@ -106,6 +106,14 @@ fn beam() -> impl Strategy<Value = Beam> {
                     },
                     warping_inertia: warps,
                     axial_force,
+                    foundation: Foundation {
+                        psi: Bedding {
+                            stiffness: if warps { moment } else { 0.0 },
+                            damping: 0.0,
+                            loss_factor,
+                        },
+                        ..Foundation::default()
+                    },
                     material: Material {
                         young_modulus,
                         shear_modulus,

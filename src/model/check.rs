@@ -7,7 +7,8 @@ mod tuning;
 use super::fault::Fault;
 use super::id::End;
 use super::schema::{
-    BEAM, FEWEST_POINTS, MATERIAL, MOST_POINTS, Range, Rows, SECTION, SUBSYSTEM, SWEEP, elastic,
+    BEAM, FEWEST_POINTS, FOUNDATION, MATERIAL, MOST_POINTS, Range, Rows, SECTION, SUBSYSTEM, SWEEP,
+    elastic,
 };
 use super::spelling::{LONGEST_NAME, element_keys, is_too_long};
 use super::toml_literal::format_number;
@@ -148,6 +149,7 @@ fn beam(beam: &Beam, faults: &mut Vec<Fault>) {
     numbers("beam", beam, &BEAM, faults);
     numbers("beam.material", &beam.material, &MATERIAL, faults);
     numbers("beam.section", &beam.section, &SECTION, faults);
+    numbers("beam.foundation", &beam.foundation, &FOUNDATION, faults);
     let section = &beam.section;
     let (least, formula) = section.least_polar_moment();
     if section.polar_moment > 0.0 && section.polar_moment <= least {

@@ -52,6 +52,8 @@ pub enum Group {
     Material,
     /// The beam's section.
     Section,
+    /// The foundation.
+    Foundation,
     /// Both supports.
     Supports,
     /// One end's support.
@@ -94,6 +96,7 @@ impl Group {
             Self::Beam => schema::BEAM.keys,
             Self::Material => schema::MATERIAL.keys,
             Self::Section => schema::SECTION.keys,
+            Self::Foundation => schema::FOUNDATION.keys,
             Self::Support(_) => schema::SUPPORT.keys,
             Self::Motion(_, motion) => schema::elastic(motion).keys,
             Self::Subsystem(_) => schema::SUBSYSTEM.keys,
@@ -117,7 +120,7 @@ impl Group {
     pub const fn parent(self) -> Option<Self> {
         Some(match self {
             Self::Model => return None,
-            Self::Material | Self::Section => Self::Beam,
+            Self::Material | Self::Section | Self::Foundation => Self::Beam,
             Self::Support(_) => Self::Supports,
             Self::Motion(end, _) => Self::Support(end),
             Self::Subsystem(_) => Self::Subsystems,
@@ -150,7 +153,7 @@ impl Group {
                     .chain(tune)
                     .collect()
             }
-            Self::Beam => vec![Self::Material, Self::Section],
+            Self::Beam => vec![Self::Material, Self::Section, Self::Foundation],
             Self::Supports => End::ALL.map(Self::Support).to_vec(),
             Self::Support(end) => BeamMotion::ALL
                 .map(|motion| Self::Motion(end, motion))
@@ -175,7 +178,7 @@ impl Group {
     #[must_use]
     pub const fn owner(self) -> Self {
         match self {
-            Self::Material | Self::Section => Self::Beam,
+            Self::Material | Self::Section | Self::Foundation => Self::Beam,
             Self::Motion(end, _) => Self::Support(end),
             other => other,
         }

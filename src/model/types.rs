@@ -55,6 +55,37 @@ pub struct Beam {
     pub material: Material,
     /// Its cross-section.
     pub section: Section,
+    /// What it lies on, along its whole length.
+    pub foundation: Foundation,
+}
+
+/// A foundation of springs and dampers along the beam, at its shear centres.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Foundation {
+    /// On w, per length: N/m2, N s/m2.
+    pub w: Bedding,
+    /// On psi, per length: N, N s.
+    pub psi: Bedding,
+    /// On v, per length: N/m2, N s/m2.
+    pub v: Bedding,
+}
+
+/// A spring and a damper per length, `k (1 + i eta) + i omega c`.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Bedding {
+    /// k.
+    pub stiffness: f64,
+    /// c.
+    pub damping: f64,
+    /// Loss factor eta of the stiffness.
+    pub loss_factor: f64,
+}
+
+impl Foundation {
+    /// Those of w, psi and v.
+    pub(crate) fn beddings(&self) -> [Bedding; 3] {
+        [self.w, self.psi, self.v]
+    }
 }
 
 words! {
@@ -127,11 +158,12 @@ pub struct Section {
 
 impl Beam {
     /// Whether the section has one offset at most, along z, and its principal axes along y and z, and the beam neither
-    /// rotary inertia nor an axial force: the beam of Chen & Liu, Mathematics 2022, 10(16), 2849, where v is on its own.
+    /// rotary inertia nor shear deformation, axial force or foundation: the beam of Chen & Liu, Mathematics 2022, 10(16), 2849, where v is on its own.
     pub(crate) fn is_of_one_offset(&self) -> bool {
         self.section.product_moment == 0.0
             && self.section.centroid_offset_y == 0.0
             && self.axial_force == 0.0
+            && self.foundation == Foundation::default()
             && self.theory == Theory::EulerBernoulli
             && !self.warping_inertia
     }

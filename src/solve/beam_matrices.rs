@@ -4,11 +4,11 @@
 //! without shear deformation)
 //!
 //! ```text
-//! U = 1/2 int s'^T D s' + (q' - s)^T F^-1 (q' - s) + q'^T C q' dx,   T = 1/2 int q_t^T M q_t + s_t^T R s_t dx
+//! U = 1/2 int s'^T D s' + (q' - s)^T F^-1 (q' - s) + q'^T C q' + q^T K q dx,   T = 1/2 int q_t^T M q_t + s_t^T R s_t dx
 //! ```
 //!
 //! D resists bending and warping, C resists twist and, under an axial force N along the centroids, the slopes; F is the
-//! compliance in shear, M the mass, R the rotary inertia. A centroid at (`y_c`, `z_c`) from the shear centre moves by `w + z_c psi` and
+//! compliance in shear, K the foundation, M the mass, R the rotary inertia. A centroid at (`y_c`, `z_c`) from the shear centre moves by `w + z_c psi` and
 //! `v - y_c psi`, so that M and N share one pattern. Source: Vlasov, Thin-Walled Elastic Beams (1961), Chapter 5; for
 //! the paper's beam these are the energies of Chen & Liu, Mathematics 2022, 10(16), 2849, Section 2.
 
@@ -16,7 +16,7 @@ use num_complex::Complex64;
 
 use super::linear::ZERO;
 use crate::model::schema::{BeamKey, MaterialKey, SectionKey};
-use crate::model::{Beam, Section};
+use crate::model::{Beam, Bedding, Section};
 
 /// A symmetric 3x3 matrix over (w, psi, v).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,6 +38,10 @@ pub(super) struct BeamMatrices {
     pub(super) tension: Symmetric<Complex64>,
     /// F: 1/N, of w and v.
     pub(super) shear: Symmetric<Complex64>,
+    /// K, per length: N/m2 for w and v, N for psi; with its loss factors.
+    pub(super) foundation: [Complex64; 3],
+    /// Its dampers: N s/m2, N s.
+    pub(super) foundation_damping: [f64; 3],
     /// M, per length: kg/m for w and v, kg m for psi.
     pub(super) mass: Symmetric<f64>,
     /// R, per length: kg m for the slopes of w and v, kg m3 for the rate of twist.
@@ -158,6 +162,8 @@ impl BeamMatrices {
             psi_v: ZERO,
             w_v: ZERO,
         },
+        foundation: [ZERO; 3],
+        foundation_damping: [0.0; 3],
         mass: Symmetric::ZERO,
         rotary: Symmetric::ZERO,
     };
@@ -174,6 +180,8 @@ impl BeamMatrices {
             bending: moments.times_complex(loss * material.young_modulus),
             tension,
             shear: shear(beam),
+            foundation: beam.foundation.beddings().map(bedded),
+            foundation_damping: beam.foundation.beddings().map(|bedding| bedding.damping),
             mass: centroid.scaled(material.density * section.area),
             rotary: rotary(beam, &moments).scaled(material.density),
         }
@@ -220,6 +228,17 @@ impl BeamMatrices {
     pub(super) fn rate_of_twist(&self, torque: Complex64, [w, v]: [Complex64; 2]) -> Complex64 {
         let c = &self.tension;
         (torque - c.w_psi * w - c.psi_v * v) / c.psi
+    }
+
+    /// Whether the beam lies on something.
+    pub(super) fn has_foundation(&self) -> bool {
+        self.foundation != [ZERO; 3] || self.foundation_damping != [0.0; 3]
+    }
+
+    /// K + i omega c of the foundation.
+    pub(super) fn foundation_at(&self, omega: Complex64) -> [Complex64; 3] {
+        let damping = self.foundation_damping.map(|c| Complex64::I * omega * c);
+        std::array::from_fn(|row| self.foundation[row] + damping[row])
     }
 
     /// Whether there is shear deformation.
@@ -273,10 +292,14 @@ impl BeamMatrices {
             self.shear_forces(f, slopes),
             self.shear_forces(other_f, other_slopes),
         );
+        let bedded: Complex64 = (self.foundation_at(omega).iter().zip(q).zip(other_q))
+            .map(|((k, q), other)| k * q * other)
+            .sum();
         // m s' in both orders less m D^-1 m.
         dot(f, other_slopes) + dot(other_f, slopes) + dot(m, self.curvatures(other_m))
             - dot(slopes, self.tension.times(other_slopes))
             - dot(g, self.shear.times(other_g))
+            - bedded
             + omega
                 * omega
                 * (dot(q, self.mass.times(other_q)) + dot(s, self.rotary.times(other_s)))
@@ -405,6 +428,11 @@ fn dot(one: [Complex64; 3], other: [Complex64; 3]) -> Complex64 {
     one.iter().zip(other).map(|(one, other)| one * other).sum()
 }
 
+/// k (1 + i eta).
+fn bedded(bedding: Bedding) -> Complex64 {
+    bedding.stiffness * Complex64::new(1.0, bedding.loss_factor)
+}
+
 /// The compliance in shear.
 fn shear(beam: &Beam) -> Symmetric<Complex64> {
     let rigid = BeamMatrices::ZERO.shear;
@@ -447,6 +475,7 @@ mod tests {
             theory: Theory::Timoshenko,
             warping_inertia: true,
             axial_force: 2e4,
+            foundation: crate::model::Foundation::default(),
             material: Material {
                 young_modulus: 2e11,
                 shear_modulus: 8e10,

@@ -40,6 +40,19 @@ impl SpanEnergy {
         Self::new(plan, waves, &strain_weights(plan, waves), decays)
     }
 
+    /// The forms of `int |q|^2 dx` of a motion: 0 of w, 1 of psi, 2 of v.
+    pub(super) fn square(plan: &Plan, waves: &Waves, row: usize, decays: &[Amplitudes]) -> Self {
+        let q = &waves.displacement[row];
+        let mut same = zeros::<6, 6>();
+        for i in 0..6 {
+            for j in 0..6 {
+                same[i][j] = q[i].conj() * q[j];
+            }
+        }
+        let against = same;
+        Self::new(plan, waves, &Weights { same, against }, decays)
+    }
+
     fn new(plan: &Plan, waves: &Waves, weights: &Weights, decays: &[Amplitudes]) -> Self {
         let forms = plan
             .lengths

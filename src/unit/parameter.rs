@@ -80,6 +80,9 @@ impl Unit {
         Self::DAMPING,
         Self::ROTATIONAL_STIFFNESS,
         Self::ROTATIONAL_DAMPING,
+        Self::LINE_STIFFNESS,
+        Self::LINE_DAMPING,
+        Self::TWIST_DAMPING,
         Self::WARPING_STIFFNESS,
         Self::WARPING_DAMPING,
         Self::WARPING_INERTIA,
@@ -131,6 +134,12 @@ impl Unit {
     pub const ROTATIONAL_STIFFNESS: Self = prefixed!("N m/rad", "N mm/rad" => -3, "kN mm/rad" => 0);
     /// Damping about an axis, N m s/rad.
     pub const ROTATIONAL_DAMPING: Self = prefixed!("N m s/rad", "N mm s/rad" => -3);
+    /// Stiffness of a foundation: force per length and displacement, N/m2.
+    pub const LINE_STIFFNESS: Self = prefixed!("N/m2", "N/mm2" => 6);
+    /// Damping of a foundation, N s/m2.
+    pub const LINE_DAMPING: Self = prefixed!("N s/m2");
+    /// Damping of a foundation against twist, N s.
+    pub const TWIST_DAMPING: Self = prefixed!("N s");
     /// Stiffness against warping: bimoment over rate of twist, N m3/rad.
     pub const WARPING_STIFFNESS: Self = prefixed!("N m3/rad");
     /// Damping against warping, N m3 s/rad.

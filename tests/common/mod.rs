@@ -1,9 +1,9 @@
 //! Random damped models for the property tests.
 
 use beamtune::model::{
-    Beam, BeamMotion, Elastic, Force, MassMotion, Material, Measure, Model, Place, Quantity,
-    Response, Restraint, Section, Spacing, Spring, Subsystem, Support, Supports, Sweep, Target,
-    Theory,
+    Beam, BeamMotion, Bedding, Elastic, Force, Foundation, MassMotion, Material, Measure, Model,
+    Place, Quantity, Response, Restraint, Section, Spacing, Spring, Subsystem, Support, Supports,
+    Sweep, Target, Theory,
 };
 use num_complex::Complex64;
 use proptest::prelude::*;
@@ -41,7 +41,8 @@ fn beams() -> impl Strategy<Value = Beam> {
         })
 }
 
-/// The same, half of them without any symmetry, with another theory of bending or under an axial force.
+/// The same, half of them without any symmetry, with another theory of bending, under an axial force or on
+/// a foundation.
 fn any_beams() -> impl Strategy<Value = Beam> {
     let maybe = |range: std::ops::Range<f64>| prop_oneof![Just(0.0), range];
     let general = (
@@ -50,17 +51,37 @@ fn any_beams() -> impl Strategy<Value = Beam> {
         maybe(-2e5..2e6),
         prop::sample::select(Theory::ALL.to_vec()),
         any::<bool>(),
+        prop_oneof![Just([0.0; 3]), [1e4..1e8, 10.0..1e4, 0.0..0.2]],
     );
     (beams(), prop::option::of(general)).prop_map(|(beam, general)| {
-        let Some((centroid_offset_y, product_moment, axial_force, theory, warping_inertia)) =
-            general
+        let Some((
+            centroid_offset_y,
+            product_moment,
+            axial_force,
+            theory,
+            warping_inertia,
+            [stiffness, damping, loss_factor],
+        )) = general
         else {
             return beam;
+        };
+        let bedding = Bedding {
+            stiffness,
+            damping,
+            loss_factor,
         };
         Beam {
             theory,
             warping_inertia,
             axial_force,
+            foundation: Foundation {
+                w: bedding,
+                psi: Bedding::default(),
+                v: Bedding {
+                    stiffness: 0.3 * stiffness,
+                    ..bedding
+                },
+            },
             section: Section {
                 centroid_offset_y,
                 product_moment,

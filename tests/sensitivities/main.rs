@@ -115,6 +115,9 @@ fn every_parameter_of_a_rich_model() {
             beam.section.product_moment = 6e-5;
             beam.section.centroid_offset_y = 0.043;
             beam.axial_force = 4e5;
+            let foundation = &mut beam.foundation;
+            (foundation.w.stiffness, foundation.w.loss_factor) = (2e6, 0.1);
+            (foundation.psi.damping, foundation.v.stiffness) = (30.0, 4e5);
             (beam.section.shear_area_y, beam.section.shear_area_z) = (6e-3, 4e-3);
             beam.theory = Theory::Timoshenko;
             beam.warping_inertia = true;

@@ -111,6 +111,7 @@ pub fn get(model: &Model, id: ParameterId) -> Result<Value, String> {
         Group::Beam => schema::BEAM.get(row, &model.beam),
         Group::Material => schema::MATERIAL.get(row, &model.beam.material),
         Group::Section => schema::SECTION.get(row, &model.beam.section),
+        Group::Foundation => schema::FOUNDATION.get(row, &model.beam.foundation),
         Group::Motion(end, motion) => match end.support(model)[motion] {
             Restraint::Fixed => return Err(fixed(end, motion, id.key())),
             held => schema::elastic(motion).get(row, &held.elastic()),
@@ -184,6 +185,9 @@ pub fn put(model: &mut Model, id: ParameterId, value: Value) -> Result<(), Strin
         (Group::Beam, _) => schema::BEAM.set(row, &mut model.beam, value)?,
         (Group::Material, _) => schema::MATERIAL.set(row, &mut model.beam.material, value)?,
         (Group::Section, _) => schema::SECTION.set(row, &mut model.beam.section, value)?,
+        (Group::Foundation, _) => {
+            schema::FOUNDATION.set(row, &mut model.beam.foundation, value)?;
+        }
         (Group::Subsystem(index), _) => {
             schema::SUBSYSTEM.set(row, &mut model.subsystems[index], value)?;
         }

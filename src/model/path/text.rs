@@ -35,6 +35,7 @@ pub(super) fn parts(id: ParameterId) -> impl Iterator<Item = &'static str> {
     let inner = match id.group {
         Group::Material => Some("material"),
         Group::Section => Some("section"),
+        Group::Foundation => Some("foundation"),
         Group::Motion(_, motion) => Some(motion.key()),
         _ => None,
     };

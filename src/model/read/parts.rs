@@ -67,6 +67,10 @@ fn beam(root: &mut Table<'_>, reader: &mut Reader) -> Beam {
         section.rows(&mut beam.section, &SECTION, reader, no_own);
         section.finish(reader);
     }
+    if let Some(mut foundation) = table.table("foundation", reader) {
+        foundation.rows(&mut beam.foundation, &schema::FOUNDATION, reader, no_own);
+        foundation.finish(reader);
+    }
     table.finish(reader);
     beam
 }

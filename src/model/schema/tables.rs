@@ -2,8 +2,8 @@
 
 use super::{Access, BLANK, Key, Kind, Range, Rows};
 use crate::model::types::{
-    Beam, BeamMotion, Elastic, Force, Material, Model, Response, Section, Spacing, Study,
-    Subsystem, Support, Sweep, Theory,
+    Beam, BeamMotion, Elastic, Force, Foundation, Material, Model, Response, Section, Spacing,
+    Study, Subsystem, Support, Sweep, Theory,
 };
 use crate::unit::Unit;
 
@@ -49,6 +49,21 @@ rows! {
         CentroidOffsetY = number("centroid_offset_y", "y_c", METRE, Any or 0.0, "offset of the centroid from the shear centre, along y", centroid_offset_y),
         ShearAreaY = number("shear_area_y", "A_y", AREA, NonNegative or 0.0, "effective area for shear along y; only the theories with shear use it", shear_area_y),
         ShearAreaZ = number("shear_area_z", "A_z", AREA, NonNegative or 0.0, "effective area for shear along z; only the theories with shear use it", shear_area_z),
+    }
+}
+
+rows! {
+    /// The foundation.
+    FOUNDATION of Foundation as FoundationKey {
+        WStiffness = spring("w.stiffness", "k_w", LINE_STIFFNESS, "stiffness of the foundation along y, per length", w.stiffness),
+        WDamping = spring("w.damping", "c_w", LINE_DAMPING, "damping of the foundation along y, per length", w.damping),
+        WLossFactor = number("w.loss_factor", "eta_w", ONE, NonNegative or 0.0, "loss factor of its stiffness along y", w.loss_factor),
+        PsiStiffness = spring("psi.stiffness", "k_psi", FORCE, "stiffness of the foundation against twist, per length", psi.stiffness),
+        PsiDamping = spring("psi.damping", "c_psi", TWIST_DAMPING, "damping of the foundation against twist, per length", psi.damping),
+        PsiLossFactor = number("psi.loss_factor", "eta_psi", ONE, NonNegative or 0.0, "loss factor of its stiffness against twist", psi.loss_factor),
+        VStiffness = spring("v.stiffness", "k_v", LINE_STIFFNESS, "stiffness of the foundation along z, per length", v.stiffness),
+        VDamping = spring("v.damping", "c_v", LINE_DAMPING, "damping of the foundation along z, per length", v.damping),
+        VLossFactor = number("v.loss_factor", "eta_v", ONE, NonNegative or 0.0, "loss factor of its stiffness along z", v.loss_factor),
     }
 }
 

@@ -5,8 +5,8 @@ use super::super::schema::{
     self, Access, FORCE, Key, Kind, MATERIAL, RESPONSE, Rows, SECTION, SUBSYSTEM, SWEEP,
 };
 use super::super::types::{
-    BeamMotion, Case, Family, Force, Model, Place, Quantity, Response, Restraint, Study, Subsystem,
-    Support, Supports, Target,
+    BeamMotion, Case, Family, Force, Foundation, Model, Place, Quantity, Response, Restraint,
+    Study, Subsystem, Support, Supports, Target,
 };
 use super::node::{Entry, Node, Presence};
 use super::tuning;
@@ -138,6 +138,11 @@ fn beam(model: &Model) -> Vec<Entry> {
         Node::Table(rows(&beam.material, &MATERIAL)),
     ));
     entries.push(entry("section", Node::Table(rows(&beam.section, &SECTION))));
+    entries.push(optional(
+        "foundation",
+        Node::Table(rows(&beam.foundation, &schema::FOUNDATION)),
+        beam.foundation == Foundation::default(),
+    ));
     entries
 }
 

@@ -14,16 +14,18 @@ pub(super) struct Resistance {
     pub(super) elastic: f64,
     /// That of the axial force, or a spring's.
     pub(super) stiffness: f64,
+    /// The imaginary part of a spring with a loss factor.
+    pub(super) hysteresis: f64,
     /// A damper's.
     pub(super) damping: f64,
 }
 
 impl Resistance {
-    /// (1 + i eta) `k_beam` + `k_spring` + i omega c.
+    /// (1 + i eta) `k_beam` + `k_spring` (1 + i `eta_spring`) + i omega c.
     pub(super) fn at(&self, omega: f64, loss_factor: f64) -> Complex64 {
         Complex64::new(
             self.elastic + self.stiffness,
-            loss_factor * self.elastic + omega * self.damping,
+            loss_factor * self.elastic + self.hysteresis + omega * self.damping,
         )
     }
 }
@@ -129,6 +131,15 @@ impl System {
                 };
                 self.add_stretch(&unknowns, &square.of, by);
             }
+            for (bedding, square) in &element.foundation {
+                let by = Resistance {
+                    stiffness: square.stiffness * bedding.stiffness,
+                    hysteresis: square.stiffness * bedding.stiffness * bedding.loss_factor,
+                    damping: square.stiffness * bedding.damping,
+                    ..Resistance::default()
+                };
+                self.add_stretch(&unknowns, &square.of, by);
+            }
             for (row, inertias) in unknowns.iter().zip(&element.inertia) {
                 for (column, inertia) in unknowns.iter().zip(inertias) {
                     self.add_inertia(*row, *column, *inertia);
@@ -150,7 +161,7 @@ impl System {
 
     /// Adds a stretch of at most twelve unknowns; fixed ones do not move.
     fn add_stretch(&mut self, unknowns: &[Unknown], factors: &[f64], by: Resistance) {
-        if [by.elastic, by.stiffness, by.damping] == [0.0; 3] {
+        if [by.elastic, by.stiffness, by.damping, by.hysteresis] == [0.0; 4] {
             return;
         }
         let mut stretch = Stretch {
@@ -184,9 +195,9 @@ impl System {
                 if let Restraint::Elastic(elastic) = support[motion] {
                     let unknown = mesh.nodes[node].of_left_element[motion as usize];
                     let by = Resistance {
-                        elastic: 0.0,
                         stiffness: elastic.stiffness,
                         damping: elastic.damping,
+                        ..Resistance::default()
                     };
                     self.add_stretch(&[unknown], &[1.0], by);
                     self.add_inertia(unknown, unknown, elastic.inertia);
@@ -205,9 +216,9 @@ impl System {
             let s = mass.subsystem;
             for (spring, stretch) in springs(s) {
                 let by = Resistance {
-                    elastic: 0.0,
                     stiffness: spring.stiffness,
                     damping: spring.damping,
+                    ..Resistance::default()
                 };
                 self.add_stretch(&all, &stretch, by);
             }

@@ -9,7 +9,7 @@
 use nalgebra::Matrix2;
 
 use super::hermite::{self, Cubic, SHAPES};
-use crate::model::Beam;
+use crate::model::{Beam, Bedding};
 
 /// The unknowns of an element: value and rotation at the left and the right end, of w, psi and v.
 pub(super) const UNKNOWNS: usize = 12;
@@ -31,6 +31,8 @@ pub(super) struct BeamElement {
     pub(super) strains: Vec<Square>,
     /// The work of the axial force.
     pub(super) axial: Vec<Square>,
+    /// The squares of the motions along the element, each times its bedding.
+    pub(super) foundation: Vec<(Bedding, Square)>,
     /// The mass matrix.
     pub(super) inertia: [Row; UNKNOWNS],
     /// The matrix of `E_V`, the vibration energy without the coupling by an offset.
@@ -112,6 +114,7 @@ impl BeamElement {
                 [e * section.warping_constant, g * section.torsion_constant],
             ),
             axial: axial(beam.axial_force, h, &shapes, [y, z, polar]),
+            foundation: foundation(beam, h, &shapes),
             inertia,
             vibration: integral(&shapes.motion, &own, mass * h),
         }
@@ -247,6 +250,32 @@ fn axial(force: f64, h: f64, shapes: &Shapes, [y, z, polar]: [f64; 3]) -> Vec<Sq
                         .sum()
                 }),
             });
+        }
+    }
+    squares
+}
+
+/// The squares of w, psi and v, by the four points of Gauss, which are exact for cubics.
+fn foundation(beam: &Beam, h: f64, shapes: &Shapes) -> Vec<(Bedding, Square)> {
+    /// Points on [-1, 1] and weights.
+    const RULE: [(f64, f64); 4] = [
+        (-0.861_136_311_594_052_6, 0.347_854_845_137_453_85),
+        (-0.339_981_043_584_856_3, 0.652_145_154_862_546_2),
+        (0.339_981_043_584_856_3, 0.652_145_154_862_546_2),
+        (0.861_136_311_594_052_6, 0.347_854_845_137_453_85),
+    ];
+    let mut squares = Vec::new();
+    for (shape, bedding) in shapes.motion.iter().zip(beam.foundation.beddings()) {
+        if bedding == Bedding::default() {
+            continue;
+        }
+        for (point, weight) in RULE {
+            let t = 0.5 * (1.0 + point);
+            let square = Square {
+                stiffness: 0.5 * weight * h,
+                of: shape.map(|[a, b, c, d]| a + t * (b + t * (c + t * d))),
+            };
+            squares.push((bedding, square));
         }
     }
     squares

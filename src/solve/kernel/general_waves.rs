@@ -1,7 +1,7 @@
 //! The six waves of any uniform beam: all of w, psi and v may be coupled.
 //!
 //! With the matrices of [`crate::solve::beam_matrices`] a wave `exp(-kappa x)` of the shape q has `T(h) q = 0`, h =
-//! kappa^2 and, with `P = omega^2 M + h C`,
+//! kappa^2 and, with `P = omega^2 M - K + h C` and the foundation K,
 //!
 //! ```text
 //! T(h) = (h D + omega^2 R) (h + F P) - P
@@ -11,7 +11,7 @@
 //! The roots of the others converge together (Aberth, Math. Comp. 27 (1973) 339-344) from those without coupling. The
 //! shape of a wave is the largest column of the adjugate of T. Rotations of the section are `kappa r` with `r = q + F P q
 //! / h`, internal moments `h D r`, internal forces `kappa ((h D + omega^2 R) r - C q)` or, where this cancels, the same
-//! from the equation of motion, `omega^2 M q / kappa`.
+//! from the equation of motion, `(omega^2 M - K) q / kappa`.
 
 use num_complex::Complex64;
 
@@ -37,6 +37,11 @@ pub(super) struct GeneralConstants {
     tension: [[Complex64; 3]; 3],
     shear: [[Complex64; 3]; 3],
     mass: [[f64; 3]; 3],
+    /// The springs and the dampers of the foundation.
+    foundation: [[Complex64; 3]; 3],
+    foundation_damping: [[f64; 3]; 3],
+    /// The beam lies on a foundation, or not: then waves may be neither evanescent nor travelling.
+    is_bedded: bool,
     /// The motions that are coupled to another one.
     is_coupled: [bool; 3],
     /// Cosine and sine of the angle between the axes.
@@ -51,6 +56,8 @@ impl GeneralConstants {
             bending,
             tension,
             shear,
+            foundation,
+            foundation_damping,
             mass,
             rotary,
         } = matrices;
@@ -60,8 +67,13 @@ impl GeneralConstants {
         let real = |of: &Symmetric<f64>| turned(&of.map(Complex64::from), axes);
         let (tension, shear) = (turned(tension, axes), turned(shear, axes));
         let mass = real(mass).map(|row| row.map(|entry| entry.re));
+        let foundation = turned(&diagonal_of(*foundation), axes);
+        let foundation_damping = turned(&diagonal_of(foundation_damping.map(Into::into)), axes);
+        let foundation_damping = foundation_damping.map(|row| row.map(|entry| entry.re));
         let couples = |i: usize, j: usize| {
-            i != j && (mass[i][j] != 0.0 || tension[i][j] != ZERO || shear[i][j] != ZERO)
+            let springs = [tension[i][j], shear[i][j], foundation[i][j]];
+            let is_coupled = springs.iter().any(|entry| *entry != ZERO);
+            i != j && (is_coupled || mass[i][j] != 0.0 || foundation_damping[i][j] != 0.0)
         };
         Self {
             bending: diagonal(turned(bending, axes)),
@@ -70,9 +82,24 @@ impl GeneralConstants {
             tension,
             shear,
             mass,
+            foundation,
+            foundation_damping,
+            is_bedded: matrices.has_foundation(),
             axes,
             radius: (matrices.mass.psi / matrices.mass.w).sqrt(),
         }
+    }
+}
+
+/// A diagonal matrix.
+fn diagonal_of([w, psi, v]: [Complex64; 3]) -> Symmetric<Complex64> {
+    Symmetric {
+        w,
+        psi,
+        v,
+        w_psi: ZERO,
+        psi_v: ZERO,
+        w_v: ZERO,
     }
 }
 
@@ -119,36 +146,56 @@ struct Group<'a, A> {
     constants: &'a GeneralConstants,
     /// omega^2.
     square: Complex<A>,
+    /// omega^2 M - K.
+    inertia: Matrix<A, 3, 3>,
     /// `T = of[2] h^2 + of[1] h + of[0]`.
     of: [Matrix<A, 3, 3>; 3],
 }
 
 impl<'a, A: Arithmetic> Group<'a, A> {
     #[inline(always)]
-    fn new(constants: &'a GeneralConstants, square: Complex<A>) -> Self {
+    fn new(constants: &'a GeneralConstants, omega: Complex<A>) -> Self {
+        let square = omega * omega;
+        let turned = Complex {
+            re: -omega.im,
+            im: omega.re,
+        };
+        let mut inertia = [[Complex::ZERO; 3]; 3];
+        for row in 0..3 {
+            for column in 0..3 {
+                inertia[row][column] = square.scaled(Real::splat(constants.mass[row][column]));
+                if constants.is_bedded {
+                    let damping = Real::splat(-constants.foundation_damping[row][column]);
+                    let spring = Complex::splat(constants.foundation[row][column]);
+                    inertia[row][column] =
+                        (inertia[row][column] - spring).plus_scaled(damping, turned);
+                }
+            }
+        }
         let mut of = [[[Complex::ZERO; 3]; 3]; 3];
         for row in 0..3 {
             let d = Complex::splat(constants.bending[row]);
             let r = square.scaled(Real::splat(constants.rotary[row]));
             for column in 0..3 {
-                // Of 1 + F C, and of F M.
-                let unit = if row == column { Complex64::ONE } else { ZERO };
-                let (mut slope, mut sheared) = (unit, ZERO);
+                // Of 1 + F C, and of F (omega^2 M - K).
+                let mut slope = if row == column { Complex64::ONE } else { ZERO };
+                let mut sheared = Complex::ZERO;
                 for k in 0..3 {
-                    slope += constants.shear[row][k] * constants.tension[k][column];
-                    sheared += constants.shear[row][k] * constants.mass[k][column];
+                    let compliance = constants.shear[row][k];
+                    slope += compliance * constants.tension[k][column];
+                    sheared = sheared.plus_product(Complex::splat(compliance), inertia[k][column]);
                 }
-                let (slope, sheared) = (Complex::splat(slope), Complex::splat(sheared) * square);
-                let inertia = square.scaled(Real::splat(constants.mass[row][column]));
+                let slope = Complex::splat(slope);
                 let tension = Complex::splat(constants.tension[row][column]);
                 of[2][row][column] = d * slope;
                 of[1][row][column] = (d * sheared).plus_product(r, slope) - tension;
-                of[0][row][column] = (r * sheared) - inertia;
+                of[0][row][column] = (r * sheared) - inertia[row][column];
             }
         }
         Self {
             constants,
             square,
+            inertia,
             of,
         }
     }
@@ -263,7 +310,14 @@ fn settle<A: Arithmetic>((group, roots, first): (&Group<'_, A>, &mut [Complex<A>
     }; 6];
     for wave in first..6 {
         // Equal starting values would stay equal.
-        let apart = Complex::splat(Complex64::new(1.0 + 1e-3 * wave as f64, 0.0));
+        let apart = 1e-3 * wave as f64;
+        // Real ones would also stay real, but on a foundation not all roots are.
+        let aside = if group.constants.is_bedded {
+            apart
+        } else {
+            0.0
+        };
+        let apart = Complex::splat(Complex64::new(1.0 + apart, aside));
         moving[wave].h = roots[wave] * apart;
     }
     for _ in 0..MOST_STEPS {
@@ -320,8 +374,7 @@ impl<A: Arithmetic> Waves<A> {
     /// Becomes the six waves.
     #[inline(always)]
     pub(super) fn set_general(&mut self, constants: &GeneralConstants) {
-        let square = self.omega * self.omega;
-        let group = Group::new(constants, square);
+        let group = Group::new(constants, self.omega);
         let first = if self.without_warping {
             WARPING_WAVE + 1
         } else {
@@ -365,16 +418,13 @@ impl<A: Arithmetic> Waves<A> {
         let scale = Real::ONE / size.sqrt();
         let q = [w.scaled(scale), psi.scaled(scale), v.scaled(scale)];
         let (kappa, inverse) = (h.sqrt(), h.inverse());
-        // C q, omega^2 M q / h and F P q / h, with the sums of the sizes of their terms.
+        // C q and (omega^2 M - K) q / h, with the sums of the sizes of their terms.
         let (mut pull, mut inertia) = ([Complex::ZERO; 3], [Complex::ZERO; 3]);
         let mut terms = [[Real::ZERO; 2]; 3];
         for row in 0..3 {
             for motion in 0..3 {
                 let pulled = Complex::splat(constants.tension[row][motion]) * q[motion];
-                let mass = group
-                    .square
-                    .scaled(Real::splat(constants.mass[row][motion]));
-                let moved = mass * q[motion] * inverse;
+                let moved = group.inertia[row][motion] * q[motion] * inverse;
                 pull[row] += pulled;
                 inertia[row] += moved;
                 terms[row] = [terms[row][0] + pulled.size(), terms[row][1] + moved.size()];

@@ -127,6 +127,10 @@ fn random_model(random: &mut fastrand::Rng) -> Model {
         model.beam.axial_force = [0.0, 2e6, -1e5][random.usize(0..3)];
         model.beam.warping_inertia = random.bool();
         model.beam.theory = Theory::ALL[random.usize(0..4)];
+        model.beam.foundation.w.stiffness = [0.0, 1e5, 1e8][random.usize(0..3)];
+        model.beam.foundation.psi.damping = [0.0, 50.0][random.usize(0..2)];
+        model.beam.foundation.v.loss_factor = 0.3;
+        model.beam.foundation.v.stiffness = [0.0, 3e6][random.usize(0..2)];
     }
     for support in [&mut model.supports.left, &mut model.supports.right] {
         *support = random_support(random);

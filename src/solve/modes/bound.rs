@@ -31,6 +31,7 @@ fn half_waves(model: &Model, omega: f64) -> f64 {
         shear,
         mass,
         rotary,
+        ..
     } = &matrices;
     // The wave number k of d k^4 + c k^2 = omega^2 m, in a form without cancellation and overflow; rotary inertia and
     // shear lower c.

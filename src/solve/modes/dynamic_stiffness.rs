@@ -26,7 +26,9 @@ pub(super) struct Field {
     /// F, over length^2: diagonal.
     pub(super) shear: Matrix3<f64>,
     /// omega^2 M, times length^4.
-    pub(super) mass: Matrix3<f64>,
+    pub(super) inertia: Matrix3<f64>,
+    /// The foundation, times length^4.
+    pub(super) foundation: Matrix3<f64>,
 }
 
 /// The same for some motions that are coupled to no others.
@@ -37,7 +39,9 @@ pub(super) struct Block<const K: usize> {
     pub(super) tension: SMatrix<f64, K, K>,
     pub(super) rotary: SMatrix<f64, K, K>,
     pub(super) shear: SMatrix<f64, K, K>,
+    /// omega^2 M less the foundation.
     pub(super) mass: SMatrix<f64, K, K>,
+    inertia: SMatrix<f64, K, K>,
     /// The index of the twist, if it has no warping stiffness.
     pub(super) without_warping: Option<usize>,
     /// For each motion a lower bound of D.
@@ -135,7 +139,7 @@ impl Field {
 
     /// Whether w and psi, psi and v, and w and v are coupled.
     fn couplings(&self) -> [bool; 3] {
-        let matrices = [&self.bending, &self.tension, &self.rotary, &self.mass];
+        let matrices = [&self.bending, &self.tension, &self.rotary, &self.inertia];
         [(0, PSI), (PSI, 2), (0, 2)].map(|at| matrices.iter().any(|matrix| matrix[at] != 0.0))
     }
 
@@ -157,7 +161,8 @@ impl Field {
         let psi = (0..K).find(|&index| motions[index] == PSI);
         Block {
             flexibility,
-            mass: of(&self.mass),
+            mass: of(&(self.inertia - self.foundation)),
+            inertia: of(&self.inertia),
             rotary: of(&self.rotary),
             shear: of(&self.shear),
             without_warping,
@@ -239,7 +244,7 @@ impl<const K: usize> Block<K> {
     /// Whether the motions, clamped, have no mode below the frequency over a length, and their series converge fast.
     ///
     /// The mass matrix is at most `K` times its diagonal, so each uncoupled clamped mode with `K` times its mass is a
-    /// lower bound. Compression (negative tension) and rotary inertia c take the fraction `c l^2 / (4 pi^2 D)` of the
+    /// lower bound; a foundation only raises it. Compression (negative tension) and rotary inertia c take the fraction `c l^2 / (4 pi^2 D)` of the
     /// bending stiffness, by Euler's load of a clamped column. With shear deformation the clamped frequency is at least
     /// that of the parts in series (Dunkerley), and the slope q' is the sum of a rotation and a shear angle, so that
     /// `q'^2` is at most twice the sum of their squares.
@@ -260,7 +265,7 @@ impl<const K: usize> Block<K> {
             let bent = left * bends;
             let stiffness = bent / (1.0 + bent * sheared) + tension.max(0.0) * turns;
             let is_stable = left >= 0.0 && sheared >= 0.0;
-            let no_mode = is_stable && K as f64 * self.mass[(index, index)] < stiffness;
+            let no_mode = is_stable && K as f64 * self.inertia[(index, index)] < stiffness;
             no_mode && self.converges_in(index, length)
         })
     }
@@ -268,7 +273,9 @@ impl<const K: usize> Block<K> {
     /// Whether the series of a motion converge fast over a length: `k l` is small for the largest wave number k, by an
     /// upper bound: coupling changes a squared one by less than the larger.
     fn converges_in(&self, index: usize, length: f64) -> bool {
-        let mass = self.mass[(index, index)];
+        let inertia = self.inertia[(index, index)];
+        // A foundation makes waves as short as an inertia of its size.
+        let mass = inertia.max(inertia - self.mass[(index, index)]);
         let bending = self.bending[index];
         let tension = self.tension[(index, index)].abs()
             + self.rotary[(index, index)]

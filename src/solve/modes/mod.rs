@@ -268,7 +268,11 @@ fn collected(counter: &wittrick_williams::Counter, to: f64, found: &damped::Foun
 
 /// Whether the model has a loss factor: then no root is the mirror image of another.
 fn is_hysteretic(model: &Model) -> bool {
+    let beddings = model.beam.foundation.beddings();
     model.beam.material.loss_factor != 0.0
+        || beddings
+            .iter()
+            .any(|of| of.stiffness * of.loss_factor != 0.0)
 }
 
 /// Whether anything in the model dissipates energy.
@@ -285,6 +289,11 @@ pub fn without_damping(model: &Checked) -> Checked {
 fn with_damping_times(model: &Model, share: f64) -> Model {
     let mut model = model.clone();
     model.beam.material.loss_factor *= share;
+    let foundation = &mut model.beam.foundation;
+    for bedding in [&mut foundation.w, &mut foundation.psi, &mut foundation.v] {
+        bedding.damping *= share;
+        bedding.loss_factor *= share;
+    }
     for end in [&mut model.supports.left, &mut model.supports.right] {
         for restraint in &mut end.0 {
             if let Restraint::Elastic(elastic) = restraint {

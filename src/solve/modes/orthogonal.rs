@@ -61,6 +61,9 @@ fn products(model: &Model, nodes: &[Node], [a, b]: [&Motion; 2]) -> [Complex64; 
     let places = a.beam[looked_at..].iter().zip(&b.beam[looked_at..]);
     for (node, (a, b)) in nodes.iter().zip(places) {
         mass += node.weight * matrices.inertia(a, b);
+        for (row, c) in matrices.foundation_damping.into_iter().enumerate() {
+            damping += node.weight * c * a[row] * b[row];
+        }
     }
     let supports = [&model.supports.left, &model.supports.right];
     for (end, support) in supports.into_iter().enumerate() {

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, SMatrix, SVector, SymmetricEigen};
 use num_complex::Complex64;
 
 use super::station::{End, Mass};
-use crate::model::{Beam, BeamMotion, Model, Spring, Subsystem};
+use crate::model::{Beam, BeamMotion, Bedding, Model, Spring, Subsystem};
 use crate::solve::beam_matrices::BeamMatrices;
 
 /// A motion at frequency 0.
@@ -82,6 +82,7 @@ pub(super) fn crept(model: &Model, least: f64) -> usize {
         (&model.supports.left, 0.0),
         (&model.supports.right, model.beam.length),
     ];
+    let bedding = on_foundation(&model.beam, |bedding| bedding.damping);
     // The damping of each pair, and the magnitude of its terms: a sum that cancels counts as 0.
     let term = |i: usize, j: usize| {
         let (a, b) = (&motions[i], &motions[j]);
@@ -99,7 +100,11 @@ pub(super) fn crept(model: &Model, least: f64) -> usize {
             })
         });
         let add = |[sum, size]: [f64; 2], [more, its]: [f64; 2]| [sum + more, size + its];
-        of_masses.chain(of_ends).fold([0.0; 2], add)
+        let bedded = (a.beam.transpose() * bedding * b.beam)[(0, 0)];
+        of_masses
+            .chain(of_ends)
+            .chain([[bedded, bedded.abs()]])
+            .fold([0.0; 2], add)
     };
     let count = motions.len();
     let damping = DMatrix::from_fn(count, count, |i, j| term(i, j)[0]);
@@ -187,6 +192,7 @@ fn stiffness([left, right]: [&End; 2], masses: &[Mass], beam: &Beam) -> SMatrix<
     for slope in [3, 4] {
         rigid[(slope, slope)] = beam.axial_force.abs() * beam.length;
     }
+    rigid += on_foundation(beam, |bedding| bedding.stiffness);
     let held = held_stiffness([left, right], masses);
     for (end, x) in [(left, 0.0), (right, beam.length)] {
         let (fixed, elastic) = (end.fixed(), end.elastic());
@@ -209,6 +215,19 @@ fn stiffness([left, right]: [&End; 2], masses: &[Mass], beam: &Beam) -> SMatrix<
         }
     }
     rigid
+}
+
+/// The springs, or the dampers, of the foundation under a rigid beam.
+fn on_foundation(beam: &Beam, of: fn(&Bedding) -> f64) -> SMatrix<f64, 5, 5> {
+    let mut sum = SMatrix::zeros();
+    // Simpson's rule is exact for the product of two straight lines.
+    for (x, weight) in [(0.0, 1.0), (0.5, 4.0), (1.0, 1.0)] {
+        let rows = rigid_motions(x * beam.length);
+        for (row, bedding) in rows.iter().zip(beam.foundation.beddings()) {
+            sum += of(&bedding) * weight * beam.length / 6.0 * row * row.transpose();
+        }
+    }
+    sum
 }
 
 /// A stiffness as large as any of the model: it makes sure that a fixed motion is not a mode at frequency 0.

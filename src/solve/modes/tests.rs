@@ -5,8 +5,8 @@ use super::characteristic::Characteristic;
 use super::with_damping_times;
 use super::wittrick_williams::Counter;
 use crate::model::{
-    Beam, Elastic, Material, Model, Restraint, Section, Spacing, Spring, Subsystem, Support,
-    Supports, Sweep, Theory,
+    Beam, Bedding, Elastic, Foundation, Material, Model, Restraint, Section, Spacing, Spring,
+    Subsystem, Support, Supports, Sweep, Theory,
 };
 use crate::presets;
 
@@ -62,6 +62,13 @@ fn beams() -> impl Strategy<Value = Beam> {
         |(length, warping, offset, second, (offset_y, product, axial_force, theory, warps))| Beam {
             length,
             axial_force,
+            foundation: Foundation {
+                v: Bedding {
+                    stiffness: if warps { 1e7 } else { 0.0 },
+                    ..Bedding::default()
+                },
+                ..Foundation::default()
+            },
             warping_inertia: warps,
             theory,
             material: Material {

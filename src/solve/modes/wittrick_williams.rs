@@ -138,14 +138,17 @@ impl Counter {
         // E Iy, and the square of the length over it.
         let bending = units.stiffness * units.length.powi(3);
         let square = units.length * units.length / bending;
+        let quartic = square * units.length * units.length;
         let [w, v] = [matrices.shear.w, matrices.shear.v].map(|compliance| compliance.re / square);
         Field {
             bending: real(&matrices.bending) / bending,
             tension: real(&matrices.tension) * square,
             rotary: dimensionless(&matrices.rotary, &units) * (omega * omega * square),
             shear: Matrix3::from_diagonal(&Vector3::new(w, 0.0, v)),
-            mass: dimensionless(&matrices.mass, &units)
-                * (omega * omega * square * units.length * units.length),
+            inertia: dimensionless(&matrices.mass, &units) * (omega * omega * quartic),
+            foundation: Matrix3::from_diagonal(&Vector3::from_fn(|row, _| {
+                matrices.foundation[row].re * units.motion[row].powi(2) * quartic
+            })),
         }
     }
 }

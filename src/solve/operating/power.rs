@@ -28,7 +28,12 @@ pub(super) fn power(along: &Along<'_>, masses: &[MassState], locals: &[BeamState
                 power: input(along, masses, force),
             })
             .collect(),
-        dampers: [of_subsystems(along, masses), of_supports(along)].concat(),
+        dampers: [
+            of_subsystems(along, masses),
+            of_supports(along),
+            of_foundation(along),
+        ]
+        .concat(),
         material: material(along),
         flow: locals
             .iter()
@@ -77,6 +82,28 @@ fn of_subsystems(along: &Along<'_>, masses: &[MassState]) -> Vec<Damper> {
                     power: heat(along.omega, spring.damping, state.stretches[index]),
                 });
             }
+        }
+    }
+    dampers
+}
+
+/// What the dampers and the loss factors of the foundation dissipate along the beam.
+fn of_foundation(along: &Along<'_>) -> Vec<Damper> {
+    let solution = &along.solution;
+    let beddings = along.model.beam.foundation.beddings();
+    let mut dampers = Vec::new();
+    for (row, (bedding, name)) in beddings.into_iter().zip(["w", "psi", "v"]).enumerate() {
+        let loss = along.omega * bedding.damping + bedding.loss_factor * bedding.stiffness;
+        if loss > 0.0 {
+            let square = SpanEnergy::square(along.plan, &solution.waves, row, &solution.decays);
+            let mut sum = Sum::default();
+            for (waves, &length) in solution.spans.iter().zip(&along.plan.spans) {
+                sum.add(square.of(length, &waves.a, &waves.b));
+            }
+            dampers.push(Damper {
+                label: format!("foundation {name}"),
+                power: 0.5 * along.omega * loss * sum.resolved(),
+            });
         }
     }
     dampers

@@ -251,7 +251,9 @@ impl Parameters {
 /// Whether responses depend on the numbers of a table.
 fn acts(model: &Model, group: Group) -> bool {
     match group {
-        Group::Beam | Group::Material | Group::Section | Group::Motion(..) => true,
+        Group::Beam | Group::Material | Group::Section | Group::Foundation | Group::Motion(..) => {
+            true
+        }
         Group::Subsystem(index) => model.subsystems[index].enabled,
         Group::Force(index) => model.forces[index].enabled,
         _ => false,

@@ -40,6 +40,11 @@ impl Overlap {
         strain - matrices.shear.on(&self.shear) - omega * omega * self.inertia(matrices)
     }
 
+    /// `int lambda u dx` of w, psi and v.
+    pub(super) fn motions(&self) -> [Complex64; 3] {
+        [0, 1, 2].map(|row| self.motion[row][row])
+    }
+
     /// `int lambda^T M u + lambda_s^T R u_s dx`.
     pub(super) fn inertia(&self, matrices: &BeamMatrices) -> Complex64 {
         matrices.mass.on(&self.motion) + matrices.rotary.on(&self.rotation)

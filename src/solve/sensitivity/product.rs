@@ -14,8 +14,10 @@ use num_complex::Complex64;
 
 use super::field::{Field, MassField, Setting};
 use super::overlap::Overlap;
-use crate::model::schema::{BeamKey, ElasticKey, MaterialKey, SectionKey, SubsystemKey};
-use crate::model::{BeamMotion, Restraint, Subsystem, Support};
+use crate::model::schema::{
+    BeamKey, ElasticKey, FoundationKey, MaterialKey, SectionKey, SubsystemKey,
+};
+use crate::model::{BeamMotion, Bedding, Restraint, Subsystem, Support};
 use crate::solve::beam_matrices::BeamMatrices;
 use crate::solve::beam_state::BeamState;
 use crate::solve::linear::ZERO;
@@ -47,6 +49,7 @@ impl Product<'_> {
             }
             key => by(&BeamMatrices::by_section(beam, key)),
         }));
+        all.extend(self.by_foundation());
         let supports = &self.setting.model.supports;
         for (end, support) in [&supports.left, &supports.right].into_iter().enumerate() {
             self.by_support(support, end, &mut all);
@@ -62,6 +65,10 @@ impl Product<'_> {
     pub(super) fn by_omega(&self) -> Complex64 {
         let matrices = &self.setting.plan.beam.matrices;
         let (mut mass, mut damping) = (self.overlap.inertia(matrices), ZERO);
+        let bedded = self.overlap.motions().into_iter();
+        for (product, c) in bedded.zip(matrices.foundation_damping) {
+            damping += c * product;
+        }
         let supports = &self.setting.model.supports;
         for (end, support) in [&supports.left, &supports.right].into_iter().enumerate() {
             for motion in BeamMotion::ALL {
@@ -126,6 +133,29 @@ impl Product<'_> {
             one.iter().zip(other).map(|(one, other)| one * other).sum()
         };
         0.5 * sum(&lambda.jumps, &u.jumps) + sum(&lambda.held, &u.held) != ZERO
+    }
+
+    /// By the stiffness, the damping and the loss factor on w, psi and v.
+    fn by_foundation(&self) -> [Complex64; FoundationKey::ALL.len()] {
+        let [w, psi, v] = self.overlap.motions();
+        let foundation = &self.setting.model.beam.foundation;
+        let stiffness = |bedding: Bedding, product: Complex64| {
+            -Complex64::new(1.0, bedding.loss_factor) * product
+        };
+        let damping = |product: Complex64| -Complex64::I * self.setting.omega * product;
+        let loss =
+            |bedding: Bedding, product: Complex64| -Complex64::I * bedding.stiffness * product;
+        FoundationKey::ALL.map(|key| match key {
+            FoundationKey::WStiffness => stiffness(foundation.w, w),
+            FoundationKey::WDamping => damping(w),
+            FoundationKey::WLossFactor => loss(foundation.w, w),
+            FoundationKey::PsiStiffness => stiffness(foundation.psi, psi),
+            FoundationKey::PsiDamping => damping(psi),
+            FoundationKey::PsiLossFactor => loss(foundation.psi, psi),
+            FoundationKey::VStiffness => stiffness(foundation.v, v),
+            FoundationKey::VDamping => damping(v),
+            FoundationKey::VLossFactor => loss(foundation.v, v),
+        })
     }
 
     fn by_support(&self, support: &Support, end: usize, all: &mut Vec<Complex64>) {

@@ -19,6 +19,7 @@ fn group_differs(model: &Model, saved: &Model, group: Group) -> bool {
         Group::Beam => model.beam != saved.beam,
         Group::Material => model.beam.material != saved.beam.material,
         Group::Section => model.beam.section != saved.beam.section,
+        Group::Foundation => model.beam.foundation != saved.beam.foundation,
         Group::Supports => model.supports != saved.supports,
         Group::Support(end) => end.support(model) != end.support(saved),
         Group::Motion(end, motion) => end.support(model)[motion] != end.support(saved)[motion],

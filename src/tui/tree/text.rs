@@ -6,8 +6,8 @@ use super::{Node, tuning};
 use crate::model::edit::Value;
 use crate::model::schema::{self, ElasticKey, Wording};
 use crate::model::{
-    BeamMotion, Family, Group, Model, Parameter, Place, Quantity, Restraint, Study, Supports,
-    Sweep, Target, Unit, counted, grouped,
+    BeamMotion, Bedding, Family, Foundation, Group, Model, Parameter, Place, Quantity, Restraint,
+    Study, Supports, Sweep, Target, Unit, counted, grouped,
 };
 use crate::tune::words;
 
@@ -27,6 +27,7 @@ fn group_label(model: &Model, group: Group) -> Cow<'_, str> {
         Group::Beam => "Beam".into(),
         Group::Material => "Material".into(),
         Group::Section => "Section".into(),
+        Group::Foundation => "Foundation".into(),
         Group::Supports => "Supports".into(),
         Group::Subsystems => "Subsystems".into(),
         Group::Forces => "Forces".into(),
@@ -56,6 +57,18 @@ fn spaced(key: &str) -> Cow<'_, str> {
     }
 }
 
+/// The motions that a foundation resists.
+fn foundation(foundation: &Foundation) -> String {
+    let names = ["w", "psi", "v"].into_iter().zip(foundation.beddings());
+    let resisted = names.filter(|(_, bedding)| *bedding != Bedding::default());
+    let names: Vec<&str> = resisted.map(|(name, _)| name).collect();
+    if names.is_empty() {
+        "none".to_owned()
+    } else {
+        names.join(", ")
+    }
+}
+
 /// The name of a row in a message: `S1 y_left stiffness`.
 pub fn subject(model: &Model, node: Node) -> String {
     match node {
@@ -64,7 +77,11 @@ pub fn subject(model: &Model, node: Node) -> String {
             match id.group {
                 Group::Model => own,
                 Group::Motion(end, motion) => format!("{} {} {own}", end.key(), motion.key()),
-                Group::Beam | Group::Material | Group::Section | Group::Sweep => {
+                Group::Beam
+                | Group::Material
+                | Group::Section
+                | Group::Foundation
+                | Group::Sweep => {
                     format!("{} {own}", group_label(model, id.group).to_lowercase())
                 }
                 group => format!("{} {own}", group_label(model, group)),
@@ -100,6 +117,7 @@ fn group_value(model: &Model, group: Group) -> String {
             Unit::PASCAL.format(model.beam.material.young_modulus)
         ),
         Group::Section => format!("A {}", Unit::AREA.format(model.beam.section.area)),
+        Group::Foundation => foundation(&model.beam.foundation),
         Group::Supports => supports(&model.supports),
         Group::Support(end) => end.support(model).kind().to_owned(),
         Group::Motion(end, motion) => restraint(end.support(model)[motion], motion),

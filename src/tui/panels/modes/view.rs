@@ -44,10 +44,10 @@ pub(crate) fn content(app: &App, columns: u16) -> Content<'_, ModeRow> {
         sentences: Vec::new(),
         empty: match modes {
             None => "computing the modes".into(),
-            Some(list) if list.completeness == Completeness::TooMany => format!(
-                "none is listed: at most {MOST_MODES} are; a lower end of the sweep has fewer"
-            )
-            .into(),
+            Some(list) if list.completeness == Completeness::TooMany => {
+                format!("more than {MOST_MODES} modes are not listed: lower the end of the sweep")
+                    .into()
+            }
             Some(list) => format!("no mode below {}", app.display.frequency_text(list.to)).into(),
         },
         stale: modes.is_some_and(|list| list.generation != app.curves.generation),

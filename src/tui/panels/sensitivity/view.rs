@@ -62,9 +62,11 @@ pub(crate) fn content(app: &App) -> Content<'_, Weighed> {
         sentences: Vec::new(),
         empty: match (&app.sensitivities.failure, sensed) {
             (Some(failure), _) => failure.as_str(),
-            (None, None) => "what they are of is chosen by the key that opened this table",
-            (None, Some(_)) if effects.is_some() => "no parameter matters",
-            (None, Some(_)) if app.lacks_figure() => "there is none now that they could be of",
+            (None, None) => "select level, peak, mode or band with the key that opened this table",
+            (None, Some(_)) if effects.is_some() => "no parameter has an effect",
+            (None, Some(_)) if app.lacks_figure() => {
+                "there is no such level, peak, mode or band now"
+            }
             (None, Some(_)) => "solving",
         }
         .into(),

@@ -13,7 +13,7 @@
 //! | [`measured`] | measured curves from CSV and universal files (UFF 58), how well a model fits them; universal files out | `model`, `unit`, `files` |
 //! | [`tune`] | optimisation: variables, objectives, limits, tolerances, and [the search](tune::search) | `model`, `unit`, `solve`, `measured` |
 //! | `worker` | the background threads: newest request wins | `model`, `solve`, `tune` |
-//! | `tui` | the designer: state and commands (`tui::app`), keys, views, the chart, the terminal and its bytes (`tui::backend`), what is kept for the user (`tui::user`) | all above |
+//! | `tui` | the designer: its state as a whole (`tui::app`), a folder per feature (`tui::panels`), keys, the screen, the chart, the terminal and its bytes (`tui::backend`), what is kept for the user (`tui::user`) | all above |
 //! | `words` | enums whose values have words in files | nothing |
 //! | `wrap` | texts in a number of columns: cut off, or wrapped into lines | `escape` |
 //! | `escape` | text from outside, escaped for terminals and files | nothing |
@@ -61,12 +61,6 @@ pub mod solve;
 mod table;
 #[cfg(fuzzing)]
 pub mod tui;
-// The methods of a theme and a view have uniform signatures, even if one does not use `self`.
-#[allow(
-    clippy::struct_field_names,
-    clippy::trivially_copy_pass_by_ref,
-    clippy::unused_self
-)]
 #[cfg(not(fuzzing))]
 mod tui;
 pub mod tune;

@@ -3,73 +3,53 @@
 //! [`App::update`] is pure: input and output are requested as [`Effect`]s, and their results come back through
 //! [`App::reply`].
 
-mod band;
-mod beam_view;
-mod chart;
-mod choose;
 mod commands;
-mod comparison;
-mod curves;
-mod detail;
-mod display;
 mod document;
 mod edit;
-mod effect;
+pub(crate) mod effect;
 mod export;
 mod external_changes;
-mod fem_overlay;
 mod files;
 mod history;
-mod measured;
-mod modes;
+pub(crate) mod last_request;
+pub(crate) mod list;
 mod mouse;
 mod new_item;
-mod overlay;
-mod palette;
-mod prompt;
-mod prompt_questions;
-mod reading;
 mod recovery;
 mod repeat;
 mod request;
 mod screen;
-mod search;
-mod selection;
-mod sensitivity;
-mod shape;
+mod state;
 mod structure;
-mod tables;
-mod tuning;
 mod view_state;
-mod zoom;
 
 use std::sync::Arc;
 
-pub use band::{Band, MemberLevels, ResponseLevel};
-pub use beam_view::{BeamView, BeamViewState};
-pub use comparison::{Comparison, Reference};
-pub use curves::{Compared, Curves, Member, Picture, Shown, Trace};
-pub use detail::{Detail, DetailPicture};
-pub use display::{Display, MOTION};
 pub use document::{Base, Document};
-pub use effect::{Effect, Guard, Lost, Reply};
-pub use export::{Export, Saving};
-pub use external_changes::ExternalChange;
-pub use fem_overlay::{FemOverlay, FemPicture};
-pub use measured::{Fitted, Measured, OpenedMeasured};
-pub use modes::{Completeness, ModeKind, ModeList, ModeRow, ModesState};
-pub use overlay::{Asked, AskedKind, List, Next, Overlay, Prompt, Purpose, ReplaceReason};
-pub use palette::{Entry, Found, Palette};
-pub use prompt_questions::Question;
-pub use reading::{Reading, Value, nearest};
+pub use effect::{Effect, Export, ExternalChange, Guard, Lost, Reply, Saving};
+pub use list::List;
 pub use screen::{Levels, Plot, Rows, Screen};
-pub use search::Search;
-pub use selection::Selection;
-pub use sensitivity::{Effects, Sensed, Sensitivities, Weighed};
-pub use shape::Shape;
-pub use tables::{Anchor, Table, Tables};
-pub use tuning::{Progress, Run, Tuning};
+pub(crate) use state::LastChange;
+pub use state::{FileState, MouseState, RecoveryState, RepeatState, RequestState, StoredViews};
 
+pub use crate::tui::panels::band::{Band, MemberLevels, ResponseLevel};
+pub use crate::tui::panels::beam_view::{BeamView, BeamViewState};
+pub use crate::tui::panels::chart::{
+    Curves, Detail, Display, MOTION, Member, Picture, Shown, Trace,
+};
+pub use crate::tui::panels::comparison::{Comparison, Reference};
+pub use crate::tui::panels::dialogs::{Next, Overlay, ReplaceReason};
+pub use crate::tui::panels::fem_overlay::{FemOverlay, FemPicture};
+pub use crate::tui::panels::measured::{Fitted, Measured, OpenedMeasured};
+pub use crate::tui::panels::modes::{Completeness, ModeKind, ModeList, ModeRow, ModesState, Shape};
+pub use crate::tui::panels::palette::{Entry, Found, Palette};
+pub use crate::tui::panels::prompt::{Asked, AskedKind, Prompt, Purpose, Question};
+pub use crate::tui::panels::readings::{Reading, Value};
+pub use crate::tui::panels::search::Search;
+pub use crate::tui::panels::sensitivity::{Effects, Sensed, Sensitivities, Weighed};
+pub use crate::tui::panels::tables::{Anchor, Table, Tables};
+pub use crate::tui::panels::tree::Selection;
+pub use crate::tui::panels::tuning::{Progress, Run, Tuning};
 pub use crate::worker::Stage;
 
 use crate::files::Opened;
@@ -77,8 +57,6 @@ use crate::model::{Checked, Model, Moves};
 use crate::tui::event::Event;
 use crate::tui::keys::{KeyMap, Scope};
 use crate::tui::theme::Theme;
-use crate::tui::user::memory::{Memory, RememberedOptions};
-use repeat::LastChange;
 
 /// The message on the last line; it replaces the hints until the next key.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -110,7 +88,7 @@ pub struct App {
     pub reading: Reading,
     /// References and measured curves, to compare with the model.
     pub comparison: Comparison,
-    /// The marked band.
+    /// The levels in the marked band.
     pub band: Band,
     /// The sensitivities of the parameters.
     pub sensitivities: Sensitivities,
@@ -120,50 +98,30 @@ pub struct App {
     pub beam_view: BeamViewState,
     /// The modes, and the shape of the selected one.
     pub modes: ModesState,
-    /// The tables below the chart.
+    /// The tables below the chart, and what the chart's cursor follows in them.
     pub tables: Tables,
-    /// What the chart's cursor follows.
-    pub anchor: Anchor,
     /// The finite-element curves.
     pub fem_overlay: FemOverlay,
     /// The dialog that takes the keys, if one is open.
     pub overlay: Option<Overlay>,
     /// The search of the tree, while typed and afterwards.
     pub search: Option<Search>,
-    /// The count typed before a command.
-    pub count: Option<u32>,
     /// The message on the last line.
     pub message: Option<Message>,
-    /// How another program changed the file.
-    pub external_change: ExternalChange,
-    /// Whether the designer captures the mouse.
-    pub mouse: bool,
     /// The positions of the panels on the screen, from the last drawing.
     pub screen: Screen,
-    /// The view states of other models.
-    memory: Memory,
-    /// Options that the user changed in this session.
-    turned: RememberedOptions,
-    /// Whether unsaved changes stay in the recovery file when the program ends.
-    pub keeps: bool,
-    /// The last change, for the repeat command.
-    last_change: Option<LastChange>,
-    /// The model that was last written to the recovery file, and whether it had unsaved changes.
-    kept: Option<(Arc<Checked>, bool)>,
-    /// The row that was clicked: the wheel changes its value.
-    held: Option<crate::tui::tree::Node>,
-    /// What follows a save that was started from a confirmation dialog.
-    after_save: Option<Next>,
-    /// The last request for curves.
-    requested: Option<(Arc<Checked>, Option<usize>)>,
-    /// The parameter whose next nudges are prepared, and its value at that time.
-    expected: Option<(crate::model::ParameterId, f64)>,
-    /// The generation of the last request for finite-element curves.
-    fem_requested: Option<u64>,
-    /// The last serial number.
-    serial: u64,
-    /// The screen is too small to show anything.
-    pub unseen: bool,
+    /// The model's file.
+    pub files: FileState,
+    /// The mouse.
+    pub mouse: MouseState,
+    /// Counts before commands, and the last change.
+    pub repeat: RepeatState,
+    /// The recovery file.
+    pub recovery: RecoveryState,
+    /// The stored view states and options.
+    pub(crate) stored: StoredViews,
+    /// What was requested of the worker.
+    pub(crate) requests: RequestState,
 }
 
 impl App {
@@ -186,34 +144,24 @@ impl App {
             beam_view: BeamViewState::default(),
             modes: ModesState::default(),
             tables: Tables::default(),
-            anchor: Anchor::default(),
             fem_overlay: FemOverlay::default(),
             overlay: None,
             search: None,
-            count: None,
             message: None,
-            external_change: ExternalChange::default(),
-            mouse: false,
             screen: Screen::default(),
-            memory: Memory::default(),
-            turned: RememberedOptions::default(),
-            keeps: false,
-            last_change: None,
-            kept: None,
-            held: None,
-            after_save: None,
-            requested: None,
-            expected: None,
-            fem_requested: None,
-            serial: 0,
-            unseen: false,
+            files: FileState::default(),
+            mouse: MouseState::default(),
+            repeat: RepeatState::default(),
+            recovery: RecoveryState::default(),
+            stored: StoredViews::default(),
+            requests: RequestState::default(),
             document,
         }
     }
 
     /// The effects when the designer starts.
     pub fn start(&mut self) -> Vec<Effect> {
-        self.refresh_moving();
+        self.tuning.moving.refresh(self.document.model());
         let mut effects = self.request();
         effects.extend(self.keep());
         effects
@@ -234,12 +182,30 @@ impl App {
         }
     }
 
+    /// Stores the positions of a drawing; none if the screen is too small.
+    pub fn drawn(&mut self, screen: Option<Screen>) {
+        let Some(screen) = screen else {
+            self.screen.unseen = true;
+            return;
+        };
+        if screen.tree.area.height > 0 {
+            self.selection.set_height(screen.tree.area.height.into());
+        }
+        self.tables = screen.tables;
+        if let (Some(list), Some(drawn)) =
+            (self.overlay.as_mut().and_then(Overlay::list), screen.dialog)
+        {
+            *list = drawn;
+        }
+        self.screen = screen;
+    }
+
     /// Handles an event; returns the effects.
     pub fn update(&mut self, event: Event) -> Vec<Effect> {
         let mut effects = match event {
-            Event::Key(key) if self.unseen => self.key_unseen(&key),
+            Event::Key(key) if self.screen.unseen => self.key_unseen(&key),
             // The user cannot see the result.
-            Event::Paste(_) | Event::Mouse(_) if self.unseen => Vec::new(),
+            Event::Paste(_) | Event::Mouse(_) if self.screen.unseen => Vec::new(),
             Event::Key(key) => self.key(&key),
             Event::Paste(text) => self.paste(&text),
             Event::Mouse(event) => self.mouse(event),
@@ -249,7 +215,7 @@ impl App {
                 Vec::new()
             }
             Event::Tick => {
-                self.next_frame();
+                self.beam_view.next_frame();
                 Vec::new()
             }
             Event::Touched => self.compare(),
@@ -267,12 +233,13 @@ impl App {
     }
 
     /// Updates everything that depends on the model; returns the effects.
-    fn settle(&mut self) -> Vec<Effect> {
+    pub(crate) fn settle(&mut self) -> Vec<Effect> {
         self.refresh_fits();
-        self.refresh_display();
-        self.refresh_moving();
+        let has_reference = self.comparison.shown().next().is_some();
+        self.display.refresh(&self.curves, has_reference);
+        self.tuning.moving.refresh(self.document.model());
         // The first curve may have changed.
-        self.tables.peaks.set_rows(self.peaks().len());
+        self.tables.peaks.set_rows(self.curves.peaks().len());
         // Urgent requests come first.
         let mut effects = self.request();
         effects.extend(self.keep());
@@ -280,7 +247,7 @@ impl App {
     }
 
     /// Updates everything that refers to rows of the tree, and the chart, after a change of the model.
-    fn follow(&mut self, before: &Model) {
+    pub(crate) fn follow(&mut self, before: &Model) {
         let model = Arc::clone(self.document.model());
         let moves = Moves::new(before, &model);
         if let Some(search) = &mut self.search {
@@ -289,13 +256,13 @@ impl App {
         if let Some(effects) = &mut self.sensitivities.effects {
             effects.follow(&moves);
         }
-        self.held = self.held.and_then(|node| node.moved(&moves));
-        self.expected = None;
+        self.mouse.held = self.mouse.held.and_then(|node| node.moved(&moves));
+        self.requests.expected = None;
         self.follow_rows(&moves, before, &model);
     }
 
     /// The same after a change of numbers only: all names stay valid.
-    fn follow_number(&mut self, before: &Model) {
+    pub(crate) fn follow_number(&mut self, before: &Model) {
         let model = Arc::clone(self.document.model());
         self.follow_rows(&Moves::new(before, &model), before, &model);
     }
@@ -306,20 +273,14 @@ impl App {
         self.keep_marks_in_sweep();
     }
 
-    /// A new serial number.
-    fn next_serial(&mut self) -> u64 {
-        self.serial += 1;
-        self.serial
-    }
-
-    fn done(&mut self, text: impl Into<String>) {
+    pub(crate) fn done(&mut self, text: impl Into<String>) {
         self.message = Some(Message::Done(text.into()));
     }
 
-    fn refuse(&mut self, text: impl Into<String>) {
+    pub(crate) fn refuse(&mut self, text: impl Into<String>) {
         self.message = Some(Message::Refused(text.into()));
     }
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

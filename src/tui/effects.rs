@@ -9,7 +9,7 @@ use super::app::{App, Base, Effect, Export, Lost, Reply};
 use super::event::Event;
 use super::user::recovery::{self, Found, Keeper, Kept, Left};
 use super::watch::Watch;
-use super::{export::provenance, scene, view};
+use super::{export::provenance, view};
 use crate::escape::{path_text, shown_path};
 use crate::files::{Opened, Source, error_text};
 use crate::model;
@@ -214,8 +214,8 @@ fn exported(app: &mut App, kind: Export) -> String {
             app.overlay = asked;
             text
         }
-        Export::Csv => super::export::csv(&scene::of(app), &provenance(app)),
-        Export::Svg => super::export::svg(&scene::of(app), &provenance(app)),
+        Export::Csv => super::export::csv(&app.scene(), &provenance(app)),
+        Export::Svg => super::export::svg(&app.scene(), &provenance(app)),
     }
 }
 

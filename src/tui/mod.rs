@@ -1,8 +1,9 @@
 //! The designer: a terminal program that shows frequency responses while the user changes a parameter.
 //!
 //! The table of [`keys`] maps a key to a command, a command changes the state of [`app`], and `view` draws the state.
-//! Input, output and solving are effects, performed by `effects`. The program waits on one channel of
-//! [`event::Event`]s; after an event, [`frame_scheduler`] decides when to draw. [`user`] stores the user's files.
+//! What belongs to one feature (its state, its commands, its drawing) is a folder of [`panels`]. Input, output and
+//! solving are effects, performed by `effects`. The program waits on one channel of [`event::Event`]s; after an event,
+//! [`frame_scheduler`] decides when to draw. [`user`] stores the user's files.
 
 pub mod app;
 mod ascii;
@@ -14,6 +15,7 @@ pub mod frame_scheduler;
 mod fuzzy;
 pub mod keys;
 pub mod options;
+pub mod panels;
 pub mod plot;
 mod run;
 pub mod scene;

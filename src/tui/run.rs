@@ -60,7 +60,7 @@ pub fn run(opened: Opened, setup: &Setup) -> io::Result<Ended> {
     terminal::set_panic_sink(log_file.clone());
     let mut app = App::new(opened);
     let troubles = configure(&mut app, setup);
-    let mut session = Session::start(app.mouse)?;
+    let mut session = Session::start(app.mouse.captured)?;
     terminal::events(&sender)?;
     let recovery = setup.folders.as_ref().map(Folders::recovery_folder);
     let mut performer = Performer::new(&sender, recovery);
@@ -86,7 +86,7 @@ pub fn run(opened: Opened, setup: &Setup) -> io::Result<Ended> {
         ended => ended,
     };
     let unsaved = match ended {
-        Ok(Ended::Left) if !app.keeps => None,
+        Ok(Ended::Left) if !app.recovery.stays => None,
         _ => app.document.unsaved(),
     };
     if let Some(sentence) = performer.finish(unsaved) {
@@ -114,11 +114,11 @@ fn configure(app: &mut App, setup: &Setup) -> Vec<String> {
         None => Memory::default(),
     };
     let asked = setup.options.over(setup.config.options);
-    app.theme = Theme::resolve(&asked, &Environment::of_process());
+    app.theme = Theme::resolve(asked, &Environment::of_process());
     if asked.colours.is_none() && asked.ground.is_none() {
         app.theme = app.theme.recalled(memory.options.theme.as_deref());
     }
-    app.mouse = asked.mouse.or(memory.options.mouse).unwrap_or(true);
+    app.mouse.captured = asked.mouse.or(memory.options.mouse).unwrap_or(true);
     app.keys = setup.config.keys.clone();
     app.recall(memory);
     troubles
@@ -275,7 +275,7 @@ impl Stage<'_> {
                 Outcome::Suspend => self.say_alone(),
                 Outcome::Resume => self.session.resume()?,
                 Outcome::Mouse(taken) => self.session.set_mouse(taken)?,
-                Outcome::Copy(text) => self.session.copy(&text)?,
+                Outcome::Copy(text) => Session::copy(&text)?,
                 Outcome::Quit(None) => return Ok(Some(Ended::Left)),
                 Outcome::Quit(Some(signal)) => return Ok(Some(Ended::Signal(signal))),
             }

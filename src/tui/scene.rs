@@ -8,7 +8,7 @@ pub(crate) mod sample;
 
 use num_complex::Complex64;
 
-pub use build::{Scale, label, of, scale};
+pub use build::{ChartState, label, of};
 
 use crate::tui::plot::{Level, LineStyle};
 use crate::unit::FrequencyUnit;
@@ -71,6 +71,15 @@ pub struct Panel {
     pub level: Level,
     /// The fixed range, in axis values; none: automatic.
     pub bounds: Option<[f64; 2]>,
+}
+
+/// The units and levels of the visible responses on the chart.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scale {
+    /// Converts a magnitude to the axis.
+    pub level: Level,
+    /// The unit of the axis.
+    pub unit: String,
 }
 
 /// The kind of a curve.
@@ -151,6 +160,11 @@ impl ChartView {
         }
     }
 
+    /// How many panels the view has.
+    pub const fn panels(self) -> usize {
+        if self.has_two_panels() { 2 } else { 1 }
+    }
+
     /// Whether the view has two panels.
     pub const fn has_two_panels(self) -> bool {
         matches!(
@@ -192,15 +206,6 @@ fn unwrap(phase: &mut [f64]) {
             *value -= 360.0 * ((*value - last) / 360.0).round();
         }
         last = Some(*value);
-    }
-}
-
-/// The shortest text of a number: 1, 1e-12.
-fn plain(value: f64) -> String {
-    if (1e-3..1e4).contains(&value) {
-        format!("{value}")
-    } else {
-        format!("{value:e}")
     }
 }
 

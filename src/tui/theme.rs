@@ -47,12 +47,14 @@ pub struct Theme {
     ascii: bool,
 }
 
+// Each role is a method of the theme, even if all themes draw it alike.
+#[allow(clippy::unused_self)]
 impl Theme {
     /// The theme for the options and the terminal of the environment.
     ///
     /// Palettes for a dark or light background need to know it: from the options, else from `COLORFGBG`. If it is
     /// unknown, a requested depth gets colours that are readable on both.
-    pub fn resolve(options: &Options, environment: &Environment) -> Self {
+    pub fn resolve(options: Options, environment: &Environment) -> Self {
         let colours = options.colours.unwrap_or(Colours::Auto);
         let ascii = options.ascii.unwrap_or(!environment.is_unicode());
         let glyphs = match options.marker {

@@ -10,7 +10,7 @@ use beamtune::model::Model;
 use beamtune::solve::{Frf, sweep};
 use beamtune::tui::app::{BeamView, Message, OpenedMeasured, Overlay, Reply};
 use beamtune::tui::plot::Level;
-use beamtune::tui::scene::{self, ChartView, CurveKind, Scene};
+use beamtune::tui::scene::{ChartView, CurveKind, Scene};
 use beamtune::unit::Form;
 use beamtune::unit::FrequencyUnit;
 use num_complex::Complex64;
@@ -23,7 +23,7 @@ fn solved(model: &Model, frequencies: &[f64]) -> Frf {
 }
 
 fn scene(driver: &Driver) -> Scene {
-    scene::of(&driver.app)
+    driver.app.scene()
 }
 
 /// The solver's value of the first response of the driver's model at a frequency.
@@ -335,7 +335,7 @@ fn what_the_beam_does_follows_the_cursor() {
     let mut driver = Driver::preset("fig05a");
     driver.keys("@").typed("100").keys("Enter O");
     assert_eq!(driver.app.beam_view.shown, Some(BeamView::Deflection));
-    let operating = driver.app.operating().unwrap();
+    let operating = driver.app.beam_view.operating().unwrap();
     assert_eq!(operating.frequency, 100.0);
     // Expected: the response that the solver gives for w at the right end.
     let model = driver.app.model().clone();
@@ -349,7 +349,7 @@ fn what_the_beam_does_follows_the_cursor() {
     assert!((shown - expected).norm() < 1e-10 * expected.norm());
     driver.keys("]");
     let cursor = driver.app.curves.cursor.unwrap();
-    assert_eq!(driver.app.operating().unwrap().frequency, cursor);
+    assert_eq!(driver.app.beam_view.operating().unwrap().frequency, cursor);
     assert!(!driver.app.operating_is_stale());
     driver.keys("O O O O O O");
     assert_eq!(driver.app.beam_view.shown, None);
@@ -525,10 +525,10 @@ fn a_study_that_is_made_has_its_row_at_once() {
 fn another_model_is_looked_at_afresh() {
     let mut driver = Driver::preset("fig05a");
     driver.keys("@").typed("300").keys("Enter c O _");
-    assert!(driver.app.operating().is_some());
+    assert!(driver.app.beam_view.operating().is_some());
     driver.without_answers().keys("p End Enter");
-    assert!(driver.app.operating().is_none());
-    assert!(driver.app.band.span.is_none() && driver.app.band.levels.is_none());
+    assert!(driver.app.beam_view.operating().is_none());
+    assert!(driver.app.curves.band.is_none() && driver.app.band.levels.is_none());
     assert!(driver.app.reading.second.is_none());
 }
 
@@ -576,10 +576,10 @@ fn a_measured_motion_stands_with_the_motion_under_the_one_force() {
         driver.app.value_at(0, trace, 20.0).unwrap().shown.norm()
     };
     let motion = read(&driver);
-    assert_eq!(driver.app.shown_units(), ["m"]);
+    assert_eq!(driver.app.display.shown_units(&driver.app.curves), ["m"]);
     driver.keys("i");
     assert_near(motion, 100.0 * read(&driver), 1e-12);
-    assert_eq!(driver.app.shown_units(), ["m/N"]);
+    assert_eq!(driver.app.display.shown_units(&driver.app.curves), ["m/N"]);
     // If several forces act there is no ratio, and so this form does not exist.
     let mut several = Driver::preset("fig05a");
     several.keys("I");

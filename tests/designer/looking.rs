@@ -66,7 +66,7 @@ fn the_drawings_are_ascii_where_that_is_asked_for() {
         for (keys, holds) in [("B", "- Structure -"), ("B B", "- Section at S1 -")] {
             let mut driver = Driver::preset("fig05a");
             driver.keys(keys);
-            driver.app.theme = Theme::resolve(&options, &Environment::default());
+            driver.app.theme = Theme::resolve(options, &Environment::default());
             let rows = rows(&mut driver, size);
             assert!(rows.iter().all(|row| row.is_ascii()), "{rows:#?}");
             assert_holds(&rows, holds);

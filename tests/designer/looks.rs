@@ -20,7 +20,7 @@ fn theme(options: Options) -> Theme {
         term: Some("xterm".to_owned()),
         ..Environment::default()
     };
-    Theme::resolve(&options, &environment)
+    Theme::resolve(options, &environment)
 }
 
 fn ascii() -> Theme {

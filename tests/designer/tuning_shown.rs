@@ -10,7 +10,6 @@ use beamtune::solve::band::levels;
 use beamtune::solve::modes::modes;
 use beamtune::tui::app::{Effect, Message, Overlay, Progress, Table};
 use beamtune::tui::event::Event;
-use beamtune::tui::scene;
 use beamtune::worker::Request;
 
 use super::driver::Driver;
@@ -273,7 +272,7 @@ fn tolerances_make_a_band_around_the_curve() {
         .keys("$")
         .typed("1 .. 10 kg +-10 %")
         .keys("Enter Ctrl-k");
-    let scene = scene::of(&driver.app);
+    let scene = driver.app.scene();
     let labels: Vec<&str> = scene
         .curves
         .iter()
@@ -288,5 +287,5 @@ fn tolerances_make_a_band_around_the_curve() {
     let spread = low.iter().zip(high).map(|(low, high)| high / low);
     assert!(spread.fold(0.0, f64::max) > 1.2);
     driver.keys("Ctrl-k");
-    assert_eq!(scene::of(&driver.app).curves.len(), 1);
+    assert_eq!(driver.app.scene().curves.len(), 1);
 }

@@ -4,21 +4,21 @@ use std::sync::Arc;
 
 use crossterm::event::{KeyCode, KeyEvent};
 
-use super::chart::Turn;
-use super::{App, Effect, List, Next, Overlay, Question, Selection, Table};
+use super::{App, Effect, List, Next, Overlay, Question, Search, Selection, Table};
 use crate::model::{Model, counted};
 use crate::tui::keys::{
     AnywhereCommand, BeamViewCommand, Command, CompareCommand, CurvesCommand, FileCommand, Key,
     ModelCommand, ModesCommand, Movement, ReaderCommand, ReadingCommand, Scope, TableCommand,
     TreeCommand, TuneCommand,
 };
+use crate::tui::panels::chart::Turn;
 use crate::tui::tree;
 
 /// The largest count before a command.
 const MOST_TIMES: u32 = 9_999;
 
 impl App {
-    pub(super) fn key(&mut self, key: &KeyEvent) -> Vec<Effect> {
+    pub(crate) fn key(&mut self, key: &KeyEvent) -> Vec<Effect> {
         let scope = self.scope();
         let command = self.keys.command(scope, key);
         self.message = None;
@@ -34,10 +34,10 @@ impl App {
 
     /// A key on a screen that is too small: only the commands of every scope work. There is no room for a dialog, so
     /// quitting leaves unsaved changes in the recovery file.
-    pub(super) fn key_unseen(&mut self, key: &KeyEvent) -> Vec<Effect> {
+    pub(crate) fn key_unseen(&mut self, key: &KeyEvent) -> Vec<Effect> {
         match self.keys.command_in(Scope::Any, key) {
             Some(Command::Anywhere(AnywhereCommand::End)) => {
-                self.keeps = true;
+                self.recovery.stays = true;
                 vec![Effect::Quit(None)]
             }
             Some(command) => self.command(command),
@@ -51,11 +51,13 @@ impl App {
             KeyCode::Char(c) if key.is_typed() => c.to_digit(10),
             _ => None,
         };
-        match (digit, self.count) {
-            (Some(digit @ 1..), None) => self.count = Some(digit),
-            (Some(digit), Some(count)) => self.count = Some((count * 10 + digit).min(MOST_TIMES)),
+        match (digit, self.repeat.count) {
+            (Some(digit @ 1..), None) => self.repeat.count = Some(digit),
+            (Some(digit), Some(count)) => {
+                self.repeat.count = Some((count * 10 + digit).min(MOST_TIMES));
+            }
             _ => {
-                self.count = None;
+                self.repeat.count = None;
                 let help = self.keys.key_of(FileCommand::Help);
                 self.refuse(format!(
                     "{} is not bound here: {help} shows every key",
@@ -67,9 +69,11 @@ impl App {
 
     /// Runs the command of a key; returns the effects.
     pub fn command(&mut self, command: Command) -> Vec<Effect> {
-        let count = self.count.take();
+        let count = self.repeat.count.take();
         match (command, count) {
-            (Command::Tune(TuneCommand::Tune), _) => self.limit_search(count),
+            (Command::Tune(TuneCommand::Tune), _) => {
+                self.tuning.budget = count.map(|count| count as usize);
+            }
             // They only cancel a count.
             (
                 Command::Reading(ReadingCommand::CursorOff) | Command::Table(TableCommand::Close),
@@ -90,7 +94,7 @@ impl App {
     }
 
     /// Runs a command once. `count` is for commands that take it as one step.
-    pub(super) fn dispatch(&mut self, command: Command, count: u32) -> Vec<Effect> {
+    pub(crate) fn dispatch(&mut self, command: Command, count: u32) -> Vec<Effect> {
         match command {
             Command::Move(movement) => self.move_rows(movement),
             Command::Tree(command) => self.tree_command(command, count),
@@ -166,7 +170,7 @@ impl App {
             }
             TreeCommand::NextAlike => self.go_alike(true),
             TreeCommand::PreviousAlike => self.go_alike(false),
-            TreeCommand::Search => self.start_search(),
+            TreeCommand::Search => self.search = Some(Search::new(self.selection.node())),
         }
     }
 
@@ -244,7 +248,7 @@ impl App {
                 let unit = self.display.unit;
                 self.ask_question(Question::Frequency(unit), String::new());
             }
-            ReadingCommand::Readings => self.toggle_table(Table::Readings),
+            ReadingCommand::Readings => self.tables.toggle(Table::Readings),
             ReadingCommand::SecondCursor => self.turn_second(),
             ReadingCommand::Harmonics => self.turn_harmonics(),
             ReadingCommand::Band => self.turn_band(),
@@ -266,17 +270,17 @@ impl App {
         match command {
             BeamViewCommand::Operating => self.next_operating(),
             BeamViewCommand::PhaseStep => self.step_phase(),
-            BeamViewCommand::Structure => self.next_drawing(),
+            BeamViewCommand::Structure => self.beam_view.next_drawing(),
         }
     }
 
     fn modes_command(&mut self, command: ModesCommand) {
         match command {
-            ModesCommand::ModeTable => self.toggle_table(Table::Modes),
-            ModesCommand::PeakTable => self.toggle_table(Table::Peaks),
+            ModesCommand::ModeTable => self.tables.toggle(Table::Modes),
+            ModesCommand::PeakTable => self.tables.toggle(Table::Peaks),
             ModesCommand::NextMode => self.seek_mode(true),
             ModesCommand::PreviousMode => self.seek_mode(false),
-            ModesCommand::Shape => self.toggle_shape(),
+            ModesCommand::Shape => self.beam_view.toggle_shape(),
             ModesCommand::Animate => self.animate(),
             ModesCommand::FiniteElements => self.toggle_fem_overlay(),
         }

@@ -7,7 +7,7 @@ use super::{App, Asked, AskedKind, Overlay, Prompt, Purpose};
 use crate::model::edit::{self, Value};
 use crate::model::schema::Kind;
 use crate::model::spelling::segment;
-use crate::model::{Fault, Group, Model, Parameter, ParameterId, path, value_input};
+use crate::model::{Fault, Group, Model, Parameter, ParameterId, path};
 use crate::tui::keys::{ModelCommand, TreeCommand};
 use crate::tui::tree::{self, Node};
 
@@ -16,7 +16,7 @@ const NUDGE_DIGITS: usize = 6;
 
 impl App {
     /// Enter: types a value, cycles a choice, shows a study, or opens and closes a group.
-    pub(super) fn edit(&mut self) {
+    pub(crate) fn edit(&mut self) {
         let model = Arc::clone(self.document.model());
         let node = self.selection.node();
         if let Node::Group(Group::Study(i)) = node {
@@ -35,7 +35,7 @@ impl App {
     }
 
     /// Space: cycles a choice or a place, or opens and closes a group.
-    pub(super) fn cycle_or_toggle(&mut self) {
+    pub(crate) fn cycle_or_toggle(&mut self) {
         let model = Arc::clone(self.document.model());
         let node = self.selection.node();
         match parameter(&model, node) {
@@ -66,13 +66,13 @@ impl App {
     }
 
     /// The selected value with all digits, if the row has one.
-    pub(super) fn exact_value(&self) -> Option<String> {
+    pub(crate) fn exact_value(&self) -> Option<String> {
         let parameter = parameter(self.model(), self.selection.node())?.ok()?;
         Some(exact(&parameter))
     }
 
     /// The prompt for the selected row's value, if it is typed.
-    pub(super) fn asked(&self) -> Option<Asked> {
+    pub(crate) fn asked(&self) -> Option<Asked> {
         let node = self.selection.node();
         let parameter = parameter(self.model(), node)?.ok()?;
         parameter
@@ -99,7 +99,7 @@ impl App {
     ///
     /// # Errors
     /// Why it is refused, in one line.
-    pub(super) fn give(&mut self, asked: &Asked, value: Value) -> Result<(), String> {
+    pub(crate) fn give(&mut self, asked: &Asked, value: Value) -> Result<(), String> {
         self.set(&asked.subject, asked.id, value, false)
             .map_err(|faults| self.in_words(&faults, asked.id, &asked.subject))
     }
@@ -136,7 +136,7 @@ impl App {
     }
 
     /// Changes a number by thousandths of itself, `count` times.
-    pub(super) fn nudge(&mut self, thousandths: i32, times: u32) {
+    pub(crate) fn nudge(&mut self, thousandths: i32, times: u32) {
         let model = Arc::clone(self.document.model());
         let node = self.selection.node();
         let parameter = match parameter(&model, node) {
@@ -175,7 +175,7 @@ impl App {
     }
 
     /// Restores the file's value.
-    pub(super) fn revert(&mut self) {
+    pub(crate) fn revert(&mut self) {
         let model = Arc::clone(self.document.model());
         let node = self.selection.node();
         let Some(id) = node.parameter() else {
@@ -200,12 +200,12 @@ impl App {
     }
 
     /// Why a value was refused, in one line.
-    pub(super) fn in_words(&self, faults: &[Fault], id: ParameterId, subject: &str) -> String {
+    pub(crate) fn in_words(&self, faults: &[Fault], id: ParameterId, subject: &str) -> String {
         faults_in_words(faults, &path::text(self.model(), id), subject)
     }
 
     /// Sets a parameter and reports it; tree and chart follow.
-    pub(super) fn set(
+    pub(crate) fn set(
         &mut self,
         subject: &str,
         id: ParameterId,
@@ -269,15 +269,6 @@ fn exact(parameter: &Parameter) -> String {
     }
 }
 
-/// A typed value.
-pub(super) fn read(kind: &AskedKind, text: &str) -> Result<Value, String> {
-    match kind {
-        AskedKind::Number(old, unit) => value_input::number(text, *old, unit).map(Value::Number),
-        AskedKind::Text => Ok(Value::Text(text.to_owned())),
-        AskedKind::Count(old) => value_input::count(text, *old).map(Value::Count),
-    }
-}
-
 /// A number rounded to the digits of a nudge.
 fn rounded(value: f64) -> f64 {
     format!("{value:.*e}", NUDGE_DIGITS - 1)
@@ -296,7 +287,7 @@ fn nudged_count(old: usize, factor: f64) -> usize {
 }
 
 /// What is wrong, in one line: the first fault, and the number of others. `subject` replaces `path`.
-pub(super) fn faults_in_words(faults: &[Fault], path: &str, subject: &str) -> String {
+pub(crate) fn faults_in_words(faults: &[Fault], path: &str, subject: &str) -> String {
     // The fault of the parameter itself is more useful than its consequences.
     let own = faults.iter().find(|fault| fault.path == path);
     let Some(first) = own.or(faults.first()) else {

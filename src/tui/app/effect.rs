@@ -1,12 +1,13 @@
 //! Input and output that the designer requests, and the results.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::{Base, Export, ExternalChange, OpenedMeasured, Saving};
+use super::document::Base;
 use crate::files::Opened;
 use crate::model::{Checked, Fault, Objective};
+use crate::tui::panels::measured::OpenedMeasured;
 use crate::tui::user::recovery::Kept;
 use crate::worker::Request;
 
@@ -145,4 +146,49 @@ pub struct Lost {
     pub name: String,
     /// The age of the last change.
     pub age: Duration,
+}
+
+/// The kind of exported file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Export {
+    /// The curves as numbers.
+    Csv,
+    /// The chart as a drawing.
+    Svg,
+    /// The screen as text.
+    Text,
+}
+
+/// The content to be written to a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Saving {
+    /// The model.
+    Model,
+    /// The screen.
+    Screen(Export),
+}
+
+impl Export {
+    /// The kind for a file extension.
+    pub(crate) fn of(path: &Path) -> Option<Self> {
+        let ending = path.extension()?.to_str()?.to_ascii_lowercase();
+        match ending.as_str() {
+            "csv" => Some(Self::Csv),
+            "svg" => Some(Self::Svg),
+            "txt" => Some(Self::Text),
+            _ => None,
+        }
+    }
+}
+
+/// How another program changed the model's file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ExternalChange {
+    /// It holds the text that was opened or saved here.
+    #[default]
+    Same,
+    /// It holds another text.
+    Changed,
+    /// It was removed.
+    Gone,
 }

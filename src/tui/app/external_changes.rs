@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use super::{App, Effect, Next};
+use super::{App, Effect, ExternalChange, Next};
 use crate::files::Opened;
 use crate::model::grouped;
 use crate::tui::keys::{FileCommand, ModelCommand};
@@ -11,21 +11,9 @@ use crate::tui::keys::{FileCommand, ModelCommand};
 /// The longest text that is sent to a clipboard, bytes; terminals silently discard longer ones.
 const MOST_COPIED: usize = 74_000;
 
-/// How another program changed the model's file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum ExternalChange {
-    /// It holds the text that was opened or saved here.
-    #[default]
-    Same,
-    /// It holds another text.
-    Changed,
-    /// It was removed.
-    Gone,
-}
-
 impl App {
     /// Sends the selected value to the clipboard.
-    pub(super) fn copy_value(&mut self) -> Vec<Effect> {
+    pub(crate) fn copy_value(&mut self) -> Vec<Effect> {
         if let Some(value) = self.exact_value() {
             return self.copy(value.clone(), &value);
         }
@@ -34,7 +22,7 @@ impl App {
     }
 
     /// Sends the model's text to the clipboard.
-    pub(super) fn copy_model(&mut self) -> Vec<Effect> {
+    pub(crate) fn copy_model(&mut self) -> Vec<Effect> {
         let text = self.document.text();
         let size = text.len();
         if size > MOST_COPIED {
@@ -56,7 +44,7 @@ impl App {
     }
 
     /// Checks whether the file is unchanged.
-    pub(super) fn compare(&mut self) -> Vec<Effect> {
+    pub(crate) fn compare(&mut self) -> Vec<Effect> {
         let compare = |path: &Path| Effect::Compare {
             path: path.to_owned(),
             text: self.document.saved_text().to_owned(),
@@ -65,11 +53,11 @@ impl App {
         path.map(compare).into_iter().collect()
     }
 
-    pub(super) fn note_external_change(&mut self, outside: ExternalChange) {
-        if outside == self.external_change {
+    pub(crate) fn note_external_change(&mut self, outside: ExternalChange) {
+        if outside == self.files.external_change {
             return;
         }
-        self.external_change = outside;
+        self.files.external_change = outside;
         let name = self.document.source().name();
         match outside {
             ExternalChange::Same => self.done(format!("{name} has its former content again")),
@@ -88,7 +76,7 @@ impl App {
     }
 
     /// Reloads the file; with unsaved changes, asks first.
-    pub(super) fn reload(&mut self) -> Vec<Effect> {
+    pub(crate) fn reload(&mut self) -> Vec<Effect> {
         if self.document.source().path().is_some() {
             return self.leave(Next::Reload);
         }
@@ -97,13 +85,13 @@ impl App {
         Vec::new()
     }
 
-    pub(super) fn reload_now(&self) -> Vec<Effect> {
+    pub(crate) fn reload_now(&self) -> Vec<Effect> {
         let path = self.document.source().path().map(Path::to_owned);
         path.map(Effect::Reload).into_iter().collect()
     }
 
-    pub(super) fn reloaded(&mut self, opened: Opened) {
-        self.external_change = ExternalChange::Same;
+    pub(crate) fn reloaded(&mut self, opened: Opened) {
+        self.files.external_change = ExternalChange::Same;
         if opened.text == self.document.saved_text() {
             return self.done("the file is unchanged");
         }

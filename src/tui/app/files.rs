@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use super::{
-    Anchor, App, Band, Curves, Detail, Document, Effect, ExternalChange, Guard, List, ModesState,
-    Next, Overlay, Prompt, Purpose, Reading, ReplaceReason, Reply, Saving, Selection, Tables,
+    App, Band, Curves, Detail, Document, Effect, ExternalChange, Guard, List, ModesState, Next,
+    Overlay, Prompt, Purpose, Reading, ReplaceReason, Reply, Saving, Selection, Tables,
 };
 use crate::escape::{path_text, shown_path};
 use crate::files::{Opened, Source};
@@ -14,7 +14,7 @@ use crate::tui::keys::{ReplaceCommand, UnsavedCommand};
 
 impl App {
     /// Continues with an action that discards the model; with unsaved changes, asks first.
-    pub(super) fn leave(&mut self, next: Next) -> Vec<Effect> {
+    pub(crate) fn leave(&mut self, next: Next) -> Vec<Effect> {
         if !self.document.is_changed() {
             return self.go_on(next);
         }
@@ -59,7 +59,7 @@ impl App {
     }
 
     /// Replaces the document. Frozen references stay, for comparison.
-    pub(super) fn open_document(&mut self, document: Document) {
+    pub(crate) fn open_document(&mut self, document: Document) {
         self.store_view();
         self.document = document;
         let model = self.document.model();
@@ -74,19 +74,18 @@ impl App {
         self.beam_view.forget();
         self.sensitivities.forget();
         self.end_run();
-        self.forget_sample();
+        self.comparison.forget_sample();
         self.display.levels = None;
         self.display.decibel_references.clear();
         let open = self.tables.open;
         self.tables = Tables::default();
         self.tables.open = open;
-        self.anchor = Anchor::default();
         self.fem_overlay.forget();
         self.overlay = None;
         self.search = None;
-        self.held = None;
-        self.expected = None;
-        self.external_change = ExternalChange::default();
+        self.mouse.held = None;
+        self.requests.expected = None;
+        self.files.external_change = ExternalChange::default();
         self.recall_view();
     }
 
@@ -96,13 +95,13 @@ impl App {
     }
 
     /// Saves to the model's file, or asks for a path.
-    pub(super) fn save(&mut self) -> Vec<Effect> {
+    pub(crate) fn save(&mut self) -> Vec<Effect> {
         let Source::File(path) = self.document.source() else {
             self.ask_save_path();
             return Vec::new();
         };
         let path = path.clone();
-        if !self.document.is_changed() && self.external_change == ExternalChange::Same {
+        if !self.document.is_changed() && self.files.external_change == ExternalChange::Same {
             self.done(format!("{} is saved already", shown_path(&path)));
             return Vec::new();
         }
@@ -110,7 +109,7 @@ impl App {
         vec![self.save_to(path, guard)]
     }
 
-    pub(super) fn ask_save_path(&mut self) {
+    pub(crate) fn ask_save_path(&mut self) {
         let path = match self.document.source() {
             Source::File(path) => path_text(path),
             Source::Preset(name) => format!("{name}.toml"),
@@ -119,7 +118,7 @@ impl App {
         self.overlay = Some(Overlay::Prompt(Prompt::new(Purpose::SaveAs, path)));
     }
 
-    pub(super) fn save_to(&self, path: PathBuf, guard: Guard) -> Effect {
+    pub(crate) fn save_to(&self, path: PathBuf, guard: Guard) -> Effect {
         Effect::Save {
             path,
             text: self.document.text(),
@@ -128,20 +127,20 @@ impl App {
     }
 
     /// Handles the answer about unsaved changes.
-    pub(super) fn answer_unsaved(&mut self, answer: UnsavedCommand) -> Vec<Effect> {
+    pub(crate) fn answer_unsaved(&mut self, answer: UnsavedCommand) -> Vec<Effect> {
         let asked = |overlay: &mut Overlay| matches!(overlay, Overlay::Unsaved { .. });
         let Some(Overlay::Unsaved { next, beneath }) = self.overlay.take_if(asked) else {
             return Vec::new();
         };
         match answer {
             UnsavedCommand::Save => {
-                self.after_save = Some(next);
+                self.files.after_save = Some(next);
                 self.save()
             }
             UnsavedCommand::Discard => self.go_on(next),
             UnsavedCommand::Cancel => {
                 if beneath.is_none() {
-                    self.after_save = None;
+                    self.files.after_save = None;
                 }
                 self.overlay = beneath.map(|beneath| *beneath);
                 Vec::new()
@@ -150,7 +149,7 @@ impl App {
     }
 
     /// Handles the answer about replacing a file.
-    pub(super) fn answer_replace(&mut self, answer: ReplaceCommand) -> Vec<Effect> {
+    pub(crate) fn answer_replace(&mut self, answer: ReplaceCommand) -> Vec<Effect> {
         let asked = |overlay: &mut Overlay| matches!(overlay, Overlay::Replace { .. });
         let Some(Overlay::Replace { path, what, reason }) = self.overlay.take_if(asked) else {
             return Vec::new();
@@ -167,7 +166,7 @@ impl App {
                 }]
             }
             ReplaceCommand::Cancel => {
-                self.after_save = None;
+                self.files.after_save = None;
                 self.refuse(match what {
                     Saving::Model => "not saved",
                     Saving::Screen(_) => "not written",
@@ -203,7 +202,7 @@ impl App {
                 Vec::new()
             }
             Reply::NotSaved(path, reason) => {
-                self.after_save = None;
+                self.files.after_save = None;
                 self.refuse_prompt(format!("{} is not saved: {reason}", shown_path(&path)));
                 Vec::new()
             }
@@ -248,8 +247,8 @@ impl App {
         self.overlay = None;
         self.done(format!("saved {}", shown_path(&path)));
         self.document.mark_saved(path, text);
-        self.external_change = ExternalChange::Same;
-        match self.after_save.take() {
+        self.files.external_change = ExternalChange::Same;
+        match self.files.after_save.take() {
             Some(next) => self.go_on(next),
             None => Vec::new(),
         }

@@ -12,20 +12,20 @@ use crate::tui::keys::{FileCommand, ModelCommand, Movement};
 const NOTCH: isize = 3;
 
 impl App {
-    pub(super) fn toggle_mouse(&mut self) -> Vec<Effect> {
-        self.mouse = !self.mouse;
-        self.turned.mouse = Some(self.mouse);
+    pub(crate) fn toggle_mouse(&mut self) -> Vec<Effect> {
+        self.mouse.captured = !self.mouse.captured;
+        self.stored.changed.mouse = Some(self.mouse.captured);
         let key = self.keys.key_of(FileCommand::Mouse);
-        self.done(if self.mouse {
+        self.done(if self.mouse.captured {
             format!("mouse captured; with Shift it selects text, {key} releases it")
         } else {
             format!("mouse released to the terminal; {key} captures it")
         });
-        vec![Effect::Mouse(self.mouse)]
+        vec![Effect::Mouse(self.mouse.captured)]
     }
 
     /// Handles a mouse event.
-    pub(super) fn mouse(&mut self, event: MouseEvent) -> Vec<Effect> {
+    pub(crate) fn mouse(&mut self, event: MouseEvent) -> Vec<Effect> {
         let place = Position::new(event.column, event.row);
         let coarse = event.modifiers.contains(KeyModifiers::CONTROL);
         match event.kind {
@@ -42,8 +42,8 @@ impl App {
 
     fn click(&mut self, place: Position) -> Vec<Effect> {
         self.message = None;
-        self.count = None;
-        self.held = None;
+        self.repeat.count = None;
+        self.mouse.held = None;
         if self.overlay.is_some() {
             return self.click_in_box(place);
         }
@@ -69,7 +69,7 @@ impl App {
         };
         let again = self.selection.node() == node;
         self.selection.select(&model, node);
-        self.held = Some(node);
+        self.mouse.held = Some(node);
         if again {
             return self.repeated(ModelCommand::Edit.into(), 1);
         }
@@ -81,7 +81,7 @@ impl App {
         if row < list.rows {
             list.row = row;
             if let Some(anchor) = Anchor::of(table) {
-                self.anchor = anchor;
+                self.tables.anchor = anchor;
                 self.follow_anchor();
             }
         }
@@ -108,7 +108,7 @@ impl App {
         let plot = self.screen.plot.as_ref();
         if let Some(frequency) = plot.and_then(|plot| plot.frequency(place)) {
             self.curves.cursor = Some(frequency);
-            self.anchor = Anchor::Frequency;
+            self.tables.anchor = Anchor::Frequency;
         }
     }
 
@@ -132,7 +132,7 @@ impl App {
             };
             return self.repeated(nudge.into(), 1);
         }
-        self.held = None;
+        self.mouse.held = None;
         let frequency = self
             .screen
             .plot
@@ -155,7 +155,7 @@ impl App {
     /// Elsewhere in the tree it scrolls, so that a row that moves under the mouse does not change.
     fn is_held(&self, place: Position) -> bool {
         let row = self.screen.tree.at(place);
-        let on_held = self.held.is_some_and(|node| {
+        let on_held = self.mouse.held.is_some_and(|node| {
             node == self.selection.node() && row == Some(self.selection.cursor())
         });
         on_held || self.screen.details.contains(place)

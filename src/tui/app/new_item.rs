@@ -14,7 +14,7 @@ const ARM: f64 = 0.2;
 const MOUNT: f64 = 0.1;
 
 /// The names of all subsystems.
-pub(super) fn subsystem_names(model: &Model) -> Vec<&str> {
+pub(crate) fn subsystem_names(model: &Model) -> Vec<&str> {
     model
         .subsystems
         .iter()
@@ -23,7 +23,7 @@ pub(super) fn subsystem_names(model: &Model) -> Vec<&str> {
 }
 
 /// The names of all responses.
-pub(super) fn response_names(model: &Model) -> Vec<&str> {
+pub(crate) fn response_names(model: &Model) -> Vec<&str> {
     model
         .responses
         .iter()
@@ -32,7 +32,7 @@ pub(super) fn response_names(model: &Model) -> Vec<&str> {
 }
 
 /// An unused name: the wanted one, or with the next free number at its end.
-pub(super) fn free_name(wanted: &str, taken: &[&str]) -> String {
+pub(crate) fn free_name(wanted: &str, taken: &[&str]) -> String {
     if !taken.contains(&wanted) {
         return wanted.to_owned();
     }
@@ -52,7 +52,7 @@ pub(super) fn free_name(wanted: &str, taken: &[&str]) -> String {
 }
 
 /// A subsystem at mid-span with 5 % of the beam's mass, in resonance at the middle of the sweep.
-pub(super) fn new_subsystem(model: &Model) -> Subsystem {
+pub(crate) fn new_subsystem(model: &Model) -> Subsystem {
     let beam = &model.beam;
     let mass = two_digits(MASS_SHARE * beam.material.density * beam.section.area * beam.length);
     let omega = 2.0 * PI * (model.sweep.from * model.sweep.to).sqrt();

@@ -9,15 +9,15 @@ use crate::tui::keys::{FileCommand, ModelCommand, RecoveryCommand};
 
 impl App {
     /// Writes unsaved changes to the recovery file, if they differ from the last ones.
-    pub(super) fn keep(&mut self) -> Vec<Effect> {
+    pub(crate) fn keep(&mut self) -> Vec<Effect> {
         let changed = self.document.is_changed();
         let model = self.document.model();
         let same = |(kept, was): &(Arc<_>, bool)| Arc::ptr_eq(kept, model) && *was == changed;
-        if self.kept.as_ref().is_some_and(same) {
+        if self.recovery.written.as_ref().is_some_and(same) {
             return Vec::new();
         }
-        let first = self.kept.is_none();
-        self.kept = Some((Arc::clone(model), changed));
+        let first = self.recovery.written.is_none();
+        self.recovery.written = Some((Arc::clone(model), changed));
         match self.document.unsaved() {
             Some(kept) => vec![Effect::Keep(kept)],
             None if first => Vec::new(),
@@ -33,7 +33,7 @@ impl App {
         }
     }
 
-    pub(super) fn recovery_command(&mut self, command: RecoveryCommand) -> Vec<Effect> {
+    pub(crate) fn recovery_command(&mut self, command: RecoveryCommand) -> Vec<Effect> {
         let Some(Overlay::Recovery { lost, list }) = &mut self.overlay else {
             return Vec::new();
         };
@@ -59,7 +59,7 @@ impl App {
         }
     }
 
-    pub(super) fn recovered(&mut self, opened: Opened, base: Base, others: usize) {
+    pub(crate) fn recovered(&mut self, opened: Opened, base: Base, others: usize) {
         self.open_document(Document::recovered(opened, base));
         let (save, undo) = (
             self.keys.key_of(FileCommand::Save),

@@ -1,21 +1,11 @@
 //! Counts before commands, and the repeat of the last change.
 
-use super::edit::read;
-use super::{App, Effect, Message};
+use super::{App, Effect, LastChange, Message};
 use crate::tui::keys::Command;
-
-/// A change that can be repeated on another row.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum LastChange {
-    /// A command with its count.
-    Command(Command, u32),
-    /// A typed value.
-    Typed(String),
-}
 
 impl App {
     /// Runs a command `count` times, until it is refused.
-    pub(super) fn repeated(&mut self, command: Command, times: u32) -> Vec<Effect> {
+    pub(crate) fn repeated(&mut self, command: Command, times: u32) -> Vec<Effect> {
         let before = self.document.model().clone();
         let mut effects = Vec::new();
         if command.takes_count() {
@@ -34,7 +24,7 @@ impl App {
             effects = self.dispatch(command, 1);
         }
         if command.repeats() && !std::sync::Arc::ptr_eq(&before, self.document.model()) {
-            self.last_change = Some(LastChange::Command(command, times));
+            self.repeat.last_change = Some(LastChange::Command(command, times));
         }
         effects
     }
@@ -57,8 +47,8 @@ impl App {
     }
 
     /// Repeats the last change.
-    pub(super) fn repeat(&mut self) {
-        match self.last_change.clone() {
+    pub(crate) fn repeat(&mut self) {
+        match self.repeat.last_change.clone() {
             None => self.refuse("there is no change to repeat yet"),
             Some(LastChange::Command(command, times)) => drop(self.repeated(command, times)),
             Some(LastChange::Typed(text)) => self.type_again(&text),
@@ -72,14 +62,17 @@ impl App {
                 "`{text}` was typed; select a number or a text for it"
             ));
         };
-        let result = read(&asked.kind, text).and_then(|value| self.give(&asked, value));
+        let result = asked
+            .kind
+            .read(text)
+            .and_then(|value| self.give(&asked, value));
         if let Err(refusal) = result {
             self.refuse(refusal);
         }
     }
 
     /// Whether the last command was refused.
-    pub(super) fn is_refused(&self) -> bool {
+    pub(crate) fn is_refused(&self) -> bool {
         matches!(self.message, Some(Message::Refused(_)))
     }
 }

@@ -6,47 +6,9 @@ use super::{App, BeamView, Effect, FemOverlay};
 use crate::model::edit::{self, Value};
 use crate::worker::{Answer, CurvesAnswer, ExpectRequest, Request, Sampling, Subject};
 
-/// The last request of one kind: its serial number and its key.
-#[derive(Debug)]
-pub(super) struct LastRequest<K>(Option<(u64, K)>);
-
-impl<K> Default for LastRequest<K> {
-    fn default() -> Self {
-        Self(None)
-    }
-}
-
-impl<K> LastRequest<K> {
-    /// Whether it has the same key.
-    pub(super) fn is(&self, same: impl FnOnce(&K) -> bool) -> bool {
-        self.0.as_ref().is_some_and(|(_, key)| same(key))
-    }
-
-    /// Stores a sent request.
-    pub(super) fn sent(&mut self, serial: u64, key: K) {
-        self.0 = Some((serial, key));
-    }
-
-    /// The key of the answer with a serial number; none if another request was sent since.
-    pub(super) fn answered(&self, serial: u64) -> Option<&K> {
-        let (last, key) = self.0.as_ref()?;
-        (*last == serial).then_some(key)
-    }
-
-    /// The serial number, if there is a request.
-    pub(super) fn serial(&self) -> Option<u64> {
-        self.0.as_ref().map(|(serial, _)| *serial)
-    }
-
-    /// Resets the request: its answer is discarded, and the same key can be requested again.
-    pub(super) fn forget(&mut self) {
-        self.0 = None;
-    }
-}
-
 impl App {
     /// Stores an answer of the worker.
-    pub(super) fn take(&mut self, answer: Answer) {
+    pub(crate) fn take(&mut self, answer: Answer) {
         match answer {
             Answer::Curves(answer) => self.take_curves(answer),
             Answer::Shape(answer) => {
@@ -59,16 +21,16 @@ impl App {
                 self.fem_overlay.take(answer, generation, model);
             }
             Answer::Reference(answer) => self.comparison.take(answer),
-            Answer::Levels(answer) => self.take_levels(answer),
+            Answer::Levels(answer) => self.band.take(answer),
             Answer::Sensitivity(answer) => self.take_sensitivities(answer),
             Answer::Tune(answer) => self.take_tuning(answer),
             Answer::Spread(answer) => self.take_tolerances(answer),
-            Answer::Operating(answer) => self.take_operating(answer),
+            Answer::Operating(answer) => self.beam_view.take(answer),
             Answer::Sample(answer) => {
                 let taken = match answer.sampling {
                     Sampling::Detail => self.detail.take(answer),
                     Sampling::Reading => self.reading.take(answer),
-                    Sampling::Measured => self.take_measured_sample(answer),
+                    Sampling::Measured => self.comparison.take_sample(answer),
                 };
                 if let Err(reason) = taken {
                     self.refuse(reason);
@@ -91,12 +53,12 @@ impl App {
     }
 
     /// Requests everything that is visible and was not requested yet.
-    pub(super) fn request(&mut self) -> Vec<Effect> {
+    pub(crate) fn request(&mut self) -> Vec<Effect> {
         let mut requests: Vec<Request> = self.want_curves().into_iter().collect();
         requests.extend(self.want_expected());
         requests.extend(self.want_shape());
         requests.extend(self.want_fem());
-        requests.extend(self.want_reference());
+        requests.extend(self.comparison.want());
         requests.extend(self.want_reading());
         requests.extend(self.want_detail());
         requests.extend(self.want_measured());
@@ -108,7 +70,7 @@ impl App {
     }
 
     /// The subject of the solution: the model with its study.
-    pub(super) fn subject(&self) -> Subject {
+    pub(crate) fn subject(&self) -> Subject {
         Subject {
             generation: self.curves.generation,
             model: Arc::clone(self.document.model()),
@@ -119,7 +81,7 @@ impl App {
     /// Curves, if the last request was not for this model.
     fn want_curves(&mut self) -> Option<Request> {
         let (model, study) = (Arc::clone(self.document.model()), self.curves.study);
-        if let Some((last, last_study)) = &self.requested
+        if let Some((last, last_study)) = &self.requests.curves
             && Arc::ptr_eq(last, &model)
             && *last_study == study
         {
@@ -127,7 +89,7 @@ impl App {
         }
         self.curves.generation += 1;
         self.fem_overlay.outdate();
-        self.requested = Some((model, study));
+        self.requests.curves = Some((model, study));
         Some(Request::Curves(self.subject()))
     }
 
@@ -144,13 +106,13 @@ impl App {
         }
         let id = self.selection.node().parameter()?;
         let value = edit::number(&model, id).ok()?;
-        if let Some((known, at)) = self.expected
+        if let Some((known, at)) = self.requests.expected
             && known == id
             && (value - at).abs() <= NEAR * at.abs()
         {
             return None;
         }
-        self.expected = Some((id, value));
+        self.requests.expected = Some((id, value));
         // The model limits how far the value can change.
         let turned = |by: f64| {
             let value = Value::Number(value * (1.0 + by));
@@ -178,10 +140,10 @@ impl App {
     fn want_fem(&mut self) -> Option<Request> {
         let generation = self.curves.generation;
         let waits = matches!(self.fem_overlay, FemOverlay::Waiting(_));
-        if !waits || self.fem_requested == Some(generation) || !self.curves.is_resolved() {
+        if !waits || self.requests.fem == Some(generation) || !self.curves.is_resolved() {
             return None;
         }
-        self.fem_requested = Some(generation);
+        self.requests.fem = Some(generation);
         Some(Request::Witness(self.subject()))
     }
 }

@@ -2,7 +2,8 @@
 
 use ratatui::layout::{Position, Rect};
 
-use super::{App, List, Overlay, Tables};
+use super::list::List;
+use crate::tui::panels::tables::Tables;
 
 /// The visible rows of a list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -51,6 +52,8 @@ pub struct Levels {
 /// The positions of the last drawing. Drawing returns it.
 #[derive(Debug, Clone, Default)]
 pub struct Screen {
+    /// The screen is too small to show anything; the positions are those of an earlier drawing then.
+    pub unseen: bool,
     /// The whole screen.
     pub area: Rect,
     /// The tree.
@@ -69,24 +72,4 @@ pub struct Screen {
     pub list: Option<Rows>,
     /// The list of the open dialog: its rows and visible height.
     pub dialog: Option<List>,
-}
-
-impl App {
-    /// Stores the positions of a drawing; none if the screen is too small.
-    pub fn drawn(&mut self, screen: Option<Screen>) {
-        self.unseen = screen.is_none();
-        let Some(screen) = screen else {
-            return;
-        };
-        if screen.tree.area.height > 0 {
-            self.selection.set_height(screen.tree.area.height.into());
-        }
-        self.tables = screen.tables;
-        if let (Some(list), Some(drawn)) =
-            (self.overlay.as_mut().and_then(Overlay::list), screen.dialog)
-        {
-            *list = drawn;
-        }
-        self.screen = screen;
-    }
 }

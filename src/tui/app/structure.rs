@@ -15,7 +15,7 @@ use crate::tui::tree::{self, Node};
 
 impl App {
     /// Adds an element to the list of the selected row.
-    pub(super) fn add(&mut self) {
+    pub(crate) fn add(&mut self) {
         let mut after = Model::clone(self.model());
         let (group, name) = match group(self.selection.node()) {
             Some(Group::Subsystems) => {
@@ -71,7 +71,7 @@ impl App {
     }
 
     /// Adds a copy of the selected subsystem, force or response after it.
-    pub(super) fn duplicate(&mut self) {
+    pub(crate) fn duplicate(&mut self) {
         let mut after = Model::clone(self.model());
         let (group, name) = match self.selection.node().item() {
             Some(Group::Subsystem(i)) => {
@@ -98,7 +98,7 @@ impl App {
     }
 
     /// Deletes the selected subsystem, force, response or study, unless another element needs it.
-    pub(super) fn delete(&mut self) {
+    pub(crate) fn delete(&mut self) {
         match self.selection.node().group() {
             Group::Variable(index) => return self.drop_variable(index),
             Group::Objective(index) => return self.drop_objective(index),
@@ -123,7 +123,7 @@ impl App {
     }
 
     /// Enables or disables the selected subsystem, force or response.
-    pub(super) fn switch(&mut self) {
+    pub(crate) fn switch(&mut self) {
         let model = Arc::clone(self.document.model());
         let item = self.selection.node().item();
         let switch = item.and_then(|item| item.parameter_of(Kind::Flag));

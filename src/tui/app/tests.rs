@@ -12,13 +12,10 @@ use crate::worker::{self, Answer, CurvesAnswer, Request, Stage};
 
 mod counts;
 mod external_changes;
-mod modes;
 mod mouse;
 mod recall;
-mod search;
-mod zoom;
 
-fn app(preset: &str) -> App {
+pub(crate) fn app(preset: &str) -> App {
     let preset = presets::find(preset).unwrap();
     let mut app = App::new(Opened {
         model: checked(&crate::model::read(preset.text).unwrap().into_inner()),
@@ -29,7 +26,7 @@ fn app(preset: &str) -> App {
     app
 }
 
-fn select(app: &mut App, path: &str) {
+pub(crate) fn select(app: &mut App, path: &str) {
     let model = Arc::clone(app.model());
     let id = path::one(&model, path).unwrap();
     let rows = tree::all_rows(&model);
@@ -45,18 +42,18 @@ fn go(app: &mut App, node: Node) {
     app.selection.select(&model, node);
 }
 
-fn press(app: &mut App, code: KeyCode) -> Vec<Effect> {
+pub(crate) fn press(app: &mut App, code: KeyCode) -> Vec<Effect> {
     app.update(Event::Key(KeyEvent::from(code)))
 }
 
-fn keys(app: &mut App, keys: &str) -> Vec<Effect> {
+pub(crate) fn keys(app: &mut App, keys: &str) -> Vec<Effect> {
     keys.chars()
         .flat_map(|c| press(app, KeyCode::Char(c)))
         .collect()
 }
 
 /// Replaces the text of the prompt and accepts it.
-fn enter(app: &mut App, text: &str) -> Vec<Effect> {
+pub(crate) fn enter(app: &mut App, text: &str) -> Vec<Effect> {
     if let Some(Overlay::Prompt(prompt)) = &mut app.overlay {
         prompt.input.reset();
     }
@@ -64,18 +61,18 @@ fn enter(app: &mut App, text: &str) -> Vec<Effect> {
     press(app, KeyCode::Enter)
 }
 
-fn number(app: &App, path: &str) -> f64 {
+pub(crate) fn number(app: &App, path: &str) -> f64 {
     path::number(app.model(), path).unwrap()
 }
 
-fn said(app: &App) -> &str {
+pub(crate) fn said(app: &App) -> &str {
     match &app.message {
         Some(Message::Done(text) | Message::Refused(text)) => text,
         None => "",
     }
 }
 
-const STIFFNESS: &str = "subsystems.S1.z_left.stiffness";
+pub(crate) const STIFFNESS: &str = "subsystems.S1.z_left.stiffness";
 
 #[test]
 fn a_typed_value_is_taken_and_undone_by_name() {

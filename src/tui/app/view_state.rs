@@ -8,7 +8,7 @@ use crate::files::Source;
 use crate::model::Model;
 use crate::tui::scene::ChartView;
 use crate::tui::tree::{self, Node};
-use crate::tui::user::memory::{Memory, View};
+use crate::tui::user::memory::{Memory, ViewState};
 use crate::unit::{Form, FrequencyUnit};
 
 /// The most open groups that are stored.
@@ -25,14 +25,14 @@ impl App {
         self.display.unit = units
             .find(|known| Some(known.symbol()) == unit)
             .unwrap_or_default();
-        self.memory = memory;
+        self.stored.memory = memory;
         self.recall_view();
     }
 
     /// The state to be stored, with this model's view.
     pub fn remembered(&self) -> Memory {
-        let mut memory = self.memory.clone();
-        memory.options = self.turned.clone();
+        let mut memory = self.stored.memory.clone();
+        memory.options = self.stored.changed.clone();
         if let Some(view) = self.view() {
             memory.remember(view);
         }
@@ -40,25 +40,25 @@ impl App {
     }
 
     /// Selects the next theme.
-    pub(super) fn next_theme(&mut self) {
+    pub(crate) fn next_theme(&mut self) {
         self.theme = self.theme.next();
-        self.turned.theme = Some(self.theme.word().to_owned());
+        self.stored.changed.theme = Some(self.theme.word().to_owned());
         self.done(format!("theme: {}", self.theme.name()));
     }
 
     /// Stores the view of the model, before another one is opened.
-    pub(super) fn store_view(&mut self) {
+    pub(crate) fn store_view(&mut self) {
         if let Some(view) = self.view() {
-            self.memory.remember(view);
+            self.stored.memory.remember(view);
         }
     }
 
     /// The view of the model; none if its source has no identity.
-    fn view(&self) -> Option<View> {
+    fn view(&self) -> Option<ViewState> {
         let source = key(self.document.source())?;
         let model = Arc::clone(self.document.model());
         let study = self.curves.study.and_then(|study| model.studies.get(study));
-        Some(View {
+        Some(ViewState {
             source,
             selected: trail(&model, self.selection.node()),
             open: self
@@ -79,14 +79,14 @@ impl App {
                 None => self.display.motion.then(|| MOTION.to_owned()),
             },
             second_cursor: self.reading.second,
-            band: self.band.span,
+            band: self.curves.band,
             decibel_references: self.display.decibel_references.clone(),
         })
     }
 
     /// Restores the last view of the model.
-    pub(super) fn recall_view(&mut self) {
-        let view = key(self.document.source()).and_then(|source| self.memory.view(&source));
+    pub(crate) fn recall_view(&mut self) {
+        let view = key(self.document.source()).and_then(|source| self.stored.memory.view(&source));
         let Some(view) = view.cloned() else {
             return;
         };
@@ -112,7 +112,7 @@ impl App {
             .filter(|[low, high]| low < high && sweep.contains(low) && sweep.contains(high));
         let inside =
             |band: &[f64; 2]| band[0] < band[1] && band.iter().all(|end| sweep.contains(end));
-        self.band.span = view.band.filter(inside);
+        self.curves.band = view.band.filter(inside);
         self.reading.second = view.second_cursor.filter(|cursor| sweep.contains(cursor));
         let possible = |(_, value): &(String, f64)| value.is_normal() && *value > 0.0;
         let references = view.decibel_references.into_iter();

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use super::{Panel, Scene, SceneCurve};
-use crate::tui::app::nearest as place_of_nearest;
+use crate::tui::panels::readings::nearest as place_of_nearest;
 use crate::tui::plot::{self, Axis, Curve, Scale};
 
 /// The relative distance to a pole within which a locus is not drawn: it tends to infinity there.

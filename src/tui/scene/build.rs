@@ -1,19 +1,50 @@
-//! Builds the scene from the designer's state.
+//! Builds the scene from what the chart shows.
 
 mod comparison;
 
 use super::{
-    ChartView, CurveKind, FrequencyAxis, Marked, Panel, Scene, SceneCurve, difference, part,
+    ChartView, CurveKind, FrequencyAxis, Marked, Panel, Scale, Scene, SceneCurve, difference, part,
 };
-use crate::tui::app::{
-    Anchor, App, BeamView, Curves, DetailPicture, MOTION, Member, Picture, Table, Trace,
+use crate::model::Model;
+use crate::tui::panels::chart::{
+    Curves, Detail, DetailPicture, Display, MOTION, Member, Picture, Trace,
 };
+use crate::tui::panels::comparison::Comparison;
+use crate::tui::panels::fem_overlay::FemPicture;
+use crate::tui::panels::modes::ModeList;
+use crate::tui::panels::readings::Reading;
+use crate::tui::panels::tuning::Tolerances;
 use crate::tui::plot::{Level, LineStyle};
 use crate::unit::Dimension;
 
+/// The state of the designer that the chart shows.
+#[derive(Debug, Clone, Copy)]
+pub struct ChartState<'a> {
+    /// The model.
+    pub model: &'a Model,
+    /// Its curves.
+    pub curves: &'a Curves,
+    /// The visible band, solved with a fine grid.
+    pub detail: &'a Detail,
+    /// How values are shown.
+    pub display: &'a Display,
+    /// The values at the cursors.
+    pub reading: &'a Reading,
+    /// References and measured curves.
+    pub comparison: &'a Comparison,
+    /// The finite-element curves, if any.
+    pub fem: Option<&'a FemPicture>,
+    /// The effect of tolerances on the curves.
+    pub tolerances: &'a Tolerances,
+    /// The modes, if they are solved.
+    pub modes: Option<&'a ModeList>,
+    /// The index of the selected mode, if it is marked.
+    pub mode: Option<usize>,
+}
+
 /// Builds the content of the chart.
-pub fn of(app: &App) -> Scene {
-    let builder = Builder::new(app);
+pub fn of(state: ChartState<'_>) -> Scene {
+    let builder = Builder::new(state);
     let panels = builder.panels();
     let mut curves = builder.tolerances();
     curves.extend(builder.references());
@@ -27,12 +58,12 @@ pub fn of(app: &App) -> Scene {
         only.label.clear();
     }
     Scene {
-        view: app.display.view,
+        view: state.display.view,
         title: builder.title(),
         frequency: FrequencyAxis {
-            unit: app.display.unit,
-            log: app.curves.log_frequency,
-            bounds: app.shown_frequencies(),
+            unit: state.display.unit,
+            log: state.curves.log_frequency,
+            bounds: builder.shown_frequencies(),
         },
         panels,
         curves,
@@ -41,42 +72,8 @@ pub fn of(app: &App) -> Scene {
     }
 }
 
-/// The units and levels of the visible responses on the chart.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Scale {
-    /// Converts a magnitude to the axis.
-    pub level: Level,
-    /// The unit of the axis.
-    pub unit: String,
-}
-
-/// How to show the magnitudes of the visible responses.
-pub fn scale(app: &App) -> Scale {
-    let units = app.shown_units();
-    let dimensions = app.shown_traces().map(|trace| trace.dimension);
-    let (energy, motion) = dimensions.fold((false, false), |(energy, motion), dimension| {
-        (energy || dimension.is_none(), motion || dimension.is_some())
-    });
-    let unit = units.join(", ");
-    // Ten and twenty decibels per decade cannot share an axis.
-    if !app.curves.decibels || (energy && motion) {
-        return Scale {
-            level: Level::Magnitude,
-            unit,
-        };
-    }
-    let reference = app.decibel_zero(&unit);
-    Scale {
-        level: Level::Decibel {
-            factor: if energy { 10.0 } else { 20.0 },
-            reference,
-        },
-        unit: format!("dB re {} {unit}", super::plain(reference)),
-    }
-}
-
 struct Builder<'a> {
-    app: &'a App,
+    state: ChartState<'a>,
     /// The curves of the model, if there are any.
     picture: Option<&'a Picture>,
     /// The visible band, solved with a fine grid, if it belongs to the picture.
@@ -93,47 +90,53 @@ struct Source<'a> {
 }
 
 impl<'a> Builder<'a> {
-    fn new(app: &'a App) -> Self {
-        let picture = app.curves.picture().map(|picture| &**picture);
-        let window = app.shown_frequencies();
-        let detail = picture.and_then(|picture| app.detail.of(picture.generation, window));
+    fn new(state: ChartState<'a>) -> Self {
+        let picture = state.curves.picture().map(|picture| &**picture);
+        let window = state.curves.shown_frequencies(&state.model.sweep);
+        let detail = picture.and_then(|picture| state.detail.of(picture.generation, window));
         Self {
-            app,
+            state,
             picture,
             detail,
         }
     }
 
+    fn shown_frequencies(&self) -> [f64; 2] {
+        self.state.curves.shown_frequencies(&self.state.model.sweep)
+    }
+
     fn view(&self) -> ChartView {
-        self.app.display.view
+        self.state.display.view
     }
 
     fn title(&self) -> String {
-        let app = self.app;
-        let what = match app.curves.visible.as_slice() {
+        let ChartState {
+            curves, display, ..
+        } = self.state;
+        let what = match curves.visible.as_slice() {
             [] => String::new(),
             [one] => one.clone(),
             more => format!("{} responses", more.len()),
         };
-        let form = app.display.form.filter(|form| {
-            let mut dimensions = app.shown_traces().filter_map(|trace| trace.dimension);
+        let form = display.form.filter(|form| {
+            let mut dimensions = curves.shown_traces().filter_map(|trace| trace.dimension);
             dimensions.any(|dimension| dimension.per.is_some() && dimension.has(*form))
         });
         let what = match form {
             Some(form) => format!("{what}, {}", form.name()),
-            None if app.shown_traces().any(|trace| trace.force.is_some()) && app.display.motion => {
+            None if curves.shown_traces().any(|trace| trace.force.is_some()) && display.motion => {
                 format!("{what}, {MOTION}")
             }
             None => what,
         };
-        let what = match app.comparison.first_shown() {
+        let what = match self.state.comparison.first_shown() {
             Some(reference) if self.view() == ChartView::Difference => {
                 format!("{what} against {}", reference.name)
             }
             _ => what,
         };
-        let study = app.curves.study;
-        match study.and_then(|study| app.model().studies.get(study)) {
+        let study = curves.study;
+        match study.and_then(|study| self.state.model.studies.get(study)) {
             Some(study) => format!("{what}: {}", study.name),
             None => what,
         }
@@ -141,7 +144,10 @@ impl<'a> Builder<'a> {
 
     /// The value axes.
     fn panels(&self) -> Vec<Panel> {
-        let unit = self.app.shown_units().join(", ");
+        let ChartState {
+            curves, display, ..
+        } = self.state;
+        let unit = display.shown_units(curves).join(", ");
         let panel = |name, unit: String, level| Panel {
             name,
             unit,
@@ -151,7 +157,7 @@ impl<'a> Builder<'a> {
         let Scale {
             level,
             unit: magnitude,
-        } = scale(self.app);
+        } = display.scale(curves);
         let size = || panel(self.magnitude_name(), magnitude.clone(), level);
         let mut panels = match self.view() {
             ChartView::Magnitude => vec![size()],
@@ -168,7 +174,7 @@ impl<'a> Builder<'a> {
                 Level::Signed,
             )],
         };
-        if let (Some(first), Some(levels)) = (panels.first_mut(), self.app.display.levels) {
+        if let (Some(first), Some(levels)) = (panels.first_mut(), display.levels) {
             first.bounds = Some(levels);
         }
         panels
@@ -176,9 +182,10 @@ impl<'a> Builder<'a> {
 
     /// The name of a magnitude: a ratio only if there is one force to divide by.
     fn magnitude_name(&self) -> &'static str {
-        let display = &self.app.display;
-        let mut dimensions = self
-            .app
+        let ChartState {
+            curves, display, ..
+        } = self.state;
+        let mut dimensions = curves
             .shown_traces()
             .map(|trace| display.dimension_of(trace));
         match dimensions.next() {
@@ -190,7 +197,7 @@ impl<'a> Builder<'a> {
 
     /// The curves of the model and of its study's members.
     fn model(&self) -> Vec<SceneCurve> {
-        let (app, state) = (self.app, &self.app.curves);
+        let state = self.state.curves;
         let Some(picture) = self.picture else {
             return Vec::new();
         };
@@ -219,9 +226,8 @@ impl<'a> Builder<'a> {
                 .cursor
                 .filter(|_| self.view() != ChartView::Difference);
             curve.at_cursor = cursor.and_then(|cursor| {
-                let read = app
-                    .reading
-                    .model(generation, number, &trace.response, cursor)?;
+                let reading = self.state.reading;
+                let read = reading.model(generation, number, &trace.response, cursor)?;
                 Some(self.parts(trace, read.value(), cursor))
             });
             curves.push(curve);
@@ -231,7 +237,7 @@ impl<'a> Builder<'a> {
 
     /// The response of the reference for a member's difference: of the corresponding member, or the only one.
     fn against(&self, member: usize, response: &str) -> Option<&'a Trace> {
-        let reference = self.app.comparison.first_shown()?;
+        let reference = self.state.comparison.first_shown()?;
         let members = self.detail?.curves.reference(reference.id)?;
         let member = members.get(member).or(members.first())?;
         member.trace(response)
@@ -240,7 +246,7 @@ impl<'a> Builder<'a> {
     /// Curves that extend the value axis: the previous resolved curves predict the range of the next ones, so that the
     /// axis does not move while a parameter changes.
     fn spanning(&self) -> Vec<SceneCurve> {
-        let state = &self.app.curves;
+        let state = self.state.curves;
         let (false, Some(resolved)) = (state.is_resolved(), &state.resolved) else {
             return Vec::new();
         };
@@ -261,21 +267,19 @@ impl<'a> Builder<'a> {
     }
 
     fn marks(&self) -> Marked {
-        let app = self.app;
-        let list = app.modes.list.as_ref();
-        let chosen = app.anchor == Anchor::Mode
-            || app.tables.open == Some(Table::Modes)
-            || app.beam_view.shown == Some(BeamView::Mode);
+        let state = self.state;
+        let cursor = state.curves.cursor;
+        let list = state.modes;
         Marked {
-            cursor: app.curves.cursor,
-            second: app.reading.second,
-            harmonics: app.harmonics(),
-            band: app.band.span,
+            cursor,
+            second: state.reading.second,
+            harmonics: state.reading.harmonics(cursor, state.model.sweep.to),
+            band: state.curves.band,
             modes: list.map_or_else(Vec::new, |list| {
                 list.rows.iter().map(|mode| mode.frequency).collect()
             }),
-            mode: (chosen && list.is_some()).then_some(app.tables.modes.row),
-            modes_dim: list.is_some_and(|list| list.generation != app.curves.generation),
+            mode: state.mode,
+            modes_dim: list.is_some_and(|list| list.generation != state.curves.generation),
         }
     }
 
@@ -283,11 +287,10 @@ impl<'a> Builder<'a> {
     fn curve(&self, source: &Source<'_>) -> SceneCurve {
         let places = self.visible_part(source.frequencies);
         let view = self.view();
-        let count = if view.has_two_panels() { 2 } else { 1 };
-        let mut values = vec![Vec::with_capacity(places.len()); count];
+        let mut values = vec![Vec::with_capacity(places.len()); view.panels()];
         for i in places.clone() {
             let (value, frequency) = (source.trace.values[i], source.frequencies[i]);
-            let display = &self.app.display;
+            let display = self.state.display;
             let parts = match source.against {
                 _ if view != ChartView::Difference => self.parts(source.trace, value, frequency),
                 Some(against) => {
@@ -317,13 +320,13 @@ impl<'a> Builder<'a> {
 
     /// The value in each panel.
     fn parts(&self, trace: &Trace, value: num_complex::Complex64, frequency: f64) -> Vec<f64> {
-        let shown = self.app.display.value(trace, value, frequency);
+        let shown = self.state.display.value(trace, value, frequency);
         part(self.view(), shown, trace.dimension.is_none())
     }
 
     /// Unwraps the phase, if the display asks for it.
     fn unwrapped(&self, mut values: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
-        if self.app.display.unwrapped
+        if self.state.display.unwrapped
             && self.view() == ChartView::MagnitudePhase
             && let Some(phase) = values.get_mut(1)
         {
@@ -334,7 +337,7 @@ impl<'a> Builder<'a> {
 
     /// The indices of the visible frequencies, and one more on each side.
     fn visible_part(&self, frequencies: &[f64]) -> std::ops::Range<usize> {
-        let [low, high] = self.app.shown_frequencies();
+        let [low, high] = self.shown_frequencies();
         let from = frequencies.partition_point(|f| *f < low);
         let to = frequencies.partition_point(|f| *f <= high);
         from.saturating_sub(1)..(to + 1).min(frequencies.len()).max(from.saturating_sub(1))

@@ -41,7 +41,7 @@ fn environment(variables: &[(&str, &str)]) -> Environment {
 }
 
 fn resolve(options: Options, variables: &[(&str, &str)]) -> Theme {
-    Theme::resolve(&options, &environment(variables))
+    Theme::resolve(options, &environment(variables))
 }
 
 fn asking(colours: Colours) -> Options {

@@ -26,7 +26,7 @@ pub struct Memory {
     pub options: RememberedOptions,
     /// The last view of each model, newest first.
     #[serde(default)]
-    pub views: Vec<View>,
+    pub views: Vec<ViewState>,
     /// The models whose views were stored since the file was read.
     #[serde(skip)]
     seen: Vec<String>,
@@ -53,7 +53,7 @@ pub struct RememberedOptions {
 
 /// The last view of one model.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct View {
+pub struct ViewState {
     /// The model: a file's absolute path, or `preset:NAME`.
     pub source: String,
     /// The selected row: labels of the tree from the root.
@@ -104,13 +104,13 @@ impl Memory {
     }
 
     /// The last view of a model.
-    pub fn view(&self, source: &str) -> Option<&View> {
+    pub fn view(&self, source: &str) -> Option<&ViewState> {
         self.views.iter().find(|view| view.source == source)
     }
 
     /// Stores a view as the newest and replaces an older one of the same model. Views beyond 100 are removed, as are
     /// numbers that are not finite.
-    pub fn remember(&mut self, mut view: View) {
+    pub fn remember(&mut self, mut view: ViewState) {
         view.cursor = view.cursor.filter(|cursor| cursor.is_finite());
         let finite = |band: &[f64; 2]| band.iter().all(|end| end.is_finite());
         view.window = view.window.filter(finite);
@@ -217,8 +217,8 @@ fn turn(path: &Path) -> Option<File> {
 mod tests {
     use super::*;
 
-    fn view(source: &str) -> View {
-        View {
+    fn view(source: &str) -> ViewState {
+        ViewState {
             source: source.to_owned(),
             selected: vec!["Subsystems".to_owned(), "S1".to_owned()],
             open: vec![
@@ -259,9 +259,9 @@ mod tests {
         memory.options.decibels = Some(true);
         memory.options.theme = Some("light".to_owned());
         memory.remember(view("/a.toml"));
-        memory.remember(View {
+        memory.remember(ViewState {
             source: "preset:fig06".to_owned(),
-            ..View::default()
+            ..ViewState::default()
         });
         store(&path, &memory).unwrap();
         let loaded = remembered(&path);
@@ -280,7 +280,7 @@ mod tests {
         let mut one = remembered(&path);
         let mut two = remembered(&path);
         two.options.mouse = Some(false);
-        two.remember(View {
+        two.remember(ViewState {
             cursor: Some(7.0),
             ..view("both")
         });
@@ -336,7 +336,7 @@ mod tests {
     #[test]
     fn numbers_that_are_not_finite_are_forgotten() {
         let mut memory = Memory::default();
-        memory.remember(View {
+        memory.remember(ViewState {
             cursor: Some(f64::NAN),
             window: Some([1.0, f64::INFINITY]),
             ..view("a")

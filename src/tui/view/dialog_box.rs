@@ -12,15 +12,15 @@ use crate::tui::theme::Theme;
 /// The largest width of a dialog, in columns.
 const WIDEST: u16 = 72;
 /// Columns of its border and of the blanks inside it.
-pub(super) const FRAME: u16 = 4;
+pub(crate) const FRAME: u16 = 4;
 
 /// Columns of text in a centred dialog.
-pub(super) fn dialog_width(area: Rect) -> u16 {
+pub(crate) fn dialog_width(area: Rect) -> u16 {
     area.width.min(WIDEST).saturating_sub(FRAME)
 }
 
 /// Clears an area and draws a border around it; returns the area inside.
-pub(super) fn open_dialog(frame: &mut Frame<'_>, area: Rect, title: &str, theme: Theme) -> Rect {
+pub(crate) fn open_dialog(frame: &mut Frame<'_>, area: Rect, title: &str, theme: Theme) -> Rect {
     let block = Block::bordered()
         .border_style(theme.accent())
         .title(Span::styled(
@@ -35,7 +35,7 @@ pub(super) fn open_dialog(frame: &mut Frame<'_>, area: Rect, title: &str, theme:
 }
 
 /// A centred dialog with room for this number of lines.
-pub(super) fn middle(area: Rect, lines: usize) -> Rect {
+pub(crate) fn middle(area: Rect, lines: usize) -> Rect {
     middle_of_width(area, lines, WIDEST)
 }
 
@@ -53,7 +53,7 @@ fn middle_of_width(area: Rect, lines: usize, widest: u16) -> Rect {
 }
 
 /// Draws scrollable lines; returns their number and the number of visible rows.
-pub(super) fn draw_reader(
+pub(crate) fn draw_reader(
     frame: &mut Frame<'_>,
     title: &str,
     lines: Vec<Line<'_>>,

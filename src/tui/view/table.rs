@@ -11,10 +11,10 @@ use super::text::{cut, width};
 use crate::tui::app::{App, List, Rows};
 
 /// Rows in addition to those of the list: the rule with the title, and the heading.
-pub(super) const FRAME_ROWS: u16 = 2;
+pub(crate) const FRAME_ROWS: u16 = 2;
 
 /// A column of a table with rows of type `R`.
-pub(super) struct Column<R> {
+pub(crate) struct Column<R> {
     kind: Kind,
     /// For each layout, from the widest on: the heading and the cells it takes with the space before it. [`NONE`] or
     /// nothing if the layout does not have the column.
@@ -24,11 +24,11 @@ pub(super) struct Column<R> {
 }
 
 /// The heading of a column that a layout does not have.
-pub(super) const NONE: (&str, usize) = ("", 0);
+pub(crate) const NONE: (&str, usize) = ("", 0);
 
 /// How a column is shown.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum Kind {
+pub(crate) enum Kind {
     /// Right-aligned.
     Plain,
     /// The same; the heading is the displayed unit.
@@ -39,7 +39,7 @@ pub(super) enum Kind {
     Name,
 }
 
-pub(super) const fn column<R>(
+pub(crate) const fn column<R>(
     kind: Kind,
     headings: &'static [(&'static str, usize)],
     cell: fn(&App, &R) -> String,
@@ -52,23 +52,23 @@ pub(super) const fn column<R>(
 }
 
 /// What a table shows.
-pub(super) struct Content<'a, R> {
+pub(crate) struct Content<'a, R> {
     /// In the rule.
-    pub(super) title: String,
+    pub(crate) title: String,
     /// Whether the title is a warning.
-    pub(super) warns: bool,
+    pub(crate) warns: bool,
     /// At the right of the rule.
-    pub(super) note: String,
+    pub(crate) note: String,
     /// The columns.
-    pub(super) columns: &'a [Column<R>],
+    pub(crate) columns: &'a [Column<R>],
     /// The rows.
-    pub(super) rows: &'a [R],
+    pub(crate) rows: &'a [R],
     /// Sentences below them, one per line.
-    pub(super) sentences: Vec<String>,
+    pub(crate) sentences: Vec<String>,
     /// Shown if there are no rows.
-    pub(super) empty: Cow<'a, str>,
+    pub(crate) empty: Cow<'a, str>,
     /// The rows are older than the model.
-    pub(super) stale: bool,
+    pub(crate) stale: bool,
 }
 
 /// A column of the layout that is shown.
@@ -135,12 +135,12 @@ fn taken<R>(placed: &[Placed<'_, R>]) -> usize {
 }
 
 /// How many cells a title may take in a table of this width.
-pub(super) fn title_room(columns: u16) -> usize {
+pub(crate) fn title_room(columns: u16) -> usize {
     usize::from(columns).saturating_sub(4)
 }
 
 /// Draws a table and sets the visible height of its list; returns the positions of the rows.
-pub(super) fn draw<R>(
+pub(crate) fn draw<R>(
     frame: &mut Frame<'_>,
     app: &App,
     content: &Content<'_, R>,
@@ -193,7 +193,7 @@ pub(super) fn draw<R>(
 fn draw_rule<R>(frame: &mut Frame<'_>, app: &App, content: &Content<'_, R>, area: Rect) -> Rect {
     let theme = app.theme;
     let title = cut(&content.title, title_room(area.width));
-    let mut rule = super::rule(&title, theme);
+    let mut rule = super::frame::rule(&title, theme);
     if content.warns {
         rule.spans[1].style = theme.refusal();
     }
@@ -201,7 +201,7 @@ fn draw_rule<R>(frame: &mut Frame<'_>, app: &App, content: &Content<'_, R>, area
         "" => Line::default(),
         note => Line::styled(format!(" {note} "), theme.dim()),
     };
-    let block = super::panel(rule, note, area.width).border_style(theme.dim());
+    let block = super::frame::panel(rule, note, area.width).border_style(theme.dim());
     let inside = block.inner(area);
     frame.render_widget(block, area);
     inside

@@ -3,10 +3,10 @@
 use ratatui::buffer::Buffer;
 
 use crate::escape::is_hidden;
-pub(super) use crate::wrap::{cut, width, wrapped};
+pub(crate) use crate::wrap::{cut, width, wrapped};
 
 /// Replaces every hidden character that a widget lets through by a sign, so that none reaches the terminal.
-pub(super) fn show_hidden(buffer: &mut Buffer) {
+pub(crate) fn show_hidden(buffer: &mut Buffer) {
     for cell in &mut buffer.content {
         if !cell.symbol().is_ascii() && cell.symbol().contains(is_hidden) {
             cell.set_char(char::REPLACEMENT_CHARACTER);
@@ -15,7 +15,7 @@ pub(super) fn show_hidden(buffer: &mut Buffer) {
 }
 
 /// A number with this many significant digits, without a power of ten if it is readable so.
-pub(super) fn significant(value: f64, digits: usize) -> String {
+pub(crate) fn significant(value: f64, digits: usize) -> String {
     let digits = digits.max(2);
     let power = format!("{value:.*e}", digits - 1);
     let exponent = power

@@ -47,14 +47,14 @@ fn a_count_is_dropped_by_escape_and_does_not_reach_a_later_command() {
     select(&mut app, STIFFNESS);
     let before = number(&app, STIFFNESS);
     keys(&mut app, "20");
-    assert_eq!(app.count, Some(20));
+    assert_eq!(app.repeat.count, Some(20));
     press(&mut app, KeyCode::Esc);
     keys(&mut app, "+");
     assert!((number(&app, STIFFNESS) / before - 1.01).abs() < 1e-5);
     keys(&mut app, "0");
-    assert_eq!(app.count, None, "a count does not start with 0");
+    assert_eq!(app.repeat.count, None, "a count does not start with 0");
     keys(&mut app, "123456");
-    assert_eq!(app.count, Some(9_999));
+    assert_eq!(app.repeat.count, Some(9_999));
 }
 
 #[test]
@@ -119,12 +119,12 @@ fn state(app: &App) -> String {
         ),
         app.tables.open,
         (app.beam_view.shown, app.beam_view.moment, &app.display),
-        (app.reading.second, app.reading.harmonics, app.band.span),
+        (app.reading.second, app.reading.harmonics, app.curves.band),
         (
             app.overlay.is_some(),
             app.search.is_some(),
             app.theme,
-            app.mouse
+            app.mouse.captured
         ),
         (app.tables.modes.row, app.tables.peaks.row),
         app.fem_overlay.picture().is_some(),
@@ -221,7 +221,7 @@ fn what_takes_no_count_says_so_and_does_nothing() {
         let command = row.binding.command;
         let mut app = app("fig05a");
         select(&mut app, STIFFNESS);
-        app.count = Some(3);
+        app.repeat.count = Some(3);
         let state = (app.model().clone(), app.overlay.is_some(), app.tables.open);
         let effects = app.command(command);
         let excepted = [

@@ -55,7 +55,7 @@ fn a_change_of_the_file_is_noticed_once_and_read_as_a_step() {
         matches!(&effects[..], [Effect::Compare { text, .. }] if text == app.document.saved_text())
     );
     app.reply(Reply::Compared(ExternalChange::Changed));
-    assert_eq!(app.external_change, ExternalChange::Changed);
+    assert_eq!(app.files.external_change, ExternalChange::Changed);
     assert!(
         matches!(&app.message, Some(Message::Refused(text)) if text.contains("changed on disk"))
     );
@@ -74,7 +74,7 @@ fn a_change_of_the_file_is_noticed_once_and_read_as_a_step() {
         text: text.clone(),
         source: Source::File("mine.toml".into()),
     })));
-    assert_eq!(app.external_change, ExternalChange::Same);
+    assert_eq!(app.files.external_change, ExternalChange::Same);
     assert!(!app.document.is_changed());
     assert_eq!(number(&app, "beam.length"), 4.0);
     assert_eq!(app.document.text(), text);
@@ -213,12 +213,12 @@ fn a_screen_too_small_can_be_left_and_loses_nothing() {
     let mut app = of_file();
     select(&mut app, "beam.length");
     keys(&mut app, "+");
-    app.unseen = true;
+    app.screen.unseen = true;
     assert!(keys(&mut app, "q+").is_empty());
     let control_c = KeyEvent::new(KeyCode::Char('c'), crossterm::event::KeyModifiers::CONTROL);
     let effects = app.update(Event::Key(control_c));
     assert!(matches!(effects[..], [Effect::Quit(None)]));
-    assert!(app.keeps && app.document.unsaved().is_some());
+    assert!(app.recovery.stays && app.document.unsaved().is_some());
 }
 
 #[test]

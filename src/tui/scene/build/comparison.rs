@@ -1,7 +1,8 @@
 //! The curves that are compared with the model: references, finite elements, measurements.
 
 use super::{Builder, Source, colour, poles, traces};
-use crate::tui::app::{Measured, Reference};
+use crate::tui::panels::comparison::Reference;
+use crate::tui::panels::measured::Measured;
 use crate::tui::plot::LineStyle;
 use crate::tui::scene::{ChartView, CurveKind, SceneCurve, part};
 use crate::unit::Dimension;
@@ -18,10 +19,10 @@ impl<'a> Builder<'a> {
             self.view(),
             ChartView::Magnitude | ChartView::MagnitudePhase
         );
-        let state = &self.app.curves;
-        let known = self.app.tuning.tolerances.curves.as_ref();
+        let state = self.state.curves;
+        let known = self.state.tolerances.curves.as_ref();
         let Some((_, members)) = known.filter(|(generation, _)| {
-            magnitude && *generation == state.generation && self.app.tuning.tolerances.shown
+            magnitude && *generation == state.generation && self.state.tolerances.shown
         }) else {
             return Vec::new();
         };
@@ -61,7 +62,7 @@ impl<'a> Builder<'a> {
         if self.view() == ChartView::Difference {
             return Vec::new();
         }
-        let shown: Vec<&Reference> = self.app.comparison.shown().collect();
+        let shown: Vec<&Reference> = self.state.comparison.shown().collect();
         let mut curves = Vec::new();
         for (index, reference) in shown.iter().enumerate() {
             curves.extend(self.reference(reference, index, shown.len()));
@@ -72,11 +73,11 @@ impl<'a> Builder<'a> {
     /// The number of visible curves of the model: the colours of other curves follow.
     fn model_count(&self) -> usize {
         let members = self.picture.map_or(&[][..], |picture| &picture.members);
-        traces(members, &self.app.curves).len()
+        traces(members, self.state.curves).len()
     }
 
     fn reference(&self, reference: &'a Reference, index: usize, of: usize) -> Vec<SceneCurve> {
-        let state = &self.app.curves;
+        let state = self.state.curves;
         let fine = self
             .detail
             .and_then(|detail| detail.curves.reference(reference.id));
@@ -109,8 +110,8 @@ impl<'a> Builder<'a> {
 
     /// The finite-element curves, as points.
     pub(super) fn fem_curves(&self) -> Vec<SceneCurve> {
-        let state = &self.app.curves;
-        let Some(picture) = self.app.fem_overlay.picture() else {
+        let state = self.state.curves;
+        let Some(picture) = self.state.fem else {
             return Vec::new();
         };
         let mut curves: Vec<SceneCurve> = Vec::new();
@@ -145,7 +146,11 @@ impl<'a> Builder<'a> {
         if self.view() == ChartView::Difference {
             return Vec::new();
         }
-        let shown = self.app.measured_shown().enumerate();
+        let shown = self
+            .state
+            .comparison
+            .measured_shown(self.state.curves, self.state.display)
+            .enumerate();
         shown
             .map(|(index, (one, response))| self.measured_curve(one, response.as_ref(), index))
             .collect()
@@ -157,12 +162,12 @@ impl<'a> Builder<'a> {
         response: Option<&Dimension>,
         index: usize,
     ) -> SceneCurve {
-        let (display, view) = (&self.app.display, self.view());
+        let (display, view) = (self.state.display, self.view());
         let energy = one.is_energy(response);
         let places = self.visible_part(&one.curve.frequencies);
         let stride = places.len().div_ceil(MOST_MEASURED).max(1);
         let places: Vec<usize> = places.step_by(stride).collect();
-        let mut values = vec![Vec::with_capacity(places.len()); one.panels(view)];
+        let mut values = vec![Vec::with_capacity(places.len()); view.panels()];
         // Without a phase, only the magnitude is known.
         let magnitude = matches!(view, ChartView::Magnitude | ChartView::MagnitudePhase);
         let known = match (one.curve.phase_known, magnitude) {

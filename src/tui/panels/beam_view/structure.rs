@@ -1,0 +1,272 @@
+//! Side view of the structure, to scale along x: the beam with its supports, subsystems, forces and responses.
+//!
+//! Upward is y, so w is up and down; z is out of the picture. Every subsystem is drawn below the beam, in whichever
+//! direction its springs act: the picture shows that the springs exist, and their directions.
+
+mod loads;
+mod masses;
+mod rows;
+mod supports;
+mod ticks;
+
+use ratatui::Frame;
+use ratatui::layout::Rect;
+use ratatui::style::Style;
+use ratatui::text::Line;
+
+use self::rows::Rows;
+use crate::model::{Elastic, End, Group, Model, Place, Spring, Unit, grouped};
+use crate::tui::app::App;
+use crate::tui::plot::{Axis, CellRuler, Scale};
+use crate::tui::sketch::{Board, POINTER, POINTER_BACK, Signs, width};
+use crate::tui::theme::Theme;
+use crate::tui::tree::{self, Node};
+use crate::tui::view::frame;
+use crate::tui::view::text::cut;
+
+/// Columns left and right of the beam, for walls and text at its ends; fewer if there are few columns.
+const MARGIN: u16 = 3;
+
+/// What the selected row refers to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Focus {
+    Beam,
+    Support(End),
+    Subsystem(usize),
+    Force(usize),
+    Response(usize),
+    Nothing,
+}
+
+impl Focus {
+    fn of(group: Group) -> Self {
+        match group {
+            Group::Beam => Self::Beam,
+            Group::Support(end) => Self::Support(end),
+            Group::Subsystem(i) => Self::Subsystem(i),
+            Group::Force(i) => Self::Force(i),
+            Group::Response(i) => Self::Response(i),
+            other => other.parent().map_or(Self::Nothing, Self::of),
+        }
+    }
+}
+
+/// What all parts of the picture need to be drawn.
+struct Picture<'a> {
+    model: &'a Model,
+    focus: Focus,
+    theme: Theme,
+    signs: &'static Signs,
+    rows: Rows,
+    ruler: CellRuler,
+    /// The columns of the beam's ends.
+    ends: [i32; 2],
+}
+
+impl<'a> Picture<'a> {
+    fn new(model: &'a Model, node: Node, theme: Theme, [columns, rows]: [u16; 2]) -> Self {
+        // If there are few columns, the beam takes all of them.
+        let margin = MARGIN.min(columns.saturating_sub(8) / 4);
+        let length = columns.saturating_sub(2 * margin).max(1);
+        let axis = Axis::new(Scale::Linear, [0.0, model.beam.length], Unit::METRE.symbol);
+        let first = i32::from(margin);
+        Self {
+            model,
+            focus: Focus::of(node.group()),
+            theme,
+            signs: Signs::of(theme),
+            rows: Rows::of(i32::from(rows)),
+            ruler: CellRuler::across(axis, length),
+            ends: [first, first + i32::from(length) - 1],
+        }
+    }
+
+    /// The column of a distance from the left end, m.
+    fn column(&self, x: f64) -> i32 {
+        let cell = self.ruler.cell(x.clamp(0.0, self.model.beam.length));
+        self.ends[0] + cell.map_or(0, i32::from)
+    }
+
+    fn place(&self, place: Place) -> i32 {
+        match place {
+            Place::Left => self.ends[0],
+            Place::Right => self.ends[1],
+            Place::Position(x) => self.column(x),
+        }
+    }
+
+    /// The style of a part, from whether it is enabled and whether it is selected.
+    fn style(&self, counts: bool, selected: bool) -> Style {
+        if selected {
+            self.theme.accent().patch(self.theme.selection())
+        } else if counts {
+            Style::new()
+        } else {
+            self.theme.dim()
+        }
+    }
+
+    /// Marks the selection without colour: a pointer left of it, otherwise right of it.
+    fn point(&self, board: &mut Board<'_>, [column, row]: [i32; 2], columns: i32) {
+        let style = self.style(true, true);
+        if board.sign_if_free([column - 1, row], POINTER, style)
+            || board.sign_if_free([column + columns, row], POINTER_BACK, style)
+        {
+            return;
+        }
+        let (at, sign) = if column > 0 {
+            (column - 1, POINTER)
+        } else {
+            (column + columns, POINTER_BACK)
+        };
+        board.sign([at, row], sign, style);
+    }
+}
+
+pub(crate) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
+    let model = app.model();
+    let node = app.selection.node();
+    let title = frame::rule("Structure", theme);
+    let room = usize::from(area.width).saturating_sub(title.width() + 3);
+    let note = cut(&note(model, Focus::of(node.group())), room);
+    let note = Line::styled(format!(" {note} "), theme.dim());
+    let block = frame::panel(title, note, area.width).border_style(theme.dim());
+    let inside = block.inner(area);
+    frame.render_widget(block, area);
+    if inside.is_empty() {
+        return;
+    }
+    let picture = Picture::new(model, node, theme, [inside.width, inside.height]);
+    let mut board = Board::new(frame.buffer_mut(), inside);
+    draw_beam(&picture, &mut board);
+    supports::draw(&picture, &mut board);
+    masses::draw(&picture, &mut board);
+    loads::draw(&picture, &mut board);
+    supports::draw_words(&picture, &mut board);
+    draw_ruler(&picture, &mut board);
+    draw_key(&picture, &mut board);
+}
+
+fn draw_beam(picture: &Picture<'_>, board: &mut Board<'_>) {
+    let style = if picture.focus == Focus::Beam {
+        picture.theme.accent()
+    } else {
+        Style::new()
+    };
+    for column in picture.ends[0]..=picture.ends[1] {
+        board.sign([column, picture.rows.beam], picture.signs.beam, style);
+    }
+    if picture.focus == Focus::Beam {
+        // Signs from both ends inwards; a support has its pointer at its own end.
+        let (row, style) = (picture.rows.beam, picture.style(true, true));
+        board.sign([(picture.ends[0] - 1).max(0), row], POINTER, style);
+        board.sign([picture.ends[1] + 1, row], POINTER_BACK, style);
+    }
+}
+
+/// Round values of x below the picture, and their unit.
+fn draw_ruler(picture: &Picture<'_>, board: &mut Board<'_>) {
+    let dim = picture.theme.dim();
+    let [line, major, minor] = picture.signs.ruler;
+    let ticks = picture.ruler.ticks();
+    if let Some(row) = picture.rows.ruler {
+        for column in picture.ends[0]..=picture.ends[1] {
+            board.sign([column, row], line, dim);
+        }
+        for tick in &ticks {
+            let sign = if tick.label.is_some() { major } else { minor };
+            board.sign([picture.ends[0] + i32::from(tick.cell), row], sign, dim);
+        }
+    }
+    let Some(row) = picture.rows.numbers else {
+        return;
+    };
+    // Numbers are shown only with their unit.
+    board.word([board.columns() - 1, row], "m", Style::new());
+    for tick in &ticks {
+        let Some(label) = &tick.label else {
+            continue;
+        };
+        let columns = width(label);
+        let middle = picture.ends[0] + i32::from(tick.cell) - (columns - 1) / 2;
+        let column = middle.min(board.columns() - columns).max(0);
+        if board.is_free([column - 1, row], columns + 2) {
+            board.word([column, row], label, Style::new());
+        }
+    }
+}
+
+/// The meanings of the signs in the picture, as many as fit.
+fn draw_key(picture: &Picture<'_>, board: &mut Board<'_>) {
+    let Some(row) = picture.rows.key else {
+        return;
+    };
+    let [mut column, room] = [1, board.columns() - 1];
+    let keys = loads::keys(picture)
+        .into_iter()
+        .chain(supports::keys(picture));
+    for key in keys {
+        let columns = width(&key);
+        if column + columns > room {
+            break;
+        }
+        board.word([column, row], &key, picture.theme.dim());
+        column += columns + 3;
+    }
+}
+
+/// The selection as text.
+fn note(model: &Model, focus: Focus) -> String {
+    match focus {
+        Focus::Subsystem(i) => {
+            let subsystem = &model.subsystems[i];
+            let off = if subsystem.enabled { "" } else { ", off" };
+            let position = Unit::METRE.format(subsystem.position);
+            let mass = Unit::KILOGRAM.format(subsystem.mass);
+            format!("{} at {position}, {mass}{off}", subsystem.name)
+        }
+        Focus::Support(end) => {
+            let words = supports::words(end.support(model)).join(", ");
+            format!("{} end: {words}", end.key())
+        }
+        Focus::Force(i) => {
+            let what = tree::value(model, Node::Group(Group::Force(i)));
+            let amplitude = loads::amplitude(model, i);
+            format!("force {}: {what}, {amplitude}", i + 1)
+        }
+        Focus::Response(i) => {
+            let what = tree::value(model, Node::Group(Group::Response(i)));
+            format!("{}: {what}", model.responses[i].name)
+        }
+        Focus::Beam | Focus::Nothing => {
+            let length = Unit::METRE.format(model.beam.length);
+            match model.subsystems.len() {
+                0 => length,
+                1 => format!("{length}, 1 subsystem"),
+                count => format!("{length}, {} subsystems", grouped(count)),
+            }
+        }
+    }
+}
+
+/// The sign of a spring with a damper parallel to it: springs zigzag; none if there is neither.
+fn spring_sign(signs: &Signs, spring: Spring, row: i32) -> Option<char> {
+    if spring.stiffness > 0.0 {
+        Some(signs.zigzag[(row % 2) as usize])
+    } else if spring.damping > 0.0 {
+        Some(if row == 0 { signs.damper } else { signs.rod })
+    } else {
+        None
+    }
+}
+
+/// The spring of an elastic restraint.
+const fn spring_of(elastic: Elastic) -> Spring {
+    Spring {
+        stiffness: elastic.stiffness,
+        damping: elastic.damping,
+    }
+}
+
+#[cfg(test)]
+mod tests;

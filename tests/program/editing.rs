@@ -42,7 +42,7 @@ fn details(screen: &str) -> Option<&str> {
 
 /// Steps through the parameters until the details are those of `name`.
 fn select(program: &mut Program, name: &str) {
-    for _ in 0..60 {
+    for _ in 0..200 {
         let before = program.text();
         if before.contains(&format!("{name} ─")) {
             return;

@@ -40,8 +40,8 @@ fn old_text_never_shines_through() {
     let found = plain(&shell);
     let (picture, below) = found.split_at(found.find("Stopped").unwrap());
     // The first rows scroll up for the shell's output.
-    assert!(picture.contains("Responses"), "{found}");
-    assert!(!below.contains("Responses"), "{found}");
+    assert!(picture.contains("Supports"), "{found}");
+    assert!(!below.contains("Supports"), "{found}");
     fill(&mut shell, 2);
     shell.press("fg; exit\r");
     shows(&mut shell);

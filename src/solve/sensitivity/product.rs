@@ -99,19 +99,10 @@ impl Product<'_> {
     fn by_length(&self, held: [&[Complex64; 6]; 2]) -> Complex64 {
         let beam = &self.setting.plan.beam;
         let [lambda, u] = [self.lambda, self.u];
-        let edges = [(lambda, held[0]), (u, held[1])].map(|(field, held)| self.beyond(field, held));
+        let edges = [(lambda, held[0]), (u, held[1])].map(|(field, held)| beyond(field, held));
         let [l, u] = &edges;
         let (motions, forces) = ([&l.motion, &u.motion], [&l.force, &u.force]);
         beam.matrices.shifted(self.setting.omega, motions, forces)
-    }
-
-    /// The right end just beyond the loads whose position is constant.
-    fn beyond(&self, field: &Field, held: &[Complex64; 6]) -> BeamState {
-        let mut edge = field.edge.clone();
-        for (force, held) in edge.force.iter_mut().zip(held) {
-            *force -= held;
-        }
-        edge
     }
 
     /// Whether the derivative by `Gamma_0`, which is 0 and can only increase, is infinite.
@@ -230,6 +221,15 @@ impl MassField {
         let [y_left, y_right, z_left, z_right] = self.forces;
         -((y_left + y_right) * across + z_left * left + z_right * right)
     }
+}
+
+/// The right end just beyond the loads whose position is constant.
+fn beyond(field: &Field, held: &[Complex64; 6]) -> BeamState {
+    let mut edge = field.edge.clone();
+    for (force, held) in edge.force.iter_mut().zip(held) {
+        *force -= held;
+    }
+    edge
 }
 
 fn products<const N: usize>(one: &[Complex64; N], other: &[Complex64; N]) -> [Complex64; N] {

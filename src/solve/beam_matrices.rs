@@ -8,9 +8,10 @@
 //! ```
 //!
 //! D resists bending and warping, C resists twist and, under an axial force N along the centroids, the slopes; F is the
-//! compliance in shear, K the foundation, M the mass, R the rotary inertia. A centroid at (`y_c`, `z_c`) from the shear centre moves by `w + z_c psi` and
-//! `v - y_c psi`, so that M and N share one pattern. Source: Vlasov, Thin-Walled Elastic Beams (1961), Chapter 5; for
-//! the paper's beam these are the energies of Chen & Liu, Mathematics 2022, 10(16), 2849, Section 2.
+//! compliance in shear, K the foundation, M the mass, R the rotary inertia. A centroid at (`y_c`, `z_c`) from the shear
+//! centre moves by `w + z_c psi` and `v - y_c psi`, so that M and N share one pattern. Source: Vlasov, Thin-Walled
+//! Elastic Beams (1961), Chapter 5; for the paper's beam these are the energies of Chen & Liu, Mathematics 2022,
+//! 10(16), 2849, Section 2.
 
 use num_complex::Complex64;
 
@@ -89,7 +90,29 @@ impl<T: Copy + Into<Complex64>> Symmetric<T> {
 }
 
 impl Symmetric<Complex64> {
-    fn scaled_complex(&self, by: Complex64) -> Self {
+    const ZERO: Self = Self {
+        w: ZERO,
+        psi: ZERO,
+        v: ZERO,
+        w_psi: ZERO,
+        psi_v: ZERO,
+        w_v: ZERO,
+    };
+
+    /// A diagonal matrix.
+    pub(super) fn diagonal([w, psi, v]: [Complex64; 3]) -> Self {
+        Self {
+            w,
+            psi,
+            v,
+            ..Self::ZERO
+        }
+    }
+}
+
+impl<T: Copy> Symmetric<T> {
+    /// Times a number.
+    fn scaled<U: Copy + std::ops::Mul<T>>(&self, by: U) -> Symmetric<U::Output> {
         self.map(|entry| by * entry)
     }
 }
@@ -116,56 +139,27 @@ impl Symmetric<f64> {
         }
     }
 
-    /// The second moments of area; `warping` is that of the warping function.
-    fn of_second_moments(section: &Section, warping: f64) -> Self {
+    /// The second moments of area, and the warping constant.
+    fn of_second_moments(section: &Section) -> Self {
         Self {
             w: section.second_moment_y,
-            psi: warping,
+            psi: section.warping_constant,
             v: section.second_moment_z,
             w_v: section.product_moment,
             ..Self::ZERO
         }
     }
-
-    fn scaled(&self, by: f64) -> Self {
-        self.map(|entry| by * entry)
-    }
-
-    fn times_complex(&self, by: Complex64) -> Symmetric<Complex64> {
-        self.map(|entry| by * entry)
-    }
 }
 
 impl BeamMatrices {
     const ZERO: Self = Self {
-        bending: Symmetric {
-            w: ZERO,
-            psi: ZERO,
-            v: ZERO,
-            w_psi: ZERO,
-            psi_v: ZERO,
-            w_v: ZERO,
-        },
-        tension: Symmetric {
-            w: ZERO,
-            psi: ZERO,
-            v: ZERO,
-            w_psi: ZERO,
-            psi_v: ZERO,
-            w_v: ZERO,
-        },
-        shear: Symmetric {
-            w: ZERO,
-            psi: ZERO,
-            v: ZERO,
-            w_psi: ZERO,
-            psi_v: ZERO,
-            w_v: ZERO,
-        },
+        bending: Symmetric::<Complex64>::ZERO,
+        tension: Symmetric::<Complex64>::ZERO,
+        shear: Symmetric::<Complex64>::ZERO,
         foundation: [ZERO; 3],
         foundation_damping: [0.0; 3],
-        mass: Symmetric::ZERO,
-        rotary: Symmetric::ZERO,
+        mass: Symmetric::<f64>::ZERO,
+        rotary: Symmetric::<f64>::ZERO,
     };
 
     /// Those of a beam.
@@ -173,11 +167,11 @@ impl BeamMatrices {
         let (material, section) = (&beam.material, &beam.section);
         let loss = Complex64::new(1.0, material.loss_factor);
         let centroid = Symmetric::of_centroid(section);
-        let moments = Symmetric::of_second_moments(section, section.warping_constant);
-        let mut tension = centroid.times_complex(beam.axial_force.into());
+        let moments = Symmetric::of_second_moments(section);
+        let mut tension = centroid.scaled(Complex64::from(beam.axial_force));
         tension.psi += loss * material.shear_modulus * section.torsion_constant;
         Self {
-            bending: moments.times_complex(loss * material.young_modulus),
+            bending: moments.scaled(loss * material.young_modulus),
             tension,
             shear: shear(beam),
             foundation: beam.foundation.beddings().map(bedded),
@@ -278,8 +272,8 @@ impl BeamMatrices {
         slopes.unwrap_or([Complex64::new(f64::NAN, f64::NAN); 3])
     }
 
-    /// Half the sum of what two states at one place would store, less their kinetic energies, times two, and the work of
-    /// their internal forces along a shift of the place: `f q' + m s'` in both orders less the density of the form.
+    /// The effect of one more metre of beam at a place with two states: `f q' + m s'` in both orders less the density of the
+    /// form, which is their strain energy less their kinetic energy.
     ///
     /// `motions` are the six motions and `forces` the six internal forces of both states.
     pub(super) fn shifted(
@@ -317,7 +311,7 @@ impl BeamMatrices {
         match key {
             BeamKey::Length | BeamKey::Theory | BeamKey::WarpingInertia => None,
             BeamKey::AxialForce => Some(Self {
-                tension: Symmetric::of_centroid(&beam.section).times_complex(Complex64::ONE),
+                tension: Symmetric::of_centroid(&beam.section).scaled(Complex64::ONE),
                 ..Self::ZERO
             }),
         }
@@ -327,19 +321,19 @@ impl BeamMatrices {
     pub(super) fn by_material(beam: &Beam, key: MaterialKey) -> Self {
         let (material, section) = (&beam.material, &beam.section);
         let loss = Complex64::new(1.0, material.loss_factor);
-        let moments = Symmetric::of_second_moments(section, section.warping_constant);
+        let moments = Symmetric::of_second_moments(section);
         let twist = |by: Complex64| Symmetric {
             psi: by * section.torsion_constant,
-            ..Self::ZERO.tension
+            ..Symmetric::<Complex64>::ZERO
         };
         match key {
             MaterialKey::YoungModulus => Self {
-                bending: moments.times_complex(loss),
+                bending: moments.scaled(loss),
                 ..Self::ZERO
             },
             MaterialKey::ShearModulus => Self {
                 tension: twist(loss),
-                shear: shear(beam).scaled_complex((-1.0 / material.shear_modulus).into()),
+                shear: shear(beam).scaled(-1.0 / material.shear_modulus),
                 ..Self::ZERO
             },
             MaterialKey::Density => Self {
@@ -348,9 +342,9 @@ impl BeamMatrices {
                 ..Self::ZERO
             },
             MaterialKey::LossFactor => Self {
-                bending: moments.times_complex(Complex64::I * material.young_modulus),
+                bending: moments.scaled(Complex64::I * material.young_modulus),
                 tension: twist(Complex64::I * material.shear_modulus),
-                shear: shear(beam).scaled_complex(-Complex64::I / loss),
+                shear: shear(beam).scaled(-Complex64::I / loss),
                 ..Self::ZERO
             },
         }
@@ -364,28 +358,29 @@ impl BeamMatrices {
         let (density, force) = (material.density, beam.axial_force);
         let inertia = density * section.area;
         let of_moments = |moments: Symmetric<f64>| Self {
-            bending: moments.times_complex(young),
+            bending: moments.scaled(young),
             rotary: rotary(beam, &moments).scaled(density),
             ..Self::ZERO
         };
         let of_centroid = |pattern: Symmetric<f64>| Self {
             mass: pattern.scaled(inertia),
-            tension: pattern.times_complex(force.into()),
+            tension: pattern.scaled(Complex64::from(force)),
+            ..Self::ZERO
+        };
+        let sheared = shear(beam);
+        let by_shear = |shear: Symmetric<Complex64>| Self {
+            shear,
             ..Self::ZERO
         };
         // An area that no theory uses may be 0.
-        let by_shear = |compliance: Complex64, area: f64, entry: EntryOf| {
-            let change = if compliance == ZERO {
+        let by_area = |compliance: Complex64, area: f64| {
+            if compliance == ZERO {
                 ZERO
             } else {
                 -compliance / area
-            };
-            Self {
-                shear: entry(change, Self::ZERO.shear),
-                ..Self::ZERO
             }
         };
-        let zero = Symmetric::ZERO;
+        let zero = Symmetric::<f64>::ZERO;
         match key {
             SectionKey::Area => Self {
                 mass: Symmetric {
@@ -394,7 +389,7 @@ impl BeamMatrices {
                 },
                 tension: Symmetric {
                     psi: (-force * section.polar_moment / section.area.powi(2)).into(),
-                    ..Self::ZERO.tension
+                    ..Symmetric::<Complex64>::ZERO
                 },
                 ..Self::ZERO
             },
@@ -405,7 +400,7 @@ impl BeamMatrices {
             SectionKey::TorsionConstant => Self {
                 tension: Symmetric {
                     psi: loss * material.shear_modulus,
-                    ..Self::ZERO.tension
+                    ..Symmetric::<Complex64>::ZERO
                 },
                 ..Self::ZERO
             },
@@ -418,18 +413,17 @@ impl BeamMatrices {
                 psi_v: -1.0,
                 ..zero
             }),
-            SectionKey::ShearAreaY => by_shear(shear(beam).w, section.shear_area_y, |w, none| {
-                Symmetric { w, ..none }
+            SectionKey::ShearAreaY => by_shear(Symmetric {
+                w: by_area(sheared.w, section.shear_area_y),
+                ..Symmetric::<Complex64>::ZERO
             }),
-            SectionKey::ShearAreaZ => by_shear(shear(beam).v, section.shear_area_z, |v, none| {
-                Symmetric { v, ..none }
+            SectionKey::ShearAreaZ => by_shear(Symmetric {
+                v: by_area(sheared.v, section.shear_area_z),
+                ..Symmetric::<Complex64>::ZERO
             }),
         }
     }
 }
-
-/// A matrix with one entry.
-type EntryOf = fn(Complex64, Symmetric<Complex64>) -> Symmetric<Complex64>;
 
 fn dot(one: [Complex64; 3], other: [Complex64; 3]) -> Complex64 {
     one.iter().zip(other).map(|(one, other)| one * other).sum()
@@ -442,16 +436,13 @@ fn bedded(bedding: Bedding) -> Complex64 {
 
 /// The compliance in shear.
 fn shear(beam: &Beam) -> Symmetric<Complex64> {
-    let rigid = BeamMatrices::ZERO.shear;
     if !beam.theory.has_shear() {
-        return rigid;
+        return Symmetric::<Complex64>::ZERO;
     }
     let modulus = Complex64::new(1.0, beam.material.loss_factor) * beam.material.shear_modulus;
-    Symmetric {
-        w: (modulus * beam.section.shear_area_y).inv(),
-        v: (modulus * beam.section.shear_area_z).inv(),
-        ..rigid
-    }
+    let areas = [beam.section.shear_area_y, beam.section.shear_area_z];
+    let [w, v] = areas.map(|area| (modulus * area).inv());
+    Symmetric::diagonal([w, ZERO, v])
 }
 
 /// The second moments that have rotary inertia.
@@ -459,7 +450,7 @@ fn rotary(beam: &Beam, moments: &Symmetric<f64>) -> Symmetric<f64> {
     let bends = if beam.theory.has_rotary_inertia() {
         *moments
     } else {
-        Symmetric::ZERO
+        Symmetric::<f64>::ZERO
     };
     Symmetric {
         psi: if beam.warping_inertia {

@@ -4,6 +4,7 @@ use num_complex::Complex64;
 
 use super::linear::{Matrix, ZERO, zeros};
 use super::plan::Plan;
+use super::solution::SpanWaves;
 use super::waves::{Amplitudes, Waves};
 
 /// The energy forms of a span, for each distinct span length at one frequency.
@@ -64,8 +65,17 @@ impl SpanEnergy {
         }
     }
 
+    /// The energy of all spans.
+    pub(super) fn total(&self, plan: &Plan, spans: &[SpanWaves]) -> f64 {
+        let mut sum = Sum::default();
+        for (waves, &span) in spans.iter().zip(&plan.spans) {
+            sum.add(self.of(span, &waves.a, &waves.b));
+        }
+        sum.resolved()
+    }
+
     /// The energy of a span: a at its left end, b at its right end.
-    pub(super) fn of(&self, span: usize, a: &Amplitudes, b: &Amplitudes) -> Sum {
+    fn of(&self, span: usize, a: &Amplitudes, b: &Amplitudes) -> Sum {
         let form = &self.forms[span];
         let mut sum = Sum::default();
         for i in 0..6 {
@@ -87,20 +97,20 @@ pub(super) const LEAST_SHARE: f64 = 1e-12;
 
 /// A sum, and the sum of the magnitudes of its terms.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Sum {
+struct Sum {
     value: f64,
     terms: f64,
 }
 
 impl Sum {
     /// Adds another sum.
-    pub(super) fn add(&mut self, other: Self) {
+    fn add(&mut self, other: Self) {
         self.value += other.value;
         self.terms += other.terms;
     }
 
     /// The sum; NaN if its terms cancel to their last digits, as on a beam that is very short compared with its waves.
-    pub(super) fn resolved(self) -> f64 {
+    fn resolved(self) -> f64 {
         if self.value < LEAST_SHARE * self.terms {
             f64::NAN
         } else {

@@ -106,7 +106,7 @@ impl Bracket {
         /// In half-widths: 1e-14 of the height.
         const NEAR: f64 = 1e-7;
         const FINEST: f64 = 4.0 * f64::EPSILON;
-        /// Every so many steps one divides the longer side, independently of the parabola.
+        /// After this number of steps, one divides the longer side, independently of the parabola.
         const CUT: usize = 4;
         if self.settled {
             return None;

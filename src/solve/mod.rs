@@ -1,8 +1,10 @@
 //! Exact frequency responses of a checked model: pure numerics, without input or output.
 //!
-//! [`sweep()`] is the entry point. Inside, `plan` lays a model out along x, `attachment` is a subsystem as the beam
-//! sees it, `kernel` solves a plan; `solution` is its result for a whole model, `limit` finds the value at a resonance
-//! that no load excites, `sweep_cache` reuses what one edit leaves unchanged.
+//! [`sweep()`] is the entry point. Inside, `beam_matrices` has every theory, section and foundation as symmetric
+//! matrices, `plan` lays a model out along x, `attachment` is a subsystem as the beam sees it, `kernel` solves a plan;
+//! `solution` is its result for a whole model, `limit` finds the value at a resonance that no load excites,
+//! `sweep_cache` reuses what one edit leaves unchanged. `validity` says where a theory ends, `notes` what is unusual in
+//! a model.
 //!
 //! Method: the waves of Chen & Liu, Mathematics 2022, 10(16), 2849, in a recursion of reflections instead of the
 //! paper's product of 12x12 transfer matrices, which loses all digits above a few hundred hertz. No matrix is larger

@@ -1,8 +1,8 @@
 //! Notes on a possible model: what is unusual and may be a mistake, but no fault.
 
 use super::validity::{CHANGE, euler_bernoulli_up_to};
-use crate::model::schema::SectionKey;
-use crate::model::{Checked, Group, ParameterId, path};
+use crate::model::schema::{SectionKey, SweepKey};
+use crate::model::{Checked, Group, ParameterId};
 
 /// A note on a number of a model.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,8 +26,8 @@ fn polar_moment(model: &Checked) -> Option<Note> {
     /// Tables round, and thin-walled formulas leave out the corners.
     const USUAL: f64 = 0.05;
     let section = &model.beam.section;
-    let (y, z) = (section.centroid_offset_y, section.centroid_offset);
-    let own = section.second_moment_y + section.second_moment_z + section.area * (y * y + z * z);
+    let (of_centroid, _) = section.least_polar_moment();
+    let own = section.second_moment_y + section.second_moment_z + of_centroid;
     let excess = section.polar_moment / own - 1.0;
     (excess.abs() > USUAL).then(|| Note {
         id: Group::Section.parameter(SectionKey::PolarMoment as usize),
@@ -45,7 +45,7 @@ fn sweep(model: &Checked) -> Option<Note> {
         return None;
     }
     Some(Note {
-        id: path::one(model, "sweep.to").ok()?,
+        id: Group::Sweep.parameter(SweepKey::To as usize),
         message: format!(
             "above {limit:.0} Hz shear and rotary inertia change the bending wave number by more than {:.0} %; the theory \"timoshenko\" has both",
             100.0 * CHANGE
@@ -56,7 +56,7 @@ fn sweep(model: &Checked) -> Option<Note> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{self, Model, checked};
+    use crate::model::{self, Model, checked, path};
 
     fn preset(name: &str) -> Model {
         model::read(crate::presets::find(name).unwrap().text)

@@ -18,17 +18,14 @@ pub fn euler_bernoulli_up_to(beam: &Beam) -> Option<f64> {
     if beam.theory != Theory::EulerBernoulli {
         return None;
     }
-    let matrices = BeamMatrices::new(&Beam {
-        theory: Theory::Timoshenko,
-        ..*beam
-    });
+    let matrices = BeamMatrices::new(beam);
     let areas = [beam.section.shear_area_y, beam.section.shear_area_z];
-    let moduli = beam.material.shear_modulus;
+    let modulus = beam.material.shear_modulus;
     let inertia = beam.material.density / beam.material.young_modulus;
     let limits = matrices.principal_bending().into_iter().zip(areas);
     let limits = limits.map(|(bending, area)| {
         let shear = if area > 0.0 {
-            1.0 / (moduli * area)
+            1.0 / (modulus * area)
         } else {
             0.0
         };

@@ -163,11 +163,11 @@ rows! {
 
 rows! {
     /// The frequencies.
-    SWEEP of Sweep {
-        number("from", "f_1", HERTZ, Positive, "first frequency", from),
-        number("to", "f_2", HERTZ, Positive, "last frequency", to),
-        count("points", Count, "number of frequencies, both ends included", points),
-        word("spacing", Spacing, "spacing of the frequencies", spacing),
+    SWEEP of Sweep as SweepKey {
+        From = number("from", "f_1", HERTZ, Positive, "first frequency", from),
+        To = number("to", "f_2", HERTZ, Positive, "last frequency", to),
+        Points = count("points", Count, "number of frequencies, both ends included", points),
+        Spacing = word("spacing", Spacing, "spacing of the frequencies", spacing),
     }
 }
 

@@ -83,7 +83,7 @@ pub(super) struct System {
 }
 
 impl System {
-    /// Assembles a layout whose spans are divided into so many elements each.
+    /// Assembles a layout whose spans are divided into these numbers of elements.
     pub(super) fn new(layout: &Layout, divisions: &[usize]) -> Self {
         let mesh = Mesh::new(layout, divisions);
         let mut system = Self {

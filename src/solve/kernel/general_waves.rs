@@ -40,7 +40,7 @@ pub(super) struct GeneralConstants {
     /// The springs and the dampers of the foundation.
     foundation: [[Complex64; 3]; 3],
     foundation_damping: [[f64; 3]; 3],
-    /// The beam lies on a foundation, or not: then waves may be neither evanescent nor travelling.
+    /// The beam lies on a foundation: waves may be neither evanescent nor travelling.
     is_bedded: bool,
     /// The motions that are coupled to another one.
     is_coupled: [bool; 3],
@@ -67,8 +67,11 @@ impl GeneralConstants {
         let real = |of: &Symmetric<f64>| turned(&of.map(Complex64::from), axes);
         let (tension, shear) = (turned(tension, axes), turned(shear, axes));
         let mass = real(mass).map(|row| row.map(|entry| entry.re));
-        let foundation = turned(&diagonal_of(*foundation), axes);
-        let foundation_damping = turned(&diagonal_of(foundation_damping.map(Into::into)), axes);
+        let foundation = turned(&Symmetric::diagonal(*foundation), axes);
+        let foundation_damping = turned(
+            &Symmetric::diagonal(foundation_damping.map(Into::into)),
+            axes,
+        );
         let foundation_damping = foundation_damping.map(|row| row.map(|entry| entry.re));
         let couples = |i: usize, j: usize| {
             let springs = [tension[i][j], shear[i][j], foundation[i][j]];
@@ -88,18 +91,6 @@ impl GeneralConstants {
             axes,
             radius: (matrices.mass.psi / matrices.mass.w).sqrt(),
         }
-    }
-}
-
-/// A diagonal matrix.
-fn diagonal_of([w, psi, v]: [Complex64; 3]) -> Symmetric<Complex64> {
-    Symmetric {
-        w,
-        psi,
-        v,
-        w_psi: ZERO,
-        psi_v: ZERO,
-        w_v: ZERO,
     }
 }
 

@@ -244,8 +244,8 @@ impl<const K: usize> Block<K> {
     /// Whether the motions, clamped, have no mode below the frequency over a length, and their series converge fast.
     ///
     /// The mass matrix is at most `K` times its diagonal, so each uncoupled clamped mode with `K` times its mass is a
-    /// lower bound; a foundation only raises it. Compression (negative tension) and rotary inertia c take the fraction `c l^2 / (4 pi^2 D)` of the
-    /// bending stiffness, by Euler's load of a clamped column. With shear deformation the clamped frequency is at least
+    /// lower bound; a foundation only raises it. Compression (negative tension) and rotary inertia c take the fraction
+    /// `c l^2 / (4 pi^2 D)` of the bending stiffness, by Euler's load of a clamped column. With shear deformation the clamped frequency is at least
     /// that of the parts in series (Dunkerley), and the slope q' is the sum of a rotation and a shear angle, so that
     /// `q'^2` is at most twice the sum of their squares.
     fn is_short(&self, length: f64) -> bool {

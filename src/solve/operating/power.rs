@@ -10,7 +10,7 @@ use super::along::Along;
 use super::{Damper, Input, MassState, Power};
 use crate::model::{BeamMotion, Force, Place, Target};
 use crate::solve::beam_state::BeamState;
-use crate::solve::energy::{SpanEnergy, Sum};
+use crate::solve::energy::SpanEnergy;
 use crate::solve::linear::ZERO;
 use crate::solve::springs::springs;
 
@@ -96,13 +96,9 @@ fn of_foundation(along: &Along<'_>) -> Vec<Damper> {
         let loss = along.omega * bedding.damping + bedding.loss_factor * bedding.stiffness;
         if loss > 0.0 {
             let square = SpanEnergy::square(along.plan, &solution.waves, row, &solution.decays);
-            let mut sum = Sum::default();
-            for (waves, &length) in solution.spans.iter().zip(&along.plan.spans) {
-                sum.add(square.of(length, &waves.a, &waves.b));
-            }
             dampers.push(Damper {
                 label: format!("foundation {name}"),
-                power: 0.5 * along.omega * loss * sum.resolved(),
+                power: 0.5 * along.omega * loss * square.total(along.plan, &solution.spans),
             });
         }
     }
@@ -143,11 +139,7 @@ fn material(along: &Along<'_>) -> f64 {
     }
     let solution = &along.solution;
     let energy = SpanEnergy::strain(along.plan, &solution.waves, &solution.decays);
-    let mut twice = Sum::default();
-    for (waves, &length) in solution.spans.iter().zip(&along.plan.spans) {
-        twice.add(energy.of(length, &waves.a, &waves.b));
-    }
-    0.5 * along.omega * loss_factor * twice.resolved()
+    0.5 * along.omega * loss_factor * energy.total(along.plan, &solution.spans)
 }
 
 fn flow(omega: f64, local: &BeamState) -> f64 {

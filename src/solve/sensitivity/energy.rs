@@ -16,7 +16,7 @@ use super::product::Product;
 use super::{Differentiator, Gradient, forces, mass_stations};
 use crate::model::schema::{BeamKey, MaterialKey, SectionKey};
 use crate::model::{Group, Model, ParameterId};
-use crate::solve::energy::{SpanEnergy, Sum};
+use crate::solve::energy::SpanEnergy;
 use crate::solve::kernel::Prepared;
 use crate::solve::linear::ZERO;
 use crate::solve::plan::{Event, Plan};
@@ -90,11 +90,7 @@ impl Differentiator {
 /// `E_V` with the value of the frequency responses.
 fn energy(plan: &Plan, solution: &Solution) -> f64 {
     let energy = SpanEnergy::vibration(plan, &solution.waves, &solution.decays);
-    let mut sum = Sum::default();
-    for (waves, &span) in solution.spans.iter().zip(&plan.spans) {
-        sum.add(energy.of(span, &waves.a, &waves.b));
-    }
-    sum.resolved()
+    energy.total(plan, &solution.spans)
 }
 
 /// A solution on a plan with additional stations.

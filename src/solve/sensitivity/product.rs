@@ -5,8 +5,10 @@
 //! and mass is one term of D, and the beam is the bilinear form of its [matrices](crate::solve::beam_matrices),
 //!
 //! ```text
-//! int lambda''^T D u'' + lambda'^T C u' - omega^2 (lambda^T M u + lambda'^T R u') dx
+//! int s'^T D s' + g^T F g + q'^T C q' + q^T K q - omega^2 (q^T M q + s^T R s) dx
 //! ```
+//!
+//! with the motions q, rotations s and shear forces g of lambda on the left and of u on the right.
 //!
 //! The adjoint: Lions, Optimal Control of Systems (1971); for vibration: Adelman & Haftka, AIAA J. 24 (1986) 823-832.
 

@@ -207,7 +207,7 @@ fn draw_rule<R>(frame: &mut Frame<'_>, app: &App, content: &Content<'_, R>, area
     inside
 }
 
-/// A text in so many cells, at least one of them blank before it.
+/// A text in this number of cells, at least one of them blank before it.
 fn aligned(text: &str, columns: usize, kind: Kind) -> String {
     let text = cut(text, columns.saturating_sub(1));
     let blank = " ".repeat(columns.saturating_sub(width(&text) + 1));

@@ -25,7 +25,7 @@ const COLUMNS: [Column<ModeRow>; 13] = [
     column(Plain, &[("supports %", 12)], |_, mode| tenths(mode.shares.supports)),
 ];
 
-/// The table in so many columns of the screen.
+/// The table in this number of columns of the screen.
 pub(crate) fn content(app: &App, columns: u16) -> Content<'_, ModeRow> {
     let modes = app.modes.list.as_ref();
     Content {

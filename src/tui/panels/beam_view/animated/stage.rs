@@ -1,6 +1,6 @@
 //! Shared parts of the tests of these panels: an app with the cursor at a frequency, and its screen.
 
-use crate::model::Checked;
+use crate::model::{BeamMotion, Checked, Force, Place, Support, Target};
 use std::sync::Arc;
 
 use ratatui::Terminal;
@@ -13,6 +13,7 @@ use crate::solve::operating::operating;
 use crate::tui::app::BeamView;
 use crate::tui::ascii;
 use crate::tui::options::{Environment, Marker, Options};
+use crate::tui::tree::Node;
 
 /// The function that draws a panel.
 pub(crate) type Draw = fn(&mut Frame<'_>, &App, Theme, Rect);
@@ -23,15 +24,51 @@ pub(crate) fn preset(name: &str) -> Model {
         .into_inner()
 }
 
-/// An app that shows a model's motion at a frequency, Hz.
-pub(crate) fn looking(model: Model, frequency: f64, look: BeamView) -> App {
-    let model = Checked::new(model).unwrap();
-    let found = operating(&model, frequency, 101);
-    let mut app = App::new(Opened {
-        model,
+/// The designer with a model.
+pub(crate) fn app(model: Model) -> App {
+    App::new(Opened {
+        model: Checked::new(model).unwrap(),
         text: String::new(),
         source: Source::Stdin,
-    });
+    })
+}
+
+/// The designer with a row selected.
+pub(crate) fn at(model: Model, node: Node) -> App {
+    let mut app = app(model);
+    let model = app.model().clone();
+    app.selection.select(&model, node);
+    assert_eq!(app.selection.node(), node);
+    app
+}
+
+/// A theme in a locale of UTF-8.
+pub(crate) fn theme(options: Options) -> Theme {
+    let environment = Environment {
+        locale: Some("C.UTF-8".to_owned()),
+        ..Environment::default()
+    };
+    Theme::resolve(options, &environment)
+}
+
+/// A pinned beam without offset and damping, and a force along y in its middle, with a phase in degrees.
+pub(crate) fn pinned(phase: f64) -> Model {
+    let mut model = preset("fig06");
+    (model.supports.left, model.supports.right) = (Support::PINNED, Support::PINNED);
+    model.beam.section.centroid_offset = 0.0;
+    model.forces = vec![Force {
+        enabled: true,
+        target: Target::Beam(Place::Position(1.6), BeamMotion::W),
+        amplitude: 1.0,
+        phase,
+    }];
+    model
+}
+
+/// An app that shows a model's motion at a frequency, Hz.
+pub(crate) fn looking(model: Model, frequency: f64, look: BeamView) -> App {
+    let mut app = app(model);
+    let found = operating(app.model(), frequency, 101);
     app.curves.cursor = Some(frequency);
     app.beam_view.shown = Some(look);
     app.beam_view.operating = Some((Arc::clone(app.model()), Arc::new(found)));
@@ -61,10 +98,6 @@ pub(crate) fn screen(
 
 /// Draws a panel at sizes from one cell to a large screen, with every character set.
 pub(crate) fn draws_at_any_size(draw: Draw, look: BeamView) {
-    let environment = Environment {
-        locale: Some("C.UTF-8".to_owned()),
-        ..Environment::default()
-    };
     let plain = Options {
         ascii: Some(true),
         ..Options::default()
@@ -82,7 +115,7 @@ pub(crate) fn draws_at_any_size(draw: Draw, look: BeamView) {
     for preset_name in ["fig05a", "fig06", "hundred_absorbers"] {
         let app = looking(preset(preset_name), 35.0, look);
         for options in &all {
-            let theme = Theme::resolve(*options, &environment);
+            let theme = theme(*options);
             for size in [
                 [1, 1],
                 [3, 2],

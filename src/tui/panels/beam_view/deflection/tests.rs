@@ -1,27 +1,12 @@
 use super::*;
-use crate::model::{Force, Place, Support, Target};
 use crate::tui::app::BeamView;
-use crate::tui::panels::beam_view::animated::stage::{self, looking, preset, screen};
-
-/// A pinned beam without offset and damping, and a force along y in its middle.
-fn pinned() -> crate::model::Model {
-    let mut model = preset("fig06");
-    (model.supports.left, model.supports.right) = (Support::PINNED, Support::PINNED);
-    model.beam.section.centroid_offset = 0.0;
-    model.forces = vec![Force {
-        enabled: true,
-        target: Target::Beam(Place::Position(1.6), BeamMotion::W),
-        amplitude: 1.0,
-        phase: 90.0,
-    }];
-    model
-}
+use crate::tui::panels::beam_view::animated::stage::{self, looking, pinned, preset, screen};
 
 #[test]
 fn a_slow_force_bends_the_beam_to_its_side_when_it_is_largest() {
     // Closed form: w = F L^3 / (48 E Iy) = 1.955e-8 m for 1 N; the force leads by 90 deg, so it is largest at omega t =
     // 270 deg. 1 is the upper label; the middle of 3.2 m is the middle column of the plot.
-    let app = looking(pinned(), 0.01, BeamView::Deflection);
+    let app = looking(pinned(90.0), 0.01, BeamView::Deflection);
     let lines = screen(&app, Theme::new(false), draw, [80, 16]);
     assert!(
         lines[0].contains("Deflection at 0.01 Hz, phase 270 deg"),
@@ -101,14 +86,14 @@ fn half_a_period_later_all_is_on_the_other_side() {
 
 #[test]
 fn what_is_not_there_is_said() {
-    let mut app = looking(pinned(), 20.0, BeamView::Deflection);
+    let mut app = looking(pinned(90.0), 20.0, BeamView::Deflection);
     app.beam_view.operating = None;
     let text = screen(&app, Theme::new(false), draw, [60, 9]).join("\n");
     assert!(text.contains("computing the beam's motion"), "{text}");
     app.curves.cursor = None;
     let text = screen(&app, Theme::new(false), draw, [60, 9]).join("\n");
     assert!(text.contains("there is no cursor on the chart"), "{text}");
-    let mut resonant = looking(pinned(), 20.0, BeamView::Deflection);
+    let mut resonant = looking(pinned(90.0), 20.0, BeamView::Deflection);
     let mut found = resonant.beam_view.operating().unwrap().clone();
     found.motion[0][3] = num_complex::Complex64::new(f64::NAN, 0.0);
     let model = std::sync::Arc::clone(resonant.model());

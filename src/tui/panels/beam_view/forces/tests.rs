@@ -1,19 +1,5 @@
 use super::*;
-use crate::model::{BeamMotion, Force, Place, Support, Target};
-use crate::tui::panels::beam_view::animated::stage::{self, looking, preset, screen};
-
-fn pinned() -> crate::model::Model {
-    let mut model = preset("fig06");
-    (model.supports.left, model.supports.right) = (Support::PINNED, Support::PINNED);
-    model.beam.section.centroid_offset = 0.0;
-    model.forces = vec![Force {
-        enabled: true,
-        target: Target::Beam(Place::Position(1.6), BeamMotion::W),
-        amplitude: 1.0,
-        phase: 0.0,
-    }];
-    model
-}
+use crate::tui::panels::beam_view::animated::stage::{self, looking, pinned, preset, screen};
 
 /// The row of the plot that has a mark in a column.
 fn row_at(lines: &[String], column: usize) -> Vec<usize> {
@@ -28,7 +14,7 @@ fn row_at(lines: &[String], column: usize) -> Vec<usize> {
 #[test]
 fn a_slow_force_has_the_moments_and_shears_of_a_still_one() {
     // Closed form: M = F L / 4 = 0.8 N m in the middle, negative for a bulge to +y; S = F / 2 left of it, -F / 2 right.
-    let app = looking(pinned(), 0.01, BeamView::Moments);
+    let app = looking(pinned(0.0), 0.01, BeamView::Moments);
     let lines = screen(&app, Theme::new(false), draw, [80, 16]);
     assert!(
         lines[0].contains("Bending moments at 0.01 Hz, phase 0 deg"),
@@ -39,7 +25,7 @@ fn a_slow_force_has_the_moments_and_shears_of_a_still_one() {
         "{lines:#?}"
     );
     assert_eq!(lines[1].trim(), "N m");
-    let app = looking(pinned(), 0.01, BeamView::Shear);
+    let app = looking(pinned(0.0), 0.01, BeamView::Shear);
     let lines = screen(&app, Theme::new(false), draw, [80, 16]);
     assert!(lines[0].contains("|S_w| to 0.500 N at"), "{lines:#?}");
     assert_eq!(lines[1].trim(), "N");
@@ -47,7 +33,7 @@ fn a_slow_force_has_the_moments_and_shears_of_a_still_one() {
 
 #[test]
 fn the_forces_at_the_moment_of_the_widest_deflection() {
-    let app = looking(pinned(), 0.01, BeamView::Shear);
+    let app = looking(pinned(0.0), 0.01, BeamView::Shear);
     let seen = Seen {
         model: app.model(),
         operating: app.beam_view.operating().unwrap(),

@@ -1,42 +1,14 @@
-use crate::model::Checked;
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
 
 use super::plane::Reserve;
 use super::*;
-use crate::files::{Opened, Source};
 use crate::model::Spring;
 use crate::presets;
 use crate::tui::ascii;
-use crate::tui::options::{Environment, Marker, Options};
-
-fn model(preset: &str) -> Model {
-    crate::model::read(presets::find(preset).unwrap().text)
-        .unwrap()
-        .into_inner()
-}
-
-fn at(model: Model, node: Node) -> App {
-    let mut app = App::new(Opened {
-        model: Checked::new(model).unwrap(),
-        text: String::new(),
-        source: Source::Stdin,
-    });
-    let model = app.model().clone();
-    app.selection.select(&model, node);
-    assert_eq!(app.selection.node(), node);
-    app
-}
-
-/// A theme in a locale of UTF-8.
-fn theme(options: Options) -> Theme {
-    let environment = Environment {
-        locale: Some("C.UTF-8".to_owned()),
-        ..Environment::default()
-    };
-    Theme::resolve(options, &environment)
-}
+use crate::tui::options::{Marker, Options};
+use crate::tui::panels::beam_view::animated::stage::{at, preset, theme};
 
 fn plain_ascii() -> Theme {
     theme(Options {
@@ -90,7 +62,7 @@ fn a_wide_panel() {
     └─┴───┬──┴───┬──┴───┬──┴───┬──┴───┬───┴──┬───┴──┬───┴──┬───┴──┬───┴──┬───┴
          1000   800    600    400    200     0     -200   -400   -600    ←y mm";
     assert_eq!(
-        screen(model("fig05a"), Node::Group(Group::Subsystem(1)), [78, 12]),
+        screen(preset("fig05a"), Node::Group(Group::Subsystem(1)), [78, 12]),
         expected
     );
 }
@@ -99,7 +71,7 @@ fn a_wide_panel() {
 #[test]
 fn a_narrow_panel_in_ascii() {
     let app = at(
-        model("fig05a"),
+        preset("fig05a"),
         Node::Group(Group::Support(crate::model::End::Left)),
     );
     let mut buffer = buffer(&app, plain_ascii(), 44, 10);
@@ -154,7 +126,7 @@ fn the_radii_are_those_of_bending_along_their_axes() {
     };
     let [y, z] = radii(&section);
     assert!((y - 0.3).abs() < 1e-15 && (z - 0.05).abs() < 1e-15);
-    let mut model = model("semicircular_cantilever");
+    let mut model = preset("semicircular_cantilever");
     model.beam.section = Section {
         centroid_offset: 0.1,
         ..section
@@ -180,7 +152,7 @@ fn the_radii_are_those_of_bending_along_their_axes() {
 /// scale, each rounded to a cell.
 #[test]
 fn points_are_to_scale() {
-    let model = model("fig05a");
+    let model = preset("fig05a");
     let app = at(model, Node::Group(Group::Subsystem(0)));
     let picture = Picture::new(
         &app.model().beam.section,
@@ -229,7 +201,7 @@ fn points_are_to_scale() {
 
 #[test]
 fn labels_of_the_axes_stand_at_their_values() {
-    let app = at(model("fig05a"), Node::Group(Group::Subsystem(0)));
+    let app = at(preset("fig05a"), Node::Group(Group::Subsystem(0)));
     let screen = lines(&buffer(&app, Theme::new(false), 78, 24)).join("\n");
     let rows: Vec<&str> = screen.lines().collect();
     let [shear] = find(&screen, '+')[..] else {
@@ -245,7 +217,7 @@ fn labels_of_the_axes_stand_at_their_values() {
 
 #[test]
 fn only_springs_that_are_there_are_drawn() {
-    let mut model = model("fig05a");
+    let mut model = preset("fig05a");
     let one = &mut model.subsystems[0];
     (one.y_left, one.y_right) = (Spring::default(), Spring::default());
     (one.z_left, one.z_right) = (Spring::default(), Spring::default());
@@ -268,7 +240,7 @@ fn only_springs_that_are_there_are_drawn() {
 
 #[test]
 fn nothing_degenerates() {
-    let mut model = model("fig05a");
+    let mut model = preset("fig05a");
     model.beam.section.centroid_offset = 0.0;
     let symmetric = screen(model.clone(), Node::Group(Group::Subsystem(0)), [44, 20]);
     assert!(symmetric.contains("+SC"), "{symmetric}");
@@ -294,7 +266,7 @@ fn nothing_degenerates() {
 
 #[test]
 fn the_selected_subsystem_is_shown_else_the_first_one_attached() {
-    let mut model = model("fig05a");
+    let mut model = preset("fig05a");
     model.subsystems[0].enabled = false;
     let heading = |model: &Model, node| {
         let screen = screen(model.clone(), node, [78, 12]);
@@ -348,8 +320,8 @@ fn every_panel_can_be_drawn() {
     ];
     let sizes = || (1..=40).flat_map(|width| (1..=14).map(move |height| (width, height)));
     let larger = [(44, 10), (44, 20), (78, 12), (78, 24), (200, 60), (300, 3)];
-    for preset in presets::ALL {
-        let app = at(model(preset.name), Node::Group(Group::Beam));
+    for embedded in presets::ALL {
+        let app = at(preset(embedded.name), Node::Group(Group::Beam));
         for theme in themes {
             for (width, height) in sizes().chain(larger) {
                 let mut drawn = buffer(&app, theme, width, height);

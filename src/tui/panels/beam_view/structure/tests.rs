@@ -1,4 +1,3 @@
-use crate::model::Checked;
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
@@ -6,43 +5,11 @@ use ratatui::style::Modifier;
 
 use super::*;
 use crate::designer::driver::thousand;
-use crate::files::{Opened, Source};
 use crate::model::{BeamMotion, Force, MassMotion, Quantity, Restraint, Support, Target};
 use crate::presets;
 use crate::tui::ascii;
-use crate::tui::options::{Environment, Marker, Options};
-
-fn model(preset: &str) -> Model {
-    crate::model::read(presets::find(preset).unwrap().text)
-        .unwrap()
-        .into_inner()
-}
-
-fn app(model: Model) -> App {
-    App::new(Opened {
-        model: Checked::new(model).unwrap(),
-        text: String::new(),
-        source: Source::Stdin,
-    })
-}
-
-/// The designer with a row selected.
-fn at(model: Model, node: Node) -> App {
-    let mut app = app(model);
-    let model = app.model().clone();
-    app.selection.select(&model, node);
-    assert_eq!(app.selection.node(), node);
-    app
-}
-
-/// A theme in a locale of UTF-8.
-fn theme(options: Options) -> Theme {
-    let environment = Environment {
-        locale: Some("C.UTF-8".to_owned()),
-        ..Environment::default()
-    };
-    Theme::resolve(options, &environment)
-}
+use crate::tui::options::{Marker, Options};
+use crate::tui::panels::beam_view::animated::stage::{app, at, preset, theme};
 
 fn themes() -> [Theme; 5] {
     let marked = |marker| {
@@ -103,7 +70,7 @@ fn reversed(buffer: &Buffer) -> String {
 /// Golden: the picture was checked by eye.
 #[test]
 fn a_narrow_panel() {
-    let app = at(model("fig05a"), Node::Group(Group::Subsystem(1)));
+    let app = at(preset("fig05a"), Node::Group(Group::Subsystem(1)));
     let expected = "\
 ─ Structure ─────────── S2 at 1.6 m, 100 kg 
    w 1 N, psi 1 N m, v 1 N                  
@@ -121,7 +88,7 @@ fn a_narrow_panel() {
 /// Golden: the picture was checked by eye.
 #[test]
 fn a_wide_panel() {
-    let app = at(model("fig05a"), Node::Group(Group::Force(1)));
+    let app = at(preset("fig05a"), Node::Group(Group::Force(1)));
     let expected = "\
 ─ Structure ───────────────────────────────────── force 2: psi at left, 1 N m 
    psi 1 N m                                                                  
@@ -142,7 +109,7 @@ fn a_wide_panel() {
 /// 3.2 m).
 #[test]
 fn signs_are_to_scale() {
-    let buffer = buffer(&app(model("fig05a")), Theme::new(false), 78, 12);
+    let buffer = buffer(&app(preset("fig05a")), Theme::new(false), 78, 12);
     let column = |x: f64| 3 + (71.0 * x / 3.2).round() as u16;
     assert_eq!(columns(&buffer, 3, "◆"), [0.0, 1.2, 2.0, 3.2].map(column));
     // The y springs are left of a subsystem's position, the z springs right of it; the supports' at the ends.
@@ -167,7 +134,7 @@ fn elastic(stiffness: f64, damping: f64, inertia: f64) -> Restraint {
 
 /// The left end on a panel of 78 x 12: from the row above the beam to the first one of the words.
 fn left_end(support: Support) -> Vec<String> {
-    let mut model = model("symmetric_section");
+    let mut model = preset("symmetric_section");
     model.supports.left = support;
     let app = at(model, Node::Group(Group::Sweep));
     let buffer = buffer(&app, Theme::new(false), 78, 12);
@@ -216,7 +183,7 @@ fn an_end_shows_what_holds_it() {
 
 #[test]
 fn forces_have_their_signs() {
-    let mut model = model("symmetric_section");
+    let mut model = preset("symmetric_section");
     model.responses.clear();
     let force = |motion, amplitude, phase| Force {
         enabled: true,
@@ -266,7 +233,7 @@ fn forces_have_their_signs() {
 /// Forces and responses of a mass are in its box, and the selected one is marked there.
 #[test]
 fn a_mass_shows_what_acts_on_it() {
-    let mut model = model("fig05a");
+    let mut model = preset("fig05a");
     let of_s2 = |motion| Target::Mass("S2".to_owned(), motion);
     model.forces[0].target = of_s2(MassMotion::Y);
     model.forces[1].target = of_s2(MassMotion::Theta);
@@ -283,7 +250,7 @@ fn a_mass_shows_what_acts_on_it() {
 
 #[test]
 fn what_is_not_attached_is_outlined() {
-    let mut model = model("fig05a");
+    let mut model = preset("fig05a");
     model.subsystems[0].enabled = false;
     let app = at(model, Node::Group(Group::Sweep));
     let wide = buffer(&app, Theme::new(false), 78, 12);
@@ -322,11 +289,11 @@ fn what_is_selected_stands_out() {
         ),
         (Node::Group(Group::Response(3)), ">◆", "P2 w: w at 1.2 m"),
     ];
-    let nothing = screen(&at(model("fig05a"), Node::Group(Group::Sweep)), 78, 12);
+    let nothing = screen(&at(preset("fig05a"), Node::Group(Group::Sweep)), 78, 12);
     assert!(!nothing.contains(['>', '<']), "{nothing}");
     for (node, signs, note) in chosen {
         for (width, height) in [(44, 10), (78, 12), (78, 24)] {
-            let app = at(model("fig05a"), node);
+            let app = at(preset("fig05a"), node);
             let buffer = buffer(&app, Theme::new(false), width, height);
             let screen = lines(&buffer).join("\n");
             assert!(screen.contains(['>', '<']), "{node:?}\n{screen}");
@@ -341,7 +308,7 @@ fn what_is_selected_stands_out() {
 
 #[test]
 fn rows_below_a_group_belong_to_it() {
-    let mut model = model("fig05a");
+    let mut model = preset("fig05a");
     let path = crate::model::path::parameter(&model, "subsystems.S2.mass");
     assert!(path.is_ok());
     let app = at(
@@ -385,7 +352,7 @@ fn a_thousand_subsystems_become_ticks() {
 
 #[test]
 fn subsystems_that_are_too_close_share_a_bracket() {
-    let mut model = model("fig05a");
+    let mut model = preset("fig05a");
     model.subsystems[1].position = 0.9;
     let screen =
         |model: &Model, width| screen(&at(model.clone(), Node::Group(Group::Sweep)), width, 12);
@@ -414,9 +381,9 @@ fn every_panel_can_be_drawn() {
     ];
     let sizes = || (1..=24).flat_map(|width| (1..=14).map(move |height| (width, height)));
     let larger = [(44, 10), (44, 20), (78, 12), (78, 24), (200, 60), (300, 3)];
-    for preset in presets::ALL {
+    for embedded in presets::ALL {
         for (number, theme) in themes().into_iter().enumerate() {
-            let model = model(preset.name);
+            let model = preset(embedded.name);
             let node = nodes[number];
             let there = crate::tui::tree::all_rows(&model)
                 .iter()

@@ -22,8 +22,8 @@ use beamtune::model::{
 use beamtune::presets;
 use beamtune::solve::Cancelled;
 use beamtune::solve::modes::{
-    Completeness, MOST_MODES, Mode, ModeKind, Modes, buckling_load, certify, count, follow, modes,
-    shape, uncertified, undamped,
+    Completeness, MOST_MODES, Mode, ModeKind, Modes, buckling_factors, buckling_load, certify,
+    count, follow, modes, shape, uncertified, undamped,
 };
 use common::{models, respond, unit_force};
 use num_complex::Complex64;
@@ -208,6 +208,29 @@ fn a_buckled_beam_says_so() {
         .map(|mode| (mode.frequency() - second.sqrt() / TAU).abs());
     assert!(nearest.fold(f64::INFINITY, f64::min) < 1e-8);
     assert_close(buckling_load(&checked(&model)).unwrap(), euler, 1e-9);
+}
+
+/// Closed form: a pinned beam buckles at n^2 times the Euler load of each plane, here 1, 3, 4, 9 and 12 times that of
+/// the weaker one; twist takes more than all of them.
+#[test]
+fn factors_on_an_axial_force_are_those_of_euler() {
+    let mut model = pinned_beam(3e-6);
+    let section = &mut model.beam.section;
+    (section.second_moment_y, section.torsion_constant) = (1e-6, 1.0);
+    let beam = &mut model.beam;
+    let euler = PI * PI * beam.material.young_modulus * 1e-6 / beam.length.powi(2);
+    beam.axial_force = -0.25 * euler;
+    let found = buckling_factors(&checked(&model), 50.0, 9);
+    assert_eq!(found.len(), 5, "{found:?}");
+    for (found, expected) in found.iter().zip([4.0, 12.0, 16.0, 36.0, 48.0]) {
+        assert_close(*found, expected, 1e-9);
+    }
+    assert_eq!(buckling_factors(&checked(&model), 13.0, 9).len(), 2);
+    assert_eq!(buckling_factors(&checked(&model), 50.0, 1).len(), 1);
+    model.beam.axial_force = 0.25 * euler;
+    assert!(buckling_factors(&checked(&model), 50.0, 9).is_empty());
+    model.beam.axial_force = 0.0;
+    assert!(buckling_factors(&checked(&model), 50.0, 9).is_empty());
 }
 
 /// The paper's beam with both ends pinned and no offset: bending and torsion are uncoupled.

@@ -158,6 +158,12 @@ pub enum Limit {
         /// Upper limit, in the response's unit.
         at_most: f64,
     },
+    /// The least factor on the axial compression at which the beam buckles: `limit = "buckling"`. A beam without
+    /// compression has none and keeps the limit.
+    Buckling {
+        /// Lower limit, 1.
+        at_least: f64,
+    },
 }
 
 impl Limit {
@@ -165,7 +171,7 @@ impl Limit {
     pub fn response(&self) -> Option<&String> {
         match self {
             Self::StaticDeflection { response, .. } => Some(response),
-            Self::AddedMass { .. } | Self::NoMode { .. } => None,
+            Self::AddedMass { .. } | Self::NoMode { .. } | Self::Buckling { .. } => None,
         }
     }
 }

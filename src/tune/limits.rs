@@ -5,9 +5,11 @@ use num_complex::Complex64;
 use super::candidate::{Candidate, Moved, Slopes};
 use super::search::Function;
 use crate::model::schema::SubsystemKey;
-use crate::model::{Checked, Group, Limit, ParameterId};
+use crate::model::{Checked, Group, Limit, Model, ParameterId, check_state, edit};
 use crate::solve::Cancelled;
-use crate::solve::modes::{count, modes, undamped, without_damping};
+use crate::solve::modes::{
+    buckling_factors, buckling_load, count, modes, undamped, without_damping,
+};
 
 /// A limit of a model, with its responses by index.
 #[derive(Debug, Clone)]
@@ -18,6 +20,8 @@ pub(super) enum Bound {
     NoMode { band: [f64; 2] },
     /// (|H| at rest - most) / most.
     StaticDeflection { response: usize, at_most: f64 },
+    /// least / factor - 1 for each of the least factors on the axial force at which the beam buckles; none in tension.
+    Buckling { at_least: f64 },
 }
 
 impl Bound {
@@ -29,6 +33,9 @@ impl Bound {
             Limit::StaticDeflection { response, at_most } => Self::StaticDeflection {
                 response: place(response),
                 at_most: *at_most,
+            },
+            Limit::Buckling { at_least } => Self::Buckling {
+                at_least: *at_least,
             },
         }
     }
@@ -48,6 +55,11 @@ impl Bound {
                 let deflection = at_rest(candidate, *response)?.norm();
                 vec![deflection / at_most - 1.0]
             }
+            Self::Buckling { at_least } => {
+                let factors = buckling_factors(&candidate.model, *at_least, WAYS);
+                let excess = |factor: f64| excess(Some(factor), *at_least);
+                factors.into_iter().map(excess).collect()
+            }
         })
     }
 
@@ -64,11 +76,12 @@ impl Bound {
             Self::StaticDeflection { response, at_most } => {
                 vec![deflection(candidate, slopes, *response, *at_most)]
             }
+            Self::Buckling { at_least } => buckling(candidate, moved, *at_least),
         })
     }
 
     /// The value for display: the mass, kg; the frequency of the mode deepest in the band or nearest to it, Hz; the
-    /// deflection, in the response's unit.
+    /// deflection, in the response's unit; the least factor at which the beam buckles.
     pub(super) fn reading(&self, candidate: &Candidate) -> Result<f64, Cancelled> {
         Ok(match self {
             Self::AddedMass { .. } => added_mass(&candidate.model),
@@ -78,18 +91,24 @@ impl Bound {
                 all.into_iter().flatten().max_by(deeper).unwrap_or(f64::NAN)
             }
             Self::StaticDeflection { response, .. } => at_rest(candidate, *response)?.norm(),
+            Self::Buckling { .. } => {
+                let compression = -candidate.model.beam.axial_force;
+                let load = buckling_load(&candidate.model).filter(|_| compression > 0.0);
+                load.map_or(f64::INFINITY, |load| load / compression)
+            }
         })
     }
 }
 
-/// The search for modes extends to this multiple of the end of a band.
+/// The search for modes extends to this multiple of the end of a band, and that for buckling to this multiple of the
+/// least factor.
 const SEEN: f64 = 2.0;
 
 /// The highest frequency up to which a limit needs the modes, Hz; `None` if it needs none.
 pub(super) fn looks_to(limit: &Limit) -> Option<f64> {
     match limit {
         Limit::NoMode { to, .. } => Some(SEEN * to),
-        Limit::AddedMass { .. } | Limit::StaticDeflection { .. } => None,
+        Limit::AddedMass { .. } | Limit::StaticDeflection { .. } | Limit::Buckling { .. } => None,
     }
 }
 
@@ -223,5 +242,112 @@ fn deflection(candidate: &Candidate, slopes: &Slopes, response: usize, at_most: 
         gradient: slopes.by_coordinate(|index| {
             (value.conj() * change(index)).re / (size.max(f64::MIN_POSITIVE) * at_most)
         }),
+    }
+}
+
+/// How many factors at which a beam buckles count: at the best of a column two are often equal (Olhoff & Rasmussen, Int.
+/// J. Solids Structures 13 (1977) 605-614), and one alone would have a kink there.
+const WAYS: usize = 2;
+
+/// How far a factor is below the least one: 0 at it, -1 infinitely far above.
+fn excess(factor: Option<f64>, at_least: f64) -> f64 {
+    factor.map_or(-1.0, |factor| at_least / factor - 1.0)
+}
+
+/// The factors near the least one. Their derivatives are central differences over a small step of each coordinate,
+/// one-sided where a step makes the model impossible: a factor comes from a count of modes, which has no derivative.
+fn buckling(candidate: &Candidate, moved: &[Moved], at_least: f64) -> Vec<Function> {
+    /// Of the unit box. The error of a difference is about the step squared; rounding adds 1e-12 over it.
+    const STEP: f64 = 1e-5;
+    let factors = |model: &Checked, times: f64| buckling_factors(model, times * at_least, WAYS);
+    let here = factors(&candidate.model, SEEN);
+    if here.is_empty() {
+        return Vec::new();
+    }
+    // Each side of each coordinate: the step, and the factors there.
+    let side = |moved: &Moved, step: f64| {
+        let mut model = Model::clone(&candidate.model);
+        for (id, rate) in moved {
+            let value = edit::number(&model, *id).ok()? + rate * step;
+            edit::put(&mut model, *id, edit::Value::Number(value)).ok()?;
+        }
+        if !check_state(&model).is_empty() {
+            return None;
+        }
+        let model = candidate.model.derived(|of| *of = model);
+        Some((step, factors(&model, 2.0 * SEEN)))
+    };
+    let sides: Vec<_> = moved
+        .iter()
+        .map(|moved| [-STEP, STEP].map(|step| side(moved, step).unwrap_or((0.0, here.clone()))))
+        .collect();
+    let function = |way: usize| {
+        let at = |factors: &Vec<f64>| excess(factors.get(way).copied(), at_least);
+        let slope = |[low, high]: &[(f64, Vec<f64>); 2]| {
+            (at(&high.1) - at(&low.1)) / (high.0 - low.0).max(f64::MIN_POSITIVE)
+        };
+        Function {
+            value: at(&here),
+            gradient: sides.iter().map(slope).collect(),
+        }
+    };
+    (0..here.len()).map(function).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+    use std::sync::atomic::AtomicBool;
+
+    use super::*;
+    use crate::model::schema::{BeamKey, SectionKey};
+    use crate::model::{Support, checked};
+
+    /// Closed form: a pinned column buckles at pi^2 E I / (L^2 N), in both planes; the excess over a least factor and its
+    /// derivatives follow.
+    #[test]
+    fn the_derivatives_of_a_buckling_factor_are_those_of_euler() {
+        const AT_LEAST: f64 = 2.0;
+        let mut model = crate::model::read(crate::presets::find("tie_rod").unwrap().text)
+            .unwrap()
+            .into_inner();
+        (model.supports.left, model.supports.right) = (Support::PINNED, Support::PINNED);
+        let (length, modulus) = (model.beam.length, model.beam.material.young_modulus);
+        let weak = model.beam.section.second_moment_y;
+        let strong = 1.5 * weak;
+        model.beam.section.second_moment_z = strong;
+        model.beam.section.polar_moment = weak + strong;
+        let euler = |second: f64| PI * PI * modulus * second / (length * length);
+        // The weaker plane has a factor of 2.5, the other one 3.75: both within twice the least one.
+        let force = -euler(weak) / 2.5;
+        model.beam.axial_force = force;
+        let never = AtomicBool::new(false);
+        let candidate = Candidate::new(checked(&model), None, &never)
+            .unwrap()
+            .unwrap();
+        let section = |key: SectionKey| Group::Section.parameter(key as usize);
+        let beam = |key: BeamKey| Group::Beam.parameter(key as usize);
+        let moved = [
+            vec![(section(SectionKey::SecondMomentY), weak)],
+            vec![(section(SectionKey::SecondMomentZ), strong)],
+            vec![(beam(BeamKey::Length), length)],
+            vec![(beam(BeamKey::AxialForce), force)],
+        ];
+        let found = buckling(&candidate, &moved, AT_LEAST);
+        assert_eq!(found.len(), 2);
+        // 1 / factor goes like L^2 N / I.
+        for (function, (factor, powers)) in found
+            .iter()
+            .zip([(2.5, [-1.0, 0.0, 2.0, 1.0]), (3.75, [0.0, -1.0, 2.0, 1.0])])
+        {
+            let part = AT_LEAST / factor;
+            assert!((function.value - (part - 1.0)).abs() < 1e-9);
+            for (slope, power) in function.gradient.iter().zip(powers) {
+                assert!((slope - power * part).abs() < 1e-6, "{function:?}");
+            }
+        }
+        let bound = Bound::Buckling { at_least: AT_LEAST };
+        assert_eq!(bound.values(&candidate), Ok(Vec::new()));
+        assert!((bound.reading(&candidate).unwrap() - 2.5).abs() < 1e-9);
     }
 }

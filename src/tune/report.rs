@@ -52,7 +52,8 @@ pub struct LimitOutcome {
     /// The limit.
     pub limit: Limit,
     /// The mass, kg; the natural frequency deepest in the band or nearest to it, Hz (NaN if there is none near); the
-    /// deflection, in the response's unit.
+    /// deflection, in the response's unit; the least factor on the axial compression at which the beam buckles (infinite
+    /// without compression).
     pub value: f64,
     /// Whether it is met.
     pub holds: bool,

@@ -104,7 +104,9 @@ pub fn of_limit(model: &Model, limit: &Limit, wording: fn(&Wording) -> &'static 
     let response = limit.response();
     in_words(model, LIMITS, limit, response, wording, || match limit {
         Limit::NoMode { from, to } => range(*from, *to, Unit::HERTZ),
-        Limit::AddedMass { .. } | Limit::StaticDeflection { .. } => String::new(),
+        Limit::AddedMass { .. } | Limit::StaticDeflection { .. } | Limit::Buckling { .. } => {
+            String::new()
+        }
     })
 }
 
@@ -202,6 +204,7 @@ mod tests {
                 "the masses of all enabled subsystems together: at most 300 kg",
                 "no natural frequency, without damping, in 45..55 Hz",
                 "P5 w under the forces at rest: at most 0.001 m",
+                "buckling not below 2 times the axial compression",
             ]
         );
     }

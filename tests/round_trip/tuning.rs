@@ -110,12 +110,13 @@ fn limit(names: &[Vec<String>; 3]) -> BoxedStrategy<Limit> {
         from,
         to: from.mul_add(2.0, width),
     });
+    let buckling = positive().prop_map(|at_least| Limit::Buckling { at_least });
     if names[2].is_empty() {
-        return prop_oneof![mass, band].boxed();
+        return prop_oneof![mass, band, buckling].boxed();
     }
     let deflection = (prop::sample::select(names[2].clone()), positive())
         .prop_map(|(response, at_most)| Limit::StaticDeflection { response, at_most });
-    prop_oneof![mass, band, deflection].boxed()
+    prop_oneof![mass, band, buckling, deflection].boxed()
 }
 
 pub fn tune(responses: &[Response]) -> BoxedStrategy<Option<Tune>> {
@@ -257,6 +258,7 @@ fn everything_is_read_as_it_stands() {
             response: name(),
             at_most: 1e-3,
         },
+        Limit::Buckling { at_least: 2.0 },
     ];
     assert_eq!(tune.limits, limits);
 }
@@ -395,6 +397,7 @@ fn objectives_and_limits_are_added() {
             Limit::AddedMass { at_most: 300.0 },
             Limit::NoMode { from: 45.0, to: 55.0 },
             Limit::StaticDeflection { response: "P5 w".to_owned(), at_most: 1e-3 },
+            Limit::Buckling { at_least: 1.5 },
         ];
     }), @r#"
  ]
@@ -409,6 +412,7 @@ fn objectives_and_limits_are_added() {
 +    { limit = "added_mass", at_most = 300.0 },
 +    { limit = "no_mode", from = 45.0, to = 55.0 },
 +    { limit = "static_deflection", response = "P5 w", at_most = 0.001 },
++    { limit = "buckling", at_least = 1.5 },
 +]
 "#);
 }

@@ -1,10 +1,12 @@
 //! Active limits at an optimum, with the optima of closed forms.
 
 use crate::checked::checked;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 use std::path::Path;
 
-use beamtune::model::{Hold, Limit, Model, Variable};
+use beamtune::model::{
+    BeamMotion, Hold, Limit, Measure, Model, Place, Quantity, Support, Target, Variable,
+};
 use beamtune::tune::{Problem, Tuned};
 
 use crate::absorber::{self, ABSORBER, MASS, STIFFNESS, mean_square, receptance_on, tuned};
@@ -153,6 +155,99 @@ fn all_limits_hold_at_once() {
     let least = scan.fold(f64::INFINITY, f64::min);
     let figure = found.after[0].figure;
     assert!(figure < least * (1.0 + 1e-6), "{figure:e} {least:e}");
+}
+
+/// A slender column with a force in the middle in both planes, its first mode at 10 Hz without an axial force: above it,
+/// the motion is the less the lower the mode is, up to 40 Hz, where the third one of the plane is still far.
+fn column() -> Model {
+    let mut model = absorber::model(
+        r#"objective = { minimise = "mean_square", response = "w", from = 20.0, to = 40.0 }"#,
+    );
+    model.subsystems.clear();
+    (model.supports.left, model.supports.right) = (Support::PINNED, Support::PINNED);
+    let mut force = model.forces[0].clone();
+    force.target = Target::Beam(Place::Position(0.5), BeamMotion::V);
+    model.forces.push(force);
+    let mut response = model.responses[0].clone();
+    "v".clone_into(&mut response.name);
+    response.quantity = Quantity::Motion(
+        Target::Beam(Place::Position(0.5), BeamMotion::V),
+        Measure::Displacement,
+    );
+    model.responses.push(response);
+    let objectives = &mut model.tune.as_mut().unwrap().objectives;
+    let mut along_z = objectives[0].clone();
+    along_z.response = Some("v".to_owned());
+    objectives.push(along_z);
+    let beam = &mut model.beam;
+    let mass = beam.material.density * beam.section.area;
+    let second = mass * (TAU * 10.0).powi(2) / PI.powi(4) / beam.material.young_modulus;
+    (beam.section.second_moment_y, beam.section.second_moment_z) = (second, second);
+    model
+}
+
+fn euler_load(model: &Model, second: f64) -> f64 {
+    PI * PI * model.beam.material.young_modulus * second / model.beam.length.powi(2)
+}
+
+/// Closed form: compression lowers the first mode, as far as Euler's load over the factor.
+#[test]
+fn a_column_is_pressed_as_far_from_buckling_as_it_must_stay() {
+    const AT_LEAST: f64 = 1.6;
+    let mut model = column();
+    let euler = euler_load(&model, model.beam.section.second_moment_y);
+    model.beam.axial_force = 0.2 * euler;
+    let tune = model.tune.as_mut().unwrap();
+    tune.variables = vec![variable(&["beam.axial_force"], -0.9 * euler, 0.5 * euler)];
+    let free = tuned(&model, BUDGET).variables[0].after;
+    assert!(free < -0.8 * euler, "{free} {euler}");
+    let tune = model.tune.as_mut().unwrap();
+    tune.limits = vec![Limit::Buckling { at_least: AT_LEAST }];
+    let found = tuned(&model, BUDGET);
+    all_hold(&found);
+    let force = found.variables[0].after;
+    assert!((-force * AT_LEAST / euler - 1.0).abs() < 1e-6, "{force}");
+    let factor = found.limits[0].value;
+    assert!((factor / AT_LEAST - 1.0).abs() < 1e-6, "{factor}");
+}
+
+/// Closed form: both planes of a column are as soft as its compression allows, so that it buckles in both at once.
+#[test]
+fn both_planes_of_a_column_stop_at_the_same_load() {
+    const AT_LEAST: f64 = 1.6;
+    let mut model = column();
+    let second = model.beam.section.second_moment_y;
+    let compression = 0.3 * euler_load(&model, second);
+    model.beam.axial_force = -compression;
+    let moment = |key: &str| {
+        variable(
+            &[&format!("beam.section.{key}")],
+            0.4 * second,
+            3.0 * second,
+        )
+    };
+    let tune = model.tune.as_mut().unwrap();
+    tune.variables = vec![moment("second_moment_y"), moment("second_moment_z")];
+    tune.limits = vec![Limit::Buckling { at_least: AT_LEAST }];
+    let found = tuned(&model, BUDGET);
+    all_hold(&found);
+    for moved in &found.variables {
+        let factor = euler_load(&model, moved.after) / compression;
+        assert!((factor / AT_LEAST - 1.0).abs() < 1e-6, "{moved:?} {factor}");
+    }
+}
+
+/// Expected: nothing presses a beam in tension, so its factor is infinite.
+#[test]
+fn a_beam_in_tension_keeps_any_factor() {
+    let mut model = column();
+    model.beam.axial_force = 1e3;
+    let tune = model.tune.as_mut().unwrap();
+    tune.variables = vec![variable(&["beam.material.density"], 7000.0, 8000.0)];
+    tune.limits = vec![Limit::Buckling { at_least: 1e6 }];
+    let found = tuned(&model, BUDGET);
+    all_hold(&found);
+    assert_eq!(found.limits[0].value, f64::INFINITY);
 }
 
 /// Expected: by its wave numbers the beam has more modes than are listed up to there.

@@ -260,6 +260,15 @@ fn limit(model: &Checked, kept: &LimitOutcome) -> Row {
             let wanted = format!("at most {}", level(model, response, *at_most));
             (what, level(model, response, kept.value), wanted)
         }
+        Limit::Buckling { at_least } => {
+            let found = if kept.value.is_finite() {
+                format!("at {} times the force", Unit::ONE.format(kept.value))
+            } else {
+                "no compression".to_owned()
+            };
+            let wanted = format!("at least {} times", Unit::ONE.format(*at_least));
+            ("buckling".to_owned(), found, wanted)
+        }
     };
     let kept = if kept.holds { "" } else { ": NOT KEPT" };
     Row {

@@ -46,7 +46,7 @@ fn response(model: &mut Model, index: usize, new: &str) {
         let responses = objectives.filter_map(|objective| objective.response.as_mut());
         let limits = tune.limits.iter_mut().filter_map(|limit| match limit {
             Limit::StaticDeflection { response, .. } => Some(response),
-            Limit::AddedMass { .. } | Limit::NoMode { .. } => None,
+            Limit::AddedMass { .. } | Limit::NoMode { .. } | Limit::Buckling { .. } => None,
         });
         for response in responses.chain(limits).filter(|name| **name == old) {
             new.clone_into(response);

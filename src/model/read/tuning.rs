@@ -242,7 +242,7 @@ fn chosen<T>(table: &mut Table<'_>, choice: &'static Choice<T>, reader: &mut Rea
 }
 
 /// The keys that belong to some limits.
-const OF_LIMITS: [&str; 4] = ["response", "from", "to", "at_most"];
+const OF_LIMITS: [&str; 5] = ["response", "from", "to", "at_most", "at_least"];
 
 fn limit(path: &str, node: Node<'_>, reader: &mut Reader) -> Limit {
     let unread = Limit::AddedMass { at_most: f64::NAN };

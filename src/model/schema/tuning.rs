@@ -92,6 +92,9 @@ rows! {
         number_of("at_most", ONE, Positive, "upper limit, in the response's unit", Limit::StaticDeflection, at_most),
     }
 }
+rows! {
+    BUCKLING of Limit { number_of("at_least", ONE, Positive, "lower limit of the factor", Limit::Buckling, at_least), }
+}
 
 choices! {
     /// The limits.
@@ -102,5 +105,7 @@ choices! {
             ["no mode", "{band}", "no natural frequency, without damping, in {band}", ""];
         StaticDeflection { response: String::new(), at_most: f64::NAN } "limit", "static_deflection", Displacement, STATIC_DEFLECTION,
             ["static deflection", "{response} <= {at_most}", "{response} under the forces at rest: at most {at_most}", ""];
+        Buckling { at_least: f64::NAN } "limit", "buckling", Nothing, BUCKLING,
+            ["buckling", ">= {at_least} x force", "buckling not below {at_least} times the axial compression", ""];
     }
 }

@@ -13,16 +13,7 @@ const MOST_STEPS: usize = 60;
 /// The axial force of the model is replaced. Source: the count of Wittrick & Williams, Q. J. Mech. Appl. Math. 24 (1971)
 /// 263-284, at frequency 0 as a function of the force.
 pub fn buckling_load(model: &Checked) -> Option<f64> {
-    let buckles = |compression: f64| {
-        let pressed = Model {
-            beam: crate::model::Beam {
-                axial_force: -compression,
-                ..model.beam
-            },
-            ..Model::clone(model)
-        };
-        Counter::new(&pressed).unstable() > 0
-    };
+    let buckles = |compression: f64| ways(model, -compression) > 0;
     let [first, second] = BeamMatrices::new(&model.beam).principal_bending();
     let length = model.beam.length / std::f64::consts::PI;
     let mut high = 1e-3 * first.min(second) / (length * length);
@@ -34,7 +25,30 @@ pub fn buckling_load(model: &Checked) -> Option<f64> {
             return None;
         }
     }
-    let mut low = if steps == 0 { 0.0 } else { 0.5 * high };
+    let low = if steps == 0 { 0.0 } else { 0.5 * high };
+    Some(halved([low, high], buckles))
+}
+
+/// The factors on the axial force of a model, ascending and up to `to`, at each of which it buckles in one more way; the
+/// least `most` of them. None in tension.
+///
+/// Source: as for [`buckling_load`].
+pub fn buckling_factors(model: &Checked, to: f64, most: usize) -> Vec<f64> {
+    let buckled = |factor: f64| ways(model, factor * model.beam.axial_force);
+    let count = buckled(to).min(most);
+    let factor = |way: usize| halved([0.0, to], |factor| buckled(factor) > way);
+    (0..count).map(factor).collect()
+}
+
+/// The number of modes that grow under this axial force, N, in place of the model's.
+fn ways(model: &Model, axial_force: f64) -> usize {
+    let mut loaded = model.clone();
+    loaded.beam.axial_force = axial_force;
+    Counter::new(&loaded).unstable()
+}
+
+/// Where a beam begins to buckle between two numbers, by halving.
+fn halved([mut low, mut high]: [f64; 2], buckles: impl Fn(f64) -> bool) -> f64 {
     for _ in 0..MOST_STEPS {
         let middle = 0.5 * (low + high);
         if buckles(middle) {
@@ -43,5 +57,5 @@ pub fn buckling_load(model: &Checked) -> Option<f64> {
             low = middle;
         }
     }
-    Some(0.5 * (low + high))
+    0.5 * (low + high)
 }

@@ -40,7 +40,7 @@ mod wittrick_williams;
 use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
 
-pub use buckling::buckling_load;
+pub use buckling::{buckling_factors, buckling_load};
 pub(super) use group::Group;
 pub(super) use pencil::eigenvalues;
 pub use shape::{shape, shapes, shares};

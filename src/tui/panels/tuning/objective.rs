@@ -150,7 +150,7 @@ impl App {
 
 /// Parses the text for a response and a band.
 fn read_objective(text: &str, response: &str, band: [f64; 2]) -> Result<Typed, String> {
-    const FORM: &str = "peak, mean square, energy, width LEVEL, anti-resonance HZ, match FILE, match FILE columns hz; re im; m/N; + adds one, x 2 weighs it; sum, worst; limit mass KG, limit modes, limit static SIZE, no limits";
+    const FORM: &str = "peak, mean square, energy, width LEVEL, anti-resonance HZ, match FILE, match FILE columns hz; re im; m/N; + adds one, x 2 weighs it; sum, worst; limit mass KG, limit modes, limit static SIZE, limit buckling FACTOR, no limits";
     let text = text.trim();
     match text {
         "sum" => return Ok(Typed::Combine(Combine::Sum)),
@@ -227,7 +227,13 @@ fn read_limit(text: &str, response: &str, [from, to]: [f64; 2]) -> Result<Limit,
             response: response.to_owned(),
             at_most: number(most)?,
         }),
-        _ => Err("limit mass KG, limit modes (none in the band) or limit static SIZE".to_owned()),
+        ("buckling", least) => Ok(Limit::Buckling {
+            at_least: number(least)?,
+        }),
+        _ => Err(
+            "limit mass KG, limit modes (none in the band), limit static SIZE or limit buckling FACTOR"
+                .to_owned(),
+        ),
     }
 }
 
@@ -318,7 +324,11 @@ mod tests {
         };
         assert_eq!(read("limit mass 300 kg"), Ok(Typed::Limit(mass)));
         assert_eq!(read("limit modes"), Ok(Typed::Limit(modes)));
+        let buckling = Limit::Buckling { at_least: 2.5 };
+        assert_eq!(read("limit buckling 2.5"), Ok(Typed::Limit(buckling)));
         assert_eq!(read("no limits"), Ok(Typed::NoLimits));
-        assert!(read("limit weight 3").is_err());
+        for wrong in ["limit weight 3", "limit buckling", "limit buckling twice"] {
+            assert!(read(wrong).is_err(), "{wrong}");
+        }
     }
 }

@@ -118,6 +118,10 @@ fn marks(scene: &Scene) -> Vec<String> {
             frequency(scene, high)
         ));
     }
+    let [low, high] = scene.frequency.bounds;
+    let inside = |f: &f64| (low..=high).contains(f);
+    let limit = marked.validity.filter(inside);
+    words.extend(limit.map(|f| format!("Euler-Bernoulli limit {}", frequency(scene, f))));
     words
 }
 

@@ -131,6 +131,8 @@ pub struct Marked {
     pub harmonics: Vec<f64>,
     /// The marked band.
     pub band: Option<[f64; 2]>,
+    /// Where the theory of Euler and Bernoulli ends, if that is the theory of the model (not of the members of a study).
+    pub validity: Option<f64>,
     /// The modes.
     pub modes: Vec<f64>,
     /// The index of the selected mode.

@@ -12,6 +12,7 @@ use std::time::Duration;
 use super::driver::Driver;
 use beamtune::files::Source;
 use beamtune::model::{Model, Restraint, Unit};
+use beamtune::solve::euler_bernoulli_up_to;
 use beamtune::solve::modes::{Completeness, Gap};
 use beamtune::tui::app::{ExternalChange, Lost, Reply};
 use beamtune::worker::Stage;
@@ -329,6 +330,31 @@ fn without_colours() {
         .keys("t")
         .without_colours();
     screen!("no_color_80x24", driver, 80 x 24);
+}
+
+/// Expected: [`euler_bernoulli_up_to`] is 545 Hz for the paper's beam, within the 1 to 800 Hz of `fig14` and beyond the
+/// 400 Hz of the other figures.
+#[test]
+fn the_limit_of_euler_and_bernoulli_is_on_the_axis() {
+    let model = || Driver::preset("fig14");
+    let limit = euler_bernoulli_up_to(&model().app.model().beam).unwrap();
+    assert!((limit - 545.0).abs() < 0.5, "{limit}");
+    screen!("limit_80x24", model(), 80 x 24);
+    screen!("limit_120x40", model(), 120 x 40);
+    let mut plain = model();
+    screen!("limit_no_color_80x24", plain.without_colours(), 80 x 24);
+    let has_mark = |driver: &mut Driver| driver.screen(80, 24).contains('╫');
+    // In rad/s, and over another panel, it is at the same frequency.
+    assert!(has_mark(model().keys("#")));
+    assert!(has_mark(model().keys("b")));
+    // A part of the axis without it, another theory, and a sweep that ends below it have none.
+    let mut zoomed = model();
+    zoomed.keys("@").typed("200").keys("Enter z");
+    assert!(!has_mark(&mut zoomed));
+    let mut thick = model();
+    thick.select("beam.theory").keys("Space");
+    assert!(!has_mark(&mut thick));
+    assert!(!has_mark(&mut Driver::preset("fig05a")));
 }
 
 #[test]

@@ -59,6 +59,15 @@ pub struct Marks {
     pub selected: Option<usize>,
 }
 
+/// A mark on the horizontal axis itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AxisMark {
+    /// Its value; one outside the axis is skipped.
+    pub value: f64,
+    /// Its labels, the longest first: the first one that fits between the labels of the ticks is drawn.
+    pub labels: &'static [&'static str],
+}
+
 /// A symbol at a point of the plot, over the curves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spot {
@@ -107,6 +116,8 @@ pub struct Chart<'a> {
     pub harmonics: Vec<f64>,
     /// A band of the horizontal axis, `[lower, upper]`: lines at its ends and a heavy axis between them.
     pub band: Option<[f64; 2]>,
+    /// A mark on the axis.
+    pub axis_mark: Option<AxisMark>,
     /// Symbols over the curves.
     pub spots: Vec<Spot>,
     /// Marked values in a separate row; none hides the row.
@@ -139,6 +150,7 @@ impl<'a> Chart<'a> {
             second: None,
             harmonics: Vec::new(),
             band: None,
+            axis_mark: None,
             spots: Vec::new(),
             marks: Marks::default(),
             grid: false,

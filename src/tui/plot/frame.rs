@@ -25,6 +25,8 @@ struct AxisLines {
     cursors: [char; 2],
     /// The same on an axis without labels.
     passing: [char; 2],
+    /// The mark on the axis itself.
+    mark: char,
     /// One, two, and more marks in a column.
     marks: [char; 3],
 }
@@ -38,6 +40,7 @@ const BOX_LINES: AxisLines = AxisLines {
     band: ['━', '┯', '┷'],
     cursors: ['▲', '△'],
     passing: ['┼', '┼'],
+    mark: '╫',
     marks: ['╵', '╹', '┃'],
 };
 
@@ -50,6 +53,7 @@ const ASCII_LINES: AxisLines = AxisLines {
     band: ['=', '#', '='],
     cursors: ['^', 'A'],
     passing: ['|', ':'],
+    mark: '!',
     marks: ['\'', '"', '#'],
 };
 
@@ -170,6 +174,9 @@ fn draw_abscissa_axis(
     };
     let cursors = [chart.cursor, chart.second].map(|value| chart.cell(plot, value?));
     let band = chart.band.map(|band| band_cells(chart, layout, band));
+    let mark = chart
+        .axis_mark
+        .and_then(|mark| chart.cell(plot, mark.value));
     for column in 0..plot.width {
         let tick = layout.ticks[0].iter().find(|tick| tick.cell == column);
         // 0: no tick, 1: major, 2: minor.
@@ -177,6 +184,7 @@ fn draw_abscissa_axis(
         let cursor = cursors.iter().position(|cell| *cell == Some(column));
         let (glyph, style) = match cursor {
             Some(cursor) => (signs[cursor], styles.cursor),
+            None if mark == Some(column) => (lines.mark, styles.mark),
             None if band.as_ref().is_some_and(|band| band.contains(&column)) => {
                 (lines.band[kind], styles.band)
             }
@@ -210,10 +218,40 @@ fn draw_abscissa_labels(chart: &Chart<'_>, layout: &ChartLayout, buffer: &mut Bu
             (chart.glyphs, chart.styles.label),
         );
     }
-    for (x, label) in labels {
-        let row = Rect::new(x, y, label.len() as u16, 1);
+    for (x, label) in &labels {
+        let row = Rect::new(*x, y, label.len() as u16, 1);
         put(buffer, row, label, (chart.glyphs, chart.styles.label));
     }
+    if let Some((x, label)) = mark_label(chart, layout, buffer) {
+        let row = Rect::new(x, y, width(label), 1);
+        put(buffer, row, label, (chart.glyphs, chart.styles.axis));
+    }
+}
+
+/// The label of the mark on the axis and its column: the longest one that fits into the row of labels below the mark,
+/// as near to its middle as the others allow, and touches none of them.
+fn mark_label(
+    chart: &Chart<'_>,
+    layout: &ChartLayout,
+    buffer: &Buffer,
+) -> Option<(u16, &'static str)> {
+    let mark = chart.axis_mark?;
+    let column = layout.plot.x + chart.cell(layout.plot, mark.value)?;
+    let (left, right) = (layout.area.left(), layout.area.right());
+    let is_free = |x: u16| buffer[(x, layout.plot.bottom() + 1)].symbol() == " ";
+    mark.labels.iter().find_map(|label| {
+        let columns = width(label);
+        let fits = |start: &u16| {
+            let around = start.saturating_sub(1).max(left)..(start + columns + 1).min(right);
+            *start >= left && start + columns <= right && around.into_iter().all(is_free)
+        };
+        let starts = (column + 1).saturating_sub(columns)..=column;
+        let middle = column.saturating_sub((columns - 1) / 2);
+        let start = starts
+            .filter(fits)
+            .min_by_key(|start| start.abs_diff(middle))?;
+        Some((start, *label))
+    })
 }
 
 /// The labels below the plot and their columns, without those that would touch an earlier one.

@@ -34,7 +34,7 @@ mod trace;
 pub use axis::Notation;
 pub use axis::{Axis, Scale};
 pub use cell_ruler::{CellRuler, dotted};
-pub use chart::{Chart, ChartStyles, Legend, Marks, Spot};
+pub use chart::{AxisMark, Chart, ChartStyles, Legend, Marks, Spot};
 pub use curve::{Curve, LineStyle};
 pub use glyphs::Glyphs;
 pub use level::Level;

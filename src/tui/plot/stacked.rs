@@ -36,6 +36,7 @@ impl<'a> StackedCharts<'a> {
             second: upper.second,
             harmonics: upper.harmonics.clone(),
             band: upper.band,
+            axis_mark: upper.axis_mark,
             marks: upper.marks.clone(),
             glyphs: upper.glyphs,
             styles: upper.styles,

@@ -6,6 +6,7 @@ use super::{
     ChartView, CurveKind, FrequencyAxis, Marked, Panel, Scale, Scene, SceneCurve, difference, part,
 };
 use crate::model::Model;
+use crate::solve::euler_bernoulli_up_to;
 use crate::tui::panels::chart::{
     Curves, Detail, DetailPicture, Display, MOTION, Member, Picture, Trace,
 };
@@ -275,6 +276,7 @@ impl<'a> Builder<'a> {
             second: state.reading.second,
             harmonics: state.reading.harmonics(cursor, state.model.sweep.to),
             band: state.curves.band,
+            validity: euler_bernoulli_up_to(&state.model.beam),
             modes: list.map_or_else(Vec::new, |list| {
                 list.rows.iter().map(|mode| mode.frequency).collect()
             }),

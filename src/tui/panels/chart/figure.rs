@@ -7,7 +7,7 @@ use ratatui::layout::Rect;
 use ratatui::widgets::Widget;
 
 use crate::tui::app::{Levels, Plot};
-use crate::tui::plot::{Chart, Curve, Level, LineStyle, Marks, StackedCharts};
+use crate::tui::plot::{AxisMark, Chart, Curve, Level, LineStyle, Marks, StackedCharts};
 use crate::tui::scene::axes::{Loci, Ruled, frequency_axis};
 use crate::tui::scene::{ChartView, CurveKind, Scene, SceneCurve};
 use crate::tui::theme::Theme;
@@ -100,6 +100,10 @@ fn chart<'a>(ruled: &Ruled<'_>, panel: usize, theme: Theme, curves: &'a [Curve<'
     chart.second = marked.second.map(|f| f * per_hertz);
     chart.harmonics = marked.harmonics.iter().map(|f| f * per_hertz).collect();
     chart.band = marked.band.map(|band| band.map(|f| f * per_hertz));
+    chart.axis_mark = marked.validity.map(|f| AxisMark {
+        value: f * per_hertz,
+        labels: &["E-B limit", "E-B"],
+    });
     chart.marks = Marks {
         name: "modes",
         values: marked.modes.iter().map(|f| f * per_hertz).collect(),

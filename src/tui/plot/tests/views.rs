@@ -369,6 +369,61 @@ fn a_band_beyond_the_axis_is_cut_off() {
     assert_eq!(half, width - width / 2);
 }
 
+/// Expected: on the axis from 0 to 20 a value is at its column, and its label is below it where the numbers leave room.
+#[test]
+fn a_mark_on_the_axis_is_at_its_value_with_the_label_that_fits() {
+    let y = [0.5; 2];
+    let curves = [Curve::new(&[0.0, 20.0], &y)];
+    let drawn = |value, width, glyphs| {
+        let chart = Chart {
+            cursor: Some(4.0),
+            band: Some([6.0, 12.0]),
+            axis_mark: Some(AxisMark {
+                value,
+                labels: &["limit", "L"],
+            }),
+            glyphs,
+            ..chart(Level::Signed, &curves, "")
+        };
+        let buffer = render(&chart, width, 14);
+        let plot = chart.plot_area(buffer.area);
+        let column = chart.cell(plot, value).map(|cell| plot.x + cell);
+        let mut rows = lines(&buffer);
+        let labels = rows.remove(usize::from(plot.bottom()) + 1);
+        let axis = rows.remove(usize::from(plot.bottom()));
+        (column.map(usize::from), axis, labels)
+    };
+    for (glyphs, sign) in [(Glyphs::Braille, '╫'), (Glyphs::Ascii, '!')] {
+        // On the band, on a tick with a number, and next to the right end.
+        for value in [7.5, 10.0, 19.5] {
+            for (width, label) in [(200, "limit"), (110, "L")] {
+                let (column, axis, labels) = drawn(value, width, glyphs);
+                let column = column.unwrap();
+                assert_eq!(axis.chars().position(|c| c == sign), Some(column));
+                let at = labels.find(label);
+                if value == 7.5 {
+                    let at = at.unwrap_or_else(|| panic!("{labels}"));
+                    assert!((at..at + label.len()).contains(&column), "{labels}");
+                    // A blank on both sides.
+                    assert!(labels.contains(&format!(" {label} ")), "{labels}");
+                } else {
+                    assert_eq!(at, None, "{labels}");
+                }
+            }
+        }
+        for value in [-1.0, 20.5, f64::INFINITY, f64::NAN] {
+            let (column, axis, labels) = drawn(value, 110, glyphs);
+            assert_eq!(column, None);
+            assert!(
+                !axis.contains(sign) && !labels.contains(['l', 'L']),
+                "{axis}"
+            );
+        }
+        // The cursor is over it.
+        assert!(!drawn(4.0, 110, glyphs).1.contains(sign));
+    }
+}
+
 #[test]
 fn no_size_is_too_small_for_a_view() {
     let oscillator = Oscillator::new();
@@ -387,6 +442,11 @@ fn no_size_is_too_small_for_a_view() {
         pair.upper.harmonics = vec![2.0, 19.9, 20.0];
         (pair.upper.band, pair.lower.band) = (Some([1.0, 2.0]), Some([1.0, 2.0]));
         (pair.upper.second, pair.lower.second) = (Some(3.0), Some(3.0));
+        let mark = Some(AxisMark {
+            value: 15.0,
+            labels: &["limit", "L"],
+        });
+        (pair.upper.axis_mark, pair.lower.axis_mark) = (mark, mark);
         for width in 0..40 {
             for height in 0..24 {
                 let area = Rect::new(0, 0, width, height);

@@ -452,6 +452,20 @@ fn frequencies_have_six_digits() {
     assert_eq!(frequency(&scene, 25.0), "1500 rpm");
 }
 
+/// Expected: the limit is named with the other marks, and only on the axis from 1 to 100 Hz.
+#[test]
+fn the_limit_of_euler_and_bernoulli_is_named_in_both_files() {
+    let mut scene = scene(ChartView::Magnitude);
+    for (validity, is_named) in [(None, false), (Some(54.5), true), (Some(545.0), false)] {
+        scene.marks.validity = validity;
+        for text in [svg(&scene, &provenance()), csv(&scene, &provenance())] {
+            let named = text.contains("Euler-Bernoulli limit 54.5 Hz");
+            assert_eq!(named, is_named, "{validity:?}");
+            assert_eq!(text.contains("Euler-Bernoulli"), is_named);
+        }
+    }
+}
+
 #[test]
 fn a_drawing_is_as_it_was() {
     let mut scene = scene(ChartView::MagnitudePhase);

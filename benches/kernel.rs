@@ -17,7 +17,8 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use beamtune::model::{
-    BeamMotion, Model, Place, Quantity, Restraint, Spacing, Sweep, Target, read,
+    BeamMotion, InnerSupport, Model, Place, Quantity, Restraint, Spacing, Support, Sweep, Target,
+    read,
 };
 use beamtune::presets;
 use beamtune::solve::instruction_sets::{Instructions, sweep_with, work};
@@ -130,10 +131,37 @@ fn fem_curves() {
     println!();
 }
 
+/// A model whose section has no symmetry: w, psi and v are coupled.
+fn unsymmetric(mut model: Model) -> Model {
+    model.beam.section.centroid_offset_y = 0.043;
+    model.beam.section.product_moment = 6e-5;
+    model
+}
+
+/// A model with supports between the ends: bearings that fix w and v.
+fn held(mut model: Model, count: usize) -> Model {
+    let mut support = Support::FREE;
+    support[BeamMotion::W] = Restraint::Fixed;
+    support[BeamMotion::V] = Restraint::Fixed;
+    let length = model.beam.length;
+    model.supports.inner = (1..=count)
+        .map(|index| InnerSupport {
+            name: format!("B{index}"),
+            position: length * (index as f64 - 0.3) / count as f64,
+            support,
+        })
+        .collect();
+    model
+}
+
 /// The models to compare the kernel with the peak, and the number of frequencies.
-fn models() -> [(&'static str, Model, usize); 5] {
+fn models() -> [(&'static str, Model, usize); 8] {
+    let unsymmetric_hundred = unsymmetric(with_subsystems(100));
     [
         ("fig05a", preset("fig05a"), 2000),
+        ("fig05a, no symmetry", unsymmetric(preset("fig05a")), 2000),
+        ("100 subsystems, no symmetry", unsymmetric_hundred, 800),
+        ("fig05a on 2 bearings", held(preset("fig05a"), 2), 2000),
         ("fig13, with E_V", preset("fig13"), 2000),
         ("1 subsystem", with_subsystems(1), 2000),
         ("100 subsystems", with_subsystems(100), 800),
@@ -151,7 +179,7 @@ fn against_the_peak() {
         "time over the least that the peak of these instructions allows for them, and for them and the divisions."
     );
     println!(
-        "{:18} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8} {:>8}",
+        "{:28} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8} {:>8}",
         "", "us", "operat.", "divisions", "1e9/s", "peak", "times", "with div."
     );
     for (name, model, points) in models() {
@@ -168,7 +196,7 @@ fn against_the_peak() {
         let least = cost.multiply_adds / peak[0];
         let with_divisions = least + cost.divisions / peak[1];
         println!(
-            "{name:18} {:9.3} {:9.0} {:9.0} {:9.2} {:8.2} {:8.2} {:8.2}",
+            "{name:28} {:9.3} {:9.0} {:9.0} {:9.2} {:8.2} {:8.2} {:8.2}",
             time * 1e6,
             cost.multiply_adds,
             cost.divisions,
@@ -184,7 +212,7 @@ fn against_the_peak() {
 fn by_instructions() {
     println!("\nOne core, us a frequency by instructions:");
     let available = Instructions::available();
-    print!("{:18}", "");
+    print!("{:28}", "");
     for instructions in &available {
         print!(" {:>9}", format!("{instructions:?}"));
     }
@@ -198,7 +226,7 @@ fn by_instructions() {
                 *time = time.min(now / points as f64);
             }
         }
-        print!("{name:18}");
+        print!("{name:28}");
         for time in times {
             print!(" {:9.3}", time * 1e6);
         }

@@ -41,6 +41,7 @@ fn motion(x: f64, motion: BeamMotion, measure: Measure) -> Response {
         name: format!("{x} {motion:?} {measure:?}"),
         enabled: true,
         quantity: Quantity::Motion(Target::Beam(Place::Position(x), motion), measure),
+        point: beamtune::model::Point::AXIS,
     }
 }
 
@@ -96,6 +97,7 @@ fn rigid(damping: f64) -> (Model, Single) {
         stiffness: 500.0,
         damping: damping / 2.0,
         inertia: 0.0,
+        loss_factor: 0.0,
     };
     let mut support = Support::FREE;
     support[BeamMotion::W] = Restraint::Elastic(half);
@@ -110,6 +112,7 @@ fn rigid(damping: f64) -> (Model, Single) {
         target: Target::Beam(Place::Position(middle), BeamMotion::W),
         amplitude: 1.0,
         phase: 0.0,
+        point: beamtune::model::Point::AXIS,
     }];
     model.responses = vec![
         motion(middle, BeamMotion::W, Measure::Displacement),
@@ -118,6 +121,7 @@ fn rigid(damping: f64) -> (Model, Single) {
             name: "E_V".to_owned(),
             enabled: true,
             quantity: Quantity::Energy,
+            point: beamtune::model::Point::AXIS,
         },
         motion(middle, BeamMotion::V, Measure::Displacement),
     ];
@@ -267,6 +271,7 @@ fn an_undamped_resonance_in_the_band_is_infinite_where_it_shows() {
         target: Target::Beam(Place::Position(length / 3.0), BeamMotion::V),
         amplitude: 1.0,
         phase: 0.0,
+        point: beamtune::model::Point::AXIS,
     }];
     model.responses = vec![
         motion(length / 4.0, BeamMotion::V, Measure::Displacement),

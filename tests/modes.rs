@@ -16,8 +16,8 @@ use std::f64::consts::{PI, TAU};
 use std::sync::atomic::AtomicBool;
 
 use beamtune::model::{
-    self, Beam, BeamMotion, Elastic, Material, Model, Place, Restraint, Section, Spring, Subsystem,
-    Support, Target, Theory,
+    self, Beam, BeamMotion, Elastic, InnerSupport, Material, Model, Place, Restraint, Section,
+    Spring, Subsystem, Support, Target, Theory,
 };
 use beamtune::presets;
 use beamtune::solve::Cancelled;
@@ -141,6 +141,72 @@ fn a_foundation_without_symmetry() {
     model.beam.foundation.w.stiffness = 2e5;
     let expected = [46.26534, 91.73971, 166.27289, 174.83074, 303.57655];
     assert_modes(&model, &expected);
+}
+
+/// A support between the ends with some restraints.
+fn between(position: f64, restraints: &[(BeamMotion, Restraint)]) -> InnerSupport {
+    let mut support = Support::FREE;
+    for (motion, restraint) in restraints {
+        support[*motion] = *restraint;
+    }
+    InnerSupport {
+        name: "B1".to_owned(),
+        position,
+        support,
+    }
+}
+
+/// Expected: the same Ritz method; a rigid support at 0.6 m, a spring to the ground of 1e5 N/m along y at a point of the
+/// section 0.05 m from the axis, and a body of 1 kg and 2e-3 kg m2 at the tip.
+///
+/// That reference calls the direction z of the motion along y, `w + z psi`, its y.
+#[test]
+fn supports_and_masses_anywhere_without_symmetry() {
+    let pinned = || unsymmetric(1.5, Support::PINNED, Support::PINNED);
+    let fixed = Restraint::Fixed;
+    let mut held = pinned();
+    held.supports.inner = vec![between(
+        0.6,
+        &[
+            (BeamMotion::W, fixed),
+            (BeamMotion::V, fixed),
+            (BeamMotion::Psi, fixed),
+        ],
+    )];
+    assert_modes(&held, &[147.661_35, 253.268_16, 337.593_41, 557.628_03]);
+    let mut in_bearing = pinned();
+    in_bearing.supports.inner = vec![between(
+        0.6,
+        &[(BeamMotion::W, fixed), (BeamMotion::V, fixed)],
+    )];
+    assert_modes(
+        &in_bearing,
+        &[48.672_65, 172.198_84, 255.902_96, 387.006_23],
+    );
+
+    let spring = Restraint::Elastic(Elastic {
+        stiffness: 1e5,
+        ..Elastic::default()
+    });
+    let mut sprung = pinned();
+    sprung.supports.inner = vec![between(0.9, &[(BeamMotion::W, spring)])];
+    sprung.supports.inner[0].support.point.z = 0.05;
+    assert_modes(&sprung, &[58.707_21, 78.378_68, 165.310_24, 176.282_46]);
+
+    let mut tip = unsymmetric(1.5, Support::CLAMPED, Support::FREE);
+    let mass = |inertia| {
+        Restraint::Elastic(Elastic {
+            inertia,
+            ..Elastic::default()
+        })
+    };
+    tip.supports.right[BeamMotion::W] = mass(1.0);
+    tip.supports.right[BeamMotion::V] = mass(1.0);
+    tip.supports.right[BeamMotion::Psi] = mass(2e-3);
+    assert_modes(
+        &tip,
+        &[13.080_51, 16.088_50, 32.234_37, 82.366_96, 130.047_56],
+    );
 }
 
 /// Expected: closed form for pinned ends, otherwise the same Ritz method.
@@ -340,7 +406,14 @@ fn mass_on_stiff_beam(stiffness: f64, damping: f64) -> Model {
     model.beam.section.torsion_constant *= 100.0;
     model.supports.left = Support::CLAMPED;
     model.supports.right = Support::CLAMPED;
-    model.subsystems = vec![mass_on_springs(1.0, Spring { stiffness, damping })];
+    model.subsystems = vec![mass_on_springs(
+        1.0,
+        Spring {
+            stiffness,
+            damping,
+            loss_factor: 0.0,
+        },
+    )];
     model
 }
 
@@ -446,6 +519,7 @@ fn fifty_absorbers(seed: u64) -> Model {
             let spring = Spring {
                 stiffness: next(1e4, 4e6),
                 damping: next(0.0, 200.0),
+                loss_factor: 0.0,
             };
             Subsystem {
                 name: format!("A{index}"),
@@ -504,6 +578,7 @@ fn modes_that_are_followed_and_counted_are_those_found_afresh() {
             stiffness: 4e7 * (1.0 - 0.05 * f64::from(step)),
             damping: 800.0,
             inertia: 0.0,
+            loss_factor: 0.0,
         });
         followed = follow(&checked(&model), &followed, &NEVER).unwrap();
         assert_eq!(followed.completeness, Completeness::Uncounted);

@@ -13,7 +13,8 @@ use checked::checked;
 use std::f64::consts::{PI, TAU};
 
 use beamtune::model::{
-    self, BeamMotion, Bedding, Elastic, Force, MassMotion, Model, Place, Restraint, Support, Target,
+    self, BeamMotion, Bedding, Elastic, Force, MassMotion, Model, Place, Restraint, Support,
+    SupportId, Target,
 };
 use beamtune::presets;
 use beamtune::solve::operating::{Damper, Operating, operating};
@@ -89,6 +90,7 @@ fn loaded() -> impl Strategy<Value = Model> {
                 target,
                 amplitude,
                 phase,
+                point: beamtune::model::Point::AXIS,
             })
             .collect();
         if model.forces.is_empty() {
@@ -291,9 +293,12 @@ fn assert_in_balance(model: &Model, found: &Operating) {
     for (x, motion, load) in beam_loads(model) {
         act(x, motion, load);
     }
-    for (x, reaction) in [0.0, LENGTH].into_iter().zip(&found.reactions) {
-        for motion in BeamMotion::ALL {
-            act(x, motion, reaction[motion as usize]);
+    for (id, reaction) in SupportId::all(model).zip(&found.reactions) {
+        for (motion, force) in BeamMotion::ALL
+            .into_iter()
+            .zip(on_axis(model, id, reaction))
+        {
+            act(id.position(model), motion, force);
         }
     }
     for (subsystem, state) in model.attached().zip(&found.masses) {
@@ -310,6 +315,21 @@ fn assert_in_balance(model: &Model, found: &Operating) {
         let what = format!("balance {row} at {} Hz", found.frequency);
         assert_near(terms.iter().sum(), Complex64::ZERO, tolerance, &what);
     }
+}
+
+/// The forces of a support on the axis: those at its point turn about it.
+fn on_axis(model: &Model, id: SupportId, reaction: &[Complex64; 6]) -> [Complex64; 6] {
+    let point = id.support(model).point;
+    let [w, psi, v, slopes @ ..] = *reaction;
+    let [w_slope, psi_slope, v_slope] = slopes;
+    [
+        w,
+        psi + point.z * w - point.y * v,
+        v,
+        w_slope,
+        psi_slope,
+        v_slope,
+    ]
 }
 
 /// The balance of every mass: loads and springs against its inertia.
@@ -387,6 +407,15 @@ fn assert_forces_meet(model: &Model, found: &Operating) {
                 acting[2] += z_left + z_right;
             }
         }
+        for (index, inner) in model.supports.inner.iter().enumerate() {
+            let id = SupportId::Inner(index);
+            if inner.position == x {
+                let forces = on_axis(model, id, &found.reactions[2 + index]);
+                for (acting, force) in acting.iter_mut().zip(forces) {
+                    *acting += force;
+                }
+            }
+        }
         for row in 0..6 {
             let jump = found.forces[row][right] - found.forces[row][left];
             assert_near(
@@ -399,9 +428,10 @@ fn assert_forces_meet(model: &Model, found: &Operating) {
     }
     for (end, index, outward) in [(0, 0, -1.0), (1, last, 1.0)] {
         let load = loads_at(found.positions[index]);
+        let reaction = on_axis(model, SupportId::ENDS[end], &found.reactions[end]);
         for row in 0..6 {
             let outer = outward * found.forces[row][index];
-            let want = load[row] + found.reactions[end][row];
+            let want = load[row] + reaction[row];
             assert_near(outer, want, scale(row), &format!("end {end}, {row}"));
         }
     }
@@ -599,6 +629,7 @@ fn a_section_without_warping_carries_no_bimoment() {
         stiffness: 10.0,
         damping: 1.0,
         inertia: 0.0,
+        loss_factor: 0.0,
     });
     let found = operating(&checked(&model), 20.0, 9);
     let torsion = model.beam.material.shear_modulus * model.beam.section.torsion_constant;
@@ -637,18 +668,22 @@ fn dampers_are_named_and_take_what_a_single_mass_gives_them() {
     subsystem.y_left = model::Spring {
         stiffness: 30.0,
         damping: 1.5,
+        loss_factor: 0.0,
     };
     subsystem.y_right = model::Spring {
         stiffness: 10.0,
         damping: 0.5,
+        loss_factor: 0.0,
     };
     subsystem.z_left = model::Spring {
         stiffness: 10.0,
         damping: 0.0,
+        loss_factor: 0.0,
     };
     subsystem.z_right = model::Spring {
         stiffness: 10.0,
         damping: 0.0,
+        loss_factor: 0.0,
     };
     model.forces = vec![Force {
         amplitude: 3.0,

@@ -702,7 +702,7 @@ fn with_damping(mut model: Model, factor: f64) -> Model {
         }
     }
     for support in [&mut model.supports.left, &mut model.supports.right] {
-        for restraint in &mut support.0 {
+        for restraint in &mut support.restraints {
             if let Restraint::Elastic(elastic) = restraint {
                 elastic.damping *= factor;
             }
@@ -731,8 +731,7 @@ proptest! {
         model.responses = quantities.into_iter().enumerate().map(|(index, quantity)| Response {
             name: format!("R{index}"),
             enabled: true,
-            quantity,
-        }).collect();
+            quantity, point: beamtune::model::Point::AXIS, }).collect();
         model.sweep = Sweep { from: 3.0, to: 300.0, points: 60, spacing: Spacing::Linear };
         assert_is_resolved(&model, 1e-10);
     }

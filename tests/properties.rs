@@ -11,11 +11,14 @@ mod common;
 mod checked;
 
 use beamtune::model::{
-    BeamMotion, Force, Measure, Model, Place, Quantity, Response, Restraint, Spring, Subsystem,
-    Support, Supports, Target,
+    BeamMotion, Elastic, Force, InnerSupport, Measure, Model, Place, Point, Quantity, Response,
+    Restraint, Spring, Subsystem, Support, Supports, Target,
 };
 use checked::checked;
-use common::{LENGTH, exists, frequencies, models, respond, subsystems, targets, unit_force};
+use common::{
+    LENGTH, exists, frequencies, models, respond, respond_at_points, subsystems, targets,
+    unit_force,
+};
 use num_complex::Complex64;
 use proptest::prelude::*;
 use std::sync::atomic::AtomicBool;
@@ -34,6 +37,13 @@ fn probes() -> [Target; 3] {
         beam(1.7, BeamMotion::Psi),
         beam(2.9, BeamMotion::V),
     ]
+}
+
+/// A displacement of a point of the section between the ends.
+fn points() -> impl Strategy<Value = (Target, Point)> {
+    let motion = prop_oneof![Just(BeamMotion::W), Just(BeamMotion::V)];
+    (0.01..LENGTH - 0.01, motion, -0.2..0.2, -0.2..0.2)
+        .prop_map(|(x, motion, y, z)| (beam(x, motion), Point { y, z }))
 }
 
 /// A load that excites every motion.
@@ -68,6 +78,56 @@ proptest! {
         prop_assert!((from_a[1] - from_b[0]).norm() <= TOLERANCE * scale, "{} {} {scale:e}", from_a[1], from_b[0]);
     }
 
+    /// Maxwell-Betti at points of the section: the motion of the point B under a force on A is that of A under a force on B.
+    #[test]
+    fn reciprocity_of_points(model in models(), a in points(), b in points(), hertz in frequencies()) {
+        let both = [a.clone(), b.clone()];
+        let on = |(target, point): &(Target, Point)| Force { point: *point, ..unit_force(target.clone()) };
+        let from_a = respond_at_points(&model, vec![on(&a)], &both, hertz);
+        let from_b = respond_at_points(&model, vec![on(&b)], &both, hertz);
+        let scale = from_a[1].norm() + (from_a[0].norm() * from_b[1].norm()).sqrt();
+        prop_assert!((from_a[1] - from_b[0]).norm() <= TOLERANCE * scale, "{} {} {scale:e}", from_a[1], from_b[0]);
+    }
+
+    /// A force on a point of the section is that force on the axis and its torque about it; the point moves by the motion
+    /// of the axis and by the twist.
+    #[test]
+    fn a_point_is_an_arm_about_the_axis(model in models(), at in points(), hertz in frequencies()) {
+        let (Target::Beam(place, motion), point) = at.clone() else { unreachable!("points are on the beam") };
+        let arm = if motion == BeamMotion::W { point.z } else { -point.y };
+        let twist = Target::Beam(place, BeamMotion::Psi);
+        let torque = Force { amplitude: arm, ..unit_force(twist.clone()) };
+        let on_axis = respond(&model, vec![unit_force(at.0.clone()), torque], &probes(), hertz);
+        let on_point = Force { point, ..unit_force(at.0.clone()) };
+        assert_same(&respond(&model, vec![on_point], &probes(), hertz), &on_axis);
+        let parts = respond(&model, load(), &[at.0.clone(), twist], hertz);
+        let whole = respond_at_points(&model, load(), &[at], hertz)[0];
+        let sum = parts[0] + arm * parts[1];
+        prop_assert!((whole - sum).norm() <= TOLERANCE * (parts[0].norm() + (arm * parts[1]).norm()));
+    }
+
+    /// A spring to the ground that is much stiffer than the beam holds like a fixed motion, and one that is much softer
+    /// like none.
+    #[test]
+    fn a_spring_is_between_fixed_and_free(model in models(), x in 0.5..1.2, motion in prop::sample::select(BeamMotion::ALL.to_vec()), hertz in frequencies()) {
+        prop_assume!(motion != BeamMotion::PsiSlope || model.beam.section.warping_constant > 0.0);
+        prop_assume!(model.supports.inner.is_empty());
+        let held = |restraint: Restraint| {
+            let mut model = model.clone();
+            let mut support = Support { point: Point { y: 0.03, z: -0.05 }, ..Support::FREE };
+            support[motion] = restraint;
+            model.supports.inner = vec![InnerSupport { name: "held".into(), position: x, support }];
+            respond(&model, load(), &probes(), hertz)
+        };
+        let spring = |stiffness| Restraint::Elastic(Elastic { stiffness, ..Elastic::default() });
+        let near = |got: Vec<Complex64>, want: Vec<Complex64>| {
+            let scale = want.iter().map(|z| z.norm()).fold(0.0, f64::max);
+            got.iter().zip(&want).all(|(got, want)| (got - want).norm() <= 1e-6 * scale)
+        };
+        prop_assert!(near(held(spring(1e18)), held(Restraint::Fixed)));
+        prop_assert!(near(held(spring(1e-6)), respond(&model, load(), &probes(), hertz)));
+    }
+
     /// Superposition: two forces with phases give the weighted sum of their responses.
     #[test]
     fn linearity(model in models(), a in targets(), b in targets(), phase in -180.0..180.0, hertz in frequencies()) {
@@ -92,6 +152,9 @@ proptest! {
         for subsystem in &mut mirrored.subsystems {
             subsystem.position = LENGTH - subsystem.position;
         }
+        for inner in &mut mirrored.supports.inner {
+            inner.position = LENGTH - inner.position;
+        }
         let turn = |target: &Target| match target {
             Target::Beam(Place::Position(x), motion) => beam(LENGTH - x, *motion),
             other => other.clone(),
@@ -104,7 +167,7 @@ proptest! {
     /// A subsystem is equivalent to two halves of it at its position.
     #[test]
     fn a_station_split_in_two(model in models(), whole in subsystems(), hertz in frequencies()) {
-        let half = |spring: Spring| Spring { stiffness: 0.5 * spring.stiffness, damping: 0.5 * spring.damping };
+        let half = |spring: Spring| Spring { stiffness: 0.5 * spring.stiffness, damping: 0.5 * spring.damping, ..spring };
         let part = |name: &str| Subsystem {
             name: name.into(),
             mass: 0.5 * whole.mass,
@@ -139,6 +202,11 @@ proptest! {
         let mut model = model;
         model.beam.section.product_moment = 0.0;
         model.beam.section.centroid_offset_y = 0.0;
+        for inner in &mut model.supports.inner {
+            inner.support.point.y = 0.0;
+        }
+        model.supports.left.point.y = 0.0;
+        model.supports.right.point.y = 0.0;
         for subsystem in &mut model.subsystems {
             subsystem.arm_right = subsystem.arm_left;
             subsystem.z_right = subsystem.z_left;
@@ -186,7 +254,10 @@ fn condensed(subsystem: &Subsystem, omega: f64) -> nalgebra::Matrix3<Complex64> 
         let stretch = nalgebra::Vector6::from(stretch).map(Complex64::from);
         k += stretch
             * stretch.transpose()
-            * Complex64::new(spring.stiffness, omega * spring.damping);
+            * Complex64::new(
+                spring.stiffness,
+                spring.stiffness * spring.loss_factor + omega * spring.damping,
+            );
     }
     for (row, inertia) in [s.mass, s.mass, s.inertia].into_iter().enumerate() {
         k[(row, row)] -= omega * omega * inertia;
@@ -250,6 +321,7 @@ fn cantilever() -> Model {
     model.supports = Supports {
         left: Support::CLAMPED,
         right: Support::FREE,
+        inner: Vec::new(),
     };
     model.subsystems.clear();
     model.studies.clear();
@@ -340,6 +412,7 @@ fn an_undamped_absorber_holds_its_station_still() {
     let spring = Spring {
         stiffness: 0.5 * 20.0 * omega * omega,
         damping: 0.0,
+        loss_factor: 0.0,
     };
     model.subsystems = vec![Subsystem {
         name: "S1".into(),
@@ -375,12 +448,14 @@ fn an_undamped_beam_at_its_resonance_has_no_finite_answer() {
     model.supports = Supports {
         left: Support::PINNED,
         right: Support::PINNED,
+        inner: Vec::new(),
     };
     model.forces = vec![unit_force(beam(0.7, BeamMotion::W))];
     model.responses = vec![Response {
         name: "w".into(),
         enabled: true,
         quantity: Quantity::Motion(beam(1.1, BeamMotion::W), Measure::Displacement),
+        point: beamtune::model::Point::AXIS,
     }];
     let (material, section) = (model.beam.material, model.beam.section);
     let wave_speed = (material.young_modulus * section.second_moment_y
@@ -431,6 +506,7 @@ fn energy_of_a_beam_that_moves_as_one() {
     model.supports = Supports {
         left: end,
         right: end,
+        inner: Vec::new(),
     };
     model.forces = vec![unit_force(beam(0.5 * model.beam.length, BeamMotion::W))];
     model.responses = vec![
@@ -438,6 +514,7 @@ fn energy_of_a_beam_that_moves_as_one() {
             name: "E_V".into(),
             enabled: true,
             quantity: Quantity::Energy,
+            point: beamtune::model::Point::AXIS,
         },
         Response {
             name: "w".into(),
@@ -446,6 +523,7 @@ fn energy_of_a_beam_that_moves_as_one() {
                 beam(0.5 * model.beam.length, BeamMotion::W),
                 Measure::Displacement,
             ),
+            point: beamtune::model::Point::AXIS,
         },
     ];
     let frf = beamtune::solve::sweep(&checked(&model), &[0.05], &AtomicBool::new(false)).unwrap();

@@ -140,6 +140,7 @@ fn restraint() -> impl Strategy<Value = Restraint> {
                     stiffness,
                     damping,
                     inertia,
+                    loss_factor: 0.0,
                 })
             }
         ),
@@ -155,7 +156,7 @@ fn support() -> impl Strategy<Value = Support> {
         restraint(),
         restraint(),
     ]
-    .prop_map(Support);
+    .prop_map(Support::on_axis);
     prop_oneof![
         Just(Support::FREE),
         Just(Support::PINNED),
@@ -165,7 +166,11 @@ fn support() -> impl Strategy<Value = Support> {
 }
 
 fn spring() -> impl Strategy<Value = Spring> {
-    (not_negative(), not_negative()).prop_map(|(stiffness, damping)| Spring { stiffness, damping })
+    (not_negative(), not_negative()).prop_map(|(stiffness, damping)| Spring {
+        stiffness,
+        damping,
+        loss_factor: 0.0,
+    })
 }
 
 fn subsystems(length: f64) -> impl Strategy<Value = Vec<Subsystem>> {
@@ -245,6 +250,7 @@ fn forces(length: f64, masses: Vec<String>) -> impl Strategy<Value = Vec<Force>>
             target,
             amplitude,
             phase,
+            point: beamtune::model::Point::AXIS,
         };
         forces.into_iter().map(one).collect()
     })
@@ -261,6 +267,7 @@ fn responses(length: f64, masses: Vec<String>) -> impl Strategy<Value = Vec<Resp
             name,
             enabled,
             quantity,
+            point: beamtune::model::Point::AXIS,
         };
         names.into_iter().zip(rest).map(one).collect()
     })
@@ -355,7 +362,11 @@ fn model() -> impl Strategy<Value = Model> {
                             title: title.clone(),
                             notes: notes.clone(),
                             beam,
-                            supports: Supports { left, right },
+                            supports: Supports {
+                                left,
+                                right,
+                                inner: Vec::new(),
+                            },
                             subsystems: subsystems.clone(),
                             forces: forces.clone(),
                             responses: responses.clone(),
@@ -514,7 +525,7 @@ fn a_number_changes_alone() {
         model.beam.length = 3.25;
         model.beam.material.shear_modulus = 7.9e10;
         model.beam.material.loss_factor = 0.01;
-        model.supports.left[BeamMotion::V] = Restraint::Elastic(Elastic { stiffness: 4e7, damping: 900.0, inertia: 2.0 });
+        model.supports.left[BeamMotion::V] = Restraint::Elastic(Elastic { stiffness: 4e7, damping: 900.0, inertia: 2.0, loss_factor: 0.0, });
         model.subsystems[0].z_left.damping = 5.0;
         model.subsystems[1].y_left.damping = 7.0;
         model.subsystems[1].z_right.stiffness = -0.0;
@@ -804,7 +815,7 @@ fn other_styles_of_tables_are_kept() {
         let copy = Subsystem { name: "B".to_owned(), ..model.subsystems[0].clone() };
         model.subsystems.insert(0, copy);
         model.forces[0].phase = 90.0;
-        model.responses.push(Response { name: "s".to_owned(), enabled: true, quantity: Quantity::Energy });
+        model.responses.push(Response { name: "s".to_owned(), enabled: true, quantity: Quantity::Energy, point: beamtune::model::Point::AXIS, });
         model.studies.push(Study {
             name: "new".to_owned(),
             family: Family::Vary { paths: vec!["beam.length".into()], operation: Operation::Multiply, values: vec![1.0] },

@@ -1,14 +1,15 @@
 //! The rules that make a model physically possible.
 
 mod studies;
+mod supports;
 mod target;
 mod tuning;
 
 use super::fault::Fault;
-use super::id::End;
+use super::id::SupportId;
 use super::schema::{
-    BEAM, FEWEST_POINTS, FOUNDATION, MATERIAL, MOST_POINTS, Range, Rows, SECTION, SUBSYSTEM, SWEEP,
-    elastic,
+    BEAM, FEWEST_POINTS, FOUNDATION, MATERIAL, MOST_POINTS, Range, Rows, SECTION, SUBSYSTEM,
+    SUPPORT, SWEEP, elastic,
 };
 use super::spelling::{LONGEST_NAME, element_keys, is_too_long};
 use super::toml_literal::format_number;
@@ -103,13 +104,13 @@ pub fn check_state(model: &Model) -> Vec<Fault> {
 /// The rules of the structure itself, without those of the studies and the tuning.
 fn state(model: &Model, faults: &mut Vec<Fault>) {
     beam(&model.beam, faults);
-    for end in End::ALL {
-        support(
-            &format!("supports.{}", end.key()),
-            end.support(model),
-            faults,
-        );
+    for (end, of) in SupportId::WORDS
+        .into_iter()
+        .zip([&model.supports.left, &model.supports.right])
+    {
+        support(&format!("supports.{end}"), of, faults);
     }
+    supports::inner(model, faults);
     subsystems(model, faults);
     target::forces(model, faults);
     target::responses(model, faults);
@@ -195,6 +196,7 @@ fn beam(beam: &Beam, faults: &mut Vec<Fault>) {
 }
 
 fn support(path: &str, support: &Support, faults: &mut Vec<Fault>) {
+    numbers(path, support, &SUPPORT, faults);
     for motion in BeamMotion::ALL {
         if let Restraint::Elastic(restraint) = &support[motion] {
             let path = format!("{path}.{}", motion.key());

@@ -21,7 +21,7 @@ pub fn delta(before: &Model, after: &Model) -> String {
         title: after.title.clone(),
         notes: after.notes.clone(),
         beam: after.beam,
-        supports: after.supports,
+        supports: after.supports.clone(),
         sweep: after.sweep,
         subsystems: replaced(&before.subsystems, &after.subsystems, &mut spans),
         forces: replaced(&before.forces, &after.forces, &mut spans),
@@ -152,7 +152,7 @@ mod tests {
         let model = sample::model(&["S1", "left \"2\"", "a.b", "S4"]);
         assert!(model.tune.is_some() && !model.studies.is_empty());
         let held = Restraint::Elastic(Elastic::default());
-        returns(&[
+        let models = vec![
             model.clone(),
             changed(&model, |model| model.subsystems[2].mass = 0.1 + 0.2),
             changed(&model, |model| {
@@ -183,7 +183,8 @@ mod tests {
             changed(&model, |model| model.supports.left[BeamMotion::W] = held),
             changed(&model, |model| model.supports.right = Support::CLAMPED),
             changed(&model, |model| model.sweep.points += 1),
-        ]);
+        ];
+        returns(&models);
     }
 
     #[test]

@@ -1,8 +1,10 @@
 //! The description of a parameter for people.
 
 use super::edit::{Value, directions, get, places, target_of};
-use super::id::{Group, ParameterId};
-use super::schema::{FEWEST_POINTS, ForceKey, Kind, MOST_POINTS, SectionKey, SubsystemKey};
+use super::id::{Group, ParameterId, SupportId};
+use super::schema::{
+    FEWEST_POINTS, ForceKey, InnerSupportKey, Kind, MOST_POINTS, SectionKey, SubsystemKey,
+};
 use super::spelling::nearest;
 use super::types::{Model, Quantity, Restraint, Support};
 use crate::unit::{Measure, Unit, value_input};
@@ -30,7 +32,7 @@ impl Parameter {
     /// The parameter of an id.
     ///
     /// # Errors
-    /// It has no value now: a fixed motion has no spring, an energy has no position.
+    /// It has no value now: a fixed motion has no spring, an energy no position, a twist no point of the section.
     pub fn of(model: &Model, id: ParameterId) -> Result<Self, String> {
         let value = get(model, id)?;
         let key = id.key();
@@ -110,6 +112,11 @@ fn range(model: &Model, id: ParameterId) -> String {
         (_, Group::Section) => section_range(model, id),
         (_, Group::Subsystem(_)) if id.row == SubsystemKey::Position as usize => {
             format!("0 to {} m", short(model.beam.length))
+        }
+        (_, Group::Support(SupportId::Inner(_)))
+            if id.row == InnerSupportKey::Position as usize =>
+        {
+            format!("> 0, < {} m", short(model.beam.length))
         }
         (_, Group::Sweep) if key.key == "from" => {
             format!("> 0, below {} Hz", short(model.sweep.to))
@@ -230,6 +237,7 @@ mod tests {
             "> 0 without a warping constant"
         );
         assert_eq!(range("subsystems.S1.position"), "0 to 3.2 m");
+        assert_eq!(range("supports.inner.B1.position"), "> 0, < 3.2 m");
         assert_eq!(range("sweep.to"), "above 1 Hz");
         assert_eq!(
             range("forces.1.at"),

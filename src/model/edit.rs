@@ -13,7 +13,7 @@ pub use value::{Value, get, number, put};
 
 use super::check::Checked;
 use super::fault::Fault;
-use super::id::{Group, ParameterId};
+use super::id::{Group, ParameterId, SupportId};
 use super::path::{self, Pattern};
 use super::types::Model;
 use std::cmp::Ordering;
@@ -33,6 +33,7 @@ pub fn changed(model: &Model, id: ParameterId, value: Value) -> Result<Checked, 
 /// Removes an element from its list.
 pub fn remove(model: &mut Model, element: Group) {
     match element {
+        Group::Support(SupportId::Inner(i)) => drop(model.supports.inner.remove(i)),
         Group::Subsystem(i) => drop(model.subsystems.remove(i)),
         Group::Force(i) => drop(model.forces.remove(i)),
         Group::Response(i) => drop(model.responses.remove(i)),
@@ -44,7 +45,7 @@ pub fn remove(model: &mut Model, element: Group) {
 /// The first study or variable with a path that matches other parameters, or none, after the removal of an element.
 pub fn misled(before: &Model, after: &Model, removed: Group) -> Option<Group> {
     // Elements after the removed one move up by one.
-    let same_list = |group: Group| discriminant(&group) == discriminant(&removed);
+    let same_list = |group: Group| discriminant(&group.owner()) == discriminant(&removed);
     let moved = |id: ParameterId| match (id.group.place(), removed.place()) {
         (Some(own), Some(there)) if same_list(id.group) => match own.cmp(&there) {
             Ordering::Less => Some(id),
@@ -149,6 +150,21 @@ mod tests {
             assert_eq!(misled_by(0, pattern), None, "{pattern}");
         }
         assert_eq!(misled_by(1, "subsystems.'a.b'.mass"), study);
+        let mut model = sample::model(&["S1"]);
+        model.tune = None;
+        let family = Family::Vary {
+            paths: vec!["supports.inner.B1.w.stiffness".into()],
+            operation: Operation::Multiply,
+            values: vec![1.0],
+        };
+        model.studies = vec![Study {
+            name: "only".to_owned(),
+            family,
+        }];
+        let mut after = model.clone();
+        let bearing = Group::Support(SupportId::Inner(0));
+        remove(&mut after, bearing);
+        assert_eq!(misled(&model, &after, bearing), study);
         assert_eq!(misled_by(2, "subsystems.1.mass"), None);
         // The supports do not move when a subsystem is removed.
         assert_eq!(misled_by(2, "supports.right.w.stiffness"), None);

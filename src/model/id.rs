@@ -1,42 +1,89 @@
 //! Identifiers of the groups and parameters of a model: small values without text.
 
 use super::schema::{self, Key, Kind};
-use super::types::{BeamMotion, Model, Quantity, Restraint, Support};
+use super::types::{BeamMotion, Model, Quantity, Restraint, Support, Target};
 
-/// An end of the beam.
+/// A support of the beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum End {
-    /// x = 0.
+pub enum SupportId {
+    /// At x = 0.
     Left,
-    /// x = L.
+    /// At x = L.
     Right,
+    /// Between the ends, by its index in the list.
+    Inner(usize),
 }
 
-impl End {
-    /// Both, from the left.
-    pub const ALL: [Self; 2] = [Self::Left, Self::Right];
+impl SupportId {
+    /// Those of the ends, from the left.
+    pub const ENDS: [Self; 2] = [Self::Left, Self::Right];
 
-    /// The word of the model file.
-    pub const fn key(self) -> &'static str {
+    /// Their words in the model file.
+    pub const WORDS: [&'static str; 2] = ["left", "right"];
+
+    /// All supports of a model: those of the ends, then the inner ones.
+    pub fn all(model: &Model) -> impl Iterator<Item = Self> + use<> {
+        (0..Self::ENDS.len() + model.supports.inner.len()).map(Self::at)
+    }
+
+    /// The word of an end in the model file, or the name of an inner support.
+    pub fn name(self, model: &Model) -> &str {
         match self {
-            Self::Left => "left",
-            Self::Right => "right",
+            Self::Left => Self::WORDS[0],
+            Self::Right => Self::WORDS[1],
+            Self::Inner(index) => &model.supports.inner[index].name,
         }
     }
 
-    /// The support of this end.
-    pub const fn support(self, model: &Model) -> &Support {
+    /// The support.
+    pub fn support(self, model: &Model) -> &Support {
         match self {
             Self::Left => &model.supports.left,
             Self::Right => &model.supports.right,
+            Self::Inner(index) => &model.supports.inner[index].support,
         }
     }
 
-    /// The support of this end, mutable.
-    pub const fn support_mut(self, model: &mut Model) -> &mut Support {
+    /// The support, mutable.
+    pub fn support_mut(self, model: &mut Model) -> &mut Support {
         match self {
             Self::Left => &mut model.supports.left,
             Self::Right => &mut model.supports.right,
+            Self::Inner(index) => &mut model.supports.inner[index].support,
+        }
+    }
+
+    /// Its distance from the left end, m.
+    pub fn position(self, model: &Model) -> f64 {
+        match self {
+            Self::Left => 0.0,
+            Self::Right => model.beam.length,
+            Self::Inner(index) => model.supports.inner[index].position,
+        }
+    }
+
+    /// The number of keys before those that every support has.
+    pub(super) const fn own_keys(self) -> usize {
+        match self {
+            Self::Left | Self::Right => 0,
+            Self::Inner(_) => schema::INNER_SUPPORT.keys.len(),
+        }
+    }
+
+    /// Its index among all supports.
+    const fn place(self) -> usize {
+        match self {
+            Self::Left => 0,
+            Self::Right => 1,
+            Self::Inner(index) => Self::ENDS.len() + index,
+        }
+    }
+
+    const fn at(place: usize) -> Self {
+        match place {
+            0 => Self::Left,
+            1 => Self::Right,
+            inner => Self::Inner(inner - Self::ENDS.len()),
         }
     }
 }
@@ -54,12 +101,12 @@ pub enum Group {
     Section,
     /// The foundation.
     Foundation,
-    /// Both supports.
+    /// All supports.
     Supports,
-    /// One end's support.
-    Support(End),
-    /// The spring of one motion of an end.
-    Motion(End, BeamMotion),
+    /// One support.
+    Support(SupportId),
+    /// The spring of one motion of a support.
+    Motion(SupportId, BeamMotion),
     /// All subsystems.
     Subsystems,
     /// One subsystem.
@@ -97,7 +144,8 @@ impl Group {
             Self::Material => schema::MATERIAL.keys,
             Self::Section => schema::SECTION.keys,
             Self::Foundation => schema::FOUNDATION.keys,
-            Self::Support(_) => schema::SUPPORT.keys,
+            Self::Support(SupportId::Left | SupportId::Right) => schema::SUPPORT.keys,
+            Self::Support(SupportId::Inner(_)) => schema::INNER_SUPPORT_KEYS,
             Self::Motion(_, motion) => schema::elastic(motion).keys,
             Self::Subsystem(_) => schema::SUBSYSTEM.keys,
             Self::Force(_) => schema::FORCE.keys,
@@ -122,7 +170,7 @@ impl Group {
             Self::Model => return None,
             Self::Material | Self::Section | Self::Foundation => Self::Beam,
             Self::Support(_) => Self::Supports,
-            Self::Motion(end, _) => Self::Support(end),
+            Self::Motion(support, _) => Self::Support(support),
             Self::Subsystem(_) => Self::Subsystems,
             Self::Force(_) => Self::Forces,
             Self::Response(_) => Self::Responses,
@@ -154,9 +202,9 @@ impl Group {
                     .collect()
             }
             Self::Beam => vec![Self::Material, Self::Section, Self::Foundation],
-            Self::Supports => End::ALL.map(Self::Support).to_vec(),
-            Self::Support(end) => BeamMotion::ALL
-                .map(|motion| Self::Motion(end, motion))
+            Self::Supports => SupportId::all(model).map(Self::Support).collect(),
+            Self::Support(support) => BeamMotion::ALL
+                .map(|motion| Self::Motion(support, motion))
                 .to_vec(),
             Self::Subsystems => each(model.subsystems.len(), Self::Subsystem),
             Self::Forces => each(model.forces.len(), Self::Force),
@@ -174,20 +222,20 @@ impl Group {
         }
     }
 
-    /// The beam, end or list element that it belongs to, which the first parts of a path name.
+    /// The beam, support or list element that it belongs to, which the first parts of a path name.
     #[must_use]
     pub const fn owner(self) -> Self {
         match self {
             Self::Material | Self::Section | Self::Foundation => Self::Beam,
-            Self::Motion(end, _) => Self::Support(end),
+            Self::Motion(support, _) => Self::Support(support),
             other => other,
         }
     }
 
-    /// Its index among the ends or in its list.
+    /// Its index among the supports or in its list.
     pub const fn place(self) -> Option<usize> {
         match self {
-            Self::Support(end) | Self::Motion(end, _) => Some(end as usize),
+            Self::Support(support) | Self::Motion(support, _) => Some(support.place()),
             Self::Subsystem(i)
             | Self::Force(i)
             | Self::Response(i)
@@ -199,12 +247,11 @@ impl Group {
         }
     }
 
-    /// The same group of another end or list element.
+    /// The same group of another support or list element.
     #[must_use]
     pub fn at(self, place: usize) -> Self {
         match self {
-            Self::Support(_) => Self::Support(End::ALL[place]),
-            Self::Motion(_, motion) => Self::Motion(End::ALL[place], motion),
+            Self::Support(_) | Self::Motion(..) => self.of_support(SupportId::at(place)),
             Self::Subsystem(_) => Self::Subsystem(place),
             Self::Force(_) => Self::Force(place),
             Self::Response(_) => Self::Response(place),
@@ -212,6 +259,16 @@ impl Group {
             Self::Variable(_) => Self::Variable(place),
             Self::Objective(_) => Self::Objective(place),
             Self::Limit(_) => Self::Limit(place),
+            other => other,
+        }
+    }
+
+    /// The same group of another support; a group of none stays.
+    #[must_use]
+    pub const fn of_support(self, support: SupportId) -> Self {
+        match self {
+            Self::Support(_) => Self::Support(support),
+            Self::Motion(_, motion) => Self::Motion(support, motion),
             other => other,
         }
     }
@@ -231,18 +288,23 @@ impl Group {
         self.parameters().find(|id| id.key().kind == kind)
     }
 
-    /// The parameters of a beam, end or element and all groups inside, in the order of the file.
+    /// The parameters of a beam, support or element and all groups inside, in the order of the file.
     pub(super) fn owned(self) -> Vec<ParameterId> {
         match self {
             Self::Beam => [Self::Beam, Self::Material, Self::Section, Self::Foundation]
                 .into_iter()
                 .flat_map(Self::parameters)
                 .collect(),
-            Self::Support(end) => {
-                let mut all: Vec<_> = self.parameter_of(Kind::Support).into_iter().collect();
-                for motion in BeamMotion::ALL {
-                    all.push(ParameterId::restraint(end, motion));
-                    all.extend(Self::Motion(end, motion).parameters());
+            Self::Support(support) => {
+                let mut all = Vec::new();
+                for id in self.parameters() {
+                    all.push(id);
+                    let motion = id.motion();
+                    all.extend(
+                        motion
+                            .into_iter()
+                            .flat_map(|motion| Self::Motion(support, motion).parameters()),
+                    );
                 }
                 all
             }
@@ -266,15 +328,17 @@ impl ParameterId {
     /// The model's title.
     pub const TITLE: Self = Group::Model.parameter(0);
 
-    /// The restraint of a motion of an end: the rows after the word for all motions.
-    pub const fn restraint(end: End, motion: BeamMotion) -> Self {
-        Group::Support(end).parameter(1 + motion as usize)
+    /// The restraint of a motion of a support: the rows after the word for all motions.
+    pub const fn restraint(support: SupportId, motion: BeamMotion) -> Self {
+        Group::Support(support).parameter(support.own_keys() + 1 + motion as usize)
     }
 
-    /// The motion of an end whose restraint it is.
+    /// The motion of a support whose restraint it is.
     pub fn motion(self) -> Option<BeamMotion> {
-        let is_restraint = matches!(self.group, Group::Support(_)) && self.row > 0;
-        is_restraint.then(|| BeamMotion::ALL[self.row - 1])
+        let key = self.key();
+        (key.kind == Kind::Restraint)
+            .then(|| BeamMotion::of_word(key.key))
+            .flatten()
     }
 
     /// Its description.
@@ -296,18 +360,49 @@ impl ParameterId {
         all
     }
 
-    /// Whether it has a value: a fixed motion has no spring, an energy has no position.
+    /// Whether it has a value: a fixed motion has no spring, an energy no position, a twist no point of the section.
     pub fn exists(self, model: &Model) -> bool {
         match (self.group, self.key().kind) {
-            (Group::Motion(end, motion), _) => end.support(model)[motion] != Restraint::Fixed,
+            (Group::Motion(support, motion), _) => {
+                support.support(model)[motion] != Restraint::Fixed
+            }
             (Group::Response(index), Kind::Place | Kind::Direction) => {
                 model.responses[index].quantity != Quantity::Energy
             }
-            _ => true,
+            (group, _) => self.moved_by_twist().is_none_or(|motion| {
+                let target = super::edit::target_of(model, group);
+                matches!(target, Some(Target::Beam(_, own)) if *own == motion)
+            }),
         }
     }
 
-    /// The same parameter of another end or list element.
+    /// For a coordinate of the point of a force or response: the motion that it matters for.
+    fn moved_by_twist(self) -> Option<BeamMotion> {
+        use schema::{ForceKey, ResponseKey};
+        let is_row = |y: usize, z: usize| match self.row {
+            row if row == y => Some(BeamMotion::V),
+            row if row == z => Some(BeamMotion::W),
+            _ => None,
+        };
+        match self.group {
+            Group::Force(_) => is_row(ForceKey::Y as usize, ForceKey::Z as usize),
+            Group::Response(_) => is_row(ResponseKey::Y as usize, ResponseKey::Z as usize),
+            _ => None,
+        }
+    }
+
+    /// The parameter with the same key in another group of its kind; none if that has no such key: an end has no position.
+    pub fn of_group(self, group: Group) -> Option<Self> {
+        let row = match (self.group, group) {
+            (Group::Support(own), Group::Support(other)) => {
+                (self.row + other.own_keys()).checked_sub(own.own_keys())?
+            }
+            _ => self.row,
+        };
+        Some(group.parameter(row))
+    }
+
+    /// The same parameter of another support or list element.
     #[must_use]
     pub fn at(self, place: usize) -> Self {
         self.group.at(place).parameter(self.row)

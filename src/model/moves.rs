@@ -4,12 +4,13 @@
 
 use std::collections::HashMap;
 
-use super::id::{Group, ParameterId};
+use super::id::{Group, ParameterId, SupportId};
 use super::types::Model;
 
 /// How the lists of a model changed.
 #[derive(Debug)]
 pub struct Moves {
+    inner_supports: Move,
     subsystems: Move,
     forces: Move,
     responses: Move,
@@ -72,7 +73,9 @@ impl Move {
 impl Moves {
     /// Compares a model with one in which elements were added, removed or renamed.
     pub fn new(before: &Model, after: &Model) -> Self {
+        let [old, new] = [before, after].map(|model| &model.supports.inner[..]);
         Self {
+            inner_supports: Move::of_named(old, new, |one| &one.name),
             subsystems: Move::of_named(&before.subsystems, &after.subsystems, |one| &one.name),
             forces: Move::of_unnamed(&before.forces, &after.forces),
             responses: Move::of_named(&before.responses, &after.responses, |one| &one.name),
@@ -83,6 +86,10 @@ impl Moves {
     /// The group in the changed model; none if it was removed.
     pub fn of(&self, group: Group) -> Option<Group> {
         let list = match group {
+            Group::Support(SupportId::Inner(i)) | Group::Motion(SupportId::Inner(i), _) => {
+                let support = SupportId::Inner(self.inner_supports.of(i)?);
+                return Some(group.of_support(support));
+            }
             Group::Subsystem(_) => &self.subsystems,
             Group::Force(_) => &self.forces,
             Group::Response(_) => &self.responses,
@@ -100,6 +107,11 @@ impl Group {
             Self::Subsystem(i) => named(&model.subsystems[i].name, i, &other.subsystems, |one| {
                 &one.name
             })?,
+            Self::Support(SupportId::Inner(i)) | Self::Motion(SupportId::Inner(i), _) => {
+                let [own, list] = [model, other].map(|model| &model.supports.inner);
+                let found = named(&own[i].name, i, list, |one| &one.name)?;
+                return Some(self.of_support(SupportId::Inner(found)));
+            }
             Self::Response(i) => named(&model.responses[i].name, i, &other.responses, |one| {
                 &one.name
             })?,

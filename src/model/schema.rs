@@ -11,7 +11,7 @@ pub const FEWEST_POINTS: usize = 2;
 pub const MOST_POINTS: usize = 1_000_000;
 
 /// A key of a table of the model file.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct Key {
     /// The key in its table of the file; a dot separates the key of an inner table (`y_left.stiffness`).
     pub key: &'static str,
@@ -65,9 +65,9 @@ pub enum Kind {
     Direction,
     /// The time derivative of a motion, or the energy.
     Measure,
-    /// One word for all motions of an end.
+    /// One word for all motions of a support.
     Support,
-    /// The restraint of one motion of an end.
+    /// The restraint of one motion of a support.
     Restraint,
     /// The paths of the parameters of a variable.
     Paths,

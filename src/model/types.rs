@@ -17,7 +17,7 @@ pub struct Model {
     pub notes: String,
     /// The beam itself.
     pub beam: Beam,
-    /// The supports of both ends.
+    /// What holds it.
     pub supports: Supports,
     /// The subsystems, in the order of the file.
     pub subsystems: Vec<Subsystem>,
@@ -224,24 +224,68 @@ words! {
     }
 }
 
-/// The supports of both ends.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+/// What holds the beam.
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Supports {
     /// At x = 0.
     pub left: Support,
     /// At x = L.
     pub right: Support,
+    /// Between the ends, in the order of the file.
+    pub inner: Vec<InnerSupport>,
 }
 
-/// The restraints of the six motions of an end, in the order of [`BeamMotion::ALL`]. They act at the shear centre.
+/// A support between the ends: a bearing, a spring to the ground or, with masses alone, a lumped mass.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct InnerSupport {
+    /// Unique, also among the subsystems; not "left" or "right".
+    pub name: String,
+    /// Distance from the left end, m.
+    pub position: f64,
+    /// What it holds.
+    pub support: Support,
+}
+
+/// A point of the section, from the axis of the beam: it moves by `w + z psi` along y and `v - y psi` along z.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Support(pub [Restraint; 6]);
+pub struct Point {
+    /// m.
+    pub y: f64,
+    /// m.
+    pub z: f64,
+}
+
+impl Point {
+    /// On the axis of the beam.
+    pub const AXIS: Self = Self { y: 0.0, z: 0.0 };
+
+    /// The arm, m, by which twist moves the point along a motion: `z` for w, `-y` for v; `None` if the motion is the
+    /// same at every point.
+    pub fn arm(self, motion: BeamMotion) -> Option<f64> {
+        match motion {
+            BeamMotion::W => Some(self.z),
+            BeamMotion::V => Some(-self.y),
+            BeamMotion::Psi | BeamMotion::WSlope | BeamMotion::PsiSlope | BeamMotion::VSlope => {
+                None
+            }
+        }
+    }
+}
+
+/// The restraints of the six motions of the beam at one position.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Support {
+    /// In the order of [`BeamMotion::ALL`].
+    pub restraints: [Restraint; 6],
+    /// The point of the section that the restraints of w and v hold.
+    pub point: Point,
+}
 
 impl Support {
     /// All six free.
-    pub const FREE: Self = Self([Restraint::Free; 6]);
+    pub const FREE: Self = Self::on_axis([Restraint::Free; 6]);
     /// Displacements and twist fixed, slopes free.
-    pub const PINNED: Self = Self([
+    pub const PINNED: Self = Self::on_axis([
         Restraint::Fixed,
         Restraint::Fixed,
         Restraint::Fixed,
@@ -250,7 +294,15 @@ impl Support {
         Restraint::Free,
     ]);
     /// All six fixed.
-    pub const CLAMPED: Self = Self([Restraint::Fixed; 6]);
+    pub const CLAMPED: Self = Self::on_axis([Restraint::Fixed; 6]);
+
+    /// Restraints that act on the axis of the beam, in the order of [`BeamMotion::ALL`].
+    pub const fn on_axis(restraints: [Restraint; 6]) -> Self {
+        Self {
+            restraints,
+            point: Point::AXIS,
+        }
+    }
 
     /// The supports with one word for all six motions.
     pub const KINDS: [Self; 3] = [Self::FREE, Self::PINNED, Self::CLAMPED];
@@ -259,7 +311,8 @@ impl Support {
 
     /// The word for all six motions, if there is one.
     pub fn word(&self) -> Option<&'static str> {
-        let known = Self::KINDS.iter().position(|kind| kind == self)?;
+        let is_it = |kind: &Self| kind.restraints == self.restraints;
+        let known = Self::KINDS.iter().position(is_it)?;
         Some(Self::WORDS[known])
     }
 
@@ -278,17 +331,17 @@ impl Support {
 impl std::ops::Index<BeamMotion> for Support {
     type Output = Restraint;
     fn index(&self, motion: BeamMotion) -> &Restraint {
-        &self.0[motion as usize]
+        &self.restraints[motion as usize]
     }
 }
 
 impl std::ops::IndexMut<BeamMotion> for Support {
     fn index_mut(&mut self, motion: BeamMotion) -> &mut Restraint {
-        &mut self.0[motion as usize]
+        &mut self.restraints[motion as usize]
     }
 }
 
-/// The restraint of one motion of an end.
+/// The restraint of one motion.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Restraint {
     /// No restraint.
@@ -328,24 +381,28 @@ impl Restraint {
     }
 }
 
-/// Spring, damper and inertia along one motion of an end: stiffness k + i omega c - omega^2 m.
+/// Spring, damper and inertia along one motion: stiffness k (1 + i eta) + i omega c - omega^2 m.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Elastic {
     /// N/m; N m/rad about an axis; N m3/rad on the rate of twist.
     pub stiffness: f64,
     /// N s/m; N m s/rad; N m3 s/rad.
     pub damping: f64,
+    /// Loss factor eta of the stiffness.
+    pub loss_factor: f64,
     /// Mass in kg along w and v; inertia in kg m2 about an axis; kg m4 on the rate of twist.
     pub inertia: f64,
 }
 
-/// A spring and a damper in parallel; both 0 if there is none.
+/// A spring and a damper in parallel, `k (1 + i eta) + i omega c`; all 0 if there is none.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Spring {
     /// k, N/m.
     pub stiffness: f64,
     /// c, N s/m.
     pub damping: f64,
+    /// Loss factor eta of the stiffness.
+    pub loss_factor: f64,
 }
 
 /// A mass with three degrees of freedom (y, z, theta) on four springs with dampers.
@@ -407,6 +464,17 @@ pub enum Place {
     Position(f64),
 }
 
+impl Place {
+    /// Its distance from the left end of a beam of a length, both m.
+    pub const fn position(self, length: f64) -> f64 {
+        match self {
+            Self::Left => 0.0,
+            Self::Right => length,
+            Self::Position(x) => x,
+        }
+    }
+}
+
 /// A motion of the beam at a position, or of a subsystem's mass.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Target {
@@ -417,6 +485,11 @@ pub enum Target {
 }
 
 impl Target {
+    /// Whether it is a displacement of the beam, which is another one at another point of the section.
+    pub const fn has_point(&self) -> bool {
+        matches!(self, Self::Beam(_, BeamMotion::W | BeamMotion::V))
+    }
+
     /// The load that acts along it.
     pub const fn load(&self) -> Load {
         match self {
@@ -435,6 +508,8 @@ pub struct Force {
     pub enabled: bool,
     /// Position and direction.
     pub target: Target,
+    /// The point of the section on which a force along w or v acts; on the axis for any other load.
+    pub point: Point,
     /// Zero to peak, N (a torque or moment: N m; along `psi_slope`, a bimoment: N m2).
     pub amplitude: f64,
     /// Phase, degrees.
@@ -450,6 +525,8 @@ pub struct Response {
     pub enabled: bool,
     /// The quantity to compute.
     pub quantity: Quantity,
+    /// The point of the section that moves, for a motion along w or v; on the axis for any other quantity.
+    pub point: Point,
 }
 
 /// The quantity of a response.

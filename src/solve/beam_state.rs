@@ -16,6 +16,12 @@ pub(super) struct BeamState {
 }
 
 impl BeamState {
+    /// Outside of the beam.
+    pub(super) const ZERO: Self = Self {
+        motion: [ZERO; 6],
+        force: [ZERO; 6],
+    };
+
     /// `Q (a + b)`, `S (b - a)`, `P (a - b)` and `M (a + b)`; no bimoment if the section has no warping stiffness.
     pub(super) fn new(waves: &Waves, a: &Amplitudes, b: &Amplitudes) -> Self {
         let sum: Amplitudes = std::array::from_fn(|wave| a[wave] + b[wave]);
@@ -24,10 +30,7 @@ impl BeamState {
             let waves = waves.of_row(row);
             waves.map(|wave| rows[row][wave] * amplitudes[wave]).sum()
         };
-        let mut local = Self {
-            motion: [ZERO; 6],
-            force: [ZERO; 6],
-        };
+        let mut local = Self::ZERO;
         for row in 0..3 {
             local.motion[row] = times(&waves.displacement, &sum, row);
             local.motion[row + 3] = -times(&waves.slope, &difference, row);

@@ -7,7 +7,8 @@
 use num_complex::Complex64;
 
 use crate::model::{
-    BeamMotion, MassMotion, Measure, Model, Place, Quantity, Restraint, Subsystem, Support, Target,
+    BeamMotion, MassMotion, Measure, Model, Place, Point, Quantity, Restraint, Subsystem, Support,
+    Target,
 };
 
 /// The positions along a beam and what is attached there.
@@ -20,6 +21,8 @@ pub(super) struct Layout<'a> {
     pub(super) positions: Vec<f64>,
     /// Loads along the six motions at each position, N and N m.
     pub(super) loads: Vec<[Complex64; 6]>,
+    /// What holds the beam, with the index of its position; the ends first.
+    pub(super) supports: Vec<(usize, &'a Support)>,
     /// The enabled subsystems, by ascending position.
     pub(super) masses: Vec<Mass<'a>>,
     /// Where each enabled response is read.
@@ -39,8 +42,8 @@ pub(super) struct Mass<'a> {
 /// Where a response is read.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Reading {
-    /// A motion of the beam at a position.
-    Beam(usize, BeamMotion, Measure),
+    /// A motion of the beam at a position, plus its twist times an arm, m.
+    Beam(usize, BeamMotion, f64, Measure),
     /// A motion of the mass with this index.
     Mass(usize, MassMotion, Measure),
     /// A fixed motion, always 0.
@@ -57,10 +60,17 @@ impl<'a> Layout<'a> {
             merge,
             positions: positions(model, merge),
             loads: Vec::new(),
+            supports: Vec::new(),
             masses: Vec::new(),
             readings: Vec::new(),
         };
         layout.loads = vec![[Complex64::ZERO; 6]; layout.positions.len()];
+        let last = layout.positions.len() - 1;
+        layout.supports = vec![(0, &model.supports.left), (last, &model.supports.right)];
+        for inner in &model.supports.inner {
+            let place = layout.place(inner.position);
+            layout.supports.push((place, &inner.support));
+        }
         layout.masses = model
             .attached()
             .map(|subsystem| Mass {
@@ -75,7 +85,7 @@ impl<'a> Layout<'a> {
             .responses
             .iter()
             .filter(|response| response.enabled)
-            .map(|response| layout.reading(&response.quantity))
+            .map(|response| layout.reading(&response.quantity, response.point))
             .collect();
         layout
     }
@@ -87,6 +97,8 @@ impl<'a> Layout<'a> {
                 Target::Beam(place, motion) => {
                     let place = self.place(distance(self.model, *place));
                     self.loads[place][*motion as usize] += value;
+                    let arm = force.point.arm(*motion).unwrap_or_default();
+                    self.loads[place][BeamMotion::Psi as usize] += arm * value;
                 }
                 Target::Mass(name, motion) => {
                     if let Some(mass) = self.mass(name) {
@@ -97,7 +109,7 @@ impl<'a> Layout<'a> {
         }
     }
 
-    fn reading(&self, quantity: &Quantity) -> Reading {
+    fn reading(&self, quantity: &Quantity, point: Point) -> Reading {
         match quantity {
             Quantity::Energy => Reading::Energy,
             Quantity::Motion(Target::Mass(name, motion), measure) => {
@@ -107,20 +119,29 @@ impl<'a> Layout<'a> {
             }
             Quantity::Motion(Target::Beam(place, motion), measure) => {
                 let place = self.place(distance(self.model, *place));
-                let held = self
-                    .support(place)
-                    .is_some_and(|support| self.holds(support, *motion));
-                if held {
+                let arm = point.arm(*motion).unwrap_or_default();
+                let is_held = self.supports_at(place).any(|support| {
+                    let own_arm = support.point.arm(*motion).unwrap_or_default();
+                    self.holds(support, *motion)
+                        && (own_arm == arm || self.holds(support, BeamMotion::Psi))
+                });
+                if is_held {
                     Reading::Held
                 } else {
-                    Reading::Beam(place, *motion, *measure)
+                    Reading::Beam(place, *motion, arm, *measure)
                 }
             }
         }
     }
 
+    /// The supports at a position.
+    pub(super) fn supports_at(&self, place: usize) -> impl Iterator<Item = &'a Support> {
+        let here = self.supports.iter().filter(move |(own, _)| *own == place);
+        here.map(|(_, support)| *support)
+    }
+
     /// The support at a position, if it is an end.
-    pub(super) fn support(&self, place: usize) -> Option<&'a Support> {
+    pub(super) fn end(&self, place: usize) -> Option<&'a Support> {
         match place {
             0 => Some(&self.model.supports.left),
             last if last + 1 == self.positions.len() => Some(&self.model.supports.right),
@@ -175,11 +196,7 @@ pub(super) fn derivative(omega: f64, measure: Measure) -> Complex64 {
 }
 
 fn distance(model: &Model, place: Place) -> f64 {
-    match place {
-        Place::Left => 0.0,
-        Place::Right => model.beam.length,
-        Place::Position(x) => x,
-    }
+    place.position(model.beam.length)
 }
 
 /// The distinct positions, ascending, ends included.
@@ -191,6 +208,7 @@ fn positions(model: &Model, merge: f64) -> Vec<f64> {
     let forces = model.forces.iter().filter(|force| force.enabled);
     let responses = model.responses.iter().filter(|response| response.enabled);
     let mut all: Vec<f64> = model.attached().map(|s| s.position).collect();
+    all.extend(model.supports.inner.iter().map(|inner| inner.position));
     all.extend(forces.filter_map(|force| beam_place(&force.target)));
     all.extend(responses.filter_map(|response| match &response.quantity {
         Quantity::Motion(target, _) => beam_place(target),

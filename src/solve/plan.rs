@@ -4,17 +4,19 @@ use num_complex::Complex64;
 
 use super::attachment::Attachment;
 use super::linear::ZERO;
+use super::springs::restraint_stiffness;
 use super::waves::BeamConstants;
 use crate::model::{
-    BeamMotion, Elastic, MassMotion, Measure, Model, Place, Quantity, Restraint, Support, Target,
+    BeamMotion, Elastic, MassMotion, Measure, Model, Place, Quantity, Restraint, Support,
+    SupportId, Target,
 };
 
 /// The part of a model that does not depend on the frequency.
 #[derive(Debug, Clone)]
 pub(super) struct Plan {
     pub(super) beam: BeamConstants,
-    pub(super) left: End,
-    pub(super) right: End,
+    pub(super) left: Held,
+    pub(super) right: Held,
     /// The stations along the beam, by ascending x.
     pub(super) stations: Vec<Station>,
     /// The distinct lengths between stations, m.
@@ -27,12 +29,82 @@ pub(super) struct Plan {
     pub(super) wants_energy: bool,
 }
 
-/// One end of the beam.
+/// A position of the beam that a support holds: an end, or one between them.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct End {
+pub(super) struct Held {
     pub(super) support: Support,
-    /// Loads along the six motions, N and N m.
+    /// Loads along the six motions of the axis, N and N m.
     pub(super) load: [Complex64; 6],
+}
+
+impl Held {
+    /// Without warping stiffness any restraint fixes the rate of twist.
+    fn new(mut support: Support, without_warping: bool) -> Self {
+        let twist = &mut support[BeamMotion::PsiSlope];
+        let free = Elastic::default();
+        if without_warping
+            && !matches!(*twist, Restraint::Free)
+            && *twist != Restraint::Elastic(free)
+        {
+            *twist = Restraint::Fixed;
+        }
+        Self {
+            support,
+            load: [ZERO; 6],
+        }
+    }
+
+    /// Whether it fixes a motion, for w and v at a point with an arm, m.
+    fn fixes(&self, motion: BeamMotion, arm: f64) -> bool {
+        let support = &self.support;
+        let own_arm = support.point.arm(motion);
+        let at_point =
+            own_arm.is_none_or(|own| own == arm || support[BeamMotion::Psi] == Restraint::Fixed);
+        support[motion] == Restraint::Fixed && at_point
+    }
+
+    /// The motions of the axis without the rounding of those that it fixes.
+    pub(super) fn held(&self, axis: &[Complex64; 6]) -> [Complex64; 6] {
+        BeamMotion::ALL.map(|motion| {
+            if self.fixes(motion, 0.0) {
+                ZERO
+            } else {
+                axis[motion as usize]
+            }
+        })
+    }
+
+    /// Its forces on the beam along the motions of its point: of springs, dampers and inertias together, or those that
+    /// hold a fixed motion; from the internal forces on both sides (0 outside of the beam) and the motions of the axis.
+    pub(super) fn forces(
+        &self,
+        omega: Complex64,
+        [before, after]: [&[Complex64; 6]; 2],
+        axis: &[Complex64; 6],
+        without_warping: bool,
+    ) -> [Complex64; 6] {
+        let point = self.support.point;
+        let (motions, loads) = (point.motions(axis), self.loads_at_point());
+        let [before, after] = [before, after].map(|forces| point.forces(forces));
+        BeamMotion::ALL.map(|motion| {
+            let row = motion as usize;
+            // Without warping stiffness no bimoment reaches a support.
+            if motion == BeamMotion::PsiSlope && without_warping {
+                return ZERO;
+            }
+            match restraint_stiffness(omega, self.support[motion]) {
+                None => before[row] - after[row] - loads[row],
+                // A free motion may be infinite.
+                Some(k) if k == ZERO => ZERO,
+                Some(k) => -k * motions[row],
+            }
+        })
+    }
+
+    /// The loads along the motions of its point: forces on the axis turn about it.
+    pub(super) fn loads_at_point(&self) -> [Complex64; 6] {
+        self.support.point.forces(&self.load)
+    }
 }
 
 /// Something at a position of the beam.
@@ -48,6 +120,8 @@ pub(super) struct Station {
 pub(super) enum Event {
     /// A subsystem.
     Attachment(Box<Attachment>),
+    /// A support between the ends.
+    Support(Box<Held>),
     /// Loads along the six motions.
     Load([Complex64; 6]),
     /// Only a position to read a response.
@@ -57,10 +131,11 @@ pub(super) enum Event {
 /// Where a response is read.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Output {
-    /// A motion of the beam at a station.
+    /// A motion of the beam at a station, plus its twist times an arm, m: w and v at a point of the section.
     Beam {
         station: usize,
         motion: BeamMotion,
+        arm: f64,
         measure: Measure,
     },
     /// A motion of the mass at a station.
@@ -121,10 +196,54 @@ impl Plan {
         plan
     }
 
+    /// The supports at a distance from the left end of a beam of a length, both m.
+    pub(super) fn held_at(&self, x: f64, length: f64) -> impl Iterator<Item = &Held> {
+        let first = self.stations.partition_point(|of| of.position < x);
+        let last = self.stations.partition_point(|of| of.position <= x);
+        held_at(
+            x,
+            [&self.left, &self.right],
+            &self.stations[first..last],
+            length,
+        )
+    }
+
+    /// The station of each enabled subsystem, in the order of the model.
+    pub(super) fn mass_stations(&self, model: &Model) -> Vec<usize> {
+        let positions = model.attached().map(|of| of.position);
+        self.stations_of(positions, |event| matches!(event, Event::Attachment(_)))
+    }
+
+    /// The station of each support between the ends, in the order of the model.
+    pub(super) fn support_stations(&self, model: &Model) -> Vec<usize> {
+        let positions = model.supports.inner.iter().map(|of| of.position);
+        self.stations_of(positions, |event| matches!(event, Event::Support(_)))
+    }
+
+    /// The stations of a kind, in the order of their `positions` in the model.
+    fn stations_of(
+        &self,
+        positions: impl Iterator<Item = f64>,
+        is_it: impl Fn(&Event) -> bool,
+    ) -> Vec<usize> {
+        // Stations are in order of ascending position, those at one position in the order of the model.
+        let positions: Vec<f64> = positions.collect();
+        let mut order: Vec<usize> = (0..positions.len()).collect();
+        order.sort_by(|&a, &b| positions[a].total_cmp(&positions[b]));
+        let stations = self.stations.iter().enumerate();
+        let found = stations.filter(|(_, of)| is_it(&of.event));
+        let mut all = vec![0; positions.len()];
+        for (index, (station, _)) in order.into_iter().zip(found) {
+            all[index] = station;
+        }
+        all
+    }
+
     /// Lays out a checked model.
     pub(super) fn new(model: &Model) -> Self {
         let mut layout = Layout::new(model);
         layout.place_first_probes();
+        layout.place_supports();
         layout.place_subsystems();
         layout.place_loads();
         layout.place_probes();
@@ -132,18 +251,11 @@ impl Plan {
     }
 }
 
-/// An absent spring, damper and inertia.
-const FREE: Elastic = Elastic {
-    stiffness: 0.0,
-    damping: 0.0,
-    inertia: 0.0,
-};
-
 /// A plan under construction: stations in order of creation, before they are sorted by x.
 struct Layout<'a> {
     model: &'a Model,
-    left: End,
-    right: End,
+    left: Held,
+    right: Held,
     stations: Vec<Station>,
     /// The probes before everything else at their positions: the first stations.
     first_probes: usize,
@@ -155,21 +267,10 @@ struct Layout<'a> {
 impl<'a> Layout<'a> {
     fn new(model: &'a Model) -> Self {
         let without_warping = model.beam.section.warping_constant == 0.0;
-        let end = |mut support: Support| {
-            // Without warping stiffness any restraint fixes the rate of twist.
-            let twist = &mut support[BeamMotion::PsiSlope];
-            if without_warping && !matches!(*twist, Restraint::Free | Restraint::Elastic(FREE)) {
-                *twist = Restraint::Fixed;
-            }
-            End {
-                support,
-                load: [ZERO; 6],
-            }
-        };
         Self {
             model,
-            left: end(model.supports.left),
-            right: end(model.supports.right),
+            left: Held::new(model.supports.left, without_warping),
+            right: Held::new(model.supports.right, without_warping),
             stations: Vec::new(),
             first_probes: 0,
             masses: std::collections::HashMap::new(),
@@ -202,9 +303,21 @@ impl<'a> Layout<'a> {
     /// Whether a subsystem or a force is at a distance from the left end, m.
     fn acts_at(&self, x: f64) -> bool {
         let mut forces = self.model.forces.iter().filter(|force| force.enabled);
+        let mut inner = self.model.supports.inner.iter();
         self.model.attached().any(|of| of.position == x)
+            || inner.any(|of| of.position == x)
             || forces
                 .any(|force| matches!(force.target, Target::Beam(place, _) if self.x(place) == x))
+    }
+
+    /// Before the subsystems, which lie on what they hold.
+    fn place_supports(&mut self) {
+        let without_warping = self.model.beam.section.warping_constant == 0.0;
+        let supports = self.model.supports.inner.iter();
+        self.stations.extend(supports.map(|inner| Station {
+            position: inner.position,
+            event: Event::Support(Box::new(Held::new(inner.support, without_warping))),
+        }));
     }
 
     fn place_subsystems(&mut self) {
@@ -212,7 +325,7 @@ impl<'a> Layout<'a> {
             self.masses.insert(&subsystem.name, self.stations.len());
             let mut attachment = Attachment::new(subsystem);
             attachment.held = [BeamMotion::W, BeamMotion::Psi, BeamMotion::V]
-                .map(|motion| self.is_held(subsystem.position, motion));
+                .map(|motion| self.is_held(subsystem.position, motion, 0.0));
             self.stations.push(Station {
                 position: subsystem.position,
                 event: Event::Attachment(Box::new(attachment)),
@@ -220,13 +333,18 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// Whether a support fixes a motion at a distance from the left end, m.
-    fn is_held(&self, x: f64, motion: BeamMotion) -> bool {
-        let held = |end: &End| end.support[motion] == Restraint::Fixed;
-        (x == 0.0 && held(&self.left)) || (x == self.model.beam.length && held(&self.right))
+    /// Whether a support fixes a motion at a distance from the left end, m, for w and v at a point with an arm, m.
+    fn is_held(&self, x: f64, motion: BeamMotion, arm: f64) -> bool {
+        let mut here = held_at(
+            x,
+            [&self.left, &self.right],
+            &self.stations,
+            self.model.beam.length,
+        );
+        here.any(|held| held.fixes(motion, arm))
     }
 
-    /// A load at an end is part of its support's equations, where a fixed motion takes it exactly.
+    /// A load at a support is part of its equations, where a fixed motion takes it exactly.
     fn place_loads(&mut self) {
         for force in self.model.forces.iter().filter(|f| f.enabled) {
             let value = Complex64::from_polar(force.amplitude, force.phase.to_radians());
@@ -238,23 +356,41 @@ impl<'a> Layout<'a> {
                         attachment.load[*motion as usize] += value;
                     }
                 }
-                Target::Beam(place, motion) => self.load_beam(self.x(*place), *motion, value),
+                Target::Beam(place, motion) => {
+                    let mut load = [ZERO; 6];
+                    load[*motion as usize] = value;
+                    if let Some(arm) = force.point.arm(*motion) {
+                        load[BeamMotion::Psi as usize] += arm * value;
+                    }
+                    self.load_beam(self.x(*place), load);
+                }
             }
         }
     }
 
-    fn load_beam(&mut self, x: f64, motion: BeamMotion, value: Complex64) {
-        if x == 0.0 {
-            self.left.load[motion as usize] += value;
+    fn load_beam(&mut self, x: f64, load: [Complex64; 6]) {
+        let inner = |station: &&mut Station| {
+            station.position == x && matches!(station.event, Event::Support(_))
+        };
+        let held = if x == 0.0 {
+            &mut self.left
         } else if x == self.model.beam.length {
-            self.right.load[motion as usize] += value;
+            &mut self.right
+        } else if let Some(Station {
+            event: Event::Support(held),
+            ..
+        }) = self.stations.iter_mut().find(inner)
+        {
+            held
         } else {
-            let mut load = [ZERO; 6];
-            load[motion as usize] = value;
             self.stations.push(Station {
                 position: x,
                 event: Event::Load(load),
             });
+            return;
+        };
+        for (sum, load) in held.load.iter_mut().zip(load) {
+            *sum += load;
         }
     }
 
@@ -263,7 +399,8 @@ impl<'a> Layout<'a> {
             let output = match &response.quantity {
                 Quantity::Energy => Output::Energy,
                 Quantity::Motion(Target::Beam(place, motion), measure) => {
-                    self.probe_beam(self.x(*place), *motion, *measure)
+                    let arm = response.point.arm(*motion).unwrap_or_default();
+                    self.probe_beam(self.x(*place), (*motion, arm), *measure)
                 }
                 Quantity::Motion(Target::Mass(name, motion), measure) => {
                     match self.masses.get(name.as_str()) {
@@ -281,8 +418,8 @@ impl<'a> Layout<'a> {
         }
     }
 
-    fn probe_beam(&mut self, x: f64, motion: BeamMotion, measure: Measure) -> Output {
-        if self.is_held(x, motion) {
+    fn probe_beam(&mut self, x: f64, (motion, arm): (BeamMotion, f64), measure: Measure) -> Output {
+        if self.is_held(x, motion, arm) {
             return Output::Held;
         }
         let probe_at = |s: &Station| s.position == x && matches!(s.event, Event::Probe);
@@ -294,6 +431,7 @@ impl<'a> Layout<'a> {
         let beam = |station| Output::Beam {
             station,
             motion,
+            arm,
             measure,
         };
         if let Some(station) = first
@@ -316,11 +454,7 @@ impl<'a> Layout<'a> {
     }
 
     fn x(&self, place: Place) -> f64 {
-        match place {
-            Place::Left => 0.0,
-            Place::Right => self.model.beam.length,
-            Place::Position(x) => x,
-        }
+        place.position(self.model.beam.length)
     }
 
     /// Sorts the stations by x and renumbers the outputs.
@@ -352,8 +486,12 @@ impl<'a> Layout<'a> {
         let mut stations = self.stations;
         stations.sort_by(|a, b| a.position.total_cmp(&b.position));
         let (lengths, spans) = spans(&stations, self.model.beam.length);
+        let mut beam = BeamConstants::new(&self.model.beam);
+        // A point beside the axis couples v with twist.
+        let mut supports = SupportId::all(self.model);
+        beam.all_coupled |= supports.any(|id| id.support(self.model).point.y != 0.0);
         Plan {
-            beam: BeamConstants::new(&self.model.beam),
+            beam,
             left: self.left,
             right: self.right,
             wants_energy: outputs.iter().any(|o| matches!(o, Output::Energy)),
@@ -378,10 +516,14 @@ impl Output {
     pub(super) const fn at_station(self, station: usize) -> Self {
         match self {
             Self::Beam {
-                motion, measure, ..
+                motion,
+                arm,
+                measure,
+                ..
             } => Self::Beam {
                 station,
                 motion,
+                arm,
                 measure,
             },
             Self::Mass {
@@ -394,6 +536,24 @@ impl Output {
             other => other,
         }
     }
+}
+
+/// The supports at a distance from the left end of a beam of a length, both m, by its ends and some stations.
+fn held_at<'a>(
+    x: f64,
+    [left, right]: [&'a Held; 2],
+    stations: &'a [Station],
+    length: f64,
+) -> impl Iterator<Item = &'a Held> {
+    let ends = [(left, x == 0.0), (right, x == length)];
+    let inner = stations
+        .iter()
+        .filter_map(move |station| match &station.event {
+            Event::Support(held) if station.position == x => Some(&**held),
+            Event::Support(_) | Event::Attachment(_) | Event::Load(_) | Event::Probe => None,
+        });
+    let ends = ends.into_iter().filter(|(_, is_here)| *is_here);
+    ends.map(|(end, _)| end).chain(inner)
 }
 
 /// The distinct span lengths, and the index of the span left of each station and of the right end.

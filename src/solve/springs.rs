@@ -6,7 +6,7 @@
 use num_complex::Complex64;
 
 use super::linear::ZERO;
-use crate::model::{Elastic, Restraint, Spring, Subsystem};
+use crate::model::{BeamMotion, Elastic, Point, Restraint, Spring, Subsystem};
 
 /// The four springs: y left, y right, z left, z right.
 pub(super) fn springs(subsystem: &Subsystem) -> [Spring; 4] {
@@ -18,26 +18,74 @@ pub(super) fn springs(subsystem: &Subsystem) -> [Spring; 4] {
     ]
 }
 
-/// k + i omega c, N/m.
-pub(super) fn stiffness(omega: Complex64, spring: Spring) -> Complex64 {
-    spring.stiffness + Complex64::I * omega * spring.damping
+impl Point {
+    /// The motions of the point, from those of the axis.
+    pub(super) fn motions(self, axis: &[Complex64; 6]) -> [Complex64; 6] {
+        let twist = axis[BeamMotion::Psi as usize];
+        // A twist may be infinite.
+        BeamMotion::ALL.map(|motion| match self.arm(motion) {
+            Some(arm) if arm != 0.0 => axis[motion as usize] + arm * twist,
+            _ => axis[motion as usize],
+        })
+    }
+
+    /// The torque about the axis of the first and the third of six forces, along w and v, if they act at the point.
+    pub(super) fn torque(self, forces: &[Complex64; 6]) -> Complex64 {
+        self.z * forces[BeamMotion::W as usize] - self.y * forces[BeamMotion::V as usize]
+    }
+
+    /// The internal forces conjugate to the motions of the point, from those of the axis.
+    pub(super) fn forces(self, axis: &[Complex64; 6]) -> [Complex64; 6] {
+        let mut forces = *axis;
+        forces[BeamMotion::Psi as usize] -= self.torque(axis);
+        forces
+    }
 }
 
-/// k + i omega c - omega^2 m of the restraint of a motion, in the units of [`Elastic`]; `None` if the motion is fixed.
+impl Spring {
+    /// k (1 + i eta), N/m.
+    pub(super) fn complex_stiffness(self) -> Complex64 {
+        Complex64::new(self.stiffness, self.stiffness * self.loss_factor)
+    }
+
+    /// Two springs side by side as one.
+    pub(crate) fn beside(self, other: Self) -> Self {
+        let both = self.complex_stiffness() + other.complex_stiffness();
+        Self {
+            stiffness: both.re,
+            damping: self.damping + other.damping,
+            loss_factor: if both.im == 0.0 {
+                0.0
+            } else {
+                both.im / both.re
+            },
+        }
+    }
+}
+
+impl From<Elastic> for Spring {
+    /// Its spring and damper, in the units of the motion.
+    fn from(elastic: Elastic) -> Self {
+        Self {
+            stiffness: elastic.stiffness,
+            damping: elastic.damping,
+            loss_factor: elastic.loss_factor,
+        }
+    }
+}
+
+/// k (1 + i eta) + i omega c, N/m.
+pub(super) fn stiffness(omega: Complex64, spring: Spring) -> Complex64 {
+    spring.complex_stiffness() + Complex64::I * omega * spring.damping
+}
+
+/// k (1 + i eta) + i omega c - omega^2 m of the restraint of a motion, in the units of [`Elastic`]; `None` if the motion is fixed.
 pub(super) fn restraint_stiffness(omega: Complex64, restraint: Restraint) -> Option<Complex64> {
     match restraint {
         Restraint::Fixed => None,
         Restraint::Free => Some(ZERO),
-        Restraint::Elastic(Elastic {
-            stiffness: k,
-            damping,
-            inertia,
-        }) => {
-            let spring = Spring {
-                stiffness: k,
-                damping,
-            };
-            Some(stiffness(omega, spring) - omega * omega * inertia)
+        Restraint::Elastic(elastic) => {
+            Some(stiffness(omega, elastic.into()) - omega * omega * elastic.inertia)
         }
     }
 }
@@ -61,10 +109,7 @@ pub(super) fn rows(subsystem: &Subsystem) -> [Stretch; 3] {
     };
     [
         Stretch {
-            spring: Spring {
-                stiffness: subsystem.y_left.stiffness + subsystem.y_right.stiffness,
-                damping: subsystem.y_left.damping + subsystem.y_right.damping,
-            },
+            spring: subsystem.y_left.beside(subsystem.y_right),
             mass: [1.0, 0.0, 0.0],
             beam: [-1.0, -subsystem.mount_z, 0.0],
         },

@@ -36,6 +36,8 @@ pub(super) struct BeamConstants {
     pub(super) matrices: BeamMatrices,
     /// The numbers above are not all of it: v may be coupled, or there is rotary inertia or an axial force.
     pub(super) is_general: bool,
+    /// Each wave may move w, psi and v: the beam is general, or what holds it couples v with twist.
+    pub(super) all_coupled: bool,
 }
 
 impl BeamConstants {
@@ -54,6 +56,7 @@ impl BeamConstants {
             coupling: mass * section.centroid_offset,
             radius: (section.polar_moment / section.area).sqrt(),
             is_general: !beam.is_of_one_offset(),
+            all_coupled: !beam.is_of_one_offset(),
             matrices: BeamMatrices::new(beam),
         }
     }

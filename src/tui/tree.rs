@@ -104,5 +104,9 @@ pub fn alike(model: &Model, node: Node, forward: bool) -> Option<Node> {
     } else {
         place.checked_sub(1)?
     };
-    (next < list.groups(model).len()).then(|| node.of_group(group.at(next)))
+    if next < list.groups(model).len() {
+        node.of_group(group.at(next))
+    } else {
+        None
+    }
 }

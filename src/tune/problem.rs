@@ -8,8 +8,8 @@ use super::coordinates::Coordinate;
 use super::limits::{self, Bound};
 use super::objectives::{self, Figure};
 use crate::model::{
-    Aim, Checked, Combine, Fault, Limit, Model, Objective, Quantity, Response, Tune, check_state,
-    edit, path,
+    Aim, Checked, Combine, Fault, Limit, Model, Objective, Point, Quantity, Response, Tune,
+    check_state, edit, path,
 };
 use crate::solve::Cancelled;
 use crate::solve::modes::{MOST_MODES, are_too_many, count};
@@ -280,6 +280,7 @@ fn bare(model: &Checked, tune: &Tune) -> (Checked, Vec<usize>) {
             name: String::new(),
             enabled: true,
             quantity: Quantity::Energy,
+            point: Point::AXIS,
         });
     }
     for response in &mut responses {

@@ -107,14 +107,24 @@ impl<'a> Determinant<'a> {
         let mut basis = self.start(omega);
         let mut product = [Complex2::ONE];
         let mut x = 0.0;
-        let mut masses: Vec<&Subsystem> = self.model.attached().collect();
-        masses.sort_by(|a, b| a.position.total_cmp(&b.position));
-        for mass in masses {
-            self.cross(x, mass.position, omega, &mut basis);
-            x = mass.position;
-            product[0] = product[0] * self.attach(mass, omega, &mut basis);
-            basis.exponent += normalise(&mut product);
-            basis.separate();
+        let inner = &self.model.supports.inner;
+        let masses = self.model.attached().map(|mass| mass.position);
+        let mut places: Vec<f64> = masses.chain(inner.iter().map(|of| of.position)).collect();
+        places.sort_by(f64::total_cmp);
+        places.dedup();
+        for place in places {
+            self.cross(x, place, omega, &mut basis);
+            x = place;
+            for mass in self.model.attached().filter(|mass| mass.position == place) {
+                product[0] = product[0] * self.attach(mass, omega, &mut basis);
+                basis.exponent += normalise(&mut product);
+                basis.separate();
+            }
+            for held in inner.iter().filter(|held| held.position == place) {
+                product[0] = product[0] * self.hold(&held.support, omega, &mut basis);
+                basis.exponent += normalise(&mut product);
+                basis.separate();
+            }
         }
         self.cross(x, self.model.beam.length, omega, &mut basis);
         let (value, exponent) = determinant(self.right_end(omega, basis.states, basis.unit));
@@ -282,6 +292,75 @@ impl<'a> Determinant<'a> {
         columns
     }
 
+    /// Adds a support: w and v of its point are `w + z psi` and `v - y psi`, and forces there turn about the axis. Returns a
+    /// factor of the determinant.
+    fn hold(&self, support: &Support, omega: Complex2, basis: &mut Basis) -> Complex2 {
+        let unit = basis.unit;
+        let mut factor = Complex2::ONE;
+        for motion in 0..6 {
+            if let Some(stiffness) = stiffness(support, motion, omega) {
+                for state in &mut basis.states {
+                    let force = stiffness * moved(support, motion, state, unit);
+                    self.react(support, motion, force, unit, state);
+                }
+            }
+        }
+        for motion in 0..6 {
+            if stiffness(support, motion, omega).is_none() {
+                factor = factor * self.fix(support, motion, basis);
+            }
+        }
+        factor
+    }
+
+    /// Fixes a motion: one state makes it zero in all others, and an unknown force takes its place.
+    fn fix(&self, support: &Support, motion: usize, basis: &mut Basis) -> Complex2 {
+        let unit = basis.unit;
+        let values = basis
+            .states
+            .map(|state| moved(support, motion, &state, unit));
+        let size = |index: &usize| values[*index].rounded().norm();
+        let pivot = (0..6).max_by(|a, b| size(a).total_cmp(&size(b))).unwrap();
+        let (own, inverse) = (basis.states[pivot], values[pivot].inverse());
+        for (state, value) in basis.states.iter_mut().zip(values) {
+            for (entry, own) in state.iter_mut().zip(&own) {
+                *entry -= value * inverse * *own;
+            }
+        }
+        basis.states[pivot] = [Complex2::ZERO; 12];
+        self.react(
+            support,
+            motion,
+            Complex2::ONE,
+            unit,
+            &mut basis.states[pivot],
+        );
+        values[pivot]
+    }
+
+    /// Adds a force (in N, or N m) along a motion of the point of a support to a state.
+    fn react(
+        &self,
+        support: &Support,
+        motion: usize,
+        force: Complex2,
+        unit: Double2,
+        state: &mut State,
+    ) {
+        if motion >= FIELDS {
+            return self.load(state, motion, force * (unit * unit));
+        }
+        let force = force * (unit * unit * unit);
+        self.load(state, motion, force);
+        if motion != BeamMotion::Psi as usize {
+            self.load(
+                state,
+                BeamMotion::Psi as usize,
+                force * arm(support, motion),
+            );
+        }
+    }
+
     /// Adds a mass on its springs; returns the determinant of the mass with the beam blocked.
     fn attach(&self, subsystem: &Subsystem, omega: Complex2, basis: &mut Basis) -> Complex2 {
         let (stiffness, own) = blocked(subsystem, omega);
@@ -310,7 +389,9 @@ fn blocked(subsystem: &Subsystem, omega: Complex2) -> (Block, Complex2) {
     let square = omega * omega;
     let of = |a: Spring, b: Spring| {
         let sum = |a: f64, b: f64| Double2::from(a) + Double2::from(b);
-        Complex2::from(sum(a.stiffness, b.stiffness)) + omega.turned() * sum(a.damping, b.damping)
+        complex(a.stiffness, a.loss_factor)
+            + complex(b.stiffness, b.loss_factor)
+            + omega.turned() * sum(a.damping, b.damping)
     };
     let none = Spring::default();
     let (y_u, z_b) = (subsystem.mount_y, subsystem.mount_z);
@@ -361,13 +442,33 @@ fn blocked(subsystem: &Subsystem, omega: Complex2) -> (Block, Complex2) {
     (rest, own)
 }
 
+/// The arm by which twist moves the point of a support along a motion, m.
+fn arm(support: &Support, motion: usize) -> Double2 {
+    let arm = support.point.arm(BeamMotion::ALL[motion]);
+    Double2::from(arm.unwrap_or_default())
+}
+
+/// A motion of the point of a support in a state of some unit, m: m or rad.
+fn moved(support: &Support, motion: usize, state: &State, unit: Double2) -> Complex2 {
+    if motion >= FIELDS {
+        return state[motion] * (Double2::from(1.0) / unit);
+    }
+    state[motion] + state[BeamMotion::Psi as usize] * arm(support, motion)
+}
+
+/// k (1 + i eta).
+fn complex(stiffness: f64, loss_factor: f64) -> Complex2 {
+    let stiffness = Double2::from(stiffness);
+    Complex2::new(stiffness, stiffness * Double2::from(loss_factor))
+}
+
 /// The stiffness of a support against a motion; none where it is fixed.
 fn stiffness(support: &Support, motion: usize, omega: Complex2) -> Option<Complex2> {
     match support[BeamMotion::ALL[motion]] {
         Restraint::Fixed => None,
         Restraint::Free => Some(Complex2::ZERO),
         Restraint::Elastic(elastic) => Some(
-            Complex2::from(Double2::from(elastic.stiffness))
+            complex(elastic.stiffness, elastic.loss_factor)
                 + omega.turned() * Double2::from(elastic.damping)
                 - omega * omega * Double2::from(elastic.inertia),
         ),

@@ -13,12 +13,14 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::determinant::Determinant;
+use super::judge::is_hysteretic;
 use super::{NEVER, modes, random};
 
-/// K of the beam, K of the springs, C and M; fixed rows are removed.
+/// K of the beam, K of the springs, its imaginary part by their loss factors, C and M; fixed rows are removed.
 struct Matrices {
     beam: DMatrix<f64>,
     springs: DMatrix<f64>,
+    losses: DMatrix<f64>,
     dampers: DMatrix<f64>,
     mass: DMatrix<f64>,
 }
@@ -32,6 +34,7 @@ impl Matrices {
         let mut all = Self {
             beam: zeros(),
             springs: zeros(),
+            losses: zeros(),
             dampers: zeros(),
             mass: zeros(),
         };
@@ -47,16 +50,19 @@ impl Matrices {
                     Restraint::Fixed => held.push(at),
                     Restraint::Elastic(elastic) => {
                         all.springs[(at, at)] += elastic.stiffness;
+                        all.losses[(at, at)] += elastic.stiffness * elastic.loss_factor;
                         all.dampers[(at, at)] += elastic.damping;
                         all.mass[(at, at)] += elastic.inertia;
                     }
                 }
             }
         }
+        all.add_inner_supports(model, &nodes);
         let free = |matrix: DMatrix<f64>| matrix.remove_rows_at(&held).remove_columns_at(&held);
         Self {
             beam: free(all.beam),
             springs: free(all.springs),
+            losses: free(all.losses),
             dampers: free(all.dampers),
             mass: free(all.mass),
         }
@@ -96,6 +102,32 @@ impl Matrices {
         }
     }
 
+    /// The supports between the ends, over a motion of their point and the twist; a very stiff spring in place of a fixed
+    /// motion is near enough for a starting value.
+    fn add_inner_supports(&mut self, model: &Model, nodes: &[f64]) {
+        for inner in &model.supports.inner {
+            let first = 6 * nodes.iter().position(|x| *x == inner.position).unwrap();
+            for motion in BeamMotion::ALL {
+                let mut elastic = inner.support[motion].elastic();
+                if inner.support[motion] == Restraint::Fixed {
+                    elastic.stiffness = 1e12;
+                }
+                let arm = inner.support.point.arm(motion).unwrap_or_default();
+                let moved = [(first + motion as usize, 1.0), (first + 1, arm)];
+                for (row, by_row) in moved {
+                    for (column, by_column) in moved {
+                        let product = by_row * by_column;
+                        self.springs[(row, column)] += elastic.stiffness * product;
+                        self.losses[(row, column)] +=
+                            elastic.stiffness * elastic.loss_factor * product;
+                        self.dampers[(row, column)] += elastic.damping * product;
+                        self.mass[(row, column)] += elastic.inertia * product;
+                    }
+                }
+            }
+        }
+    }
+
     fn add_subsystems(&mut self, model: &Model, nodes: &[f64]) {
         for (index, s) in model.subsystems.iter().enumerate() {
             let own = 6 * nodes.len() + 3 * index;
@@ -112,6 +144,8 @@ impl Matrices {
                     for j in 0..6 {
                         let product = stretch[i] * stretch[j];
                         self.springs[(at[i], at[j])] += spring.stiffness * product;
+                        self.losses[(at[i], at[j])] +=
+                            spring.stiffness * spring.loss_factor * product;
                         self.dampers[(at[i], at[j])] += spring.damping * product;
                     }
                 }
@@ -139,6 +173,7 @@ impl Matrices {
         let modes = lower.transpose().solve_upper_triangular(&modes).unwrap();
         let projected = |matrix: &DMatrix<f64>| modes.transpose() * matrix * &modes;
         let (beam, springs) = (projected(&self.beam), projected(&self.springs));
+        let losses = projected(&self.losses);
         let dampers = projected(&self.dampers);
         // omega (q, omega q) = [0, 1; K, i C] (q, omega q), all in units of `to`.
         let size = low.len();
@@ -149,7 +184,8 @@ impl Matrices {
             let place = (row - size, column % size);
             if column < size {
                 let loss = Complex64::new(1.0, loss_factor);
-                (loss * beam[place] + springs[place]) / (to * to)
+                let held = Complex64::new(springs[place], losses[place]);
+                (loss * beam[place] + held) / (to * to)
             } else {
                 Complex64::new(0.0, dampers[place] / to)
             }
@@ -164,6 +200,7 @@ fn nodes(model: &Model) -> Vec<f64> {
     const ELEMENTS: f64 = 20.0;
     let length = model.beam.length;
     let mut places: Vec<f64> = model.subsystems.iter().map(|s| s.position).collect();
+    places.extend(model.supports.inner.iter().map(|inner| inner.position));
     places.extend([0.0, length]);
     places.sort_by(f64::total_cmp);
     places.dedup();
@@ -228,7 +265,7 @@ fn what_finite_elements_lead_to_is_listed() {
             .iter()
             .filter_map(|&start| polished(&determinant, start));
         // With a loss factor, a root left of the axis is not listed, however close.
-        let axis = if loss_factor == 0.0 { -1e-9 } else { 1e-12 };
+        let axis = if is_hysteretic(&model) { 1e-12 } else { -1e-9 };
         let inside = |z: &Complex64| z.re > axis * z.norm() && z.norm() < (1.0 - 1e-9) * to;
         let roots: Vec<Complex64> = roots.filter(inside).collect();
         for root in &roots {

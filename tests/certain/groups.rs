@@ -36,6 +36,7 @@ fn with_masses(count: usize, places: fn(usize) -> f64, damping: f64, step: f64) 
     let spring = Spring {
         stiffness: 1e5,
         damping,
+        loss_factor: 0.0,
     };
     let one = Subsystem {
         y_left: spring,
@@ -129,7 +130,7 @@ fn free_beam(step: f64, loss_factor: f64) -> Case {
     ];
     let mut model = load("three_alike_undamped");
     model.subsystems.clear();
-    let free = Support([beamtune::model::Restraint::Free; 6]);
+    let free = Support::on_axis([beamtune::model::Restraint::Free; 6]);
     model.supports.left = free;
     model.supports.right = free;
     model.beam.material.loss_factor = loss_factor;
@@ -283,11 +284,13 @@ fn residues(case: &Case, found: &Modes, shapes: &[Shape], group: &[usize]) -> f6
             target: from.clone(),
             amplitude: 1.0,
             phase: 0.0,
+            point: beamtune::model::Point::AXIS,
         }];
         let response = |(index, target): (usize, &Target)| Response {
             name: format!("R{index}"),
             enabled: true,
             quantity: Quantity::Motion(target.clone(), Measure::Displacement),
+            point: beamtune::model::Point::AXIS,
         };
         model.responses = targets.iter().enumerate().map(response).collect();
         let differentiator = Differentiator::new(&checked(&model));

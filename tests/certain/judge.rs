@@ -48,9 +48,23 @@ pub fn counted(model: &Model, centre: Complex64, radius: f64) -> Option<i64> {
     judge.missing_in_circle(centre, radius)
 }
 
+/// Whether the beam or a spring has a loss factor: then no root is the mirror image of another.
+pub fn is_hysteretic(model: &Model) -> bool {
+    let inner = model.supports.inner.iter().map(|inner| &inner.support);
+    let ends = [&model.supports.left, &model.supports.right];
+    let supports = ends.into_iter().chain(inner);
+    let restraints = supports.flat_map(|support| support.restraints);
+    let springs =
+        (model.subsystems.iter()).flat_map(|s| [s.y_left, s.y_right, s.z_left, s.z_right]);
+    let mut losses = std::iter::once(model.beam.material.loss_factor)
+        .chain(restraints.map(|of| of.elastic().loss_factor))
+        .chain(springs.map(|of| of.loss_factor));
+    losses.any(|loss| loss != 0.0)
+}
+
 impl<'a> Judge<'a> {
     fn new(model: &'a Model, found: &Modes) -> Self {
-        let hysteretic = model.beam.material.loss_factor != 0.0;
+        let hysteretic = is_hysteretic(model);
         let rigid = |kind: ModeKind| kind == ModeKind::RigidBody;
         let omegas = |modes: &[beamtune::solve::modes::Mode]| -> Vec<Complex64> {
             let moving = modes.iter().filter(|mode| !rigid(mode.kind));

@@ -1,8 +1,8 @@
 //! Random models: 0 to 20 subsystems, half of the models with some equal ones.
 
 use beamtune::model::{
-    Beam, Elastic, Material, Model, Restraint, Section, Spacing, Spring, Subsystem, Support,
-    Supports, Sweep,
+    Beam, Elastic, InnerSupport, Material, Model, Point, Restraint, Section, Spacing, Spring,
+    Subsystem, Support, Supports, Sweep,
 };
 
 use super::frequency_of::frequency_of;
@@ -68,6 +68,7 @@ pub fn model(seed: u64) -> (Model, f64) {
     let supports = Supports {
         left: support(&mut dice),
         right: support(&mut dice),
+        inner: Vec::new(),
     };
     let sweep = Sweep {
         from: 1.0,
@@ -75,7 +76,7 @@ pub fn model(seed: u64) -> (Model, f64) {
         points: 2,
         spacing: Spacing::Linear,
     };
-    let model = Model {
+    let mut model = Model {
         title: format!("random {seed}"),
         notes: String::new(),
         beam,
@@ -88,8 +89,52 @@ pub fn model(seed: u64) -> (Model, f64) {
         tune: None,
     };
     let wanted = 8 + (dice.next() * 22.0) as usize;
-    let to = frequency_of(&model, wanted) * dice.between(1.001, 1.1);
+    let beyond = dice.between(1.001, 1.1);
+    // Of every second model: the others have what the paper's models have.
+    if dice.next() < 0.5 {
+        hold_anywhere(&mut model, &mut dice);
+    }
+    let to = frequency_of(&model, wanted) * beyond;
     (model, to)
+}
+
+/// Adds bearings and springs to the ground between the ends, at points of the section, and loss factors.
+fn hold_anywhere(model: &mut Model, dice: &mut Dice) {
+    for index in 0..=(dice.next() * 2.0) as usize {
+        let elastic = |dice: &mut Dice| {
+            match dice.next() {
+                share if share < 0.4 => return Restraint::Free,
+                share if share < 0.6 => return Restraint::Fixed,
+                _ => {}
+            }
+            Restraint::Elastic(Elastic {
+                stiffness: dice.power(1e4, 1e8),
+                damping: dice.pick(&[0.0, 10.0, 300.0]),
+                loss_factor: dice.pick(&[0.0, 0.02, 0.2]),
+                inertia: dice.pick(&[0.0, 2.0]),
+            })
+        };
+        let mut restraints = std::array::from_fn(|_| elastic(dice));
+        if restraints == [Restraint::Free; 6] {
+            restraints[0] = Restraint::Fixed;
+        }
+        model.supports.inner.push(InnerSupport {
+            name: format!("B{index}"),
+            position: dice.between(0.05, 0.95) * model.beam.length,
+            support: Support {
+                restraints,
+                point: Point {
+                    y: dice.pick(&[0.0, 0.08]),
+                    z: dice.pick(&[0.0, -0.1]),
+                },
+            },
+        });
+    }
+    for subsystem in &mut model.subsystems {
+        let loss_factor = dice.pick(&[0.0, 0.0, 0.1]);
+        subsystem.y_left.loss_factor = loss_factor;
+        subsystem.z_right.loss_factor = loss_factor;
+    }
 }
 
 fn beam(dice: &mut Dice) -> Beam {
@@ -128,6 +173,7 @@ fn subsystem(dice: &mut Dice, beam: &Beam) -> Subsystem {
         Spring {
             stiffness,
             damping: 2.0 * ratio * (0.5 * mass * stiffness).sqrt(),
+            loss_factor: 0.0,
         }
     };
     let [y_left, y_right, z_left, z_right] = [spring(), spring(), spring(), spring()];
@@ -153,13 +199,14 @@ fn support(dice: &mut Dice) -> Support {
         share if share < 0.2 => Support::CLAMPED,
         share if share < 0.4 => Support::PINNED,
         share if share < 0.6 => Support::FREE,
-        _ => Support(std::array::from_fn(|_| match dice.next() {
+        _ => Support::on_axis(std::array::from_fn(|_| match dice.next() {
             share if share < 0.3 => Restraint::Free,
             share if share < 0.5 => Restraint::Fixed,
             _ => Restraint::Elastic(Elastic {
                 stiffness: dice.power(1e4, 1e8),
                 damping: dice.pick(&[0.0, 10.0, 300.0]),
                 inertia: dice.pick(&[0.0, 0.5]),
+                loss_factor: 0.0,
             }),
         })),
     }

@@ -62,7 +62,7 @@ fn damped(model: &Model, factor: f64) -> Model {
     let mut model = model.clone();
     model.beam.material.loss_factor *= factor;
     for support in [&mut model.supports.left, &mut model.supports.right] {
-        for restraint in &mut support.0 {
+        for restraint in &mut support.restraints {
             if let Restraint::Elastic(elastic) = restraint {
                 elastic.damping *= factor;
             }

@@ -1,12 +1,13 @@
 //! Random damped models for the property tests.
 
 use beamtune::model::{
-    Beam, BeamMotion, Bedding, Elastic, Force, Foundation, MassMotion, Material, Measure, Model,
-    Place, Quantity, Response, Restraint, Section, Spacing, Spring, Subsystem, Support, Supports,
-    Sweep, Target, Theory,
+    Beam, BeamMotion, Bedding, Elastic, Force, Foundation, InnerSupport, MassMotion, Material,
+    Measure, Model, Place, Point, Quantity, Response, Restraint, Section, Spacing, Spring,
+    Subsystem, Support, Supports, Sweep, Target, Theory,
 };
 use num_complex::Complex64;
 use proptest::prelude::*;
+use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 
 /// The length of every beam here, m.
@@ -94,33 +95,72 @@ fn any_beams() -> impl Strategy<Value = Beam> {
     })
 }
 
-/// Free, fixed or elastic.
-fn restraints() -> impl Strategy<Value = Restraint> {
-    let elastic = (1e4..1e8, 0.0..1e3, prop_oneof![Just(0.0), 0.0..5.0]).prop_map(
-        |(stiffness, damping, inertia)| {
+/// Free, fixed or elastic, with some loss factors.
+fn restraints(loss_factors: BoxedStrategy<f64>) -> impl Strategy<Value = Restraint> {
+    let inertia = prop_oneof![Just(0.0), 0.0..5.0];
+    let elastic = (1e4..1e8, 0.0..1e3, loss_factors, inertia).prop_map(
+        |(stiffness, damping, loss_factor, inertia)| {
             Restraint::Elastic(Elastic {
                 stiffness,
                 damping,
                 inertia,
+                loss_factor,
             })
         },
     );
     prop_oneof![2 => Just(Restraint::Free), 1 => Just(Restraint::Fixed), 2 => elastic]
 }
 
-fn supports() -> impl Strategy<Value = Support> {
-    prop::array::uniform6(restraints()).prop_map(Support)
+/// Those of springs: 0 for half of them.
+fn loss_factors() -> BoxedStrategy<f64> {
+    prop_oneof![Just(0.0), 0.0..0.2].boxed()
 }
 
-fn springs() -> impl Strategy<Value = Spring> {
+fn supports_on_axis(loss_factors: BoxedStrategy<f64>) -> impl Strategy<Value = Support> {
+    prop::array::uniform6(restraints(loss_factors)).prop_map(Support::on_axis)
+}
+
+fn supports_at_points() -> impl Strategy<Value = Support> {
+    let arm = || prop_oneof![Just(0.0), -0.2..0.2];
+    (supports_on_axis(loss_factors()), arm(), arm()).prop_map(|(support, y, z)| Support {
+        point: Point { y, z },
+        ..support
+    })
+}
+
+/// Up to two supports between the ends, at different positions.
+fn inner_supports() -> impl Strategy<Value = Vec<InnerSupport>> {
+    let places = [0.02..0.48 * LENGTH, 0.52 * LENGTH..0.98 * LENGTH];
+    let one = |place: Range<f64>, name: &'static str| {
+        let holds = |support: &Support| support.kind() != "free";
+        let support = supports_at_points().prop_filter("holds nothing", holds);
+        let inner = (place, support).prop_map(|(position, support)| InnerSupport {
+            name: name.to_owned(),
+            position,
+            support,
+        });
+        prop::option::of(inner)
+    };
+    let [first, second] = places;
+    (one(first, "B1"), one(second, "B2"))
+        .prop_map(|(first, second)| first.into_iter().chain(second).collect())
+}
+
+fn springs(loss_factors: BoxedStrategy<f64>) -> impl Strategy<Value = Spring> {
     prop_oneof![
         1 => Just(Spring::default()),
-        5 => (1e5..3e7, 1.0..200.0).prop_map(|(stiffness, damping)| Spring { stiffness, damping }),
+        5 => (1e5..3e7, 1.0..200.0, loss_factors)
+            .prop_map(|(stiffness, damping, loss_factor)| Spring { stiffness, damping, loss_factor }),
     ]
 }
 
 /// A subsystem anywhere on the beam, ends included.
 pub fn subsystems() -> impl Strategy<Value = Subsystem> {
+    subsystems_with(&loss_factors())
+}
+
+fn subsystems_with(loss_factors: &BoxedStrategy<f64>) -> impl Strategy<Value = Subsystem> + use<> {
+    let springs = || springs(loss_factors.clone());
     let place = prop_oneof![1 => Just(0.0), 1 => Just(LENGTH), 8 => 0.0..LENGTH];
     let springs = (springs(), springs(), springs(), springs());
     (
@@ -155,45 +195,48 @@ pub fn subsystems() -> impl Strategy<Value = Subsystem> {
 /// Models of any beams.
 #[allow(dead_code, reason = "not every test program uses it")]
 pub fn models() -> impl Strategy<Value = Model> {
-    models_with(any_beams())
+    let supports = (supports_at_points(), supports_at_points(), inner_supports());
+    models_with(any_beams(), supports.boxed(), subsystems())
 }
 
-/// Models of beams whose v is on its own, as the paper's.
+/// Models of beams whose v is on its own, as the paper's, held at its ends by springs without a loss factor.
 #[allow(dead_code, reason = "not every test program uses it")]
 pub fn models_of_one_offset() -> impl Strategy<Value = Model> {
-    models_with(beams())
+    let on_axis = || supports_on_axis(Just(0.0).boxed());
+    let supports = (on_axis(), on_axis(), Just(Vec::new()));
+    let subsystems = subsystems_with(&Just(0.0).boxed());
+    models_with(beams(), supports.boxed(), subsystems)
 }
 
 /// A damped model with up to four subsystems named S1, S2, ..., without forces and responses.
-fn models_with(beams: impl Strategy<Value = Beam>) -> impl Strategy<Value = Model> {
-    (
-        beams,
-        supports(),
-        supports(),
-        prop::collection::vec(subsystems(), 0..=4),
-    )
-        .prop_map(|(beam, left, right, mut subsystems)| {
-            for (index, subsystem) in subsystems.iter_mut().enumerate() {
-                subsystem.name = format!("S{}", index + 1);
-            }
-            Model {
-                title: String::new(),
-                notes: String::new(),
-                beam,
-                supports: Supports { left, right },
-                subsystems,
-                forces: Vec::new(),
-                responses: Vec::new(),
-                sweep: Sweep {
-                    from: 1.0,
-                    to: 100.0,
-                    points: 2,
-                    spacing: Spacing::Linear,
-                },
-                studies: Vec::new(),
-                tune: None,
-            }
-        })
+fn models_with(
+    beams: impl Strategy<Value = Beam>,
+    supports: BoxedStrategy<(Support, Support, Vec<InnerSupport>)>,
+    subsystems: impl Strategy<Value = Subsystem>,
+) -> impl Strategy<Value = Model> {
+    let subsystems = prop::collection::vec(subsystems, 0..=4);
+    (beams, supports, subsystems).prop_map(|(beam, (left, right, inner), mut subsystems)| {
+        for (index, subsystem) in subsystems.iter_mut().enumerate() {
+            subsystem.name = format!("S{}", index + 1);
+        }
+        Model {
+            title: String::new(),
+            notes: String::new(),
+            beam,
+            supports: Supports { left, right, inner },
+            subsystems,
+            forces: Vec::new(),
+            responses: Vec::new(),
+            sweep: Sweep {
+                from: 1.0,
+                to: 100.0,
+                points: 2,
+                spacing: Spacing::Linear,
+            },
+            studies: Vec::new(),
+            tune: None,
+        }
+    })
 }
 
 /// A motion of the beam between its ends, or of a mass.
@@ -228,16 +271,33 @@ pub fn unit_force(target: Target) -> Force {
         target,
         amplitude: 1.0,
         phase: 0.0,
+        point: Point::AXIS,
     }
 }
 
 /// The displacement at each target under forces, at one frequency in Hz.
 pub fn respond(model: &Model, forces: Vec<Force>, at: &[Target], hertz: f64) -> Vec<Complex64> {
-    let responses = at.iter().enumerate().map(|(index, target)| Response {
-        name: format!("R{index}"),
-        enabled: true,
-        quantity: Quantity::Motion(target.clone(), Measure::Displacement),
-    });
+    let on_axis = |target: &Target| (target.clone(), Point::AXIS);
+    let at: Vec<_> = at.iter().map(on_axis).collect();
+    respond_at_points(model, forces, &at, hertz)
+}
+
+/// The same at points of the section.
+pub fn respond_at_points(
+    model: &Model,
+    forces: Vec<Force>,
+    at: &[(Target, Point)],
+    hertz: f64,
+) -> Vec<Complex64> {
+    let responses = at
+        .iter()
+        .enumerate()
+        .map(|(index, (target, point))| Response {
+            name: format!("R{index}"),
+            enabled: true,
+            quantity: Quantity::Motion(target.clone(), Measure::Displacement),
+            point: *point,
+        });
     let model = Model {
         forces,
         responses: responses.collect(),

@@ -161,6 +161,8 @@ fn the_keys_of_the_model_file_are_those_of_the_schema() {
         ("beam", schema::BEAM.keys),
         ("beam.material", schema::MATERIAL.keys),
         ("beam.section", schema::SECTION.keys),
+        ("beam.foundation", schema::FOUNDATION.keys),
+        ("supports.inner", schema::INNER_SUPPORT.keys),
         ("supports.left", schema::SUPPORT.keys),
         ("supports.left.w", schema::ELASTIC_TRANSLATION.keys),
         ("supports.left.psi", schema::ELASTIC_ROTATION.keys),

@@ -468,7 +468,7 @@ fn undamped(name: &str) -> Driver {
     let mut model = Model::clone(Driver::preset(name).app.model());
     model.beam.material.loss_factor = 0.0;
     for end in [&mut model.supports.left, &mut model.supports.right] {
-        for restraint in &mut end.0 {
+        for restraint in &mut end.restraints {
             if let Restraint::Elastic(elastic) = restraint {
                 elastic.damping = 0.0;
             }

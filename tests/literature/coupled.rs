@@ -44,8 +44,8 @@ impl Products {
 /// are sin(n pi x / L), and omega^2 is a root of a quadratic. A guided end (slopes fixed) has a cosine in the same way.
 /// All natural frequencies above zero, Hz, up to `to`, not sorted.
 pub fn sinusoidal(model: &Model, to: f64) -> Vec<f64> {
-    let guided = |support: &Support| match support.0 {
-        displacements_and_slopes if displacements_and_slopes == Support::PINNED.0 => 0,
+    let guided = |support: &Support| match support.restraints {
+        displacements_and_slopes if displacements_and_slopes == Support::PINNED.restraints => 0,
         [
             Restraint::Free,
             Restraint::Free,

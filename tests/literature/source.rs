@@ -32,6 +32,8 @@ pub struct Source {
 #[serde(deny_unknown_fields)]
 pub struct Case {
     pub name: String,
+    /// A model file of its own, in place of the source's.
+    pub model: Option<String>,
     /// Parameter paths and their values.
     #[serde(default)]
     pub set: BTreeMap<String, toml::Value>,
@@ -82,6 +84,9 @@ pub enum Unit {
     Hertz,
     #[serde(rename = "rad/s")]
     RadianPerSecond,
+    /// 1/m: beta times a span of 1 m.
+    #[serde(rename = "beta")]
+    Beta,
     #[serde(rename = "beta L")]
     BetaL,
     #[serde(rename = "(beta L)^2")]
@@ -103,7 +108,8 @@ pub struct Statement {
 impl Source {
     /// The model of a case.
     pub fn model(&self, case: &Case) -> Model {
-        let mut model = model::read(&self.model)
+        let text = case.model.as_ref().unwrap_or(&self.model);
+        let mut model = model::read(text)
             .unwrap_or_else(|faults| panic!("{}: {faults:?}", self.subject))
             .into_inner();
         for (path, value) in &case.set {
@@ -127,6 +133,7 @@ impl Unit {
         match self {
             Self::Hertz => "Hz",
             Self::RadianPerSecond => "rad/s",
+            Self::Beta => "1/m",
             Self::BetaL => "beta L",
             Self::BetaLSquared => "(beta L)^2",
         }
@@ -142,6 +149,7 @@ impl Unit {
         match self {
             Self::Hertz => hertz,
             Self::RadianPerSecond => omega,
+            Self::Beta => (omega / speed).sqrt(),
             Self::BetaL => (omega / speed).sqrt() * beam.length,
             Self::BetaLSquared => omega / speed * beam.length.powi(2),
         }
@@ -150,6 +158,7 @@ impl Unit {
     /// The frequency in Hz of a number in this unit.
     pub fn to_hertz(self, value: f64, model: &Model) -> f64 {
         match self {
+            Self::Beta => (value / self.of_hertz(1.0, model)).powi(2),
             Self::BetaL => value.powi(2) / Self::BetaLSquared.of_hertz(1.0, model),
             other => value / other.of_hertz(1.0, model),
         }

@@ -26,12 +26,14 @@ fn grounded() -> Model {
         target: target(motion),
         amplitude,
         phase: 0.0,
+        point: beamtune::model::Point::AXIS,
     };
     model.forces = vec![force(MassMotion::Y, 2.0), force(MassMotion::Z, 3.0)];
     let response = |motion: MassMotion| Response {
         name: motion.key().to_owned(),
         enabled: true,
         quantity: Quantity::Motion(target(motion), Measure::Displacement),
+        point: beamtune::model::Point::AXIS,
     };
     model.responses = MassMotion::ALL.map(response).into();
     model

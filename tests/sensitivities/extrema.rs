@@ -7,7 +7,7 @@ use beamtune::solve::{band, modes, peaks};
 use num_complex::Complex64;
 
 use super::difference::{Exact, NEAR, Trial, worst};
-use super::{never, preset, rich};
+use super::{never, preset, rich, supported};
 
 /// A new search for every change takes time: only some parameters of every part.
 const SOME: Trial = Trial {
@@ -39,6 +39,7 @@ fn frequencies_and_damping_of_modes() {
     for (model, to) in [
         (held(true), 120.0),
         (held(false), 120.0),
+        (supported(true), 120.0),
         (preset("cantilever"), 100.0),
     ] {
         let before = modes::modes(&checked(&model), to, &never()).unwrap();

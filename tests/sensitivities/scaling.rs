@@ -6,7 +6,7 @@ use crate::checked::checked;
 use beamtune::model::{BeamMotion, Measure, Model, Place, Quantity, Target};
 use beamtune::solve::sensitivity::Differentiator;
 
-use super::{preset, rich, thousand};
+use super::{preset, rich, supported, thousand};
 
 /// The exponents of a factor for a response and for the frequency.
 struct Law {
@@ -76,7 +76,7 @@ const LONGER: Law = Law {
         };
         match word {
             "length" | "position" | "arm_left" | "arm_right" | "mount_y" | "mount_z"
-            | "centroid_offset" => 1.0,
+            | "centroid_offset" | "y" | "z" => 1.0,
             "young_modulus" | "shear_modulus" => -1.0,
             "density" => -3.0,
             "area" => 2.0,
@@ -163,10 +163,12 @@ fn every_scaling_law_holds() {
         "fig06",
         "fig16",
     ];
-    let models = models
-        .map(preset)
-        .into_iter()
-        .chain([rich(true), rich(false), thousand()]);
+    let models = models.map(preset).into_iter().chain([
+        rich(true),
+        rich(false),
+        supported(true),
+        thousand(),
+    ]);
     for model in models {
         let lengths = without_places(model.clone());
         for (frequency, allowed) in [

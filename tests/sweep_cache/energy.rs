@@ -14,6 +14,7 @@ fn with_energy(mut model: Model) -> Model {
         name: "E_V".to_owned(),
         enabled: true,
         quantity: Quantity::Energy,
+        point: beamtune::model::Point::AXIS,
     });
     model
 }
@@ -117,13 +118,14 @@ fn random_model(random: &mut fastrand::Rng) -> Model {
         let elastic = Elastic {
             stiffness: 1e6,
             damping: 100.0,
+            loss_factor: [0.0, 0.1][random.usize(0..2)],
             inertia: [0.0, 10.0][random.usize(0..2)],
         };
         *support = [
             Support::CLAMPED,
             Support::PINNED,
-            Support([Restraint::Free; 6]),
-            Support([Restraint::Elastic(elastic); 6]),
+            Support::on_axis([Restraint::Free; 6]),
+            Support::on_axis([Restraint::Elastic(elastic); 6]),
         ][random.usize(0..4)];
     }
     for subsystem in &mut model.subsystems {

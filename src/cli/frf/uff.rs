@@ -1,6 +1,8 @@
 //! Frequency responses as a universal file.
 
 use std::cell::Cell;
+use std::cmp::Ordering;
+use std::fmt::Write;
 use std::path::Path;
 
 use num_complex::Complex64;
@@ -8,7 +10,9 @@ use num_complex::Complex64;
 use super::{Curve, Member, Points, warn_of};
 use crate::cli::{Failure, csv, say};
 use crate::measured::{Node, Record, Written, write_uff};
-use crate::model::{BeamMotion, Checked, MassMotion, Place, Quantity, Response, Target, counted};
+use crate::model::{
+    BeamMotion, Checked, MassMotion, Place, Point, Quantity, Response, Target, counted,
+};
 use crate::solve::{Frf, Reference};
 use crate::unit::Kind;
 
@@ -93,18 +97,14 @@ impl Solved<'_> {
             .zip(enabled(self.model));
         columns
             .map(|((column, name), response)| {
-                let target = match &response.quantity {
-                    Quantity::Motion(target, _) => Some(target),
-                    Quantity::Energy => None,
-                };
                 let kind = response.quantity.kind(reference.map(|one| one.load));
                 let force = force.filter(|_| kind != Kind::Energy);
                 Record {
                     name,
                     title: self.title(),
                     kind,
-                    response: target.map(|target| places.node(target)),
-                    reference: force.map(|force| places.node(&force.target)),
+                    response: moved(response).map(|at| places.node(at)),
+                    reference: force.map(|force| places.node((&force.target, force.point))),
                     frequencies: &self.frf.frequencies,
                     values: &column.values as &[Complex64],
                 }
@@ -120,41 +120,58 @@ impl Solved<'_> {
     }
 }
 
+/// What a motion is of, and its point of the section; none for an energy.
+fn moved(response: &Response) -> Option<(&Target, Point)> {
+    match &response.quantity {
+        Quantity::Motion(target, _) => Some((target, response.point)),
+        Quantity::Energy => None,
+    }
+}
+
 /// The numbered nodes of a model: those on the beam from left to right, then the masses in the order of the model.
 struct Places<'a> {
     model: &'a Checked,
-    /// m from the left end.
-    beam: Vec<f64>,
+    /// Distance from the left end and point of the section, m.
+    beam: Vec<[f64; 3]>,
 }
 
 impl<'a> Places<'a> {
     fn of(model: &'a Checked) -> Self {
-        let of_responses = enabled(model).filter_map(|response| match &response.quantity {
-            Quantity::Motion(target, _) => Some(target),
-            Quantity::Energy => None,
-        });
-        let of_forces = model.forces.iter().map(|force| &force.target);
-        let on_beam = |target: &Target| match target {
-            Target::Beam(place, _) => Some(position(model, *place)),
+        let of_responses = enabled(model).filter_map(moved);
+        let of_forces = model
+            .forces
+            .iter()
+            .map(|force| (&force.target, force.point));
+        let on_beam = |(target, point): (&Target, Point)| match target {
+            Target::Beam(place, _) => Some(Self::place(model, *place, point)),
             Target::Mass(..) => None,
         };
-        let mut beam: Vec<f64> = of_responses.chain(of_forces).filter_map(on_beam).collect();
-        beam.sort_by(f64::total_cmp);
+        let mut beam: Vec<[f64; 3]> = of_responses.chain(of_forces).filter_map(on_beam).collect();
+        // The numbers of a checked model are finite.
+        beam.sort_by(|a, b| a.partial_cmp(b).unwrap_or(Ordering::Equal));
         beam.dedup();
         Self { model, beam }
     }
 
+    fn place(model: &Checked, place: Place, point: Point) -> [f64; 3] {
+        [place.position(model.beam.length), point.y, point.z]
+    }
+
     /// Number, name and direction. Directions: x along the beam, w and y along y, v and z along z; psi and theta about
     /// x, v' 5 and w' 6, all with the sign of the model; a rate of twist is a scalar.
-    fn node(&self, target: &Target) -> Node {
+    fn node(&self, (target, point): (&Target, Point)) -> Node {
         let (number, name, direction) = match target {
             Target::Beam(place, motion) => {
-                let x = position(self.model, *place);
-                let name = match place {
+                let mut name = match place {
                     Place::Left => "left".to_owned(),
                     Place::Right => "right".to_owned(),
                     Place::Position(x) => format!("x={x}"),
                 };
+                if point != Point::AXIS {
+                    let _ = write!(name, " y={} z={}", point.y, point.z);
+                }
+                let own = Self::place(self.model, *place, point);
+                let number = self.beam.iter().position(|place| *place == own);
                 let direction = match motion {
                     BeamMotion::W => 2,
                     BeamMotion::V => 3,
@@ -163,11 +180,7 @@ impl<'a> Places<'a> {
                     BeamMotion::WSlope => 6,
                     BeamMotion::PsiSlope => 0,
                 };
-                (
-                    self.beam.partition_point(|place| *place < x),
-                    name,
-                    direction,
-                )
+                (number.unwrap_or_default(), name, direction)
             }
             Target::Mass(name, motion) => {
                 let mut subsystems = self.model.subsystems.iter();
@@ -189,14 +202,6 @@ impl<'a> Places<'a> {
             number: u32::try_from(number + 1).unwrap_or(u32::MAX),
             direction,
         }
-    }
-}
-
-fn position(model: &Checked, place: Place) -> f64 {
-    match place {
-        Place::Left => 0.0,
-        Place::Right => model.beam.length,
-        Place::Position(x) => x,
     }
 }
 

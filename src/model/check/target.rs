@@ -1,10 +1,12 @@
 //! The rules of forces and responses: their positions and directions.
 
 use super::super::fault::Fault;
-use super::super::schema::FORCE;
+use super::super::schema::{FORCE, RESPONSE};
 use super::super::spelling::{self, element_keys};
 use super::super::toml_literal::format_number;
-use super::super::types::{BeamMotion, MassMotion, Model, Place, Quantity, Subsystem, Target};
+use super::super::types::{
+    BeamMotion, MassMotion, Model, Place, Point, Quantity, Subsystem, Target,
+};
 use super::{beyond_the_end, element_names, not_finite, numbers};
 
 /// The most faults that suggest the nearest name, because the search is slow among many names.
@@ -16,6 +18,7 @@ pub(super) fn forces(model: &Model, faults: &mut Vec<Fault>) {
         let path = format!("forces.{}", index + 1);
         let before = faults.len();
         target(&path, &force.target, force.enabled, model, faults);
+        point(&path, force.point, Some(&force.target), faults);
         if let Target::Beam(_, BeamMotion::PsiSlope) = force.target
             && faults.len() == before
             && model.beam.section.warping_constant == 0.0
@@ -38,14 +41,31 @@ pub(super) fn responses(model: &Model, faults: &mut Vec<Fault>) {
         .map(|response| response.name.as_str());
     element_names("responses", &names, faults);
     for (response, key) in model.responses.iter().zip(element_keys(names)) {
-        if let Quantity::Motion(at, _) = &response.quantity {
-            target(
-                &format!("responses.{key}"),
-                at,
-                response.enabled,
-                model,
-                faults,
+        let path = format!("responses.{key}");
+        let at = match &response.quantity {
+            Quantity::Motion(at, _) => Some(at),
+            Quantity::Energy => None,
+        };
+        if let Some(at) = at {
+            target(&path, at, response.enabled, model, faults);
+        }
+        point(&path, response.point, at, faults);
+        numbers(&path, response, &RESPONSE, faults);
+    }
+}
+
+/// A point of the section, which only a displacement of the beam has.
+fn point(path: &str, point: Point, target: Option<&Target>, faults: &mut Vec<Fault>) {
+    if target.is_some_and(Target::has_point) {
+        return;
+    }
+    for (key, value) in [("y", point.y), ("z", point.z)] {
+        if value != 0.0 {
+            let message = format!(
+                "is {} m; must be left out: only w and v of the beam differ from point to point of the section",
+                format_number(value)
             );
+            faults.push(Fault::new(format!("{path}.{key}"), message));
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Renaming elements that other parts of the model refer to.
 
-use crate::model::id::Group;
+use crate::model::id::{Group, SupportId};
 use crate::model::path::Pattern;
 use crate::model::path::pattern::{Part, join};
 use crate::model::tuning::Limit;
@@ -11,6 +11,7 @@ pub(super) fn element(model: &mut Model, group: Group, new: &str) {
     match group {
         Group::Subsystem(index) => subsystem(model, index, new),
         Group::Response(index) => response(model, index, new),
+        Group::Support(SupportId::Inner(index)) => inner_support(model, index, new),
         Group::Study(index) => new.clone_into(&mut model.studies[index].name),
         _ => {}
     }
@@ -35,7 +36,14 @@ fn subsystem(model: &mut Model, index: usize, new: &str) {
             new.clone_into(name);
         }
     }
-    paths(model, "subsystems", &old, new);
+    paths(model, &["subsystems"], &old, new);
+}
+
+/// Renames an inner support and all references to it.
+fn inner_support(model: &mut Model, index: usize, new: &str) {
+    let name = &mut model.supports.inner[index].name;
+    let old = std::mem::replace(name, new.to_owned());
+    paths(model, &["supports", "inner"], &old, new);
 }
 
 /// Renames a response and all references to it.
@@ -52,11 +60,11 @@ fn response(model: &mut Model, index: usize, new: &str) {
             new.clone_into(response);
         }
     }
-    paths(model, "responses", &old, new);
+    paths(model, &["responses"], &old, new);
 }
 
 /// Rewrites the paths of studies and tuning that name an element of a list.
-fn paths(model: &mut Model, list: &str, old: &str, new: &str) {
+fn paths(model: &mut Model, list: &[&str], old: &str, new: &str) {
     for study in &mut model.studies {
         match &mut study.family {
             Family::Vary { paths, .. } => paths
@@ -78,19 +86,24 @@ fn paths(model: &mut Model, list: &str, old: &str, new: &str) {
     }
 }
 
-fn rewrite(path: &mut Pattern, list: &str, old: &str, new: &str) {
+fn rewrite(path: &mut Pattern, list: &[&str], old: &str, new: &str) {
     let Ok(parts) = path.parts() else { return };
+    let is_in_list = parts.len() > list.len()
+        && list
+            .iter()
+            .zip(parts)
+            .all(|(key, part)| *part != Part::Any && part.means(key));
     // Digits without quotes are a number, which does not change.
-    let named = match parts {
-        [root, Part::Word(name), ..] => {
-            root.means(list) && name == old && !name.chars().all(|letter| letter.is_ascii_digit())
+    let is_it = match parts.get(list.len()) {
+        Some(Part::Word(name)) => {
+            name == old && !name.chars().all(|letter| letter.is_ascii_digit())
         }
-        [root, Part::Quoted(name), ..] => root.means(list) && name == old,
-        _ => false,
+        Some(Part::Quoted(name)) => name == old,
+        Some(Part::Any) | None => false,
     };
-    if named {
+    if is_in_list && is_it {
         let mut parts = parts.to_vec();
-        parts[1] = Part::Quoted(new.to_owned());
+        parts[list.len()] = Part::Quoted(new.to_owned());
         *path = join(&parts).into();
     }
 }

@@ -3,7 +3,7 @@
 use super::value::Value;
 use crate::model::id::Group;
 use crate::model::spelling::{nearest, segment};
-use crate::model::types::{BeamMotion, MassMotion, Model, Place, Quantity, Target};
+use crate::model::types::{BeamMotion, MassMotion, Model, Place, Point, Quantity, Target};
 use crate::unit::{Measure, Unit, value_input};
 
 /// The target of an energy response that becomes a motion.
@@ -73,15 +73,28 @@ pub(super) fn known(model: &Model, group: Group) -> Result<&Target, String> {
     target_of(model, group).ok_or_else(|| "is an energy, that of the whole beam; the measure must be displacement, velocity or acceleration first".to_owned())
 }
 
+/// Sets the target; a direction that is the same at every point of the section has none.
 fn put(model: &mut Model, group: Group, new: Target) {
-    match group {
-        Group::Force(index) => model.forces[index].target = new,
-        Group::Response(index) => {
-            if let Quantity::Motion(target, _) = &mut model.responses[index].quantity {
-                *target = new;
-            }
+    let (target, point) = match group {
+        Group::Force(index) => {
+            let force = &mut model.forces[index];
+            (Some(&mut force.target), &mut force.point)
         }
-        _ => {}
+        Group::Response(index) => {
+            let response = &mut model.responses[index];
+            let target = match &mut response.quantity {
+                Quantity::Motion(target, _) => Some(target),
+                Quantity::Energy => None,
+            };
+            (target, &mut response.point)
+        }
+        _ => return,
+    };
+    if !new.has_point() {
+        *point = Point::AXIS;
+    }
+    if let Some(target) = target {
+        *target = new;
     }
 }
 

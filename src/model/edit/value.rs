@@ -2,10 +2,11 @@
 
 use super::rename;
 use super::target;
-use crate::model::id::{End, Group, ParameterId};
+use crate::model::id::{Group, ParameterId, SupportId};
+use crate::model::path;
 use crate::model::schema::{self, Access, Key, Kind, Rows};
 use crate::model::toml_literal::format_number;
-use crate::model::types::{BeamMotion, Elastic, Model, Restraint, Support};
+use crate::model::types::{BeamMotion, Elastic, Model, Point, Quantity, Restraint, Support};
 
 /// The value of a parameter.
 #[derive(Debug, Clone, PartialEq)]
@@ -112,8 +113,14 @@ pub fn get(model: &Model, id: ParameterId) -> Result<Value, String> {
         Group::Material => schema::MATERIAL.get(row, &model.beam.material),
         Group::Section => schema::SECTION.get(row, &model.beam.section),
         Group::Foundation => schema::FOUNDATION.get(row, &model.beam.foundation),
-        Group::Motion(end, motion) => match end.support(model)[motion] {
-            Restraint::Fixed => return Err(fixed(end, motion, id.key())),
+        Group::Support(support @ SupportId::Inner(index)) if row < support.own_keys() => {
+            schema::INNER_SUPPORT.get(row, &model.supports.inner[index])
+        }
+        Group::Support(support) => {
+            schema::SUPPORT.get(row - support.own_keys(), support.support(model))
+        }
+        Group::Motion(support, motion) => match support.support(model)[motion] {
+            Restraint::Fixed => return Err(fixed(model, support, motion, id.key())),
             held => schema::elastic(motion).get(row, &held.elastic()),
         },
         Group::Subsystem(index) => schema::SUBSYSTEM.get(row, &model.subsystems[index]),
@@ -140,8 +147,8 @@ pub fn number(model: &Model, id: ParameterId) -> Result<f64, String> {
 fn own(model: &Model, id: ParameterId) -> Result<Value, String> {
     let target = || target::known(model, id.group);
     Ok(match (id.group, id.key().kind) {
-        (Group::Support(end), _) => {
-            let support = end.support(model);
+        (Group::Support(support), _) => {
+            let support = support.support(model);
             Value::Choice(
                 id.motion()
                     .map_or_else(|| support.kind(), |motion| support[motion].kind()),
@@ -155,10 +162,11 @@ fn own(model: &Model, id: ParameterId) -> Result<Value, String> {
     })
 }
 
-fn fixed(end: End, motion: BeamMotion, key: &Key) -> String {
-    let (end, motion, key) = (end.key(), motion.key(), key.key);
+fn fixed(model: &Model, support: SupportId, motion: BeamMotion, key: &Key) -> String {
+    let restraint = path::text(model, ParameterId::restraint(support, motion));
+    let (motion, key) = (motion.key(), key.key);
     format!(
-        "{motion} is fixed there, so it has no {key}; supports.{end}.{motion} must be free or elastic first"
+        "{motion} is fixed there, so it has no {key}; {restraint} must be free or elastic first"
     )
 }
 
@@ -173,14 +181,26 @@ pub fn put(model: &mut Model, id: ParameterId, value: Value) -> Result<(), Strin
         (group, Kind::Place) => target::place_at(model, group, value)?,
         (group, Kind::Direction) => target::turn(model, group, &value)?,
         (Group::Response(index), Kind::Measure) => {
-            let quantity = &mut model.responses[index].quantity;
-            *quantity = target::measured(quantity, value.word()?)?;
+            let response = &mut model.responses[index];
+            response.quantity = target::measured(&response.quantity, value.word()?)?;
+            if response.quantity == Quantity::Energy {
+                response.point = Point::AXIS;
+            }
         }
-        (Group::Support(end), _) => match (id.motion(), end.support_mut(model)) {
-            (Some(motion), support) => put_restraint(&mut support[motion], value.word()?)?,
-            (None, support) => put_support(support, value.word()?)?,
-        },
-        (Group::Motion(end, motion), _) => put_spring(model, end, motion, id, &value)?,
+        (Group::Support(support), Kind::Support) => {
+            put_support(support.support_mut(model), value.word()?)?;
+        }
+        (Group::Support(support @ SupportId::Inner(index)), _) if row < support.own_keys() => {
+            schema::INNER_SUPPORT.set(row, &mut model.supports.inner[index], value)?;
+        }
+        (Group::Support(at), _) => {
+            let support = at.support_mut(model);
+            match id.motion() {
+                Some(motion) => put_restraint(&mut support[motion], value.word()?)?,
+                None => schema::SUPPORT.set(row - at.own_keys(), support, value)?,
+            }
+        }
+        (Group::Motion(support, motion), _) => put_spring(model, support, motion, id, &value)?,
         (Group::Model, _) => schema::MODEL.set(row, model, value)?,
         (Group::Beam, _) => schema::BEAM.set(row, &mut model.beam, value)?,
         (Group::Material, _) => schema::MATERIAL.set(row, &mut model.beam.material, value)?,
@@ -203,22 +223,21 @@ pub fn put(model: &mut Model, id: ParameterId, value: Value) -> Result<(), Strin
 
 fn put_spring(
     model: &mut Model,
-    end: End,
+    support: SupportId,
     motion: BeamMotion,
     id: ParameterId,
     value: &Value,
 ) -> Result<(), String> {
-    let restraint = &mut end.support_mut(model)[motion];
     let new = value.number()?;
-    let mut elastic = match *restraint {
+    let mut elastic = match support.support(model)[motion] {
         Restraint::Elastic(elastic) => elastic,
         // A free motion already has a stiffness, damping and inertia of 0.
         Restraint::Free if new == 0.0 => return Ok(()),
         Restraint::Free => Elastic::default(),
-        Restraint::Fixed => return Err(fixed(end, motion, id.key())),
+        Restraint::Fixed => return Err(fixed(model, support, motion, id.key())),
     };
     schema::elastic(motion).set(id.row, &mut elastic, Value::Number(new))?;
-    *restraint = Restraint::Elastic(elastic);
+    support.support_mut(model)[motion] = Restraint::Elastic(elastic);
     Ok(())
 }
 
@@ -240,8 +259,9 @@ fn put_support(support: &mut Support, word: &str) -> Result<(), String> {
             Err("cannot be elastic as a whole; set a spring of one motion instead".to_owned())
         };
     }
-    *support = Support::of_word(word)
-        .ok_or_else(|| format!("is {word:?}; must be free, pinned or clamped"))?;
+    support.restraints = Support::of_word(word)
+        .ok_or_else(|| format!("is {word:?}; must be free, pinned or clamped"))?
+        .restraints;
     Ok(())
 }
 

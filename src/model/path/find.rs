@@ -7,7 +7,7 @@ use super::pattern::{Part, Pattern};
 use super::suggestion::{self, Mismatch};
 use super::text::parts;
 use crate::model::Fault;
-use crate::model::id::{End, Group, ParameterId};
+use crate::model::id::{Group, ParameterId, SupportId};
 use crate::model::types::Model;
 
 /// The first words of paths.
@@ -73,6 +73,7 @@ impl<'a> Finder<'a> {
         let star = |at: usize| path.get(at) == Some(&Part::Any);
         // A star for a motion or a response skips those without the parameter.
         let lenient = match owners.first() {
+            Some(Group::Support(SupportId::Inner(_))) => star(3),
             Some(Group::Support(_)) => star(2),
             Some(Group::Response(_)) => star(1),
             _ => false,
@@ -93,9 +94,17 @@ impl<'a> Finder<'a> {
             "title" | "notes" => Ok((vec![Group::Model], 0)),
             "beam" => Ok((vec![Group::Beam], 1)),
             "sweep" => Ok((vec![Group::Sweep], 1)),
+            "supports" if is_inner(parts) => {
+                let names = model.supports.inner.iter().map(|of| &*of.name);
+                let owner = |index| Group::Support(SupportId::Inner(index));
+                element(parts, 2, owner, names.clone(), |name| {
+                    names.clone().position(|of| of == name)
+                })
+            }
             "supports" => support(parts.get(1)),
             "subsystems" => element(
                 parts,
+                1,
                 Group::Subsystem,
                 model.subsystems.iter().map(|of| &*of.name),
                 |name| self.subsystem(name),
@@ -105,17 +114,17 @@ impl<'a> Finder<'a> {
                     .map(|number| number.to_string())
                     .collect();
                 let numbers = numbers.iter().map(|number| &**number);
-                element(parts, Group::Force, numbers, |_| None)
+                element(parts, 1, Group::Force, numbers, |_| None)
             }
             "responses" => {
                 let names = model.responses.iter().map(|of| &*of.name);
-                element(parts, Group::Response, names.clone(), |name| {
+                element(parts, 1, Group::Response, names.clone(), |name| {
                     names.clone().position(|of| of == name)
                 })
             }
             "studies" => {
                 let names = model.studies.iter().map(|of| &*of.name);
-                element(parts, Group::Study, names.clone(), |name| {
+                element(parts, 1, Group::Study, names.clone(), |name| {
                     names.clone().position(|of| of == name)
                 })
             }
@@ -144,53 +153,63 @@ impl<'a> Finder<'a> {
     }
 }
 
+/// Whether a path leads into the list of inner supports.
+pub(super) fn is_inner(parts: &[Part]) -> bool {
+    parts[0].word() == "supports"
+        && parts
+            .get(1)
+            .is_some_and(|part| *part != Part::Any && part.means(INNER))
+}
+
+/// The list of inner supports among the supports.
+const INNER: &str = "inner";
+
 /// The ends that the second part of a path matches.
 fn support(part: Option<&Part>) -> Result<(Vec<Group>, usize), Mismatch> {
-    let ends = End::ALL.into_iter();
-    let meant = |end: &End| part.is_some_and(|part| part.means(end.key()));
-    let found: Vec<Group> = ends.filter(meant).map(Group::Support).collect();
+    let ends = SupportId::ENDS.into_iter().zip(SupportId::WORDS);
+    let meant = ends.filter(|(_, word)| part.is_some_and(|part| part.means(word)));
+    let found: Vec<Group> = meant.map(|(end, _)| Group::Support(end)).collect();
     if found.is_empty() {
+        let known = SupportId::WORDS.into_iter().chain([INNER]);
         return Err(Mismatch {
             at: 1,
-            known: End::ALL.map(|end| end.key().to_owned()).to_vec(),
+            known: known.map(str::to_owned).collect(),
         });
     }
     Ok((found, 2))
 }
 
-/// The list elements that the second part of a path matches.
+/// The elements of a list that the part at the index `at` of a path matches.
 fn element<'n>(
     parts: &[Part],
-    owner: fn(usize) -> Group,
+    at: usize,
+    owner: impl Fn(usize) -> Group,
     names: impl Iterator<Item = &'n str> + Clone,
     named: impl Fn(&str) -> Option<usize>,
 ) -> Result<(Vec<Group>, usize), Mismatch> {
     let length = || names.clone().count();
-    let found: Vec<Group> = match parts.get(1) {
-        Some(Part::Any) => (0..length()).map(owner).collect(),
-        Some(Part::Quoted(name)) => named(name).map(owner).into_iter().collect(),
+    let found: Vec<usize> = match parts.get(at) {
+        Some(Part::Any) => (0..length()).collect(),
+        Some(Part::Quoted(name)) => named(name).into_iter().collect(),
         // Digits alone are a number; a name of digits needs quotes.
         Some(Part::Word(word)) if word.chars().all(|letter| letter.is_ascii_digit()) => {
-            let index = word
-                .parse::<usize>()
-                .ok()
-                .and_then(|number| number.checked_sub(1));
+            let number = word.parse::<usize>().ok();
+            let index = number.and_then(|number| number.checked_sub(1));
             index
                 .filter(|index| *index < length())
-                .map(owner)
                 .into_iter()
                 .collect()
         }
-        Some(Part::Word(word)) => named(word).map(owner).into_iter().collect(),
+        Some(Part::Word(word)) => named(word).into_iter().collect(),
         None => Vec::new(),
     };
     if found.is_empty() {
         return Err(Mismatch {
-            at: 1,
+            at,
             known: names.map(str::to_owned).collect(),
         });
     }
-    Ok((found, 2))
+    Ok((found.into_iter().map(owner).collect(), at + 1))
 }
 
 /// The ids that the rest of a path matches.

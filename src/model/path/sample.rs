@@ -2,9 +2,9 @@
 
 use crate::model::tuning::{Aim, Combine, Hold, Objective, Tune, Variable};
 use crate::model::types::{
-    Beam, BeamMotion, Case, Elastic, Family, Force, MassMotion, Material, Model, Operation, Place,
-    Quantity, Response, Restraint, Section, Spacing, Spring, Study, Subsystem, Support, Supports,
-    Sweep, Target,
+    Beam, BeamMotion, Case, Elastic, Family, Force, InnerSupport, MassMotion, Material, Model,
+    Operation, Place, Quantity, Response, Restraint, Section, Spacing, Spring, Study, Subsystem,
+    Support, Supports, Sweep, Target,
 };
 use crate::unit::Measure;
 
@@ -98,6 +98,7 @@ fn supports() -> Supports {
         stiffness: 4.0e7,
         damping: 800.0,
         inertia: 0.5,
+        loss_factor: 0.0,
     });
     let mut left = Support::FREE;
     left[BeamMotion::W] = spring;
@@ -106,13 +107,23 @@ fn supports() -> Supports {
     let mut right = Support::FREE;
     right[BeamMotion::W] = spring;
     right[BeamMotion::PsiSlope] = spring;
-    Supports { left, right }
+    let mut bearing = Support::FREE;
+    bearing[BeamMotion::W] = spring;
+    bearing[BeamMotion::V] = Restraint::Fixed;
+    bearing.point.z = -0.05;
+    let inner = vec![InnerSupport {
+        name: "B1".to_owned(),
+        position: 1.1,
+        support: bearing,
+    }];
+    Supports { left, right, inner }
 }
 
 fn subsystem(name: &str, position: f64) -> Subsystem {
     let spring = Spring {
         stiffness: 1.666_667e7,
         damping: 33.33,
+        loss_factor: 0.0,
     };
     Subsystem {
         name: name.to_owned(),
@@ -148,6 +159,7 @@ fn forces(names: &[&str]) -> Vec<Force> {
         target,
         amplitude: 1.0,
         phase: 30.0,
+        point: crate::model::Point::AXIS,
     };
     targets.into_iter().map(force).collect()
 }
@@ -157,6 +169,7 @@ fn responses(names: &[&str]) -> Vec<Response> {
         name: name.to_owned(),
         enabled: true,
         quantity,
+        point: crate::model::Point::AXIS,
     };
     let w = Target::Beam(Place::Right, BeamMotion::W);
     let mut all = vec![

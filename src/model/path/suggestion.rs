@@ -1,6 +1,6 @@
 //! The message for a path that matches nothing: the nearest path that matches, or the valid words.
 
-use super::find::Finder;
+use super::find::{Finder, is_inner};
 use super::pattern::{Part, join};
 use crate::model::spelling::{nearest, segment};
 
@@ -17,10 +17,13 @@ pub(super) struct Mismatch {
 
 /// The message for a path that matches nothing.
 pub(super) fn explain(finder: &Finder<'_>, mut parts: Vec<Part>, mismatch: Mismatch) -> String {
-    let list = is_list(&parts[0]);
     let listed = listed(&mismatch.known, parts[0].word() != "forces");
-    if mismatch.known.is_empty() && list && mismatch.at == 1 {
-        return format!("matches nothing; the model has no {}", parts[0].word());
+    if mismatch.known.is_empty() && mismatch.at == place_of_element(&parts) {
+        let list = match parts[0].word() {
+            "supports" => "inner supports",
+            list => list,
+        };
+        return format!("matches nothing; the model has no {list}");
     }
     let Some(wrong) = parts.get(mismatch.at).map(|part| part.word().to_owned()) else {
         return format!("is a table, not a parameter; must continue with {listed}");
@@ -42,7 +45,7 @@ pub(super) fn explain(finder: &Finder<'_>, mut parts: Vec<Part>, mismatch: Misma
 /// The nearest path that matches, by the nearest known word at every wrong part.
 fn nearest_path(finder: &Finder<'_>, parts: &mut [Part], mut mismatch: Mismatch) -> Option<String> {
     for _ in 0..parts.len() {
-        let element = mismatch.at == 1 && is_list(&parts[0]);
+        let element = mismatch.at == place_of_element(parts);
         // All numbers are equally near.
         if element && parts[0].means("forces") {
             return None;
@@ -65,11 +68,13 @@ fn nearest_path(finder: &Finder<'_>, parts: &mut [Part], mut mismatch: Mismatch)
     None
 }
 
-fn is_list(root: &Part) -> bool {
-    matches!(
-        root.word(),
-        "subsystems" | "forces" | "responses" | "studies"
-    )
+/// The index of the part that names the element of a list; 0 if a path leads into no list.
+fn place_of_element(parts: &[Part]) -> usize {
+    match parts[0].word() {
+        "subsystems" | "forces" | "responses" | "studies" => 1,
+        _ if is_inner(parts) => 2,
+        _ => 0,
+    }
 }
 
 /// A list of words, shortened if long; names have quotes where a path needs them.
@@ -104,11 +109,20 @@ mod tests {
             ("supports.lft.w.stiffness", "`supports.left.w.stiffness`"),
             (
                 "supports.left.w.inertias",
-                "must be stiffness, damping, mass",
+                "must be stiffness, damping, loss_factor, mass",
             ),
             (
                 "supports.left.w_slope.mass",
-                "must be stiffness, damping, inertia",
+                "must be stiffness, damping, loss_factor, inertia",
+            ),
+            ("supports.inner.B2.mass", "must be B1"),
+            (
+                "supports.inner.B1.possition",
+                "`supports.inner.B1.position`",
+            ),
+            (
+                "supports.inner.B1.w.stifness",
+                "`supports.inner.B1.w.stiffness`",
             ),
             ("subsystems.absorber.mass", r#"must be S1, "a.b""#),
             ("subsystems.3.mass", r#"must be S1, "a.b""#),
@@ -131,7 +145,13 @@ mod tests {
             assert_eq!(fault.path, path);
             assert!(fault.message.contains(part), "{path}: {}", fault.message);
         }
-        let empty = sample::model(&[]);
+        let mut empty = sample::model(&[]);
+        empty.supports.inner.clear();
+        let fault = expand(&empty, "supports.inner.B1.w").unwrap_err();
+        assert!(
+            fault.message.contains("the model has no inner supports"),
+            "{fault}"
+        );
         for path in ["subsystems.*.mass", "subsystems.S1.mass", "subsystems"] {
             let fault = expand(&empty, path).unwrap_err();
             assert!(

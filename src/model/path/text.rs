@@ -2,7 +2,7 @@
 
 use std::cell::OnceCell;
 
-use crate::model::id::{Group, ParameterId};
+use crate::model::id::{Group, ParameterId, SupportId};
 use crate::model::spelling::{element_key, element_keys};
 use crate::model::types::Model;
 
@@ -13,7 +13,7 @@ pub fn text(model: &Model, id: ParameterId) -> String {
 
 /// The paths of parameters; visits each name of a list once.
 pub fn texts(model: &Model, ids: &[ParameterId]) -> Vec<String> {
-    let lists = [const { OnceCell::new() }; 3];
+    let lists = [const { OnceCell::new() }; 4];
     let key = |list: usize, of: Group, place: usize| {
         let keys: &Vec<String> =
             lists[list].get_or_init(|| names(model, of, |names| element_keys(names)));
@@ -25,6 +25,9 @@ pub fn texts(model: &Model, ids: &[ParameterId]) -> Vec<String> {
         Group::Subsystem(i) => join(&key(0, id.group, i), *id),
         Group::Response(i) => join(&key(1, id.group, i), *id),
         Group::Study(i) => join(&key(2, id.group, i), *id),
+        Group::Support(SupportId::Inner(i)) | Group::Motion(SupportId::Inner(i), _) => {
+            join(&key(3, id.group.owner(), i), *id)
+        }
         _ => text(model, *id),
     };
     ids.iter().map(path).collect()
@@ -53,12 +56,17 @@ fn join(owner: &str, id: ParameterId) -> String {
     path
 }
 
-/// The path of a beam, an end, or an element of a list.
+/// The path of a beam, a support, or an element of a list.
 fn owner(model: &Model, owner: Group) -> String {
     match owner {
         Group::Model => String::new(),
-        Group::Support(end) => format!("supports.{}", end.key()),
-        Group::Subsystem(i) | Group::Response(i) | Group::Study(i) => {
+        Group::Support(end @ (SupportId::Left | SupportId::Right)) => {
+            format!("supports.{}", end.name(model))
+        }
+        Group::Support(SupportId::Inner(i))
+        | Group::Subsystem(i)
+        | Group::Response(i)
+        | Group::Study(i) => {
             let key = names(model, owner, |names| element_key(names, i));
             format!("{}.{key}", list_key(owner))
         }
@@ -74,6 +82,7 @@ const fn list_key(of: Group) -> &'static str {
         Group::Subsystem(_) => "subsystems",
         Group::Response(_) => "responses",
         Group::Study(_) => "studies",
+        Group::Support(_) => "supports.inner",
         _ => "sweep",
     }
 }
@@ -82,6 +91,7 @@ const fn list_key(of: Group) -> &'static str {
 fn names<R>(model: &Model, list: Group, of: impl FnOnce(&mut dyn Iterator<Item = &str>) -> R) -> R {
     match list {
         Group::Subsystem(_) => of(&mut model.subsystems.iter().map(|one| &*one.name)),
+        Group::Support(_) => of(&mut model.supports.inner.iter().map(|one| &*one.name)),
         Group::Response(_) => of(&mut model.responses.iter().map(|one| &*one.name)),
         _ => of(&mut model.studies.iter().map(|one| &*one.name)),
     }

@@ -1,7 +1,9 @@
 //! Forces and responses of a model file.
 
 use super::super::schema::{FORCE, Kind, RESPONSE};
-use super::super::types::{BeamMotion, Force, MassMotion, Place, Quantity, Response, Target};
+use super::super::types::{
+    BeamMotion, Force, MassMotion, Place, Point, Quantity, Response, Target,
+};
 use super::list::{named, names as element_names};
 use super::reader::Reader;
 use super::table::Table;
@@ -21,6 +23,7 @@ pub(super) fn forces(root: &mut Table<'_>, names: &[&str], reader: &mut Reader) 
         let mut force = Force {
             enabled: true,
             target: placeholder,
+            point: Point::AXIS,
             amplitude: 1.0,
             phase: 0.0,
         };
@@ -53,6 +56,7 @@ pub(super) fn responses(
             name: String::new(),
             enabled: true,
             quantity: Quantity::Energy,
+            point: Point::AXIS,
         };
         if let Some(mut table) = table {
             table.rows(
@@ -80,7 +84,7 @@ fn quantity(table: &mut Table<'_>, names: &[&str], reader: &mut Reader) -> Quant
             Quantity::Motion(target(table, names, reader), Measure::ALL[index])
         }
         Some(_) => {
-            for key in ["at", "direction"] {
+            for key in ["at", "direction", "y", "z"] {
                 if let Some((path, node)) = table.take(key, reader) {
                     let message = "cannot be combined with measure = \"energy\", that of the whole beam; must be omitted";
                     reader.fault(node.span().start, &path, message);

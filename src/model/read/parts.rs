@@ -1,9 +1,10 @@
 //! The parts of a model file: beam, supports, subsystems, sweep.
 
-use super::super::id::End;
+use super::super::id::SupportId;
 use super::super::schema::{self, Access, FEWEST_POINTS, MATERIAL, Rows, SECTION, SUBSYSTEM};
 use super::super::types::{
-    Beam, BeamMotion, Elastic, Model, Restraint, Spacing, Subsystem, Support, Supports, Sweep,
+    Beam, BeamMotion, Elastic, InnerSupport, Model, Restraint, Spacing, Subsystem, Support,
+    Supports, Sweep,
 };
 use super::list::{named, names};
 use super::loads;
@@ -78,21 +79,44 @@ fn beam(root: &mut Table<'_>, reader: &mut Reader) -> Beam {
 fn supports(root: &mut Table<'_>, reader: &mut Reader) -> Supports {
     let mut supports = Supports::default();
     if let Some(mut table) = root.table("supports", reader) {
-        supports.left = support(table.table(End::Left.key(), reader), reader);
-        supports.right = support(table.table(End::Right.key(), reader), reader);
+        let [left, right] = SupportId::WORDS;
+        supports.left = end(table.table(left, reader), reader);
+        supports.right = end(table.table(right, reader), reader);
+        let list = table.list("inner", "tables", reader);
+        supports.inner = named(&list, "supports.inner", reader)
+            .into_iter()
+            .map(|table| inner_support(table, reader))
+            .collect();
         table.finish(reader);
     }
     supports
 }
 
-fn support(table: Option<Table<'_>>, reader: &mut Reader) -> Support {
+/// An end; free without a table.
+fn end(table: Option<Table<'_>>, reader: &mut Reader) -> Support {
+    table.map_or(Support::FREE, |mut table| {
+        let support = support(&mut table, reader);
+        table.finish(reader);
+        support
+    })
+}
+
+fn inner_support(table: Option<Table<'_>>, reader: &mut Reader) -> InnerSupport {
+    let mut inner = blank(&schema::INNER_SUPPORT);
+    if let Some(mut table) = table {
+        table.rows(&mut inner, &schema::INNER_SUPPORT, reader, no_own);
+        inner.support = support(&mut table, reader);
+        table.finish(reader);
+    }
+    inner
+}
+
+/// The keys that every support has.
+fn support(table: &mut Table<'_>, reader: &mut Reader) -> Support {
     let mut support = Support::FREE;
-    let Some(mut table) = table else {
-        return support;
-    };
     let kind = table.has("kind");
     if let Some(index) = table.word("kind", &Support::WORDS, Some(0), reader) {
-        support = Support::KINDS[index];
+        support.restraints = Support::KINDS[index].restraints;
     }
     let motions = BeamMotion::WORDS.iter().copied();
     let conflicting: Vec<_> = motions.filter(|key| table.has(key)).collect();
@@ -114,7 +138,7 @@ fn support(table: Option<Table<'_>>, reader: &mut Reader) -> Support {
         );
         reader.fault(node.span().start, &path, message);
     }
-    table.finish(reader);
+    table.rows(&mut support, &schema::SUPPORT, reader, no_own);
     support
 }
 
@@ -129,8 +153,9 @@ fn restraint(path: &str, node: Node<'_>, motion: BeamMotion, reader: &mut Reader
             } else {
                 "inertia"
             };
-            let accepted =
-                format!("\"free\", \"fixed\" or a table of stiffness, damping and {inertia}");
+            let accepted = format!(
+                "\"free\", \"fixed\" or a table of stiffness, damping, loss_factor and {inertia}"
+            );
             let message = match other {
                 DeValue::String(word) => format!("is {}; must be {accepted}", quoted(word)),
                 _ => wrong_type(node, &accepted),

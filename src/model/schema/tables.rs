@@ -2,8 +2,8 @@
 
 use super::{Access, BLANK, Key, Kind, Range, Rows};
 use crate::model::types::{
-    Beam, BeamMotion, Elastic, Force, Foundation, Material, Model, Response, Section, Spacing,
-    Study, Subsystem, Support, Sweep, Theory,
+    Beam, BeamMotion, Elastic, Force, Foundation, InnerSupport, Material, Model, Response, Section,
+    Spacing, Study, Subsystem, Support, Sweep, Theory,
 };
 use crate::unit::Unit;
 
@@ -68,24 +68,49 @@ rows! {
 }
 
 rows! {
-    /// An end: the word for all motions, then each motion in the order of [`BeamMotion::ALL`].
+    /// A support: the word for all motions, then each motion in the order of [`BeamMotion::ALL`].
     SUPPORT of Support {
-        own("kind", Support, "support of the end; elastic: set for each motion"),
+        own("kind", Support, "the support as a whole; elastic: set for each motion"),
         own("w", Restraint, "restraint of w, the displacement along y"),
         own("psi", Restraint, "restraint of psi, the twist about x"),
         own("v", Restraint, "restraint of v, the displacement along z"),
         own("w_slope", Restraint, "restraint of the slope of w"),
         own("psi_slope", Restraint, "restraint of the rate of twist; fixed: warping restrained"),
         own("v_slope", Restraint, "restraint of the slope of v"),
+        number("y", "y", METRE, Any or 0.0, "point of the section that v holds, from the axis along y", point.y),
+        number("z", "z", METRE, Any or 0.0, "point of the section that w holds, from the axis along z", point.z),
     }
 }
+
+rows! {
+    /// The keys of a support between the ends, before those of [`SUPPORT`].
+    INNER_SUPPORT of InnerSupport as InnerSupportKey {
+        Name = text("name", Name, "name of the support", name),
+        Position = number("position", "x", METRE, NonNegative, "position, from the left end", position),
+    }
+}
+
+/// All keys of a support between the ends.
+pub const INNER_SUPPORT_KEYS: &[Key] = &{
+    let mut all = [BLANK; INNER_SUPPORT.keys.len() + SUPPORT.keys.len()];
+    let mut row = 0;
+    while row < all.len() {
+        all[row] = match row.checked_sub(INNER_SUPPORT.keys.len()) {
+            Some(row) => SUPPORT.keys[row],
+            None => INNER_SUPPORT.keys[row],
+        };
+        row += 1;
+    }
+    all
+};
 
 rows! {
     /// The elastic restraint of w or v.
     ELASTIC_TRANSLATION of Elastic as ElasticKey {
         Stiffness = spring("stiffness", "K", STIFFNESS, "spring to the ground", stiffness),
         Damping = spring("damping", "C", DAMPING, "damper to the ground", damping),
-        Inertia = number("mass", "m", KILOGRAM, NonNegative or 0.0, "mass at the end", inertia),
+        LossFactor = number("loss_factor", "eta", ONE, NonNegative or 0.0, "loss factor of the spring", loss_factor),
+        Inertia = number("mass", "m", KILOGRAM, NonNegative or 0.0, "mass that moves with the beam there", inertia),
     }
 }
 
@@ -94,7 +119,8 @@ rows! {
     ELASTIC_ROTATION of Elastic {
         spring("stiffness", "K_T", ROTATIONAL_STIFFNESS, "rotational spring to the ground", stiffness),
         spring("damping", "C_T", ROTATIONAL_DAMPING, "rotational damper to the ground", damping),
-        number("inertia", "I", INERTIA, NonNegative or 0.0, "moment of inertia at the end", inertia),
+        number("loss_factor", "eta", ONE, NonNegative or 0.0, "loss factor of the spring", loss_factor),
+        number("inertia", "I", INERTIA, NonNegative or 0.0, "moment of inertia that turns with the beam there", inertia),
     }
 }
 
@@ -103,6 +129,7 @@ rows! {
     ELASTIC_WARPING of Elastic {
         spring("stiffness", "K_B", WARPING_STIFFNESS, "spring against warping", stiffness),
         spring("damping", "C_B", WARPING_DAMPING, "damper against warping", damping),
+        number("loss_factor", "eta", ONE, NonNegative or 0.0, "loss factor of the spring", loss_factor),
         number("inertia", "I_B", WARPING_INERTIA, NonNegative or 0.0, "inertia against warping", inertia),
     }
 }
@@ -126,12 +153,16 @@ rows! {
         Inertia = number("inertia", "J", INERTIA, NonNegative or 0.0, "moment of inertia about its own centre", inertia),
         YLeftStiffness = spring("y_left.stiffness", "k_yL", STIFFNESS, "left spring along y", y_left.stiffness),
         YLeftDamping = spring("y_left.damping", "c_yL", DAMPING, "left damper along y", y_left.damping),
+        YLeftLossFactor = number("y_left.loss_factor", "eta_yL", ONE, NonNegative or 0.0, "loss factor of the left spring along y", y_left.loss_factor),
         YRightStiffness = spring("y_right.stiffness", "k_yR", STIFFNESS, "right spring along y", y_right.stiffness),
         YRightDamping = spring("y_right.damping", "c_yR", DAMPING, "right damper along y", y_right.damping),
+        YRightLossFactor = number("y_right.loss_factor", "eta_yR", ONE, NonNegative or 0.0, "loss factor of the right spring along y", y_right.loss_factor),
         ZLeftStiffness = spring("z_left.stiffness", "k_zL", STIFFNESS, "left spring along z", z_left.stiffness),
         ZLeftDamping = spring("z_left.damping", "c_zL", DAMPING, "left damper along z", z_left.damping),
+        ZLeftLossFactor = number("z_left.loss_factor", "eta_zL", ONE, NonNegative or 0.0, "loss factor of the left spring along z", z_left.loss_factor),
         ZRightStiffness = spring("z_right.stiffness", "k_zR", STIFFNESS, "right spring along z", z_right.stiffness),
         ZRightDamping = spring("z_right.damping", "c_zR", DAMPING, "right damper along z", z_right.damping),
+        ZRightLossFactor = number("z_right.loss_factor", "eta_zR", ONE, NonNegative or 0.0, "loss factor of the right spring along z", z_right.loss_factor),
         ArmLeft = number("arm_left", "l_L", METRE, Any or 0.0, "arm of the left z spring at the mass", arm_left),
         ArmRight = number("arm_right", "l_R", METRE, Any or 0.0, "arm of the right z spring at the mass", arm_right),
         MountY = number("mount_y", "y_u", METRE, Any or 0.0, "half-spacing of the z springs at the beam", mount_y),
@@ -145,6 +176,8 @@ rows! {
         Enabled = flag("enabled", Flag, "whether it acts", enabled),
         At = own("at", Place, "position on the beam, or a subsystem"),
         Direction = own("direction", Direction, "direction of the load"),
+        Y = number("y", "y", METRE, Any or 0.0, "point of the section on which a force along v acts, from the axis along y", point.y),
+        Z = number("z", "z", METRE, Any or 0.0, "point of the section on which a force along w acts, from the axis along z", point.z),
         Amplitude = number("amplitude", "F", FORCE, Any or 1.0, "amplitude, zero to peak", amplitude),
         Phase = number("phase", "phi", DEGREE, Any or 0.0, "phase", phase),
     }
@@ -152,12 +185,14 @@ rows! {
 
 rows! {
     /// A response.
-    RESPONSE of Response {
-        text("name", Name, "name of the response", name),
-        flag("enabled", Flag, "whether it is computed", enabled),
-        own("measure", Measure, "what is computed"),
-        own("at", Place, "position on the beam, or a subsystem"),
-        own("direction", Direction, "direction of the motion"),
+    RESPONSE of Response as ResponseKey {
+        Name = text("name", Name, "name of the response", name),
+        Enabled = flag("enabled", Flag, "whether it is computed", enabled),
+        Measure = own("measure", Measure, "what is computed"),
+        At = own("at", Place, "position on the beam, or a subsystem"),
+        Direction = own("direction", Direction, "direction of the motion"),
+        Y = number("y", "y", METRE, Any or 0.0, "point of the section that moves along v, from the axis along y", point.y),
+        Z = number("z", "z", METRE, Any or 0.0, "point of the section that moves along w, from the axis along z", point.z),
     }
 }
 

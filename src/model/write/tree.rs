@@ -1,12 +1,12 @@
 //! A model as a tree of keys and values.
 
-use super::super::id::End;
+use super::super::id::SupportId;
 use super::super::schema::{
     self, Access, FORCE, Key, Kind, MATERIAL, RESPONSE, Rows, SECTION, SUBSYSTEM, SWEEP,
 };
 use super::super::types::{
-    BeamMotion, Case, Family, Force, Foundation, Model, Place, Quantity, Response, Restraint,
-    Study, Subsystem, Support, Supports, Target,
+    BeamMotion, Case, Family, Force, Foundation, InnerSupport, Model, Place, Quantity, Response,
+    Restraint, Study, Subsystem, Support, Supports, Target,
 };
 use super::node::{Entry, Node, Presence};
 use super::tuning;
@@ -148,19 +148,35 @@ fn beam(model: &Model) -> Vec<Entry> {
 
 fn supports(supports: &Supports, original: &Table) -> Entry {
     let original = original.get("supports").and_then(Item::as_table_like);
-    let end = |end: End, support: &Support| {
+    let end = |key: &'static str, support: &Support| {
         let original = original
-            .and_then(|table| table.get(end.key()))
+            .and_then(|table| table.get(key))
             .and_then(Item::as_table_like);
         let node = Node::Table(self::support(support, original));
-        in_new_tables(end.key(), node, *support == Support::FREE)
+        in_new_tables(key, node, *support == Support::FREE)
     };
-    let ends = vec![
-        end(End::Left, &supports.left),
-        end(End::Right, &supports.right),
+    let [left, right] = SupportId::WORDS;
+    let inner = original.and_then(|table| table.get("inner"));
+    let inner = |support: &InnerSupport| {
+        let is_it = |table: &&Table| {
+            table.get("name").and_then(Item::as_str) == Some(support.name.as_str())
+        };
+        let mut tables = inner
+            .and_then(Item::as_array_of_tables)
+            .into_iter()
+            .flatten();
+        let original = tables.find(is_it).map(|table| table as &dyn TableLike);
+        let mut entries = rows(support, &schema::INNER_SUPPORT);
+        entries.extend(self::support(&support.support, original));
+        entries
+    };
+    let all = vec![
+        end(left, &supports.left),
+        end(right, &supports.right),
+        tables("inner", supports.inner.iter().map(inner).collect()),
     ];
     let is_free = *supports == Supports::default();
-    in_new_tables("supports", Node::Table(ends), is_free)
+    in_new_tables("supports", Node::Table(all), is_free)
 }
 
 /// An entry that a new table shows also at its default.
@@ -172,12 +188,18 @@ fn in_new_tables(key: &'static str, node: Node, at_default: bool) -> Entry {
     }
 }
 
-/// An end: one word if it has one and the original does not list the six motions.
+/// A support: one word if it has one and the original does not list the six motions; then its point.
 fn support(support: &Support, original: Option<&dyn TableLike>) -> Vec<Entry> {
     let by_kind = original.is_none_or(|table| table.contains_key("kind"));
-    if let Some(kind) = support.word().filter(|_| by_kind) {
-        return vec![text("kind", kind)];
-    }
+    let mut entries = match support.word().filter(|_| by_kind) {
+        Some(kind) => vec![text("kind", kind)],
+        None => restraints(support),
+    };
+    entries.extend(rows(support, &schema::SUPPORT));
+    entries
+}
+
+fn restraints(support: &Support) -> Vec<Entry> {
     let order = [
         BeamMotion::W,
         BeamMotion::V,
@@ -227,18 +249,23 @@ fn target(target: &Target) -> [Entry; 2] {
 }
 
 fn force(force: &Force) -> Vec<Entry> {
-    let [at, direction] = target(&force.target);
     let mut entries = rows(force, &FORCE);
-    // After `enabled`.
-    entries.splice(1..1, [at, direction]);
+    insert_target(&mut entries, &force.target);
     entries
+}
+
+/// Inserts position and direction before the point.
+fn insert_target(entries: &mut Vec<Entry>, of: &Target) {
+    let point = entries.iter().position(|entry| entry.key == "y");
+    let at = point.unwrap_or(entries.len());
+    entries.splice(at..at, target(of));
 }
 
 fn response(response: &Response) -> Vec<Entry> {
     let mut entries = rows(response, &RESPONSE);
     match &response.quantity {
         Quantity::Motion(at, measure) => {
-            entries.extend(target(at));
+            insert_target(&mut entries, at);
             let word = Node::Text(measure.key().to_owned());
             entries.push(optional("measure", word, *measure == Measure::default()));
         }

@@ -3,7 +3,7 @@
 use num_complex::Complex64;
 
 use super::beam_element::{BeamElement, Row, UNKNOWNS};
-use super::mesh::{Mesh, Unknown};
+use super::mesh::{Dof, Mesh, Unknown};
 use crate::model::{BeamMotion, Measure, Restraint, Spring, Subsystem};
 use crate::solve::layout::{Layout, Reading};
 
@@ -49,11 +49,10 @@ pub(super) struct Inertia {
 }
 
 /// The output of a response in the solution.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) enum Source {
-    Held,
-    /// The mean of two unknowns, which are equal except for a psi' that jumps.
-    Motion([usize; 2], Measure),
+    /// A sum of unknowns times factors: none for a fixed motion, the mean of two for a psi' that jumps.
+    Motion(Vec<Dof>, Measure),
     Energy,
 }
 
@@ -155,7 +154,11 @@ impl System {
         if let (Some(row), Some(column)) = (row, column)
             && value != 0.0
         {
-            self.inertias.push(Inertia { row, column, value });
+            self.inertias.push(Inertia {
+                row: row.number,
+                column: column.number,
+                value: value * row.factor * column.factor,
+            });
         }
     }
 
@@ -174,33 +177,38 @@ impl System {
             if let Some(unknown) = *unknown
                 && *factor != 0.0
             {
-                stretch.unknowns[stretch.terms] = unknown;
-                stretch.factors[stretch.terms] = *factor;
+                stretch.unknowns[stretch.terms] = unknown.number;
+                stretch.factors[stretch.terms] = *factor * unknown.factor;
                 stretch.terms += 1;
             }
         }
         self.stretches.push(stretch);
     }
 
-    /// Springs, dampers and inertias at the ends.
+    /// Springs, dampers and inertias of the supports, over a motion and the twist.
     fn add_supports(&mut self, layout: &Layout, mesh: &Mesh) {
-        for (place, &node) in mesh.places.iter().enumerate() {
-            let Some(support) = layout.support(place) else {
-                continue;
-            };
+        for &(place, support) in &layout.supports {
+            let node = mesh.places[place];
             for motion in BeamMotion::ALL
                 .into_iter()
                 .filter(|m| !layout.holds(support, *m))
             {
                 if let Restraint::Elastic(elastic) = support[motion] {
-                    let unknown = mesh.nodes[node].of_left_element[motion as usize];
+                    let numbers = &mesh.nodes[node].of_left_element;
+                    let moved = [numbers[motion as usize], numbers[BeamMotion::Psi as usize]];
+                    let factors = [1.0, support.point.arm(motion).unwrap_or_default()];
                     let by = Resistance {
                         stiffness: elastic.stiffness,
+                        hysteresis: elastic.stiffness * elastic.loss_factor,
                         damping: elastic.damping,
                         ..Resistance::default()
                     };
-                    self.add_stretch(&[unknown], &[1.0], by);
-                    self.add_inertia(unknown, unknown, elastic.inertia);
+                    self.add_stretch(&moved, &factors, by);
+                    for (row, by_row) in moved.into_iter().zip(factors) {
+                        for (column, by_column) in moved.into_iter().zip(factors) {
+                            self.add_inertia(row, column, elastic.inertia * by_row * by_column);
+                        }
+                    }
                 }
             }
         }
@@ -217,6 +225,7 @@ impl System {
             for (spring, stretch) in springs(s) {
                 let by = Resistance {
                     stiffness: spring.stiffness,
+                    hysteresis: spring.stiffness * spring.loss_factor,
                     damping: spring.damping,
                     ..Resistance::default()
                 };
@@ -290,7 +299,7 @@ fn loads(layout: &Layout, mesh: &Mesh) -> Vec<Complex64> {
     let mut add = |unknowns: &[Unknown], loads: &[Complex64]| {
         for (unknown, load) in unknowns.iter().zip(loads) {
             if let Some(unknown) = unknown {
-                out[*unknown] += load;
+                out[unknown.number] += load * unknown.factor;
             }
         }
     };
@@ -304,25 +313,31 @@ fn loads(layout: &Layout, mesh: &Mesh) -> Vec<Complex64> {
 }
 
 fn source(mesh: &Mesh, reading: Reading) -> Source {
-    let motion = |a: Unknown, b: Unknown, measure: Measure| match (a, b) {
-        (Some(a), Some(b)) => Source::Motion([a, b], measure),
-        _ => Source::Held,
+    let sum = |terms: &[(Unknown, f64)]| {
+        let moving = terms.iter().filter_map(|(unknown, share)| {
+            unknown.map(|of| Dof {
+                factor: of.factor * share,
+                ..of
+            })
+        });
+        moving.collect()
     };
     match reading {
-        Reading::Held => Source::Held,
+        Reading::Held => Source::Motion(Vec::new(), Measure::Displacement),
         Reading::Energy => Source::Energy,
-        Reading::Beam(place, direction, measure) => {
+        Reading::Beam(place, direction, arm, measure) => {
             let node = &mesh.nodes[mesh.places[place]];
             let row = direction as usize;
-            motion(
-                node.of_left_element[row],
-                node.of_right_element[row],
-                measure,
-            )
+            let terms = [
+                (node.of_left_element[row], 0.5),
+                (node.of_right_element[row], 0.5),
+                (node.of_left_element[BeamMotion::Psi as usize], arm),
+            ];
+            Source::Motion(sum(&terms), measure)
         }
         Reading::Mass(mass, direction, measure) => {
             let unknown = mesh.masses[mass][direction as usize];
-            motion(unknown, unknown, measure)
+            Source::Motion(sum(&[(unknown, 1.0)]), measure)
         }
     }
 }

@@ -3,8 +3,16 @@
 use crate::model::{BeamMotion, Subsystem};
 use crate::solve::layout::Layout;
 
-/// The number of an unknown; `None` if a support fixes the motion.
-pub(super) type Unknown = Option<usize>;
+/// A motion as an unknown times a factor; `None` if a support fixes it.
+pub(super) type Unknown = Option<Dof>;
+
+/// An unknown times a factor: 1, but where a support fixes w or v beside the axis, which then follows the twist.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Dof {
+    /// The number of the unknown.
+    pub(super) number: usize,
+    pub(super) factor: f64,
+}
 
 /// A node: the numbers of (w, psi, v, w', psi', v') for the elements on its two sides.
 #[derive(Debug, Clone, Copy)]
@@ -54,22 +62,47 @@ impl Mesh {
         mesh
     }
 
-    fn next(&mut self) -> usize {
+    fn next(&mut self) -> Dof {
         self.unknowns += 1;
-        self.unknowns - 1
+        Dof {
+            number: self.unknowns - 1,
+            factor: 1.0,
+        }
     }
 
     fn add_place(&mut self, layout: &Layout, place: usize) {
-        let support = layout.support(place);
-        let numbers = BeamMotion::ALL.map(|motion| {
+        let fixed = |motion| {
+            let supports = layout.supports_at(place);
+            supports.filter(move |support| layout.holds(support, motion))
+        };
+        // w or v fixed at two points of the section is also the twist.
+        let turned_by = |motion| {
+            let mut arms = fixed(motion).filter_map(move |support| support.point.arm(motion));
+            let first = arms.next();
+            (first, arms.any(|arm| Some(arm) != first))
+        };
+        let (arm_w, at_two_points) = turned_by(BeamMotion::W);
+        let (arm_v, at_two_others) = turned_by(BeamMotion::V);
+        let mut numbers = BeamMotion::ALL.map(|motion| {
             // A restraint of psi' of a section without warping stiffness acts over a length of 0 and does not affect
             // the twist next to it, so the cubic's slope stays free. (Fixing it would reduce the order of convergence.)
             let unknown_to_elements = motion == BeamMotion::PsiSlope && layout.without_warping();
-            let held = support.is_some_and(|support| layout.holds(support, motion));
+            let held = fixed(motion).next().is_some()
+                || (motion == BeamMotion::Psi && (at_two_points || at_two_others));
             (unknown_to_elements || !held).then(|| self.next())
         });
+        for (motion, arm) in [(BeamMotion::W, arm_w), (BeamMotion::V, arm_v)] {
+            let follows = arm.filter(|arm| *arm != 0.0);
+            let twist = numbers[BeamMotion::Psi as usize];
+            if let (Some(arm), Some(twist)) = (follows, twist) {
+                numbers[motion as usize] = Some(Dof {
+                    factor: -arm,
+                    ..twist
+                });
+            }
+        }
         let mut of_right_element = numbers;
-        if layout.without_warping() && support.is_none() {
+        if layout.without_warping() && layout.end(place).is_none() {
             of_right_element[BeamMotion::PsiSlope as usize] = Some(self.next());
         }
         self.nodes.push(Node {

@@ -96,9 +96,11 @@ impl System {
         work.solve(self, omega);
         let x = &work.solution.high;
         for (value, source) in out.iter_mut().zip(&self.sources) {
-            *value = match *source {
-                Source::Held => Complex64::ZERO,
-                Source::Motion([a, b], measure) => derivative(omega, measure) * (x[a] + x[b]) * 0.5,
+            *value = match source {
+                Source::Motion(terms, measure) => {
+                    let moved = terms.iter().map(|of| x[of.number] * of.factor);
+                    derivative(omega, *measure) * moved.sum::<Complex64>()
+                }
                 Source::Energy => self.energy(x).into(),
             };
         }
@@ -166,7 +168,7 @@ impl System {
     /// `E_V` = int rho A (|W|^2 + |V|^2) + rho `I_0` |Psi|^2 dx (Chen & Liu 2022, Section 4.2) from the elements'
     /// mass matrices, without the coupling term.
     fn energy(&self, x: &[Complex64]) -> f64 {
-        let of = |unknown: Unknown| unknown.map_or(Complex64::ZERO, |index| x[index]);
+        let of = |unknown: Unknown| unknown.map_or(Complex64::ZERO, |of| x[of.number] * of.factor);
         let mut sum = 0.0;
         for element in &self.elements {
             let moved = element.unknowns.map(of);

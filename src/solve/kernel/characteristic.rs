@@ -1,7 +1,7 @@
 //! The characteristic function of a model at several complex frequencies at once.
 //!
 //! The same entire function of omega as in [`crate::solve::modes`], which explains it, up to a constant factor: `F =
-//! det(left) det(right) prod(omega^4 det(station)) exp(L sum kappa)`. The determinant of the right end is that for b' =
+//! det(left) det(right) prod(det(support)) prod(omega^4 det(station)) exp(L sum kappa)`. The determinant of the right end is that for b' =
 //! N^-1 b, so it is already divided by `det[Q; M] det[S; P]`, the product of the entries of N^-1.
 
 use super::complex::Complex;
@@ -12,6 +12,7 @@ use super::product::ScaledProduct;
 use super::recursion::{Prepared, Room};
 use super::reflection::Side;
 use super::station::{Forces, Unknowns};
+use super::support::{Passed, Reactions};
 use super::waves::Waves;
 use crate::solve::linear::Magnified;
 use crate::solve::plan::Event;
@@ -37,17 +38,30 @@ impl<A: Arithmetic> Room<A> {
         let square = waves.omega * waves.omega;
         let fourth = square * square;
         let mut forces = Forces::NONE;
+        let mut reactions = Reactions::NONE;
         let mut at = reflection_with(waves, &plan.left, Side::Left, Some(&mut product));
         for (station, &span) in plan.stations.iter().zip(&plan.spans) {
             at.propagate(&this.decays[span]);
-            if let Event::Attachment(attachment) = &station.event {
-                let unknowns = Unknowns {
-                    forces: &mut forces,
-                    turn: None,
-                    determinant: Some(&mut product),
-                };
-                at.attach(waves, attachment, unknowns);
-                product.times(fourth);
+            match &station.event {
+                Event::Attachment(attachment) => {
+                    let unknowns = Unknowns {
+                        forces: &mut forces,
+                        turn: None,
+                        determinant: Some(&mut product),
+                    };
+                    at.attach(waves, attachment, unknowns);
+                    product.times(fourth);
+                }
+                Event::Support(held) => {
+                    let passed = Passed {
+                        held,
+                        side: Side::Left,
+                        reactions: &mut reactions,
+                        determinant: Some(&mut product),
+                    };
+                    at.hold(waves, passed);
+                }
+                Event::Load(_) | Event::Probe => {}
             }
         }
         at.propagate(&this.decays[plan.last_span()]);

@@ -138,13 +138,13 @@ impl<A: Arithmetic> Complex<A> {
         }
     }
 
-    /// k + i self c: the stiffness of a spring with a damper; self is the angular frequency.
+    /// k + i self c: the stiffness of a spring, complex by its loss factor, with a damper; self is the angular frequency.
     #[inline(always)]
-    pub(super) fn damped_stiffness(self, stiffness: f64, damping: f64) -> Self {
+    pub(super) fn damped_stiffness(self, stiffness: Complex64, damping: f64) -> Self {
         let damping = Real::splat(damping);
         Self {
-            re: self.im.subtract_product(damping, Real::splat(stiffness)),
-            im: self.re * damping,
+            re: self.im.subtract_product(damping, Real::splat(stiffness.re)),
+            im: self.re.multiply_add(damping, Real::splat(stiffness.im)),
         }
     }
 

@@ -8,8 +8,8 @@ use super::number::{Arithmetic, Real, part};
 use super::product::ScaledProduct;
 use super::reflection::{Amplitudes, Reflection, Side, entry, reach};
 use super::waves::Waves;
-use crate::model::{BeamMotion, Restraint};
-use crate::solve::plan::End;
+use crate::model::{BeamMotion, Point, Restraint, Spring};
+use crate::solve::plan::Held;
 
 /// Below this margin of the last system its solution is only rounding: the model has no damping and is at a resonance
 /// to the last digits of the frequency.
@@ -49,7 +49,7 @@ impl<A: Arithmetic> EndRow<A> {
     fn set<const ALL: bool>(
         &mut self,
         waves: &Waves<A>,
-        end: &End,
+        end: &Held,
         motion: BeamMotion,
         side: Side,
     ) {
@@ -58,12 +58,13 @@ impl<A: Arithmetic> EndRow<A> {
 
     #[inline(always)]
     fn set_inlined<const ALL: bool>(
-        (this, waves, end, motion, side): (&mut Self, &Waves<A>, &End, BeamMotion, Side),
+        (this, waves, end, motion, side): (&mut Self, &Waves<A>, &Held, BeamMotion, Side),
     ) {
         let row = motion as usize % 3;
         let is_slope = motion as usize >= 3;
         let (stiffness, acts, load) = restraint(waves.omega, end, motion);
         let (from, to) = reach::<ALL>(row);
+        let is_on_axis = end.support.point == Point::AXIS;
         let mut largest = Real::ZERO;
         for wave in from..to {
             let (leaving, arriving) = if is_slope {
@@ -71,8 +72,13 @@ impl<A: Arithmetic> EndRow<A> {
                 let acted = waves.moment[row][wave].scaled(acts);
                 (-(moved + acted), moved - acted)
             } else {
-                let moved = stiffness * waves.displacement[row][wave];
-                let acted = waves.force[row][wave].scaled(acts);
+                let (moved, acted) = if is_on_axis {
+                    (waves.displacement[row][wave], waves.force[row][wave])
+                } else {
+                    waves.at_point(end.support.point, row, wave)
+                };
+                let moved = stiffness * moved;
+                let acted = acted.scaled(acts);
                 (moved - acted, moved + acted)
             };
             this.of_leaving[wave - from] = leaving;
@@ -91,35 +97,62 @@ impl<A: Arithmetic> EndRow<A> {
     }
 }
 
-/// The dynamic stiffness of a motion of an end, the factor (1 or 0) of the internal force, and the load.
+impl<A: Arithmetic> Waves<A> {
+    /// A displacement (w, psi, v) of a wave at a point of the section, and the internal force conjugate to it.
+    #[inline(always)]
+    pub(super) fn at_point(
+        &self,
+        point: Point,
+        row: usize,
+        wave: usize,
+    ) -> (Complex<A>, Complex<A>) {
+        let (moved, acted) = (self.displacement[row][wave], self.force[row][wave]);
+        let twist = self.displacement[PSI][wave];
+        let [y, z] = [point.y, point.z].map(Real::splat);
+        match row {
+            0 => (moved.plus_scaled(z, twist), acted),
+            PSI => {
+                let torque = acted.plus_scaled(-z, self.force[0][wave]);
+                (moved, torque.plus_scaled(y, self.force[2][wave]))
+            }
+            _ => (moved.plus_scaled(-y, twist), acted),
+        }
+    }
+}
+
+/// Index of psi among (w, psi, v).
+const PSI: usize = BeamMotion::Psi as usize;
+
+/// The dynamic stiffness of a motion of a support, the factor (1 or 0) of the internal force, and the load.
 #[inline(always)]
-fn restraint<A: Arithmetic>(
+pub(super) fn restraint<A: Arithmetic>(
     omega: Complex<A>,
-    end: &End,
+    end: &Held,
     motion: BeamMotion,
 ) -> (Complex<A>, Real<A>, Complex64) {
-    let load = end.load[motion as usize];
+    let load = end.loads_at_point()[motion as usize];
     match end.support[motion] {
         // A fixed motion is zero under any load.
         Restraint::Fixed => (Complex::ONE, Real::ZERO, Complex64::ZERO),
         Restraint::Free => (Complex::ZERO, Real::ONE, load),
         Restraint::Elastic(elastic) => {
             let inertia = (omega * omega).scaled(Real::splat(elastic.inertia));
-            let spring = omega.damped_stiffness(elastic.stiffness, elastic.damping);
+            let stiffness = Spring::from(elastic).complex_stiffness();
+            let spring = omega.damped_stiffness(stiffness, elastic.damping);
             (spring - inertia, Real::ONE, load)
         }
     }
 }
 
 /// The reflection of an end, for an observer who looks at it.
-pub(super) fn reflection<A: Arithmetic>(waves: &Waves<A>, end: &End, side: Side) -> Reflection<A> {
+pub(super) fn reflection<A: Arithmetic>(waves: &Waves<A>, end: &Held, side: Side) -> Reflection<A> {
     reflection_with(waves, end, side, None)
 }
 
 /// The same; also multiplies a product by the determinant of the equations for the outgoing waves.
 pub(super) fn reflection_with<A: Arithmetic>(
     waves: &Waves<A>,
-    end: &End,
+    end: &Held,
     side: Side,
     determinant: Option<&mut ScaledProduct<A>>,
 ) -> Reflection<A> {
@@ -128,7 +161,7 @@ pub(super) fn reflection_with<A: Arithmetic>(
 
 #[inline(always)]
 fn reflection_inlined<A: Arithmetic>(
-    (waves, end, side, mut determinant): (&Waves<A>, &End, Side, Option<&mut ScaledProduct<A>>),
+    (waves, end, side, mut determinant): (&Waves<A>, &Held, Side, Option<&mut ScaledProduct<A>>),
 ) -> Reflection<A> {
     let mut out = Reflection::NONE;
     let wanted = determinant.is_some();
@@ -152,7 +185,7 @@ fn reflection_inlined<A: Arithmetic>(
 #[inline(always)]
 fn reflect<A: Arithmetic, const N: usize, const R: usize, const ALL: bool>(
     waves: &Waves<A>,
-    (end, side): (&End, Side),
+    (end, side): (&Held, Side),
     first: usize,
     wants_determinant: bool,
     out: &mut Reflection<A>,
@@ -191,7 +224,7 @@ fn reflect<A: Arithmetic, const N: usize, const R: usize, const ALL: bool>(
 /// b' at the right end, from the reflection on its left; not finite at an undamped resonance.
 pub(super) fn right_end<A: Arithmetic>(
     waves: &Waves<A>,
-    end: &End,
+    end: &Held,
     at: &Reflection<A>,
 ) -> Amplitudes<A> {
     A::outlined(RightEnd((waves, end, at)))
@@ -199,7 +232,7 @@ pub(super) fn right_end<A: Arithmetic>(
 
 #[inline(always)]
 fn right_end_inlined<A: Arithmetic>(
-    (waves, end, at): (&Waves<A>, &End, &Reflection<A>),
+    (waves, end, at): (&Waves<A>, &Held, &Reflection<A>),
 ) -> Amplitudes<A> {
     let mut system = RightSystem::NONE;
     if waves.all_coupled {
@@ -213,7 +246,7 @@ fn right_end_inlined<A: Arithmetic>(
 /// Multiplies a product by the determinant of the equations of the right end for b'.
 pub(super) fn right_determinant<A: Arithmetic>(
     waves: &Waves<A>,
-    end: &End,
+    end: &Held,
     at: &Reflection<A>,
     product: &mut ScaledProduct<A>,
 ) {
@@ -222,7 +255,7 @@ pub(super) fn right_determinant<A: Arithmetic>(
 
 #[inline(always)]
 fn right_determinant_inlined<A: Arithmetic>(
-    (waves, end, at, product): (&Waves<A>, &End, &Reflection<A>, &mut ScaledProduct<A>),
+    (waves, end, at, product): (&Waves<A>, &Held, &Reflection<A>, &mut ScaledProduct<A>),
 ) {
     let mut system = RightSystem::NONE;
     if waves.all_coupled {
@@ -258,7 +291,7 @@ impl<A: Arithmetic> RightSystem<A> {
     };
 
     #[inline(always)]
-    fn set<const ALL: bool>(&mut self, waves: &Waves<A>, end: &End, at: &Reflection<A>) {
+    fn set<const ALL: bool>(&mut self, waves: &Waves<A>, end: &Held, at: &Reflection<A>) {
         let mut sizes = [Real::ZERO; super::reflection::ENTRIES];
         for (size, r) in sizes.iter_mut().zip(&at.r) {
             *size = r.size();
@@ -355,19 +388,19 @@ fn finite_where_resolved<A: Arithmetic>(
 
 part!(
     Reflect ['a, A: Arithmetic] ['a, A]
-    (&'a Waves<A>, &'a End, Side, Option<&'a mut ScaledProduct<A>>) -> Reflection<A>,
+    (&'a Waves<A>, &'a Held, Side, Option<&'a mut ScaledProduct<A>>) -> Reflection<A>,
     reflection_inlined
 );
 
 part!(
     SetRow ['a, A: Arithmetic, const ALL: bool] ['a, A, ALL]
-    (&'a mut EndRow<A>, &'a Waves<A>, &'a End, BeamMotion, Side) -> (),
+    (&'a mut EndRow<A>, &'a Waves<A>, &'a Held, BeamMotion, Side) -> (),
     EndRow::set_inlined::<ALL>
 );
 
 part!(
     RightEnd ['a, A: Arithmetic] ['a, A]
-    (&'a Waves<A>, &'a End, &'a Reflection<A>) -> Amplitudes<A>,
+    (&'a Waves<A>, &'a Held, &'a Reflection<A>) -> Amplitudes<A>,
     right_end_inlined
 );
 
@@ -379,6 +412,6 @@ part!(
 
 part!(
     RightDeterminant ['a, A: Arithmetic] ['a, A]
-    (&'a Waves<A>, &'a End, &'a Reflection<A>, &'a mut ScaledProduct<A>) -> (),
+    (&'a Waves<A>, &'a Held, &'a Reflection<A>, &'a mut ScaledProduct<A>) -> (),
     right_determinant_inlined
 );

@@ -55,10 +55,20 @@ impl<A: Arithmetic> State<A> {
         match (output, event) {
             (
                 Output::Beam {
-                    motion, measure, ..
+                    motion,
+                    arm,
+                    measure,
+                    ..
                 },
                 _,
-            ) => measured(waves.omega, this.motion(waves, motion), measure),
+            ) => {
+                let mut moved = this.motion(waves, motion);
+                if arm != 0.0 {
+                    let twist = this.motion(waves, BeamMotion::Psi);
+                    moved = moved.plus_scaled(Real::splat(arm), twist);
+                }
+                measured(waves.omega, moved, measure)
+            }
             (
                 Output::Mass {
                     motion, measure, ..
@@ -117,7 +127,7 @@ impl<A: Arithmetic> State<A> {
         let spring = |spring: &crate::model::Spring| {
             waves
                 .omega
-                .damped_stiffness(spring.stiffness, spring.damping)
+                .damped_stiffness(spring.complex_stiffness(), spring.damping)
         };
         // A fixed motion from the waves is only rounding.
         let [w_held, psi_held, v_held] = attachment.held;

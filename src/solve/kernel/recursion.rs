@@ -10,6 +10,7 @@ use super::number::{Arithmetic, Real, part};
 use super::read::{Part, State};
 use super::reflection::{Amplitudes, Jumps, Reflection, Side};
 use super::station::{Forces, Turn, Unknowns, sent, stretches};
+use super::support::{Passed, Reactions};
 use super::waves::{Constants, Waves};
 use crate::model::BeamMotion;
 use crate::solve::plan::{Event, Output, Plan};
@@ -23,6 +24,8 @@ pub(in crate::solve) struct Prepared {
     pub(super) reads: Vec<Option<usize>>,
     /// Stations where a response is read.
     read: usize,
+    /// Whether a support holds the beam between its ends.
+    has_supports: bool,
 }
 
 impl Prepared {
@@ -60,6 +63,7 @@ impl Prepared {
         let reads = is_read.into_iter().map(number).collect();
         Self {
             constants: Constants::new(&plan.beam),
+            has_supports: (plan.stations.iter()).any(|of| matches!(of.event, Event::Support(_))),
             plan,
             reads,
             read,
@@ -88,6 +92,8 @@ pub(super) struct Room<A> {
     start: Box<Reflection<A>>,
     /// The forces at each station with an attachment.
     pub(super) forces: Vec<Forces<A>>,
+    /// The forces of each support between the ends, by its station; empty without such a support.
+    pub(super) reactions: Vec<Reactions<A>>,
     /// The reflection left of each station with outputs; of every station if the energy is requested.
     pub(super) lefts: Vec<Reflection<A>>,
     /// Theta at each station with outputs and an attachment.
@@ -103,6 +109,7 @@ impl<A: Arithmetic> Default for Room<A> {
             forms: Vec::new(),
             start: Box::new(Reflection::NONE),
             forces: Vec::new(),
+            reactions: Vec::new(),
             lefts: Vec::new(),
             turns: Vec::new(),
             states: Vec::new(),
@@ -140,6 +147,7 @@ impl<A: Arithmetic> Room<A> {
                         let side = Output::Beam {
                             station,
                             motion: BeamMotion::PsiSlope,
+                            arm: 0.0,
                             measure: *measure,
                         };
                         self.read(prepared, waves, side, Part::Whole)
@@ -179,6 +187,9 @@ impl<A: Arithmetic> Room<A> {
             read
         };
         self.forces.resize(plan.stations.len(), Forces::NONE);
+        if prepared.has_supports {
+            self.reactions.resize(plan.stations.len(), Reactions::NONE);
+        }
         self.lefts.resize(lefts, Reflection::NONE);
         self.turns.resize(read, Turn::NONE);
         self.states.resize(read, State::NONE);
@@ -240,19 +251,40 @@ impl<A: Arithmetic> Room<A> {
             if let Some(kept) = prepared.kept(index) {
                 self.lefts[kept].clone_from(at);
             }
-            match &station.event {
-                Event::Attachment(attachment) => {
-                    let turn = read.map(|read| &mut self.turns[read]);
-                    let unknowns = Unknowns {
-                        forces: &mut self.forces[index],
-                        turn,
-                        determinant: None,
-                    };
-                    at.attach(waves, attachment, unknowns);
-                }
-                Event::Load(load) => at.load(waves, &Jumps::of_load(waves, load), Side::Left),
-                Event::Probe => {}
+            self.pass((index, &station.event), waves, (read, Side::Left), at);
+        }
+    }
+
+    /// Moves a reflection that looks to a side over a station.
+    #[inline(always)]
+    pub(super) fn pass(
+        &mut self,
+        (index, event): (usize, &Event),
+        waves: &Waves<A>,
+        (read, side): (Option<usize>, Side),
+        at: &mut Reflection<A>,
+    ) {
+        match event {
+            Event::Attachment(attachment) => {
+                let turn = read.map(|read| &mut self.turns[read]);
+                let unknowns = Unknowns {
+                    forces: &mut self.forces[index],
+                    turn,
+                    determinant: None,
+                };
+                at.attach(waves, attachment, unknowns);
             }
+            Event::Support(held) => {
+                let passed = Passed {
+                    held,
+                    side,
+                    reactions: &mut self.reactions[index],
+                    determinant: None,
+                };
+                at.hold(waves, passed);
+            }
+            Event::Load(load) => at.load(waves, &Jumps::of_load(waves, load), side),
+            Event::Probe => {}
         }
     }
 
@@ -313,6 +345,11 @@ impl<A: Arithmetic> Room<A> {
                 let sent = sent(&stretches(waves, attachment), &forces);
                 add(b, &sent);
                 sent
+            }
+            Event::Support(held) => {
+                let jumps = self.reactions[index].sent(waves, held.support.point, b, true);
+                add(b, &jumps.sent(Side::Right));
+                jumps.sent(Side::Left)
             }
             Event::Load(load) => {
                 let jumps = Jumps::of_load(waves, load);

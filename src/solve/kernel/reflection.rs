@@ -144,25 +144,29 @@ pub(super) struct Jumps<A> {
 
 impl<A: Arithmetic> Jumps<A> {
     /// The jumps of loads along the six motions: p(x+) = p(x-) - F.
+    #[inline(always)]
     pub(super) fn of_load(waves: &Waves<A>, load: &[num_complex::Complex64; 6]) -> Self {
+        Self::of_forces(waves, &load.map(Complex::splat))
+    }
+
+    /// The same for forces that differ between the frequencies.
+    pub(super) fn of_forces(waves: &Waves<A>, forces: &Amplitudes<A>) -> Self {
         if waves.all_coupled {
-            A::outlined(OfLoad::<A, true>((waves, load)))
+            A::outlined(OfForces::<A, true>((waves, forces)))
         } else {
-            A::outlined(OfLoad::<A, false>((waves, load)))
+            A::outlined(OfForces::<A, false>((waves, forces)))
         }
     }
 
     #[inline(always)]
-    fn of_load_inlined<const ALL: bool>(
-        (waves, load): (&Waves<A>, &[num_complex::Complex64; 6]),
-    ) -> Self {
+    fn of_forces_inlined<const ALL: bool>((waves, forces): (&Waves<A>, &Amplitudes<A>)) -> Self {
         let mut jumps = Self {
             even: [Complex::ZERO; 6],
             odd: [Complex::ZERO; 6],
         };
         for row in 0..3 {
-            let force = Complex::splat(-load[row]);
-            let moment = Complex::splat(-load[row + 3]);
+            let force = -forces[row];
+            let moment = -forces[row + 3];
             let (from, to) = reach::<ALL>(row);
             for wave in from..to {
                 jumps.even[wave] =
@@ -210,7 +214,7 @@ part!(
 );
 
 part!(
-    OfLoad ['a, A: Arithmetic, const ALL: bool] ['a, A, ALL]
-    (&'a Waves<A>, &'a [num_complex::Complex64; 6]) -> Jumps<A>,
-    Jumps::of_load_inlined::<ALL>
+    OfForces ['a, A: Arithmetic, const ALL: bool] ['a, A, ALL]
+    (&'a Waves<A>, &'a Amplitudes<A>) -> Jumps<A>,
+    Jumps::of_forces_inlined::<ALL>
 );

@@ -69,7 +69,7 @@ impl Room<One> {
                 motion: MassMotion::ALL
                     .map(|motion| state.mass(waves, attachment, motion, Part::Whole).lane(0)),
             },
-            Event::Load(_) | Event::Probe => MassSolution::default(),
+            Event::Support(_) | Event::Load(_) | Event::Probe => MassSolution::default(),
         });
         Solution {
             waves: waves.plain(),
@@ -79,7 +79,7 @@ impl Room<One> {
         }
     }
 
-    /// Adds the effect of subsystems at an end on motions that its support fixes: it exists only between them and the
+    /// Adds the effect of subsystems at a support on motions that it fixes: it exists only between them and the
     /// support, in spans of the length 0, and the sweep leaves it out.
     fn add_held_forces(&self, plan: &Plan, waves: &Waves<One>, spans: &mut [SpanWaves]) {
         for (index, station) in plan.stations.iter().enumerate() {
@@ -92,7 +92,13 @@ impl Room<One> {
             let held = stretches_without(waves, attachment, attachment.held.map(|held| !held));
             let mut jump = sent(&held, &self.states[index].forces);
             times(&mut jump, &waves.radiation);
-            let (outside, sign) = if station.position == 0.0 {
+            let x = station.position;
+            let inner = plan.stations[..index]
+                .iter()
+                .rposition(|other| other.position == x && matches!(other.event, Event::Support(_)));
+            let (outside, sign) = if let Some(support) = inner {
+                (support + 1..index + 1, -1.0)
+            } else if x == 0.0 {
                 (0..index + 1, -1.0)
             } else {
                 (index + 1..spans.len(), 1.0)

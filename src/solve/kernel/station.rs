@@ -120,10 +120,8 @@ impl<A: Arithmetic> Springs<A> {
     fn new(omega: Complex<A>, attachment: &Attachment) -> Self {
         let square = omega * omega;
         let (left, right) = (attachment.z_left, attachment.z_right);
-        let sum = omega.damped_stiffness(
-            left.stiffness + right.stiffness,
-            left.damping + right.damping,
-        );
+        let (of_left, of_right) = (left.complex_stiffness(), right.complex_stiffness());
+        let sum = omega.damped_stiffness(of_left + of_right, left.damping + right.damping);
         let arms = [
             attachment.half_difference_of_arms(),
             attachment.half_sum_of_arms(),
@@ -131,12 +129,12 @@ impl<A: Arithmetic> Springs<A> {
         let longest = arms[0].abs().max(arms[1].abs());
         let torque = sum.size() * Real::splat(longest);
         Self {
-            y: omega.damped_stiffness(attachment.spring_y.stiffness, attachment.spring_y.damping),
-            sum,
-            difference: omega.damped_stiffness(
-                right.stiffness - left.stiffness,
-                right.damping - left.damping,
+            y: omega.damped_stiffness(
+                attachment.spring_y.complex_stiffness(),
+                attachment.spring_y.damping,
             ),
+            sum,
+            difference: omega.damped_stiffness(of_right - of_left, right.damping - left.damping),
             by_mass: square.scaled(Real::splat(attachment.mass)).inverse(),
             arms,
             inertia: square.scaled(Real::splat(attachment.inertia)),

@@ -19,8 +19,8 @@ use super::vectors::{Avx2, Avx512};
 use super::waves::{Constants, Waves};
 use super::{Instructions, Solver};
 use crate::model::{
-    BeamMotion, Elastic, Force, MassMotion, Measure, Model, Place, Quantity, Response, Restraint,
-    Support, Target, Theory, check, read,
+    BeamMotion, Elastic, Force, InnerSupport, MassMotion, Measure, Model, Place, Point, Quantity,
+    Response, Restraint, Support, Target, Theory, check, read,
 };
 use crate::presets;
 use crate::solve::fem;
@@ -110,12 +110,16 @@ fn random_models_are_solved_as_by_finite_elements() {
     assert!(compared > 50, "{compared}");
 }
 
+/// A number of a range.
+fn some(random: &mut fastrand::Rng, from: f64, to: f64) -> f64 {
+    from + (to - from) * random.f64()
+}
+
 /// A beam with all features: any supports, loads of all motions, subsystems without springs or inertia.
 fn random_model(random: &mut fastrand::Rng) -> Model {
     let mut model = read(presets::find("fig05a").unwrap().text)
         .unwrap()
         .into_inner();
-    let some = |random: &mut fastrand::Rng, from: f64, to: f64| from + (to - from) * random.f64();
     model.beam.material.loss_factor = [0.0, 0.01, 0.2][random.usize(0..3)];
     let section = &mut model.beam.section;
     section.warping_constant *= [0.0, 0.1, 1.0, 10.0][random.usize(0..4)];
@@ -135,6 +139,13 @@ fn random_model(random: &mut fastrand::Rng) -> Model {
     for support in [&mut model.supports.left, &mut model.supports.right] {
         *support = random_support(random);
     }
+    for index in 0..random.usize(0..3) {
+        model.supports.inner.push(InnerSupport {
+            name: format!("B{index}"),
+            position: model.beam.length * some(random, 0.05, 0.95),
+            support: random_support(random),
+        });
+    }
     let pattern = model.subsystems[0].clone();
     model.subsystems.clear();
     model.forces.clear();
@@ -153,6 +164,7 @@ fn random_model(random: &mut fastrand::Rng) -> Model {
         ] {
             spring.stiffness *= [0.0, 1e-2, 1.0, 10.0][random.usize(0..4)];
             spring.damping *= [0.0, 1.0, 100.0][random.usize(0..3)];
+            spring.loss_factor = [0.0, 0.1][random.usize(0..2)];
         }
         for motion in MassMotion::ALL {
             let target = Target::Mass(subsystem.name.clone(), motion);
@@ -174,6 +186,7 @@ fn random_model(random: &mut fastrand::Rng) -> Model {
             name: "E_V".to_owned(),
             enabled: true,
             quantity: Quantity::Energy,
+            point: crate::model::Point::AXIS,
         });
     }
     model
@@ -183,6 +196,7 @@ fn add_response(model: &mut Model, target: Target, random: &mut fastrand::Rng) {
     model.responses.push(Response {
         name: format!("R{}", model.responses.len()),
         enabled: true,
+        point: random_point(&target, random),
         quantity: Quantity::Motion(target, Measure::ALL[random.usize(0..3)]),
     });
 }
@@ -190,19 +204,32 @@ fn add_response(model: &mut Model, target: Target, random: &mut fastrand::Rng) {
 fn add_force(model: &mut Model, target: Target, random: &mut fastrand::Rng) {
     model.forces.push(Force {
         enabled: true,
+        point: random_point(&target, random),
         target,
         amplitude: random.f64(),
         phase: 360.0 * random.f64(),
     });
 }
 
+/// A point of the section for a displacement of the beam, on the axis half of the time.
+fn random_point(target: &Target, random: &mut fastrand::Rng) -> Point {
+    if !target.has_point() || random.bool() {
+        return Point::AXIS;
+    }
+    Point {
+        y: some(random, -0.2, 0.2),
+        z: some(random, -0.2, 0.2),
+    }
+}
+
 fn random_support(random: &mut fastrand::Rng) -> Support {
     let elastic = Elastic {
         stiffness: 1e6,
         damping: 100.0,
+        loss_factor: [0.0, 0.2][random.usize(0..2)],
         inertia: [0.0, 10.0][random.usize(0..2)],
     };
-    let mut support = Support([Restraint::Elastic(elastic); 6]);
+    let mut support = Support::on_axis([Restraint::Elastic(elastic); 6]);
     for motion in BeamMotion::ALL {
         support[motion] = match random.u8(0..3) {
             0 => Restraint::Free,
@@ -210,6 +237,8 @@ fn random_support(random: &mut fastrand::Rng) -> Support {
             _ => Restraint::Elastic(elastic),
         };
     }
+    support.point.z = [0.0, 0.1][random.usize(0..2)];
+    support.point.y = [0.0, 0.0, -0.07][random.usize(0..3)];
     support
 }
 

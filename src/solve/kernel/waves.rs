@@ -150,7 +150,7 @@ impl<A: Arithmetic> Waves<A> {
     fn set_inlined((this, constants, omega): (&mut Self, &Constants, Complex<A>)) {
         this.omega = omega;
         this.without_warping = constants.beam.without_warping();
-        this.all_coupled = constants.general.is_some();
+        this.all_coupled = constants.beam.all_coupled;
         if let Some(general) = &constants.general {
             this.set_general(general);
         } else {

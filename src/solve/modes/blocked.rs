@@ -45,16 +45,21 @@ fn of_mass(subsystem: &Subsystem) -> Vec<Complex64> {
     let sum = |i: usize, j: usize, inertia: f64| {
         let weights = [left, right].map(|row| row.mass[i] * row.mass[j]);
         [
-            weights[0] * left.spring.stiffness + weights[1] * right.spring.stiffness,
-            weights[0] * left.spring.damping + weights[1] * right.spring.damping,
-            inertia,
+            weights[0] * left.spring.complex_stiffness()
+                + weights[1] * right.spring.complex_stiffness(),
+            (weights[0] * left.spring.damping + weights[1] * right.spring.damping).into(),
+            inertia.into(),
         ]
     };
     let Subsystem { mass, inertia, .. } = *subsystem;
-    let y = [across.spring.stiffness, across.spring.damping, mass];
+    let y = [
+        across.spring.complex_stiffness(),
+        across.spring.damping.into(),
+        mass.into(),
+    ];
     let (z, theta) = (sum(1, 1, mass), sum(2, 2, inertia));
     let across = sum(1, 2, 0.0);
-    let mut together = [0.0; 5];
+    let mut together = [Complex64::ZERO; 5];
     for i in 0..3 {
         for j in 0..3 {
             together[i + j] += z[i] * theta[j] - across[i] * across[j];
@@ -66,19 +71,22 @@ fn of_mass(subsystem: &Subsystem) -> Vec<Complex64> {
 
 /// The roots of a polynomial with coefficients by ascending power, by the iteration of Aberth (Math. Comp. 27 (1973)
 /// 339-344); with half the digits if two coincide.
-fn roots(coefficients: &[f64]) -> Vec<Complex64> {
+fn roots(coefficients: &[Complex64]) -> Vec<Complex64> {
     const MOST_STEPS: usize = 100;
-    let Some(last) = coefficients.iter().rposition(|&c| c != 0.0) else {
+    let Some(last) = coefficients.iter().rposition(|&c| c != Complex64::ZERO) else {
         return Vec::new();
     };
-    let first = coefficients.iter().position(|&c| c != 0.0).unwrap_or(0);
+    let first = coefficients
+        .iter()
+        .position(|&c| c != Complex64::ZERO)
+        .unwrap_or(0);
     let zeros = vec![Complex64::ZERO; first];
     let (inner, degree) = (&coefficients[first..=last], last - first);
     // The unit is the geometric mean of the roots.
     let unit = (inner[0] / inner[degree])
-        .abs()
+        .norm()
         .powf(1.0 / degree.max(1) as f64);
-    let scaled: Vec<f64> = (0..=degree)
+    let scaled: Vec<Complex64> = (0..=degree)
         .map(|power| inner[power] * unit.powi(power as i32) / inner[0])
         .collect();
     // No starting value is the mirror image of another: symmetric ones would stay symmetric.
@@ -129,6 +137,8 @@ mod tests {
                 1e-6,
             ),
         ] {
+            let coefficients: Vec<Complex64> =
+                coefficients.iter().map(|&c: &f64| c.into()).collect();
             let mut found = roots(&coefficients);
             assert_eq!(found.len(), known.len());
             for im in known {
@@ -151,7 +161,7 @@ mod tests {
             Complex64::new(-1.0, 2.0),
             Complex64::new(-1.0, -2.0),
         ];
-        let found = roots(&[0.0, 10.0, 19.0, 13.0, 5.0, 1.0]);
+        let found = roots(&[0.0, 10.0, 19.0, 13.0, 5.0, 1.0].map(Complex64::from));
         assert_eq!(found.len(), 5);
         for root in known {
             assert!(

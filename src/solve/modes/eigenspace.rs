@@ -16,7 +16,8 @@ use super::motion::Motion;
 use super::orthogonal::bi_orthogonalise;
 use super::pencil::{Pair, pairs};
 use crate::model::{
-    BeamMotion, Force, MassMotion, Measure, Model, Place, Quantity, Response, Target,
+    BeamMotion, Force, MassMotion, Measure, Model, Place, Point, Quantity, Response, SupportId,
+    Target,
 };
 use crate::solve::beam_matrices::Symmetric;
 use crate::solve::kernel::{Prepared, Solver, waves};
@@ -86,7 +87,12 @@ impl<'a> Probe<'a> {
     pub(super) fn new(model: &'a Model, omega: Complex64, looked_at: Vec<f64>) -> Self {
         let beam = BeamConstants::new(&model.beam);
         let waves = waves(&beam, omega);
-        let mut stations: Vec<f64> = model.attached().map(|of| of.position).collect();
+        let inner = model.supports.inner.iter().map(|of| of.position);
+        let mut stations: Vec<f64> = model
+            .attached()
+            .map(|of| of.position)
+            .chain(inner)
+            .collect();
         stations.sort_by(f64::total_cmp);
         Self {
             model,
@@ -140,22 +146,32 @@ impl<'a> Probe<'a> {
     /// The outputs, in the order of [`Self::motion`].
     fn responses(&self) -> Vec<Response> {
         let mut targets = Vec::new();
+        let on_axis = |target| response(target, Point::AXIS);
         for x in self.places() {
             let place = Place::Position(x);
-            targets.extend(self.read.iter().map(|&motion| Target::Beam(place, motion)));
+            targets.extend((self.read.iter()).map(|&motion| on_axis(Target::Beam(place, motion))));
         }
         for subsystem in self.model.attached() {
             let place = Place::Position(subsystem.position);
-            targets.extend(DISPLACEMENTS.map(|motion| Target::Beam(place, motion)));
+            targets.extend(DISPLACEMENTS.map(|motion| on_axis(Target::Beam(place, motion))));
         }
-        for place in [Place::Left, Place::Right] {
-            targets.extend(BeamMotion::ALL.map(|motion| Target::Beam(place, motion)));
+        for support in SupportId::all(self.model) {
+            let place = Place::Position(support.position(self.model));
+            let point = support.support(self.model).point;
+            targets.extend(BeamMotion::ALL.map(|motion| {
+                let point = if motion.is_translation() {
+                    point
+                } else {
+                    Point::AXIS
+                };
+                response(Target::Beam(place, motion), point)
+            }));
         }
         for subsystem in self.model.attached() {
-            let of = |motion| Target::Mass(subsystem.name.clone(), motion);
+            let of = |motion| on_axis(Target::Mass(subsystem.name.clone(), motion));
             targets.extend(MassMotion::ALL.map(of));
         }
-        targets.into_iter().map(response).collect()
+        targets
     }
 
     fn motion(&self, values: &[Complex64]) -> Motion {
@@ -168,17 +184,17 @@ impl<'a> Probe<'a> {
         let read = self.read.len();
         let (beam, rest) = values.split_at(read * (self.looked_at.len() + self.nodes.len()));
         let (stations, rest) = rest.split_at(3 * self.model.attached().count());
-        let (ends, masses) = rest.split_at(12);
+        let (supports, masses) = rest.split_at(6 * SupportId::all(self.model).count());
         Motion {
             beam: beam
                 .chunks_exact(read)
                 .map(|chunk| std::array::from_fn(|row| chunk.get(row).copied().unwrap_or_default()))
                 .collect(),
             stations: triples(stations),
-            ends: [
-                std::array::from_fn(|row| ends[row]),
-                std::array::from_fn(|row| ends[6 + row]),
-            ],
+            supports: supports
+                .chunks_exact(6)
+                .map(|chunk| std::array::from_fn(|row| chunk[row]))
+                .collect(),
             masses: triples(masses),
         }
     }
@@ -348,7 +364,9 @@ fn integrals(
     circle: Circle,
     solver: &mut Solver,
 ) -> [Vec<Complex64>; 2] {
-    let own = forces.iter().map(|force| response(force.target.clone()));
+    let own = forces
+        .iter()
+        .map(|force| response(force.target.clone(), force.point));
     let prepared = Prepared::new(Plan::new(&Model {
         forces: forces.to_vec(),
         responses: responses.iter().cloned().chain(own).collect(),
@@ -375,10 +393,11 @@ fn integrals(
 
 const DISPLACEMENTS: [BeamMotion; 3] = [BeamMotion::W, BeamMotion::Psi, BeamMotion::V];
 
-fn response(target: Target) -> Response {
+fn response(target: Target, point: Point) -> Response {
     Response {
         name: String::new(),
         enabled: true,
         quantity: Quantity::Motion(target, Measure::Displacement),
+        point,
     }
 }

@@ -3,7 +3,7 @@
 use nalgebra::DVector;
 use num_complex::Complex64;
 
-use crate::model::{BeamMotion, Force, MassMotion, Model, Place, Target};
+use crate::model::{BeamMotion, Force, MassMotion, Model, Place, Point, Target};
 
 /// Loads at some positions of the beam and on every mass; those with different numbers `load` are independent.
 pub(super) fn loads(model: &Model, load: usize) -> Vec<Force> {
@@ -43,6 +43,7 @@ pub(super) fn loads(model: &Model, load: usize) -> Vec<Force> {
         .map(|(index, (target, arm))| Force {
             enabled: true,
             target,
+            point: Point::AXIS,
             amplitude: arm * uneven(index, load),
             phase: 0.0,
         })

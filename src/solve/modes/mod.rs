@@ -47,7 +47,8 @@ pub use shape::{shape, shapes, shares};
 pub use types::{Completeness, Gap, Mode, ModeKind, Modes, Shape, Shares};
 
 use super::Cancelled;
-use crate::model::{Checked, Model, Restraint};
+use super::springs::springs;
+use crate::model::{Checked, Model, Restraint, Spring, SupportId};
 
 /// The number of undamped modes below a frequency (Hz, > 0), rigid-body modes included; `usize::MAX` if there are too
 /// many to count.
@@ -269,10 +270,13 @@ fn collected(counter: &wittrick_williams::Counter, to: f64, found: &damped::Foun
 /// Whether the model has a loss factor: then no root is the mirror image of another.
 fn is_hysteretic(model: &Model) -> bool {
     let beddings = model.beam.foundation.beddings();
-    model.beam.material.loss_factor != 0.0
-        || beddings
-            .iter()
-            .any(|of| of.stiffness * of.loss_factor != 0.0)
+    let supports = SupportId::all(model).flat_map(|id| id.support(model).restraints);
+    let springs = model.attached().flat_map(springs);
+    let mut losses = std::iter::once(model.beam.material.loss_factor)
+        .chain(beddings.map(|of| of.stiffness * of.loss_factor))
+        .chain(supports.map(|of| Spring::from(of.elastic()).complex_stiffness().im))
+        .chain(springs.map(|of| of.complex_stiffness().im));
+    losses.any(|loss| loss != 0.0)
 }
 
 /// Whether anything in the model dissipates energy.
@@ -294,10 +298,11 @@ fn with_damping_times(model: &Model, share: f64) -> Model {
         bedding.damping *= share;
         bedding.loss_factor *= share;
     }
-    for end in [&mut model.supports.left, &mut model.supports.right] {
-        for restraint in &mut end.0 {
+    for id in SupportId::all(&model) {
+        for restraint in &mut id.support_mut(&mut model).restraints {
             if let Restraint::Elastic(elastic) = restraint {
                 elastic.damping *= share;
+                elastic.loss_factor *= share;
             }
         }
     }
@@ -309,6 +314,7 @@ fn with_damping_times(model: &Model, share: f64) -> Model {
             &mut subsystem.z_right,
         ] {
             spring.damping *= share;
+            spring.loss_factor *= share;
         }
     }
     model

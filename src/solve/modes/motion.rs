@@ -1,4 +1,4 @@
-//! The motion of a whole model in a mode: the beam, its ends and the masses.
+//! The motion of a whole model in a mode: the beam, its supports and the masses.
 
 use num_complex::Complex64;
 
@@ -10,8 +10,8 @@ pub(super) struct Motion {
     pub(super) beam: Vec<[Complex64; 6]>,
     /// (w, psi, v) at the position of each enabled subsystem.
     pub(super) stations: Vec<[Complex64; 3]>,
-    /// The six motions of the left and of the right end.
-    pub(super) ends: [[Complex64; 6]; 2],
+    /// The six motions of the point of each support, the ends first.
+    pub(super) supports: Vec<[Complex64; 6]>,
     /// (y, z, theta) of each enabled subsystem.
     pub(super) masses: Vec<[Complex64; 3]>,
 }
@@ -39,7 +39,7 @@ impl Motion {
 
     fn values_mut(&mut self) -> impl Iterator<Item = &mut Complex64> {
         let triples = self.stations.iter_mut().chain(&mut self.masses).flatten();
-        let all = self.beam.iter_mut().chain(&mut self.ends).flatten();
+        let all = self.beam.iter_mut().chain(&mut self.supports).flatten();
         triples.chain(all)
     }
 }

@@ -8,7 +8,7 @@ use nalgebra::DMatrix;
 use num_complex::Complex64;
 
 use super::motion::Motion;
-use crate::model::{BeamMotion, Model};
+use crate::model::{BeamMotion, Model, SupportId};
 use crate::solve::beam_matrices::BeamMatrices;
 use crate::solve::quadrature::Node;
 use crate::solve::springs::{geometric_stretches, springs};
@@ -65,12 +65,12 @@ fn products(model: &Model, nodes: &[Node], [a, b]: [&Motion; 2]) -> [Complex64; 
             damping += node.weight * c * a[row] * b[row];
         }
     }
-    let supports = [&model.supports.left, &model.supports.right];
-    for (end, support) in supports.into_iter().enumerate() {
+    for (id, (a, b)) in SupportId::all(model).zip(a.supports.iter().zip(&b.supports)) {
         for motion in BeamMotion::ALL {
-            let product = a.ends[end][motion as usize] * b.ends[end][motion as usize];
-            mass += support[motion].elastic().inertia * product;
-            damping += support[motion].elastic().damping * product;
+            let elastic = id.support(model)[motion].elastic();
+            let product = a[motion as usize] * b[motion as usize];
+            mass += elastic.inertia * product;
+            damping += elastic.damping * product;
         }
     }
     for (index, subsystem) in model.attached().enumerate() {

@@ -3,8 +3,8 @@
 use nalgebra::{DMatrix, SMatrix, SVector, SymmetricEigen};
 use num_complex::Complex64;
 
-use super::station::{End, Mass};
-use crate::model::{Beam, BeamMotion, Bedding, Model, Spring, Subsystem};
+use super::station::{Mass, Restrained};
+use crate::model::{Beam, BeamMotion, Bedding, Elastic, Model, Spring, Subsystem};
 use crate::solve::beam_matrices::BeamMatrices;
 
 /// A motion at frequency 0.
@@ -17,17 +17,17 @@ pub(super) struct RigidMotion {
 }
 
 /// The modes at frequency 0: motions of the rigid beam and the masses that stretch no spring.
-pub(super) fn count(ends: [&End; 2], masses: &[Mass], beam: &Beam) -> usize {
+pub(super) fn count(supports: &[Restrained], masses: &[Mass], beam: &Beam) -> usize {
     let loose: usize = masses.iter().map(|mass| mass.condensed_static().1).sum();
-    loose + still(&stiffness(ends, masses, beam)).len()
+    loose + still(&stiffness(supports, masses, beam)).len()
 }
 
 /// The modes at frequency 0 of a model, of modal mass 1 and orthogonal.
 pub(super) fn motions(model: &Model) -> Vec<RigidMotion> {
     let warps = model.beam.section.warping_constant > 0.0;
-    let [left, right] = [&model.supports.left, &model.supports.right].map(|s| End::new(s, warps));
+    let supports = Restrained::all(model, warps);
     let masses: Vec<Mass> = model.attached().map(Mass::new).collect();
-    let of_beam = still(&stiffness([&left, &right], &masses, &model.beam));
+    let of_beam = still(&stiffness(&supports, &masses, &model.beam));
     let mut motions: Vec<RigidMotion> = of_beam
         .into_iter()
         .map(|beam| RigidMotion {
@@ -48,7 +48,7 @@ pub(super) fn motions(model: &Model) -> Vec<RigidMotion> {
             motions.push(motion);
         }
     }
-    orthonormal(model, [&left, &right], motions)
+    orthonormal(model, &supports, motions)
 }
 
 /// The number of roots at frequency 0 (two for each mode without damping) that dampers move away, to rates above
@@ -62,7 +62,7 @@ pub(super) fn crept(model: &Model, least: f64) -> usize {
     // Dampers instead of springs.
     let in_place = |spring: Spring| Spring {
         stiffness: spring.damping,
-        damping: 0.0,
+        ..Spring::default()
     };
     let dampers: Vec<Mass> = model
         .attached()
@@ -78,10 +78,7 @@ pub(super) fn crept(model: &Model, least: f64) -> usize {
             })
         })
         .collect();
-    let ends = [
-        (&model.supports.left, 0.0),
-        (&model.supports.right, model.beam.length),
-    ];
+    let supports = Restrained::all(model, model.beam.section.warping_constant > 0.0);
     let bedding = on_foundation(&model.beam, |bedding| bedding.damping);
     // The damping of each pair, and the magnitude of its terms: a sum that cancels counts as 0.
     let term = |i: usize, j: usize| {
@@ -91,18 +88,17 @@ pub(super) fn crept(model: &Model, least: f64) -> usize {
             let sum = a.dot(&(mass.stiffness * b));
             [sum, a.abs().dot(&(mass.stiffness.abs() * b.abs()))]
         });
-        let of_ends = ends.iter().flat_map(|&(support, x)| {
-            let rows = rigid_motions(x);
-            BeamMotion::ALL.map(|motion| {
-                let row = &rows[motion as usize];
-                let sum = support[motion].elastic().damping * row.dot(&a.beam) * row.dot(&b.beam);
+        let of_supports = supports
+            .iter()
+            .flat_map(held_motions)
+            .map(|(_, row, elastic)| {
+                let sum = elastic.damping * row.dot(&a.beam) * row.dot(&b.beam);
                 [sum, sum.abs()]
-            })
-        });
+            });
         let add = |[sum, size]: [f64; 2], [more, its]: [f64; 2]| [sum + more, size + its];
         let bedded = (a.beam.transpose() * bedding * b.beam)[(0, 0)];
         of_masses
-            .chain(of_ends)
+            .chain(of_supports)
             .chain([[bedded, bedded.abs()]])
             .fold([0.0; 2], add)
     };
@@ -138,15 +134,19 @@ impl RigidMotion {
 }
 
 /// Makes motions mass-orthogonal, each of modal mass 1; twice, to remove rounding errors.
-fn orthonormal(model: &Model, ends: [&End; 2], motions: Vec<RigidMotion>) -> Vec<RigidMotion> {
+fn orthonormal(
+    model: &Model,
+    supports: &[Restrained],
+    motions: Vec<RigidMotion>,
+) -> Vec<RigidMotion> {
     let mut done: Vec<RigidMotion> = Vec::new();
     for mut motion in motions {
         for _ in 0..2 {
             for other in &done {
-                let share = mass(model, ends, other, &motion);
+                let share = mass(model, supports, other, &motion);
                 motion.add(other, -share);
             }
-            let norm = mass(model, ends, &motion, &motion).sqrt();
+            let norm = mass(model, supports, &motion, &motion).sqrt();
             let copy = motion.clone();
             motion.add(&copy, norm.recip() - 1.0);
         }
@@ -156,7 +156,7 @@ fn orthonormal(model: &Model, ends: [&End; 2], motions: Vec<RigidMotion>) -> Vec
 }
 
 /// `a^T M b`, closed form along the beam.
-fn mass(model: &Model, ends: [&End; 2], a: &RigidMotion, b: &RigidMotion) -> f64 {
+fn mass(model: &Model, supports: &[Restrained], a: &RigidMotion, b: &RigidMotion) -> f64 {
     let length = model.beam.length;
     let matrices = BeamMatrices::new(&model.beam);
     let density = |x: f64| {
@@ -166,10 +166,8 @@ fn mass(model: &Model, ends: [&End; 2], a: &RigidMotion, b: &RigidMotion) -> f64
     // Simpson's rule is exact for the product of two straight lines.
     let mean = (density(0.0) + 4.0 * density(0.5 * length) + density(length)) / 6.0;
     let mut sum = length * mean;
-    for (end, x) in ends.iter().zip([0.0, length]) {
-        for (row, elastic) in rigid_motions(x).iter().zip(end.elastic()) {
-            sum += elastic.inertia * row.dot(&a.beam) * row.dot(&b.beam);
-        }
+    for (_, row, elastic) in supports.iter().flat_map(held_motions) {
+        sum += elastic.inertia * row.dot(&a.beam) * row.dot(&b.beam);
     }
     for (subsystem, (p, q)) in model.attached().zip(a.masses.iter().zip(&b.masses)) {
         sum += subsystem.mass * (p[0] * q[0] + p[1] * q[1]) + subsystem.inertia * p[2] * q[2];
@@ -186,23 +184,22 @@ fn moved(beam: &SVector<f64, 5>, x: f64) -> [f64; 3] {
 /// The stiffness over (w, psi, v, w', v') of a rigid beam at its left end, while its masses follow.
 ///
 /// An axial force resists a slope, or turns the beam further; both are no motion at frequency 0.
-fn stiffness([left, right]: [&End; 2], masses: &[Mass], beam: &Beam) -> SMatrix<f64, 5, 5> {
+fn stiffness(supports: &[Restrained], masses: &[Mass], beam: &Beam) -> SMatrix<f64, 5, 5> {
     // A rigid beam has no rate of twist.
     let mut rigid = SMatrix::<f64, 5, 5>::zeros();
     for slope in [3, 4] {
         rigid[(slope, slope)] = beam.axial_force.abs() * beam.length;
     }
     rigid += on_foundation(beam, |bedding| bedding.stiffness);
-    let held = held_stiffness([left, right], masses);
-    for (end, x) in [(left, 0.0), (right, beam.length)] {
-        let (fixed, elastic) = (end.fixed(), end.elastic());
-        for (row, motion) in rigid_motions(x).iter().enumerate() {
-            let stiffness = if fixed[row] {
+    let held = held_stiffness(supports, masses);
+    for restrained in supports {
+        for (motion, row, elastic) in held_motions(restrained) {
+            let stiffness = if restrained.is_fixed(motion) {
                 held
             } else {
-                elastic[row].stiffness
+                elastic.stiffness
             };
-            rigid += stiffness * motion * motion.transpose();
+            rigid += stiffness * row * row.transpose();
         }
     }
     for mass in masses {
@@ -231,12 +228,27 @@ fn on_foundation(beam: &Beam, of: fn(&Bedding) -> f64) -> SMatrix<f64, 5, 5> {
 }
 
 /// A stiffness as large as any of the model: it makes sure that a fixed motion is not a mode at frequency 0.
-fn held_stiffness(ends: [&End; 2], masses: &[Mass]) -> f64 {
-    let springs = ends
-        .iter()
-        .flat_map(|end| end.elastic().map(|elastic| elastic.stiffness));
+fn held_stiffness(supports: &[Restrained], masses: &[Mass]) -> f64 {
+    let rows = supports.iter().flat_map(Restrained::rows);
+    let springs = rows.map(|(_, _, elastic)| elastic.stiffness);
     let masses = masses.iter().map(|mass| mass.stiffness.amax());
     springs.chain(masses).fold(1.0, f64::max)
+}
+
+/// The motions of the point that a support holds, each with its spring and inertia, as functions of (w, psi, v, w', v') of
+/// a rigid beam at its left end.
+fn held_motions(
+    restrained: &Restrained,
+) -> impl Iterator<Item = (BeamMotion, SVector<f64, 5>, Elastic)> {
+    let rows = rigid_motions(restrained.position);
+    restrained.rows().map(move |(motion, row, elastic)| {
+        let shares = rows.iter().zip(&row);
+        (
+            motion,
+            shares.map(|(motion, share)| motion * *share).sum(),
+            elastic,
+        )
+    })
 }
 
 /// w, psi, v and their slopes at x, as functions of (w, psi, v, w', v') of a rigid beam at its left end.

@@ -10,7 +10,7 @@ use super::group::{Group, rigid_modes};
 use super::motion::Motion;
 use super::rigid::{self, RigidMotion};
 use super::types::{Modes, Shape, Shares};
-use crate::model::{BeamMotion, Checked, Model};
+use crate::model::{Checked, Model, SupportId};
 use crate::solve::Cancelled;
 use crate::solve::beam_matrices::BeamMatrices;
 use crate::solve::quadrature::Node;
@@ -124,7 +124,9 @@ fn rigid_motion(model: &Model, probe: &Probe, rigid: &RigidMotion) -> Motion {
     Motion {
         beam: probe.places().map(all_at).collect(),
         stations: model.attached().map(|of| at(of.position)).collect(),
-        ends: [0.0, model.beam.length].map(all_at),
+        supports: SupportId::all(model)
+            .map(|id| id.support(model).point.motions(&all_at(id.position(model))))
+            .collect(),
         masses: rigid
             .masses
             .iter()
@@ -186,13 +188,9 @@ fn energy_shares(nodes: &[Node], model: &Model, motion: &Motion, skip: usize) ->
         shares.subsystems +=
             subsystem.mass * (y.norm_sqr() + z.norm_sqr()) + subsystem.inertia * theta.norm_sqr();
     }
-    for (support, moved) in [&model.supports.left, &model.supports.right]
-        .iter()
-        .zip(&motion.ends)
-    {
-        for beam_motion in BeamMotion::ALL {
-            shares.supports +=
-                support[beam_motion].elastic().inertia * moved[beam_motion as usize].norm_sqr();
+    for (id, moved) in SupportId::all(model).zip(&motion.supports) {
+        for (restraint, moved) in id.support(model).restraints.iter().zip(moved) {
+            shares.supports += restraint.elastic().inertia * moved.norm_sqr();
         }
     }
     normalised(shares)

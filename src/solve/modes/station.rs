@@ -1,18 +1,28 @@
-//! The stations of the undamped beam: the support of an end, the mass of a subsystem on its springs.
+//! The stations of the undamped beam: a support, the mass of a subsystem on its springs.
 
 use nalgebra::{Matrix3, Matrix6, SymmetricEigen, Vector3, Vector6};
 
 use super::matrix_inertia::eliminate;
 use super::rigid::RigidMotion;
-use crate::model::{BeamMotion, Elastic, Restraint, Subsystem, Support};
+use crate::model::{BeamMotion, Elastic, Model, Point, Restraint, Subsystem, Support, SupportId};
 use crate::solve::springs::{Stretch, restraint_stiffness, rows};
 
 /// A stiffness below this fraction of the largest one is rounding.
 const RESOLVED: f64 = 1e-12;
 
-/// An end with its support.
+/// A support and its position.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct End(Support);
+pub(super) struct Restrained {
+    pub(super) position: f64,
+    support: Support,
+}
+
+/// The fixed motions at one position: those of the axis, but w and v at the point of the section that is held.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Fixed {
+    pub(super) motions: [bool; 6],
+    pub(super) point: Point,
+}
 
 /// A subsystem's stiffness over (y, z, theta | w, psi, v), and its inertia.
 #[derive(Debug, Clone)]
@@ -35,33 +45,103 @@ pub(super) struct Units {
     pub(super) motion: [f64; 6],
 }
 
-impl End {
-    /// If the section has no warping stiffness, the rate of twist is not a degree of freedom: it is fixed without
-    /// energy.
-    pub(super) fn new(support: &Support, warps: bool) -> Self {
-        let mut support = *support;
-        if !warps {
-            support[BeamMotion::PsiSlope] = Restraint::Fixed;
-        }
-        Self(support)
+impl Restrained {
+    /// All supports of a model: those of the ends first.
+    ///
+    /// If the section has no warping stiffness, the rate of twist is not a degree of freedom: at an end it is fixed
+    /// without energy, and between them no support acts on it.
+    pub(super) fn all(model: &Model, warps: bool) -> Vec<Self> {
+        let restrained = |id: SupportId| {
+            let mut support = *id.support(model);
+            if !warps {
+                support[BeamMotion::PsiSlope] = match id {
+                    SupportId::Left | SupportId::Right => Restraint::Fixed,
+                    SupportId::Inner(_) => Restraint::Free,
+                };
+            }
+            Self {
+                position: id.position(model),
+                support,
+            }
+        };
+        SupportId::all(model).map(restrained).collect()
     }
 
-    /// Which motions are fixed.
-    pub(super) fn fixed(&self) -> [bool; 6] {
-        self.0.0.map(|restraint| restraint == Restraint::Fixed)
+    pub(super) fn is_fixed(&self, motion: BeamMotion) -> bool {
+        self.support[motion] == Restraint::Fixed
     }
 
-    /// The springs and inertias of the other motions.
-    pub(super) fn elastic(&self) -> [Elastic; 6] {
-        self.0.0.map(Restraint::elastic)
+    /// Each motion with its spring and inertia; the motions are those of the point, as combinations of those of the axis.
+    pub(super) fn rows(&self) -> impl Iterator<Item = (BeamMotion, Vector6<f64>, Elastic)> {
+        let support = self.support;
+        BeamMotion::ALL.into_iter().map(move |motion| {
+            let mut row = Vector6::zeros();
+            row[motion as usize] = 1.0;
+            if let Some(arm) = support.point.arm(motion) {
+                row[BeamMotion::Psi as usize] = arm;
+            }
+            (motion, row, support[motion].elastic())
+        })
     }
 
+    /// The dimensionless stiffness over the motions of the axis.
     pub(super) fn stiffness(&self, omega: f64, units: &Units) -> Matrix6<f64> {
-        Matrix6::from_diagonal(&Vector6::from_fn(|row, _| {
-            let met = restraint_stiffness(omega.into(), self.0.0[row]);
+        let scale = Vector6::from(units.motion);
+        let mut sum = Matrix6::zeros();
+        for (motion, row, _) in self.rows() {
             // Without its dampers, which are the imaginary part.
-            met.map_or(0.0, |k| k.re) * units.motion[row].powi(2) / units.stiffness
-        }))
+            let met = restraint_stiffness(omega.into(), self.support[motion]);
+            let row = row.component_mul(&scale);
+            sum += met.map_or(0.0, |k| k.re) / units.stiffness * row * row.transpose();
+        }
+        sum
+    }
+}
+
+impl Fixed {
+    /// None of the motions.
+    pub(super) const NONE: Self = Self {
+        motions: [false; 6],
+        point: Point::AXIS,
+    };
+
+    /// What some supports at one position fix together: w, or v, at two points is also the twist.
+    pub(super) fn by(supports: &[Restrained]) -> Self {
+        let mut all = Self::NONE;
+        for restrained in supports {
+            let point = restrained.support.point;
+            for motion in BeamMotion::ALL
+                .into_iter()
+                .filter(|of| restrained.is_fixed(*of))
+            {
+                let is_known = all.motions[motion as usize];
+                if is_known && all.point.arm(motion) != point.arm(motion) {
+                    all.motions[BeamMotion::Psi as usize] = true;
+                }
+                all.motions[motion as usize] = true;
+                match motion {
+                    BeamMotion::W => all.point.z = point.z,
+                    BeamMotion::V => all.point.y = point.y,
+                    BeamMotion::Psi
+                    | BeamMotion::WSlope
+                    | BeamMotion::PsiSlope
+                    | BeamMotion::VSlope => {}
+                }
+            }
+        }
+        if all.motions[BeamMotion::Psi as usize] {
+            all.point = Point::AXIS;
+        }
+        all
+    }
+
+    /// The motions of the axis from those of the point, both dimensionless.
+    pub(super) fn axis(&self, units: &Units) -> Matrix6<f64> {
+        let mut axis = Matrix6::identity();
+        let turn = units.motion[BeamMotion::Psi as usize];
+        axis[(BeamMotion::W as usize, BeamMotion::Psi as usize)] = -self.point.z * turn;
+        axis[(BeamMotion::V as usize, BeamMotion::Psi as usize)] = self.point.y * turn;
+        axis
     }
 }
 

@@ -14,20 +14,20 @@ use num_complex::Complex64;
 use super::dynamic_stiffness::{Field, Span, symmetric};
 use super::matrix_inertia::{eliminate, negatives};
 use super::rigid;
-use super::station::{End, Mass, Units};
-use crate::model::{Beam, Model};
+use super::station::{Fixed, Mass, Restrained, Units};
+use crate::model::{Beam, BeamMotion, Model};
 use crate::solve::beam_matrices::{BeamMatrices, Symmetric};
 
 /// A model laid out for the count.
 #[derive(Debug, Clone)]
 pub(super) struct Counter {
     beam: Beam,
-    left: End,
-    right: End,
+    /// By ascending x.
+    supports: Vec<Restrained>,
     /// By ascending x; subsystems at one position are adjacent.
     masses: Vec<Mass>,
-    /// The ends and the positions of the masses, by ascending x: the indices of their `masses`.
-    nodes: Vec<Range<usize>>,
+    /// The positions of the supports and the masses, by ascending x: the first is the left end, the last the right one.
+    nodes: Vec<Node>,
     /// The lengths between the nodes, m: one less.
     spans: Vec<f64>,
     /// The longest span: where the elimination from the left meets that from the right.
@@ -38,6 +38,14 @@ pub(super) struct Counter {
     unstable: usize,
 }
 
+/// What is at one position, by the indices in the lists of the counter.
+#[derive(Debug, Clone)]
+struct Node {
+    supports: Range<usize>,
+    masses: Range<usize>,
+    fixed: Fixed,
+}
+
 impl Counter {
     /// Lays out the undamped part of a checked model.
     pub(super) fn new(model: &Model) -> Self {
@@ -45,13 +53,16 @@ impl Counter {
         if decays_at_once(&beam) {
             beam.section.warping_constant = 0.0;
         }
+        let mut supports = Restrained::all(model, beam.section.warping_constant > 0.0);
+        supports.sort_by(|a, b| a.position.total_cmp(&b.position));
         let mut masses: Vec<Mass> = model.attached().map(Mass::new).collect();
+        for mass in &mut masses {
+            mass.position = beside_support(mass.position, &supports, beam.length);
+        }
         masses.sort_by(|a, b| a.position.total_cmp(&b.position));
-        let (nodes, spans) = nodes(&masses, beam.length);
-        let warps = beam.section.warping_constant > 0.0;
+        let (nodes, spans) = nodes(&supports, &masses);
         let mut counter = Self {
-            left: End::new(&model.supports.left, warps),
-            right: End::new(&model.supports.right, warps),
+            supports,
             longest: longest(&spans),
             beam,
             masses,
@@ -60,11 +71,7 @@ impl Counter {
             rigid: 0,
             unstable: 0,
         };
-        counter.rigid = rigid::count(
-            [&counter.left, &counter.right],
-            &counter.masses,
-            &counter.beam,
-        );
+        counter.rigid = rigid::count(&counter.supports, &counter.masses, &counter.beam);
         if counter.beam.axial_force < 0.0 {
             let slow = counter.slow();
             counter.unstable = counter.below(slow).saturating_sub(counter.rigid);
@@ -109,8 +116,8 @@ impl Counter {
         let last = self.spans.len();
         let from_left: Vec<_> = (0..=self.longest).map(|n| (n, n)).collect();
         let from_right: Vec<_> = (self.longest..last).rev().map(|n| (n + 1, n)).collect();
-        let left = march.over(&self.left, &from_left, SHARE);
-        let right = march.over(&self.right, &from_right, 1.0 - SHARE);
+        let left = march.over(&from_left, SHARE);
+        let right = march.over(&from_right, 1.0 - SHARE);
         let joint = negatives(&(left + mirrored(&right)));
         march
             .count
@@ -167,24 +174,40 @@ fn decays_at_once(beam: &Beam) -> bool {
         < NEGLIGIBLE * material.shear_modulus * section.torsion_constant * beam.length.powi(2)
 }
 
-/// The masses at each position, ends included, and the lengths between the positions.
-fn nodes(masses: &[Mass], length: f64) -> (Vec<Range<usize>>, Vec<f64>) {
-    let mut nodes = Vec::new();
-    let mut spans = Vec::new();
-    let (mut first, mut x) = (0, 0.0);
-    for (index, mass) in masses.iter().enumerate() {
-        if mass.position > x {
-            nodes.push(first..index);
-            spans.push(mass.position - x);
-            (first, x) = (index, mass.position);
+/// The position of a support that fixes a motion, if a position is as good as there: the stiffness of the span between
+/// them would be so large that rounding hides everything else. Both m.
+fn beside_support(position: f64, supports: &[Restrained], length: f64) -> f64 {
+    const NEAR: f64 = 2e-7;
+    let is_near = |support: &&Restrained| {
+        let fixes = BeamMotion::ALL
+            .into_iter()
+            .any(|motion| support.is_fixed(motion));
+        fixes && (support.position - position).abs() < NEAR * length
+    };
+    let near = supports.iter().find(is_near);
+    near.map_or(position, |support| support.position)
+}
+
+/// The positions of supports and masses, and the lengths between them.
+fn nodes(supports: &[Restrained], masses: &[Mass]) -> (Vec<Node>, Vec<f64>) {
+    let of_supports = supports.iter().map(|support| support.position);
+    let mut positions: Vec<f64> = of_supports
+        .chain(masses.iter().map(|mass| mass.position))
+        .collect();
+    positions.sort_by(f64::total_cmp);
+    positions.dedup();
+    let spans = positions.windows(2).map(|ends| ends[1] - ends[0]).collect();
+    let node = |x: &f64| {
+        let held = supports.partition_point(|of| of.position < *x)
+            ..supports.partition_point(|of| of.position <= *x);
+        Node {
+            fixed: Fixed::by(&supports[held.clone()]),
+            supports: held,
+            masses: masses.partition_point(|of| of.position < *x)
+                ..masses.partition_point(|of| of.position <= *x),
         }
-    }
-    nodes.push(first..masses.len());
-    if x < length {
-        nodes.push(masses.len()..masses.len());
-        spans.push(length - x);
-    }
-    (nodes, spans)
+    };
+    (positions.iter().map(node).collect(), spans)
 }
 
 /// The index of the longest span.
@@ -208,22 +231,24 @@ struct March<'a> {
 impl March<'_> {
     /// From an end over nodes, each with the span behind it, and a fraction of the last span; returns the dynamic
     /// stiffness of this part, in a frame that points away from the end.
-    fn over(&mut self, end: &End, path: &[(usize, usize)], share: f64) -> Matrix6<f64> {
-        let mut stiffness = end.stiffness(self.omega, &self.units);
-        let mut fixed = end.fixed();
+    fn over(&mut self, path: &[(usize, usize)], share: f64) -> Matrix6<f64> {
+        let mut stiffness = Matrix6::zeros();
         let last = path.len() - 1;
         for (step, &(node, span)) in path.iter().enumerate() {
+            let node = &self.counter.nodes[node];
             self.attach(node, &mut stiffness);
             let part = if step == last { share } else { 1.0 };
-            self.cross(part * self.counter.spans[span], &mut stiffness, fixed);
-            fixed = [false; 6];
+            self.cross(part * self.counter.spans[span], &mut stiffness, node.fixed);
         }
         stiffness
     }
 
-    /// Adds the masses of a node.
-    fn attach(&mut self, node: usize, stiffness: &mut Matrix6<f64>) {
-        for mass in &self.counter.masses[self.counter.nodes[node].clone()] {
+    /// Adds the springs and the masses of a node.
+    fn attach(&mut self, node: &Node, stiffness: &mut Matrix6<f64>) {
+        for support in &self.counter.supports[node.supports.clone()] {
+            *stiffness += support.stiffness(self.omega, &self.units);
+        }
+        for mass in &self.counter.masses[node.masses.clone()] {
             let (condensed, own) = mass.condensed(self.omega, &self.units);
             let mut corner = stiffness.fixed_view_mut::<3, 3>(0, 0);
             corner += condensed;
@@ -232,7 +257,7 @@ impl March<'_> {
     }
 
     /// Moves the stiffness over a span.
-    fn cross(&mut self, length: f64, stiffness: &mut Matrix6<f64>, mut fixed: [bool; 6]) {
+    fn cross(&mut self, length: f64, stiffness: &mut Matrix6<f64>, mut fixed: Fixed) {
         let pieces = self.field.pieces(length / self.units.length);
         let length = length / pieces as f64;
         let span = match self.known.take() {
@@ -240,8 +265,9 @@ impl March<'_> {
             _ => self.field.span(length / self.units.length),
         };
         for _ in 0..pieces {
-            self.count = self.count.saturating_add(cross(&span, stiffness, fixed));
-            fixed = [false; 6];
+            let count = cross(&span, stiffness, fixed.motions, &fixed.axis(&self.units));
+            self.count = self.count.saturating_add(count);
+            fixed = Fixed::NONE;
         }
         self.known = Some((length, span));
     }
@@ -254,13 +280,20 @@ fn mirrored(stiffness: &Matrix6<f64>) -> Matrix6<f64> {
 }
 
 /// Moves the stiffness over a span; returns the count of the eliminated end and of the clamped span.
-fn cross(span: &Span, stiffness: &mut Matrix6<f64>, fixed: [bool; 6]) -> usize {
+///
+/// `fixed` are motions of a point there, from which `axis` gives those of the axis.
+fn cross(
+    span: &Span,
+    stiffness: &mut Matrix6<f64>,
+    fixed: [bool; 6],
+    axis: &Matrix6<f64>,
+) -> usize {
     let ends = &span.ends;
-    let mut node = ends.left + *stiffness;
+    let mut force = axis.transpose() * *stiffness * axis;
+    let mut node = axis.transpose() * ends.left * axis + force;
     hold(&mut node, fixed);
-    let mut across = ends.across;
+    let mut across = axis.transpose() * ends.across;
     let mut moved = Matrix6::identity();
-    let mut force = *stiffness;
     for row in (0..6).filter(|&row| fixed[row]) {
         across.row_mut(row).fill(0.0);
         moved[(row, row)] = 0.0;
@@ -270,12 +303,14 @@ fn cross(span: &Span, stiffness: &mut Matrix6<f64>, fixed: [bool; 6]) -> usize {
     }
     let eliminated = eliminate(&node, &across);
     let by_transfer = span.transfer.as_ref().and_then(|transfer| {
+        // The forces on the axis do the same work.
+        let (moved, force) = (axis * moved, axis.transpose().try_inverse()? * force);
         // Only the span of its columns matters, so any regular scale is possible.
         let moved_on = transfer.a * moved + transfer.b * force;
         Some((transfer.c * moved + transfer.d * force) * moved_on.try_inverse()?)
     });
     *stiffness = symmetric(
-        by_transfer.unwrap_or_else(|| ends.right - ends.across.transpose() * eliminated.solution),
+        by_transfer.unwrap_or_else(|| ends.right - across.transpose() * eliminated.solution),
     );
     ends.clamped.saturating_add(eliminated.negatives)
 }

@@ -2,10 +2,9 @@
 
 use num_complex::Complex64;
 
-use crate::model::{BeamMotion, Model, Restraint, Support};
+use crate::model::Model;
 use crate::solve::beam_state::BeamState;
 use crate::solve::kernel::Prepared;
-use crate::solve::linear::ZERO;
 use crate::solve::plan::Plan;
 use crate::solve::solution::Solution;
 use crate::solve::waves::Amplitudes;
@@ -83,6 +82,12 @@ impl<'a> Along<'a> {
         [(0.0, 0), (self.model.beam.length, last)].map(|(position, span)| Spot { position, span })
     }
 
+    /// The states just before and just after a station.
+    pub(super) fn sides(&self, station: usize) -> [BeamState; 2] {
+        let position = self.plan.stations[station].position;
+        [station, station + 1].map(|span| self.at(Spot { position, span }))
+    }
+
     /// The motions and internal forces at a position: `Q (a + b)`, `S (b - a)`, `P (a - b)` and `M (a + b)` of the
     /// waves there.
     pub(super) fn at(&self, spot: Spot) -> BeamState {
@@ -103,18 +108,11 @@ impl<'a> Along<'a> {
         )
     }
 
-    /// A fixed motion of an end is exactly zero.
+    /// A fixed motion is exactly zero.
     fn hold(&self, position: f64, motion: &mut [Complex64; 6]) {
-        let supports = &self.model.supports;
-        let mut hold_at = |end: f64, support: &Support| {
-            for fixed in BeamMotion::ALL {
-                if position == end && support[fixed] == Restraint::Fixed {
-                    motion[fixed as usize] = ZERO;
-                }
-            }
-        };
-        hold_at(0.0, &supports.left);
-        hold_at(self.model.beam.length, &supports.right);
+        for held in self.plan.held_at(position, self.model.beam.length) {
+            *motion = held.held(motion);
+        }
     }
 
     fn start_of(&self, span: usize) -> f64 {

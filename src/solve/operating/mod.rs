@@ -19,11 +19,10 @@ use num_complex::Complex64;
 
 use super::beam_state::BeamState;
 use super::kernel::Prepared;
-use super::linear::ZERO;
-use super::plan::{End, Event, Plan};
+use super::plan::{Event, Held, Plan};
 use super::solution::MassSolution;
-use super::springs::{restraint_stiffness, springs, stiffness, stretches};
-use crate::model::{BeamMotion, Checked, Subsystem};
+use super::springs::{springs, stiffness, stretches};
+use crate::model::{Checked, Subsystem};
 use along::Along;
 
 /// The state of a model at one frequency.
@@ -42,9 +41,10 @@ pub struct Operating {
     pub forces: [Vec<Complex64>; 6],
     /// The enabled subsystems, in the order of the model.
     pub masses: Vec<MassState>,
-    /// The forces of the left and the right support on the beam along the six motions: of springs, dampers and inertias
-    /// together, or the reaction of a fixed motion; N, N m, and N m2 along the rate of twist.
-    pub reactions: [[Complex64; 6]; 2],
+    /// The forces of each support on the beam along the six motions of its point, the ends first, then the inner supports
+    /// in the order of the model: of springs, dampers and inertias together, or the reaction of a fixed motion; N, N m, and
+    /// N m2 along the rate of twist.
+    pub reactions: Vec<[Complex64; 6]>,
     /// The power balance.
     pub power: Power,
 }
@@ -72,8 +72,8 @@ pub struct MassState {
 pub struct Power {
     /// The input power of each enabled force, in the order of the model.
     pub inputs: Vec<Input>,
-    /// The dissipation of each damper: those of the subsystems in the order of the model, then the left support's and
-    /// the right support's.
+    /// The dissipation of each damper and each spring with a loss factor: those of the subsystems in the order of the model,
+    /// then the supports', the ends first.
     pub dampers: Vec<Damper>,
     /// The dissipation of the beam's material by its loss factor: NaN if its strain is only rounding, as in a beam that
     /// is very short compared with its waves.
@@ -91,7 +91,7 @@ pub struct Input {
     pub power: f64,
 }
 
-/// The power that a damper dissipates.
+/// The power that a damper, or a spring with a loss factor, dissipates.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Damper {
     /// Name of the damper: `S1 y_left`, `left w`.
@@ -146,60 +146,49 @@ fn columns(
 
 /// The enabled subsystems, in the order of the model.
 fn masses(along: &Along<'_>) -> Vec<MassState> {
-    let attached: Vec<&Subsystem> = along.model.attached().collect();
-    // Stations are in order of ascending position, those at one position in the order of the model.
-    let mut order: Vec<usize> = (0..attached.len()).collect();
-    order.sort_by(|&a, &b| attached[a].position.total_cmp(&attached[b].position));
-    let stations = along.plan.stations.iter().zip(&along.solution.masses);
-    let solved = stations.filter(|(station, _)| matches!(station.event, Event::Attachment(_)));
-    let mut states: Vec<(usize, MassState)> = order
-        .into_iter()
-        .zip(solved)
-        .map(|(index, (_, solved))| {
-            let subsystem = attached[index];
-            let [w, psi, v, ..] = along.at(along.spot(subsystem.position)).motion;
-            let omega = along.omega.into();
-            let MassSolution { forces, motion } = *solved;
-            let stretches = stretches(omega, subsystem, [motion, [w, psi, v]], forces);
-            let springs = springs(subsystem);
-            let state = MassState {
-                name: subsystem.name.clone(),
-                position: subsystem.position,
-                motion,
-                mount: [w, psi, v],
-                forces: std::array::from_fn(|spring| {
-                    stiffness(omega, springs[spring]) * stretches[spring]
-                }),
-                stretches,
-            };
-            (index, state)
-        })
-        .collect();
-    states.sort_by_key(|(index, _)| *index);
-    states.into_iter().map(|(_, state)| state).collect()
+    let stations = along.plan.mass_stations(along.model);
+    let attached = along.model.attached().zip(stations);
+    let state = |(subsystem, station): (&Subsystem, usize)| {
+        let [w, psi, v, ..] = along.at(along.spot(subsystem.position)).motion;
+        let omega = along.omega.into();
+        let MassSolution { forces, motion } = along.solution.masses[station];
+        let stretches = stretches(omega, subsystem, [motion, [w, psi, v]], forces);
+        let springs = springs(subsystem);
+        MassState {
+            name: subsystem.name.clone(),
+            position: subsystem.position,
+            motion,
+            mount: [w, psi, v],
+            forces: std::array::from_fn(|spring| {
+                stiffness(omega, springs[spring]) * stretches[spring]
+            }),
+            stretches,
+        }
+    };
+    attached.map(state).collect()
 }
 
-/// The forces of the left and of the right support, along the six motions.
-fn reactions(along: &Along<'_>) -> [[Complex64; 6]; 2] {
+/// The forces of each support along the six motions of its point, the ends first.
+fn reactions(along: &Along<'_>) -> Vec<[Complex64; 6]> {
+    let plan = along.plan;
     let [left, right] = along.ends().map(|spot| along.at(spot));
-    [
-        reaction(along, &along.plan.left, &left, -1.0),
-        reaction(along, &along.plan.right, &right, 1.0),
-    ]
-}
-
-/// The forces of one support; `outward` is the sign with which the internal forces balance the forces on the end.
-fn reaction(along: &Along<'_>, end: &End, local: &BeamState, outward: f64) -> [Complex64; 6] {
-    BeamMotion::ALL.map(|motion| {
-        let row = motion as usize;
-        // Without warping stiffness no bimoment reaches a support.
-        if motion == BeamMotion::PsiSlope && along.plan.beam.without_warping() {
-            return ZERO;
-        }
-        match restraint_stiffness(along.omega.into(), end.support[motion]) {
-            None => outward * local.force[row] - end.load[row],
-            Some(k) if k == ZERO => ZERO,
-            Some(k) => -k * local.motion[row],
-        }
-    })
+    let of = |held: &Held, [before, after]: [&BeamState; 2], axis: &[Complex64; 6]| {
+        let sides = [&before.force, &after.force];
+        held.forces(along.omega.into(), sides, axis, plan.beam.without_warping())
+    };
+    let ends = [
+        of(&plan.left, [&BeamState::ZERO, &left], &left.motion),
+        of(&plan.right, [&right, &BeamState::ZERO], &right.motion),
+    ];
+    let inner = plan
+        .support_stations(along.model)
+        .into_iter()
+        .filter_map(|station| {
+            let Event::Support(held) = &plan.stations[station].event else {
+                return None;
+            };
+            let [before, after] = along.sides(station);
+            Some(of(held, [&before, &after], &before.motion))
+        });
+    ends.into_iter().chain(inner).collect()
 }

@@ -8,7 +8,7 @@ use num_complex::Complex64;
 
 use super::along::Along;
 use super::{Damper, Input, MassState, Power};
-use crate::model::{BeamMotion, Force, Place, Target};
+use crate::model::{BeamMotion, Force, Spring, SupportId, Target};
 use crate::solve::beam_state::BeamState;
 use crate::solve::energy::SpanEnergy;
 use crate::solve::linear::ZERO;
@@ -55,33 +55,30 @@ fn input(along: &Along<'_>, masses: &[MassState], force: &Force) -> f64 {
             state.map_or(ZERO, |state| state.motion[*motion as usize])
         }
         Target::Beam(place, motion) => {
-            let position = match place {
-                Place::Left => 0.0,
-                Place::Right => along.model.beam.length,
-                Place::Position(x) => *x,
-            };
-            along.at(along.spot(position)).motion[*motion as usize]
+            let position = place.position(along.model.beam.length);
+            let axis = along.at(along.spot(position)).motion;
+            force.point.motions(&axis)[*motion as usize]
         }
     };
     let value = Complex64::from_polar(force.amplitude, force.phase.to_radians());
     mean(along.omega, value, moved)
 }
 
-/// 1/2 c omega^2 |stretch|^2, W.
-fn heat(omega: f64, damping: f64, stretch: Complex64) -> f64 {
-    0.5 * damping * omega * omega * stretch.norm_sqr()
+/// 1/2 omega (omega c + k eta) |stretch|^2, W; `None` for a spring without a damper and a loss factor.
+fn heat(omega: f64, spring: Spring, stretch: Complex64) -> Option<f64> {
+    let loss = omega * spring.damping + spring.complex_stiffness().im;
+    (loss > 0.0).then(|| 0.5 * omega * loss * stretch.norm_sqr())
 }
 
 fn of_subsystems(along: &Along<'_>, masses: &[MassState]) -> Vec<Damper> {
     let mut dampers = Vec::new();
     for (subsystem, state) in along.model.attached().zip(masses) {
         for (index, spring) in springs(subsystem).into_iter().enumerate() {
-            if spring.damping > 0.0 {
-                dampers.push(Damper {
-                    label: format!("{} {}", state.name, SPRINGS[index]),
-                    power: heat(along.omega, spring.damping, state.stretches[index]),
-                });
-            }
+            let power = heat(along.omega, spring, state.stretches[index]);
+            dampers.extend(power.map(|power| Damper {
+                label: format!("{} {}", state.name, SPRINGS[index]),
+                power,
+            }));
         }
     }
     dampers
@@ -106,26 +103,22 @@ fn of_foundation(along: &Along<'_>) -> Vec<Damper> {
 }
 
 fn of_supports(along: &Along<'_>) -> Vec<Damper> {
-    let supports = &along.model.supports;
-    let ends = [("left", &supports.left), ("right", &supports.right)];
     let mut dampers = Vec::new();
-    for ((end, support), spot) in ends.into_iter().zip(along.ends()) {
-        let local = along.at(spot);
-        for motion in BeamMotion::ALL {
-            let damping = support[motion].elastic().damping;
+    for id in SupportId::all(along.model) {
+        let support = id.support(along.model);
+        let axis = along.at(along.spot(id.position(along.model))).motion;
+        for (motion, moved) in BeamMotion::ALL
+            .into_iter()
+            .zip(support.point.motions(&axis))
+        {
             // Without warping stiffness any spring or damper fixes the rate of twist, without energy.
             let idle = motion == BeamMotion::PsiSlope && along.plan.beam.without_warping();
-            if damping > 0.0 {
-                let moved = if idle {
-                    ZERO
-                } else {
-                    local.motion[motion as usize]
-                };
-                dampers.push(Damper {
-                    label: format!("{end} {}", motion.key()),
-                    power: heat(along.omega, damping, moved),
-                });
-            }
+            let moved = if idle { ZERO } else { moved };
+            let power = heat(along.omega, support[motion].elastic().into(), moved);
+            dampers.extend(power.map(|power| Damper {
+                label: format!("{} {}", id.name(along.model), motion.key()),
+                power,
+            }));
         }
     }
     dampers

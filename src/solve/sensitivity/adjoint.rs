@@ -12,8 +12,8 @@ use crate::solve::plan::{Event, Output, Plan};
 pub(super) enum Adjoint {
     /// A motion.
     Motion(Box<Motion>),
-    /// A motion that a support fixes.
-    Held,
+    /// A motion that a support fixes, by its index among the enabled responses.
+    Held(usize),
     /// `E_V`: its adjoint loads follow from the motion.
     Energy,
 }
@@ -24,6 +24,8 @@ pub(super) struct Motion {
     /// The plan under a unit load along the motion, prepared as a whole.
     pub(super) prepared: Prepared,
     pub(super) measure: Measure,
+    /// Its index among the enabled responses.
+    pub(super) response: usize,
     /// The position of the motion.
     pub(super) reading: Reading,
     /// The unit load, if its position is constant while the right end moves.
@@ -33,8 +35,8 @@ pub(super) struct Motion {
 /// The position of a motion.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Reading {
-    /// Of the beam, at a station.
-    Beam(usize, BeamMotion),
+    /// Of the beam, at a station, plus its twist times an arm, m.
+    Beam(usize, BeamMotion, f64),
     /// The mean rate of twist at two stations: see [`Output::MeanTwistRate`].
     MeanTwistRate([usize; 2]),
     /// Of the enabled subsystem with this index, along y, z or theta.
@@ -47,28 +49,36 @@ impl Adjoint {
         let bare = without_loads(plan);
         let responses = model.responses.iter().filter(|response| response.enabled);
         let outputs = plan.outputs.iter().zip(responses);
-        let adjoint = |(output, response): (&Output, &crate::model::Response)| {
+        let adjoint = |(index, (output, response)): (usize, (&Output, &crate::model::Response))| {
             let stays = matches!(
                 response.quantity,
                 Quantity::Motion(Target::Beam(Place::Position(x), _), _) if x == model.beam.length
             );
-            Self::of(model, &bare, masses, *output, stays)
+            Self::of(model, &bare, masses, (index, *output), stays)
         };
-        outputs.map(adjoint).collect()
+        outputs.enumerate().map(adjoint).collect()
     }
 
-    fn of(model: &Model, bare: &Plan, masses: &[usize], output: Output, stays: bool) -> Self {
+    fn of(
+        model: &Model,
+        bare: &Plan,
+        masses: &[usize],
+        (response, output): (usize, Output),
+        stays: bool,
+    ) -> Self {
         let mut plan = bare.clone();
         let mut held = [ZERO; 6];
         let (reading, measure) = match output {
-            Output::Held => return Self::Held,
+            Output::Held => return Self::Held(response),
             Output::Energy => return Self::Energy,
             Output::Beam {
                 station,
                 motion,
+                arm,
                 measure,
             } => {
                 let mut unit = [ZERO; 6];
+                unit[BeamMotion::Psi as usize] = arm.into();
                 unit[motion as usize] = Complex64::ONE;
                 let at = &mut plan.stations[station];
                 if at.position == 0.0 {
@@ -81,7 +91,7 @@ impl Adjoint {
                 } else {
                     at.event = Event::Load(unit);
                 }
-                (Reading::Beam(station, motion), measure)
+                (Reading::Beam(station, motion, arm), measure)
             }
             // No load gives its derivatives.
             Output::MeanTwistRate { stations, measure } => {
@@ -105,6 +115,7 @@ impl Adjoint {
         Self::Motion(Box::new(Motion {
             prepared: Prepared::whole(plan),
             measure,
+            response,
             reading,
             held,
         }))
@@ -120,7 +131,8 @@ pub(super) fn without_loads(plan: &Plan) -> Plan {
     for station in &mut bare.stations {
         match &mut station.event {
             Event::Attachment(attachment) => attachment.load = [ZERO; 3],
-            event => *event = Event::Probe,
+            Event::Support(held) => held.load = [ZERO; 6],
+            event @ (Event::Load(_) | Event::Probe) => *event = Event::Probe,
         }
     }
     bare

@@ -13,7 +13,7 @@ use super::adjoint::without_loads;
 use super::field::{Field, Reader, Setting};
 use super::overlap::Spans;
 use super::product::Product;
-use super::{Differentiator, Gradient, forces, mass_stations};
+use super::{Differentiator, Gradient, forces};
 use crate::model::schema::{BeamKey, MaterialKey, SectionKey};
 use crate::model::{Group, Model, ParameterId};
 use crate::solve::energy::SpanEnergy;
@@ -39,7 +39,7 @@ impl Differentiator {
         let places = nodes.iter().map(|node| node.x);
         let plan = self.prepared.plan.with_probes(places, length);
         let u = refined(&self.prepared.plan, &plan, &solution);
-        let masses = mass_stations(&self.model, &plan);
+        let masses = plan.mass_stations(&self.model);
         let setting = Setting {
             model: &self.model,
             plan: &plan,
@@ -71,6 +71,8 @@ impl Differentiator {
         for force in &self.forces {
             by_parameter.extend(force.by_parameter(lambda_plan, &lambda_field, &reader));
         }
+        // No point of a response.
+        by_parameter.resize(self.ids().len(), ZERO);
         for value in &mut by_parameter {
             *value = (2.0 * value.re).into();
         }

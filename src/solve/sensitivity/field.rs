@@ -4,7 +4,8 @@ use num_complex::Complex64;
 
 use crate::model::{BeamMotion, Model, Restraint, Subsystem};
 use crate::solve::beam_state::BeamState;
-use crate::solve::plan::{End, Plan};
+use crate::solve::linear::ZERO;
+use crate::solve::plan::{Event, Held, Plan, Station};
 use crate::solve::solution::{MassSolution, Solution, SpanWaves};
 use crate::solve::springs::{springs, stiffness, stretches};
 use crate::solve::waves::Amplitudes;
@@ -24,7 +25,9 @@ pub(super) struct Setting<'a> {
 /// One solution.
 #[derive(Debug)]
 pub(super) struct Field {
-    /// The six motions of the left and of the right end.
+    /// Each support, the ends first.
+    pub(super) supports: Vec<SupportField>,
+    /// The six motions of the left and of the right end of the axis.
     pub(super) ends: [[Complex64; 6]; 2],
     /// The state just inside the right end.
     pub(super) edge: BeamState,
@@ -34,12 +37,25 @@ pub(super) struct Field {
     pub(super) masses: Vec<MassField>,
 }
 
+/// The values of one solution at a support.
+#[derive(Debug)]
+pub(super) struct SupportField {
+    /// The six motions of its point.
+    pub(super) motion: [Complex64; 6],
+    /// The change of these motions with the position of the support, per m.
+    pub(super) along: [Complex64; 6],
+    /// The twist psi of the beam there.
+    pub(super) twist: Complex64,
+    /// The forces of the support on the beam along the motions.
+    pub(super) forces: [Complex64; 6],
+}
+
 /// The torques, N m, around which any warping stiffness makes a boundary layer.
 #[derive(Debug, Default)]
 pub(super) struct Kinks {
     /// The jump of the torque at each position between the ends.
     pub(super) jumps: Vec<Complex64>,
-    /// The torque at each end with a fixed rate of twist.
+    /// The torque at each end, and on both sides of each support between them, with a fixed rate of twist.
     pub(super) held: Vec<Complex64>,
 }
 
@@ -110,6 +126,7 @@ impl Field {
             )
         });
         Self {
+            supports: supports(setting, &reader),
             ends: [reader.start(0).motion, edge.motion],
             masses: masses.collect(),
             kinks: Kinks::new(setting, &reader),
@@ -128,11 +145,21 @@ impl Kinks {
         let inside = |x: f64| 0.0 < x && x < length;
         let groups = stations.chunk_by(|one, other| one.position == other.position);
         let mut first = 0;
-        let mut jumps = Vec::new();
+        let fixes = |held: &Held| held.support[BeamMotion::PsiSlope] == Restraint::Fixed;
+        let is_held = |group: &[Station]| {
+            let mut stations = group.iter();
+            stations.any(|of| matches!(&of.event, Event::Support(held) if fixes(held)))
+        };
+        let (mut jumps, mut held) = (Vec::new(), Vec::new());
         for group in groups {
             let last = first + group.len();
             if inside(group[0].position) {
-                jumps.push(torque(&reader.start(last)) - torque(&reader.end(first)));
+                let [before, after] = [torque(&reader.end(first)), torque(&reader.start(last))];
+                if is_held(group) {
+                    held.extend([before, after]);
+                } else {
+                    jumps.push(after - before);
+                }
             }
             first = last;
         }
@@ -143,12 +170,83 @@ impl Kinks {
             (&plan.left, torque(&reader.start(left))),
             (&plan.right, torque(&reader.end(right))),
         ];
-        let held = |end: &End| end.support[BeamMotion::PsiSlope] == Restraint::Fixed;
-        let held = ends.into_iter().filter(|(end, _)| held(end));
-        Self {
-            jumps,
-            held: held.map(|(_, torque)| torque).collect(),
-        }
+        let ends = ends.into_iter().filter(|(end, _)| fixes(end));
+        held.extend(ends.map(|(_, torque)| torque));
+        Self { jumps, held }
+    }
+}
+
+/// The values of a solution at every support, the ends first.
+fn supports(setting: &Setting<'_>, reader: &Reader<'_>) -> Vec<SupportField> {
+    let plan = setting.plan;
+    let last = plan.stations.len();
+    let zero = BeamState::ZERO;
+    let left = {
+        let inside = reader.start(0);
+        support(
+            setting,
+            &plan.left,
+            [&zero, &inside],
+            &inside.motion,
+            ZERO_SLOPES,
+        )
+    };
+    let edge = reader.end(last);
+    let right = support(
+        setting,
+        &plan.right,
+        [&edge, &zero],
+        &edge.motion,
+        ZERO_SLOPES,
+    );
+    let inner = plan
+        .support_stations(setting.model)
+        .into_iter()
+        .filter_map(|station| {
+            let Event::Support(held) = &plan.stations[station].event else {
+                return None;
+            };
+            let (before, after) = (reader.end(station), reader.start(station + 1));
+            let matrices = &plan.beam.matrices;
+            let [_, _, _, rotations @ ..] = before.motion;
+            let slopes = matrices.slopes(rotations, mean_forces(setting, reader, station));
+            let moments = |of: &BeamState| [of.force[3], of.force[4], of.force[5]];
+            let (one, other) = (moments(&before), moments(&after));
+            let curvatures =
+                matrices.curvatures(std::array::from_fn(|row| 0.5 * (one[row] + other[row])));
+            let [w, psi, v] = slopes;
+            let [bend_w, warp, bend_v] = curvatures;
+            Some(support(
+                setting,
+                held,
+                [&before, &after],
+                &before.motion,
+                [w, psi, v, bend_w, warp, bend_v],
+            ))
+        });
+    [left, right].into_iter().chain(inner).collect()
+}
+
+/// An end does not move along the beam by itself.
+const ZERO_SLOPES: [Complex64; 6] = [ZERO; 6];
+
+/// A support, from the states on both sides (zero outside of the beam) and the motions of the axis with their derivatives.
+fn support(
+    setting: &Setting<'_>,
+    held: &Held,
+    [before, after]: [&BeamState; 2],
+    axis: &[Complex64; 6],
+    slopes: [Complex64; 6],
+) -> SupportField {
+    let point = held.support.point;
+    let without_warping = setting.plan.beam.without_warping();
+    let axis = held.held(axis);
+    let sides = [&before.force, &after.force];
+    SupportField {
+        forces: held.forces(setting.omega, sides, &axis, without_warping),
+        motion: point.motions(&axis),
+        along: point.motions(&slopes),
+        twist: axis[BeamMotion::Psi as usize],
     }
 }
 

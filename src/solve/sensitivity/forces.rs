@@ -12,6 +12,8 @@ use crate::solve::plan::Plan;
 #[derive(Debug)]
 pub(super) struct Force {
     site: Site,
+    /// The arm, m, by which a force on the beam also turns it.
+    arm: f64,
     amplitude: f64,
     /// Degrees.
     phase: f64,
@@ -42,45 +44,77 @@ impl Force {
             .enumerate()
             .map(|(index, subsystem)| (&*subsystem.name, index))
             .collect();
-        let site = |target: &Target| match target {
-            Target::Mass(name, motion) => {
-                names.get(name.as_str()).map_or(Site::Nowhere, |&index| {
-                    let motion = *motion as usize;
-                    Site::Mass { index, motion }
-                })
-            }
-            Target::Beam(place, motion) => on_beam(*place, *motion, model.beam.length),
-        };
         let enabled = model.forces.iter().filter(|force| force.enabled);
-        enabled
-            .map(|force| Self {
-                site: site(&force.target),
+        let force = |force: &crate::model::Force| {
+            let (site, arm) = match &force.target {
+                Target::Mass(name, motion) => {
+                    let found = names.get(name.as_str());
+                    let site = found.map_or(Site::Nowhere, |&index| {
+                        let motion = *motion as usize;
+                        Site::Mass { index, motion }
+                    });
+                    (site, 0.0)
+                }
+                Target::Beam(place, motion) => (
+                    on_beam(*place, *motion, model.beam.length),
+                    force.point.arm(*motion).unwrap_or_default(),
+                ),
+            };
+            Self {
+                site,
+                arm,
                 amplitude: force.amplitude,
                 phase: force.phase,
-            })
-            .collect()
+            }
+        };
+        enabled.map(force).collect()
     }
 
-    /// `lambda^T dF/dp` for the amplitude, and for the phase in degrees; `reader` reads lambda.
+    /// Its complex amplitude.
+    fn value(&self) -> Complex64 {
+        Complex64::from_polar(self.amplitude, self.phase.to_radians())
+    }
+
+    /// `lambda^T dF/dp` for the point, if it has one, the amplitude, and the phase in degrees; `reader` reads lambda.
     pub(super) fn by_parameter(
         &self,
         plan: &Plan,
         lambda: &Field,
         reader: &Reader<'_>,
     ) -> impl Iterator<Item = Complex64> {
-        let moved = match self.site {
-            Site::End { end, motion, .. } => lambda.ends[end][motion as usize],
+        let twist = BeamMotion::Psi as usize;
+        let of_beam = |motions: [Complex64; 6], motion: BeamMotion| {
+            let moved = motions[motion as usize] + self.arm * motions[twist];
+            (moved, motions[twist])
+        };
+        let (moved, turned) = match self.site {
+            Site::End { end, motion, .. } => of_beam(lambda.ends[end], motion),
             Site::Beam { x, motion } => {
                 let station = plan.stations.partition_point(|other| other.position < x);
-                reader.end(station).motion[motion as usize]
+                of_beam(reader.end(station).motion, motion)
             }
-            Site::Mass { index, motion } => lambda.masses[index].motion[motion],
-            Site::Nowhere => ZERO,
+            Site::Mass { index, motion } => (lambda.masses[index].motion[motion], ZERO),
+            Site::Nowhere => (ZERO, ZERO),
         };
         let unit = Complex64::from_polar(1.0, self.phase.to_radians());
         let a_degree = Complex64::I * 1.0_f64.to_radians();
+        let turned = turned * self.value();
+        // The arm along w is z, along v -y; no other load has a point.
+        let (by_y, by_z) = match self.site {
+            Site::End { motion, .. } | Site::Beam { motion, .. } => match motion {
+                BeamMotion::W => (None, Some(turned)),
+                BeamMotion::V => (Some(-turned), None),
+                BeamMotion::Psi
+                | BeamMotion::WSlope
+                | BeamMotion::PsiSlope
+                | BeamMotion::VSlope => (None, None),
+            },
+            Site::Mass { .. } | Site::Nowhere => (None, None),
+        };
         let by = move |key| match key {
             ForceKey::Enabled | ForceKey::At | ForceKey::Direction => None,
+            ForceKey::Y => by_y,
+            ForceKey::Z => by_z,
             ForceKey::Amplitude => Some(moved * unit),
             ForceKey::Phase => Some(moved * unit * self.amplitude * a_degree),
         };
@@ -98,8 +132,8 @@ pub(super) fn held(forces: &[Force]) -> [Complex64; 6] {
             stays: true,
         } = force.site
         {
-            sum[motion as usize] +=
-                Complex64::from_polar(force.amplitude, force.phase.to_radians());
+            sum[motion as usize] += force.value();
+            sum[BeamMotion::Psi as usize] += force.arm * force.value();
         }
     }
     sum

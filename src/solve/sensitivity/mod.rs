@@ -25,10 +25,12 @@ use num_complex::Complex64;
 
 use super::kernel::Prepared;
 use super::linear::ZERO;
-use super::plan::{Event, Plan};
+use super::plan::Plan;
 use super::solution::Solution;
 use crate::model::schema::Kind;
-use crate::model::{BeamMotion, Checked, Group, Model, ParameterId, edit};
+use crate::model::{
+    BeamMotion, Checked, Group, Model, ParameterId, Quantity, Restraint, SupportId, Target, edit,
+};
 pub use effect::{Figure, Sensitivity, effects};
 
 use adjoint::{Adjoint, Motion, Reading, factor};
@@ -85,7 +87,7 @@ impl Differentiator {
     /// Lays out a model.
     pub fn new(model: &Checked) -> Self {
         let plan = Plan::new(model);
-        let masses = mass_stations(model, &plan);
+        let masses = plan.mass_stations(model);
         Self {
             parameters: Parameters::of(model),
             adjoints: Adjoint::all(model, &plan, &masses),
@@ -96,8 +98,8 @@ impl Differentiator {
         }
     }
 
-    /// The numbers that affect responses, in the order of [`ParameterId::all`]: of the beam, of supports that are not
-    /// fixed, and of the subsystems and forces that are enabled.
+    /// The numbers that affect responses, in the order of [`ParameterId::all`]: of the beam, of the supports, and of the
+    /// subsystems, forces and responses that are enabled.
     pub fn ids(&self) -> &[ParameterId] {
         &self.parameters.ids
     }
@@ -143,18 +145,60 @@ impl Differentiator {
     fn gradient(&self, forced: &Forced<'_>, adjoint: &Adjoint) -> Gradient {
         match adjoint {
             Adjoint::Motion(motion) => self.of_motion(forced, motion),
-            Adjoint::Held => self.nothing(),
+            Adjoint::Held(response) => self.of_held(forced, *response),
             Adjoint::Energy => self.of_energy(forced.setting.omega.re),
         }
     }
 
-    /// The derivatives of a motion that does not depend on anything.
-    fn nothing(&self) -> Gradient {
-        Gradient {
+    /// The derivatives of a motion that a support fixes: it depends only on the two points of the section, that of the
+    /// response and that of the support, between which the twist has an arm.
+    fn of_held(&self, forced: &Forced<'_>, response: usize) -> Gradient {
+        let mut gradient = Gradient {
             value: ZERO,
             by_frequency: ZERO,
             by_parameter: vec![ZERO; self.ids().len()],
+        };
+        let mut enabled = self
+            .model
+            .responses
+            .iter()
+            .enumerate()
+            .filter(|(_, of)| of.enabled);
+        let Some((index, response)) = enabled.nth(response) else {
+            return gradient;
+        };
+        let Quantity::Motion(Target::Beam(place, motion), measure) = &response.quantity else {
+            return gradient;
+        };
+        let (key, sign) = match motion {
+            BeamMotion::W => ("z", 1.0),
+            BeamMotion::V => ("y", -1.0),
+            BeamMotion::Psi | BeamMotion::WSlope | BeamMotion::PsiSlope | BeamMotion::VSlope => {
+                return gradient;
+            }
+        };
+        let x = place.position(self.model.beam.length);
+        let mut supports = SupportId::all(&self.model).zip(&forced.field.supports);
+        let holds = |id: SupportId| {
+            let support = id.support(&self.model);
+            id.position(&self.model) == x
+                && support[*motion] == Restraint::Fixed
+                && support.point.arm(*motion) == response.point.arm(*motion)
+        };
+        if let Some((id, field)) = supports.find(|(id, _)| holds(*id)) {
+            let [times, _] = factor(*measure, forced.setting.omega);
+            let moved = sign * times * field.twist;
+            for (group, by) in [
+                (Group::Response(index), moved),
+                (Group::Support(id), -moved),
+            ] {
+                let is_it = |own: &ParameterId| own.group == group && own.key().key == key;
+                if let Some(parameter) = self.ids().iter().position(is_it) {
+                    gradient.by_parameter[parameter] = by;
+                }
+            }
         }
+        gradient
     }
 
     fn of_motion(&self, forced: &Forced<'_>, motion: &Motion) -> Gradient {
@@ -178,12 +222,13 @@ impl Differentiator {
         for force in &self.forces {
             by_parameter.extend(force.by_parameter(setting.plan, &lambda, &reader));
         }
+        by_parameter.extend(self.by_points(forced, Some(motion)));
         let [times, growth] = factor(motion.measure, setting.omega);
         let mut by_frequency = product.by_omega();
         let is_unknown = self.prepared.plan.beam.without_warping()
             && matches!(
                 motion.reading,
-                Reading::Beam(_, BeamMotion::PsiSlope) | Reading::MeanTwistRate(_)
+                Reading::Beam(_, BeamMotion::PsiSlope, _) | Reading::MeanTwistRate(_)
             );
         if is_unknown {
             let unknown = Complex64::new(f64::NAN, f64::NAN);
@@ -201,31 +246,48 @@ impl Differentiator {
         }
     }
 
+    /// The change of a motion by the points of all responses, in the order of the rows: it depends on its own point only.
+    fn by_points(&self, forced: &Forced<'_>, motion: Option<&Motion>) -> Vec<Complex64> {
+        let reader = Reader::new(&self.prepared.plan, &forced.solution);
+        let own = motion.map(|motion| (motion.response, motion.reading));
+        let enabled = self
+            .model
+            .responses
+            .iter()
+            .filter(|of| of.enabled)
+            .enumerate();
+        let by = enabled.filter_map(|(index, response)| {
+            let Quantity::Motion(target, _) = &response.quantity else {
+                return None;
+            };
+            let twist = match own {
+                Some((own, Reading::Beam(station, ..))) if own == index => {
+                    reader.end(station).motion[BeamMotion::Psi as usize]
+                }
+                _ => ZERO,
+            };
+            match target {
+                Target::Beam(_, BeamMotion::W) => Some(twist),
+                Target::Beam(_, BeamMotion::V) => Some(-twist),
+                Target::Beam(..) | Target::Mass(..) => None,
+            }
+        });
+        by.collect()
+    }
+
     /// A motion under the forces of the model.
     fn read(&self, forced: &Forced<'_>, reading: Reading) -> Complex64 {
         let reader = Reader::new(&self.prepared.plan, &forced.solution);
         let rate = |station: usize| reader.end(station).motion[BeamMotion::PsiSlope as usize];
         match reading {
             Reading::Mass(index, motion) => forced.field.masses[index].motion[motion],
-            Reading::Beam(station, motion) => reader.end(station).motion[motion as usize],
+            Reading::Beam(station, motion, arm) => {
+                let moved = reader.end(station).motion;
+                moved[motion as usize] + arm * moved[BeamMotion::Psi as usize]
+            }
             Reading::MeanTwistRate([before, after]) => 0.5 * (rate(before) + rate(after)),
         }
     }
-}
-
-/// The station of each enabled subsystem, in the order of the model.
-fn mass_stations(model: &Model, plan: &Plan) -> Vec<usize> {
-    // Stations are in order of ascending position, those at one position in the order of the model.
-    let positions: Vec<f64> = model.attached().map(|of| of.position).collect();
-    let mut order: Vec<usize> = (0..positions.len()).collect();
-    order.sort_by(|&a, &b| positions[a].total_cmp(&positions[b]));
-    let stations = plan.stations.iter().enumerate();
-    let attached = stations.filter(|(_, of)| matches!(of.event, Event::Attachment(_)));
-    let mut masses = vec![0; positions.len()];
-    for (subsystem, (station, _)) in order.into_iter().zip(attached) {
-        masses[subsystem] = station;
-    }
-    masses
 }
 
 /// Parameters with their values.
@@ -237,7 +299,7 @@ struct Parameters {
 }
 
 impl Parameters {
-    /// The numbers of the beam, of supports that are not fixed, and of the subsystems and forces that are enabled.
+    /// The numbers of the beam, of the supports, and of the subsystems, forces and responses that are enabled.
     fn of(model: &Model) -> Self {
         let ids = ParameterId::all(model).into_iter();
         let numbers = ids
@@ -251,11 +313,26 @@ impl Parameters {
 /// Whether responses depend on the numbers of a table.
 fn acts(model: &Model, group: Group) -> bool {
     match group {
-        Group::Beam | Group::Material | Group::Section | Group::Foundation | Group::Motion(..) => {
-            true
-        }
+        Group::Beam
+        | Group::Material
+        | Group::Section
+        | Group::Foundation
+        | Group::Support(_)
+        | Group::Motion(..) => true,
         Group::Subsystem(index) => model.subsystems[index].enabled,
         Group::Force(index) => model.forces[index].enabled,
-        _ => false,
+        Group::Response(index) => model.responses[index].enabled,
+        Group::Model
+        | Group::Supports
+        | Group::Subsystems
+        | Group::Forces
+        | Group::Responses
+        | Group::Sweep
+        | Group::Studies
+        | Group::Study(_)
+        | Group::Tune
+        | Group::Variable(_)
+        | Group::Objective(_)
+        | Group::Limit(_) => false,
     }
 }

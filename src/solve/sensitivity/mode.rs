@@ -10,11 +10,11 @@
 use nalgebra::DMatrix;
 use num_complex::Complex64;
 
+use super::Differentiator;
 use super::adjoint::without_loads;
 use super::field::{Field, Setting};
 use super::overlap::Spans;
 use super::product::Product;
-use super::{Differentiator, mass_stations};
 use crate::model::{Force, Model};
 use crate::solve::kernel::{Prepared, waves};
 use crate::solve::linear::ZERO;
@@ -172,7 +172,7 @@ impl Loaded {
         };
         let plan = Plan::new(&model);
         Self {
-            masses: mass_stations(&model, &plan),
+            masses: plan.mass_stations(&model),
             bare: without_loads(&plan),
             motion: motion(&Prepared::whole(plan), omega, aside / omega.norm()),
             model,

@@ -14,12 +14,12 @@
 
 use num_complex::Complex64;
 
-use super::field::{Field, MassField, Setting};
+use super::field::{Field, MassField, Setting, SupportField};
 use super::overlap::Overlap;
 use crate::model::schema::{
     BeamKey, ElasticKey, FoundationKey, MaterialKey, SectionKey, SubsystemKey,
 };
-use crate::model::{BeamMotion, Bedding, Restraint, Subsystem, Support};
+use crate::model::{BeamMotion, Bedding, Restraint, Spring, Subsystem, SupportId};
 use crate::solve::beam_matrices::BeamMatrices;
 use crate::solve::beam_state::BeamState;
 use crate::solve::linear::ZERO;
@@ -52,9 +52,8 @@ impl Product<'_> {
             key => by(&BeamMatrices::by_section(beam, key)),
         }));
         all.extend(self.by_foundation());
-        let supports = &self.setting.model.supports;
-        for (end, support) in [&supports.left, &supports.right].into_iter().enumerate() {
-            self.by_support(support, end, &mut all);
+        for (id, fields) in self.supports() {
+            self.by_support(id, fields, &mut all);
         }
         let masses = self.lambda.masses.iter().zip(&self.u.masses);
         for (subsystem, (lambda, u)) in self.setting.model.attached().zip(masses) {
@@ -71,11 +70,10 @@ impl Product<'_> {
         for (product, c) in bedded.zip(matrices.foundation_damping) {
             damping += c * product;
         }
-        let supports = &self.setting.model.supports;
-        for (end, support) in [&supports.left, &supports.right].into_iter().enumerate() {
+        for (id, fields) in self.supports() {
             for motion in BeamMotion::ALL {
-                let product = self.at_end(end, motion);
-                let elastic = support[motion].elastic();
+                let product = self.at_support(fields, motion);
+                let elastic = id.support(self.setting.model)[motion].elastic();
                 mass += elastic.inertia * product;
                 damping += elastic.damping * product;
             }
@@ -143,30 +141,52 @@ impl Product<'_> {
         })
     }
 
-    fn by_support(&self, support: &Support, end: usize, all: &mut Vec<Complex64>) {
-        for motion in BeamMotion::ALL {
-            if support[motion] != Restraint::Fixed {
-                let product = self.at_end(end, motion);
-                all.extend(self.dynamic(product));
-            }
-        }
+    /// The supports with both fields there.
+    fn supports(&self) -> impl Iterator<Item = (SupportId, [&SupportField; 2])> {
+        let fields = self.lambda.supports.iter().zip(&self.u.supports);
+        SupportId::all(self.setting.model).zip(fields.map(|(lambda, u)| [lambda, u]))
     }
 
-    /// The product of the two fields' motions at an end.
-    fn at_end(&self, end: usize, motion: BeamMotion) -> Complex64 {
+    /// In the order of the rows with numbers.
+    fn by_support(&self, id: SupportId, fields: [&SupportField; 2], all: &mut Vec<Complex64>) {
+        let [lambda, u] = fields;
+        if let SupportId::Inner(_) = id {
+            let rows = 0..lambda.forces.len();
+            let work = rows
+                .map(|row| lambda.forces[row] * u.along[row] + u.forces[row] * lambda.along[row]);
+            all.push(work.sum());
+        }
+        let support = id.support(self.setting.model);
+        for motion in BeamMotion::ALL {
+            if let Restraint::Free | Restraint::Elastic(_) = support[motion] {
+                let product = self.at_support(fields, motion);
+                all.extend(self.dynamic(support[motion].elastic().into(), product));
+            }
+        }
+        // The force along v moves by -psi with y, that along w by psi with z.
+        let turned = |motion: BeamMotion| {
+            let row = motion as usize;
+            lambda.forces[row] * u.twist + u.forces[row] * lambda.twist
+        };
+        all.extend([-turned(BeamMotion::V), turned(BeamMotion::W)]);
+    }
+
+    /// The product of the two fields' motions at a support.
+    fn at_support(&self, [lambda, u]: [&SupportField; 2], motion: BeamMotion) -> Complex64 {
         // Without warping stiffness any restraint fixes the rate of twist; none has an effect of its own.
         if motion == BeamMotion::PsiSlope && self.setting.plan.beam.without_warping() {
             return ZERO;
         }
-        self.lambda.ends[end][motion as usize] * self.u.ends[end][motion as usize]
+        lambda.motion[motion as usize] * u.motion[motion as usize]
     }
 
-    /// Minus the product times the factors of k, c and m in `k + i omega c - omega^2 m`.
-    fn dynamic(&self, product: Complex64) -> [Complex64; ElasticKey::ALL.len()] {
+    /// Minus the product times the derivatives of `k (1 + i eta) + i omega c - omega^2 m`.
+    fn dynamic(&self, spring: Spring, product: Complex64) -> [Complex64; ElasticKey::ALL.len()] {
         let omega = self.setting.omega;
         ElasticKey::ALL.map(|key| match key {
-            ElasticKey::Stiffness => -product,
+            ElasticKey::Stiffness => -Complex64::new(1.0, spring.loss_factor) * product,
             ElasticKey::Damping => -Complex64::I * omega * product,
+            ElasticKey::LossFactor => -Complex64::I * spring.stiffness * product,
             ElasticKey::Inertia => omega * omega * product,
         })
     }
@@ -181,28 +201,34 @@ impl Product<'_> {
         let square = self.setting.omega * self.setting.omega;
         let [y, z, theta] = products(&lambda.motion, &u.motion);
         let stretches = products(&lambda.stretches, &u.stretches);
-        let springs = stretches.map(|stretch| self.dynamic(stretch));
+        let own = springs(subsystem);
+        let [y_left, y_right, z_left, z_right] =
+            std::array::from_fn(|spring| self.dynamic(own[spring], stretches[spring]));
         // The derivative by a position is the spring force times the change of its stretch, in both fields.
         let pulled = |force: fn(&MassField) -> Complex64, moved: fn(&MassField) -> Complex64| {
             force(lambda) * moved(u) + force(u) * moved(lambda)
         };
         let theta_of = |field: &MassField| field.motion[2];
         let twist_of = |field: &MassField| field.twist;
-        let [y_left, y_right, z_left, z_right] = springs;
         let along = lambda.along(subsystem, u) + u.along(subsystem, lambda);
+        let of = |spring: [Complex64; ElasticKey::ALL.len()], key| Some(spring[key as usize]);
         let by = move |key| match key {
             SubsystemKey::Name | SubsystemKey::Enabled => None,
             SubsystemKey::Position => Some(along),
             SubsystemKey::Mass => Some(square * (y + z)),
             SubsystemKey::Inertia => Some(square * theta),
-            SubsystemKey::YLeftStiffness => Some(y_left[0]),
-            SubsystemKey::YLeftDamping => Some(y_left[1]),
-            SubsystemKey::YRightStiffness => Some(y_right[0]),
-            SubsystemKey::YRightDamping => Some(y_right[1]),
-            SubsystemKey::ZLeftStiffness => Some(z_left[0]),
-            SubsystemKey::ZLeftDamping => Some(z_left[1]),
-            SubsystemKey::ZRightStiffness => Some(z_right[0]),
-            SubsystemKey::ZRightDamping => Some(z_right[1]),
+            SubsystemKey::YLeftStiffness => of(y_left, ElasticKey::Stiffness),
+            SubsystemKey::YLeftDamping => of(y_left, ElasticKey::Damping),
+            SubsystemKey::YLeftLossFactor => of(y_left, ElasticKey::LossFactor),
+            SubsystemKey::YRightStiffness => of(y_right, ElasticKey::Stiffness),
+            SubsystemKey::YRightDamping => of(y_right, ElasticKey::Damping),
+            SubsystemKey::YRightLossFactor => of(y_right, ElasticKey::LossFactor),
+            SubsystemKey::ZLeftStiffness => of(z_left, ElasticKey::Stiffness),
+            SubsystemKey::ZLeftDamping => of(z_left, ElasticKey::Damping),
+            SubsystemKey::ZLeftLossFactor => of(z_left, ElasticKey::LossFactor),
+            SubsystemKey::ZRightStiffness => of(z_right, ElasticKey::Stiffness),
+            SubsystemKey::ZRightDamping => of(z_right, ElasticKey::Damping),
+            SubsystemKey::ZRightLossFactor => of(z_right, ElasticKey::LossFactor),
             SubsystemKey::ArmLeft => Some(pulled(|field| field.forces[2], theta_of)),
             SubsystemKey::ArmRight => Some(-pulled(|field| field.forces[3], theta_of)),
             SubsystemKey::MountY => {

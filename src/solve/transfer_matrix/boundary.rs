@@ -21,7 +21,7 @@ fn end(chain: &Chain, solution: &Solution, place: usize, state: &Matrix, outward
         of_constants: SMatrix::zeros(),
         load: SVector::zeros(),
     };
-    let Some(support) = chain.layout.support(place) else {
+    let Some(support) = chain.layout.end(place) else {
         return end;
     };
     let omega = solution.omega;
@@ -36,7 +36,8 @@ fn end(chain: &Chain, solution: &Solution, place: usize, state: &Matrix, outward
             Restraint::Elastic(elastic) => {
                 // K_e of Eqs. (A26) to (A36).
                 let inertia = omega * omega * elastic.inertia;
-                let k = Complex64::new(elastic.stiffness - inertia, omega * elastic.damping);
+                let loss = elastic.stiffness * elastic.loss_factor + omega * elastic.damping;
+                let k = Complex64::new(elastic.stiffness - inertia, loss);
                 (acted + moved * k, load)
             }
         };

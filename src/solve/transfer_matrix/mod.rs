@@ -24,7 +24,7 @@ use self::springs::EffectiveSprings;
 use super::Cancelled;
 use super::layout::{Layout, Reading, derivative};
 use super::sweep::{Frf, one_by_one};
-use crate::model::{BeamMotion, Checked, Model};
+use crate::model::{BeamMotion, Checked, Model, Point, SupportId};
 
 /// Twelve integration constants, or twelve right-hand sides.
 type Vector = SVector<Complex64, 12>;
@@ -49,6 +49,8 @@ pub enum NotApplicable {
     NoWarping,
     /// v is coupled, or there is rotary inertia or an axial force: Eqs. (11) to (13) have none of them.
     OtherBeam,
+    /// A support holds the beam between its ends, or beside its axis: Appendix C has neither.
+    OtherSupports,
 }
 
 impl std::fmt::Display for NotApplicable {
@@ -56,6 +58,7 @@ impl std::fmt::Display for NotApplicable {
         f.write_str(match self {
             Self::NoOffset => "its ratios t divide by the centroid offset z_c, which is 0",
             Self::NoWarping => "its shape functions need a warping constant above 0",
+            Self::OtherSupports => "it is derived for supports of the two ends, on the axis",
             Self::OtherBeam => {
                 "it is derived for a centroid offset along z alone, without product moment, axial force and rotary inertia"
             }
@@ -77,6 +80,10 @@ pub fn sweep(
 ) -> Result<Result<Frf, Cancelled>, NotApplicable> {
     if !model.beam.is_of_one_offset() {
         return Err(NotApplicable::OtherBeam);
+    }
+    let is_on_axis = |id: SupportId| id.support(model).point == Point::AXIS;
+    if !model.supports.inner.is_empty() || !SupportId::ENDS.into_iter().all(is_on_axis) {
+        return Err(NotApplicable::OtherSupports);
     }
     if model.beam.section.centroid_offset == 0.0 {
         return Err(NotApplicable::NoOffset);
@@ -127,7 +134,7 @@ impl<'a> Chain<'a> {
         let layout = Layout::new(model, 0.0);
         let acts = |place: usize| {
             let loaded = layout.loads[place] != [Complex64::ZERO; 6];
-            let inside = layout.support(place).is_none();
+            let inside = layout.end(place).is_none();
             (loaded && inside) || layout.masses.iter().any(|mass| mass.place == place)
         };
         let stations: Vec<usize> = (0..layout.positions.len()).filter(|&p| acts(p)).collect();
@@ -218,7 +225,7 @@ impl<'a> Chain<'a> {
 
     /// The loads at a position; those at the ends belong to the boundary conditions.
     fn inner_load(&self, place: usize) -> [Complex64; 6] {
-        match self.layout.support(place) {
+        match self.layout.end(place) {
             None => self.layout.loads[place],
             Some(_) => [Complex64::ZERO; 6],
         }
@@ -229,8 +236,10 @@ impl<'a> Chain<'a> {
         match reading {
             Reading::Held => Complex64::ZERO,
             Reading::Energy => energy(self, solution).into(),
-            Reading::Beam(place, motion, measure) => {
-                derivative(omega, measure) * self.state(solution, place)[moved_row(motion)]
+            Reading::Beam(place, motion, arm, measure) => {
+                let state = self.state(solution, place);
+                let moved = state[moved_row(motion)] + arm * state[moved_row(BeamMotion::Psi)];
+                derivative(omega, measure) * moved
             }
             Reading::Mass(mass, motion, measure) => {
                 let (springs, mass) = (&solution.springs[mass], &self.layout.masses[mass]);

@@ -32,7 +32,10 @@ impl EffectiveSprings {
     pub(super) fn new(s: &Subsystem, omega: f64) -> Self {
         // The paper's rate, with a bar: its square is -omega^2.
         let rate = Complex64::new(0.0, omega);
-        let complex = |spring: Spring| rate * spring.damping + spring.stiffness;
+        let complex = |spring: Spring| {
+            let loss = Complex64::new(1.0, spring.loss_factor);
+            rate * spring.damping + spring.stiffness * loss
+        };
         let (y_left, y_right) = (complex(s.y_left), complex(s.y_right));
         let (x1, x2) = (complex(s.z_left), complex(s.z_right));
         let (left, right) = (s.arm_left, s.arm_right);

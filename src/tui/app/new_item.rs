@@ -2,7 +2,9 @@
 
 use std::f64::consts::PI;
 
-use crate::model::{Model, Spring, Subsystem};
+use crate::model::{
+    BeamMotion, InnerSupport, Model, Restraint, Spring, Subsystem, Support, SupportId,
+};
 
 /// A new subsystem's mass as a share of the beam's.
 const MASS_SHARE: f64 = 0.05;
@@ -13,13 +15,11 @@ const ARM: f64 = 0.2;
 /// A new subsystem's half-spacing of the z springs at the beam, m.
 const MOUNT: f64 = 0.1;
 
-/// The names of all subsystems.
-pub(crate) fn subsystem_names(model: &Model) -> Vec<&str> {
-    model
-        .subsystems
-        .iter()
-        .map(|one| one.name.as_str())
-        .collect()
+/// The names of all that has a position of its own: inner supports and subsystems.
+pub(crate) fn position_names(model: &Model) -> Vec<&str> {
+    let supports = model.supports.inner.iter().map(|one| one.name.as_str());
+    let subsystems = model.subsystems.iter().map(|one| one.name.as_str());
+    supports.chain(subsystems).collect()
 }
 
 /// The names of all responses.
@@ -61,9 +61,10 @@ pub(crate) fn new_subsystem(model: &Model) -> Subsystem {
     let spring = Spring {
         stiffness: two_digits(stiffness / 2.0),
         damping: two_digits(DAMPING_RATIO * (stiffness * mass).sqrt()),
+        loss_factor: 0.0,
     };
     Subsystem {
-        name: free_name("S1", &subsystem_names(model)),
+        name: free_name("S1", &position_names(model)),
         enabled: true,
         position: beam.length / 2.0,
         mass,
@@ -77,6 +78,28 @@ pub(crate) fn new_subsystem(model: &Model) -> Subsystem {
         mount_y: MOUNT,
         mount_z: 0.0,
     }
+}
+
+/// A bearing in the middle of the longest part of the beam between supports.
+pub(crate) fn new_support(model: &Model) -> InnerSupport {
+    let mut support = Support::FREE;
+    support[BeamMotion::W] = Restraint::Fixed;
+    support[BeamMotion::V] = Restraint::Fixed;
+    InnerSupport {
+        name: free_name("bearing", &position_names(model)),
+        position: widest_gap(model),
+        support,
+    }
+}
+
+/// The middle of the longest part of the beam between supports, m from the left end.
+pub(crate) fn widest_gap(model: &Model) -> f64 {
+    let ids = SupportId::all(model);
+    let mut positions: Vec<f64> = ids.map(|id| id.position(model)).collect();
+    positions.sort_by(f64::total_cmp);
+    let gaps = positions.windows(2);
+    let widest = gaps.max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
+    widest.map_or(model.beam.length / 2.0, |gap| 0.5 * (gap[0] + gap[1]))
 }
 
 fn two_digits(value: f64) -> f64 {

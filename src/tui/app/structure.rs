@@ -1,14 +1,17 @@
-//! Add, duplicate, delete and enable subsystems, forces and responses.
+//! Add, duplicate, delete and enable inner supports, subsystems, forces and responses.
 
 use std::sync::Arc;
 
 use super::App;
 use super::edit::faults_in_words;
-use super::new_item::{free_name, new_subsystem, response_names, subsystem_names};
+use super::new_item::{
+    free_name, new_subsystem, new_support, position_names, response_names, widest_gap,
+};
 use crate::model::edit::{self, Value};
 use crate::model::schema::Kind;
 use crate::model::{
-    BeamMotion, Checked, Force, Group, Measure, Model, Place, Quantity, Response, Target,
+    BeamMotion, Checked, Force, Group, Measure, Model, Place, Point, Quantity, Response, SupportId,
+    Target,
 };
 use crate::tui::keys::{Command, CompareCommand, TuneCommand};
 use crate::tui::tree::{self, Node};
@@ -18,6 +21,13 @@ impl App {
     pub(crate) fn add(&mut self) {
         let mut after = Model::clone(self.model());
         let (group, name) = match group(self.selection.node()) {
+            Some(Group::Supports) => {
+                let new = new_support(&after);
+                let name = format!("add support {}", new.name);
+                after.supports.inner.push(new);
+                let place = after.supports.inner.len() - 1;
+                (Group::Support(SupportId::Inner(place)), name)
+            }
             Some(Group::Subsystems) => {
                 let new = new_subsystem(&after);
                 let name = format!("add subsystem {}", new.name);
@@ -28,6 +38,7 @@ impl App {
                 after.forces.push(Force {
                     enabled: true,
                     target: Target::Beam(Place::Left, BeamMotion::W),
+                    point: Point::AXIS,
                     amplitude: 1.0,
                     phase: 0.0,
                 });
@@ -40,6 +51,7 @@ impl App {
                     name: free_name("right w", &response_names(&after)),
                     enabled: true,
                     quantity: Quantity::Motion(target, Measure::Displacement),
+                    point: Point::AXIS,
                 };
                 let name = format!("add response {}", new.name);
                 after.responses.push(new);
@@ -65,18 +77,30 @@ impl App {
             Some(Group::Tune) => {
                 format!("{variable} on a number makes it a variable, {objective} adds an objective")
             }
-            _ => "subsystems, forces and responses can be added: select one of them, or their group"
+            _ => "supports, subsystems, forces and responses can be added: select one of them, or their group"
                 .to_owned(),
         });
     }
 
-    /// Adds a copy of the selected subsystem, force or response after it.
+    /// Adds a copy of the selected inner support, subsystem, force or response after it.
     pub(crate) fn duplicate(&mut self) {
         let mut after = Model::clone(self.model());
         let (group, name) = match self.selection.node().item() {
+            Some(Group::Support(SupportId::Inner(i))) => {
+                let mut copy = after.supports.inner[i].clone();
+                copy.name = free_name(&copy.name, &position_names(&after));
+                // Two supports cannot fix one motion at the same place.
+                copy.position = widest_gap(&after);
+                let name = format!(
+                    "duplicate {} as {}",
+                    after.supports.inner[i].name, copy.name
+                );
+                after.supports.inner.insert(i + 1, copy);
+                (Group::Support(SupportId::Inner(i + 1)), name)
+            }
             Some(Group::Subsystem(i)) => {
                 let mut copy = after.subsystems[i].clone();
-                copy.name = free_name(&copy.name, &subsystem_names(&after));
+                copy.name = free_name(&copy.name, &position_names(&after));
                 let name = format!("duplicate {} as {}", after.subsystems[i].name, copy.name);
                 after.subsystems.insert(i + 1, copy);
                 (Group::Subsystem(i + 1), name)
@@ -92,12 +116,16 @@ impl App {
                 after.responses.insert(i + 1, copy);
                 (Group::Response(i + 1), name)
             }
-            _ => return self.refuse("select a subsystem, force or response to duplicate it"),
+            _ => {
+                return self.refuse(
+                    "select an inner support, subsystem, force or response to duplicate it",
+                );
+            }
         };
         self.restructure(name, after, group);
     }
 
-    /// Deletes the selected subsystem, force, response or study, unless another element needs it.
+    /// Deletes the selected inner support, subsystem, force, response or study, unless another element needs it.
     pub(crate) fn delete(&mut self) {
         match self.selection.node().group() {
             Group::Variable(index) => return self.drop_variable(index),
@@ -107,7 +135,9 @@ impl App {
         }
         let mut after = Model::clone(self.model());
         let Some(item) = self.selection.node().item() else {
-            return self.refuse("select a subsystem, force, response or study to delete it");
+            return self.refuse(
+                "select an inner support, subsystem, force, response or study to delete it",
+            );
         };
         let (Some(i), Some(list)) = (item.place(), item.parent()) else {
             return;

@@ -5,7 +5,7 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::*;
 use crate::files::Source;
-use crate::model::{Group, path};
+use crate::model::{Group, SupportId, path};
 use crate::presets;
 use crate::tui::tree::{self, Node};
 use crate::worker::{self, Answer, CurvesAnswer, Request, Stage};
@@ -233,6 +233,55 @@ fn subsystems_are_added_copied_renamed_switched_and_deleted() {
     keys(&mut app, "uuuuu");
     assert!(!app.document.is_changed());
     assert_eq!(app.document.text(), app.document.saved_text());
+}
+
+#[test]
+fn inner_supports_are_added_copied_renamed_and_deleted() {
+    let mut app = app("fig05a");
+    go(&mut app, Node::Group(Group::Supports));
+    keys(&mut app, "a");
+    let bearing = |index| Node::Group(Group::Support(SupportId::Inner(index)));
+    assert_eq!(
+        (said(&app), app.selection.node()),
+        ("add support bearing", bearing(0))
+    );
+    assert_eq!(app.model().supports.inner[0].position, 1.6);
+    keys(&mut app, "D");
+    assert_eq!(app.model().supports.inner[1].name, "bearing 2");
+    keys(&mut app, "r");
+    enter(&mut app, "foot");
+    assert_eq!(app.model().supports.inner[1].name, "foot");
+    // Every edit keeps the model possible and the file readable.
+    let text = app.document.text();
+    assert_eq!(
+        crate::model::read(&text).map(crate::model::Checked::into_inner),
+        Ok(crate::model::Model::clone(app.model()))
+    );
+    select(&mut app, "supports.inner.foot.position");
+    keys(&mut app, "x");
+    assert_eq!(app.selection.node(), bearing(0));
+    keys(&mut app, "uuuu");
+    assert_eq!(app.document.text(), app.document.saved_text());
+}
+
+/// A support between the ends has rows that the ends do not have.
+#[test]
+fn the_same_row_of_the_next_support_is_found() {
+    let mut app = app("fig05a");
+    go(&mut app, Node::Group(Group::Supports));
+    keys(&mut app, "a");
+    select(&mut app, "supports.right.z");
+    keys(&mut app, "n");
+    let model = Arc::clone(app.model());
+    let at = |path: &str| Some(path::one(&model, path).unwrap());
+    assert_eq!(
+        app.selection.node().parameter(),
+        at("supports.inner.bearing.z")
+    );
+    select(&mut app, "supports.inner.bearing.position");
+    keys(&mut app, "N");
+    let position = at("supports.inner.bearing.position");
+    assert_eq!(app.selection.node().parameter(), position);
 }
 
 /// The row of a subsystem's place.

@@ -2,7 +2,7 @@
 
 use super::{Node, tuning};
 use crate::model::edit;
-use crate::model::{Group, Model, ParameterId};
+use crate::model::{Group, Model, ParameterId, SupportId};
 
 /// Whether the row's part of the model differs from `saved`.
 pub fn differs(model: &Model, saved: &Model, node: Node) -> bool {
@@ -21,8 +21,15 @@ fn group_differs(model: &Model, saved: &Model, group: Group) -> bool {
         Group::Section => model.beam.section != saved.beam.section,
         Group::Foundation => model.beam.foundation != saved.beam.foundation,
         Group::Supports => model.supports != saved.supports,
-        Group::Support(end) => end.support(model) != end.support(saved),
-        Group::Motion(end, motion) => end.support(model)[motion] != end.support(saved)[motion],
+        Group::Support(id) => counterpart(model, saved, group).is_none_or(|other| {
+            let at = |id: SupportId, model| (*id.support(model), id.position(model));
+            match id {
+                SupportId::Left | SupportId::Right => id.support(model) != other.support(saved),
+                SupportId::Inner(_) => at(id, model) != at(other, saved),
+            }
+        }),
+        Group::Motion(id, motion) => counterpart(model, saved, group)
+            .is_none_or(|other| id.support(model)[motion] != other.support(saved)[motion]),
         Group::Subsystems => model.subsystems != saved.subsystems,
         Group::Subsystem(i) => group
             .counterpart(model, saved)
@@ -39,6 +46,14 @@ fn group_differs(model: &Model, saved: &Model, group: Group) -> bool {
         Group::Variable(i) => tuning::variable_at(model, i) != tuning::variable_at(saved, i),
         Group::Objective(i) => tuning::objective_at(model, i) != tuning::objective_at(saved, i),
         Group::Limit(i) => tuning::limit_at(model, i) != tuning::limit_at(saved, i),
+    }
+}
+
+/// The support of the same name in another model.
+fn counterpart(model: &Model, other: &Model, group: Group) -> Option<SupportId> {
+    match group.counterpart(model, other)? {
+        Group::Support(id) | Group::Motion(id, _) => Some(id),
+        _ => None,
     }
 }
 

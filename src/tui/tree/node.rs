@@ -1,7 +1,7 @@
 //! The nodes of the tree.
 
 use crate::model::schema::Kind;
-use crate::model::{Group, Moves, ParameterId};
+use crate::model::{Group, Moves, ParameterId, SupportId};
 
 /// A row of the tree.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -20,9 +20,9 @@ impl Node {
 
     /// The row of a parameter.
     pub fn of(id: ParameterId) -> Self {
-        match (id.group, id.motion()) {
-            (Group::Support(end), Some(motion)) => Self::Group(Group::Motion(end, motion)),
-            (Group::Support(_), None) => Self::Group(id.group),
+        match (id.group, id.motion(), id.key().kind) {
+            (Group::Support(id), Some(motion), _) => Self::Group(Group::Motion(id, motion)),
+            (Group::Support(_), None, Kind::Support) => Self::Group(id.group),
             _ => Self::Parameter(id),
         }
     }
@@ -55,7 +55,7 @@ impl Node {
         }
     }
 
-    /// The name of a subsystem, response or study, or the title.
+    /// The name of an inner support, a subsystem, response or study, or the title.
     pub fn name(self) -> Option<ParameterId> {
         match self {
             Self::Group(group) => group.parameter_of(Kind::Name),
@@ -63,28 +63,31 @@ impl Node {
         }
     }
 
-    /// Its subsystem, force, response or study.
+    /// Its inner support, subsystem, force, response or study.
     pub fn item(self) -> Option<Group> {
-        Some(self.group()).filter(|group| {
+        Some(self.group().owner()).filter(|group| {
             matches!(
                 group,
-                Group::Subsystem(_) | Group::Force(_) | Group::Response(_) | Group::Study(_)
+                Group::Support(SupportId::Inner(_))
+                    | Group::Subsystem(_)
+                    | Group::Force(_)
+                    | Group::Response(_)
+                    | Group::Study(_)
             )
         })
     }
 
     /// Its row in a changed model; none if it was removed.
     pub fn moved(self, moves: &Moves) -> Option<Self> {
-        Some(self.of_group(moves.of(self.group())?))
+        self.of_group(moves.of(self.group())?)
     }
 
-    /// The corresponding row of another table of the same kind.
-    #[must_use]
-    pub const fn of_group(self, group: Group) -> Self {
-        match (self, group) {
-            (Self::Parameter(id), _) => Self::Parameter(group.parameter(id.row)),
+    /// The corresponding row of another table of the same kind, if it has one.
+    pub fn of_group(self, group: Group) -> Option<Self> {
+        Some(match (self, group) {
+            (Self::Parameter(id), _) => Self::Parameter(id.of_group(group)?),
             (Self::StudyLine(_, line), Group::Study(study)) => Self::StudyLine(study, line),
             _ => Self::Group(group),
-        }
+        })
     }
 }

@@ -6,8 +6,8 @@ use super::{Node, tuning};
 use crate::model::edit::Value;
 use crate::model::schema::{self, ElasticKey, Wording};
 use crate::model::{
-    BeamMotion, Bedding, Family, Foundation, Group, Model, Parameter, Place, Quantity, Restraint,
-    Study, Supports, Sweep, Target, Unit, counted, grouped,
+    BeamMotion, Bedding, Family, Foundation, Group, Model, Parameter, Place, Point, Quantity,
+    Response, Restraint, Study, SupportId, Supports, Sweep, Target, Unit, counted, grouped,
 };
 use crate::tune::words;
 
@@ -35,7 +35,7 @@ fn group_label(model: &Model, group: Group) -> Cow<'_, str> {
         Group::Sweep => "Sweep".into(),
         Group::Studies => "Studies".into(),
         Group::Tune => "Tune".into(),
-        Group::Support(end) => end.key().into(),
+        Group::Support(id) => id.name(model).into(),
         Group::Motion(_, motion) => spaced(motion.key()),
         Group::Subsystem(i) => model.subsystems[i].name.as_str().into(),
         Group::Force(i) => format!("force {}", i + 1).into(),
@@ -76,7 +76,8 @@ pub fn subject(model: &Model, node: Node) -> String {
             let own = id.key().key.replace('.', " ");
             match id.group {
                 Group::Model => own,
-                Group::Motion(end, motion) => format!("{} {} {own}", end.key(), motion.key()),
+                Group::Motion(id, motion) => format!("{} {} {own}", id.name(model), motion.key()),
+                Group::Support(id) => format!("{} {own}", support(model, id)),
                 Group::Beam
                 | Group::Material
                 | Group::Section
@@ -87,12 +88,20 @@ pub fn subject(model: &Model, node: Node) -> String {
                 group => format!("{} {own}", group_label(model, group)),
             }
         }
-        Node::Group(Group::Support(end)) => format!("{} support", end.key()),
-        Node::Group(Group::Motion(end, motion)) => format!("{} {}", end.key(), motion.key()),
+        Node::Group(Group::Support(id)) => support(model, id),
+        Node::Group(Group::Motion(id, motion)) => format!("{} {}", id.name(model), motion.key()),
         Node::Group(group @ (Group::Variable(_) | Group::Objective(_) | Group::Limit(_))) => {
             format!("tune {}", group_label(model, group))
         }
         _ => label(model, node).into_owned(),
+    }
+}
+
+/// A support in a message: `left support`, or the name of an inner one.
+fn support(model: &Model, id: SupportId) -> String {
+    match id {
+        SupportId::Left | SupportId::Right => format!("{} support", id.name(model)),
+        SupportId::Inner(_) => id.name(model).to_owned(),
     }
 }
 
@@ -119,7 +128,10 @@ fn group_value(model: &Model, group: Group) -> String {
         Group::Section => format!("A {}", Unit::AREA.format(model.beam.section.area)),
         Group::Foundation => foundation(&model.beam.foundation),
         Group::Supports => supports(&model.supports),
-        Group::Support(end) => end.support(model).kind().to_owned(),
+        Group::Support(id @ (SupportId::Left | SupportId::Right)) => {
+            id.support(model).kind().to_owned()
+        }
+        Group::Support(id @ SupportId::Inner(_)) => Unit::METRE.format(id.position(model)),
         Group::Motion(end, motion) => restraint(end.support(model)[motion], motion),
         Group::Subsystems => model.subsystems.len().to_string(),
         Group::Subsystem(i) => {
@@ -127,11 +139,14 @@ fn group_value(model: &Model, group: Group) -> String {
             switched(subsystem.enabled, || Unit::METRE.format(subsystem.position))
         }
         Group::Forces => model.forces.len().to_string(),
-        Group::Force(i) => switched(model.forces[i].enabled, || target(&model.forces[i].target)),
+        Group::Force(i) => {
+            let force = &model.forces[i];
+            switched(force.enabled, || target(&force.target, force.point))
+        }
         Group::Responses => model.responses.len().to_string(),
-        Group::Response(i) => switched(model.responses[i].enabled, || {
-            quantity(&model.responses[i].quantity)
-        }),
+        Group::Response(i) => {
+            switched(model.responses[i].enabled, || quantity(&model.responses[i]))
+        }
         Group::Sweep => band(&model.sweep),
         Group::Studies => model.studies.len().to_string(),
         Group::Study(i) => counted(members(&model.studies[i]), "curve", "curves"),
@@ -159,7 +174,11 @@ fn worded(model: &Model, group: Group, wording: fn(&Wording) -> &'static str) ->
 }
 
 fn supports(supports: &Supports) -> String {
-    format!("{}, {}", supports.left.kind(), supports.right.kind())
+    let ends = format!("{}, {}", supports.left.kind(), supports.right.kind());
+    match supports.inner.len() {
+        0 => ends,
+        count => format!("{ends}, {} inner", grouped(count)),
+    }
 }
 
 fn band(sweep: &Sweep) -> String {
@@ -167,10 +186,10 @@ fn band(sweep: &Sweep) -> String {
     format!("{}..{to}", without_unit_of(&from, &to))
 }
 
-fn quantity(quantity: &Quantity) -> String {
-    match quantity {
+fn quantity(response: &Response) -> String {
+    match &response.quantity {
         Quantity::Energy => "energy".to_owned(),
-        Quantity::Motion(at, _) => target(at),
+        Quantity::Motion(at, _) => target(at, response.point),
     }
 }
 
@@ -206,15 +225,27 @@ fn restraint(restraint: Restraint, motion: BeamMotion) -> String {
     }
 }
 
-fn target(target: &Target) -> String {
-    match target {
+/// A motion or load, its position, and the coordinate of its point of the section that matters.
+fn target(target: &Target, point: Point) -> String {
+    let (name, coordinate) = match target {
+        Target::Beam(_, BeamMotion::W) => ("z", point.z),
+        Target::Beam(_, BeamMotion::V) => ("y", point.y),
+        Target::Beam(..) | Target::Mass(..) => ("", 0.0),
+    };
+    let beside = if coordinate == 0.0 {
+        String::new()
+    } else {
+        format!(", {name} {}", Unit::METRE.format(coordinate))
+    };
+    let at = match target {
         Target::Beam(Place::Left, motion) => format!("{} at left", motion.key()),
         Target::Beam(Place::Right, motion) => format!("{} at right", motion.key()),
         Target::Beam(Place::Position(x), motion) => {
             format!("{} at {}", motion.key(), Unit::METRE.format(*x))
         }
         Target::Mass(name, motion) => format!("{} of {name}", motion.key()),
-    }
+    };
+    at + &beside
 }
 
 fn members(study: &Study) -> usize {

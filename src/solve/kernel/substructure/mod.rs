@@ -20,10 +20,9 @@ use crate::solve::kernel::energy::Sum;
 use crate::solve::kernel::number::Arithmetic;
 use crate::solve::kernel::read::Part;
 use crate::solve::kernel::recursion::{Prepared, Room, times};
-use crate::solve::kernel::reflection::{Amplitudes, Jumps, Reflection, Side};
-use crate::solve::kernel::station::Unknowns;
+use crate::solve::kernel::reflection::{Amplitudes, Reflection, Side};
 use crate::solve::kernel::waves::Waves;
-use crate::solve::plan::{Event, Output};
+use crate::solve::plan::Output;
 use side_energy::SideEnergy;
 
 /// A response as a function of six waves.
@@ -166,19 +165,8 @@ impl<A: Arithmetic> Room<A> {
         for index in (substructure.part.end..plan.stations.len()).rev() {
             at.propagate(&self.decays[plan.spans[index + 1]]);
             let read = substructure.prepared.reads[index];
-            match &plan.stations[index].event {
-                Event::Attachment(attachment) => {
-                    let turn = read.map(|read| &mut self.turns[read]);
-                    let unknowns = Unknowns {
-                        forces: &mut self.forces[index],
-                        turn,
-                        determinant: None,
-                    };
-                    at.attach(waves, attachment, unknowns);
-                }
-                Event::Load(load) => at.load(waves, &Jumps::of_load(waves, load), Side::Right),
-                Event::Probe => {}
-            }
+            let event = &plan.stations[index].event;
+            self.pass((index, event), waves, (read, Side::Right), at);
             // Looking from just left of the station, where everything is read.
             if let Some(kept) = substructure.prepared.kept(index) {
                 self.lefts[kept].clone_from(at);

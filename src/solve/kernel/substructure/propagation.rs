@@ -161,6 +161,20 @@ impl<A: Arithmetic> Room<A> {
                 let forces = &self.forces[index];
                 crossing.attachment(waves, attachment, forces, &mut task.inwards);
             }
+            Event::Support(held) => {
+                *crossing = Crossing::NONE;
+                for arrival in 0..ARRIVALS {
+                    let inwards = &mut task.inwards[arrival];
+                    let jumps = self.reactions[index].sent(
+                        waves,
+                        held.support.point,
+                        inwards,
+                        arrival == FORCED,
+                    );
+                    crossing.back[arrival] = jumps.sent(task.side);
+                    add(inwards, &jumps.sent(task.side.other()));
+                }
+            }
             Event::Load(load) => {
                 let jumps = Jumps::of_load(waves, load);
                 *crossing = Crossing::NONE;

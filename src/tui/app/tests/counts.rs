@@ -267,11 +267,11 @@ fn what_adds_is_said_for_where_one_is() {
     for (path, word) in [
         (
             "beam.length",
-            "subsystems, forces and responses can be added",
+            "supports, subsystems, forces and responses can be added",
         ),
         (
             "sweep.from",
-            "subsystems, forces and responses can be added",
+            "supports, subsystems, forces and responses can be added",
         ),
     ] {
         let mut app = app("fig08");

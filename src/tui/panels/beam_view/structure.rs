@@ -15,7 +15,7 @@ use ratatui::style::Style;
 use ratatui::text::Line;
 
 use self::rows::Rows;
-use crate::model::{Elastic, End, Group, Model, Place, Spring, Unit, grouped};
+use crate::model::{Group, Model, Place, Spring, SupportId, Unit, grouped};
 use crate::tui::app::App;
 use crate::tui::plot::{Axis, CellRuler, Scale};
 use crate::tui::sketch::{Board, POINTER, POINTER_BACK, Signs, width};
@@ -31,7 +31,7 @@ const MARGIN: u16 = 3;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Focus {
     Beam,
-    Support(End),
+    Support(SupportId),
     Subsystem(usize),
     Force(usize),
     Response(usize),
@@ -42,7 +42,7 @@ impl Focus {
     fn of(group: Group) -> Self {
         match group {
             Group::Beam => Self::Beam,
-            Group::Support(end) => Self::Support(end),
+            Group::Support(support) => Self::Support(support),
             Group::Subsystem(i) => Self::Subsystem(i),
             Group::Force(i) => Self::Force(i),
             Group::Response(i) => Self::Response(i),
@@ -225,9 +225,15 @@ fn note(model: &Model, focus: Focus) -> String {
             let mass = Unit::KILOGRAM.format(subsystem.mass);
             format!("{} at {position}, {mass}{off}", subsystem.name)
         }
-        Focus::Support(end) => {
-            let words = supports::words(end.support(model)).join(", ");
-            format!("{} end: {words}", end.key())
+        Focus::Support(id) => {
+            let words = supports::words(id.support(model)).join(", ");
+            match id {
+                SupportId::Left | SupportId::Right => format!("{} end: {words}", id.name(model)),
+                SupportId::Inner(_) => {
+                    let position = Unit::METRE.format(id.position(model));
+                    format!("{} at {position}: {words}", id.name(model))
+                }
+            }
         }
         Focus::Force(i) => {
             let what = tree::value(model, Node::Group(Group::Force(i)));
@@ -257,14 +263,6 @@ fn spring_sign(signs: &Signs, spring: Spring, row: i32) -> Option<char> {
         Some(if row == 0 { signs.damper } else { signs.rod })
     } else {
         None
-    }
-}
-
-/// The spring of an elastic restraint.
-const fn spring_of(elastic: Elastic) -> Spring {
-    Spring {
-        stiffness: elastic.stiffness,
-        damping: elastic.damping,
     }
 }
 

@@ -170,7 +170,7 @@ impl App {
         let Some(parameter) = named else {
             return self.refuse(match node {
                 Node::Group(Group::Force(_)) => "forces have numbers, not names",
-                _ => "select a subsystem, response or study to rename it",
+                _ => "select an inner support, subsystem, response or study to rename it",
             });
         };
         let asked = Asked {

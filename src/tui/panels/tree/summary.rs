@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::model::{Beam, Group, Material, Model, Section, Subsystem, Unit, counted};
+use crate::model::{Beam, Group, Material, Model, Section, Subsystem, SupportId, Unit, counted};
 use crate::tui::keys::{CurvesCommand, KeyMap, ModelCommand, TuneCommand};
 use crate::tui::tree::{self, Node};
 use crate::tune::words;
@@ -19,9 +19,15 @@ pub(crate) fn of(model: &Model, node: Node, keys: &KeyMap) -> String {
         Group::Material => material(&model.beam.material),
         Group::Section => section(&model.beam.section),
         Group::Supports => format!(
-            "the supports of the two ends; {} on an end selects the next kind",
-            keys.key_of(ModelCommand::Cycle)
+            "the ends, and what holds the beam between them; {} on a support selects the next kind, {} adds one",
+            keys.key_of(ModelCommand::Cycle),
+            keys.key_of(ModelCommand::Add)
         ),
+        Group::Support(SupportId::Inner(i)) => {
+            let inner = &model.supports.inner[i];
+            let position = Unit::METRE.format(inner.position);
+            format!("{} support at {position}", inner.support.kind())
+        }
         Group::Subsystems => enabled_of(model.subsystems.iter().map(|one| one.enabled), keys),
         Group::Forces => enabled_of(model.forces.iter().map(|one| one.enabled), keys),
         Group::Responses => enabled_of(model.responses.iter().map(|one| one.enabled), keys),

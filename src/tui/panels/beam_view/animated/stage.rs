@@ -61,6 +61,7 @@ pub(crate) fn pinned(phase: f64) -> Model {
         target: Target::Beam(Place::Position(1.6), BeamMotion::W),
         amplitude: 1.0,
         phase,
+        point: crate::model::Point::AXIS,
     }];
     model
 }

@@ -72,7 +72,7 @@ fn a_wide_panel() {
 fn a_narrow_panel_in_ascii() {
     let app = at(
         preset("fig05a"),
-        Node::Group(Group::Support(crate::model::End::Left)),
+        Node::Group(Group::Support(crate::model::SupportId::Left)),
     );
     let mut buffer = buffer(&app, plain_ascii(), 44, 10);
     ascii::flatten(&mut buffer);

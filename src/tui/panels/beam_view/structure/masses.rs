@@ -231,8 +231,8 @@ fn draw_springs(
     selected: bool,
 ) {
     let along = [
-        ('y', together(subsystem.y_left, subsystem.y_right)),
-        ('z', together(subsystem.z_left, subsystem.z_right)),
+        ('y', Spring::beside(subsystem.y_left, subsystem.y_right)),
+        ('z', Spring::beside(subsystem.z_left, subsystem.z_right)),
     ];
     let there: Vec<(char, Spring)> = along
         .into_iter()
@@ -262,13 +262,5 @@ fn draw_springs(
             let last = first + picture.rows.springs - 1;
             board.sign_if_free([place + outward, last], *letter, picture.theme.dim());
         }
-    }
-}
-
-/// Two springs next to each other.
-const fn together(one: Spring, other: Spring) -> Spring {
-    Spring {
-        stiffness: one.stiffness + other.stiffness,
-        damping: one.damping + other.damping,
     }
 }

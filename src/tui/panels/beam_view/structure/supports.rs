@@ -1,30 +1,31 @@
-//! The supports of the ends: a wall, a hinge, springs, dampers and masses along w as signs, and all of it as text.
+//! The supports: a wall, a hinge, springs, dampers and masses along w as signs, and all of it as text.
 
-use super::{Focus, Picture, spring_of, spring_sign};
-use crate::model::{BeamMotion, End, Restraint, Support};
+use super::{Focus, Picture, spring_sign};
+use crate::model::{BeamMotion, Restraint, Spring, Support, SupportId};
 use crate::tui::sketch::{Board, POINTER, POINTER_BACK};
 
-/// The column of an end, and the step from there into the beam.
-fn side(picture: &Picture<'_>, end: End) -> (i32, i32) {
-    match end {
-        End::Left => (picture.ends[0], 1),
-        End::Right => (picture.ends[1], -1),
+/// The column of a support, and the step from there into the beam; to the right between the ends.
+fn side(picture: &Picture<'_>, id: SupportId) -> (i32, i32) {
+    match id {
+        SupportId::Left => (picture.ends[0], 1),
+        SupportId::Right => (picture.ends[1], -1),
+        SupportId::Inner(_) => (picture.column(id.position(picture.model)), 1),
     }
 }
 
 pub(super) fn draw(picture: &Picture<'_>, board: &mut Board<'_>) {
-    for end in End::ALL {
-        let support = end.support(picture.model);
+    for id in SupportId::all(picture.model) {
+        let support = id.support(picture.model);
         match support[BeamMotion::W] {
             Restraint::Free => {}
             Restraint::Fixed if support[BeamMotion::WSlope] == Restraint::Fixed => {
-                draw_wall(picture, board, end);
+                draw_wall(picture, board, id);
             }
-            Restraint::Fixed => draw_hinge(picture, board, end),
-            Restraint::Elastic(_) => draw_springs(picture, board, end),
+            Restraint::Fixed => draw_hinge(picture, board, id),
+            Restraint::Elastic(_) => draw_springs(picture, board, id),
         }
-        if picture.focus == Focus::Support(end) {
-            let (column, inward) = side(picture, end);
+        if picture.focus == Focus::Support(id) {
+            let (column, inward) = side(picture, id);
             // At the edge of the screen, only the end itself has room.
             let outside = (column - inward).clamp(0, board.columns() - 1);
             let sign = if inward > 0 { POINTER } else { POINTER_BACK };
@@ -34,35 +35,40 @@ pub(super) fn draw(picture: &Picture<'_>, board: &mut Board<'_>) {
     }
 }
 
-/// Displacement and slope are fixed.
-fn draw_wall(picture: &Picture<'_>, board: &mut Board<'_>, end: End) {
-    let (column, inward) = side(picture, end);
-    let style = picture.style(true, picture.focus == Focus::Support(end));
-    for row in picture.rows.beam - 1..=picture.rows.beam + 1 {
-        board.sign([column - inward, row], picture.signs.wall, style);
+/// Displacement and slope are fixed: at an end outside of it, between the ends above and below the beam.
+fn draw_wall(picture: &Picture<'_>, board: &mut Board<'_>, id: SupportId) {
+    let (column, inward) = side(picture, id);
+    let style = picture.style(true, picture.focus == Focus::Support(id));
+    let beam = picture.rows.beam;
+    let (column, rows) = match id {
+        SupportId::Left | SupportId::Right => (column - inward, [-1, 0, 1].as_slice()),
+        SupportId::Inner(_) => (column, [-1, 1].as_slice()),
+    };
+    for row in rows {
+        board.sign([column, beam + row], picture.signs.wall, style);
     }
 }
 
 /// The displacement is fixed, the slope is free.
-fn draw_hinge(picture: &Picture<'_>, board: &mut Board<'_>, end: End) {
-    let (column, _) = side(picture, end);
-    let style = picture.style(true, picture.focus == Focus::Support(end));
+fn draw_hinge(picture: &Picture<'_>, board: &mut Board<'_>, id: SupportId) {
+    let (column, _) = side(picture, id);
+    let style = picture.style(true, picture.focus == Focus::Support(id));
     let row = picture.rows.beam + 1;
     board.sign([column, row], picture.signs.pin, style);
     draw_ground(picture, board, [column - 1, column + 1], row + 1);
 }
 
-/// Spring and damper down to the ground, and the mass at the end.
-fn draw_springs(picture: &Picture<'_>, board: &mut Board<'_>, end: End) {
-    let (column, inward) = side(picture, end);
-    let style = picture.style(true, picture.focus == Focus::Support(end));
-    let elastic = end.support(picture.model)[BeamMotion::W].elastic();
-    let both = spring_of(elastic);
+/// Spring and damper down to the ground, and the mass there.
+fn draw_springs(picture: &Picture<'_>, board: &mut Board<'_>, id: SupportId) {
+    let (column, inward) = side(picture, id);
+    let style = picture.style(true, picture.focus == Focus::Support(id));
+    let elastic = id.support(picture.model)[BeamMotion::W].elastic();
+    let both = Spring::from(elastic);
     let first = picture.rows.beam + 1;
     let parallel = elastic.stiffness > 0.0 && elastic.damping > 0.0;
-    let damper = crate::model::Spring {
+    let damper = Spring {
         stiffness: 0.0,
-        damping: elastic.damping,
+        ..both
     };
     for row in 0..picture.rows.springs {
         if let Some(sign) = spring_sign(picture.signs, both, row) {
@@ -89,24 +95,30 @@ fn draw_ground(picture: &Picture<'_>, board: &mut Board<'_>, columns: [i32; 2], 
     }
 }
 
-/// Describes the support at each end, if there is room.
+/// Describes each support, if there is room: one between the ends by its name first.
 pub(super) fn draw_words(picture: &Picture<'_>, board: &mut Board<'_>) {
-    for end in End::ALL {
-        let style = if picture.focus == Focus::Support(end) {
+    for id in SupportId::all(picture.model) {
+        let style = if picture.focus == Focus::Support(id) {
             picture.theme.accent()
         } else {
             picture.theme.dim()
         };
         let rows = picture.rows.below_springs()..picture.rows.below_boxes();
-        let mut words = words(end.support(picture.model)).into_iter().peekable();
+        let name = match id {
+            SupportId::Left | SupportId::Right => None,
+            SupportId::Inner(_) => Some(id.name(picture.model).to_owned()),
+        };
+        let words = words(id.support(picture.model)).into_iter();
+        let mut words = name.into_iter().chain(words).peekable();
         for row in rows {
             let Some(word) = words.peek() else {
                 break;
             };
             let columns = crate::tui::sketch::width(word);
-            let column = match end {
-                End::Left => (picture.ends[0] - 1).max(0),
-                End::Right => (picture.ends[1] + 2).min(board.columns()) - columns,
+            let column = match id {
+                SupportId::Left => (picture.ends[0] - 1).max(0),
+                SupportId::Right => (picture.ends[1] + 2).min(board.columns()) - columns,
+                SupportId::Inner(_) => side(picture, id).0 - (columns - 1) / 2,
             };
             if board.is_free([column - 1, row], columns + 2)
                 && board.word([column, row], word, style)
@@ -140,17 +152,23 @@ pub(super) fn words(support: &Support) -> Vec<String> {
 
 /// The signs of the supports that are in the picture, and their meanings.
 pub(super) fn keys(picture: &Picture<'_>) -> Vec<String> {
-    let ends = End::ALL.map(|end| end.support(picture.model)[BeamMotion::W].elastic());
+    let along_w = |id: SupportId| id.support(picture.model)[BeamMotion::W].elastic();
+    let all: Vec<_> = SupportId::all(picture.model).map(along_w).collect();
     let with = |sign: char, word: &str, some: bool| some.then(|| format!("{sign} {word}"));
     let [spring, damper, mass] = [
-        ends.iter().any(|end| end.stiffness > 0.0),
-        ends.iter().any(|end| end.damping > 0.0),
-        ends.iter().any(|end| end.inertia > 0.0),
+        all.iter().any(|of| of.stiffness > 0.0),
+        all.iter().any(|of| of.damping > 0.0),
+        all.iter().any(|of| of.inertia > 0.0),
     ];
+    let at = if picture.model.supports.inner.is_empty() {
+        "mass at an end"
+    } else {
+        "mass of a support"
+    };
     let keys = [
         with(picture.signs.zigzag[0], "spring", spring),
         with(picture.signs.damper, "damper", damper),
-        with(picture.signs.mass, "mass at an end", mass),
+        with(picture.signs.mass, at, mass),
     ];
     keys.into_iter().flatten().collect()
 }

@@ -5,7 +5,7 @@ use ratatui::style::Modifier;
 
 use super::*;
 use crate::designer::driver::thousand;
-use crate::model::{BeamMotion, Force, MassMotion, Quantity, Restraint, Support, Target};
+use crate::model::{BeamMotion, Elastic, Force, MassMotion, Quantity, Restraint, Support, Target};
 use crate::presets;
 use crate::tui::ascii;
 use crate::tui::options::{Marker, Options};
@@ -129,6 +129,7 @@ fn elastic(stiffness: f64, damping: f64, inertia: f64) -> Restraint {
         stiffness,
         damping,
         inertia,
+        loss_factor: 0.0,
     })
 }
 
@@ -190,6 +191,7 @@ fn forces_have_their_signs() {
         target: Target::Beam(Place::Position(0.0), motion),
         amplitude,
         phase,
+        point: crate::model::Point::AXIS,
     };
     let cases = [
         (BeamMotion::W, 1.0, 0.0, "↑", "^", "1 N"),
@@ -268,12 +270,12 @@ fn what_is_selected_stands_out() {
     let chosen = [
         (Node::Group(Group::Beam), "><", "3.2 m, 3 subsystems"),
         (
-            Node::Group(Group::Support(End::Left)),
+            Node::Group(Group::Support(SupportId::Left)),
             ">╱╫╲│",
             "left end: w v sprung",
         ),
         (
-            Node::Group(Group::Support(End::Right)),
+            Node::Group(Group::Support(SupportId::Right)),
             "<╫╱│╲",
             "right end: w v sprung",
         ),
@@ -374,7 +376,7 @@ fn every_panel_can_be_drawn() {
     let nodes = [
         Node::Group(Group::Beam),
         Node::Group(Group::Sweep),
-        Node::Group(Group::Support(End::Right)),
+        Node::Group(Group::Support(SupportId::Right)),
         Node::Group(Group::Subsystem(0)),
         Node::Group(Group::Force(0)),
         Node::Group(Group::Response(0)),

@@ -13,7 +13,7 @@ use checked::checked;
 use std::f64::consts::{PI, TAU};
 
 use beamtune::model::{
-    self, BeamMotion, Bedding, Elastic, Force, MassMotion, Model, Place, Restraint, Support,
+    self, BeamMotion, Bedding, Elastic, Force, Joint, MassMotion, Model, Place, Restraint, Support,
     SupportId, Target,
 };
 use beamtune::presets;
@@ -216,6 +216,25 @@ fn integrals(model: &Model, found: &Operating) -> [Complex64; 8] {
     sums
 }
 
+/// The jumps of the centroid along y and z over each joint. The axial force has no arm there: a jump of a displacement
+/// stretches nothing.
+fn jumps_over_joints(model: &Model, found: &Operating) -> Vec<[Complex64; 2]> {
+    let section = &model.beam.section;
+    let of_joint = |joint: &Joint| {
+        let mut places = found.positions.iter();
+        let left = places.position(|x| *x == joint.position).unwrap();
+        let [w, psi, v] = [BeamMotion::W, BeamMotion::Psi, BeamMotion::V].map(|motion| {
+            let column = &found.motion[motion as usize];
+            column[left + 1] - column[left]
+        });
+        [
+            w + section.centroid_offset * psi,
+            v - section.centroid_offset_y * psi,
+        ]
+    };
+    model.joints.iter().map(of_joint).collect()
+}
+
 /// All forces on the beam along w, psi and v, and about its left end; the inertia of the beam included.
 fn assert_in_balance(model: &Model, found: &Operating) {
     let (beam, section) = (&model.beam, &model.beam.section);
@@ -250,7 +269,11 @@ fn assert_in_balance(model: &Model, found: &Operating) {
             v - section.centroid_offset_y * psi,
         ]
     });
-    let pulled = [0, 1].map(|row: usize| -beam.axial_force * (ends[1][row] - ends[0][row]));
+    let jumps = jumps_over_joints(model, found);
+    let pulled = [0, 1].map(|row: usize| {
+        let over_joints: Complex64 = jumps.iter().map(|jump| jump[row]).sum();
+        -beam.axial_force * (ends[1][row] - ends[0][row] - over_joints)
+    });
     let [of_w, of_v, of_both] = [
         section.second_moment_y,
         section.second_moment_z,

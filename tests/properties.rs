@@ -155,6 +155,9 @@ proptest! {
         for inner in &mut mirrored.supports.inner {
             inner.position = LENGTH - inner.position;
         }
+        for joint in &mut mirrored.joints {
+            joint.position = LENGTH - joint.position;
+        }
         let turn = |target: &Target| match target {
             Target::Beam(Place::Position(x), motion) => beam(LENGTH - x, *motion),
             other => other.clone(),

@@ -173,6 +173,24 @@ fn spring() -> impl Strategy<Value = Spring> {
     })
 }
 
+/// Joints at different positions inside a beam of a length, m, none of them rigid in every motion.
+fn joints(length: f64) -> impl Strategy<Value = Vec<Joint>> {
+    let link = || {
+        let elastic = spring().prop_map(Link::Elastic);
+        prop_oneof![Just(Link::Rigid), Just(Link::Free), elastic]
+    };
+    let links = prop::array::uniform6(link());
+    let one = (0.01..0.99_f64, links).prop_map(move |(place, links)| Joint {
+        position: place * length,
+        links,
+    });
+    let is_cut = |joint: &Joint| joint.links != [Link::Rigid; 6];
+    prop::collection::vec(one.prop_filter("is rigid", is_cut), 0..3).prop_map(|mut joints| {
+        joints.dedup_by(|one, other| one.position == other.position);
+        joints
+    })
+}
+
 fn subsystems(length: f64) -> impl Strategy<Value = Vec<Subsystem>> {
     names(0..4).prop_flat_map(move |names| {
         let one = move |name: String| {
@@ -353,9 +371,10 @@ fn model() -> impl Strategy<Value = Model> {
                     forces(beam.length, enabled.clone()).boxed(),
                     responses(beam.length, enabled).boxed(),
                     studies().boxed(),
+                    joints(beam.length).boxed(),
                 );
                 parts
-                    .prop_flat_map(move |(forces, responses, studies)| {
+                    .prop_flat_map(move |(forces, responses, studies, joints)| {
                         let subsystems = subsystems.clone();
                         let (title, notes) = (title.clone(), notes.clone());
                         tuning::tune(&responses).prop_map(move |tune| Model {
@@ -367,6 +386,7 @@ fn model() -> impl Strategy<Value = Model> {
                                 right,
                                 inner: Vec::new(),
                             },
+                            joints: joints.clone(),
                             subsystems: subsystems.clone(),
                             forces: forces.clone(),
                             responses: responses.clone(),

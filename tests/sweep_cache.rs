@@ -12,8 +12,8 @@ use checked::checked;
 use std::sync::atomic::AtomicBool;
 
 use beamtune::model::{
-    BeamMotion, Elastic, Force, InnerSupport, MassMotion, Measure, Model, Place, Point, Quantity,
-    Response, Restraint, Support, Target, read,
+    BeamMotion, Elastic, Force, InnerSupport, Joint, Link, MassMotion, Measure, Model, Place,
+    Point, Quantity, Response, Restraint, Spring, Support, Target, read,
 };
 use beamtune::presets;
 use beamtune::solve::{Cancelled, ColumnKind, Frf, SweepCache, sweep};
@@ -236,6 +236,41 @@ fn edits_one_after_the_other_are_solved_as_afresh() {
             &kept.sweep(&checked(&model), &grid(), &NEVER).unwrap(),
             &fresh,
         );
+    }
+}
+
+/// Joints on both sides of the middle, whose waves a cached side carries over them, and between two edits that change one.
+#[test]
+fn edits_beside_joints_are_solved_as_afresh() {
+    let with_joints = || {
+        let mut model = crowded(40);
+        for position in [0.37, 1.91, 2.83] {
+            let mut joint = Joint {
+                position,
+                ..Joint::default()
+            };
+            joint[BeamMotion::WSlope] = Link::Free;
+            joint[BeamMotion::V] = Link::Elastic(Spring {
+                stiffness: 3e7,
+                damping: 400.0,
+                loss_factor: 0.05,
+            });
+            model.joints.push(joint);
+        }
+        model
+    };
+    let coupling: Edit = Box::new(|m| m.joints[1][BeamMotion::Psi] = Link::Free);
+    let place: Edit = Box::new(|m| m.joints[2].position += 1e-3);
+    let of_joints = [("coupling", coupling), ("a joint's place", place)];
+    for (_, edit) in edits().into_iter().chain(of_joints) {
+        let mut model = with_joints();
+        let mut kept = SweepCache::default();
+        for _ in 0..3 {
+            let fresh = sweep(&checked(&model), &grid(), &NEVER).unwrap();
+            let found = kept.sweep(&checked(&model), &grid(), &NEVER).unwrap();
+            assert_same(&found, &fresh);
+            edit(&mut model);
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! The rules that make a model physically possible.
 
+mod joints;
 mod studies;
 mod supports;
 mod target;
@@ -111,6 +112,7 @@ fn state(model: &Model, faults: &mut Vec<Fault>) {
         support(&format!("supports.{end}"), of, faults);
     }
     supports::inner(model, faults);
+    joints::check(model, faults);
     subsystems(model, faults);
     target::forces(model, faults);
     target::responses(model, faults);

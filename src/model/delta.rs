@@ -1,11 +1,11 @@
 //! The difference of two models as one line of text, whose length depends only on what changed.
 //!
 //! ```toml
-//! edit = {at = [[17, 1], [0, 0], [0, 0], [0, 0], [0, 0]], model = {.., subsystems = [{name = "S17", ..}]}}
+//! edit = {at = [[0, 0], [17, 1], [0, 0], [0, 0], [0, 0], [0, 0]], model = {.., subsystems = [{name = "S17", ..}]}}
 //! ```
 //!
-//! `at` has the first index and the number of replaced elements of subsystems, forces, responses, studies and `[tune]`
-//! (a list of one or none). `model` has the new elements and all parts that are not lists.
+//! `at` has the first index and the number of replaced elements of joints, subsystems, forces, responses, studies and
+//! `[tune]` (a list of one or none). `model` has the new elements and all parts that are not lists.
 
 use super::types::Model;
 use super::{read, write};
@@ -13,6 +13,9 @@ use toml::de::{DeTable, DeValue};
 
 /// First index and number of replaced elements.
 type Span = [usize; 2];
+
+/// The number of lists.
+const SPANS: usize = 6;
 
 /// The line that changes one model to another, without a line end.
 pub fn delta(before: &Model, after: &Model) -> String {
@@ -23,6 +26,7 @@ pub fn delta(before: &Model, after: &Model) -> String {
         beam: after.beam,
         supports: after.supports.clone(),
         sweep: after.sweep,
+        joints: replaced(&before.joints, &after.joints, &mut spans),
         subsystems: replaced(&before.subsystems, &after.subsystems, &mut spans),
         forces: replaced(&before.forces, &after.forces, &mut spans),
         responses: replaced(&before.responses, &after.responses, &mut spans),
@@ -54,7 +58,7 @@ pub fn apply_delta(model: &mut Model, line: &str) -> bool {
     parse(model, line).is_some_and(|(spans, part)| apply(model, spans, part))
 }
 
-fn parse(model: &Model, line: &str) -> Option<([Span; 5], Model)> {
+fn parse(model: &Model, line: &str) -> Option<([Span; SPANS], Model)> {
     let document = DeTable::parse(line).ok()?;
     let edit = document.get_ref().get("edit")?.get_ref().as_table()?;
     let spans = edit.get("at")?.get_ref().as_array()?;
@@ -76,8 +80,9 @@ fn span(value: &DeValue<'_>) -> Option<Span> {
     }
 }
 
-fn apply(model: &mut Model, spans: [Span; 5], part: Model) -> bool {
+fn apply(model: &mut Model, spans: [Span; SPANS], part: Model) -> bool {
     let lengths = [
+        model.joints.len(),
         model.subsystems.len(),
         model.forces.len(),
         model.responses.len(),
@@ -90,8 +95,9 @@ fn apply(model: &mut Model, spans: [Span; 5], part: Model) -> bool {
     if !spans.iter().zip(lengths).all(fits) {
         return false;
     }
-    let [subsystems, forces, responses, studies, tune] =
+    let [joints, subsystems, forces, responses, studies, tune] =
         spans.map(|[first, count]| first..first + count);
+    model.joints.splice(joints, part.joints);
     model.subsystems.splice(subsystems, part.subsystems);
     model.forces.splice(forces, part.forces);
     model.responses.splice(responses, part.responses);
@@ -110,7 +116,7 @@ fn apply(model: &mut Model, spans: [Span; 5], part: Model) -> bool {
 #[cfg(test)]
 mod tests {
     use super::super::path::sample;
-    use super::super::types::{BeamMotion, Elastic, Restraint, Support};
+    use super::super::types::{BeamMotion, Elastic, Link, Restraint, Spring, Support};
     use super::*;
     use crate::presets;
 
@@ -167,6 +173,12 @@ mod tests {
             }),
             changed(&model, |model| model.subsystems.swap(0, 3)),
             changed(&model, |model| model.subsystems.clear()),
+            changed(&model, |model| {
+                model.joints.pop();
+            }),
+            changed(&model, |model| {
+                model.joints[0][BeamMotion::V] = Link::Elastic(Spring::default());
+            }),
             changed(&model, |model| drop(model.forces.pop())),
             changed(&model, |model| model.responses.rotate_left(1)),
             changed(&model, |model| model.studies.clear()),

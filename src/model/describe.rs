@@ -6,7 +6,7 @@ use super::schema::{
     FEWEST_POINTS, ForceKey, InnerSupportKey, Kind, MOST_POINTS, SectionKey, SubsystemKey,
 };
 use super::spelling::nearest;
-use super::types::{Model, Quantity, Restraint, Support};
+use super::types::{Link, Model, Quantity, Restraint, Support};
 use crate::unit::{Measure, Unit, value_input};
 
 /// A parameter with everything needed to set it.
@@ -74,6 +74,7 @@ fn choices(model: &Model, id: ParameterId, value: &Value) -> Vec<&'static str> {
     match key.kind {
         Kind::Word => key.words.to_vec(),
         Kind::Restraint => Restraint::WORDS.to_vec(),
+        Kind::Link => Link::WORDS.to_vec(),
         Kind::Support => {
             // "elastic" results from the single motions and cannot be chosen here.
             let mixed = (*value == Value::Choice("elastic")).then_some("elastic");

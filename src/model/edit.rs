@@ -34,6 +34,9 @@ pub fn changed(model: &Model, id: ParameterId, value: Value) -> Result<Checked, 
 pub fn remove(model: &mut Model, element: Group) {
     match element {
         Group::Support(SupportId::Inner(i)) => drop(model.supports.inner.remove(i)),
+        Group::Joint(i) => {
+            model.joints.remove(i);
+        }
         Group::Subsystem(i) => drop(model.subsystems.remove(i)),
         Group::Force(i) => drop(model.forces.remove(i)),
         Group::Response(i) => drop(model.responses.remove(i)),
@@ -166,8 +169,23 @@ mod tests {
         remove(&mut after, bearing);
         assert_eq!(misled(&model, &after, bearing), study);
         assert_eq!(misled_by(2, "subsystems.1.mass"), None);
-        // The supports do not move when a subsystem is removed.
+        // The supports and joints do not move when a subsystem is removed.
         assert_eq!(misled_by(2, "supports.right.w.stiffness"), None);
+        assert_eq!(misled_by(0, "joints.2.psi.stiffness"), None);
+        // A number of a joint is that of another one after the removal, as for any list.
+        let mut model = sample::model(&["S1"]);
+        (model.studies, model.tune) = (Vec::new(), None);
+        model.studies = vec![Study {
+            name: "only".to_owned(),
+            family: Family::Vary {
+                paths: vec!["joints.2.psi.stiffness".into()],
+                operation: Operation::Multiply,
+                values: vec![1.0],
+            },
+        }];
+        let mut after = model.clone();
+        remove(&mut after, Group::Joint(0));
+        assert_eq!(misled(&model, &after, Group::Joint(0)), study);
         let mut model = sample::model(&["S1"]);
         model.studies.clear();
         let mut after = model.clone();

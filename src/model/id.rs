@@ -1,7 +1,7 @@
 //! Identifiers of the groups and parameters of a model: small values without text.
 
 use super::schema::{self, Key, Kind};
-use super::types::{BeamMotion, Model, Quantity, Restraint, Support, Target};
+use super::types::{BeamMotion, Link, Model, Quantity, Restraint, Support, Target};
 
 /// A support of the beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -107,6 +107,12 @@ pub enum Group {
     Support(SupportId),
     /// The spring of one motion of a support.
     Motion(SupportId, BeamMotion),
+    /// All joints.
+    Joints,
+    /// One joint.
+    Joint(usize),
+    /// The spring of one motion of a joint.
+    Link(usize, BeamMotion),
     /// All subsystems.
     Subsystems,
     /// One subsystem.
@@ -147,12 +153,15 @@ impl Group {
             Self::Support(SupportId::Left | SupportId::Right) => schema::SUPPORT.keys,
             Self::Support(SupportId::Inner(_)) => schema::INNER_SUPPORT_KEYS,
             Self::Motion(_, motion) => schema::elastic(motion).keys,
+            Self::Joint(_) => schema::JOINT.keys,
+            Self::Link(_, motion) => schema::link(motion).keys,
             Self::Subsystem(_) => schema::SUBSYSTEM.keys,
             Self::Force(_) => schema::FORCE.keys,
             Self::Response(_) => schema::RESPONSE.keys,
             Self::Sweep => schema::SWEEP.keys,
             Self::Study(_) => schema::STUDY.keys,
             Self::Supports
+            | Self::Joints
             | Self::Subsystems
             | Self::Forces
             | Self::Responses
@@ -171,6 +180,8 @@ impl Group {
             Self::Material | Self::Section | Self::Foundation => Self::Beam,
             Self::Support(_) => Self::Supports,
             Self::Motion(support, _) => Self::Support(support),
+            Self::Joint(_) => Self::Joints,
+            Self::Link(joint, _) => Self::Joint(joint),
             Self::Subsystem(_) => Self::Subsystems,
             Self::Force(_) => Self::Forces,
             Self::Response(_) => Self::Responses,
@@ -178,6 +189,7 @@ impl Group {
             Self::Variable(_) | Self::Objective(_) | Self::Limit(_) => Self::Tune,
             Self::Beam
             | Self::Supports
+            | Self::Joints
             | Self::Subsystems
             | Self::Forces
             | Self::Responses
@@ -192,10 +204,12 @@ impl Group {
         let each = |count: usize, of: fn(usize) -> Self| (0..count).map(of).collect();
         match self {
             Self::Model => {
-                use Group::{Beam, Forces, Responses, Studies, Subsystems, Supports, Sweep, Tune};
+                use Group::{
+                    Beam, Forces, Joints, Responses, Studies, Subsystems, Supports, Sweep, Tune,
+                };
                 let studies = (!model.studies.is_empty()).then_some(Studies);
                 let tune = model.tune.is_some().then_some(Tune);
-                [Beam, Supports, Subsystems, Forces, Responses, Sweep]
+                [Beam, Supports, Joints, Subsystems, Forces, Responses, Sweep]
                     .into_iter()
                     .chain(studies)
                     .chain(tune)
@@ -205,6 +219,10 @@ impl Group {
             Self::Supports => SupportId::all(model).map(Self::Support).collect(),
             Self::Support(support) => BeamMotion::ALL
                 .map(|motion| Self::Motion(support, motion))
+                .to_vec(),
+            Self::Joints => each(model.joints.len(), Self::Joint),
+            Self::Joint(joint) => BeamMotion::ALL
+                .map(|motion| Self::Link(joint, motion))
                 .to_vec(),
             Self::Subsystems => each(model.subsystems.len(), Self::Subsystem),
             Self::Forces => each(model.forces.len(), Self::Force),
@@ -228,6 +246,7 @@ impl Group {
         match self {
             Self::Material | Self::Section | Self::Foundation => Self::Beam,
             Self::Motion(support, _) => Self::Support(support),
+            Self::Link(joint, _) => Self::Joint(joint),
             other => other,
         }
     }
@@ -236,7 +255,9 @@ impl Group {
     pub const fn place(self) -> Option<usize> {
         match self {
             Self::Support(support) | Self::Motion(support, _) => Some(support.place()),
-            Self::Subsystem(i)
+            Self::Joint(i)
+            | Self::Link(i, _)
+            | Self::Subsystem(i)
             | Self::Force(i)
             | Self::Response(i)
             | Self::Study(i)
@@ -252,6 +273,8 @@ impl Group {
     pub fn at(self, place: usize) -> Self {
         match self {
             Self::Support(_) | Self::Motion(..) => self.of_support(SupportId::at(place)),
+            Self::Joint(_) => Self::Joint(place),
+            Self::Link(_, motion) => Self::Link(place, motion),
             Self::Subsystem(_) => Self::Subsystem(place),
             Self::Force(_) => Self::Force(place),
             Self::Response(_) => Self::Response(place),
@@ -295,21 +318,21 @@ impl Group {
                 .into_iter()
                 .flat_map(Self::parameters)
                 .collect(),
-            Self::Support(support) => {
-                let mut all = Vec::new();
-                for id in self.parameters() {
-                    all.push(id);
-                    let motion = id.motion();
-                    all.extend(
-                        motion
-                            .into_iter()
-                            .flat_map(|motion| Self::Motion(support, motion).parameters()),
-                    );
-                }
-                all
-            }
+            Self::Support(support) => self.with_springs(|motion| Self::Motion(support, motion)),
+            Self::Joint(joint) => self.with_springs(|motion| Self::Link(joint, motion)),
             _ => self.parameters().collect(),
         }
+    }
+
+    /// The parameters of a support or joint, each motion's followed by those of its spring.
+    fn with_springs(self, spring: impl Fn(BeamMotion) -> Self) -> Vec<ParameterId> {
+        let mut all = Vec::new();
+        for id in self.parameters() {
+            all.push(id);
+            let springs = id.motion().into_iter().map(&spring);
+            all.extend(springs.flat_map(Self::parameters));
+        }
+        all
     }
 }
 
@@ -333,10 +356,15 @@ impl ParameterId {
         Group::Support(support).parameter(support.own_keys() + 1 + motion as usize)
     }
 
-    /// The motion of a support whose restraint it is.
+    /// The link of a motion of a joint: the rows after its position.
+    pub const fn link(joint: usize, motion: BeamMotion) -> Self {
+        Group::Joint(joint).parameter(1 + motion as usize)
+    }
+
+    /// The motion of a support whose restraint it is, or that of a joint whose link it is.
     pub fn motion(self) -> Option<BeamMotion> {
         let key = self.key();
-        (key.kind == Kind::Restraint)
+        matches!(key.kind, Kind::Restraint | Kind::Link)
             .then(|| BeamMotion::of_word(key.key))
             .flatten()
     }
@@ -360,12 +388,13 @@ impl ParameterId {
         all
     }
 
-    /// Whether it has a value: a fixed motion has no spring, an energy no position, a twist no point of the section.
+    /// Whether it has a value: a fixed or rigid motion has no spring, an energy no position, a twist no point of the section.
     pub fn exists(self, model: &Model) -> bool {
         match (self.group, self.key().kind) {
             (Group::Motion(support, motion), _) => {
                 support.support(model)[motion] != Restraint::Fixed
             }
+            (Group::Link(joint, motion), _) => model.joints[joint][motion] != Link::Rigid,
             (Group::Response(index), Kind::Place | Kind::Direction) => {
                 model.responses[index].quantity != Quantity::Energy
             }

@@ -11,6 +11,7 @@ use super::types::Model;
 #[derive(Debug)]
 pub struct Moves {
     inner_supports: Move,
+    joints: Move,
     subsystems: Move,
     forces: Move,
     responses: Move,
@@ -76,6 +77,7 @@ impl Moves {
         let [old, new] = [before, after].map(|model| &model.supports.inner[..]);
         Self {
             inner_supports: Move::of_named(old, new, |one| &one.name),
+            joints: Move::of_unnamed(&before.joints, &after.joints),
             subsystems: Move::of_named(&before.subsystems, &after.subsystems, |one| &one.name),
             forces: Move::of_unnamed(&before.forces, &after.forces),
             responses: Move::of_named(&before.responses, &after.responses, |one| &one.name),
@@ -90,6 +92,7 @@ impl Moves {
                 let support = SupportId::Inner(self.inner_supports.of(i)?);
                 return Some(group.of_support(support));
             }
+            Group::Joint(_) | Group::Link(..) => &self.joints,
             Group::Subsystem(_) => &self.subsystems,
             Group::Force(_) => &self.forces,
             Group::Response(_) => &self.responses,
@@ -101,7 +104,7 @@ impl Moves {
 }
 
 impl Group {
-    /// The group with the same name in another model, such as that of a file; for a force, the same number.
+    /// The group with the same name in another model, such as that of a file; for a joint or force, the same number.
     pub fn counterpart(self, model: &Model, other: &Model) -> Option<Self> {
         let place = match self {
             Self::Subsystem(i) => named(&model.subsystems[i].name, i, &other.subsystems, |one| {
@@ -116,6 +119,7 @@ impl Group {
                 &one.name
             })?,
             Self::Study(i) => named(&model.studies[i].name, i, &other.studies, |one| &one.name)?,
+            Self::Joint(i) | Self::Link(i, _) => (i < other.joints.len()).then_some(i)?,
             Self::Force(i) => (i < other.forces.len()).then_some(i)?,
             fixed => return Some(fixed),
         };

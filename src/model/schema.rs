@@ -69,6 +69,8 @@ pub enum Kind {
     Support,
     /// The restraint of one motion of a support.
     Restraint,
+    /// What joins one motion of both sides of a joint.
+    Link,
     /// The paths of the parameters of a variable.
     Paths,
     /// The scale of a variable's search; optional.

@@ -19,6 +19,8 @@ pub struct Model {
     pub beam: Beam,
     /// What holds it.
     pub supports: Supports,
+    /// Where it is cut and joined again, in the order of the file.
+    pub joints: Vec<Joint>,
     /// The subsystems, in the order of the file.
     pub subsystems: Vec<Subsystem>,
     /// The loads, which act simultaneously.
@@ -392,6 +394,69 @@ pub struct Elastic {
     pub loss_factor: f64,
     /// Mass in kg along w and v; inertia in kg m2 about an axis; kg m4 on the rate of twist.
     pub inertia: f64,
+}
+
+/// A place between the ends where the beam is cut and joined again: a hinge, a sliding joint, a coupling.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Joint {
+    /// Distance from the left end, m.
+    pub position: f64,
+    /// What joins the motions of both sides, in the order of [`BeamMotion::ALL`]. On a section without warping stiffness,
+    /// which transmits no bimoment, that of the rate of twist has no effect.
+    pub links: [Link; 6],
+}
+
+impl std::ops::Index<BeamMotion> for Joint {
+    type Output = Link;
+    fn index(&self, motion: BeamMotion) -> &Link {
+        &self.links[motion as usize]
+    }
+}
+
+impl std::ops::IndexMut<BeamMotion> for Joint {
+    fn index_mut(&mut self, motion: BeamMotion) -> &mut Link {
+        &mut self.links[motion as usize]
+    }
+}
+
+/// What joins a motion of both sides of a joint.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Link {
+    /// Both sides move together.
+    #[default]
+    Rigid,
+    /// Each side moves on its own.
+    Free,
+    /// A spring and a damper between both sides: N/m and N s/m; N m/rad about an axis; N m3/rad on the rate of twist.
+    Elastic(Spring),
+}
+
+impl Link {
+    /// The spring and damper; none if it is rigid or free.
+    pub fn spring(self) -> Spring {
+        match self {
+            Self::Elastic(spring) => spring,
+            Self::Rigid | Self::Free => Spring::default(),
+        }
+    }
+
+    /// The words of all kinds.
+    pub const WORDS: [&'static str; 3] = ["rigid", "free", "elastic"];
+
+    /// The link of a word; an elastic one has 0 for every number.
+    pub fn of_word(word: &str) -> Option<Self> {
+        let all = [Self::Rigid, Self::Free, Self::Elastic(Spring::default())];
+        all.into_iter().find(|one| one.kind() == word)
+    }
+
+    /// Its word.
+    pub const fn kind(self) -> &'static str {
+        match self {
+            Self::Rigid => Self::WORDS[0],
+            Self::Free => Self::WORDS[1],
+            Self::Elastic(_) => Self::WORDS[2],
+        }
+    }
 }
 
 /// A spring and a damper in parallel, `k (1 + i eta) + i omega c`; all 0 if there is none.

@@ -272,6 +272,26 @@ impl BeamMatrices {
         slopes.unwrap_or([Complex64::new(f64::NAN, f64::NAN); 3])
     }
 
+    /// The changes of the six internal forces along the beam, per m, for the motions and internal forces of a point: `f' = (K -
+    /// omega^2 M) q` and `m' = -g - omega^2 R s`, the equations of motion.
+    pub(super) fn changes(
+        &self,
+        omega: Complex64,
+        motions: &[Complex64; 6],
+        forces: &[Complex64; 6],
+    ) -> [Complex64; 6] {
+        let [w, psi, v, rotations @ ..] = *motions;
+        let [first, second, third, ..] = *forces;
+        let (q, f, square) = ([w, psi, v], [first, second, third], omega * omega);
+        let g = self.shear_forces(f, self.slopes(rotations, f));
+        let (bedding, inertia) = (self.foundation_at(omega), self.mass.times(q));
+        let turned = self.rotary.times(rotations);
+        std::array::from_fn(|row| match row {
+            0..3 => bedding[row] * q[row] - square * inertia[row],
+            _ => -g[row - 3] - square * turned[row - 3],
+        })
+    }
+
     /// The effect of one more metre of beam at a place with two states: `f q' + m s'` in both orders less the density of the
     /// form, which is their strain energy less their kinetic energy.
     ///

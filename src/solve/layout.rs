@@ -7,8 +7,8 @@
 use num_complex::Complex64;
 
 use crate::model::{
-    BeamMotion, MassMotion, Measure, Model, Place, Point, Quantity, Restraint, Subsystem, Support,
-    Target,
+    BeamMotion, Joint, MassMotion, Measure, Model, Place, Point, Quantity, Restraint, Subsystem,
+    Support, Target,
 };
 
 /// The positions along a beam and what is attached there.
@@ -23,6 +23,8 @@ pub(super) struct Layout<'a> {
     pub(super) loads: Vec<[Complex64; 6]>,
     /// What holds the beam, with the index of its position; the ends first.
     pub(super) supports: Vec<(usize, &'a Support)>,
+    /// The joints, with the index of their position: left of everything else there.
+    pub(super) joints: Vec<(usize, &'a Joint)>,
     /// The enabled subsystems, by ascending position.
     pub(super) masses: Vec<Mass<'a>>,
     /// Where each enabled response is read.
@@ -61,6 +63,7 @@ impl<'a> Layout<'a> {
             positions: positions(model, merge),
             loads: Vec::new(),
             supports: Vec::new(),
+            joints: Vec::new(),
             masses: Vec::new(),
             readings: Vec::new(),
         };
@@ -70,6 +73,9 @@ impl<'a> Layout<'a> {
         for inner in &model.supports.inner {
             let place = layout.place(inner.position);
             layout.supports.push((place, &inner.support));
+        }
+        for joint in &model.joints {
+            layout.joints.push((layout.place(joint.position), joint));
         }
         layout.masses = model
             .attached()
@@ -209,6 +215,7 @@ fn positions(model: &Model, merge: f64) -> Vec<f64> {
     let responses = model.responses.iter().filter(|response| response.enabled);
     let mut all: Vec<f64> = model.attached().map(|s| s.position).collect();
     all.extend(model.supports.inner.iter().map(|inner| inner.position));
+    all.extend(model.joints.iter().map(|joint| joint.position));
     all.extend(forces.filter_map(|force| beam_place(&force.target)));
     all.extend(responses.filter_map(|response| match &response.quantity {
         Quantity::Motion(target, _) => beam_place(target),

@@ -3,12 +3,13 @@
 use num_complex::Complex64;
 
 use super::attachment::Attachment;
+use super::beam_state::BeamState;
 use super::linear::ZERO;
-use super::springs::restraint_stiffness;
+use super::springs::{restraint_stiffness, stiffness};
 use super::waves::BeamConstants;
 use crate::model::{
-    BeamMotion, Elastic, MassMotion, Measure, Model, Place, Quantity, Restraint, Support,
-    SupportId, Target,
+    BeamMotion, Elastic, Joint, Link, MassMotion, Measure, Model, Place, Quantity, Restraint,
+    Spring, Support, SupportId, Target,
 };
 
 /// The part of a model that does not depend on the frequency.
@@ -107,6 +108,54 @@ impl Held {
     }
 }
 
+/// A joint: what links each motion of its two sides.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Joined {
+    links: [Link; 6],
+}
+
+impl Joined {
+    /// Without warping stiffness the section transmits no bimoment, and a link of the rate of twist has no effect.
+    fn new(joint: &Joint, without_warping: bool) -> Self {
+        let mut links = joint.links;
+        if without_warping {
+            links[BeamMotion::PsiSlope as usize] = Link::Rigid;
+        }
+        Self { links }
+    }
+
+    /// The spring and damper between both sides of a motion, none if it is free; `None` if it is rigid.
+    pub(super) fn spring(&self, motion: BeamMotion) -> Option<Spring> {
+        match self.links[motion as usize] {
+            Link::Rigid => None,
+            Link::Free => Some(Spring::default()),
+            Link::Elastic(spring) => Some(spring),
+        }
+    }
+
+    /// The jumps of the motions over it, right minus left: 0 where it is rigid. From the states on both sides, or from the
+    /// internal forces there: for a soft spring the first, for a stiff one the second is exact.
+    pub(super) fn jumps(
+        &self,
+        omega: Complex64,
+        [before, after]: [&BeamState; 2],
+    ) -> [Complex64; 6] {
+        BeamMotion::ALL.map(|motion| {
+            let Some(spring) = self.spring(motion) else {
+                return ZERO;
+            };
+            let row = motion as usize;
+            let (from, to) = (before.motion[row], after.motion[row]);
+            let (k, force) = (stiffness(omega, spring), after.force[row]);
+            if force.norm() < k.norm() * (from.norm() + to.norm()) {
+                force / k
+            } else {
+                to - from
+            }
+        })
+    }
+}
+
 /// Something at a position of the beam.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Station {
@@ -122,6 +171,8 @@ pub(super) enum Event {
     Attachment(Box<Attachment>),
     /// A support between the ends.
     Support(Box<Held>),
+    /// A joint. Everything else at its position is right of it, except a first probe of the rate of twist.
+    Joint(Box<Joined>),
     /// Loads along the six motions.
     Load([Complex64; 6]),
     /// Only a position to read a response.
@@ -144,8 +195,8 @@ pub(super) enum Output {
         motion: MassMotion,
         measure: Measure,
     },
-    /// The rate of twist where a torque may make it jump: without warping stiffness, at a load or a subsystem between
-    /// the ends.
+    /// The rate of twist where a torque may make it jump: without warping stiffness, at a load, a subsystem, a support or
+    /// a joint between the ends.
     ///
     /// Its value is the mean of both sides, the limit for a warping constant that goes to 0: warping makes the same
     /// boundary layer on both sides of the torque. At an end it is the value just inside the end.
@@ -220,6 +271,34 @@ impl Plan {
         self.stations_of(positions, |event| matches!(event, Event::Support(_)))
     }
 
+    /// The station of each joint, in the order of the model.
+    pub(super) fn joint_stations(&self, model: &Model) -> Vec<usize> {
+        let positions = model.joints.iter().map(|of| of.position);
+        self.stations_of(positions, |event| matches!(event, Event::Joint(_)))
+    }
+
+    /// Each joint of a model, in its order, with its station.
+    pub(super) fn joined(&self, model: &Model) -> impl Iterator<Item = (usize, &Joined)> {
+        let stations = self.joint_stations(model).into_iter();
+        stations.filter_map(|station| match &self.stations[station].event {
+            Event::Joint(joined) => Some((station, &**joined)),
+            Event::Attachment(_) | Event::Support(_) | Event::Load(_) | Event::Probe => None,
+        })
+    }
+
+    /// The span in which to read a motion at a distance from the left end, m, and the station at its right end: right of a
+    /// joint there, left of everything else.
+    pub(super) fn span_at(&self, x: f64) -> usize {
+        let first = self.stations.partition_point(|of| of.position < x);
+        let here = self.stations[first..]
+            .iter()
+            .take_while(|of| of.position == x);
+        let joint = here
+            .into_iter()
+            .position(|of| matches!(of.event, Event::Joint(_)));
+        first + joint.map_or(0, |joint| joint + 1)
+    }
+
     /// The stations of a kind, in the order of their `positions` in the model.
     fn stations_of(
         &self,
@@ -243,6 +322,7 @@ impl Plan {
     pub(super) fn new(model: &Model) -> Self {
         let mut layout = Layout::new(model);
         layout.place_first_probes();
+        layout.place_joints();
         layout.place_supports();
         layout.place_subsystems();
         layout.place_loads();
@@ -300,14 +380,25 @@ impl<'a> Layout<'a> {
         self.first_probes = self.stations.len();
     }
 
-    /// Whether a subsystem or a force is at a distance from the left end, m.
+    /// Whether a joint, a support, a subsystem or a force is at a distance from the left end, m.
     fn acts_at(&self, x: f64) -> bool {
         let mut forces = self.model.forces.iter().filter(|force| force.enabled);
         let mut inner = self.model.supports.inner.iter();
         self.model.attached().any(|of| of.position == x)
             || inner.any(|of| of.position == x)
+            || self.model.joints.iter().any(|of| of.position == x)
             || forces
                 .any(|force| matches!(force.target, Target::Beam(place, _) if self.x(place) == x))
+    }
+
+    /// Before everything that acts at their positions.
+    fn place_joints(&mut self) {
+        let without_warping = self.model.beam.section.warping_constant == 0.0;
+        self.stations
+            .extend(self.model.joints.iter().map(|joint| Station {
+                position: joint.position,
+                event: Event::Joint(Box::new(Joined::new(joint, without_warping))),
+            }));
     }
 
     /// Before the subsystems, which lie on what they hold.
@@ -550,7 +641,11 @@ fn held_at<'a>(
         .iter()
         .filter_map(move |station| match &station.event {
             Event::Support(held) if station.position == x => Some(&**held),
-            Event::Support(_) | Event::Attachment(_) | Event::Load(_) | Event::Probe => None,
+            Event::Support(_)
+            | Event::Joint(_)
+            | Event::Attachment(_)
+            | Event::Load(_)
+            | Event::Probe => None,
         });
     let ends = ends.into_iter().filter(|(_, is_here)| *is_here);
     ends.map(|(end, _)| end).chain(inner)

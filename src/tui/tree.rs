@@ -14,7 +14,7 @@ pub use text::{label, of_parameter, subject, value, without_unit_of};
 pub use tuning::{limit_at, objective_at, variable_at};
 
 use crate::model::schema::{Key, Kind};
-use crate::model::{Group, Model, Restraint};
+use crate::model::{Group, Link, Model, Restraint};
 
 /// A row on the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -62,8 +62,11 @@ fn holds_rows(model: &Model, node: Node) -> bool {
         return false;
     };
     match group {
-        Group::Subsystems | Group::Forces | Group::Responses => !group.groups(model).is_empty(),
+        Group::Joints | Group::Subsystems | Group::Forces | Group::Responses => {
+            !group.groups(model).is_empty()
+        }
         Group::Motion(end, motion) => end.support(model)[motion] != Restraint::Fixed,
+        Group::Link(joint, motion) => model.joints[joint][motion] != Link::Rigid,
         Group::Variable(_) | Group::Objective(_) | Group::Limit(_) => false,
         _ => true,
     }
@@ -75,7 +78,7 @@ pub fn children(model: &Model, node: Node) -> Vec<Node> {
         return Vec::new();
     };
     let elsewhere = |key: &Key| match key.kind {
-        Kind::Name | Kind::Support | Kind::Restraint => true,
+        Kind::Name | Kind::Support | Kind::Restraint | Kind::Link => true,
         // That of the whole group: its own row shows it.
         Kind::Flag => key.is_on_by_default(),
         _ => false,

@@ -81,6 +81,7 @@ pub fn model(seed: u64) -> (Model, f64) {
         notes: String::new(),
         beam,
         supports,
+        joints: Vec::new(),
         subsystems,
         forces: Vec::new(),
         responses: Vec::new(),

@@ -1,9 +1,9 @@
 //! Random damped models for the property tests.
 
 use beamtune::model::{
-    Beam, BeamMotion, Bedding, Elastic, Force, Foundation, InnerSupport, MassMotion, Material,
-    Measure, Model, Place, Point, Quantity, Response, Restraint, Section, Spacing, Spring,
-    Subsystem, Support, Supports, Sweep, Target, Theory,
+    Beam, BeamMotion, Bedding, Elastic, Force, Foundation, InnerSupport, Joint, Link, MassMotion,
+    Material, Measure, Model, Place, Point, Quantity, Response, Restraint, Section, Spacing,
+    Spring, Subsystem, Support, Supports, Sweep, Target, Theory,
 };
 use num_complex::Complex64;
 use proptest::prelude::*;
@@ -146,6 +146,38 @@ fn inner_supports() -> impl Strategy<Value = Vec<InnerSupport>> {
         .prop_map(|(first, second)| first.into_iter().chain(second).collect())
 }
 
+/// Up to two joints with one or two motions that are not rigid.
+fn joints() -> impl Strategy<Value = Vec<Joint>> {
+    let elastic =
+        (1e4..1e8, 0.0..1e3, loss_factors()).prop_map(|(stiffness, damping, loss_factor)| {
+            Link::Elastic(Spring {
+                stiffness,
+                damping,
+                loss_factor,
+            })
+        });
+    let link = prop_oneof![1 => Just(Link::Free), 3 => elastic];
+    let motion = || prop::sample::select(BeamMotion::ALL.to_vec());
+    let one = |place: Range<f64>| {
+        let joint = (place, motion(), motion(), link.clone(), link.clone());
+        let joint = joint.prop_map(|(position, first, second, one, other)| {
+            let mut joint = Joint {
+                position,
+                ..Joint::default()
+            };
+            joint[first] = one;
+            joint[second] = other;
+            joint
+        });
+        prop::option::weighted(0.4, joint)
+    };
+    (
+        one(0.3 * LENGTH..0.45 * LENGTH),
+        one(0.45 * LENGTH..0.95 * LENGTH),
+    )
+        .prop_map(|(first, second)| first.into_iter().chain(second).collect())
+}
+
 fn springs(loss_factors: BoxedStrategy<f64>) -> impl Strategy<Value = Spring> {
     prop_oneof![
         1 => Just(Spring::default()),
@@ -196,7 +228,12 @@ fn subsystems_with(loss_factors: &BoxedStrategy<f64>) -> impl Strategy<Value = S
 #[allow(dead_code, reason = "not every test program uses it")]
 pub fn models() -> impl Strategy<Value = Model> {
     let supports = (supports_at_points(), supports_at_points(), inner_supports());
-    models_with(any_beams(), supports.boxed(), subsystems())
+    models_with(
+        any_beams(),
+        supports.boxed(),
+        joints().boxed(),
+        subsystems(),
+    )
 }
 
 /// Models of beams whose v is on its own, as the paper's, held at its ends by springs without a loss factor.
@@ -205,17 +242,20 @@ pub fn models_of_one_offset() -> impl Strategy<Value = Model> {
     let on_axis = || supports_on_axis(Just(0.0).boxed());
     let supports = (on_axis(), on_axis(), Just(Vec::new()));
     let subsystems = subsystems_with(&Just(0.0).boxed());
-    models_with(beams(), supports.boxed(), subsystems)
+    let joints = Just(Vec::new()).boxed();
+    models_with(beams(), supports.boxed(), joints, subsystems)
 }
 
 /// A damped model with up to four subsystems named S1, S2, ..., without forces and responses.
 fn models_with(
     beams: impl Strategy<Value = Beam>,
     supports: BoxedStrategy<(Support, Support, Vec<InnerSupport>)>,
+    joints: BoxedStrategy<Vec<Joint>>,
     subsystems: impl Strategy<Value = Subsystem>,
 ) -> impl Strategy<Value = Model> {
     let subsystems = prop::collection::vec(subsystems, 0..=4);
-    (beams, supports, subsystems).prop_map(|(beam, (left, right, inner), mut subsystems)| {
+    let all = (beams, supports, joints, subsystems);
+    all.prop_map(|(beam, (left, right, inner), joints, mut subsystems)| {
         for (index, subsystem) in subsystems.iter_mut().enumerate() {
             subsystem.name = format!("S{}", index + 1);
         }
@@ -224,6 +264,7 @@ fn models_with(
             notes: String::new(),
             beam,
             supports: Supports { left, right, inner },
+            joints,
             subsystems,
             forces: Vec::new(),
             responses: Vec::new(),

@@ -173,6 +173,22 @@ fn every_parameter_of_a_rich_model() {
     }
 }
 
+/// Whether something stands so near a joint that the steps of the differences move one across the other.
+fn is_beside_a_joint(model: &Model, targets: &[&Target]) -> bool {
+    const NEAR: f64 = 0.01;
+    let supports = model.supports.inner.iter().map(|of| of.position);
+    let subsystems = model.subsystems.iter().map(|of| of.position);
+    let targets = targets.iter().filter_map(|target| match target {
+        Target::Beam(Place::Position(x), _) => Some(*x),
+        Target::Beam(Place::Left | Place::Right, _) | Target::Mass(..) => None,
+    });
+    let mut all = supports.chain(subsystems).chain(targets);
+    all.any(|x| {
+        let mut joints = model.joints.iter();
+        joints.any(|joint| (joint.position - x).abs() < NEAR)
+    })
+}
+
 /// Expected: differences of eighth order of the solver.
 #[test]
 fn every_parameter_of_random_models() {
@@ -192,7 +208,10 @@ fn every_parameter_of_random_models() {
     while tried < 40 {
         let (mut model, force, response, frequency) =
             anything.new_tree(&mut runner).unwrap().current();
-        if !common::exists(&model, &force) || !common::exists(&model, &response) {
+        if !common::exists(&model, &force)
+            || !common::exists(&model, &response)
+            || is_beside_a_joint(&model, &[&force, &response])
+        {
             continue;
         }
         model.forces = vec![common::unit_force(force)];
@@ -206,9 +225,14 @@ fn every_parameter_of_random_models() {
             named("motion", Quantity::Motion(response, Measure::Velocity)),
             named("energy", Quantity::Energy),
         ];
-        let (error, at) = worst_at(&model, frequency.max(10.0));
+        let frequency = frequency.max(10.0);
+        // A motion that nothing couples with the force is only rounding.
+        if responses(&model, frequency)[0].norm() < 1e-18 {
+            continue;
+        }
+        let (error, at) = worst_at(&model, frequency);
         // The effect of the solver's rounding on its differences.
-        assert!(error < 1e-4, "{tried}, {frequency} Hz: {error:.1e} at {at}");
+        assert!(error < 3e-4, "{tried}, {frequency} Hz: {error:.1e} at {at}");
         tried += 1;
     }
 }

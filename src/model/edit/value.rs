@@ -6,7 +6,9 @@ use crate::model::id::{Group, ParameterId, SupportId};
 use crate::model::path;
 use crate::model::schema::{self, Access, Key, Kind, Rows};
 use crate::model::toml_literal::format_number;
-use crate::model::types::{BeamMotion, Elastic, Model, Point, Quantity, Restraint, Support};
+use crate::model::types::{
+    BeamMotion, Elastic, Link, Model, Point, Quantity, Restraint, Spring, Support,
+};
 
 /// The value of a parameter.
 #[derive(Debug, Clone, PartialEq)]
@@ -123,6 +125,11 @@ pub fn get(model: &Model, id: ParameterId) -> Result<Value, String> {
             Restraint::Fixed => return Err(fixed(model, support, motion, id.key())),
             held => schema::elastic(motion).get(row, &held.elastic()),
         },
+        Group::Joint(index) => schema::JOINT.get(row, &model.joints[index]),
+        Group::Link(joint, motion) => match model.joints[joint][motion] {
+            Link::Rigid => return Err(rigid(model, joint, motion, id.key())),
+            joined => schema::link(motion).get(row, &joined.spring()),
+        },
         Group::Subsystem(index) => schema::SUBSYSTEM.get(row, &model.subsystems[index]),
         Group::Force(index) => schema::FORCE.get(row, &model.forces[index]),
         Group::Response(index) => schema::RESPONSE.get(row, &model.responses[index]),
@@ -154,6 +161,10 @@ fn own(model: &Model, id: ParameterId) -> Result<Value, String> {
                     .map_or_else(|| support.kind(), |motion| support[motion].kind()),
             )
         }
+        (Group::Joint(joint), _) => {
+            let link = id.motion().map(|motion| model.joints[joint][motion]);
+            Value::Choice(link.unwrap_or_default().kind())
+        }
         (Group::Response(index), Kind::Measure) => {
             Value::Choice(target::measure(&model.responses[index].quantity))
         }
@@ -168,6 +179,12 @@ fn fixed(model: &Model, support: SupportId, motion: BeamMotion, key: &Key) -> St
     format!(
         "{motion} is fixed there, so it has no {key}; {restraint} must be free or elastic first"
     )
+}
+
+fn rigid(model: &Model, joint: usize, motion: BeamMotion, key: &Key) -> String {
+    let link = path::text(model, ParameterId::link(joint, motion));
+    let (motion, key) = (motion.key(), key.key);
+    format!("{motion} is rigid there, so it has no {key}; {link} must be free or elastic first")
 }
 
 /// Writes a value, without a check of the result.
@@ -201,6 +218,14 @@ pub fn put(model: &mut Model, id: ParameterId, value: Value) -> Result<(), Strin
             }
         }
         (Group::Motion(support, motion), _) => put_spring(model, support, motion, id, &value)?,
+        (Group::Joint(joint), _) => {
+            let joint = &mut model.joints[joint];
+            match id.motion() {
+                Some(motion) => put_link(&mut joint[motion], value.word()?)?,
+                None => schema::JOINT.set(row, joint, value)?,
+            }
+        }
+        (Group::Link(joint, motion), _) => put_coupling(model, joint, motion, id, &value)?,
         (Group::Model, _) => schema::MODEL.set(row, model, value)?,
         (Group::Beam, _) => schema::BEAM.set(row, &mut model.beam, value)?,
         (Group::Material, _) => schema::MATERIAL.set(row, &mut model.beam.material, value)?,
@@ -247,6 +272,36 @@ fn put_restraint(restraint: &mut Restraint, word: &str) -> Result<(), String> {
     // An elastic motion keeps its springs.
     if new.kind() != restraint.kind() {
         *restraint = new;
+    }
+    Ok(())
+}
+
+fn put_coupling(
+    model: &mut Model,
+    joint: usize,
+    motion: BeamMotion,
+    id: ParameterId,
+    value: &Value,
+) -> Result<(), String> {
+    let new = value.number()?;
+    let mut spring = match model.joints[joint][motion] {
+        Link::Elastic(spring) => spring,
+        // A free motion already has a stiffness and damping of 0.
+        Link::Free if new == 0.0 => return Ok(()),
+        Link::Free => Spring::default(),
+        Link::Rigid => return Err(rigid(model, joint, motion, id.key())),
+    };
+    schema::link(motion).set(id.row, &mut spring, Value::Number(new))?;
+    model.joints[joint][motion] = Link::Elastic(spring);
+    Ok(())
+}
+
+fn put_link(link: &mut Link, word: &str) -> Result<(), String> {
+    let new = Link::of_word(word)
+        .ok_or_else(|| format!("is {word:?}; must be rigid, free or elastic"))?;
+    // An elastic motion keeps its springs.
+    if new.kind() != link.kind() {
+        *link = new;
     }
     Ok(())
 }

@@ -11,11 +11,12 @@ use crate::model::id::{Group, ParameterId, SupportId};
 use crate::model::types::Model;
 
 /// The first words of paths.
-const ROOTS: [&str; 9] = [
+const ROOTS: [&str; 10] = [
     "title",
     "notes",
     "beam",
     "supports",
+    "joints",
     "subsystems",
     "forces",
     "responses",
@@ -74,7 +75,7 @@ impl<'a> Finder<'a> {
         // A star for a motion or a response skips those without the parameter.
         let lenient = match owners.first() {
             Some(Group::Support(SupportId::Inner(_))) => star(3),
-            Some(Group::Support(_)) => star(2),
+            Some(Group::Support(_) | Group::Joint(_)) => star(2),
             Some(Group::Response(_)) => star(1),
             _ => false,
         };
@@ -109,13 +110,8 @@ impl<'a> Finder<'a> {
                 model.subsystems.iter().map(|of| &*of.name),
                 |name| self.subsystem(name),
             ),
-            "forces" => {
-                let numbers: Vec<String> = (1..=model.forces.len())
-                    .map(|number| number.to_string())
-                    .collect();
-                let numbers = numbers.iter().map(|number| &**number);
-                element(parts, 1, Group::Force, numbers, |_| None)
-            }
+            "joints" => numbered(parts, Group::Joint, model.joints.len()),
+            "forces" => numbered(parts, Group::Force, model.forces.len()),
             "responses" => {
                 let names = model.responses.iter().map(|of| &*of.name);
                 element(parts, 1, Group::Response, names.clone(), |name| {
@@ -177,6 +173,17 @@ fn support(part: Option<&Part>) -> Result<(Vec<Group>, usize), Mismatch> {
         });
     }
     Ok((found, 2))
+}
+
+/// The elements of a list without names that the second part of a path matches.
+fn numbered(
+    parts: &[Part],
+    owner: impl Fn(usize) -> Group,
+    count: usize,
+) -> Result<(Vec<Group>, usize), Mismatch> {
+    let numbers: Vec<String> = (1..=count).map(|number| number.to_string()).collect();
+    let numbers = numbers.iter().map(|number| &**number);
+    element(parts, 1, owner, numbers, |_| None)
 }
 
 /// The elements of a list that the part at the index `at` of a path matches.

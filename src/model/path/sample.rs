@@ -2,9 +2,9 @@
 
 use crate::model::tuning::{Aim, Combine, Hold, Objective, Tune, Variable};
 use crate::model::types::{
-    Beam, BeamMotion, Case, Elastic, Family, Force, InnerSupport, MassMotion, Material, Model,
-    Operation, Place, Quantity, Response, Restraint, Section, Spacing, Spring, Study, Subsystem,
-    Support, Supports, Sweep, Target,
+    Beam, BeamMotion, Case, Elastic, Family, Force, InnerSupport, Joint, Link, MassMotion,
+    Material, Model, Operation, Place, Quantity, Response, Restraint, Section, Spacing, Spring,
+    Study, Subsystem, Support, Supports, Sweep, Target,
 };
 use crate::unit::Measure;
 
@@ -17,6 +17,7 @@ pub(in crate::model) fn model(names: &[&str]) -> Model {
         notes: String::new(),
         beam: beam(),
         supports: supports(),
+        joints: joints(),
         subsystems: names
             .iter()
             .enumerate()
@@ -117,6 +118,24 @@ fn supports() -> Supports {
         support: bearing,
     }];
     Supports { left, right, inner }
+}
+
+fn joints() -> Vec<Joint> {
+    let mut hinge = Joint {
+        position: 2.1,
+        ..Joint::default()
+    };
+    hinge[BeamMotion::WSlope] = Link::Free;
+    let mut coupling = Joint {
+        position: 0.7,
+        ..Joint::default()
+    };
+    coupling[BeamMotion::Psi] = Link::Elastic(Spring {
+        stiffness: 3.0e5,
+        damping: 12.0,
+        loss_factor: 0.02,
+    });
+    vec![hinge, coupling]
 }
 
 fn subsystem(name: &str, position: f64) -> Subsystem {

@@ -17,7 +17,7 @@ pub(super) struct Mismatch {
 
 /// The message for a path that matches nothing.
 pub(super) fn explain(finder: &Finder<'_>, mut parts: Vec<Part>, mismatch: Mismatch) -> String {
-    let listed = listed(&mismatch.known, parts[0].word() != "forces");
+    let listed = listed(&mismatch.known, !is_numbered(&parts[0]));
     if mismatch.known.is_empty() && mismatch.at == place_of_element(&parts) {
         let list = match parts[0].word() {
             "supports" => "inner supports",
@@ -47,7 +47,7 @@ fn nearest_path(finder: &Finder<'_>, parts: &mut [Part], mut mismatch: Mismatch)
     for _ in 0..parts.len() {
         let element = mismatch.at == place_of_element(parts);
         // All numbers are equally near.
-        if element && parts[0].means("forces") {
+        if element && is_numbered(&parts[0]) {
             return None;
         }
         let word = nearest(
@@ -68,10 +68,15 @@ fn nearest_path(finder: &Finder<'_>, parts: &mut [Part], mut mismatch: Mismatch)
     None
 }
 
+/// Whether the elements of a list have numbers instead of names.
+fn is_numbered(list: &Part) -> bool {
+    matches!(list.word(), "joints" | "forces")
+}
+
 /// The index of the part that names the element of a list; 0 if a path leads into no list.
 fn place_of_element(parts: &[Part]) -> usize {
     match parts[0].word() {
-        "subsystems" | "forces" | "responses" | "studies" => 1,
+        "joints" | "subsystems" | "forces" | "responses" | "studies" => 1,
         _ if is_inner(parts) => 2,
         _ => 0,
     }

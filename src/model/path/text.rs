@@ -39,7 +39,7 @@ pub(super) fn parts(id: ParameterId) -> impl Iterator<Item = &'static str> {
         Group::Material => Some("material"),
         Group::Section => Some("section"),
         Group::Foundation => Some("foundation"),
-        Group::Motion(_, motion) => Some(motion.key()),
+        Group::Motion(_, motion) | Group::Link(_, motion) => Some(motion.key()),
         _ => None,
     };
     inner.into_iter().chain(id.key().key.split('.'))
@@ -70,6 +70,7 @@ fn owner(model: &Model, owner: Group) -> String {
             let key = names(model, owner, |names| element_key(names, i));
             format!("{}.{key}", list_key(owner))
         }
+        Group::Joint(i) => format!("joints.{}", i + 1),
         Group::Force(i) => format!("forces.{}", i + 1),
         other => list_key(other).to_owned(),
     }

@@ -1,10 +1,12 @@
 //! The parts of a model file: beam, supports, subsystems, sweep.
 
 use super::super::id::SupportId;
-use super::super::schema::{self, Access, FEWEST_POINTS, MATERIAL, Rows, SECTION, SUBSYSTEM};
+use super::super::schema::{
+    self, Access, FEWEST_POINTS, JOINT, MATERIAL, Rows, SECTION, SUBSYSTEM,
+};
 use super::super::types::{
-    Beam, BeamMotion, Elastic, InnerSupport, Model, Restraint, Spacing, Subsystem, Support,
-    Supports, Sweep,
+    Beam, BeamMotion, Elastic, InnerSupport, Joint, Link, Model, Restraint, Spacing, Spring,
+    Subsystem, Support, Supports, Sweep,
 };
 use super::list::{named, names};
 use super::loads;
@@ -27,6 +29,7 @@ pub(super) fn model(mut root: Table<'_>, others: &[&str], reader: &mut Reader) -
     root.rows(&mut model, &schema::MODEL, reader, no_own);
     model.beam = beam(&mut root, reader);
     model.supports = supports(&mut root, reader);
+    model.joints = joints(&mut root, reader);
     let (subsystems, names) = subsystems(&mut root, reader);
     model.subsystems = subsystems;
     let names: Vec<&str> = names.into_iter().chain(others.iter().copied()).collect();
@@ -170,6 +173,51 @@ fn restraint(path: &str, node: Node<'_>, motion: BeamMotion, reader: &mut Reader
         table.finish(reader);
     }
     Restraint::Elastic(elastic)
+}
+
+fn joints(root: &mut Table<'_>, reader: &mut Reader) -> Vec<Joint> {
+    let list = root.list("joints", "tables", reader);
+    let mut joints = Vec::new();
+    for (index, node) in list.into_iter().enumerate() {
+        let mut joint = blank(&JOINT);
+        if let Some(mut table) = Table::open(format!("joints.{}", index + 1), node, reader) {
+            table.rows(&mut joint, &JOINT, reader, no_own);
+            for motion in BeamMotion::ALL {
+                if let Some((path, node)) = table.take(motion.key(), reader) {
+                    joint[motion] = link(&path, node, motion, reader);
+                }
+            }
+            table.finish(reader);
+        } else {
+            // An unreadable joint is not one that joins everything.
+            joint.links = [Link::Free; 6];
+        }
+        joints.push(joint);
+    }
+    joints
+}
+
+fn link(path: &str, node: Node<'_>, motion: BeamMotion, reader: &mut Reader) -> Link {
+    const ACCEPTED: &str = "\"rigid\", \"free\" or a table of stiffness, damping and loss_factor";
+    let word = node.get_ref().as_str().and_then(Link::of_word);
+    match (word, node.get_ref()) {
+        (Some(joined @ (Link::Rigid | Link::Free)), _) => return joined,
+        (_, DeValue::Table(_)) => {}
+        (_, other) => {
+            let message = match other {
+                DeValue::String(word) => format!("is {}; must be {ACCEPTED}", quoted(word)),
+                _ => wrong_type(node, ACCEPTED),
+            };
+            reader.fault(node.span().start, path, message);
+            return Link::Free;
+        }
+    }
+    let mut spring = Spring::default();
+    if let Some(mut table) = Table::open(path.to_owned(), node, reader) {
+        table.rows(&mut spring, schema::link(motion), reader, no_own);
+        table.finish(reader);
+    }
+    Link::Elastic(spring)
 }
 
 fn subsystems<'a>(root: &mut Table<'a>, reader: &mut Reader) -> (Vec<Subsystem>, Vec<&'a str>) {

@@ -2,8 +2,8 @@
 
 use super::{Access, BLANK, Key, Kind, Range, Rows};
 use crate::model::types::{
-    Beam, BeamMotion, Elastic, Force, Foundation, InnerSupport, Material, Model, Response, Section,
-    Spacing, Study, Subsystem, Support, Sweep, Theory,
+    Beam, BeamMotion, Elastic, Force, Foundation, InnerSupport, Joint, Material, Model, Response,
+    Section, Spacing, Spring, Study, Subsystem, Support, Sweep, Theory,
 };
 use crate::unit::Unit;
 
@@ -140,6 +140,55 @@ pub const fn elastic(motion: BeamMotion) -> &'static Rows<Elastic> {
         BeamMotion::W | BeamMotion::V => &ELASTIC_TRANSLATION,
         BeamMotion::Psi | BeamMotion::WSlope | BeamMotion::VSlope => &ELASTIC_ROTATION,
         BeamMotion::PsiSlope => &ELASTIC_WARPING,
+    }
+}
+
+rows! {
+    /// A joint: its position, then each motion in the order of [`BeamMotion::ALL`].
+    JOINT of Joint as JointKey {
+        Position = number("position", "x", METRE, NonNegative, "position, from the left end", position),
+        W = own("w", Link, "link of w, the displacement along y, of both sides"),
+        Psi = own("psi", Link, "link of psi, the twist about x, of both sides"),
+        V = own("v", Link, "link of v, the displacement along z, of both sides"),
+        WSlope = own("w_slope", Link, "link of the slope of w of both sides; free: a hinge"),
+        PsiSlope = own("psi_slope", Link, "link of the rate of twist of both sides; free: no bimoment"),
+        VSlope = own("v_slope", Link, "link of the slope of v of both sides; free: a hinge"),
+    }
+}
+
+rows! {
+    /// The elastic link of w or v.
+    LINK_TRANSLATION of Spring as LinkKey {
+        Stiffness = spring("stiffness", "K", STIFFNESS, "spring between both sides", stiffness),
+        Damping = spring("damping", "C", DAMPING, "damper between both sides", damping),
+        LossFactor = number("loss_factor", "eta", ONE, NonNegative or 0.0, "loss factor of the spring", loss_factor),
+    }
+}
+
+rows! {
+    /// The elastic link of a motion about an axis: psi and the slopes of w and v.
+    LINK_ROTATION of Spring {
+        spring("stiffness", "K_T", ROTATIONAL_STIFFNESS, "rotational spring between both sides", stiffness),
+        spring("damping", "C_T", ROTATIONAL_DAMPING, "rotational damper between both sides", damping),
+        number("loss_factor", "eta", ONE, NonNegative or 0.0, "loss factor of the spring", loss_factor),
+    }
+}
+
+rows! {
+    /// The elastic link of the rate of twist, i.e. of warping.
+    LINK_WARPING of Spring {
+        spring("stiffness", "K_B", WARPING_STIFFNESS, "spring between the warping of both sides", stiffness),
+        spring("damping", "C_B", WARPING_DAMPING, "damper between the warping of both sides", damping),
+        number("loss_factor", "eta", ONE, NonNegative or 0.0, "loss factor of the spring", loss_factor),
+    }
+}
+
+/// The elastic link of a motion.
+pub const fn link(motion: BeamMotion) -> &'static Rows<Spring> {
+    match motion {
+        BeamMotion::W | BeamMotion::V => &LINK_TRANSLATION,
+        BeamMotion::Psi | BeamMotion::WSlope | BeamMotion::VSlope => &LINK_ROTATION,
+        BeamMotion::PsiSlope => &LINK_WARPING,
     }
 }
 

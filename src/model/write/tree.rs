@@ -2,11 +2,11 @@
 
 use super::super::id::SupportId;
 use super::super::schema::{
-    self, Access, FORCE, Key, Kind, MATERIAL, RESPONSE, Rows, SECTION, SUBSYSTEM, SWEEP,
+    self, Access, FORCE, JOINT, Key, Kind, MATERIAL, RESPONSE, Rows, SECTION, SUBSYSTEM, SWEEP,
 };
 use super::super::types::{
-    BeamMotion, Case, Family, Force, Foundation, InnerSupport, Model, Place, Quantity, Response,
-    Restraint, Study, Subsystem, Support, Supports, Target,
+    BeamMotion, Case, Family, Force, Foundation, InnerSupport, Joint, Link, Model, Place, Quantity,
+    Response, Restraint, Study, Subsystem, Support, Supports, Target,
 };
 use super::node::{Entry, Node, Presence};
 use super::tuning;
@@ -47,6 +47,7 @@ pub(super) fn model(model: &Model, original: &Table) -> Vec<Entry> {
     root.extend([
         entry("beam", Node::Table(beam(model))),
         supports(&model.supports, original),
+        tables("joints", model.joints.iter().map(joint).collect()),
         tables(
             "subsystems",
             model.subsystems.iter().map(subsystem).collect(),
@@ -199,15 +200,32 @@ fn support(support: &Support, original: Option<&dyn TableLike>) -> Vec<Entry> {
     entries
 }
 
+/// The order of the motions in a file.
+const ORDER: [BeamMotion; 6] = [
+    BeamMotion::W,
+    BeamMotion::V,
+    BeamMotion::Psi,
+    BeamMotion::WSlope,
+    BeamMotion::VSlope,
+    BeamMotion::PsiSlope,
+];
+
+fn joint(joint: &Joint) -> Vec<Entry> {
+    let mut entries = rows(joint, &JOINT);
+    entries.extend(ORDER.map(|motion| match &joint[motion] {
+        joined @ (Link::Rigid | Link::Free) => {
+            let word = Node::Text(joined.kind().to_owned());
+            optional(motion.key(), word, *joined == Link::Rigid)
+        }
+        Link::Elastic(spring) => entry(
+            motion.key(),
+            Node::Inline(rows(spring, schema::link(motion))),
+        ),
+    }));
+    entries
+}
+
 fn restraints(support: &Support) -> Vec<Entry> {
-    let order = [
-        BeamMotion::W,
-        BeamMotion::V,
-        BeamMotion::Psi,
-        BeamMotion::WSlope,
-        BeamMotion::VSlope,
-        BeamMotion::PsiSlope,
-    ];
     let restraint = |motion: BeamMotion| match &support[motion] {
         held @ (Restraint::Free | Restraint::Fixed) => {
             let word = Node::Text(held.kind().to_owned());
@@ -218,7 +236,7 @@ fn restraints(support: &Support) -> Vec<Entry> {
             Node::Inline(rows(elastic, schema::elastic(motion))),
         ),
     };
-    order.map(restraint).into()
+    ORDER.map(restraint).into()
 }
 
 fn subsystem(subsystem: &Subsystem) -> Vec<Entry> {

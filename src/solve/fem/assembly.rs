@@ -4,7 +4,7 @@ use num_complex::Complex64;
 
 use super::beam_element::{BeamElement, Row, UNKNOWNS};
 use super::mesh::{Dof, Mesh, Unknown};
-use crate::model::{BeamMotion, Measure, Restraint, Spring, Subsystem};
+use crate::model::{BeamMotion, Link, Measure, Restraint, Spring, Subsystem};
 use crate::solve::layout::{Layout, Reading};
 
 /// The resistance to a stretch: the terms of its complex stiffness.
@@ -21,6 +21,16 @@ pub(super) struct Resistance {
 }
 
 impl Resistance {
+    /// That of a spring and a damper.
+    fn of(spring: Spring) -> Self {
+        Self {
+            stiffness: spring.stiffness,
+            hysteresis: spring.stiffness * spring.loss_factor,
+            damping: spring.damping,
+            ..Self::default()
+        }
+    }
+
     /// (1 + i eta) `k_beam` + `k_spring` (1 + i `eta_spring`) + i omega c.
     pub(super) fn at(&self, omega: f64, loss_factor: f64) -> Complex64 {
         Complex64::new(
@@ -94,6 +104,7 @@ impl System {
         };
         system.add_elements(layout, &mesh, divisions);
         system.add_supports(layout, &mesh);
+        system.add_joints(layout, &mesh);
         system.add_subsystems(layout, &mesh);
         let among = |stretch: &Stretch| {
             let used = || stretch.pairs().map(|(unknown, _)| unknown);
@@ -194,16 +205,10 @@ impl System {
                 .filter(|m| !layout.holds(support, *m))
             {
                 if let Restraint::Elastic(elastic) = support[motion] {
-                    let numbers = &mesh.nodes[node].of_left_element;
+                    let numbers = &mesh.nodes[node].acted_on;
                     let moved = [numbers[motion as usize], numbers[BeamMotion::Psi as usize]];
                     let factors = [1.0, support.point.arm(motion).unwrap_or_default()];
-                    let by = Resistance {
-                        stiffness: elastic.stiffness,
-                        hysteresis: elastic.stiffness * elastic.loss_factor,
-                        damping: elastic.damping,
-                        ..Resistance::default()
-                    };
-                    self.add_stretch(&moved, &factors, by);
+                    self.add_stretch(&moved, &factors, Resistance::of(elastic.into()));
                     for (row, by_row) in moved.into_iter().zip(factors) {
                         for (column, by_column) in moved.into_iter().zip(factors) {
                             self.add_inertia(row, column, elastic.inertia * by_row * by_column);
@@ -214,22 +219,32 @@ impl System {
         }
     }
 
+    /// Springs and dampers of the joints, over a motion of both sides.
+    fn add_joints(&mut self, layout: &Layout, mesh: &Mesh) {
+        for &(place, joint) in &layout.joints {
+            let node = &mesh.nodes[mesh.places[place]];
+            for motion in BeamMotion::ALL {
+                // Without warping stiffness no joint acts on the rate of twist.
+                let idle = motion == BeamMotion::PsiSlope && layout.without_warping();
+                if let (Link::Elastic(spring), false) = (joint[motion], idle) {
+                    let row = motion as usize;
+                    let sides = [node.of_left_element[row], node.acted_on[row]];
+                    self.add_stretch(&sides, &[-1.0, 1.0], Resistance::of(spring));
+                }
+            }
+        }
+    }
+
     /// The masses on their four springs, over (y, z, theta | w, psi, v) (Chen & Liu 2022, Appendix E).
     fn add_subsystems(&mut self, layout: &Layout, mesh: &Mesh) {
         for (mass, numbers) in layout.masses.iter().zip(&mesh.masses) {
-            let node = &mesh.nodes[mesh.places[mass.place]].of_left_element;
+            let node = &mesh.nodes[mesh.places[mass.place]].acted_on;
             let all = [
                 numbers[0], numbers[1], numbers[2], node[0], node[1], node[2],
             ];
             let s = mass.subsystem;
             for (spring, stretch) in springs(s) {
-                let by = Resistance {
-                    stiffness: spring.stiffness,
-                    hysteresis: spring.stiffness * spring.loss_factor,
-                    damping: spring.damping,
-                    ..Resistance::default()
-                };
-                self.add_stretch(&all, &stretch, by);
+                self.add_stretch(&all, &stretch, Resistance::of(spring));
             }
             for (unknown, inertia) in numbers.iter().zip([s.mass, s.mass, s.inertia]) {
                 self.add_inertia(*unknown, *unknown, inertia);
@@ -304,7 +319,7 @@ fn loads(layout: &Layout, mesh: &Mesh) -> Vec<Complex64> {
         }
     };
     for (&node, load) in mesh.places.iter().zip(&layout.loads) {
-        add(&mesh.nodes[node].of_left_element, load);
+        add(&mesh.nodes[node].acted_on, load);
     }
     for (mass, numbers) in layout.masses.iter().zip(&mesh.masses) {
         add(numbers, &mass.load);
@@ -329,9 +344,9 @@ fn source(mesh: &Mesh, reading: Reading) -> Source {
             let node = &mesh.nodes[mesh.places[place]];
             let row = direction as usize;
             let terms = [
-                (node.of_left_element[row], 0.5),
+                (node.acted_on[row], 0.5),
                 (node.of_right_element[row], 0.5),
-                (node.of_left_element[BeamMotion::Psi as usize], arm),
+                (node.acted_on[BeamMotion::Psi as usize], arm),
             ];
             Source::Motion(sum(&terms), measure)
         }

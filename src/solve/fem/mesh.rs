@@ -1,6 +1,6 @@
 //! Nodes and the numbers of their unknowns.
 
-use crate::model::{BeamMotion, Subsystem};
+use crate::model::{BeamMotion, Link, Subsystem};
 use crate::solve::layout::Layout;
 
 /// A motion as an unknown times a factor; `None` if a support fixes it.
@@ -14,11 +14,15 @@ pub(super) struct Dof {
     pub(super) factor: f64,
 }
 
-/// A node: the numbers of (w, psi, v, w', psi', v') for the elements on its two sides.
+/// A node: the numbers of (w, psi, v, w', psi', v') for the elements on its two sides and for what acts on it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Node {
+    /// Differs from the next only in the motions that a joint releases.
     pub(super) of_left_element: [Unknown; 6],
-    /// Differs only in psi', and only without warping stiffness: a torque makes the rate of twist jump there.
+    /// For supports, masses, loads and responses: right of a joint.
+    pub(super) acted_on: [Unknown; 6],
+    /// Differs from the one before only in psi', and only without warping stiffness: a torque makes the rate of twist jump
+    /// there.
     pub(super) of_right_element: [Unknown; 6],
 }
 
@@ -54,6 +58,7 @@ impl Mesh {
                     let numbers = BeamMotion::ALL.map(|_| Some(mesh.next()));
                     mesh.nodes.push(Node {
                         of_left_element: numbers,
+                        acted_on: numbers,
                         of_right_element: numbers,
                     });
                 }
@@ -105,8 +110,19 @@ impl Mesh {
         if layout.without_warping() && layout.end(place).is_none() {
             of_right_element[BeamMotion::PsiSlope as usize] = Some(self.next());
         }
+        let mut of_left_element = numbers;
+        for (_, joint) in layout.joints.iter().filter(|(own, _)| *own == place) {
+            for motion in BeamMotion::ALL {
+                // Without warping stiffness the rate of twist already has an unknown on each side.
+                let idle = motion == BeamMotion::PsiSlope && layout.without_warping();
+                if joint[motion] != Link::Rigid && !idle {
+                    of_left_element[motion as usize] = Some(self.next());
+                }
+            }
+        }
         self.nodes.push(Node {
-            of_left_element: numbers,
+            of_left_element,
+            acted_on: numbers,
             of_right_element,
         });
         for mass in layout.masses.iter().filter(|mass| mass.place == place) {

@@ -14,7 +14,8 @@
 //!
 //! Without warping stiffness (`Gamma_0` = 0) the elements are the same without the term of psi''. A torque then makes
 //! the rate of twist jump, so each position inside the beam has two unknowns psi', and a response reads their mean; a
-//! restraint of psi' at an end does not affect the twist next to it.
+//! restraint of psi' at an end does not affect the twist next to it. A joint has two unknowns for each motion that it
+//! releases, with the stretch of its spring between them; everything else at its position is on the right one.
 
 mod assembly;
 mod band;

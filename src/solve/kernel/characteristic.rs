@@ -1,9 +1,10 @@
 //! The characteristic function of a model at several complex frequencies at once.
 //!
 //! The same entire function of omega as in [`crate::solve::modes`], which explains it, up to a constant factor: `F =
-//! det(left) det(right) prod(det(support)) prod(omega^4 det(station)) exp(L sum kappa)`. The determinant of the right end is that for b' =
+//! det(left) det(right) prod(det(support)) prod(det(joint)) prod(omega^4 det(station)) exp(L sum kappa)`. The determinant of the right end is that for b' =
 //! N^-1 b, so it is already divided by `det[Q; M] det[S; P]`, the product of the entries of N^-1.
 
+use super::action::{Acting, Actions};
 use super::complex::Complex;
 use super::elementary::decay;
 use super::ends::{reflection_with, right_determinant};
@@ -12,7 +13,6 @@ use super::product::ScaledProduct;
 use super::recursion::{Prepared, Room};
 use super::reflection::Side;
 use super::station::{Forces, Unknowns};
-use super::support::{Passed, Reactions};
 use super::waves::Waves;
 use crate::solve::linear::Magnified;
 use crate::solve::plan::Event;
@@ -38,7 +38,7 @@ impl<A: Arithmetic> Room<A> {
         let square = waves.omega * waves.omega;
         let fourth = square * square;
         let mut forces = Forces::NONE;
-        let mut reactions = Reactions::NONE;
+        let mut actions = Actions::NONE;
         let mut at = reflection_with(waves, &plan.left, Side::Left, Some(&mut product));
         for (station, &span) in plan.stations.iter().zip(&plan.spans) {
             at.propagate(&this.decays[span]);
@@ -53,13 +53,12 @@ impl<A: Arithmetic> Room<A> {
                     product.times(fourth);
                 }
                 Event::Support(held) => {
-                    let passed = Passed {
-                        held,
-                        side: Side::Left,
-                        reactions: &mut reactions,
-                        determinant: Some(&mut product),
-                    };
-                    at.hold(waves, passed);
+                    let acting = (Acting::Support(held), Side::Left);
+                    at.act(waves, acting, &mut actions, Some(&mut product));
+                }
+                Event::Joint(joined) => {
+                    let acting = (Acting::Joint(joined), Side::Left);
+                    at.act(waves, acting, &mut actions, Some(&mut product));
                 }
                 Event::Load(_) | Event::Probe => {}
             }

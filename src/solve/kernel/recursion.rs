@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::action::{Acting, Actions};
 use super::complex::Complex;
 use super::elementary::decay;
 use super::ends::{reflection, right_end};
@@ -10,7 +11,6 @@ use super::number::{Arithmetic, Real, part};
 use super::read::{Part, State};
 use super::reflection::{Amplitudes, Jumps, Reflection, Side};
 use super::station::{Forces, Turn, Unknowns, sent, stretches};
-use super::support::{Passed, Reactions};
 use super::waves::{Constants, Waves};
 use crate::model::BeamMotion;
 use crate::solve::plan::{Event, Output, Plan};
@@ -24,8 +24,8 @@ pub(in crate::solve) struct Prepared {
     pub(super) reads: Vec<Option<usize>>,
     /// Stations where a response is read.
     read: usize,
-    /// Whether a support holds the beam between its ends.
-    has_supports: bool,
+    /// Whether a support or joint acts on the beam between its ends.
+    has_actions: bool,
 }
 
 impl Prepared {
@@ -63,7 +63,8 @@ impl Prepared {
         let reads = is_read.into_iter().map(number).collect();
         Self {
             constants: Constants::new(&plan.beam),
-            has_supports: (plan.stations.iter()).any(|of| matches!(of.event, Event::Support(_))),
+            has_actions: (plan.stations.iter())
+                .any(|of| matches!(of.event, Event::Support(_) | Event::Joint(_))),
             plan,
             reads,
             read,
@@ -92,8 +93,8 @@ pub(super) struct Room<A> {
     start: Box<Reflection<A>>,
     /// The forces at each station with an attachment.
     pub(super) forces: Vec<Forces<A>>,
-    /// The forces of each support between the ends, by its station; empty without such a support.
-    pub(super) reactions: Vec<Reactions<A>>,
+    /// The actions of each support between the ends and of each joint, by its station; empty without any.
+    pub(super) actions: Vec<Actions<A>>,
     /// The reflection left of each station with outputs; of every station if the energy is requested.
     pub(super) lefts: Vec<Reflection<A>>,
     /// Theta at each station with outputs and an attachment.
@@ -109,7 +110,7 @@ impl<A: Arithmetic> Default for Room<A> {
             forms: Vec::new(),
             start: Box::new(Reflection::NONE),
             forces: Vec::new(),
-            reactions: Vec::new(),
+            actions: Vec::new(),
             lefts: Vec::new(),
             turns: Vec::new(),
             states: Vec::new(),
@@ -187,8 +188,8 @@ impl<A: Arithmetic> Room<A> {
             read
         };
         self.forces.resize(plan.stations.len(), Forces::NONE);
-        if prepared.has_supports {
-            self.reactions.resize(plan.stations.len(), Reactions::NONE);
+        if prepared.has_actions {
+            self.actions.resize(plan.stations.len(), Actions::NONE);
         }
         self.lefts.resize(lefts, Reflection::NONE);
         self.turns.resize(read, Turn::NONE);
@@ -275,13 +276,12 @@ impl<A: Arithmetic> Room<A> {
                 at.attach(waves, attachment, unknowns);
             }
             Event::Support(held) => {
-                let passed = Passed {
-                    held,
-                    side,
-                    reactions: &mut self.reactions[index],
-                    determinant: None,
-                };
-                at.hold(waves, passed);
+                let acting = Acting::Support(held);
+                at.act(waves, (acting, side), &mut self.actions[index], None);
+            }
+            Event::Joint(joined) => {
+                let acting = Acting::Joint(joined);
+                at.act(waves, (acting, side), &mut self.actions[index], None);
             }
             Event::Load(load) => at.load(waves, &Jumps::of_load(waves, load), side),
             Event::Probe => {}
@@ -346,11 +346,8 @@ impl<A: Arithmetic> Room<A> {
                 add(b, &sent);
                 sent
             }
-            Event::Support(held) => {
-                let jumps = self.reactions[index].sent(waves, held.support.point, b, true);
-                add(b, &jumps.sent(Side::Right));
-                jumps.sent(Side::Left)
-            }
+            Event::Support(held) => self.send(index, waves, Acting::Support(held), b),
+            Event::Joint(joined) => self.send(index, waves, Acting::Joint(joined), b),
             Event::Load(load) => {
                 let jumps = Jumps::of_load(waves, load);
                 add(b, &jumps.sent(Side::Right));
@@ -358,6 +355,20 @@ impl<A: Arithmetic> Room<A> {
             }
             Event::Probe => [Complex::ZERO; 6],
         }
+    }
+
+    /// The same over a support or joint.
+    #[inline(always)]
+    fn send(
+        &self,
+        index: usize,
+        waves: &Waves<A>,
+        acting: Acting<'_>,
+        b: &mut Amplitudes<A>,
+    ) -> Amplitudes<A> {
+        let jumps = self.actions[index].sent(waves, acting, b, true);
+        add(b, &jumps.sent(Side::Right));
+        jumps.sent(Side::Left)
     }
 
     /// Moves b' to the left over the span before a station; `start` is the reflection at the other end of the span.

@@ -133,12 +133,12 @@ impl Side {
     }
 }
 
-/// The effect of jumps of the internal forces and moments on the waves, before N.
+/// The effect of jumps of the internal forces and moments, or of the motions, on the waves, before N.
 #[derive(Debug, Clone)]
 pub(super) struct Jumps<A> {
-    /// Q^T f.
+    /// Q^T f, or -M^T t.
     even: Amplitudes<A>,
-    /// S^T m.
+    /// S^T m, or P^T u.
     odd: Amplitudes<A>,
 }
 
@@ -181,6 +181,28 @@ impl<A: Arithmetic> Jumps<A> {
         jumps
     }
 
+    /// The effect of jumps of the six motions over a joint, right minus left: `P^T u` of the displacements is odd and `-M^T t`
+    /// of the slopes even, by reciprocity with the jumps of forces and moments.
+    pub(super) fn of_motions(waves: &Waves<A>, jumps: &Amplitudes<A>) -> Self {
+        A::outlined(OfMotions((waves, jumps)))
+    }
+
+    #[inline(always)]
+    fn of_motions_inlined((waves, of): (&Waves<A>, &Amplitudes<A>)) -> Self {
+        let mut jumps = Self {
+            even: [Complex::ZERO; 6],
+            odd: [Complex::ZERO; 6],
+        };
+        for row in 0..3 {
+            for wave in 0..6 {
+                jumps.odd[wave] = jumps.odd[wave].plus_product(waves.force[row][wave], of[row]);
+                jumps.even[wave] =
+                    jumps.even[wave].minus_product(waves.moment[row][wave], of[row + 3]);
+            }
+        }
+        jumps
+    }
+
     /// What goes away from a reflection that looks to a side.
     #[inline(always)]
     pub(super) fn sent(&self, looking: Side) -> Amplitudes<A> {
@@ -217,4 +239,10 @@ part!(
     OfForces ['a, A: Arithmetic, const ALL: bool] ['a, A, ALL]
     (&'a Waves<A>, &'a Amplitudes<A>) -> Jumps<A>,
     Jumps::of_forces_inlined::<ALL>
+);
+
+part!(
+    OfMotions ['a, A: Arithmetic] ['a, A]
+    (&'a Waves<A>, &'a Amplitudes<A>) -> Jumps<A>,
+    Jumps::of_motions_inlined
 );

@@ -69,7 +69,9 @@ impl Room<One> {
                 motion: MassMotion::ALL
                     .map(|motion| state.mass(waves, attachment, motion, Part::Whole).lane(0)),
             },
-            Event::Support(_) | Event::Load(_) | Event::Probe => MassSolution::default(),
+            Event::Support(_) | Event::Joint(_) | Event::Load(_) | Event::Probe => {
+                MassSolution::default()
+            }
         });
         Solution {
             waves: waves.plain(),

@@ -19,8 +19,8 @@ use super::vectors::{Avx2, Avx512};
 use super::waves::{Constants, Waves};
 use super::{Instructions, Solver};
 use crate::model::{
-    BeamMotion, Elastic, Force, InnerSupport, MassMotion, Measure, Model, Place, Point, Quantity,
-    Response, Restraint, Support, Target, Theory, check, read,
+    BeamMotion, Elastic, Force, InnerSupport, Joint, Link, MassMotion, Measure, Model, Place,
+    Point, Quantity, Response, Restraint, Spring, Support, Target, Theory, check, read,
 };
 use crate::presets;
 use crate::solve::fem;
@@ -189,6 +189,9 @@ fn random_model(random: &mut fastrand::Rng) -> Model {
             point: crate::model::Point::AXIS,
         });
     }
+    for _ in 0..random.usize(0..3) {
+        model.joints.push(random_joint(random, model.beam.length));
+    }
     model
 }
 
@@ -240,6 +243,27 @@ fn random_support(random: &mut fastrand::Rng) -> Support {
     support.point.z = [0.0, 0.1][random.usize(0..2)];
     support.point.y = [0.0, 0.0, -0.07][random.usize(0..3)];
     support
+}
+
+fn random_joint(random: &mut fastrand::Rng, length: f64) -> Joint {
+    let spring = Spring {
+        stiffness: [1e4, 1e6, 1e9][random.usize(0..3)],
+        damping: 100.0,
+        loss_factor: [0.0, 0.2][random.usize(0..2)],
+    };
+    let mut joint = Joint {
+        position: length * some(random, 0.05, 0.95),
+        ..Joint::default()
+    };
+    for motion in BeamMotion::ALL {
+        joint[motion] = match random.u8(0..4) {
+            0 => Link::Free,
+            1 => Link::Elastic(spring),
+            _ => Link::Rigid,
+        };
+    }
+    joint[BeamMotion::ALL[random.usize(0..6)]] = Link::Elastic(spring);
+    joint
 }
 
 #[test]

@@ -21,7 +21,7 @@ use crate::model::{
 };
 use crate::solve::beam_matrices::Symmetric;
 use crate::solve::kernel::{Prepared, Solver, waves};
-use crate::solve::plan::Plan;
+use crate::solve::plan::{Output, Plan};
 use crate::solve::quadrature::{Node, nodes};
 use crate::solve::waves::BeamConstants;
 
@@ -88,10 +88,12 @@ impl<'a> Probe<'a> {
         let beam = BeamConstants::new(&model.beam);
         let waves = waves(&beam, omega);
         let inner = model.supports.inner.iter().map(|of| of.position);
+        let joints = model.joints.iter().map(|of| of.position);
         let mut stations: Vec<f64> = model
             .attached()
             .map(|of| of.position)
             .chain(inner)
+            .chain(joints)
             .collect();
         stations.sort_by(f64::total_cmp);
         Self {
@@ -134,7 +136,8 @@ impl<'a> Probe<'a> {
 
     /// No motion.
     pub(super) fn at_rest(&self) -> Motion {
-        self.motion(&vec![Complex64::ZERO; self.responses().len()])
+        let answers = self.responses().len() + lefts_of_joints(self.model);
+        self.motion(&vec![Complex64::ZERO; answers])
     }
 
     /// The positions along the beam in the order of [`Motion::beam`], m.
@@ -143,7 +146,7 @@ impl<'a> Probe<'a> {
         self.looked_at.iter().copied().chain(nodes)
     }
 
-    /// The outputs, in the order of [`Self::motion`].
+    /// The outputs, in the order of [`Self::motion`], which also needs the motions left of each joint.
     fn responses(&self) -> Vec<Response> {
         let mut targets = Vec::new();
         let on_axis = |target| response(target, Point::AXIS);
@@ -171,6 +174,10 @@ impl<'a> Probe<'a> {
             let of = |motion| on_axis(Target::Mass(subsystem.name.clone(), motion));
             targets.extend(MassMotion::ALL.map(of));
         }
+        for joint in &self.model.joints {
+            let place = Place::Position(joint.position);
+            targets.extend(BeamMotion::ALL.map(|motion| on_axis(Target::Beam(place, motion))));
+        }
         targets
     }
 
@@ -184,7 +191,10 @@ impl<'a> Probe<'a> {
         let read = self.read.len();
         let (beam, rest) = values.split_at(read * (self.looked_at.len() + self.nodes.len()));
         let (stations, rest) = rest.split_at(3 * self.model.attached().count());
-        let (supports, masses) = rest.split_at(6 * SupportId::all(self.model).count());
+        let (supports, rest) = rest.split_at(6 * SupportId::all(self.model).count());
+        let (masses, rest) = rest.split_at(3 * self.model.attached().count());
+        let (after, before) = rest.split_at(6 * self.model.joints.len());
+        let sides = after.chunks_exact(6).zip(before.chunks_exact(6));
         Motion {
             beam: beam
                 .chunks_exact(read)
@@ -194,6 +204,9 @@ impl<'a> Probe<'a> {
             supports: supports
                 .chunks_exact(6)
                 .map(|chunk| std::array::from_fn(|row| chunk[row]))
+                .collect(),
+            joints: sides
+                .map(|(after, before)| std::array::from_fn(|row| after[row] - before[row]))
                 .collect(),
             masses: triples(masses),
         }
@@ -278,9 +291,10 @@ impl Moments {
         // The imaginary parts are rounding, but would mix equal modes.
         let is_real = !is_damped(model);
         let count = loads.len();
+        let answers = responses.len() + lefts_of_joints(model);
         let form = |power: usize| {
             DMatrix::from_fn(count, count, |other, load| {
-                let moved = &integrals[load][power][responses.len()..];
+                let moved = &integrals[load][power][answers..];
                 let works = loads[other].iter().zip(moved);
                 let work: Complex64 = works.map(|(force, moved)| force.amplitude * moved).sum();
                 if is_real { work.re.into() } else { work }
@@ -291,7 +305,7 @@ impl Moments {
             forms: [form(0), form(1)],
             answers: integrals
                 .iter()
-                .map(|by_power| by_power[0][..responses.len()].to_vec())
+                .map(|by_power| by_power[0][..answers].to_vec())
                 .collect(),
             loads,
         }
@@ -355,8 +369,27 @@ impl Moments {
     }
 }
 
-/// Integrals along the circle, over 2 pi i, of the responses and of the motions at the loads, times 1 and times the
-/// point on the circle.
+/// The number of motions left of joints.
+fn lefts_of_joints(model: &Model) -> usize {
+    BeamMotion::ALL.len() * model.joints.len()
+}
+
+/// The motions just left of each joint, where no response is read.
+fn left_of_joints(plan: &Plan, model: &Model) -> Vec<Output> {
+    let stations = plan.joint_stations(model).into_iter();
+    let output = |station| {
+        BeamMotion::ALL.map(|motion| Output::Beam {
+            station,
+            motion,
+            arm: 0.0,
+            measure: Measure::Displacement,
+        })
+    };
+    stations.flat_map(output).collect()
+}
+
+/// Integrals along the circle, over 2 pi i, of the responses, of the motions left of the joints and of the motions at the
+/// loads, times 1 and times the point on the circle.
 fn integrals(
     model: &Model,
     responses: &[Response],
@@ -367,11 +400,14 @@ fn integrals(
     let own = forces
         .iter()
         .map(|force| response(force.target.clone(), force.point));
-    let prepared = Prepared::new(Plan::new(&Model {
+    let mut plan = Plan::new(&Model {
         forces: forces.to_vec(),
         responses: responses.iter().cloned().chain(own).collect(),
         ..model.clone()
-    }));
+    });
+    let lefts = left_of_joints(&plan, model);
+    plan.outputs.splice(responses.len()..responses.len(), lefts);
+    let prepared = Prepared::new(plan);
     let directions: Vec<Complex64> = circle.directions().collect();
     let omegas: Vec<Complex64> = directions
         .iter()

@@ -48,7 +48,7 @@ pub use types::{Completeness, Gap, Mode, ModeKind, Modes, Shape, Shares};
 
 use super::Cancelled;
 use super::springs::springs;
-use crate::model::{Checked, Model, Restraint, Spring, SupportId};
+use crate::model::{Checked, Link, Model, Restraint, Spring, SupportId};
 
 /// The number of undamped modes below a frequency (Hz, > 0), rigid-body modes included; `usize::MAX` if there are too
 /// many to count.
@@ -271,7 +271,10 @@ fn collected(counter: &wittrick_williams::Counter, to: f64, found: &damped::Foun
 fn is_hysteretic(model: &Model) -> bool {
     let beddings = model.beam.foundation.beddings();
     let supports = SupportId::all(model).flat_map(|id| id.support(model).restraints);
-    let springs = model.attached().flat_map(springs);
+    let links = model.joints.iter().flat_map(|joint| joint.links);
+    let springs = links
+        .map(Link::spring)
+        .chain(model.attached().flat_map(springs));
     let mut losses = std::iter::once(model.beam.material.loss_factor)
         .chain(beddings.map(|of| of.stiffness * of.loss_factor))
         .chain(supports.map(|of| Spring::from(of.elastic()).complex_stiffness().im))
@@ -306,16 +309,22 @@ fn with_damping_times(model: &Model, share: f64) -> Model {
             }
         }
     }
-    for subsystem in &mut model.subsystems {
-        for spring in [
+    let links = model.joints.iter_mut().flat_map(|joint| &mut joint.links);
+    let couplings = links.filter_map(|link| match link {
+        Link::Elastic(spring) => Some(spring),
+        Link::Rigid | Link::Free => None,
+    });
+    let springs = model.subsystems.iter_mut().flat_map(|subsystem| {
+        [
             &mut subsystem.y_left,
             &mut subsystem.y_right,
             &mut subsystem.z_left,
             &mut subsystem.z_right,
-        ] {
-            spring.damping *= share;
-            spring.loss_factor *= share;
-        }
+        ]
+    });
+    for spring in couplings.chain(springs) {
+        spring.damping *= share;
+        spring.loss_factor *= share;
     }
     model
 }

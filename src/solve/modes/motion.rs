@@ -1,4 +1,4 @@
-//! The motion of a whole model in a mode: the beam, its supports and the masses.
+//! The motion of a whole model in a mode: the beam, its supports and joints, and the masses.
 
 use num_complex::Complex64;
 
@@ -12,6 +12,8 @@ pub(super) struct Motion {
     pub(super) stations: Vec<[Complex64; 3]>,
     /// The six motions of the point of each support, the ends first.
     pub(super) supports: Vec<[Complex64; 6]>,
+    /// The jumps of the six motions over each joint, right minus left.
+    pub(super) joints: Vec<[Complex64; 6]>,
     /// (y, z, theta) of each enabled subsystem.
     pub(super) masses: Vec<[Complex64; 3]>,
 }
@@ -39,7 +41,7 @@ impl Motion {
 
     fn values_mut(&mut self) -> impl Iterator<Item = &mut Complex64> {
         let triples = self.stations.iter_mut().chain(&mut self.masses).flatten();
-        let all = self.beam.iter_mut().chain(&mut self.supports).flatten();
-        triples.chain(all)
+        let all = self.beam.iter_mut().chain(&mut self.supports);
+        triples.chain(all.chain(&mut self.joints).flatten())
     }
 }

@@ -73,6 +73,11 @@ fn products(model: &Model, nodes: &[Node], [a, b]: [&Motion; 2]) -> [Complex64; 
             damping += elastic.damping * product;
         }
     }
+    for (joint, (a, b)) in model.joints.iter().zip(a.joints.iter().zip(&b.joints)) {
+        for (link, (a, b)) in joint.links.iter().zip(a.iter().zip(b)) {
+            damping += link.spring().damping * a * b;
+        }
+    }
     for (index, subsystem) in model.attached().enumerate() {
         let moved = |motion: &Motion| [motion.masses[index], motion.stations[index]];
         let [[y, z, theta], _] = moved(a);

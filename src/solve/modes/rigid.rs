@@ -1,25 +1,43 @@
 //! The modes at frequency 0: motions of the beam and the masses that stretch no spring.
 
-use nalgebra::{DMatrix, SMatrix, SVector, SymmetricEigen};
-use num_complex::Complex64;
+use nalgebra::{DMatrix, DVector, Matrix3, SymmetricEigen};
 
-use super::station::{Mass, Restrained};
+use super::station::{Cut, Mass, Restrained};
 use crate::model::{Beam, BeamMotion, Bedding, Elastic, Model, Spring, Subsystem};
 use crate::solve::beam_matrices::BeamMatrices;
+
+/// The coordinates of a beam whose parts between its joints are rigid: (w, psi, v, w', v') at the left end, then the jump of
+/// each motion that a joint releases. A rigid part has no rate of twist.
+#[derive(Debug, Clone)]
+struct Coordinates {
+    /// m.
+    length: f64,
+    jumps: Vec<Jump>,
+}
+
+/// The jump of a motion over a joint, right minus left.
+#[derive(Debug, Clone, Copy)]
+struct Jump {
+    position: f64,
+    motion: BeamMotion,
+    spring: Spring,
+}
 
 /// A motion at frequency 0.
 #[derive(Debug, Clone)]
 pub(super) struct RigidMotion {
-    /// (w, psi, v, w', v') at the left end.
-    beam: SVector<f64, 5>,
+    coordinates: Coordinates,
+    /// The values of the coordinates.
+    beam: DVector<f64>,
     /// (y, z, theta) of each enabled subsystem.
     pub(super) masses: Vec<[f64; 3]>,
 }
 
 /// The modes at frequency 0: motions of the rigid beam and the masses that stretch no spring.
-pub(super) fn count(supports: &[Restrained], masses: &[Mass], beam: &Beam) -> usize {
+pub(super) fn count(supports: &[Restrained], cuts: &[Cut], masses: &[Mass], beam: &Beam) -> usize {
+    let coordinates = Coordinates::new(cuts, beam.length);
     let loose: usize = masses.iter().map(|mass| mass.condensed_static().1).sum();
-    loose + still(&stiffness(supports, masses, beam)).len()
+    loose + still(&coordinates.stiffness(supports, masses, beam)).len()
 }
 
 /// The modes at frequency 0 of a model, of modal mass 1 and orthogonal.
@@ -27,21 +45,29 @@ pub(super) fn motions(model: &Model) -> Vec<RigidMotion> {
     let warps = model.beam.section.warping_constant > 0.0;
     let supports = Restrained::all(model, warps);
     let masses: Vec<Mass> = model.attached().map(Mass::new).collect();
-    let of_beam = still(&stiffness(&supports, &masses, &model.beam));
+    let coordinates = Coordinates::new(&Cut::all(model, warps), model.beam.length);
+    let of_beam = still(&coordinates.stiffness(&supports, &masses, &model.beam));
+    let count = coordinates.count();
     let mut motions: Vec<RigidMotion> = of_beam
         .into_iter()
-        .map(|beam| RigidMotion {
-            masses: masses
+        .map(|beam| {
+            let mut motion = RigidMotion {
+                coordinates: coordinates.clone(),
+                beam,
+                masses: Vec::new(),
+            };
+            let following = masses
                 .iter()
-                .map(|mass| mass.following(&moved(&beam, mass.position)))
-                .collect(),
-            beam,
+                .map(|of| of.following(&motion.at(of.position)));
+            motion.masses = following.collect();
+            motion
         })
         .collect();
     for (index, mass) in masses.iter().enumerate() {
         for loose in mass.loose() {
             let mut motion = RigidMotion {
-                beam: SVector::zeros(),
+                coordinates: coordinates.clone(),
+                beam: DVector::zeros(count),
                 masses: vec![[0.0; 3]; masses.len()],
             };
             motion.masses[index] = loose;
@@ -79,7 +105,8 @@ pub(super) fn crept(model: &Model, least: f64) -> usize {
         })
         .collect();
     let supports = Restrained::all(model, model.beam.section.warping_constant > 0.0);
-    let bedding = on_foundation(&model.beam, |bedding| bedding.damping);
+    let coordinates = &motions[0].coordinates;
+    let bedding = coordinates.on_foundation(&model.beam, |bedding| bedding.damping);
     // The damping of each pair, and the magnitude of its terms: a sum that cancels counts as 0.
     let term = |i: usize, j: usize| {
         let (a, b) = (&motions[i], &motions[j]);
@@ -90,15 +117,20 @@ pub(super) fn crept(model: &Model, least: f64) -> usize {
         });
         let of_supports = supports
             .iter()
-            .flat_map(held_motions)
+            .flat_map(|of| coordinates.held_motions(of))
             .map(|(_, row, elastic)| {
                 let sum = elastic.damping * row.dot(&a.beam) * row.dot(&b.beam);
                 [sum, sum.abs()]
             });
         let add = |[sum, size]: [f64; 2], [more, its]: [f64; 2]| [sum + more, size + its];
-        let bedded = (a.beam.transpose() * bedding * b.beam)[(0, 0)];
+        let of_joints = a.jumps().zip(b.jumps()).map(|((jump, one), (_, other))| {
+            let sum = jump.spring.damping * one * other;
+            [sum, sum.abs()]
+        });
+        let bedded = a.beam.dot(&(&bedding * &b.beam));
         of_masses
             .chain(of_supports)
+            .chain(of_joints)
             .chain([[bedded, bedded.abs()]])
             .fold([0.0; 2], add)
     };
@@ -115,17 +147,32 @@ pub(super) fn crept(model: &Model, least: f64) -> usize {
 impl RigidMotion {
     /// (w, psi, v) at x.
     pub(super) fn at(&self, x: f64) -> [f64; 3] {
-        let [w, psi, v, ..] = rigid_motions(x).map(|row| row.dot(&self.beam));
+        let [w, psi, v, ..] = self.all_at(x);
         [w, psi, v]
     }
 
-    /// The six motions of the beam at x.
+    /// The six motions of the beam at x, right of a joint there.
     pub(super) fn all_at(&self, x: f64) -> [f64; 6] {
-        rigid_motions(x).map(|row| row.dot(&self.beam))
+        self.coordinates.rows(x).map(|row| row.dot(&self.beam))
+    }
+
+    /// The jumps of the six motions over a joint at a position, right minus left.
+    pub(super) fn jumps_at(&self, x: f64) -> [f64; 6] {
+        let mut all = [0.0; 6];
+        for (jump, by) in self.jumps().filter(|(jump, _)| jump.position == x) {
+            all[jump.motion as usize] = by;
+        }
+        all
+    }
+
+    /// Every jump with its value.
+    fn jumps(&self) -> impl Iterator<Item = (&Jump, f64)> {
+        let values = self.beam.iter().skip(AT_LEFT_END).copied();
+        self.coordinates.jumps.iter().zip(values)
     }
 
     fn add(&mut self, other: &Self, factor: f64) {
-        self.beam += factor * other.beam;
+        self.beam += factor * &other.beam;
         let own = self.masses.iter_mut().flatten();
         for (own, other) in own.zip(other.masses.iter().flatten()) {
             *own += factor * other;
@@ -157,16 +204,15 @@ fn orthonormal(
 
 /// `a^T M b`, closed form along the beam.
 fn mass(model: &Model, supports: &[Restrained], a: &RigidMotion, b: &RigidMotion) -> f64 {
-    let length = model.beam.length;
     let matrices = BeamMatrices::new(&model.beam);
-    let density = |x: f64| {
-        let [a, b] = [a, b].map(|motion| motion.all_at(x).map(Complex64::from));
-        matrices.inertia(&a, &b).re
-    };
-    // Simpson's rule is exact for the product of two straight lines.
-    let mean = (density(0.0) + 4.0 * density(0.5 * length) + density(length)) / 6.0;
-    let mut sum = length * mean;
-    for (_, row, elastic) in supports.iter().flat_map(held_motions) {
+    let coordinates = &a.coordinates;
+    let mut sum = 0.0;
+    for (weight, rows) in coordinates.nodes() {
+        let [a, b] = [a, b].map(|of| rows.each_ref().map(|row| row.dot(&of.beam).into()));
+        sum += weight * matrices.inertia(&a, &b).re;
+    }
+    let held = supports.iter().flat_map(|of| coordinates.held_motions(of));
+    for (_, row, elastic) in held {
         sum += elastic.inertia * row.dot(&a.beam) * row.dot(&b.beam);
     }
     for (subsystem, (p, q)) in model.attached().zip(a.masses.iter().zip(&b.masses)) {
@@ -175,99 +221,161 @@ fn mass(model: &Model, supports: &[Restrained], a: &RigidMotion, b: &RigidMotion
     sum
 }
 
-/// (w, psi, v) at x.
-fn moved(beam: &SVector<f64, 5>, x: f64) -> [f64; 3] {
-    let [w, psi, v, ..] = rigid_motions(x).map(|row| row.dot(beam));
-    [w, psi, v]
-}
+/// The coordinates at the left end.
+const AT_LEFT_END: usize = 5;
 
-/// The stiffness over (w, psi, v, w', v') of a rigid beam at its left end, while its masses follow.
-///
-/// An axial force resists a slope, or turns the beam further; both are no motion at frequency 0.
-fn stiffness(supports: &[Restrained], masses: &[Mass], beam: &Beam) -> SMatrix<f64, 5, 5> {
-    // A rigid beam has no rate of twist.
-    let mut rigid = SMatrix::<f64, 5, 5>::zeros();
-    for slope in [3, 4] {
-        rigid[(slope, slope)] = beam.axial_force.abs() * beam.length;
-    }
-    rigid += on_foundation(beam, |bedding| bedding.stiffness);
-    let held = held_stiffness(supports, masses);
-    for restrained in supports {
-        for (motion, row, elastic) in held_motions(restrained) {
-            let stiffness = if restrained.is_fixed(motion) {
-                held
-            } else {
-                elastic.stiffness
-            };
-            rigid += stiffness * row * row.transpose();
+impl Coordinates {
+    fn new(cuts: &[Cut], length: f64) -> Self {
+        let jumps = cuts.iter().flat_map(|cut| {
+            let position = cut.position;
+            cut.released().map(move |(motion, spring)| Jump {
+                position,
+                motion,
+                spring,
+            })
+        });
+        Self {
+            length,
+            jumps: jumps
+                .filter(|jump| jump.motion != BeamMotion::PsiSlope)
+                .collect(),
         }
     }
-    for mass in masses {
-        let (condensed, _) = mass.condensed_static();
-        let motions = rigid_motions(mass.position);
-        for row in 0..3 {
-            for column in 0..3 {
-                rigid += condensed[(row, column)] * motions[row] * motions[column].transpose();
+
+    /// Their number.
+    fn count(&self) -> usize {
+        AT_LEFT_END + self.jumps.len()
+    }
+
+    /// The six motions at x, right of a joint there, as functions of the coordinates.
+    fn rows(&self, x: f64) -> [DVector<f64>; 6] {
+        self.rows_of_part(x, x)
+    }
+
+    /// The same for the rigid part that begins at `from`, m.
+    fn rows_of_part(&self, from: f64, x: f64) -> [DVector<f64>; 6] {
+        let mut rows: [DVector<f64>; 6] = std::array::from_fn(|_| DVector::zeros(self.count()));
+        let at_left_end = [
+            (0.0, BeamMotion::W),
+            (0.0, BeamMotion::Psi),
+            (0.0, BeamMotion::V),
+            (0.0, BeamMotion::WSlope),
+            (0.0, BeamMotion::VSlope),
+        ];
+        let jumps = self.jumps.iter().map(|jump| (jump.position, jump.motion));
+        for (index, (start, motion)) in at_left_end.into_iter().chain(jumps).enumerate() {
+            if start > from {
+                continue;
+            }
+            rows[motion as usize][index] = 1.0;
+            match motion {
+                BeamMotion::WSlope => rows[BeamMotion::W as usize][index] = x - start,
+                BeamMotion::VSlope => rows[BeamMotion::V as usize][index] = x - start,
+                BeamMotion::W | BeamMotion::Psi | BeamMotion::V | BeamMotion::PsiSlope => {}
             }
         }
+        rows
     }
-    rigid
-}
 
-/// The springs, or the dampers, of the foundation under a rigid beam.
-fn on_foundation(beam: &Beam, of: fn(&Bedding) -> f64) -> SMatrix<f64, 5, 5> {
-    let mut sum = SMatrix::zeros();
-    // Simpson's rule is exact for the product of two straight lines.
-    for (x, weight) in [(0.0, 1.0), (0.5, 4.0), (1.0, 1.0)] {
-        let rows = rigid_motions(x * beam.length);
-        for (row, bedding) in rows.iter().zip(beam.foundation.beddings()) {
-            sum += of(&bedding) * weight * beam.length / 6.0 * row * row.transpose();
+    /// Nodes of an integral along the beam, which is exact for the product of two motions: their weights, m, and the six
+    /// motions there (Simpson's rule for the product of two straight lines).
+    fn nodes(&self) -> impl Iterator<Item = (f64, [DVector<f64>; 6])> {
+        let cuts = self.jumps.iter().map(|jump| jump.position);
+        let mut ends: Vec<f64> = cuts.chain([0.0, self.length]).collect();
+        ends.sort_by(f64::total_cmp);
+        ends.dedup();
+        let parts: Vec<[f64; 2]> = ends.windows(2).map(|part| [part[0], part[1]]).collect();
+        parts.into_iter().flat_map(|[from, to]| {
+            [(0.0, 1.0), (0.5, 4.0), (1.0, 1.0)].map(|(share, weight)| {
+                let x = from + share * (to - from);
+                ((to - from) * weight / 6.0, self.rows_of_part(from, x))
+            })
+        })
+    }
+
+    /// The stiffness over the coordinates, while the masses follow.
+    ///
+    /// An axial force resists a slope, or turns the beam further; both are no motion at frequency 0.
+    fn stiffness(&self, supports: &[Restrained], masses: &[Mass], beam: &Beam) -> DMatrix<f64> {
+        let mut rigid = self.on_foundation(beam, |bedding| bedding.stiffness);
+        for (weight, rows) in self.nodes() {
+            for slope in [BeamMotion::WSlope, BeamMotion::VSlope] {
+                let row = &rows[slope as usize];
+                rigid += beam.axial_force.abs() * weight * row * row.transpose();
+            }
         }
+        for (index, jump) in self.jumps.iter().enumerate() {
+            let at = AT_LEFT_END + index;
+            rigid[(at, at)] += jump.spring.stiffness;
+        }
+        let held = self.held_stiffness(supports, masses);
+        for restrained in supports {
+            for (motion, row, elastic) in self.held_motions(restrained) {
+                let stiffness = if restrained.is_fixed(motion) {
+                    held
+                } else {
+                    elastic.stiffness
+                };
+                rigid += stiffness * &row * row.transpose();
+            }
+        }
+        for mass in masses {
+            let (condensed, _) = mass.condensed_static();
+            if condensed == Matrix3::zeros() {
+                continue;
+            }
+            let motions = self.rows(mass.position);
+            for row in 0..3 {
+                for column in 0..3 {
+                    rigid += condensed[(row, column)] * &motions[row] * motions[column].transpose();
+                }
+            }
+        }
+        rigid
     }
-    sum
-}
 
-/// A stiffness as large as any of the model: it makes sure that a fixed motion is not a mode at frequency 0.
-fn held_stiffness(supports: &[Restrained], masses: &[Mass]) -> f64 {
-    let rows = supports.iter().flat_map(Restrained::rows);
-    let springs = rows.map(|(_, _, elastic)| elastic.stiffness);
-    let masses = masses.iter().map(|mass| mass.stiffness.amax());
-    springs.chain(masses).fold(1.0, f64::max)
-}
+    /// The springs, or the dampers, of the foundation.
+    fn on_foundation(&self, beam: &Beam, of: fn(&Bedding) -> f64) -> DMatrix<f64> {
+        let mut sum = DMatrix::zeros(self.count(), self.count());
+        for (weight, rows) in self.nodes() {
+            for (row, bedding) in rows.iter().zip(beam.foundation.beddings()) {
+                sum += of(&bedding) * weight * row * row.transpose();
+            }
+        }
+        sum
+    }
 
-/// The motions of the point that a support holds, each with its spring and inertia, as functions of (w, psi, v, w', v') of
-/// a rigid beam at its left end.
-fn held_motions(
-    restrained: &Restrained,
-) -> impl Iterator<Item = (BeamMotion, SVector<f64, 5>, Elastic)> {
-    let rows = rigid_motions(restrained.position);
-    restrained.rows().map(move |(motion, row, elastic)| {
-        let shares = rows.iter().zip(&row);
-        (
-            motion,
-            shares.map(|(motion, share)| motion * *share).sum(),
-            elastic,
-        )
-    })
-}
+    /// A stiffness as large as any of the model: it makes sure that a fixed motion is not a mode at frequency 0.
+    fn held_stiffness(&self, supports: &[Restrained], masses: &[Mass]) -> f64 {
+        let rows = supports.iter().flat_map(Restrained::rows);
+        let springs = rows.map(|(_, _, elastic)| elastic.stiffness);
+        let joints = self.jumps.iter().map(|jump| jump.spring.stiffness);
+        let masses = masses.iter().map(|mass| mass.stiffness.amax());
+        springs.chain(joints).chain(masses).fold(1.0, f64::max)
+    }
 
-/// w, psi, v and their slopes at x, as functions of (w, psi, v, w', v') of a rigid beam at its left end.
-fn rigid_motions(x: f64) -> [SMatrix<f64, 5, 1>; 6] {
-    [
-        [1.0, 0.0, 0.0, x, 0.0],
-        [0.0, 1.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 1.0, 0.0, x],
-        [0.0, 0.0, 0.0, 1.0, 0.0],
-        [0.0; 5],
-        [0.0, 0.0, 0.0, 0.0, 1.0],
-    ]
-    .map(SMatrix::<f64, 5, 1>::from)
+    /// The motions of the point that a support holds, each with its spring and inertia, as functions of the coordinates.
+    fn held_motions(
+        &self,
+        restrained: &Restrained,
+    ) -> impl Iterator<Item = (BeamMotion, DVector<f64>, Elastic)> + use<> {
+        let rows = self.rows(restrained.position);
+        restrained.rows().map(move |(motion, row, elastic)| {
+            let shares = rows.iter().zip(&row);
+            (
+                motion,
+                shares.map(|(motion, share)| motion * *share).sum(),
+                elastic,
+            )
+        })
+    }
 }
 
 /// The null space of a positive semidefinite stiffness, each motion in its own unit.
-fn still(stiffness: &SMatrix<f64, 5, 5>) -> Vec<SVector<f64, 5>> {
+fn still(stiffness: &DMatrix<f64>) -> Vec<DVector<f64>> {
     const RESOLVED: f64 = 1e-11;
-    let scale = SVector::<f64, 5>::from_fn(|index, _| {
+    let count = stiffness.nrows();
+    let scale = DVector::<f64>::from_fn(count, |index, _| {
         let diagonal = stiffness[(index, index)];
         if diagonal > 0.0 {
             diagonal.sqrt().recip()
@@ -275,7 +383,8 @@ fn still(stiffness: &SMatrix<f64, 5, 5>) -> Vec<SVector<f64, 5>> {
             1.0
         }
     });
-    let scaled = SMatrix::<f64, 5, 5>::from_fn(|i, j| stiffness[(i, j)] * scale[i] * scale[j]);
+    let scaled =
+        DMatrix::<f64>::from_fn(count, count, |i, j| stiffness[(i, j)] * scale[i] * scale[j]);
     let eigen = SymmetricEigen::new(scaled);
     let pairs = eigen
         .eigenvalues

@@ -127,6 +127,11 @@ fn rigid_motion(model: &Model, probe: &Probe, rigid: &RigidMotion) -> Motion {
         supports: SupportId::all(model)
             .map(|id| id.support(model).point.motions(&all_at(id.position(model))))
             .collect(),
+        joints: model
+            .joints
+            .iter()
+            .map(|joint| rigid.jumps_at(joint.position).map(Complex64::from))
+            .collect(),
         masses: rigid
             .masses
             .iter()

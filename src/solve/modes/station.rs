@@ -1,10 +1,14 @@
-//! The stations of the undamped beam: a support, the mass of a subsystem on its springs.
+//! The stations of the undamped beam: a support, a joint, the mass of a subsystem on its springs.
 
 use nalgebra::{Matrix3, Matrix6, SymmetricEigen, Vector3, Vector6};
 
+use super::dynamic_stiffness::symmetric;
 use super::matrix_inertia::eliminate;
 use super::rigid::RigidMotion;
-use crate::model::{BeamMotion, Elastic, Model, Point, Restraint, Subsystem, Support, SupportId};
+use crate::model::{
+    BeamMotion, Elastic, Joint, Link, Model, Point, Restraint, Spring, Subsystem, Support,
+    SupportId,
+};
 use crate::solve::springs::{Stretch, restraint_stiffness, rows};
 
 /// A stiffness below this fraction of the largest one is rounding.
@@ -15,6 +19,13 @@ const RESOLVED: f64 = 1e-12;
 pub(super) struct Restrained {
     pub(super) position: f64,
     support: Support,
+}
+
+/// A joint: the spring between both sides of each motion that is not rigid.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Cut {
+    pub(super) position: f64,
+    springs: [Option<Spring>; 6],
 }
 
 /// The fixed motions at one position: those of the axis, but w and v at the point of the section that is held.
@@ -72,7 +83,7 @@ impl Restrained {
     }
 
     /// Each motion with its spring and inertia; the motions are those of the point, as combinations of those of the axis.
-    pub(super) fn rows(&self) -> impl Iterator<Item = (BeamMotion, Vector6<f64>, Elastic)> {
+    pub(super) fn rows(&self) -> impl Iterator<Item = (BeamMotion, Vector6<f64>, Elastic)> + use<> {
         let support = self.support;
         BeamMotion::ALL.into_iter().map(move |motion| {
             let mut row = Vector6::zeros();
@@ -95,6 +106,68 @@ impl Restrained {
             sum += met.map_or(0.0, |k| k.re) / units.stiffness * row * row.transpose();
         }
         sum
+    }
+}
+
+impl Cut {
+    /// All joints of a model.
+    ///
+    /// If the section has no warping stiffness, the rate of twist is not a degree of freedom, and no joint acts on it.
+    pub(super) fn all(model: &Model, warps: bool) -> Vec<Self> {
+        let cut = |joint: &Joint| Self {
+            position: joint.position,
+            springs: BeamMotion::ALL.map(|motion| match joint[motion] {
+                _ if motion == BeamMotion::PsiSlope && !warps => None,
+                Link::Rigid => None,
+                Link::Free => Some(Spring::default()),
+                Link::Elastic(spring) => Some(spring),
+            }),
+        };
+        model.joints.iter().map(cut).collect()
+    }
+
+    /// The motions that are not rigid, with their springs.
+    pub(super) fn released(&self) -> impl Iterator<Item = (BeamMotion, Spring)> + use<> {
+        let springs = self.springs;
+        let motions = BeamMotion::ALL.into_iter().zip(springs);
+        motions.filter_map(|(motion, spring)| Some((motion, spring?)))
+    }
+
+    /// The dimensionless stiffness K of the part on one side, seen from the other one: in series with the joint. Also the
+    /// number of negative pivots of the motions that are eliminated.
+    ///
+    /// With the released motions J and their springs k, `X = (K_JJ + k)^-1 K_J`: the rows J become `k X` and the others
+    /// `K_I - K_IJ X`, without a difference of large numbers for a soft or a stiff spring.
+    pub(super) fn beyond(&self, stiffness: &Matrix6<f64>, units: &Units) -> (Matrix6<f64>, usize) {
+        let mut springs = [None; 6];
+        for (motion, spring) in self.released() {
+            let unit = units.motion[motion as usize];
+            springs[motion as usize] = Some(spring.stiffness * unit * unit / units.stiffness);
+        }
+        let is_released = |row: usize| springs[row].is_some();
+        let own = Matrix6::from_fn(|i, j| match (springs[i], i == j) {
+            (Some(spring), true) => stiffness[(i, i)] + spring,
+            (Some(_), false) if is_released(j) => stiffness[(i, j)],
+            (None, true) => 1.0,
+            (Some(_) | None, false) => 0.0,
+        });
+        let mut pulled = *stiffness;
+        for row in (0..6).filter(|row| !is_released(*row)) {
+            pulled.row_mut(row).fill(0.0);
+        }
+        let eliminated = eliminate(&own, &pulled);
+        let follows = &eliminated.solution;
+        let mut beyond = *stiffness - pulled.transpose() * follows;
+        for (row, spring) in springs.iter().enumerate() {
+            if let Some(spring) = spring {
+                for column in 0..6 {
+                    let pull = spring * follows[(row, column)];
+                    beyond[(row, column)] = pull;
+                    beyond[(column, row)] = pull;
+                }
+            }
+        }
+        (symmetric(beyond), eliminated.negatives)
     }
 }
 
@@ -136,7 +209,7 @@ impl Fixed {
     }
 
     /// The motions of the axis from those of the point, both dimensionless.
-    pub(super) fn axis(&self, units: &Units) -> Matrix6<f64> {
+    pub(super) fn axis_of_point(&self, units: &Units) -> Matrix6<f64> {
         let mut axis = Matrix6::identity();
         let turn = units.motion[BeamMotion::Psi as usize];
         axis[(BeamMotion::W as usize, BeamMotion::Psi as usize)] = -self.point.z * turn;

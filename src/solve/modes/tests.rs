@@ -5,8 +5,8 @@ use super::characteristic::Characteristic;
 use super::with_damping_times;
 use super::wittrick_williams::Counter;
 use crate::model::{
-    Beam, Bedding, Elastic, Foundation, InnerSupport, Material, Model, Point, Restraint, Section,
-    Spacing, Spring, Subsystem, Support, Supports, Sweep, Theory,
+    Beam, Bedding, Elastic, Foundation, InnerSupport, Joint, Link, Material, Model, Point,
+    Restraint, Section, Spacing, Spring, Subsystem, Support, Supports, Sweep, Theory,
 };
 use crate::presets;
 
@@ -144,6 +144,25 @@ fn subsystems() -> impl Strategy<Value = Subsystem> {
         })
 }
 
+/// Some at the places of supports and subsystems, all at different ones, from 0 to 1.
+fn joints() -> impl Strategy<Value = Vec<Joint>> {
+    let elastic = (1.0..10.0).prop_map(|power| {
+        Link::Elastic(Spring {
+            stiffness: 10.0_f64.powf(power),
+            ..Spring::default()
+        })
+    });
+    let link = prop_oneof![6 => Just(Link::Rigid), 1 => Just(Link::Free), 2 => elastic];
+    let place = prop_oneof![Just(0.3), Just(0.7), 0.01..0.99];
+    let joint = (place, prop::array::uniform6(link))
+        .prop_map(|(position, links)| Joint { position, links });
+    prop::collection::vec(joint, 0..4).prop_map(|mut joints| {
+        joints.sort_by(|a, b| a.position.total_cmp(&b.position));
+        joints.dedup_by(|one, other| one.position == other.position);
+        joints
+    })
+}
+
 fn models() -> impl Strategy<Value = Model> {
     let arm = || prop_oneof![Just(0.0), -0.2..0.2];
     let support = move || {
@@ -160,8 +179,11 @@ fn models() -> impl Strategy<Value = Model> {
         inner
     });
     let masses = prop::collection::vec(subsystems(), 0..6);
-    let all = (beams(), support(), support(), inner, masses);
-    all.prop_map(|(beam, left, right, inner, mut subsystems)| {
+    let all = (beams(), support(), support(), inner, joints(), masses);
+    all.prop_map(|(beam, left, right, inner, mut joints, mut subsystems)| {
+        for joint in &mut joints {
+            joint.position *= beam.length;
+        }
         let inner = inner.into_iter().map(|(place, support)| InnerSupport {
             name: String::new(),
             position: place * beam.length,
@@ -179,6 +201,7 @@ fn models() -> impl Strategy<Value = Model> {
                 right,
                 inner: inner.collect(),
             },
+            joints,
             subsystems,
             forces: Vec::new(),
             responses: Vec::new(),

@@ -14,7 +14,7 @@ use num_complex::Complex64;
 use super::dynamic_stiffness::{Field, Span, symmetric};
 use super::matrix_inertia::{eliminate, negatives};
 use super::rigid;
-use super::station::{Fixed, Mass, Restrained, Units};
+use super::station::{Cut, Fixed, Mass, Restrained, Units};
 use crate::model::{Beam, BeamMotion, Model};
 use crate::solve::beam_matrices::{BeamMatrices, Symmetric};
 
@@ -24,14 +24,17 @@ pub(super) struct Counter {
     beam: Beam,
     /// By ascending x.
     supports: Vec<Restrained>,
+    /// By ascending x, at most one at a position.
+    cuts: Vec<Cut>,
     /// By ascending x; subsystems at one position are adjacent.
     masses: Vec<Mass>,
-    /// The positions of the supports and the masses, by ascending x: the first is the left end, the last the right one.
+    /// The positions of the supports, the joints and the masses, by ascending x: the first is the left end, the last the right one.
     nodes: Vec<Node>,
     /// The lengths between the nodes, m: one less.
     spans: Vec<f64>,
-    /// The longest span: where the elimination from the left meets that from the right.
-    longest: usize,
+    /// The span where the elimination from the left meets that from the right: the longest one, but right of every joint
+    /// beside a fixed motion, which only the elimination from the left can cross.
+    meeting: usize,
     /// Number of modes at frequency 0.
     rigid: usize,
     /// Number of modes that an axial compression makes grow.
@@ -41,6 +44,8 @@ pub(super) struct Counter {
 /// What is at one position, by the indices in the lists of the counter.
 #[derive(Debug, Clone)]
 struct Node {
+    /// Left of everything else there.
+    cut: Option<usize>,
     supports: Range<usize>,
     masses: Range<usize>,
     fixed: Fixed,
@@ -55,15 +60,18 @@ impl Counter {
         }
         let mut supports = Restrained::all(model, beam.section.warping_constant > 0.0);
         supports.sort_by(|a, b| a.position.total_cmp(&b.position));
+        let mut cuts = Cut::all(model, beam.section.warping_constant > 0.0);
+        cuts.sort_by(|a, b| a.position.total_cmp(&b.position));
         let mut masses: Vec<Mass> = model.attached().map(Mass::new).collect();
         for mass in &mut masses {
-            mass.position = beside_support(mass.position, &supports, beam.length);
+            mass.position = beside_support(mass.position, &supports, &cuts, beam.length);
         }
         masses.sort_by(|a, b| a.position.total_cmp(&b.position));
-        let (nodes, spans) = nodes(&supports, &masses);
+        let (nodes, spans) = nodes(&supports, &cuts, &masses);
         let mut counter = Self {
             supports,
-            longest: longest(&spans),
+            cuts,
+            meeting: meeting(&nodes, &spans),
             beam,
             masses,
             nodes,
@@ -71,7 +79,12 @@ impl Counter {
             rigid: 0,
             unstable: 0,
         };
-        counter.rigid = rigid::count(&counter.supports, &counter.masses, &counter.beam);
+        counter.rigid = rigid::count(
+            &counter.supports,
+            &counter.cuts,
+            &counter.masses,
+            &counter.beam,
+        );
         if counter.beam.axial_force < 0.0 {
             let slow = counter.slow();
             counter.unstable = counter.below(slow).saturating_sub(counter.rigid);
@@ -100,7 +113,7 @@ impl Counter {
 
     /// Number of modes below the angular frequency `omega` > 0, rad/s, those at 0 included, without the unstable ones.
     ///
-    /// The left and the right part meet within the longest span, at an irregular fraction of it: with a clamp at an end
+    /// The left and the right part meet within a long span, at an irregular fraction of it: with a clamp at an end
     /// or in the middle the modes of a part may coincide with those of the whole (a clamped and a free beam have the
     /// same), and the count would lose half its digits there.
     pub(super) fn below(&self, omega: f64) -> usize {
@@ -114,10 +127,10 @@ impl Counter {
             count: 0,
         };
         let last = self.spans.len();
-        let from_left: Vec<_> = (0..=self.longest).map(|n| (n, n)).collect();
-        let from_right: Vec<_> = (self.longest..last).rev().map(|n| (n + 1, n)).collect();
-        let left = march.over(&from_left, SHARE);
-        let right = march.over(&from_right, 1.0 - SHARE);
+        let from_left: Vec<_> = (0..=self.meeting).map(|n| (n, n)).collect();
+        let from_right: Vec<_> = (self.meeting..last).rev().map(|n| (n + 1, n)).collect();
+        let left = march.over(&from_left, SHARE, true);
+        let right = march.over(&from_right, 1.0 - SHARE, false);
         let joint = negatives(&(left + mirrored(&right)));
         march
             .count
@@ -174,24 +187,31 @@ fn decays_at_once(beam: &Beam) -> bool {
         < NEGLIGIBLE * material.shear_modulus * section.torsion_constant * beam.length.powi(2)
 }
 
-/// The position of a support that fixes a motion, if a position is as good as there: the stiffness of the span between
-/// them would be so large that rounding hides everything else. Both m.
-fn beside_support(position: f64, supports: &[Restrained], length: f64) -> f64 {
+/// The position of a support that fixes a motion, if a position is as good as there and no joint is between them: the
+/// stiffness of the span between them would be so large that rounding hides everything else. Both m.
+fn beside_support(position: f64, supports: &[Restrained], cuts: &[Cut], length: f64) -> f64 {
     const NEAR: f64 = 2e-7;
     let is_near = |support: &&Restrained| {
         let fixes = BeamMotion::ALL
             .into_iter()
             .any(|motion| support.is_fixed(motion));
-        fixes && (support.position - position).abs() < NEAR * length
+        // A joint is left of everything else at its position.
+        let (low, high) = (
+            support.position.min(position),
+            support.position.max(position),
+        );
+        let is_between = |cut: &Cut| low < cut.position && cut.position <= high;
+        fixes && high - low < NEAR * length && !cuts.iter().any(is_between)
     };
     let near = supports.iter().find(is_near);
     near.map_or(position, |support| support.position)
 }
 
-/// The positions of supports and masses, and the lengths between them.
-fn nodes(supports: &[Restrained], masses: &[Mass]) -> (Vec<Node>, Vec<f64>) {
+/// The positions of supports, joints and masses, and the lengths between them.
+fn nodes(supports: &[Restrained], cuts: &[Cut], masses: &[Mass]) -> (Vec<Node>, Vec<f64>) {
     let of_supports = supports.iter().map(|support| support.position);
     let mut positions: Vec<f64> = of_supports
+        .chain(cuts.iter().map(|cut| cut.position))
         .chain(masses.iter().map(|mass| mass.position))
         .collect();
     positions.sort_by(f64::total_cmp);
@@ -201,6 +221,7 @@ fn nodes(supports: &[Restrained], masses: &[Mass]) -> (Vec<Node>, Vec<f64>) {
         let held = supports.partition_point(|of| of.position < *x)
             ..supports.partition_point(|of| of.position <= *x);
         Node {
+            cut: cuts.iter().position(|cut| cut.position == *x),
             fixed: Fixed::by(&supports[held.clone()]),
             supports: held,
             masses: masses.partition_point(|of| of.position < *x)
@@ -210,10 +231,12 @@ fn nodes(supports: &[Restrained], masses: &[Mass]) -> (Vec<Node>, Vec<f64>) {
     (positions.iter().map(node).collect(), spans)
 }
 
-/// The index of the longest span.
-fn longest(spans: &[f64]) -> usize {
+/// The index of the span where both eliminations meet.
+fn meeting(nodes: &[Node], spans: &[f64]) -> usize {
+    let is_one_way = |node: &Node| node.cut.is_some() && node.fixed.motions != [false; 6];
+    let first = nodes.iter().rposition(is_one_way).unwrap_or(0);
     let by_length = |&a: &usize, &b: &usize| spans[a].total_cmp(&spans[b]);
-    (0..spans.len()).max_by(by_length).unwrap_or(0)
+    (first..spans.len()).max_by(by_length).unwrap_or(0)
 }
 
 /// The elimination of stations at one frequency.
@@ -229,18 +252,33 @@ struct March<'a> {
 }
 
 impl March<'_> {
-    /// From an end over nodes, each with the span behind it, and a fraction of the last span; returns the dynamic
-    /// stiffness of this part, in a frame that points away from the end.
-    fn over(&mut self, path: &[(usize, usize)], share: f64) -> Matrix6<f64> {
+    /// From the left or the right end over nodes, each with the span behind it, and a fraction of the last span; returns
+    /// the dynamic stiffness of this part, in a frame that points away from the end.
+    fn over(&mut self, path: &[(usize, usize)], share: f64, is_left: bool) -> Matrix6<f64> {
         let mut stiffness = Matrix6::zeros();
         let last = path.len() - 1;
         for (step, &(node, span)) in path.iter().enumerate() {
             let node = &self.counter.nodes[node];
+            if is_left {
+                self.join(node, &mut stiffness);
+            }
             self.attach(node, &mut stiffness);
+            if !is_left {
+                self.join(node, &mut stiffness);
+            }
             let part = if step == last { share } else { 1.0 };
             self.cross(part * self.counter.spans[span], &mut stiffness, node.fixed);
         }
         stiffness
+    }
+
+    /// Moves the stiffness over the joint of a node, if it has one.
+    fn join(&mut self, node: &Node, stiffness: &mut Matrix6<f64>) {
+        if let Some(cut) = node.cut {
+            let (beyond, own) = self.counter.cuts[cut].beyond(stiffness, &self.units);
+            *stiffness = beyond;
+            self.count = self.count.saturating_add(own);
+        }
     }
 
     /// Adds the springs and the masses of a node.
@@ -265,7 +303,12 @@ impl March<'_> {
             _ => self.field.span(length / self.units.length),
         };
         for _ in 0..pieces {
-            let count = cross(&span, stiffness, fixed.motions, &fixed.axis(&self.units));
+            let count = cross(
+                &span,
+                stiffness,
+                fixed.motions,
+                &fixed.axis_of_point(&self.units),
+            );
             self.count = self.count.saturating_add(count);
             fixed = Fixed::NONE;
         }

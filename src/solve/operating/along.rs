@@ -5,7 +5,7 @@ use num_complex::Complex64;
 use crate::model::Model;
 use crate::solve::beam_state::BeamState;
 use crate::solve::kernel::Prepared;
-use crate::solve::plan::Plan;
+use crate::solve::plan::{Event, Plan};
 use crate::solve::solution::Solution;
 use crate::solve::waves::Amplitudes;
 
@@ -67,12 +67,11 @@ impl<'a> Along<'a> {
         places
     }
 
-    /// The first side of the position at a distance from the left end, m.
+    /// The first side of the position at a distance from the left end, m, but right of a joint there.
     pub(super) fn spot(&self, position: f64) -> Spot {
-        let before = |station: &crate::solve::plan::Station| station.position < position;
         Spot {
             position,
-            span: self.plan.stations.partition_point(before),
+            span: self.plan.span_at(position),
         }
     }
 
@@ -93,7 +92,7 @@ impl<'a> Along<'a> {
     pub(super) fn at(&self, spot: Spot) -> BeamState {
         let (a, b) = self.waves_at(spot);
         let mut local = BeamState::new(&self.solution.waves, &a, &b);
-        self.hold(spot.position, &mut local.motion);
+        self.hold(spot, &mut local.motion);
         local
     }
 
@@ -108,9 +107,14 @@ impl<'a> Along<'a> {
         )
     }
 
-    /// A fixed motion is exactly zero.
-    fn hold(&self, position: f64, motion: &mut [Complex64; 6]) {
-        for held in self.plan.held_at(position, self.model.beam.length) {
+    /// A fixed motion is exactly zero; left of a joint no support at its position fixes any.
+    fn hold(&self, spot: Spot, motion: &mut [Complex64; 6]) {
+        let later = self.plan.stations.iter().skip(spot.span);
+        let mut here = later.take_while(|of| of.position == spot.position);
+        if here.any(|of| matches!(of.event, Event::Joint(_))) {
+            return;
+        }
+        for held in self.plan.held_at(spot.position, self.model.beam.length) {
             *motion = held.held(motion);
         }
     }

@@ -73,7 +73,7 @@ pub struct Power {
     /// The input power of each enabled force, in the order of the model.
     pub inputs: Vec<Input>,
     /// The dissipation of each damper and each spring with a loss factor: those of the subsystems in the order of the model,
-    /// then the supports', the ends first.
+    /// then the supports', the ends first, and the joints'.
     pub dampers: Vec<Damper>,
     /// The dissipation of the beam's material by its loss factor: NaN if its strain is only rounding, as in a beam that
     /// is very short compared with its waves.

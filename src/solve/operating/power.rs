@@ -31,6 +31,7 @@ pub(super) fn power(along: &Along<'_>, masses: &[MassState], locals: &[BeamState
         dampers: [
             of_subsystems(along, masses),
             of_supports(along),
+            of_joints(along),
             of_foundation(along),
         ]
         .concat(),
@@ -117,6 +118,22 @@ fn of_supports(along: &Along<'_>) -> Vec<Damper> {
             let power = heat(along.omega, support[motion].elastic().into(), moved);
             dampers.extend(power.map(|power| Damper {
                 label: format!("{} {}", id.name(along.model), motion.key()),
+                power,
+            }));
+        }
+    }
+    dampers
+}
+
+fn of_joints(along: &Along<'_>) -> Vec<Damper> {
+    let mut dampers = Vec::new();
+    for (index, (station, joined)) in along.plan.joined(along.model).enumerate() {
+        let [before, after] = along.sides(station);
+        let jumps = joined.jumps(along.omega.into(), [&before, &after]);
+        for (motion, jump) in BeamMotion::ALL.into_iter().zip(jumps) {
+            let spring = joined.spring(motion).unwrap_or_default();
+            dampers.extend(heat(along.omega, spring, jump).map(|power| Damper {
+                label: format!("joint {} {}", index + 1, motion.key()),
                 power,
             }));
         }

@@ -132,6 +132,7 @@ pub(super) fn without_loads(plan: &Plan) -> Plan {
         match &mut station.event {
             Event::Attachment(attachment) => attachment.load = [ZERO; 3],
             Event::Support(held) => held.load = [ZERO; 6],
+            Event::Joint(_) => {}
             event @ (Event::Load(_) | Event::Probe) => *event = Event::Probe,
         }
     }

@@ -14,7 +14,7 @@ use super::field::{Field, Reader, Setting};
 use super::overlap::Spans;
 use super::product::Product;
 use super::{Differentiator, Gradient, forces};
-use crate::model::schema::{BeamKey, MaterialKey, SectionKey};
+use crate::model::schema::{BeamKey, JointKey, MaterialKey, SectionKey};
 use crate::model::{Group, Model, ParameterId};
 use crate::solve::energy::SpanEnergy;
 use crate::solve::kernel::Prepared;
@@ -160,7 +160,7 @@ impl Spread {
     fn new(plan: &Plan, solution: &Solution, nodes: &[Node]) -> Self {
         let reader = Reader::new(plan, solution);
         let at = |node: &Node| {
-            let station = plan.stations.partition_point(|of| of.position < node.x);
+            let station = plan.span_at(node.x);
             let [w, psi, v, ..] = reader.end(station).motion;
             NodeMotion {
                 station,
@@ -193,8 +193,9 @@ impl Spread {
         loaded
     }
 
-    /// The contributions of the parameters in the weights of the energy and of the length of the beam: derivatives.
-    fn of_weights(&self, model: &Model, u: &Field) -> [(ParameterId, f64); 4] {
+    /// The contributions of the parameters in the weights of the energy, of the length of the beam and of the positions of
+    /// joints, where the motion may jump: derivatives.
+    fn of_weights(&self, model: &Model, u: &Field) -> Vec<(ParameterId, f64)> {
         let (mut along, mut about) = (0.0, 0.0);
         for node in &self.nodes {
             let [w, psi, v] = node.motion.map(|moved| node.weight * moved.norm_sqr());
@@ -202,11 +203,19 @@ impl Spread {
             about += psi;
         }
         let (material, section) = (&model.beam.material, &model.beam.section);
-        let [w, psi, v] = [0, 1, 2].map(|row: usize| u.edge.motion[row].norm_sqr());
-        [
+        let density = |motion: &[Complex64; 6]| {
+            let [w, psi, v] = [0, 1, 2].map(|row: usize| motion[row].norm_sqr());
+            self.mass * (w + v) + self.polar * psi
+        };
+        let joints = u.joints.iter().enumerate().map(|(index, joint)| {
+            let [before, after] = joint.sides.each_ref().map(density);
+            let position = Group::Joint(index).parameter(JointKey::Position as usize);
+            (position, before - after)
+        });
+        let beam = [
             (
                 Group::Beam.parameter(BeamKey::Length as usize),
-                self.mass * (w + v) + self.polar * psi,
+                density(&u.edge.motion),
             ),
             (
                 Group::Material.parameter(MaterialKey::Density as usize),
@@ -220,6 +229,7 @@ impl Spread {
                 Group::Section.parameter(SectionKey::PolarMoment as usize),
                 material.density * about,
             ),
-        ]
+        ];
+        beam.into_iter().chain(joints).collect()
     }
 }

@@ -27,6 +27,8 @@ pub(super) struct Setting<'a> {
 pub(super) struct Field {
     /// Each support, the ends first.
     pub(super) supports: Vec<SupportField>,
+    /// Each joint, in the order of the model.
+    pub(super) joints: Vec<JointField>,
     /// The six motions of the left and of the right end of the axis.
     pub(super) ends: [[Complex64; 6]; 2],
     /// The state just inside the right end.
@@ -50,10 +52,21 @@ pub(super) struct SupportField {
     pub(super) forces: [Complex64; 6],
 }
 
+/// The values of one solution at a joint.
+#[derive(Debug)]
+pub(super) struct JointField {
+    /// The six motions of its left and of its right side.
+    pub(super) sides: [[Complex64; 6]; 2],
+    /// The jumps of the six motions, right minus left: 0 where it is rigid.
+    pub(super) jumps: [Complex64; 6],
+    /// The changes of the internal forces along the beam, per m: the mean of both sides.
+    pub(super) changes: [Complex64; 6],
+}
+
 /// The torques, N m, around which any warping stiffness makes a boundary layer.
 #[derive(Debug, Default)]
 pub(super) struct Kinks {
-    /// The jump of the torque at each position between the ends.
+    /// The jump of the torque at each position between the ends, or at a joint that of the torque that its twist carries.
     pub(super) jumps: Vec<Complex64>,
     /// The torque at each end, and on both sides of each support between them, with a fixed rate of twist.
     pub(super) held: Vec<Complex64>,
@@ -127,6 +140,7 @@ impl Field {
         });
         Self {
             supports: supports(setting, &reader),
+            joints: joints(setting, &reader),
             ends: [reader.start(0).motion, edge.motion],
             masses: masses.collect(),
             kinks: Kinks::new(setting, &reader),
@@ -154,11 +168,22 @@ impl Kinks {
         for group in groups {
             let last = first + group.len();
             if inside(group[0].position) {
-                let [before, after] = [torque(&reader.end(first)), torque(&reader.start(last))];
                 if is_held(group) {
+                    let [before, after] = [torque(&reader.end(first)), torque(&reader.start(last))];
                     held.extend([before, after]);
                 } else {
-                    jumps.push(after - before);
+                    let of_joint =
+                        |station: usize| matches!(stations[station].event, Event::Joint(_));
+                    let jump = |station: usize| {
+                        let (before, after) = (reader.end(station), reader.start(station + 1));
+                        if of_joint(station) {
+                            // The torque is continuous, but an axial force beside the axis takes another share of it.
+                            carried(setting, &before) - carried(setting, &after)
+                        } else {
+                            torque(&after) - torque(&before)
+                        }
+                    };
+                    jumps.push((first..last).map(jump).sum());
                 }
             }
             first = last;
@@ -248,6 +273,32 @@ fn support(
         along: point.motions(&slopes),
         twist: axis[BeamMotion::Psi as usize],
     }
+}
+
+/// The values of a solution at every joint, in the order of the model.
+fn joints(setting: &Setting<'_>, reader: &Reader<'_>) -> Vec<JointField> {
+    let (plan, omega) = (setting.plan, setting.omega);
+    let joints = plan.joined(setting.model);
+    joints
+        .map(|(station, joined)| {
+            let sides = [reader.end(station), reader.start(station + 1)];
+            let [before, after] = sides
+                .each_ref()
+                .map(|of| (plan.beam.matrices).changes(omega, &of.motion, &of.force));
+            JointField {
+                sides: sides.each_ref().map(|of| of.motion),
+                jumps: joined.jumps(omega, sides.each_ref()),
+                changes: std::array::from_fn(|row| 0.5 * (before[row] + after[row])),
+            }
+        })
+        .collect()
+}
+
+/// The torque that an axial force beside the axis takes by the slopes of w and v, N m.
+fn carried(setting: &Setting<'_>, local: &BeamState) -> Complex64 {
+    let [.., w_slope, _, v_slope] = local.motion;
+    let tension = &setting.plan.beam.matrices.tension;
+    tension.w_psi * w_slope + tension.psi_v * v_slope
 }
 
 fn torque(local: &BeamState) -> Complex64 {

@@ -89,10 +89,7 @@ impl Force {
         };
         let (moved, turned) = match self.site {
             Site::End { end, motion, .. } => of_beam(lambda.ends[end], motion),
-            Site::Beam { x, motion } => {
-                let station = plan.stations.partition_point(|other| other.position < x);
-                of_beam(reader.end(station).motion, motion)
-            }
+            Site::Beam { x, motion } => of_beam(reader.end(plan.span_at(x)).motion, motion),
             Site::Mass { index, motion } => (lambda.masses[index].motion[motion], ZERO),
             Site::Nowhere => (ZERO, ZERO),
         };

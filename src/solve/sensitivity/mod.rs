@@ -98,8 +98,8 @@ impl Differentiator {
         }
     }
 
-    /// The numbers that affect responses, in the order of [`ParameterId::all`]: of the beam, of the supports, and of the
-    /// subsystems, forces and responses that are enabled.
+    /// The numbers that affect responses, in the order of [`ParameterId::all`]: of the beam, of the supports and joints, and of
+    /// the subsystems, forces and responses that are enabled.
     pub fn ids(&self) -> &[ParameterId] {
         &self.parameters.ids
     }
@@ -299,7 +299,7 @@ struct Parameters {
 }
 
 impl Parameters {
-    /// The numbers of the beam, of the supports, and of the subsystems, forces and responses that are enabled.
+    /// The numbers of the beam, of the supports and joints, and of the subsystems, forces and responses that are enabled.
     fn of(model: &Model) -> Self {
         let ids = ParameterId::all(model).into_iter();
         let numbers = ids
@@ -318,12 +318,15 @@ fn acts(model: &Model, group: Group) -> bool {
         | Group::Section
         | Group::Foundation
         | Group::Support(_)
-        | Group::Motion(..) => true,
+        | Group::Motion(..)
+        | Group::Joint(_)
+        | Group::Link(..) => true,
         Group::Subsystem(index) => model.subsystems[index].enabled,
         Group::Force(index) => model.forces[index].enabled,
         Group::Response(index) => model.responses[index].enabled,
         Group::Model
         | Group::Supports
+        | Group::Joints
         | Group::Subsystems
         | Group::Forces
         | Group::Responses

@@ -14,12 +14,12 @@
 
 use num_complex::Complex64;
 
-use super::field::{Field, MassField, Setting, SupportField};
+use super::field::{Field, JointField, MassField, Setting, SupportField};
 use super::overlap::Overlap;
 use crate::model::schema::{
-    BeamKey, ElasticKey, FoundationKey, MaterialKey, SectionKey, SubsystemKey,
+    BeamKey, ElasticKey, FoundationKey, LinkKey, MaterialKey, SectionKey, SubsystemKey,
 };
-use crate::model::{BeamMotion, Bedding, Restraint, Spring, Subsystem, SupportId};
+use crate::model::{BeamMotion, Bedding, Joint, Link, Restraint, Spring, Subsystem, SupportId};
 use crate::solve::beam_matrices::BeamMatrices;
 use crate::solve::beam_state::BeamState;
 use crate::solve::linear::ZERO;
@@ -34,7 +34,7 @@ pub(super) struct Product<'a> {
 }
 
 impl Product<'_> {
-    /// `-lambda^T (dD/dp) u` for the parameters of the beam, the supports and the subsystems, in their order; `held`
+    /// `-lambda^T (dD/dp) u` for the parameters of the beam, the supports, the joints and the subsystems, in their order; `held`
     /// are the loads (of lambda and of u) whose position is constant while the right end moves.
     pub(super) fn by_parameter(&self, held: [&[Complex64; 6]; 2]) -> Vec<Complex64> {
         let beam = &self.setting.model.beam;
@@ -54,6 +54,9 @@ impl Product<'_> {
         all.extend(self.by_foundation());
         for (id, fields) in self.supports() {
             self.by_support(id, fields, &mut all);
+        }
+        for (joint, fields) in self.joints() {
+            self.by_joint(joint, fields, &mut all);
         }
         let masses = self.lambda.masses.iter().zip(&self.u.masses);
         for (subsystem, (lambda, u)) in self.setting.model.attached().zip(masses) {
@@ -76,6 +79,11 @@ impl Product<'_> {
                 let elastic = id.support(self.setting.model)[motion].elastic();
                 mass += elastic.inertia * product;
                 damping += elastic.damping * product;
+            }
+        }
+        for (joint, [lambda, u]) in self.joints() {
+            for (link, product) in joint.links.iter().zip(products(&lambda.jumps, &u.jumps)) {
+                damping += link.spring().damping * product;
             }
         }
         let masses = self.lambda.masses.iter().zip(&self.u.masses);
@@ -169,6 +177,36 @@ impl Product<'_> {
             lambda.forces[row] * u.twist + u.forces[row] * lambda.twist
         };
         all.extend([-turned(BeamMotion::V), turned(BeamMotion::W)]);
+    }
+
+    /// The joints with both fields there.
+    fn joints(&self) -> impl Iterator<Item = (&Joint, [&JointField; 2])> {
+        let fields = self.lambda.joints.iter().zip(&self.u.joints);
+        let joints = self.setting.model.joints.iter();
+        joints.zip(fields.map(|(lambda, u)| [lambda, u]))
+    }
+
+    /// In the order of the rows with numbers.
+    ///
+    /// With H the effect of one more metre of beam at a place, a joint that moves gives H of its left side for that of its
+    /// right one. H is a bilinear form of the motions and internal forces whose derivative by the motions is minus the change
+    /// of the internal forces, so that the difference is the work of these changes on the jumps.
+    fn by_joint(&self, joint: &Joint, fields: [&JointField; 2], all: &mut Vec<Complex64>) {
+        let [lambda, u] = fields;
+        let rows = 0..lambda.jumps.len();
+        let work =
+            rows.map(|row| lambda.jumps[row] * u.changes[row] + u.jumps[row] * lambda.changes[row]);
+        all.push(work.sum());
+        for (link, product) in joint.links.iter().zip(products(&lambda.jumps, &u.jumps)) {
+            if let Link::Free | Link::Elastic(_) = link {
+                let by = self.dynamic(link.spring(), product);
+                all.extend(LinkKey::ALL.map(|key| match key {
+                    LinkKey::Stiffness => by[ElasticKey::Stiffness as usize],
+                    LinkKey::Damping => by[ElasticKey::Damping as usize],
+                    LinkKey::LossFactor => by[ElasticKey::LossFactor as usize],
+                }));
+            }
+        }
     }
 
     /// The product of the two fields' motions at a support.

@@ -51,6 +51,8 @@ pub enum NotApplicable {
     OtherBeam,
     /// A support holds the beam between its ends, or beside its axis: Appendix C has neither.
     OtherSupports,
+    /// The beam has a joint: Eqs. (36) to (47) join all motions rigidly.
+    Joints,
 }
 
 impl std::fmt::Display for NotApplicable {
@@ -59,6 +61,7 @@ impl std::fmt::Display for NotApplicable {
             Self::NoOffset => "its ratios t divide by the centroid offset z_c, which is 0",
             Self::NoWarping => "its shape functions need a warping constant above 0",
             Self::OtherSupports => "it is derived for supports of the two ends, on the axis",
+            Self::Joints => "it is derived for a beam without joints",
             Self::OtherBeam => {
                 "it is derived for a centroid offset along z alone, without product moment, axial force and rotary inertia"
             }
@@ -84,6 +87,9 @@ pub fn sweep(
     let is_on_axis = |id: SupportId| id.support(model).point == Point::AXIS;
     if !model.supports.inner.is_empty() || !SupportId::ENDS.into_iter().all(is_on_axis) {
         return Err(NotApplicable::OtherSupports);
+    }
+    if !model.joints.is_empty() {
+        return Err(NotApplicable::Joints);
     }
     if model.beam.section.centroid_offset == 0.0 {
         return Err(NotApplicable::NoOffset);

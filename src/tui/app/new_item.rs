@@ -1,9 +1,9 @@
-//! New subsystems, and unused names.
+//! New supports, joints and subsystems, and unused names.
 
 use std::f64::consts::PI;
 
 use crate::model::{
-    BeamMotion, InnerSupport, Model, Restraint, Spring, Subsystem, Support, SupportId,
+    BeamMotion, InnerSupport, Joint, Link, Model, Restraint, Spring, Subsystem, Support, SupportId,
 };
 
 /// A new subsystem's mass as a share of the beam's.
@@ -80,7 +80,7 @@ pub(crate) fn new_subsystem(model: &Model) -> Subsystem {
     }
 }
 
-/// A bearing in the middle of the longest part of the beam between supports.
+/// A bearing in the middle of the longest part of the beam between supports and joints.
 pub(crate) fn new_support(model: &Model) -> InnerSupport {
     let mut support = Support::FREE;
     support[BeamMotion::W] = Restraint::Fixed;
@@ -92,10 +92,21 @@ pub(crate) fn new_support(model: &Model) -> InnerSupport {
     }
 }
 
-/// The middle of the longest part of the beam between supports, m from the left end.
+/// A hinge for bending along y in the middle of the longest part of the beam between supports and joints.
+pub(crate) fn new_joint(model: &Model) -> Joint {
+    let mut joint = Joint {
+        position: widest_gap(model),
+        ..Joint::default()
+    };
+    joint[BeamMotion::WSlope] = Link::Free;
+    joint
+}
+
+/// The middle of the longest part of the beam between supports and joints, m from the left end.
 pub(crate) fn widest_gap(model: &Model) -> f64 {
     let ids = SupportId::all(model);
-    let mut positions: Vec<f64> = ids.map(|id| id.position(model)).collect();
+    let joints = model.joints.iter().map(|joint| joint.position);
+    let mut positions: Vec<f64> = ids.map(|id| id.position(model)).chain(joints).collect();
     positions.sort_by(f64::total_cmp);
     let gaps = positions.windows(2);
     let widest = gaps.max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));

@@ -1,17 +1,17 @@
-//! Add, duplicate, delete and enable inner supports, subsystems, forces and responses.
+//! Add, duplicate, delete and enable inner supports, joints, subsystems, forces and responses.
 
 use std::sync::Arc;
 
 use super::App;
 use super::edit::faults_in_words;
 use super::new_item::{
-    free_name, new_subsystem, new_support, position_names, response_names, widest_gap,
+    free_name, new_joint, new_subsystem, new_support, position_names, response_names, widest_gap,
 };
 use crate::model::edit::{self, Value};
 use crate::model::schema::Kind;
 use crate::model::{
-    BeamMotion, Checked, Force, Group, Measure, Model, Place, Point, Quantity, Response, SupportId,
-    Target,
+    BeamMotion, Checked, Force, Group, Joint, Measure, Model, Place, Point, Quantity, Response,
+    SupportId, Target,
 };
 use crate::tui::keys::{Command, CompareCommand, TuneCommand};
 use crate::tui::tree::{self, Node};
@@ -27,6 +27,12 @@ impl App {
                 after.supports.inner.push(new);
                 let place = after.supports.inner.len() - 1;
                 (Group::Support(SupportId::Inner(place)), name)
+            }
+            Some(Group::Joints) => {
+                let new = new_joint(&after);
+                after.joints.push(new);
+                let count = after.joints.len();
+                (Group::Joint(count - 1), format!("add joint {count}"))
             }
             Some(Group::Subsystems) => {
                 let new = new_subsystem(&after);
@@ -77,12 +83,12 @@ impl App {
             Some(Group::Tune) => {
                 format!("{variable} on a number makes it a variable, {objective} adds an objective")
             }
-            _ => "supports, subsystems, forces and responses can be added: select one of them, or their group"
+            _ => "supports, joints, subsystems, forces and responses can be added: select one of them, or their group"
                 .to_owned(),
         });
     }
 
-    /// Adds a copy of the selected inner support, subsystem, force or response after it.
+    /// Adds a copy of the selected inner support, joint, subsystem, force or response after it.
     pub(crate) fn duplicate(&mut self) {
         let mut after = Model::clone(self.model());
         let (group, name) = match self.selection.node().item() {
@@ -97,6 +103,16 @@ impl App {
                 );
                 after.supports.inner.insert(i + 1, copy);
                 (Group::Support(SupportId::Inner(i + 1)), name)
+            }
+            Some(Group::Joint(i)) => {
+                // Two joints cannot be at the same place.
+                let position = widest_gap(&after);
+                let copy = Joint {
+                    position,
+                    ..after.joints[i]
+                };
+                after.joints.insert(i + 1, copy);
+                (Group::Joint(i + 1), format!("duplicate joint {}", i + 1))
             }
             Some(Group::Subsystem(i)) => {
                 let mut copy = after.subsystems[i].clone();
@@ -118,14 +134,14 @@ impl App {
             }
             _ => {
                 return self.refuse(
-                    "select an inner support, subsystem, force or response to duplicate it",
+                    "select an inner support, joint, subsystem, force or response to duplicate it",
                 );
             }
         };
         self.restructure(name, after, group);
     }
 
-    /// Deletes the selected inner support, subsystem, force, response or study, unless another element needs it.
+    /// Deletes the selected inner support, joint, subsystem, force, response or study, unless another element needs it.
     pub(crate) fn delete(&mut self) {
         match self.selection.node().group() {
             Group::Variable(index) => return self.drop_variable(index),
@@ -136,7 +152,7 @@ impl App {
         let mut after = Model::clone(self.model());
         let Some(item) = self.selection.node().item() else {
             return self.refuse(
-                "select an inner support, subsystem, force, response or study to delete it",
+                "select an inner support, joint, subsystem, force, response or study to delete it",
             );
         };
         let (Some(i), Some(list)) = (item.place(), item.parent()) else {

@@ -26,8 +26,10 @@ pub(in crate::tui) struct Signs {
     pub(in crate::tui) rod: char,
     /// A clamped end.
     pub(in crate::tui) wall: char,
-    /// A hinge.
+    /// A support that pins.
     pub(in crate::tui) pin: char,
+    /// A joint of the beam: with free motions alone, and with a spring.
+    pub(in crate::tui) joint: [char; 2],
     pub(in crate::tui) ground: char,
     /// A tip mass, or a centre of mass.
     pub(in crate::tui) mass: char,
@@ -79,6 +81,7 @@ const UNICODE: Signs = Signs {
     rod: '│',
     wall: '▒',
     pin: '▲',
+    joint: ['○', '◎'],
     ground: '▔',
     mass: '■',
     up: '↑',
@@ -125,6 +128,7 @@ const ASCII: Signs = Signs {
     rod: '|',
     wall: '#',
     pin: '^',
+    joint: ['O', '@'],
     ground: '-',
     mass: '#',
     up: '^',

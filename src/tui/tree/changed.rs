@@ -30,6 +30,11 @@ fn group_differs(model: &Model, saved: &Model, group: Group) -> bool {
         }),
         Group::Motion(id, motion) => counterpart(model, saved, group)
             .is_none_or(|other| id.support(model)[motion] != other.support(saved)[motion]),
+        Group::Joints => model.joints != saved.joints,
+        Group::Joint(i) => saved.joints.get(i) != Some(&model.joints[i]),
+        Group::Link(i, motion) => {
+            saved.joints.get(i).map(|joint| joint[motion]) != Some(model.joints[i][motion])
+        }
         Group::Subsystems => model.subsystems != saved.subsystems,
         Group::Subsystem(i) => group
             .counterpart(model, saved)

@@ -22,6 +22,7 @@ impl Node {
     pub fn of(id: ParameterId) -> Self {
         match (id.group, id.motion(), id.key().kind) {
             (Group::Support(id), Some(motion), _) => Self::Group(Group::Motion(id, motion)),
+            (Group::Joint(joint), Some(motion), _) => Self::Group(Group::Link(joint, motion)),
             (Group::Support(_), None, Kind::Support) => Self::Group(id.group),
             _ => Self::Parameter(id),
         }
@@ -50,6 +51,7 @@ impl Node {
         match self {
             Self::Parameter(id) => Some(id),
             Self::Group(Group::Motion(end, motion)) => Some(ParameterId::restraint(end, motion)),
+            Self::Group(Group::Link(joint, motion)) => Some(ParameterId::link(joint, motion)),
             Self::Group(group) => group.parameter_of(Kind::Support),
             Self::StudyLine(..) => None,
         }
@@ -63,12 +65,13 @@ impl Node {
         }
     }
 
-    /// Its inner support, subsystem, force, response or study.
+    /// Its inner support, joint, subsystem, force, response or study.
     pub fn item(self) -> Option<Group> {
         Some(self.group().owner()).filter(|group| {
             matches!(
                 group,
                 Group::Support(SupportId::Inner(_))
+                    | Group::Joint(_)
                     | Group::Subsystem(_)
                     | Group::Force(_)
                     | Group::Response(_)

@@ -4,9 +4,9 @@ use std::borrow::Cow;
 
 use super::{Node, tuning};
 use crate::model::edit::Value;
-use crate::model::schema::{self, ElasticKey, Wording};
+use crate::model::schema::{self, ElasticKey, LinkKey, Wording};
 use crate::model::{
-    BeamMotion, Bedding, Family, Foundation, Group, Model, Parameter, Place, Point, Quantity,
+    BeamMotion, Bedding, Family, Foundation, Group, Link, Model, Parameter, Place, Point, Quantity,
     Response, Restraint, Study, SupportId, Supports, Sweep, Target, Unit, counted, grouped,
 };
 use crate::tune::words;
@@ -29,6 +29,7 @@ fn group_label(model: &Model, group: Group) -> Cow<'_, str> {
         Group::Section => "Section".into(),
         Group::Foundation => "Foundation".into(),
         Group::Supports => "Supports".into(),
+        Group::Joints => "Joints".into(),
         Group::Subsystems => "Subsystems".into(),
         Group::Forces => "Forces".into(),
         Group::Responses => "Responses".into(),
@@ -36,7 +37,8 @@ fn group_label(model: &Model, group: Group) -> Cow<'_, str> {
         Group::Studies => "Studies".into(),
         Group::Tune => "Tune".into(),
         Group::Support(id) => id.name(model).into(),
-        Group::Motion(_, motion) => spaced(motion.key()),
+        Group::Motion(_, motion) | Group::Link(_, motion) => spaced(motion.key()),
+        Group::Joint(i) => format!("joint {}", i + 1).into(),
         Group::Subsystem(i) => model.subsystems[i].name.as_str().into(),
         Group::Force(i) => format!("force {}", i + 1).into(),
         Group::Response(i) => model.responses[i].name.as_str().into(),
@@ -77,6 +79,7 @@ pub fn subject(model: &Model, node: Node) -> String {
             match id.group {
                 Group::Model => own,
                 Group::Motion(id, motion) => format!("{} {} {own}", id.name(model), motion.key()),
+                Group::Link(..) => format!("{} {own}", subject(model, Node::Group(id.group))),
                 Group::Support(id) => format!("{} {own}", support(model, id)),
                 Group::Beam
                 | Group::Material
@@ -90,6 +93,7 @@ pub fn subject(model: &Model, node: Node) -> String {
         }
         Node::Group(Group::Support(id)) => support(model, id),
         Node::Group(Group::Motion(id, motion)) => format!("{} {}", id.name(model), motion.key()),
+        Node::Group(Group::Link(i, motion)) => format!("joint {} {}", i + 1, motion.key()),
         Node::Group(group @ (Group::Variable(_) | Group::Objective(_) | Group::Limit(_))) => {
             format!("tune {}", group_label(model, group))
         }
@@ -132,6 +136,9 @@ fn group_value(model: &Model, group: Group) -> String {
             id.support(model).kind().to_owned()
         }
         Group::Support(id @ SupportId::Inner(_)) => Unit::METRE.format(id.position(model)),
+        Group::Joints => model.joints.len().to_string(),
+        Group::Joint(i) => Unit::METRE.format(model.joints[i].position),
+        Group::Link(i, motion) => link(model.joints[i][motion], motion),
         Group::Motion(end, motion) => restraint(end.support(model)[motion], motion),
         Group::Subsystems => model.subsystems.len().to_string(),
         Group::Subsystem(i) => {
@@ -222,6 +229,14 @@ fn restraint(restraint: Restraint, motion: BeamMotion) -> String {
     match restraint {
         Restraint::Elastic(elastic) => stiffness.unit.format(elastic.stiffness),
         held => held.kind().to_owned(),
+    }
+}
+
+fn link(link: Link, motion: BeamMotion) -> String {
+    let stiffness = &schema::link(motion).keys[LinkKey::Stiffness as usize];
+    match link {
+        Link::Elastic(spring) => stiffness.unit.format(spring.stiffness),
+        joined => joined.kind().to_owned(),
     }
 }
 

@@ -5,6 +5,7 @@ use super::quadratic_form::{ARRIVALS, Carried, FORCED, QuadraticForm, arriving};
 use super::side_energy::SideEnergy;
 use super::{Affine, SideResponse, Source, Substructure};
 use crate::solve::attachment::Attachment;
+use crate::solve::kernel::action::Acting;
 use crate::solve::kernel::complex::Complex;
 use crate::solve::kernel::number::{Arithmetic, part};
 use crate::solve::kernel::read::Part;
@@ -161,20 +162,8 @@ impl<A: Arithmetic> Room<A> {
                 let forces = &self.forces[index];
                 crossing.attachment(waves, attachment, forces, &mut task.inwards);
             }
-            Event::Support(held) => {
-                *crossing = Crossing::NONE;
-                for arrival in 0..ARRIVALS {
-                    let inwards = &mut task.inwards[arrival];
-                    let jumps = self.reactions[index].sent(
-                        waves,
-                        held.support.point,
-                        inwards,
-                        arrival == FORCED,
-                    );
-                    crossing.back[arrival] = jumps.sent(task.side);
-                    add(inwards, &jumps.sent(task.side.other()));
-                }
-            }
+            Event::Support(held) => self.send_all(task, index, Acting::Support(held), crossing),
+            Event::Joint(joined) => self.send_all(task, index, Acting::Joint(joined), crossing),
             Event::Load(load) => {
                 let jumps = Jumps::of_load(waves, load);
                 *crossing = Crossing::NONE;
@@ -182,6 +171,24 @@ impl<A: Arithmetic> Room<A> {
                 add(&mut task.inwards[FORCED], &jumps.sent(task.side.other()));
             }
             Event::Probe => *crossing = Crossing::NONE,
+        }
+    }
+
+    /// Moves the arrivals over a support or joint.
+    #[inline(always)]
+    fn send_all(
+        &self,
+        task: &mut Task<'_, A>,
+        index: usize,
+        acting: Acting<'_>,
+        crossing: &mut Crossing<A>,
+    ) {
+        *crossing = Crossing::NONE;
+        for arrival in 0..ARRIVALS {
+            let inwards = &mut task.inwards[arrival];
+            let jumps = self.actions[index].sent(task.waves, acting, inwards, arrival == FORCED);
+            crossing.back[arrival] = jumps.sent(task.side);
+            add(inwards, &jumps.sent(task.side.other()));
         }
     }
 

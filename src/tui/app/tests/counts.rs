@@ -263,15 +263,38 @@ fn one_row_is_found_and_two_rows_are() {
 }
 
 #[test]
+fn joints_are_added_copied_and_deleted() {
+    let mut app = app("fig05a");
+    let positions = |app: &App| -> Vec<f64> {
+        let joints = app.model().joints.iter();
+        joints.map(|joint| joint.position).collect()
+    };
+    go(&mut app, Node::Group(Group::Joints));
+    app.add();
+    // The middle of the beam, then that of the left half.
+    assert_eq!(positions(&app), [1.6]);
+    app.duplicate();
+    assert_eq!(positions(&app).len(), 2, "{}", message(&app));
+    assert_ne!(positions(&app)[0], positions(&app)[1]);
+    app.delete();
+    assert_eq!(positions(&app), [1.6]);
+    assert!(
+        message(&app).contains("delete joint 2"),
+        "{}",
+        message(&app)
+    );
+}
+
+#[test]
 fn what_adds_is_said_for_where_one_is() {
     for (path, word) in [
         (
             "beam.length",
-            "supports, subsystems, forces and responses can be added",
+            "supports, joints, subsystems, forces and responses can be added",
         ),
         (
             "sweep.from",
-            "supports, subsystems, forces and responses can be added",
+            "supports, joints, subsystems, forces and responses can be added",
         ),
     ] {
         let mut app = app("fig08");

@@ -1,8 +1,9 @@
-//! Side view of the structure, to scale along x: the beam with its supports, subsystems, forces and responses.
+//! Side view of the structure, to scale along x: the beam with its supports, joints, subsystems, forces and responses.
 //!
 //! Upward is y, so w is up and down; z is out of the picture. Every subsystem is drawn below the beam, in whichever
 //! direction its springs act: the picture shows that the springs exist, and their directions.
 
+mod joints;
 mod loads;
 mod masses;
 mod rows;
@@ -32,6 +33,7 @@ const MARGIN: u16 = 3;
 enum Focus {
     Beam,
     Support(SupportId),
+    Joint(usize),
     Subsystem(usize),
     Force(usize),
     Response(usize),
@@ -43,6 +45,7 @@ impl Focus {
         match group {
             Group::Beam => Self::Beam,
             Group::Support(support) => Self::Support(support),
+            Group::Joint(i) => Self::Joint(i),
             Group::Subsystem(i) => Self::Subsystem(i),
             Group::Force(i) => Self::Force(i),
             Group::Response(i) => Self::Response(i),
@@ -140,6 +143,7 @@ pub(crate) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
     let mut board = Board::new(frame.buffer_mut(), inside);
     draw_beam(&picture, &mut board);
     supports::draw(&picture, &mut board);
+    joints::draw(&picture, &mut board);
     masses::draw(&picture, &mut board);
     loads::draw(&picture, &mut board);
     supports::draw_words(&picture, &mut board);
@@ -204,7 +208,8 @@ fn draw_key(picture: &Picture<'_>, board: &mut Board<'_>) {
     let [mut column, room] = [1, board.columns() - 1];
     let keys = loads::keys(picture)
         .into_iter()
-        .chain(supports::keys(picture));
+        .chain(supports::keys(picture))
+        .chain(joints::keys(picture));
     for key in keys {
         let columns = width(&key);
         if column + columns > room {
@@ -234,6 +239,11 @@ fn note(model: &Model, focus: Focus) -> String {
                     format!("{} at {position}: {words}", id.name(model))
                 }
             }
+        }
+        Focus::Joint(i) => {
+            let position = Unit::METRE.format(model.joints[i].position);
+            let words = joints::words(&model.joints[i]).join(", ");
+            format!("joint {} at {position}: {words}", i + 1)
         }
         Focus::Force(i) => {
             let what = tree::value(model, Node::Group(Group::Force(i)));

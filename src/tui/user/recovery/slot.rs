@@ -34,9 +34,12 @@ impl Slot {
     /// # Errors
     /// The folder cannot be created or written, or files in it cannot be locked.
     pub(super) fn claim(folder: &Path, source: &Source) -> io::Result<Self> {
+        const ATTEMPTS: usize = 10;
         files::make_private(folder)?;
-        // Before it is locked, another program may take the first file for an abandoned one.
-        Self::try_claim(folder, source).or_else(|_| Self::try_claim(folder, source))
+        // Before it is locked, another program may take the new file for an abandoned one.
+        (1..ATTEMPTS)
+            .find_map(|_| Self::try_claim(folder, source).ok())
+            .map_or_else(|| Self::try_claim(folder, source), Ok)
     }
 
     fn try_claim(folder: &Path, source: &Source) -> io::Result<Self> {

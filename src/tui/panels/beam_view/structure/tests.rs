@@ -5,7 +5,10 @@ use ratatui::style::Modifier;
 
 use super::*;
 use crate::designer::driver::thousand;
-use crate::model::{BeamMotion, Elastic, Force, MassMotion, Quantity, Restraint, Support, Target};
+use crate::model::{
+    BeamMotion, Elastic, Force, Joint, Link, MassMotion, Quantity, Restraint, Spring, Support,
+    Target,
+};
 use crate::presets;
 use crate::tui::ascii;
 use crate::tui::options::{Marker, Options};
@@ -262,6 +265,32 @@ fn what_is_not_attached_is_outlined() {
     };
     assert!(wide[(corner, 7)].modifier.contains(Modifier::DIM));
     assert!(screen(&app, 44, 10).contains("(S1)      [S2]"));
+}
+
+#[test]
+fn a_joint_is_a_sign_on_the_beam() {
+    let mut model = preset("fig05a");
+    let joint = |position, link| {
+        let mut joint = Joint {
+            position,
+            ..Joint::default()
+        };
+        joint[BeamMotion::WSlope] = link;
+        joint
+    };
+    let coupling = Link::Elastic(Spring {
+        stiffness: 1e5,
+        ..Spring::default()
+    });
+    model.joints = vec![joint(0.4, Link::Free), joint(2.8, coupling)];
+    let app = at(model, Node::Group(Group::Joint(0)));
+    let picture = screen(&app, 78, 24);
+    assert!(picture.contains(">○") && picture.contains('◎'), "{picture}");
+    assert!(
+        picture.contains("joint 1 at 0.4 m: w_slope free"),
+        "{picture}"
+    );
+    assert!(picture.contains("○ hinge") && picture.contains("◎ coupling"));
 }
 
 /// Without colour the selection is reversed and has a pointer; without modifiers only the pointer.

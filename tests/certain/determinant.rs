@@ -2,7 +2,7 @@
 //! by its Taylor series over short lengths, in numbers of 32 digits, with six solutions kept independent from the left
 //! end to the right (Godunov 1961; Conte, SIAM Rev. 8 (1966) 309-321).
 
-use beamtune::model::{BeamMotion, Model, Restraint, Spring, Subsystem, Support};
+use beamtune::model::{BeamMotion, Joint, Link, Model, Restraint, Spring, Subsystem, Support};
 use num_complex::Complex64;
 
 use super::double_double::{Complex2, Double2};
@@ -109,12 +109,19 @@ impl<'a> Determinant<'a> {
         let mut x = 0.0;
         let inner = &self.model.supports.inner;
         let masses = self.model.attached().map(|mass| mass.position);
-        let mut places: Vec<f64> = masses.chain(inner.iter().map(|of| of.position)).collect();
+        let joints = self.model.joints.iter().map(|joint| joint.position);
+        let held = inner.iter().map(|of| of.position);
+        let mut places: Vec<f64> = masses.chain(held).chain(joints).collect();
         places.sort_by(f64::total_cmp);
         places.dedup();
         for place in places {
             self.cross(x, place, omega, &mut basis);
             x = place;
+            for joint in (self.model.joints.iter()).filter(|joint| joint.position == place) {
+                product[0] = product[0] * self.part(joint, omega, &mut basis);
+                basis.exponent += normalise(&mut product);
+                basis.separate();
+            }
             for mass in self.model.attached().filter(|mass| mass.position == place) {
                 product[0] = product[0] * self.attach(mass, omega, &mut basis);
                 basis.exponent += normalise(&mut product);
@@ -185,16 +192,60 @@ impl<'a> Determinant<'a> {
                 let Some(stiffness) = stiffness else {
                     return state[motion];
                 };
-                let spring = stiffness * self.compliance[motion % FIELDS] * state[motion];
-                if motion >= FIELDS {
-                    spring + state[3 + motion]
-                } else if motion == BeamMotion::Psi as usize {
-                    spring + state[4] * self.torsion - state[10]
-                } else {
-                    spring - state[9 + motion]
-                }
+                stiffness * self.compliance[motion % FIELDS] * state[motion]
+                    + self.resultant(&state, motion)
             })
         })
+    }
+
+    /// A resultant of a state of unit 1 m, divided by its stiffness: see [`Self::load`].
+    fn resultant(&self, state: &State, motion: usize) -> Complex2 {
+        if motion >= FIELDS {
+            state[3 + motion]
+        } else if motion == BeamMotion::Psi as usize {
+            state[4] * self.torsion - state[10]
+        } else {
+            -state[9 + motion]
+        }
+    }
+
+    /// Passes a joint: its right side moves by the resultant over the stiffness more than its left side. Returns a factor
+    /// of the determinant.
+    fn part(&self, joint: &Joint, omega: Complex2, basis: &mut Basis) -> Complex2 {
+        let one = Double2::from(1.0);
+        rescale(&mut basis.states, one / basis.unit);
+        basis.unit = one;
+        let mut factor = Complex2::ONE;
+        let before = basis.states;
+        for (motion, link) in joint.links.iter().enumerate() {
+            let Link::Elastic(spring) = link else {
+                continue;
+            };
+            let stiffness = complex(spring.stiffness, spring.loss_factor)
+                + omega.turned() * Double2::from(spring.damping);
+            let softness = (stiffness * self.compliance[motion % FIELDS]).inverse();
+            for (state, before) in basis.states.iter_mut().zip(&before) {
+                self.jump(state, motion, self.resultant(before, motion) * softness);
+            }
+            factor = factor * stiffness;
+        }
+        for (motion, link) in joint.links.iter().enumerate() {
+            if *link == Link::Free {
+                let resultants = basis.states.map(|state| self.resultant(&state, motion));
+                let mut parted = [Complex2::ZERO; 12];
+                self.jump(&mut parted, motion, Complex2::ONE);
+                factor = factor * basis.exchange(resultants, &parted);
+            }
+        }
+        factor
+    }
+
+    /// Moves a state of unit 1 m and leaves its resultants.
+    fn jump(&self, state: &mut State, motion: usize, by: Complex2) {
+        state[motion] += by;
+        if motion == BeamMotion::PsiSlope as usize {
+            state[10] += by * self.torsion;
+        }
     }
 
     /// Propagates the states from one position to another.
@@ -319,23 +370,9 @@ impl<'a> Determinant<'a> {
         let values = basis
             .states
             .map(|state| moved(support, motion, &state, unit));
-        let size = |index: &usize| values[*index].rounded().norm();
-        let pivot = (0..6).max_by(|a, b| size(a).total_cmp(&size(b))).unwrap();
-        let (own, inverse) = (basis.states[pivot], values[pivot].inverse());
-        for (state, value) in basis.states.iter_mut().zip(values) {
-            for (entry, own) in state.iter_mut().zip(&own) {
-                *entry -= value * inverse * *own;
-            }
-        }
-        basis.states[pivot] = [Complex2::ZERO; 12];
-        self.react(
-            support,
-            motion,
-            Complex2::ONE,
-            unit,
-            &mut basis.states[pivot],
-        );
-        values[pivot]
+        let mut held = [Complex2::ZERO; 12];
+        self.react(support, motion, Complex2::ONE, unit, &mut held);
+        basis.exchange(values, &held)
     }
 
     /// Adds a force (in N, or N m) along a motion of the point of a support to a state.
@@ -502,6 +539,20 @@ fn carried(columns: &[State; 12], state: &State) -> State {
 }
 
 impl Basis {
+    /// Makes a value zero: one state makes it zero in all others, and a new state takes its place. Returns its value.
+    fn exchange(&mut self, values: [Complex2; 6], new: &State) -> Complex2 {
+        let size = |index: &usize| values[*index].rounded().norm();
+        let pivot = (0..6).max_by(|a, b| size(a).total_cmp(&size(b))).unwrap();
+        let (own, inverse) = (self.states[pivot], values[pivot].inverse());
+        for (state, value) in self.states.iter_mut().zip(values) {
+            for (entry, own) in state.iter_mut().zip(&own) {
+                *entry -= value * inverse * *own;
+            }
+        }
+        self.states[pivot] = *new;
+        values[pivot]
+    }
+
     /// Makes the states nearly orthogonal and of size 1. It subtracts multiples of other states, which does not change
     /// the determinant, so the multiples need not be exact.
     fn separate(&mut self) {

@@ -1,8 +1,8 @@
 //! Random models: 0 to 20 subsystems, half of the models with some equal ones.
 
 use beamtune::model::{
-    Beam, Elastic, InnerSupport, Material, Model, Point, Restraint, Section, Spacing, Spring,
-    Subsystem, Support, Supports, Sweep,
+    Beam, Elastic, InnerSupport, Joint, Link, Material, Model, Point, Restraint, Section, Spacing,
+    Spring, Subsystem, Support, Supports, Sweep,
 };
 
 use super::frequency_of::frequency_of;
@@ -136,6 +136,31 @@ fn hold_anywhere(model: &mut Model, dice: &mut Dice) {
         subsystem.y_left.loss_factor = loss_factor;
         subsystem.z_right.loss_factor = loss_factor;
     }
+    if dice.next() < 0.6 {
+        cut(model, dice);
+    }
+}
+
+/// Adds a joint, in some models where a support is.
+fn cut(model: &mut Model, dice: &mut Dice) {
+    let link = |dice: &mut Dice| match dice.next() {
+        share if share < 0.5 => Link::Rigid,
+        share if share < 0.7 => Link::Free,
+        _ => Link::Elastic(Spring {
+            stiffness: dice.power(1e4, 1e8),
+            damping: dice.pick(&[0.0, 10.0, 300.0]),
+            loss_factor: dice.pick(&[0.0, 0.02, 0.2]),
+        }),
+    };
+    let position = dice.between(0.05, 0.95) * model.beam.length;
+    let mut links = std::array::from_fn(|_| link(dice));
+    if links == [Link::Rigid; 6] {
+        links[3] = Link::Free;
+    }
+    model.joints.push(Joint {
+        position: dice.pick(&[position, position, model.supports.inner[0].position]),
+        links,
+    });
 }
 
 fn beam(dice: &mut Dice) -> Beam {

@@ -1,5 +1,7 @@
 //! A model laid out for the solver: the stations along x, in order, and the station of each response.
 
+use std::ops::Range;
+
 use num_complex::Complex64;
 
 use super::attachment::Attachment;
@@ -339,6 +341,8 @@ struct Layout<'a> {
     stations: Vec<Station>,
     /// The probes before everything else at their positions: the first stations.
     first_probes: usize,
+    /// The supports among the stations.
+    supports: Range<usize>,
     /// Station of each subsystem, by name.
     masses: std::collections::HashMap<&'a str, usize>,
     outputs: Vec<Output>,
@@ -353,6 +357,7 @@ impl<'a> Layout<'a> {
             right: Held::new(model.supports.right, without_warping),
             stations: Vec::new(),
             first_probes: 0,
+            supports: 0..0,
             masses: std::collections::HashMap::new(),
             outputs: Vec::new(),
         }
@@ -405,10 +410,12 @@ impl<'a> Layout<'a> {
     fn place_supports(&mut self) {
         let without_warping = self.model.beam.section.warping_constant == 0.0;
         let supports = self.model.supports.inner.iter();
+        let first = self.stations.len();
         self.stations.extend(supports.map(|inner| Station {
             position: inner.position,
             event: Event::Support(Box::new(Held::new(inner.support, without_warping))),
         }));
+        self.supports = first..self.stations.len();
     }
 
     fn place_subsystems(&mut self) {
@@ -429,7 +436,7 @@ impl<'a> Layout<'a> {
         let mut here = held_at(
             x,
             [&self.left, &self.right],
-            &self.stations,
+            &self.stations[self.supports.clone()],
             self.model.beam.length,
         );
         here.any(|held| held.fixes(motion, arm))
@@ -460,9 +467,7 @@ impl<'a> Layout<'a> {
     }
 
     fn load_beam(&mut self, x: f64, load: [Complex64; 6]) {
-        let inner = |station: &&mut Station| {
-            station.position == x && matches!(station.event, Event::Support(_))
-        };
+        let is_here = |station: &&mut Station| station.position == x;
         let held = if x == 0.0 {
             &mut self.left
         } else if x == self.model.beam.length {
@@ -470,7 +475,9 @@ impl<'a> Layout<'a> {
         } else if let Some(Station {
             event: Event::Support(held),
             ..
-        }) = self.stations.iter_mut().find(inner)
+        }) = self.stations[self.supports.clone()]
+            .iter_mut()
+            .find(is_here)
         {
             held
         } else {

@@ -25,6 +25,8 @@ use crate::solve::Cancelled;
 /// The search for the damped roots of a model.
 pub(super) struct Search<'a> {
     model: &'a Model,
+    /// Whether the model has a loss factor: then no root is the mirror image of another.
+    pub(super) is_hysteretic: bool,
     pub(super) characteristic: Characteristic,
     blocked: Blocked,
     /// How many roots lie at 0.
@@ -69,6 +71,7 @@ impl<'a> Search<'a> {
         let zeros = 2 * rigid_modes;
         Self {
             model,
+            is_hysteretic: is_hysteretic(model),
             characteristic: Characteristic::new(model),
             blocked: Blocked::new(model),
             reach: FARTHEST * to,
@@ -191,7 +194,7 @@ impl<'a> Search<'a> {
         roots: &[Complex64],
         outer: f64,
     ) -> Result<Option<i64>, Cancelled> {
-        match self.remainder(roots).in_disc(outer, self.is_hysteretic()) {
+        match self.remainder(roots).in_disc(outer, self.is_hysteretic) {
             Ok(counted) => Ok(Some(counted)),
             Err(Unsettled::Noise | Unsettled::Spent) => Ok(None),
             Err(Unsettled::Cancelled(cancelled)) => Err(cancelled),
@@ -200,7 +203,7 @@ impl<'a> Search<'a> {
 
     /// The characteristic function divided by the distances to the roots and their mirror images.
     pub(super) fn remainder(&self, roots: &[Complex64]) -> Remainder<'_> {
-        self.remainder_of(&with_images(roots, self.is_hysteretic()))
+        self.remainder_of(&with_images(roots, self.is_hysteretic))
     }
 
     /// The characteristic function divided by the distances to some points.
@@ -243,7 +246,7 @@ impl<'a> Search<'a> {
                 |tracker: &&mut Tracker| (tracker.z - start).norm() < TOGETHER * start.norm();
             match trackers.iter_mut().rev().find(near) {
                 Some(tracker) => tracker.count += 1,
-                None => trackers.push(Tracker::new(start, 1, self.is_hysteretic())),
+                None => trackers.push(Tracker::new(start, 1, self.is_hysteretic)),
             }
         }
         let fixed: Vec<(Complex64, f64)> = known.iter().map(|&z| (z, 1.0)).collect();
@@ -288,15 +291,11 @@ impl<'a> Search<'a> {
             if other != index {
                 push += count * inverse(z - root);
             }
-            if root.re != 0.0 && !self.is_hysteretic() {
+            if root.re != 0.0 && !self.is_hysteretic {
                 push += count * inverse(z + root.conj());
             }
         }
         push
-    }
-
-    pub(super) fn is_hysteretic(&self) -> bool {
-        is_hysteretic(self.model)
     }
 }
 

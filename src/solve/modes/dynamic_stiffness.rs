@@ -344,6 +344,27 @@ impl Span {
             }
         }
     }
+
+    /// The same over the motions of a point of its left end, from which `axis` gives those of the axis. The forces there do
+    /// the same work.
+    pub(super) fn at_point(&self, axis: &Matrix6<f64>) -> Self {
+        let ends = &self.ends;
+        // It is the identity and a shear, whose square is 0.
+        let of_forces = (Matrix6::identity() * 2.0 - axis).transpose();
+        Self {
+            ends: Ends {
+                left: axis.transpose() * ends.left * axis,
+                across: axis.transpose() * ends.across,
+                ..*ends
+            },
+            transfer: self.transfer.as_ref().map(|transfer| Transfer {
+                a: transfer.a * axis,
+                b: transfer.b * of_forces,
+                c: transfer.c * axis,
+                d: transfer.d * of_forces,
+            }),
+        }
+    }
 }
 
 impl<const N: usize> Transfer<N> {

@@ -47,7 +47,7 @@ impl Search<'_> {
     /// Adds the new candidates that are separate roots; returns the others.
     fn prove_alone(&self, proven: &mut Vec<Complex64>, new: &[Complex64]) -> Vec<Complex64> {
         let rest: Vec<Complex64> = proven.iter().chain(new).copied().collect();
-        let all = with_images(&rest, self.is_hysteretic());
+        let all = with_images(&rest, self.is_hysteretic);
         let is_alone: Vec<bool> = (proven.len()..rest.len())
             .into_par_iter()
             .with_min_len(64)
@@ -80,7 +80,7 @@ impl Search<'_> {
             let first = proven.len();
             proven.push(root);
             proven.append(&mut doubtful);
-            let all = with_images(proven, self.is_hysteretic());
+            let all = with_images(proven, self.is_hysteretic);
             let group = neighbours(&all, first, CLOSE);
             let settled = self.group(&all, &group)?;
             doubtful = proven.split_off(first);
@@ -92,7 +92,7 @@ impl Search<'_> {
                 }
             }
             // Of two mirror images one is enough; with a loss factor there are none.
-            let own = |root: &Complex64| self.is_hysteretic() || root.re >= 0.0;
+            let own = |root: &Complex64| self.is_hysteretic || root.re >= 0.0;
             match settled {
                 Group::Proven(roots) => proven.extend(roots.into_iter().filter(own)),
                 Group::Nearer(places) => nearer.extend(places.into_iter().filter(own)),
@@ -125,7 +125,7 @@ impl Search<'_> {
             } else {
                 *z
             };
-            let is_on_axis = z.re == 0.0 && !self.is_hysteretic();
+            let is_on_axis = z.re == 0.0 && !self.is_hysteretic;
             is_straight.then_some(if is_on_axis {
                 Complex64::new(0.0, root.im)
             } else {
@@ -172,7 +172,7 @@ impl Search<'_> {
 
     /// Moves a root that is almost on the imaginary axis onto it; with a loss factor no root is on it.
     fn on_axis(&self, root: Complex64) -> Complex64 {
-        if !self.is_hysteretic() && root.re.abs() < OVERDAMPED * root.im {
+        if !self.is_hysteretic && root.re.abs() < OVERDAMPED * root.im {
             Complex64::new(0.0, root.im)
         } else {
             root

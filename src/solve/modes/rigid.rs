@@ -301,7 +301,7 @@ impl Coordinates {
         for (weight, rows) in self.nodes() {
             for slope in [BeamMotion::WSlope, BeamMotion::VSlope] {
                 let row = &rows[slope as usize];
-                rigid += beam.axial_force.abs() * weight * row * row.transpose();
+                add_square(&mut rigid, beam.axial_force.abs() * weight, row);
             }
         }
         for (index, jump) in self.jumps.iter().enumerate() {
@@ -316,7 +316,7 @@ impl Coordinates {
                 } else {
                     elastic.stiffness
                 };
-                rigid += stiffness * &row * row.transpose();
+                add_square(&mut rigid, stiffness, &row);
             }
         }
         for mass in masses {
@@ -339,7 +339,7 @@ impl Coordinates {
         let mut sum = DMatrix::zeros(self.count(), self.count());
         for (weight, rows) in self.nodes() {
             for (row, bedding) in rows.iter().zip(beam.foundation.beddings()) {
-                sum += of(&bedding) * weight * row * row.transpose();
+                add_square(&mut sum, of(&bedding) * weight, row);
             }
         }
         sum
@@ -368,6 +368,13 @@ impl Coordinates {
                 elastic,
             )
         })
+    }
+}
+
+/// Adds `factor a a^T`.
+fn add_square(sum: &mut DMatrix<f64>, factor: f64, a: &DVector<f64>) {
+    if factor != 0.0 {
+        sum.ger(factor, a, a, 1.0);
     }
 }
 

@@ -208,13 +208,16 @@ impl Fixed {
         all
     }
 
-    /// The motions of the axis from those of the point, both dimensionless.
-    pub(super) fn axis_of_point(&self, units: &Units) -> Matrix6<f64> {
+    /// The motions of the axis from those of the point, both dimensionless; none if the point is on the axis.
+    pub(super) fn axis_of_point(&self, units: &Units) -> Option<Matrix6<f64>> {
+        if self.point == Point::AXIS {
+            return None;
+        }
         let mut axis = Matrix6::identity();
         let turn = units.motion[BeamMotion::Psi as usize];
         axis[(BeamMotion::W as usize, BeamMotion::Psi as usize)] = -self.point.z * turn;
         axis[(BeamMotion::V as usize, BeamMotion::Psi as usize)] = self.point.y * turn;
-        axis
+        Some(axis)
     }
 }
 

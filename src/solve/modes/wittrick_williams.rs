@@ -33,7 +33,7 @@ pub(super) struct Counter {
     /// The lengths between the nodes, m: one less.
     spans: Vec<f64>,
     /// The span where the elimination from the left meets that from the right: the longest one, but right of every joint
-    /// beside a fixed motion, which only the elimination from the left can cross.
+    /// next to a fixed motion, which only the elimination from the left can cross.
     meeting: usize,
     /// Number of modes at frequency 0.
     rigid: usize,
@@ -64,7 +64,7 @@ impl Counter {
         cuts.sort_by(|a, b| a.position.total_cmp(&b.position));
         let mut masses: Vec<Mass> = model.attached().map(Mass::new).collect();
         for mass in &mut masses {
-            mass.position = beside_support(mass.position, &supports, &cuts, beam.length);
+            mass.position = near_support(mass.position, &supports, &cuts, beam.length);
         }
         masses.sort_by(|a, b| a.position.total_cmp(&b.position));
         let (nodes, spans) = nodes(&supports, &cuts, &masses);
@@ -189,7 +189,7 @@ fn decays_at_once(beam: &Beam) -> bool {
 
 /// The position of a support that fixes a motion, if a position is as good as there and no joint is between them: the
 /// stiffness of the span between them would be so large that rounding hides everything else. Both m.
-fn beside_support(position: f64, supports: &[Restrained], cuts: &[Cut], length: f64) -> f64 {
+fn near_support(position: f64, supports: &[Restrained], cuts: &[Cut], length: f64) -> f64 {
     const NEAR: f64 = 2e-7;
     let is_near = |support: &&Restrained| {
         let fixes = BeamMotion::ALL
@@ -303,12 +303,12 @@ impl March<'_> {
             _ => self.field.span(length / self.units.length),
         };
         for _ in 0..pieces {
-            let count = cross(
-                &span,
-                stiffness,
-                fixed.motions,
-                &fixed.axis_of_point(&self.units),
-            );
+            let count = if let Some(axis) = fixed.axis_of_point(&self.units) {
+                *stiffness = axis.transpose() * *stiffness * axis;
+                cross(&span.at_point(&axis), stiffness, fixed.motions)
+            } else {
+                cross(&span, stiffness, fixed.motions)
+            };
             self.count = self.count.saturating_add(count);
             fixed = Fixed::NONE;
         }
@@ -323,20 +323,13 @@ fn mirrored(stiffness: &Matrix6<f64>) -> Matrix6<f64> {
 }
 
 /// Moves the stiffness over a span; returns the count of the eliminated end and of the clamped span.
-///
-/// `fixed` are motions of a point there, from which `axis` gives those of the axis.
-fn cross(
-    span: &Span,
-    stiffness: &mut Matrix6<f64>,
-    fixed: [bool; 6],
-    axis: &Matrix6<f64>,
-) -> usize {
+fn cross(span: &Span, stiffness: &mut Matrix6<f64>, fixed: [bool; 6]) -> usize {
     let ends = &span.ends;
-    let mut force = axis.transpose() * *stiffness * axis;
-    let mut node = axis.transpose() * ends.left * axis + force;
+    let mut node = ends.left + *stiffness;
     hold(&mut node, fixed);
-    let mut across = axis.transpose() * ends.across;
+    let mut across = ends.across;
     let mut moved = Matrix6::identity();
+    let mut force = *stiffness;
     for row in (0..6).filter(|&row| fixed[row]) {
         across.row_mut(row).fill(0.0);
         moved[(row, row)] = 0.0;
@@ -346,14 +339,12 @@ fn cross(
     }
     let eliminated = eliminate(&node, &across);
     let by_transfer = span.transfer.as_ref().and_then(|transfer| {
-        // The forces on the axis do the same work.
-        let (moved, force) = (axis * moved, axis.transpose().try_inverse()? * force);
         // Only the span of its columns matters, so any regular scale is possible.
         let moved_on = transfer.a * moved + transfer.b * force;
         Some((transfer.c * moved + transfer.d * force) * moved_on.try_inverse()?)
     });
     *stiffness = symmetric(
-        by_transfer.unwrap_or_else(|| ends.right - across.transpose() * eliminated.solution),
+        by_transfer.unwrap_or_else(|| ends.right - ends.across.transpose() * eliminated.solution),
     );
     ends.clamped.saturating_add(eliminated.negatives)
 }

@@ -10,8 +10,8 @@ use super::linear::ZERO;
 use super::springs::{restraint_stiffness, stiffness};
 use super::waves::BeamConstants;
 use crate::model::{
-    BeamMotion, Elastic, Joint, Link, MassMotion, Measure, Model, Place, Quantity, Restraint,
-    Spring, Support, SupportId, Target,
+    BeamMotion, Elastic, MassMotion, Measure, Model, Place, Quantity, Restraint, Spring, Support,
+    SupportId, Target,
 };
 
 /// The part of a model that does not depend on the frequency.
@@ -113,26 +113,13 @@ impl Held {
 /// A joint: what links each motion of its two sides.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Joined {
-    links: [Link; 6],
+    springs: [Option<Spring>; 6],
 }
 
 impl Joined {
-    /// Without warping stiffness the section transmits no bimoment, and a link of the rate of twist has no effect.
-    fn new(joint: &Joint, without_warping: bool) -> Self {
-        let mut links = joint.links;
-        if without_warping {
-            links[BeamMotion::PsiSlope as usize] = Link::Rigid;
-        }
-        Self { links }
-    }
-
-    /// The spring and damper between both sides of a motion, none if it is free; `None` if it is rigid.
+    /// That of a motion: see [`Joint::springs`].
     pub(super) fn spring(&self, motion: BeamMotion) -> Option<Spring> {
-        match self.links[motion as usize] {
-            Link::Rigid => None,
-            Link::Free => Some(Spring::default()),
-            Link::Elastic(spring) => Some(spring),
-        }
+        self.springs[motion as usize]
     }
 
     /// The jumps of the motions over it, right minus left: 0 where it is rigid. From the states on both sides, or from the
@@ -402,7 +389,9 @@ impl<'a> Layout<'a> {
         self.stations
             .extend(self.model.joints.iter().map(|joint| Station {
                 position: joint.position,
-                event: Event::Joint(Box::new(Joined::new(joint, without_warping))),
+                event: Event::Joint(Box::new(Joined {
+                    springs: joint.springs(without_warping),
+                })),
             }));
     }
 
@@ -585,7 +574,7 @@ impl<'a> Layout<'a> {
         stations.sort_by(|a, b| a.position.total_cmp(&b.position));
         let (lengths, spans) = spans(&stations, self.model.beam.length);
         let mut beam = BeamConstants::new(&self.model.beam);
-        // A point beside the axis couples v with twist.
+        // A point off the axis couples v with twist.
         let mut supports = SupportId::all(self.model);
         beam.all_coupled |= supports.any(|id| id.support(self.model).point.y != 0.0);
         Plan {

@@ -6,7 +6,7 @@
 use num_complex::Complex64;
 
 use super::linear::ZERO;
-use crate::model::{BeamMotion, Elastic, Point, Restraint, Spring, Subsystem};
+use crate::model::{BeamMotion, Elastic, Joint, Link, Point, Restraint, Spring, Subsystem};
 
 /// The four springs: y left, y right, z left, z right.
 pub(super) fn springs(subsystem: &Subsystem) -> [Spring; 4] {
@@ -42,14 +42,28 @@ impl Point {
     }
 }
 
+impl Joint {
+    /// The spring and damper between both sides of each motion, all 0 where it is free; `None` where it is rigid.
+    ///
+    /// Without warping stiffness the section transmits no bimoment, and a link of the rate of twist has no effect.
+    pub(super) fn springs(&self, without_warping: bool) -> [Option<Spring>; 6] {
+        BeamMotion::ALL.map(|motion| match self[motion] {
+            _ if motion == BeamMotion::PsiSlope && without_warping => None,
+            Link::Rigid => None,
+            Link::Free => Some(Spring::default()),
+            Link::Elastic(spring) => Some(spring),
+        })
+    }
+}
+
 impl Spring {
     /// k (1 + i eta), N/m.
     pub(super) fn complex_stiffness(self) -> Complex64 {
         Complex64::new(self.stiffness, self.stiffness * self.loss_factor)
     }
 
-    /// Two springs side by side as one.
-    pub(crate) fn beside(self, other: Self) -> Self {
+    /// Two springs in parallel as one.
+    pub(crate) fn in_parallel(self, other: Self) -> Self {
         let both = self.complex_stiffness() + other.complex_stiffness();
         Self {
             stiffness: both.re,
@@ -109,7 +123,7 @@ pub(super) fn rows(subsystem: &Subsystem) -> [Stretch; 3] {
     };
     [
         Stretch {
-            spring: subsystem.y_left.beside(subsystem.y_right),
+            spring: subsystem.y_left.in_parallel(subsystem.y_right),
             mass: [1.0, 0.0, 0.0],
             beam: [-1.0, -subsystem.mount_z, 0.0],
         },

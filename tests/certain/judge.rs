@@ -6,7 +6,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use beamtune::model::{Link, Model};
+use beamtune::model::Model;
 use beamtune::solve::modes::{Completeness, Gap, ModeKind, Modes};
 use num_complex::Complex64;
 
@@ -56,14 +56,11 @@ pub fn is_hysteretic(model: &Model) -> bool {
     let restraints = supports.flat_map(|support| support.restraints);
     let springs =
         (model.subsystems.iter()).flat_map(|s| [s.y_left, s.y_right, s.z_left, s.z_right]);
-    let joined = (model.joints.iter().flat_map(|joint| joint.links)).map(|link| match link {
-        Link::Rigid | Link::Free => 0.0,
-        Link::Elastic(spring) => spring.loss_factor,
-    });
+    let links = model.joints.iter().flat_map(|joint| joint.links);
     let mut losses = std::iter::once(model.beam.material.loss_factor)
         .chain(restraints.map(|of| of.elastic().loss_factor))
         .chain(springs.map(|of| of.loss_factor))
-        .chain(joined);
+        .chain(links.map(|link| link.spring().loss_factor));
     losses.any(|loss| loss != 0.0)
 }
 

@@ -4,7 +4,7 @@ use num_complex::Complex64;
 
 use super::beam_element::{BeamElement, Row, UNKNOWNS};
 use super::mesh::{Dof, Mesh, Unknown};
-use crate::model::{BeamMotion, Link, Measure, Restraint, Spring, Subsystem};
+use crate::model::{BeamMotion, Measure, Restraint, Spring, Subsystem};
 use crate::solve::layout::{Layout, Reading};
 
 /// The resistance to a stretch: the terms of its complex stiffness.
@@ -223,11 +223,9 @@ impl System {
     fn add_joints(&mut self, layout: &Layout, mesh: &Mesh) {
         for &(place, joint) in &layout.joints {
             let node = &mesh.nodes[mesh.places[place]];
-            for motion in BeamMotion::ALL {
-                // Without warping stiffness no joint acts on the rate of twist.
-                let idle = motion == BeamMotion::PsiSlope && layout.without_warping();
-                if let (Link::Elastic(spring), false) = (joint[motion], idle) {
-                    let row = motion as usize;
+            let springs = joint.springs(layout.without_warping());
+            for (row, spring) in springs.into_iter().enumerate() {
+                if let Some(spring) = spring {
                     let sides = [node.of_left_element[row], node.acted_on[row]];
                     self.add_stretch(&sides, &[-1.0, 1.0], Resistance::of(spring));
                 }

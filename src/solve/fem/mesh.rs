@@ -1,12 +1,12 @@
 //! Nodes and the numbers of their unknowns.
 
-use crate::model::{BeamMotion, Link, Subsystem};
+use crate::model::{BeamMotion, Subsystem};
 use crate::solve::layout::Layout;
 
 /// A motion as an unknown times a factor; `None` if a support fixes it.
 pub(super) type Unknown = Option<Dof>;
 
-/// An unknown times a factor: 1, but where a support fixes w or v beside the axis, which then follows the twist.
+/// An unknown times a factor: 1, but where a support fixes w or v off the axis, which then follows the twist.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Dof {
     /// The number of the unknown.
@@ -112,11 +112,10 @@ impl Mesh {
         }
         let mut of_left_element = numbers;
         for (_, joint) in layout.joints.iter().filter(|(own, _)| *own == place) {
-            for motion in BeamMotion::ALL {
-                // Without warping stiffness the rate of twist already has an unknown on each side.
-                let idle = motion == BeamMotion::PsiSlope && layout.without_warping();
-                if joint[motion] != Link::Rigid && !idle {
-                    of_left_element[motion as usize] = Some(self.next());
+            // Without warping stiffness the rate of twist already has an unknown on each side.
+            for (row, spring) in joint.springs(layout.without_warping()).iter().enumerate() {
+                if spring.is_some() {
+                    of_left_element[row] = Some(self.next());
                 }
             }
         }

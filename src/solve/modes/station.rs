@@ -6,8 +6,7 @@ use super::dynamic_stiffness::symmetric;
 use super::matrix_inertia::eliminate;
 use super::rigid::RigidMotion;
 use crate::model::{
-    BeamMotion, Elastic, Joint, Link, Model, Point, Restraint, Spring, Subsystem, Support,
-    SupportId,
+    BeamMotion, Elastic, Joint, Model, Point, Restraint, Spring, Subsystem, Support, SupportId,
 };
 use crate::solve::springs::{Stretch, restraint_stiffness, rows};
 
@@ -111,17 +110,10 @@ impl Restrained {
 
 impl Cut {
     /// All joints of a model.
-    ///
-    /// If the section has no warping stiffness, the rate of twist is not a degree of freedom, and no joint acts on it.
     pub(super) fn all(model: &Model, warps: bool) -> Vec<Self> {
         let cut = |joint: &Joint| Self {
             position: joint.position,
-            springs: BeamMotion::ALL.map(|motion| match joint[motion] {
-                _ if motion == BeamMotion::PsiSlope && !warps => None,
-                Link::Rigid => None,
-                Link::Free => Some(Spring::default()),
-                Link::Elastic(spring) => Some(spring),
-            }),
+            springs: joint.springs(!warps),
         };
         model.joints.iter().map(cut).collect()
     }

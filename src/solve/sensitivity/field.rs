@@ -177,7 +177,7 @@ impl Kinks {
                     let jump = |station: usize| {
                         let (before, after) = (reader.end(station), reader.start(station + 1));
                         if of_joint(station) {
-                            // The torque is continuous, but an axial force beside the axis takes another share of it.
+                            // The torque is continuous, but an axial force off the axis takes another share of it.
                             carried(setting, &before) - carried(setting, &after)
                         } else {
                             torque(&after) - torque(&before)
@@ -294,7 +294,7 @@ fn joints(setting: &Setting<'_>, reader: &Reader<'_>) -> Vec<JointField> {
         .collect()
 }
 
-/// The torque that an axial force beside the axis takes by the slopes of w and v, N m.
+/// The torque that an axial force off the axis takes by the slopes of w and v, N m.
 fn carried(setting: &Setting<'_>, local: &BeamState) -> Complex64 {
     let [.., w_slope, _, v_slope] = local.motion;
     let tension = &setting.plan.beam.matrices.tension;

@@ -49,7 +49,7 @@ pub enum NotApplicable {
     NoWarping,
     /// v is coupled, or there is rotary inertia or an axial force: Eqs. (11) to (13) have none of them.
     OtherBeam,
-    /// A support holds the beam between its ends, or beside its axis: Appendix C has neither.
+    /// A support holds the beam between its ends, or off its axis: Appendix C has neither.
     OtherSupports,
     /// The beam has a joint: Eqs. (36) to (47) join all motions rigidly.
     Joints,

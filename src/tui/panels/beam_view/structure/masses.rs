@@ -231,8 +231,14 @@ fn draw_springs(
     selected: bool,
 ) {
     let along = [
-        ('y', Spring::beside(subsystem.y_left, subsystem.y_right)),
-        ('z', Spring::beside(subsystem.z_left, subsystem.z_right)),
+        (
+            'y',
+            Spring::in_parallel(subsystem.y_left, subsystem.y_right),
+        ),
+        (
+            'z',
+            Spring::in_parallel(subsystem.z_left, subsystem.z_right),
+        ),
     ];
     let there: Vec<(char, Spring)> = along
         .into_iter()

@@ -241,7 +241,7 @@ fn edits_one_after_the_other_are_solved_as_afresh() {
 
 /// Joints on both sides of the middle, whose waves a cached side carries over them, and between two edits that change one.
 #[test]
-fn edits_beside_joints_are_solved_as_afresh() {
+fn edits_next_to_joints_are_solved_as_afresh() {
     let with_joints = || {
         let mut model = crowded(40);
         for position in [0.37, 1.91, 2.83] {

@@ -178,7 +178,7 @@ fn elements_agree_whatever_holds_the_ends() {
     }
 }
 
-/// A bearing beside the axis, a spring to the ground there, and ends that are held beside it, also where v couples with twist by
+/// A bearing off the axis, a spring to the ground there, and ends that are held off it, also where v couples with twist by
 /// that alone; loads and responses on points of the section.
 #[test]
 fn elements_agree_whatever_holds_the_beam_between_its_ends() {

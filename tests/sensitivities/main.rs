@@ -107,7 +107,7 @@ fn every_parameter_of_the_presets() {
     }
 }
 
-/// A model with supports between the ends and beside the axis, forces and responses on points of the section, and springs with
+/// A model with supports between the ends and off the axis, forces and responses on points of the section, and springs with
 /// loss factors.
 fn supported(warping: bool) -> Model {
     let mut model = read(include_str!("supported.toml")).unwrap().into_inner();
@@ -174,7 +174,7 @@ fn every_parameter_of_a_rich_model() {
 }
 
 /// Whether something stands so near a joint that the steps of the differences move one across the other.
-fn is_beside_a_joint(model: &Model, targets: &[&Target]) -> bool {
+fn is_near_a_joint(model: &Model, targets: &[&Target]) -> bool {
     const NEAR: f64 = 0.01;
     let supports = model.supports.inner.iter().map(|of| of.position);
     let subsystems = model.subsystems.iter().map(|of| of.position);
@@ -210,7 +210,7 @@ fn every_parameter_of_random_models() {
             anything.new_tree(&mut runner).unwrap().current();
         if !common::exists(&model, &force)
             || !common::exists(&model, &response)
-            || is_beside_a_joint(&model, &[&force, &response])
+            || is_near_a_joint(&model, &[&force, &response])
         {
             continue;
         }

@@ -247,7 +247,7 @@ fn target(target: &Target, point: Point) -> String {
         Target::Beam(_, BeamMotion::V) => ("y", point.y),
         Target::Beam(..) | Target::Mass(..) => ("", 0.0),
     };
-    let beside = if coordinate == 0.0 {
+    let offset = if coordinate == 0.0 {
         String::new()
     } else {
         format!(", {name} {}", Unit::METRE.format(coordinate))
@@ -260,7 +260,7 @@ fn target(target: &Target, point: Point) -> String {
         }
         Target::Mass(name, motion) => format!("{} of {name}", motion.key()),
     };
-    at + &beside
+    at + &offset
 }
 
 fn members(study: &Study) -> usize {

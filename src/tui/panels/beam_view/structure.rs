@@ -16,7 +16,7 @@ use ratatui::style::Style;
 use ratatui::text::Line;
 
 use self::rows::Rows;
-use crate::model::{Group, Model, Place, Spring, SupportId, Unit, grouped};
+use crate::model::{BeamMotion, Group, Model, Place, Spring, SupportId, Unit, grouped};
 use crate::tui::app::App;
 use crate::tui::plot::{Axis, CellRuler, Scale};
 use crate::tui::sketch::{Board, POINTER, POINTER_BACK, Signs, width};
@@ -263,6 +263,16 @@ fn note(model: &Model, focus: Focus) -> String {
             }
         }
     }
+}
+
+/// The names of some motions and what they have in common, if there are any.
+fn named_motions(wanted: impl Fn(BeamMotion) -> bool, what: &str) -> Option<String> {
+    let motions = BeamMotion::ALL.into_iter();
+    let keys: Vec<&str> = motions
+        .filter(|motion| wanted(*motion))
+        .map(BeamMotion::key)
+        .collect();
+    (!keys.is_empty()).then(|| format!("{} {what}", keys.join(" ")))
 }
 
 /// The sign of a spring with a damper parallel to it: springs zigzag; none if there is neither.

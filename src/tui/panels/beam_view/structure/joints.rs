@@ -1,7 +1,7 @@
 //! The joints: a sign on the beam at each.
 
-use super::{Focus, Picture};
-use crate::model::{BeamMotion, Joint, Link};
+use super::{Focus, Picture, named_motions};
+use crate::model::{Joint, Link};
 use crate::tui::sketch::Board;
 
 pub(super) fn draw(picture: &Picture<'_>, board: &mut Board<'_>) {
@@ -26,16 +26,8 @@ fn sign(picture: &Picture<'_>, joint: &Joint) -> char {
 
 /// The motions that a joint does not hold together: the free ones and those on springs.
 pub(super) fn words(joint: &Joint) -> Vec<String> {
-    let those = |wanted: fn(Link) -> bool, what: &str| {
-        let motions = BeamMotion::ALL.into_iter();
-        let keys: Vec<&str> = motions
-            .filter(|motion| wanted(joint[*motion]))
-            .map(BeamMotion::key)
-            .collect();
-        (!keys.is_empty()).then(|| format!("{} {what}", keys.join(" ")))
-    };
-    let free = those(|link| link == Link::Free, "free");
-    let sprung = those(|link| matches!(link, Link::Elastic(_)), "sprung");
+    let free = named_motions(|motion| joint[motion] == Link::Free, "free");
+    let sprung = named_motions(|motion| matches!(joint[motion], Link::Elastic(_)), "sprung");
     free.into_iter().chain(sprung).collect()
 }
 

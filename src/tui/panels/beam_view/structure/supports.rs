@@ -1,6 +1,6 @@
 //! The supports: a wall, a hinge, springs, dampers and masses along w as signs, and all of it as text.
 
-use super::{Focus, Picture, spring_sign};
+use super::{Focus, Picture, named_motions, spring_sign};
 use crate::model::{BeamMotion, Restraint, Spring, Support, SupportId};
 use crate::tui::sketch::{Board, POINTER, POINTER_BACK};
 
@@ -134,17 +134,9 @@ pub(super) fn words(support: &Support) -> Vec<String> {
     if support.kind() != "elastic" {
         return vec![support.kind().to_owned()];
     }
-    let those = |wanted: fn(Restraint) -> bool, what: &str| {
-        let motions = BeamMotion::ALL.into_iter();
-        let keys: Vec<&str> = motions
-            .filter(|motion| wanted(support[*motion]))
-            .map(BeamMotion::key)
-            .collect();
-        (!keys.is_empty()).then(|| format!("{} {what}", keys.join(" ")))
-    };
-    let held = those(|restraint| restraint == Restraint::Fixed, "held");
-    let sprung = those(
-        |restraint| matches!(restraint, Restraint::Elastic(_)),
+    let held = named_motions(|motion| support[motion] == Restraint::Fixed, "held");
+    let sprung = named_motions(
+        |motion| matches!(support[motion], Restraint::Elastic(_)),
         "sprung",
     );
     held.into_iter().chain(sprung).collect()

@@ -107,9 +107,11 @@ impl<'a> Search<'a> {
         low
     }
 
-    /// The first samples: some for each root, uniform in the count of bending modes and in its logarithm, and the roots
-    /// of the blocked masses, each of which has a root near it.
+    /// The first samples: some for each root, uniform in the count of bending modes and in its logarithm, and next to the
+    /// roots of the blocked masses, each of which has a root near it.
     fn places(&self, low: Counted, high: Counted) -> Vec<f64> {
+        // At the root itself the mass is so stiff that rounding hides everything else from the count.
+        const ASIDE: f64 = 1.0 + 1e-6;
         let count = 8 + 2 * high.below.saturating_sub(low.below);
         let by = |share: f64, forth: fn(f64) -> f64, back: fn(f64) -> f64| {
             back(forth(low.omega) + share * (forth(high.omega) - forth(low.omega)))
@@ -121,7 +123,7 @@ impl<'a> Search<'a> {
             places.push(by(share - 0.5 / count as f64, f64::ln, f64::exp));
         }
         let masses = Blocked::new(&self.model).roots;
-        places.extend(masses.iter().map(|root| root.re));
+        places.extend(masses.iter().map(|root| ASIDE * root.re));
         places.retain(|place| (low.omega..=high.omega).contains(place));
         places.sort_by(f64::total_cmp);
         places.dedup_by(|b, a| *b - *a < CLOSE * *a);

@@ -72,6 +72,7 @@ pub const ALL: &[Preset] = embed![
     "symmetric_section",
     "purlin",
     "tie_rod",
+    "stepped_shaft",
     "deep_beam",
     "hundred_absorbers",
     "semicircular_cantilever",

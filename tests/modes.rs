@@ -10,6 +10,8 @@ mod common;
 
 #[path = "common/checked.rs"]
 mod checked;
+#[path = "modes/spans.rs"]
+mod spans;
 
 use checked::checked;
 use std::f64::consts::{PI, TAU};

@@ -130,6 +130,38 @@ fn beam() -> impl Strategy<Value = Beam> {
         )
 }
 
+/// A beam, uniform or of up to three spans with tables of their own or those of the beam.
+fn beam_of_spans() -> impl Strategy<Value = (Beam, Vec<Span>)> {
+    let one = |whole: Beam| {
+        let has = any::<[bool; 4]>();
+        let numbers = (0.1..1.0_f64, any_number(), any_number());
+        (beam(), has, numbers).prop_map(move |(own, has, (length, y, z))| {
+            // The theory of the beam may need the shear areas.
+            let section = Section {
+                shear_area_z: own.section.area,
+                ..own.section
+            };
+            let section = has[0].then_some(section);
+            let warps = section.unwrap_or(whole.section).warping_constant > 0.0;
+            Span {
+                length: length * whole.length,
+                offset: if warps { Point { y, z } } else { Point::AXIS },
+                axial_force: has[1].then_some(own.axial_force),
+                material: has[2].then_some(own.material),
+                section,
+                foundation: has[3].then_some(own.foundation),
+            }
+        })
+    };
+    beam().prop_flat_map(move |whole| {
+        let spans = prop_oneof![2 => Just(Vec::new()), 1 => vec(one(whole), 1..4)];
+        spans.prop_map(move |spans| {
+            let length = if spans.is_empty() { whole.length } else { 0.0 };
+            (Beam { length, ..whole }, spans)
+        })
+    })
+}
+
 fn restraint() -> impl Strategy<Value = Restraint> {
     prop_oneof![
         Just(Restraint::Free),
@@ -343,14 +375,16 @@ fn model() -> impl Strategy<Value = Model> {
     let start = (
         text(),
         text(),
-        beam().boxed(),
+        beam_of_spans().boxed(),
         support().boxed(),
         support().boxed(),
         positive(),
         2..=1_000_000_usize,
         any::<bool>(),
     );
-    start.prop_flat_map(|(title, notes, beam, left, right, from, points, log)| {
+    start.prop_flat_map(|(title, notes, all, left, right, from, points, log)| {
+        let (beam, spans) = all;
+        let length = beam.length + spans.iter().map(|span| span.length).sum::<f64>();
         let spacing = if log { Spacing::Log } else { Spacing::Linear };
         let sweep = Sweep {
             from,
@@ -358,7 +392,7 @@ fn model() -> impl Strategy<Value = Model> {
             points,
             spacing,
         };
-        subsystems(beam.length)
+        subsystems(length)
             .boxed()
             .prop_flat_map(move |subsystems| {
                 let enabled = subsystems
@@ -366,21 +400,22 @@ fn model() -> impl Strategy<Value = Model> {
                     .filter(|one| one.enabled)
                     .map(|one| one.name.clone())
                     .collect::<Vec<_>>();
-                let (title, notes) = (title.clone(), notes.clone());
+                let (title, notes, spans) = (title.clone(), notes.clone(), spans.clone());
                 let parts = (
-                    forces(beam.length, enabled.clone()).boxed(),
-                    responses(beam.length, enabled).boxed(),
+                    forces(length, enabled.clone()).boxed(),
+                    responses(length, enabled).boxed(),
                     studies().boxed(),
-                    joints(beam.length).boxed(),
+                    joints(length).boxed(),
                 );
                 parts
                     .prop_flat_map(move |(forces, responses, studies, joints)| {
                         let subsystems = subsystems.clone();
-                        let (title, notes) = (title.clone(), notes.clone());
+                        let (title, notes, spans) = (title.clone(), notes.clone(), spans.clone());
                         tuning::tune(&responses).prop_map(move |tune| Model {
                             title: title.clone(),
                             notes: notes.clone(),
                             beam,
+                            spans: spans.clone(),
                             supports: Supports {
                                 left,
                                 right,
@@ -576,6 +611,124 @@ fn a_number_changes_alone() {
 +points = 2001
 +spacing = "log"
 "#);
+}
+
+#[test]
+fn a_beam_becomes_spans_and_uniform_again() {
+    insta::assert_snapshot!(edit(|model| {
+        edit::split(model, 0);
+        model.spans[1].section = Some(model.beam.section);
+        model.spans[1].axial_force = Some(1e3);
+    }), @"
+ [beam]
+-length = 3.2            # m
+ centroid_offset = +0.0619
++# m
++[[beam.spans]]
++length = 1.6
++
++[[beam.spans]]
++length = 1.6
++axial_force = 1000.0
++
++[beam.spans.section]
++area = 0.0116
++second_moment_y = 1.6625e-4
++second_moment_z = 1.3745e-4
++torsion_constant = 4.7657e-7
++warping_constant = 2.2783e-8
++polar_moment = 5.9992e-4
++centroid_offset = 0.0619
++
+");
+    let spanned = EXAMPLE.replace(
+        "length = 3.2            # m",
+        "spans = [{ length = 1.2 }, { length = 2.0, axial_force = 5.0 }]  # m",
+    );
+    insta::assert_snapshot!(edit_in(&spanned, |model| model.spans[1].offset.z = 0.1), @"
+ [beam]
+-spans = [{ length = 1.2 }, { length = 2.0, axial_force = 5.0 }]  # m
++spans = [{ length = 1.2 }, { length = 2.0, axial_force = 5.0, offset_z = 0.1 }]  # m
+");
+    insta::assert_snapshot!(edit_in(&spanned, |model| {
+        edit::remove(model, Group::Span(0));
+        edit::remove(model, Group::Span(0));
+    }), @"
+ [beam]
+-spans = [{ length = 1.2 }, { length = 2.0, axial_force = 5.0 }]  # m
++spans = []  # m
++length = 3.2
++axial_force = 5.0
+");
+}
+
+#[test]
+fn spans_are_edited_with_their_comments() {
+    let below = "\n# left is on springs\n";
+    let spans = "\n# the thick end\n[[beam.spans]]\nlength = 1.2 # m\n[beam.spans.material] # its own\nyoung_modulus = 7e10\n\
+        shear_modulus = 2.6e10\ndensity = 2700 # light\n\n# the thin end\n[[beam.spans]]\nlength = 2.0\n";
+    let spanned = EXAMPLE
+        .replace("length = 3.2            # m\n", "")
+        .replace(below, &format!("{spans}{below}"));
+    insta::assert_snapshot!(edit_in(&spanned, |model| {
+        model.spans[0].material.as_mut().unwrap().density = 2710.0;
+        model.spans[1].material = model.spans[0].material;
+        model.spans[1].length = 2.1;
+    }), @"
+ shear_modulus = 2.6e10
+-density = 2700 # light
++density = 2710.0 # light
+ [[beam.spans]]
+-length = 2.0
++length = 2.1
++[beam.spans.material]
++young_modulus = 7e10
++shear_modulus = 2.6e10
++density = 2710.0
++
+");
+    insta::assert_snapshot!(edit_in(&spanned, |model| model.spans[0].material = None), @"
+ length = 1.2 # m
+-[beam.spans.material] # its own
+-young_modulus = 7e10
+-shear_modulus = 2.6e10
+-density = 2700 # light
+");
+    insta::assert_snapshot!(edit_in(&spanned, |model| edit::remove(model, Group::Span(0))), @"
+ [[beam.spans]]
+-length = 1.2 # m
+-[beam.spans.material] # its own
+-young_modulus = 7e10
+-shear_modulus = 2.6e10
+-density = 2700 # light
+-
+-# the thin end
+-[[beam.spans]]
+-length = 2.0
++length = 3.2 # m
+");
+}
+
+/// A table that every span has itself may be missing, is not asked for and is not written.
+#[test]
+fn what_every_span_has_is_not_needed_of_the_beam() {
+    let mut model = read(EXAMPLE).unwrap().into_inner();
+    edit::split(&mut model, 0);
+    for span in &mut model.spans {
+        (span.section, span.foundation) = (Some(model.beam.section), Some(Foundation::default()));
+    }
+    let text = write(&model, EXAMPLE);
+    reads_as(&text, &model);
+    assert!(text.contains("[beam.section]"), "numbers are not dropped");
+    model.beam.section = Section::default();
+    assert_eq!(check(&model), []);
+    let text = write(&model, &text);
+    reads_as(&text, &model);
+    reads_as(&write(&model, ""), &model);
+    assert!(!write(&model, "").contains("[beam.section]") && text.contains("[beam.material]"));
+    // One that needs it: all of its numbers are missing.
+    model.spans[0].section = None;
+    assert_eq!(check(&model)[0].path, "beam.section.area");
 }
 
 #[test]

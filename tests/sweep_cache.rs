@@ -13,7 +13,7 @@ use std::sync::atomic::AtomicBool;
 
 use beamtune::model::{
     BeamMotion, Elastic, Force, InnerSupport, Joint, Link, MassMotion, Measure, Model, Place,
-    Point, Quantity, Response, Restraint, Spring, Support, Target, read,
+    Point, Quantity, Response, Restraint, Span, Spring, Support, Target, read,
 };
 use beamtune::presets;
 use beamtune::solve::{Cancelled, ColumnKind, Frf, SweepCache, sweep};
@@ -236,6 +236,53 @@ fn edits_one_after_the_other_are_solved_as_afresh() {
             &kept.sweep(&checked(&model), &grid(), &NEVER).unwrap(),
             &fresh,
         );
+    }
+}
+
+/// The same beam in spans of different sections, materials and offsets.
+fn in_spans(mut model: Model) -> Model {
+    let whole = model.beam;
+    for (length, factor, z) in [(1.13, 1.0, 0.0), (0.92, 0.6, 0.05), (1.15, 1.4, -0.03)] {
+        let mut section = whole.section;
+        section.area *= factor;
+        section.second_moment_y *= factor;
+        section.warping_constant *= factor;
+        let mut material = whole.material;
+        material.density /= factor;
+        model.spans.push(Span {
+            length,
+            offset: Point { y: 0.0, z },
+            section: Some(section),
+            material: Some(material),
+            ..Span::default()
+        });
+    }
+    model
+}
+
+/// The ends of the spans are on both sides of the middle; edits may change a span, too.
+#[test]
+fn edits_among_spans_are_solved_as_afresh() {
+    let section: Edit = Box::new(|m| {
+        let section = m.spans[1].section.as_mut().unwrap();
+        section.torsion_constant *= 1.1;
+    });
+    let length: Edit = Box::new(|m| m.spans[2].length += 0.01);
+    let of_spans = [("a section", section), ("a span's length", length)];
+    for (name, edit) in edits().into_iter().chain(of_spans) {
+        if name == "length" {
+            continue;
+        }
+        let mut model = energy::with_energy(in_spans(crowded(40)));
+        let mut kept = SweepCache::default();
+        for _ in 0..3 {
+            let fresh = sweep(&checked(&model), &grid(), &NEVER).unwrap();
+            let found = kept.sweep(&checked(&model), &grid(), &NEVER).unwrap();
+            assert_same(&found, &fresh);
+            edit(&mut model);
+        }
+        // The spans have materials of their own, so that one edit changes nothing.
+        assert_eq!(kept.bytes() > 0, name != "modulus", "{name}");
     }
 }
 

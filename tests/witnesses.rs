@@ -14,8 +14,9 @@ use checked::checked;
 use std::sync::atomic::AtomicBool;
 
 use beamtune::model::{
-    self, BeamMotion, Elastic, InnerSupport, MassMotion, Measure, Model, Place, Point, Quantity,
-    Response, Restraint, Support, Target,
+    self, BeamMotion, Bedding, Elastic, Foundation, InnerSupport, Joint, Link, MassMotion,
+    Material, Measure, Model, Place, Point, Quantity, Response, Restraint, Section, Span, Spring,
+    Support, Target, Theory,
 };
 use beamtune::solve::Cancelled;
 use beamtune::solve::compare::differences;
@@ -406,6 +407,233 @@ fn natural_frequencies_are_those_of_the_literature_case() {
     }
 }
 
+/// A beam of three spans: unlike sections and materials beside the axis, and one without warping stiffness on it or
+/// another one with it; with a bearing, a joint and a subsystem where they meet.
+fn stepped(without_warping: bool) -> Model {
+    let mut model = loaded_everywhere();
+    model.beam.material.loss_factor = 0.02;
+    let (section, material) = (model.beam.section, model.beam.material);
+    let stiff = Section {
+        second_moment_y: 2.0 * section.second_moment_y,
+        product_moment: 4e-5,
+        centroid_offset_y: 0.04,
+        ..section
+    };
+    let slender = Section {
+        area: 0.7 * section.area,
+        second_moment_z: 0.5 * section.second_moment_z,
+        torsion_constant: 0.4 * section.torsion_constant,
+        warping_constant: if without_warping {
+            0.0
+        } else {
+            0.6 * section.warping_constant
+        },
+        ..section
+    };
+    let span = |length, section, y, z| Span {
+        length,
+        offset: Point { y, z },
+        section: Some(section),
+        ..Span::default()
+    };
+    let z = if without_warping { 0.0 } else { 0.08 };
+    model.spans = vec![
+        span(1.0, stiff, -0.05, 0.03),
+        span(1.2, slender, 0.0, z),
+        span(1.0, section, 0.02, 0.0),
+    ];
+    model.spans[0].axial_force = Some(-2e5);
+    model.spans[1].material = Some(Material {
+        young_modulus: 0.4 * material.young_modulus,
+        density: 0.5 * material.density,
+        loss_factor: 0.1,
+        ..material
+    });
+    model.spans[2].foundation = Some(Foundation {
+        w: Bedding {
+            stiffness: 2e6,
+            damping: 300.0,
+            loss_factor: 0.1,
+        },
+        ..Foundation::default()
+    });
+    // Where parts meet, by the sums of their lengths.
+    let [first, second] = [1.0, 1.0 + 1.2];
+    let mut bearing = Support::FREE;
+    bearing[BeamMotion::V] = Restraint::Fixed;
+    bearing.point = Point { y: 0.03, z: 0.0 };
+    model.supports.inner = vec![InnerSupport {
+        name: "bearing".to_owned(),
+        position: first,
+        support: bearing,
+    }];
+    let mut joint = Joint {
+        position: second,
+        ..Joint::default()
+    };
+    joint[BeamMotion::WSlope] = Link::Elastic(Spring {
+        stiffness: 1e6,
+        ..Spring::default()
+    });
+    model.joints = vec![joint];
+    model.subsystems[1].position = second;
+    for place in [first, second].map(Place::Position) {
+        let targets = BeamMotion::ALL.map(|motion| beam(place, motion));
+        model.responses.extend(targets.map(respond));
+    }
+    model
+        .forces
+        .push(force(beam(Place::Position(second), BeamMotion::Psi), 0.1));
+    model.responses.retain(|response| {
+        let of = &response.quantity;
+        // The slope of a twist without warping stiffness converges with the third power.
+        !without_warping
+            || !matches!(
+                of,
+                Quantity::Motion(Target::Beam(_, BeamMotion::PsiSlope), _)
+            )
+    });
+    for (index, response) in model.responses.iter_mut().enumerate() {
+        response.name = index.to_string();
+    }
+    model
+}
+
+/// Expected: the elements of a stepped beam converge to the exact solution as those of a uniform one.
+#[test]
+fn elements_agree_on_beams_of_several_spans() {
+    for without_warping in [false, true] {
+        let mut model = stepped(without_warping);
+        for theory in [Theory::EulerBernoulli, Theory::Rayleigh] {
+            model.beam.theory = theory;
+            let name = format!("{without_warping} {theory:?}");
+            hold(&name, &model, 160, &HERTZ, 2e-3);
+        }
+    }
+}
+
+/// The section of Tanaka & Bercin 1997 without symmetry, times a factor, and its torsion constant times another one.
+fn unsymmetric(factor: f64, of_torsion: f64) -> Section {
+    Section {
+        area: factor * 1.947 / 7800.0,
+        second_moment_y: factor * 16680.0 / 200e9,
+        second_moment_z: factor * 73480.0 / 200e9,
+        torsion_constant: of_torsion * 10.81 / 80e9,
+        warping_constant: factor * 26.34 / 200e9,
+        polar_moment: factor * 5.90e-3 / 7800.0,
+        centroid_offset: 0.02316,
+        centroid_offset_y: 0.02625,
+        ..Section::default()
+    }
+}
+
+/// A bare beam of spans of a material, each a length, m, and a section.
+fn bare(material: [f64; 3], spans: &[(f64, Section)]) -> Model {
+    let mut model = preset("symmetric_section");
+    model.subsystems.clear();
+    model.forces.clear();
+    model.responses.clear();
+    let [young_modulus, shear_modulus, density] = material;
+    model.beam.material = Material {
+        young_modulus,
+        shear_modulus,
+        density,
+        loss_factor: 0.0,
+    };
+    let spans = spans.iter().map(|&(length, section)| Span {
+        length,
+        section: Some(section),
+        ..Span::default()
+    });
+    model.spans = spans.collect();
+    model.supports = model::Supports::default();
+    model
+}
+
+fn assert_frequencies(found: &[f64], expected: &[f64], within: f64) {
+    for hertz in expected {
+        let nearest = found.iter().map(|found| (found / hertz - 1.0).abs());
+        let nearest = nearest.fold(f64::INFINITY, f64::min);
+        assert!(nearest < within, "{hertz}: {nearest:e} of {found:?}");
+    }
+}
+
+/// Expected: a Ritz solution of high order (14 and 18 polynomials a span agree in all digits) of the section of Tanaka &
+/// Bercin (Applied Mathematical Modelling 21, 1997) with a step at mid-span to a half of all and an eighth of G J.
+#[test]
+fn natural_frequencies_of_a_stepped_beam_without_symmetry() {
+    let spans = [unsymmetric(1.0, 1.0), unsymmetric(0.5, 0.125)].map(|section| (0.75, section));
+    let mut model = bare([200e9, 80e9, 7800.0], &spans);
+    for (left, right, expected) in [
+        (
+            Support::CLAMPED,
+            Support::FREE,
+            [21.68277, 36.17247, 79.24896, 98.60506],
+        ),
+        (
+            Support::PINNED,
+            Support::PINNED,
+            [42.58395, 71.97798, 158.08606, 176.96123],
+        ),
+    ] {
+        (model.supports.left, model.supports.right) = (left, right);
+        let found = fem::natural_frequencies(&checked(&model), 48, 4);
+        assert_frequencies(&found, &expected, 1e-5);
+    }
+}
+
+/// Expected: the same Ritz solution of a linear taper, `1 - x / 2L` on all and its cube on G J, which spans of the values at
+/// their middles approximate with the second power of their length.
+#[test]
+fn natural_frequencies_of_a_tapered_beam_without_symmetry() {
+    let expected = [19.77718, 32.94056, 72.14470, 103.79351, 178.11653];
+    let errors = [8, 16].map(|count| {
+        let spans: Vec<(f64, Section)> = (0..count)
+            .map(|index| {
+                let factor = 1.0 - (f64::from(index) + 0.5) / f64::from(2 * count);
+                let section = unsymmetric(factor, factor.powi(3));
+                (1.5 / f64::from(count), section)
+            })
+            .collect();
+        let mut model = bare([200e9, 80e9, 7800.0], &spans);
+        model.supports.left = Support::CLAMPED;
+        let found = fem::natural_frequencies(&checked(&model), 64, 5);
+        let errors = found
+            .iter()
+            .zip(expected)
+            .map(|(found, of)| (found / of - 1.0).abs());
+        errors.fold(0.0, f64::max)
+    });
+    assert!(errors[1] < 1e-3, "{errors:?}");
+    assert!((errors[0] / errors[1]).log2() > 1.8, "{errors:?}");
+}
+
+/// Published: Koplow, Bhattacharyya & Mann, Journal of Sound and Vibration 295 (2006), 214-225: a free aluminium beam of two
+/// thicknesses, 292.44, 1181.3 and 1804.1 Hz; the digits beyond from a Ritz solution of high order.
+#[test]
+fn natural_frequencies_of_koplows_stepped_beam() {
+    let (width, material) = (0.0254_f64, [71.7e9, 26.9e9, 2830.0]);
+    let spans = [(0.254, 0.01905_f64), (0.14, 0.00549)].map(|(length, thickness)| {
+        let area = width * thickness;
+        let (thin, wide) = (
+            width * thickness.powi(3) / 12.0,
+            thickness * width.powi(3) / 12.0,
+        );
+        let section = Section {
+            area,
+            second_moment_y: thin,
+            second_moment_z: wide,
+            torsion_constant: 4.0 * thin,
+            polar_moment: thin + wide,
+            ..Section::default()
+        };
+        (length, section)
+    });
+    let model = bare(material, &spans);
+    let found = fem::natural_frequencies(&checked(&model), 40, 14);
+    assert_frequencies(&found, &[292.443_786, 1_181.319_924, 1_804.087_158], 1e-5);
+}
+
 /// The least number of correct digits of the chain, over all responses, at each frequency.
 fn digits(model: &Model, hertz: &[f64]) -> Vec<f64> {
     let exact = solve::sweep(&checked(model), hertz, &never()).unwrap();
@@ -469,6 +697,7 @@ fn the_chain_says_where_the_papers_formulas_divide_by_zero() {
     let mut model = preset("fig05a");
     model.beam.section.warping_constant = 0.0;
     assert_eq!(solve(&model), Err(NotApplicable::NoWarping));
+    assert_eq!(solve(&stepped(false)), Err(NotApplicable::Spans));
 }
 
 /// Expected: the natural frequencies of the finite elements decrease to the exact ones (Rayleigh), with the fourth

@@ -12,7 +12,7 @@ use super::csv::{self, cell, number};
 use super::{Failure, Sets, say, source};
 use crate::model::{Checked, counted};
 use crate::solve::modes::{
-    Completeness, Gap, MOST_MODES, Modes, Shape, buckling_load, modes, shapes,
+    Completeness, Gap, MOST_MODES, Modes, Shape, buckling_factor, modes, shapes,
 };
 
 /// The number of points of a shape along the beam.
@@ -60,25 +60,26 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 /// How far an axial force is from buckling, if there is one.
 fn buckling(model: &Checked, found: &Modes) -> Option<String> {
-    let force = model.beam.axial_force;
-    if force == 0.0 {
+    let parts = model.uniform_parts();
+    let force = parts[0].beam.axial_force;
+    if parts.iter().all(|part| part.beam.axial_force == 0.0) {
         return None;
     }
-    let Some(load) = buckling_load(model) else {
+    let Some(factor) = buckling_factor(model) else {
         return Some("the beam buckles under no axial force".to_owned());
     };
-    let factor = -load / force;
+    let load = if parts.iter().all(|part| part.beam.axial_force == force) {
+        format!(", {:.6e} N", factor * force)
+    } else {
+        String::new()
+    };
     let unstable = counted(found.unstable, "mode", "modes");
     Some(if found.unstable > 0 {
         format!(
-            "warning: the beam has buckled: {unstable} unstable and not listed; it buckles at {factor:.6} times its axial force, {:.6e} N",
-            -load
+            "warning: the beam has buckled: {unstable} unstable and not listed; it buckles at {factor:.6} times its axial force{load}"
         )
     } else {
-        format!(
-            "it buckles at {factor:.6} times its axial force, {:.6e} N",
-            -load
-        )
+        format!("it buckles at {factor:.6} times its axial force{load}")
     })
 }
 

@@ -7,14 +7,16 @@ mod target;
 mod tuning;
 
 use super::fault::Fault;
-use super::id::SupportId;
+use super::id::{Part, SupportId};
 use super::schema::{
-    BEAM, FEWEST_POINTS, FOUNDATION, MATERIAL, MOST_POINTS, Range, Rows, SECTION, SUBSYSTEM,
+    BEAM, FEWEST_POINTS, FOUNDATION, MATERIAL, MOST_POINTS, Range, Rows, SECTION, SPAN, SUBSYSTEM,
     SUPPORT, SWEEP, elastic,
 };
 use super::spelling::{LONGEST_NAME, element_keys, is_too_long};
 use super::toml_literal::format_number;
-use super::types::{Beam, BeamMotion, Model, Restraint, Subsystem, Support, Sweep};
+use super::types::{
+    Beam, BeamMotion, Model, Restraint, Section, Span, Subsystem, Support, Sweep, Theory,
+};
 use std::cell::LazyCell;
 use std::collections::HashMap;
 use std::fmt;
@@ -104,7 +106,7 @@ pub fn check_state(model: &Model) -> Vec<Fault> {
 
 /// The rules of the structure itself, without those of the studies and the tuning.
 fn state(model: &Model, faults: &mut Vec<Fault>) {
-    beam(&model.beam, faults);
+    beam(model, faults);
     for (end, of) in SupportId::WORDS
         .into_iter()
         .zip([&model.supports.left, &model.supports.right])
@@ -148,52 +150,92 @@ pub(super) fn not_finite(value: f64) -> String {
     format!("is {}; must be a finite number", format_number(value))
 }
 
-fn beam(beam: &Beam, faults: &mut Vec<Fault>) {
-    numbers("beam", beam, &BEAM, faults);
-    numbers("beam.material", &beam.material, &MATERIAL, faults);
-    numbers("beam.section", &beam.section, &SECTION, faults);
-    numbers("beam.foundation", &beam.foundation, &FOUNDATION, faults);
-    let section = &beam.section;
+fn beam(model: &Model, faults: &mut Vec<Fault>) {
+    numbers("beam", &model.beam, &BEAM, faults);
+    if !model.spans.is_empty() {
+        // Each span has a length.
+        faults.retain(|fault| fault.path != "beam.length");
+    }
+    for part in Part::all(model) {
+        let path = match part {
+            Part::Whole => "beam".to_owned(),
+            Part::Span(index) => {
+                let path = format!("beam.spans.{}", index + 1);
+                span(&path, &model.spans[index], &model.beam, faults);
+                path
+            }
+        };
+        if let Some(material) = part.material(model) {
+            numbers(&format!("{path}.material"), material, &MATERIAL, faults);
+        }
+        if let Some(one) = part.section(model) {
+            section(&format!("{path}.section"), one, model.beam.theory, faults);
+        }
+        if let Some(foundation) = part.foundation(model) {
+            let path = format!("{path}.foundation");
+            numbers(&path, foundation, &FOUNDATION, faults);
+        }
+    }
+}
+
+fn span(path: &str, span: &Span, beam: &Beam, faults: &mut Vec<Fault>) {
+    numbers(path, span, &SPAN, faults);
+    if span.section.unwrap_or(beam.section).warping_constant != 0.0 {
+        return;
+    }
+    for (key, offset) in [("offset_y", span.offset.y), ("offset_z", span.offset.z)] {
+        if offset != 0.0 && offset.is_finite() {
+            let message = format!(
+                "is {}; must be 0, or the warping_constant > 0: without warping stiffness a span lies on the axis of the beam",
+                format_number(offset)
+            );
+            faults.push(Fault::new(format!("{path}.{key}"), message));
+        }
+    }
+}
+
+fn section(path: &str, section: &Section, theory: Theory, faults: &mut Vec<Fault>) {
+    numbers(path, section, &SECTION, faults);
+    let mut fault =
+        |key: &str, message: String| faults.push(Fault::new(format!("{path}.{key}"), message));
     let (least, formula) = section.least_polar_moment();
     if section.polar_moment > 0.0 && section.polar_moment <= least {
-        faults.push(Fault::new(
-            "beam.section.polar_moment",
+        fault(
+            "polar_moment",
             format!(
                 "is {} m4; must be > {formula} = {least:.5e} m4 (it is taken about the shear centre)",
                 format_number(section.polar_moment)
             ),
-        ));
+        );
     }
     let most = section.most_product_moment();
     if section.product_moment.abs() >= most {
-        faults.push(Fault::new(
-            "beam.section.product_moment",
+        fault(
+            "product_moment",
             format!(
                 "is {} m4; must be within +-sqrt(I_y I_z) = {most:.5e} m4",
                 format_number(section.product_moment)
             ),
-        ));
+        );
     }
     let areas = [
         ("shear_area_y", section.shear_area_y),
         ("shear_area_z", section.shear_area_z),
     ];
     for (key, area) in areas {
-        if beam.theory.has_shear() && area == 0.0 {
-            faults.push(Fault::new(
-                format!("beam.section.{key}"),
+        if theory.has_shear() && area == 0.0 {
+            fault(
+                key,
                 format!(
                     "is missing or 0; must be > 0 m2 for the theory \"{}\"",
-                    beam.theory.key()
+                    theory.key()
                 ),
-            ));
+            );
         }
     }
     if section.torsion_constant == 0.0 && section.warping_constant == 0.0 {
-        faults.push(Fault::new(
-            "beam.section.torsion_constant",
-            "is 0 with a warping_constant of 0, so nothing resists twist; one of the two must be > 0",
-        ));
+        let message = "is 0 with a warping_constant of 0, so nothing resists twist; one of the two must be > 0";
+        fault("torsion_constant", message.to_owned());
     }
 }
 
@@ -270,7 +312,7 @@ fn subsystem(path: &str, one: &Subsystem, model: &Model, faults: &mut Vec<Fault>
 
 /// A position beyond the right end; the range of the key rejects those before the left end.
 fn beyond_the_end(path: fmt::Arguments<'_>, position: f64, model: &Model, faults: &mut Vec<Fault>) {
-    let length = model.beam.length;
+    let length = model.length();
     if position.is_finite() && length > 0.0 && position > length {
         faults.push(Fault::new(
             path.to_string(),

@@ -24,6 +24,7 @@ pub fn delta(before: &Model, after: &Model) -> String {
         title: after.title.clone(),
         notes: after.notes.clone(),
         beam: after.beam,
+        spans: after.spans.clone(),
         supports: after.supports.clone(),
         sweep: after.sweep,
         joints: replaced(&before.joints, &after.joints, &mut spans),
@@ -108,6 +109,7 @@ fn apply(model: &mut Model, spans: [Span; SPANS], part: Model) -> bool {
     model.title = part.title;
     model.notes = part.notes;
     model.beam = part.beam;
+    model.spans = part.spans;
     model.supports = part.supports;
     model.sweep = part.sweep;
     true
@@ -179,6 +181,8 @@ mod tests {
             changed(&model, |model| {
                 model.joints[0][BeamMotion::V] = Link::Elastic(Spring::default());
             }),
+            changed(&model, |model| super::super::edit::split(model, 0)),
+            sample::models(&["S1"])[1].clone(),
             changed(&model, |model| drop(model.forces.pop())),
             changed(&model, |model| model.responses.rotate_left(1)),
             changed(&model, |model| model.studies.clear()),

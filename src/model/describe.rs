@@ -6,7 +6,7 @@ use super::schema::{
     FEWEST_POINTS, ForceKey, InnerSupportKey, Kind, MOST_POINTS, SectionKey, SubsystemKey,
 };
 use super::spelling::nearest;
-use super::types::{Link, Model, Quantity, Restraint, Support};
+use super::types::{Link, Model, Quantity, Restraint, Section, Span, Support};
 use crate::unit::{Measure, Unit, value_input};
 
 /// A parameter with everything needed to set it.
@@ -32,7 +32,7 @@ impl Parameter {
     /// The parameter of an id.
     ///
     /// # Errors
-    /// It has no value now: a fixed motion has no spring, an energy no position, a twist no point of the section.
+    /// It has no value now: a fixed motion has no spring, an energy no position, a span with the beam's section none of its own.
     pub fn of(model: &Model, id: ParameterId) -> Result<Self, String> {
         let value = get(model, id)?;
         let key = id.key();
@@ -75,6 +75,7 @@ fn choices(model: &Model, id: ParameterId, value: &Value) -> Vec<&'static str> {
         Kind::Word => key.words.to_vec(),
         Kind::Restraint => Restraint::WORDS.to_vec(),
         Kind::Link => Link::WORDS.to_vec(),
+        Kind::Table => Span::OWNERS.to_vec(),
         Kind::Support => {
             // "elastic" results from the single motions and cannot be chosen here.
             let mixed = (*value == Value::Choice("elastic")).then_some("elastic");
@@ -110,14 +111,16 @@ fn range(model: &Model, id: ParameterId) -> String {
         (Kind::Name, _) => "a unique name".to_owned(),
         (Kind::Flag, _) => "true or false".to_owned(),
         (Kind::Place, _) => places(model),
-        (_, Group::Section) => section_range(model, id),
+        (_, Group::Section(part)) => part
+            .section(model)
+            .map_or_else(String::new, |section| section_range(section, id)),
         (_, Group::Subsystem(_)) if id.row == SubsystemKey::Position as usize => {
-            format!("0 to {} m", short(model.beam.length))
+            format!("0 to {} m", short(model.length()))
         }
         (_, Group::Support(SupportId::Inner(_)))
             if id.row == InnerSupportKey::Position as usize =>
         {
-            format!("> 0, < {} m", short(model.beam.length))
+            format!("> 0, < {} m", short(model.length()))
         }
         (_, Group::Sweep) if key.key == "from" => {
             format!("> 0, below {} Hz", short(model.sweep.to))
@@ -128,8 +131,7 @@ fn range(model: &Model, id: ParameterId) -> String {
 }
 
 /// The range of a number of the section, including the rules between two numbers.
-fn section_range(model: &Model, id: ParameterId) -> String {
-    let section = &model.beam.section;
+fn section_range(section: &Section, id: ParameterId) -> String {
     match SectionKey::ALL[id.row] {
         SectionKey::PolarMoment => {
             let (least, formula) = section.least_polar_moment();
@@ -185,8 +187,13 @@ mod tests {
 
     #[test]
     fn everything_is_described() {
-        let model = sample::model(&["S1"]);
-        for path in all(&model) {
+        let [model, spanned] = sample::models(&["S1"]);
+        let of = |model: Model| {
+            all(&model)
+                .into_iter()
+                .map(move |path| (model.clone(), path))
+        };
+        for (model, path) in of(model).chain(of(spanned)) {
             let parameter = parameter(&model, &path).unwrap();
             assert_eq!(crate::model::path::text(&model, parameter.id), path);
             assert!(

@@ -15,7 +15,7 @@ use super::check::Checked;
 use super::fault::Fault;
 use super::id::{Group, ParameterId, SupportId};
 use super::path::{self, Pattern};
-use super::types::Model;
+use super::types::{Model, Span};
 use std::cmp::Ordering;
 use std::mem::discriminant;
 
@@ -30,9 +30,50 @@ pub fn changed(model: &Model, id: ParameterId, value: Value) -> Result<Checked, 
     Checked::new(changed)
 }
 
-/// Removes an element from its list.
+/// Divides a span in half, or a uniform beam in two spans; the length of the beam stays.
+pub fn split(model: &mut Model, index: usize) {
+    let length = model.length();
+    if model.spans.is_empty() {
+        model.beam.length = 0.0;
+        model.spans.push(Span {
+            length,
+            ..Span::default()
+        });
+    }
+    let mut half = model.spans[index];
+    half.length *= 0.5;
+    model.spans.splice(index..=index, [half, half]);
+    restore_length(model, length);
+}
+
+/// Gives the length of a span to its neighbour; the last one left becomes the uniform beam.
+fn remove_span(model: &mut Model, index: usize) {
+    let length = model.length();
+    let removed = model.spans.remove(index);
+    match model.spans.get_mut(index.saturating_sub(1)) {
+        Some(neighbour) => neighbour.length = without_rounding(neighbour.length + removed.length),
+        None => model.beam = removed.beam(&model.beam),
+    }
+    restore_length(model, length);
+}
+
+/// A sum without the digits that its rounding adds: 1.6 + 0.8 as 2.4.
+fn without_rounding(sum: f64) -> f64 {
+    format!("{sum:.14e}").parse().unwrap_or(sum)
+}
+
+/// Corrects the last digit of the sum of the spans, so that what is at the right end stays on the beam.
+fn restore_length(model: &mut Model, length: f64) {
+    let rest = length - model.length();
+    if let Some(last) = model.spans.last_mut() {
+        last.length += rest;
+    }
+}
+
+/// Removes an element from its list. The length of a span goes to its neighbour.
 pub fn remove(model: &mut Model, element: Group) {
     match element {
+        Group::Span(i) => remove_span(model, i),
         Group::Support(SupportId::Inner(i)) => drop(model.supports.inner.remove(i)),
         Group::Joint(i) => {
             model.joints.remove(i);
@@ -108,7 +149,7 @@ pub fn set_unchecked(model: &mut Model, pattern: &str, value: Value) -> Result<(
 
 #[cfg(test)]
 mod tests {
-    use super::super::types::{Case, Family, Operation, Study};
+    use super::super::types::{Beam, Case, Family, Operation, Study};
     use super::*;
     use crate::model::check;
     use crate::model::path::{all, number, numbers, parameter, sample};
@@ -192,6 +233,66 @@ mod tests {
         after.subsystems.clear();
         let variable = misled(&model, &after, Group::Subsystem(0));
         assert_eq!(variable, Some(Group::Variable(0)));
+    }
+
+    /// The lengths 0.1, 0.2 and 0.3 do not add up to 0.6 in floating point; what is at the right end must stay on the beam.
+    #[test]
+    fn spans_are_divided_and_joined_at_the_same_length() {
+        let lengths =
+            |model: &Model| -> Vec<f64> { model.spans.iter().map(|span| span.length).collect() };
+        let mut model = sample::model(&["S1"]);
+        split(&mut model, 0);
+        assert_eq!((lengths(&model), model.beam.length), (vec![1.6, 1.6], 0.0));
+        split(&mut model, 1);
+        assert_eq!(lengths(&model), [1.6, 0.8, 0.8]);
+        remove(&mut model, Group::Span(1));
+        assert_eq!(lengths(&model), [2.4, 0.8]);
+        remove(&mut model, Group::Span(0));
+        model.spans[0].axial_force = Some(5.0);
+        remove(&mut model, Group::Span(0));
+        let expected = Beam {
+            axial_force: 5.0,
+            ..sample::model(&["S1"]).beam
+        };
+        assert_eq!((lengths(&model), model.beam), (vec![], expected));
+        for index in 0..3 {
+            let span = |length| Span {
+                length,
+                ..Span::default()
+            };
+            model.spans = [0.1, 0.2, 0.3].map(span).to_vec();
+            let length = model.length();
+            assert_ne!(length, 0.6);
+            let mut joined = model.clone();
+            remove(&mut joined, Group::Span(index));
+            split(&mut model, index);
+            assert_eq!([joined.length(), model.length()], [length; 2], "{index}");
+        }
+    }
+
+    #[test]
+    fn a_path_into_the_spans_is_misled_by_a_removal_before_it() {
+        let [_, mut model] = sample::models(&["S1"]);
+        model.tune = None;
+        let study = |path: &str| Study {
+            name: path.to_owned(),
+            family: Family::Vary {
+                paths: vec![path.into()],
+                operation: Operation::Multiply,
+                values: vec![1.0],
+            },
+        };
+        model.studies = ["beam.spans.1.length", "beam.spans.3.section.area"]
+            .map(study)
+            .to_vec();
+        let misled_by = |index| {
+            let mut after = model.clone();
+            remove(&mut after, Group::Span(index));
+            misled(&model, &after, Group::Span(index))
+        };
+        assert_eq!(misled_by(0), Some(Group::Study(0)));
+        assert_eq!(misled_by(1), Some(Group::Study(1)));
+        assert_eq!(misled_by(2), Some(Group::Study(1)));
     }
 
     #[test]

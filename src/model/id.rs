@@ -1,7 +1,10 @@
 //! Identifiers of the groups and parameters of a model: small values without text.
 
 use super::schema::{self, Key, Kind};
-use super::types::{BeamMotion, Link, Model, Quantity, Restraint, Support, Target};
+use super::types::{
+    BeamMotion, Foundation, Link, Material, Model, Quantity, Restraint, Section, Span, Support,
+    Target,
+};
 
 /// A support of the beam.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -57,7 +60,7 @@ impl SupportId {
     pub fn position(self, model: &Model) -> f64 {
         match self {
             Self::Left => 0.0,
-            Self::Right => model.beam.length,
+            Self::Right => model.length(),
             Self::Inner(index) => model.supports.inner[index].position,
         }
     }
@@ -88,6 +91,108 @@ impl SupportId {
     }
 }
 
+/// A part of the beam that may have a material, a section and a foundation of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Part {
+    /// The whole beam, for what its spans have in common.
+    Whole,
+    /// A span, by its index.
+    Span(usize),
+}
+
+impl Part {
+    /// All parts of a model: the whole beam, then its spans.
+    pub fn all(model: &Model) -> impl Iterator<Item = Self> + use<> {
+        let spans = (0..model.spans.len()).map(Self::Span);
+        std::iter::once(Self::Whole).chain(spans)
+    }
+
+    /// The group of its numbers.
+    pub const fn group(self) -> Group {
+        match self {
+            Self::Whole => Group::Beam,
+            Self::Span(index) => Group::Span(index),
+        }
+    }
+
+    /// The groups of its tables, in the order of the file.
+    pub const fn tables(self) -> [Group; 3] {
+        [
+            Group::Material(self),
+            Group::Section(self),
+            Group::Foundation(self),
+        ]
+    }
+
+    /// Its own material; none of a span that has the beam's, nor of a beam without one whose spans all have their own.
+    pub fn material(self, model: &Model) -> Option<&Material> {
+        self.table(model, &model.beam.material, |span| span.material.as_ref())
+    }
+
+    /// Its own section; none as for [`Self::material`].
+    pub fn section(self, model: &Model) -> Option<&Section> {
+        self.table(model, &model.beam.section, |span| span.section.as_ref())
+    }
+
+    /// Its own foundation; none as for [`Self::material`].
+    pub fn foundation(self, model: &Model) -> Option<&Foundation> {
+        self.table(model, &model.beam.foundation, |span| {
+            span.foundation.as_ref()
+        })
+    }
+
+    fn table<'a, T: Default + PartialEq>(
+        self,
+        model: &'a Model,
+        of_beam: &'a T,
+        own: fn(&Span) -> Option<&T>,
+    ) -> Option<&'a T> {
+        match self {
+            Self::Whole => {
+                let all_own = model.spans.iter().all(|span| own(span).is_some());
+                let left_out = !model.spans.is_empty() && all_own && *of_beam == T::default();
+                (!left_out).then_some(of_beam)
+            }
+            Self::Span(index) => model.spans.get(index).and_then(own),
+        }
+    }
+
+    /// Its own material, mutable; a span that has the beam's gets a copy.
+    pub fn material_mut(self, model: &mut Model) -> &mut Material {
+        let of_beam = &mut model.beam.material;
+        match self {
+            Self::Whole => of_beam,
+            Self::Span(index) => model.spans[index].material.get_or_insert(*of_beam),
+        }
+    }
+
+    /// Its own section, mutable; a span that has the beam's gets a copy.
+    pub fn section_mut(self, model: &mut Model) -> &mut Section {
+        let of_beam = &mut model.beam.section;
+        match self {
+            Self::Whole => of_beam,
+            Self::Span(index) => model.spans[index].section.get_or_insert(*of_beam),
+        }
+    }
+
+    /// Its own foundation, mutable; a span that has the beam's gets a copy.
+    pub fn foundation_mut(self, model: &mut Model) -> &mut Foundation {
+        let of_beam = &mut model.beam.foundation;
+        match self {
+            Self::Whole => of_beam,
+            Self::Span(index) => model.spans[index].foundation.get_or_insert(*of_beam),
+        }
+    }
+
+    /// The same part with another index; the whole beam stays.
+    const fn at(self, place: usize) -> Self {
+        match self {
+            Self::Whole => Self::Whole,
+            Self::Span(_) => Self::Span(place),
+        }
+    }
+}
+
 /// A group of a model: a table or a list of tables. Elements of lists count from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Group {
@@ -95,12 +200,16 @@ pub enum Group {
     Model,
     /// The beam.
     Beam,
-    /// The beam's material.
-    Material,
-    /// The beam's section.
-    Section,
-    /// The foundation.
-    Foundation,
+    /// The material of a part of the beam.
+    Material(Part),
+    /// The section of a part of the beam.
+    Section(Part),
+    /// The foundation of a part of the beam.
+    Foundation(Part),
+    /// All spans of the beam.
+    Spans,
+    /// One span.
+    Span(usize),
     /// All supports.
     Supports,
     /// One support.
@@ -147,9 +256,10 @@ impl Group {
         match self {
             Self::Model => schema::MODEL.keys,
             Self::Beam => schema::BEAM.keys,
-            Self::Material => schema::MATERIAL.keys,
-            Self::Section => schema::SECTION.keys,
-            Self::Foundation => schema::FOUNDATION.keys,
+            Self::Material(_) => schema::MATERIAL.keys,
+            Self::Section(_) => schema::SECTION.keys,
+            Self::Foundation(_) => schema::FOUNDATION.keys,
+            Self::Span(_) => schema::SPAN.keys,
             Self::Support(SupportId::Left | SupportId::Right) => schema::SUPPORT.keys,
             Self::Support(SupportId::Inner(_)) => schema::INNER_SUPPORT_KEYS,
             Self::Motion(_, motion) => schema::elastic(motion).keys,
@@ -160,7 +270,8 @@ impl Group {
             Self::Response(_) => schema::RESPONSE.keys,
             Self::Sweep => schema::SWEEP.keys,
             Self::Study(_) => schema::STUDY.keys,
-            Self::Supports
+            Self::Spans
+            | Self::Supports
             | Self::Joints
             | Self::Subsystems
             | Self::Forces
@@ -177,7 +288,9 @@ impl Group {
     pub const fn parent(self) -> Option<Self> {
         Some(match self {
             Self::Model => return None,
-            Self::Material | Self::Section | Self::Foundation => Self::Beam,
+            Self::Material(part) | Self::Section(part) | Self::Foundation(part) => part.group(),
+            Self::Spans => Self::Beam,
+            Self::Span(_) => Self::Spans,
             Self::Support(_) => Self::Supports,
             Self::Motion(support, _) => Self::Support(support),
             Self::Joint(_) => Self::Joints,
@@ -215,7 +328,14 @@ impl Group {
                     .chain(tune)
                     .collect()
             }
-            Self::Beam => vec![Self::Material, Self::Section, Self::Foundation],
+            Self::Beam => {
+                let tables = Part::Whole.tables().into_iter();
+                let tables = tables.filter(|table| table.is_there(model));
+                let spans = (!model.spans.is_empty()).then_some(Self::Spans);
+                tables.chain(spans).collect()
+            }
+            Self::Spans => each(model.spans.len(), Self::Span),
+            Self::Span(index) => Part::Span(index).tables().to_vec(),
             Self::Supports => SupportId::all(model).map(Self::Support).collect(),
             Self::Support(support) => BeamMotion::ALL
                 .map(|motion| Self::Motion(support, motion))
@@ -240,11 +360,31 @@ impl Group {
         }
     }
 
-    /// The beam, support or list element that it belongs to, which the first parts of a path name.
+    /// The key of a table of a part of the beam.
+    pub(super) const fn table_key(self) -> Option<&'static str> {
+        match self {
+            Self::Material(_) => Some("material"),
+            Self::Section(_) => Some("section"),
+            Self::Foundation(_) => Some("foundation"),
+            _ => None,
+        }
+    }
+
+    /// Whether a material, section or foundation belongs to its part itself; true of all other groups.
+    pub fn is_there(self, model: &Model) -> bool {
+        match self {
+            Self::Material(part) => part.material(model).is_some(),
+            Self::Section(part) => part.section(model).is_some(),
+            Self::Foundation(part) => part.foundation(model).is_some(),
+            _ => true,
+        }
+    }
+
+    /// The beam, span, support or list element that it belongs to, which the first parts of a path name.
     #[must_use]
     pub const fn owner(self) -> Self {
         match self {
-            Self::Material | Self::Section | Self::Foundation => Self::Beam,
+            Self::Material(part) | Self::Section(part) | Self::Foundation(part) => part.group(),
             Self::Motion(support, _) => Self::Support(support),
             Self::Link(joint, _) => Self::Joint(joint),
             other => other,
@@ -255,7 +395,11 @@ impl Group {
     pub const fn place(self) -> Option<usize> {
         match self {
             Self::Support(support) | Self::Motion(support, _) => Some(support.place()),
-            Self::Joint(i)
+            Self::Span(i)
+            | Self::Material(Part::Span(i))
+            | Self::Section(Part::Span(i))
+            | Self::Foundation(Part::Span(i))
+            | Self::Joint(i)
             | Self::Link(i, _)
             | Self::Subsystem(i)
             | Self::Force(i)
@@ -272,6 +416,10 @@ impl Group {
     #[must_use]
     pub fn at(self, place: usize) -> Self {
         match self {
+            Self::Material(part) => Self::Material(part.at(place)),
+            Self::Section(part) => Self::Section(part.at(place)),
+            Self::Foundation(part) => Self::Foundation(part.at(place)),
+            Self::Span(_) => Self::Span(place),
             Self::Support(_) | Self::Motion(..) => self.of_support(SupportId::at(place)),
             Self::Joint(_) => Self::Joint(place),
             Self::Link(_, motion) => Self::Link(place, motion),
@@ -311,13 +459,15 @@ impl Group {
         self.parameters().find(|id| id.key().kind == kind)
     }
 
-    /// The parameters of a beam, support or element and all groups inside, in the order of the file.
+    /// The parameters of a beam, span, support or element and all groups inside, in the order of the file.
     pub(super) fn owned(self) -> Vec<ParameterId> {
+        let with_tables = |part: Part| {
+            let groups = std::iter::once(self).chain(part.tables());
+            groups.flat_map(Self::parameters).collect()
+        };
         match self {
-            Self::Beam => [Self::Beam, Self::Material, Self::Section, Self::Foundation]
-                .into_iter()
-                .flat_map(Self::parameters)
-                .collect(),
+            Self::Beam => with_tables(Part::Whole),
+            Self::Span(index) => with_tables(Part::Span(index)),
             Self::Support(support) => self.with_springs(|motion| Self::Motion(support, motion)),
             Self::Joint(joint) => self.with_springs(|motion| Self::Link(joint, motion)),
             _ => self.parameters().collect(),
@@ -361,6 +511,27 @@ impl ParameterId {
         Group::Joint(joint).parameter(1 + motion as usize)
     }
 
+    /// The word for whose table a span has, its own or the beam's; none for another group.
+    pub const fn owner_of(table: Group) -> Option<Self> {
+        use schema::SpanKey;
+        let (index, key) = match table {
+            Group::Material(Part::Span(index)) => (index, SpanKey::Material),
+            Group::Section(Part::Span(index)) => (index, SpanKey::Section),
+            Group::Foundation(Part::Span(index)) => (index, SpanKey::Foundation),
+            _ => return None,
+        };
+        Some(Group::Span(index).parameter(key as usize))
+    }
+
+    /// The table of a span whose word it is: [`Self::owner_of`] in reverse.
+    pub fn table(self) -> Option<Group> {
+        let Group::Span(index) = self.group else {
+            return None;
+        };
+        let mut tables = Part::Span(index).tables().into_iter();
+        tables.find(|table| Self::owner_of(*table) == Some(self))
+    }
+
     /// The motion of a support whose restraint it is, or that of a joint whose link it is.
     pub fn motion(self) -> Option<BeamMotion> {
         let key = self.key();
@@ -379,7 +550,11 @@ impl ParameterId {
         let mut all: Vec<Self> = Group::Model.parameters().collect();
         for group in Group::Model.groups(model) {
             let owners = match group {
-                Group::Beam | Group::Sweep => vec![group],
+                Group::Sweep => vec![group],
+                Group::Beam => {
+                    let spans = Group::Spans.groups(model);
+                    std::iter::once(group).chain(spans).collect()
+                }
                 list => list.groups(model),
             };
             all.extend(owners.into_iter().flat_map(Group::owned));
@@ -388,9 +563,16 @@ impl ParameterId {
         all
     }
 
-    /// Whether it has a value: a fixed or rigid motion has no spring, an energy no position, a twist no point of the section.
+    /// Whether it has a value: a fixed or rigid motion has no spring, an energy no position, a twist no point of the section,
+    /// a beam of spans no length, a span with a table of the beam none of its own.
     pub fn exists(self, model: &Model) -> bool {
         match (self.group, self.key().kind) {
+            (Group::Beam, _) => {
+                model.spans.is_empty() || self.row != schema::BeamKey::Length as usize
+            }
+            (group @ (Group::Material(_) | Group::Section(_) | Group::Foundation(_)), _) => {
+                group.is_there(model)
+            }
             (Group::Motion(support, motion), _) => {
                 support.support(model)[motion] != Restraint::Fixed
             }
@@ -446,27 +628,33 @@ mod tests {
 
     #[test]
     fn every_parameter_is_there_once_and_in_a_group_of_the_model() {
-        let model = sample::model(&["S1", "S2"]);
-        let mut groups = vec![Group::Model];
-        let mut next = 0;
-        while let Some(group) = groups.get(next) {
-            let below = group.groups(&model);
-            assert!(below.iter().all(|one| one.parent() == Some(*group)));
-            groups.extend(below);
-            next += 1;
+        for model in sample::models(&["S1", "S2"]) {
+            let mut groups = vec![Group::Model];
+            let mut next = 0;
+            while let Some(group) = groups.get(next) {
+                let below = group.groups(&model);
+                assert!(below.iter().all(|one| one.parent() == Some(*group)));
+                groups.extend(below);
+                next += 1;
+            }
+            let held = groups.into_iter().flat_map(Group::parameters);
+            let held: HashSet<ParameterId> = held.filter(|id| id.exists(&model)).collect();
+            let all = ParameterId::all(&model);
+            assert_eq!(all.len(), held.len());
+            assert_eq!(all.into_iter().collect::<HashSet<_>>(), held);
         }
-        let held = groups.into_iter().flat_map(Group::parameters);
-        let held: HashSet<ParameterId> = held.filter(|id| id.exists(&model)).collect();
-        let all = ParameterId::all(&model);
-        assert_eq!(all.len(), held.len());
-        assert_eq!(all.into_iter().collect::<HashSet<_>>(), held);
     }
 
     #[test]
     fn a_parameter_has_the_same_place_in_its_list() {
-        let model = sample::model(&["S1", "S2"]);
-        for id in ParameterId::all(&model) {
-            assert_eq!(id.group.place().map_or(id, |place| id.at(place)), id);
+        for model in sample::models(&["S1", "S2"]) {
+            for id in ParameterId::all(&model) {
+                assert_eq!(id.group.place().map_or(id, |place| id.at(place)), id);
+                assert_eq!(
+                    id.table().and_then(ParameterId::owner_of),
+                    id.table().map(|_| id)
+                );
+            }
         }
     }
 }

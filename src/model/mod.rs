@@ -44,7 +44,7 @@ pub use delta::{apply_delta, delta};
 pub use describe::Parameter;
 pub use fault::Fault;
 pub(crate) use fault::MOST_SHOWN;
-pub use id::{Group, ParameterId, SupportId};
+pub use id::{Group, ParameterId, Part, SupportId};
 pub use moves::Moves;
 pub use read::read;
 pub(crate) use toml_literal::basic_string;

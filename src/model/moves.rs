@@ -11,6 +11,7 @@ use super::types::Model;
 #[derive(Debug)]
 pub struct Moves {
     inner_supports: Move,
+    spans: Move,
     joints: Move,
     subsystems: Move,
     forces: Move,
@@ -77,6 +78,7 @@ impl Moves {
         let [old, new] = [before, after].map(|model| &model.supports.inner[..]);
         Self {
             inner_supports: Move::of_named(old, new, |one| &one.name),
+            spans: Move::of_unnamed(&before.spans, &after.spans),
             joints: Move::of_unnamed(&before.joints, &after.joints),
             subsystems: Move::of_named(&before.subsystems, &after.subsystems, |one| &one.name),
             forces: Move::of_unnamed(&before.forces, &after.forces),
@@ -87,30 +89,31 @@ impl Moves {
 
     /// The group in the changed model; none if it was removed.
     pub fn of(&self, group: Group) -> Option<Group> {
-        let list = match group {
-            Group::Support(SupportId::Inner(i)) | Group::Motion(SupportId::Inner(i), _) => {
+        let list = match group.owner() {
+            Group::Support(SupportId::Inner(i)) => {
                 let support = SupportId::Inner(self.inner_supports.of(i)?);
                 return Some(group.of_support(support));
             }
-            Group::Joint(_) | Group::Link(..) => &self.joints,
+            Group::Span(_) => &self.spans,
+            Group::Joint(_) => &self.joints,
             Group::Subsystem(_) => &self.subsystems,
             Group::Force(_) => &self.forces,
             Group::Response(_) => &self.responses,
             Group::Study(_) => &self.studies,
-            other => return Some(other),
+            _ => return Some(group),
         };
         Some(group.at(list.of(group.place()?)?))
     }
 }
 
 impl Group {
-    /// The group with the same name in another model, such as that of a file; for a joint or force, the same number.
+    /// The group with the same name in another model, such as that of a file; for a span, joint or force, the same number.
     pub fn counterpart(self, model: &Model, other: &Model) -> Option<Self> {
-        let place = match self {
+        let place = match self.owner() {
             Self::Subsystem(i) => named(&model.subsystems[i].name, i, &other.subsystems, |one| {
                 &one.name
             })?,
-            Self::Support(SupportId::Inner(i)) | Self::Motion(SupportId::Inner(i), _) => {
+            Self::Support(SupportId::Inner(i)) => {
                 let [own, list] = [model, other].map(|model| &model.supports.inner);
                 let found = named(&own[i].name, i, list, |one| &one.name)?;
                 return Some(self.of_support(SupportId::Inner(found)));
@@ -119,9 +122,10 @@ impl Group {
                 &one.name
             })?,
             Self::Study(i) => named(&model.studies[i].name, i, &other.studies, |one| &one.name)?,
-            Self::Joint(i) | Self::Link(i, _) => (i < other.joints.len()).then_some(i)?,
+            Self::Span(i) => (i < other.spans.len()).then_some(i)?,
+            Self::Joint(i) => (i < other.joints.len()).then_some(i)?,
             Self::Force(i) => (i < other.forces.len()).then_some(i)?,
-            fixed => return Some(fixed),
+            _ => return Some(self),
         };
         Some(self.at(place))
     }

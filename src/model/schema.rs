@@ -71,6 +71,8 @@ pub enum Kind {
     Restraint,
     /// What joins one motion of both sides of a joint.
     Link,
+    /// Whether a span has a table of the beam or its own.
+    Table,
     /// The paths of the parameters of a variable.
     Paths,
     /// The scale of a variable's search; optional.
@@ -119,6 +121,8 @@ impl Range {
 pub enum Access<T> {
     /// A number.
     Number(fn(&T) -> f64, fn(&mut T, f64)),
+    /// An optional number.
+    OptionalNumber(fn(&T) -> Option<f64>, fn(&mut T, Option<f64>)),
     /// A whole number.
     Count(fn(&T) -> usize, fn(&mut T, usize)),
     /// A flag.
@@ -211,6 +215,7 @@ impl<T> Rows<T> {
     pub fn numbers(&self, of: &T) -> impl Iterator<Item = (&'static Key, f64)> {
         self.iter().filter_map(move |(key, access)| match access {
             Access::Number(get, _) => Some((key, get(of))),
+            Access::OptionalNumber(get, _) => Some((key, get(of)?)),
             _ => None,
         })
     }
@@ -237,6 +242,9 @@ macro_rules! key {
     };
     (spring $key:literal, $symbol:literal, $unit:ident, $meaning:literal, $($place:ident).+) => {
         Key { is_spring: true, ..key!(number $key, $symbol, $unit, NonNegative or 0.0, $meaning, $($place).+) }
+    };
+    (optional_number $key:literal, $symbol:literal, $unit:ident, $range:ident, $meaning:literal, $place:ident) => {
+        key!(number $key, $symbol, $unit, $range, $meaning, $place)
     };
     (number_of $key:literal, $unit:ident, $range:ident, $meaning:literal, $of:path, $field:ident) => {
         Key { key: $key, unit: Unit::$unit, meaning: $meaning, kind: Kind::Number, range: Range::$range, ..BLANK }
@@ -265,6 +273,9 @@ macro_rules! access {
     };
     (spring $key:literal, $symbol:literal, $unit:ident, $meaning:literal, $($place:ident).+) => {
         access!(number $key, $symbol, $unit, NonNegative or 0.0, $meaning, $($place).+)
+    };
+    (optional_number $key:literal, $symbol:literal, $unit:ident, $range:ident, $meaning:literal, $place:ident) => {
+        Access::OptionalNumber(|of| of.$place, |of, value| of.$place = value)
     };
     (number_of $key:literal, $unit:ident, $range:ident, $meaning:literal, $of:path, $field:ident) => {
         Access::Number(
@@ -309,6 +320,7 @@ macro_rules! access {
 /// `TABLE of Struct { kind(key, ..), .. }`; with `as Enum` the rows have names: `Name = kind(key, ..)`.
 ///
 /// - `number(key, symbol, unit, range [or default], meaning, place in the struct)`
+/// - `optional_number(key, symbol, unit, range, meaning, place)`: without a default of its own
 /// - `spring(key, symbol, unit, meaning, place in the struct)`: a stiffness or damping, 0 or more, 0 by default
 /// - `word(key, type of the words, meaning, place)`
 /// - `number_of(key, unit, range, ..)`, `word_of(key, words, ..)`, `text_of(key, kind, ..)`: meaning, variant, field of

@@ -3,6 +3,7 @@
 //! A number that the file omits has its default here (no stiffness, no damping, amplitude 1), so every value of these
 //! types is a complete model. [`check`](super::check()) finds out whether it is also a *possible* one.
 
+use super::id::Part;
 use super::path::Pattern;
 use super::tuning::Tune;
 use crate::unit::{Dimension, Kind, Load, Measure, Moves};
@@ -17,6 +18,8 @@ pub struct Model {
     pub notes: String,
     /// The beam itself.
     pub beam: Beam,
+    /// Its spans, from left to right; empty if it is uniform.
+    pub spans: Vec<Span>,
     /// What holds it.
     pub supports: Supports,
     /// Where it is cut and joined again, in the order of the file.
@@ -40,12 +43,59 @@ impl Model {
     pub fn attached(&self) -> impl Iterator<Item = &Subsystem> {
         self.subsystems.iter().filter(|subsystem| subsystem.enabled)
     }
+
+    /// Length of the whole beam, m.
+    pub fn length(&self) -> f64 {
+        if self.spans.is_empty() {
+            self.beam.length
+        } else {
+            self.spans.iter().map(|span| span.length).sum()
+        }
+    }
+
+    /// The indices of the uniform parts that a table of the beam or of a span describes.
+    pub(crate) fn parts_of(&self, of: Part, has_own: impl Fn(&Span) -> bool) -> Vec<usize> {
+        match of {
+            Part::Whole if self.spans.is_empty() => vec![0],
+            Part::Whole => {
+                let spans = self.spans.iter().enumerate();
+                let shared = spans.filter(|(_, span)| !has_own(span));
+                shared.map(|(index, _)| index).collect()
+            }
+            Part::Span(index) => vec![index],
+        }
+    }
+
+    /// Mass of the beam alone, kg.
+    pub fn beam_mass(&self) -> f64 {
+        self.uniform_parts().iter().map(UniformPart::mass).sum()
+    }
+
+    /// The uniform parts of the beam, from left to right: its spans, or all of it.
+    pub(crate) fn uniform_parts(&self) -> Vec<UniformPart> {
+        let mut end = 0.0;
+        let parts = self.spans.iter().map(|span| {
+            let start = end;
+            end += span.length;
+            UniformPart {
+                start,
+                end,
+                beam: span.beam(&self.beam),
+                offset: span.offset,
+            }
+        });
+        let mut parts: Vec<UniformPart> = parts.collect();
+        if parts.is_empty() {
+            parts.push(UniformPart::whole(self.beam));
+        }
+        parts
+    }
 }
 
-/// The uniform beam.
+/// The beam, or what its spans have in common.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Beam {
-    /// Length L, m.
+    /// Length L, m; 0 where there are spans, whose lengths add up: see [`Model::length`].
     pub length: f64,
     /// Theory of bending.
     pub theory: Theory,
@@ -61,7 +111,104 @@ pub struct Beam {
     pub foundation: Foundation,
 }
 
-/// A foundation of springs and dampers along the beam, at its shear centres.
+/// A uniform part of the beam with its own length. What it leaves out it has from the beam.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Span {
+    /// m.
+    pub length: f64,
+    /// Where its shear centre lies, from the axis of the beam.
+    pub offset: Point,
+    /// N; tension > 0.
+    pub axial_force: Option<f64>,
+    /// In place of the beam's material.
+    pub material: Option<Material>,
+    /// In place of the beam's section.
+    pub section: Option<Section>,
+    /// In place of the beam's foundation.
+    pub foundation: Option<Foundation>,
+}
+
+impl Span {
+    /// The words for whose material, section or foundation it has: the beam's or its own.
+    pub const OWNERS: [&'static str; 2] = ["beam", "own"];
+
+    /// It as a uniform beam.
+    pub(crate) fn beam(&self, whole: &Beam) -> Beam {
+        Beam {
+            length: self.length,
+            axial_force: self.axial_force.unwrap_or(whole.axial_force),
+            material: self.material.unwrap_or(whole.material),
+            section: self.section.unwrap_or(whole.section),
+            foundation: self.foundation.unwrap_or(whole.foundation),
+            ..*whole
+        }
+    }
+}
+
+/// A uniform part of a beam, with all of its own numbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct UniformPart {
+    /// Distance of its ends from the left end of the beam, m.
+    pub(crate) start: f64,
+    pub(crate) end: f64,
+    /// It, as a beam of its own.
+    pub(crate) beam: Beam,
+    /// Where its shear centre lies, from the axis of the beam.
+    pub(crate) offset: Point,
+}
+
+impl UniformPart {
+    /// All of a uniform beam.
+    pub(crate) fn whole(beam: Beam) -> Self {
+        Self {
+            start: 0.0,
+            end: beam.length,
+            beam,
+            offset: Point::AXIS,
+        }
+    }
+
+    /// The part of a beam that holds what is at a distance from its left end, m.
+    pub(crate) fn at(parts: &[Self], x: f64) -> &Self {
+        &parts[Self::index_at(parts, x)]
+    }
+
+    /// The index of that part: where two meet that with warping stiffness, the left one if both have it.
+    pub(crate) fn index_at(parts: &[Self], x: f64) -> usize {
+        let last = parts.len() - 1;
+        let part = parts[..last].partition_point(|part| part.end < x);
+        let is_passed = part < last && parts[part].end == x && !parts[part].warps();
+        part + usize::from(is_passed)
+    }
+
+    /// Whether a bimoment passes a distance from the left end, m: all parts there have warping stiffness.
+    pub(crate) fn transmit_bimoment(parts: &[Self], x: f64) -> bool {
+        let mut here = parts
+            .iter()
+            .filter(|part| (part.start..=part.end).contains(&x));
+        here.all(Self::warps)
+    }
+
+    /// Whether it has warping stiffness.
+    pub(crate) fn warps(&self) -> bool {
+        self.beam.section.warping_constant != 0.0
+    }
+
+    /// Whether v is coupled with w or twist.
+    pub(crate) fn couples_all(&self) -> bool {
+        !self.beam.is_of_one_offset() || self.offset.y != 0.0
+    }
+
+    /// kg.
+    pub(crate) fn mass(&self) -> f64 {
+        let Beam {
+            material, section, ..
+        } = &self.beam;
+        material.density * section.area * self.beam.length
+    }
+}
+
+/// A foundation of springs and dampers along the beam, at its axis.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Foundation {
     /// On w, per length: N/m2, N s/m2.
@@ -401,8 +548,8 @@ pub struct Elastic {
 pub struct Joint {
     /// Distance from the left end, m.
     pub position: f64,
-    /// What joins the motions of both sides, in the order of [`BeamMotion::ALL`]. On a section without warping stiffness,
-    /// which transmits no bimoment, that of the rate of twist has no effect.
+    /// What joins the motions of both sides, in the order of [`BeamMotion::ALL`]. Next to a section without warping
+    /// stiffness, which transmits no bimoment, that of the rate of twist has no effect.
     pub links: [Link; 6],
 }
 

@@ -12,12 +12,15 @@
 //! centre moves by `w + z_c psi` and `v - y_c psi`, so that M and N share one pattern. Source: Vlasov, Thin-Walled
 //! Elastic Beams (1961), Chapter 5; for the paper's beam these are the energies of Chen & Liu, Mathematics 2022,
 //! 10(16), 2849, Section 2.
+//!
+//! A span whose shear centre lies beside the axis of the beam has them over the motions of the axis: its own motions are `L
+//! q`, so that each matrix X becomes `L^T X L`, except F, which no offset changes, and K, which acts on the axis.
 
 use num_complex::Complex64;
 
 use super::linear::ZERO;
-use crate::model::schema::{BeamKey, MaterialKey, SectionKey};
-use crate::model::{Beam, Bedding, Section};
+use crate::model::schema::{MaterialKey, SectionKey};
+use crate::model::{Beam, Bedding, Point, Section, UniformPart};
 
 /// A symmetric 3x3 matrix over (w, psi, v).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,6 +31,13 @@ pub(super) struct Symmetric<T> {
     pub(super) w_psi: T,
     pub(super) psi_v: T,
     pub(super) w_v: T,
+}
+
+/// The directions of an offset.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Across {
+    Y,
+    Z,
 }
 
 /// The matrices of a beam, or their derivatives by a parameter.
@@ -110,6 +120,51 @@ impl Symmetric<Complex64> {
     }
 }
 
+impl<T> Symmetric<T>
+where
+    T: Copy + std::ops::Add<Output = T>,
+    f64: std::ops::Mul<T, Output = T>,
+{
+    /// `L^T (self) L`: that over the motions of an axis from which the own one lies at an offset.
+    pub(super) fn moved(&self, offset: Point) -> Self {
+        let Point { y, z } = offset;
+        if offset == Point::AXIS {
+            return *self;
+        }
+        let w_psi = self.w_psi + z * self.w + (-y) * self.w_v;
+        let psi_v = self.psi_v + z * self.w_v + (-y) * self.v;
+        Self {
+            psi: self.psi + z * (self.w_psi + w_psi) + (-y) * (self.psi_v + psi_v),
+            w_psi,
+            psi_v,
+            ..*self
+        }
+    }
+}
+
+impl<T> Symmetric<T>
+where
+    T: Copy + std::ops::Add<Output = T>,
+    f64: std::ops::Mul<T, Output = T>,
+{
+    /// The derivative of [`Self::moved`] by the offset, from the result.
+    pub(super) fn by_offset(&self, along: Across) -> Self {
+        let none = || 0.0 * self.w;
+        let [w_psi, psi, psi_v] = match along {
+            Across::Y => [-1.0 * self.w_v, -2.0 * self.psi_v, -1.0 * self.v],
+            Across::Z => [1.0 * self.w, 2.0 * self.w_psi, 1.0 * self.w_v],
+        };
+        Self {
+            w: none(),
+            psi,
+            v: none(),
+            w_psi,
+            psi_v,
+            w_v: none(),
+        }
+    }
+}
+
 impl<T: Copy> Symmetric<T> {
     /// Times a number.
     fn scaled<U: Copy + std::ops::Mul<T>>(&self, by: U) -> Symmetric<U::Output> {
@@ -118,6 +173,38 @@ impl<T: Copy> Symmetric<T> {
 }
 
 impl Symmetric<f64> {
+    /// The sum of the products of all entries with those of another matrix.
+    pub(super) fn paired(&self, other: &Self) -> f64 {
+        let diagonal = self.w * other.w + self.psi * other.psi + self.v * other.v;
+        let across = self.w_psi * other.w_psi + self.psi_v * other.psi_v + self.w_v * other.w_v;
+        diagonal + 2.0 * across
+    }
+
+    /// The real part of `q q^H` for three motions: what a form of them adds up.
+    pub(super) fn square([w, psi, v]: [Complex64; 3]) -> Self {
+        let product = |one: Complex64, other: Complex64| (one * other.conj()).re;
+        Self {
+            w: w.norm_sqr(),
+            psi: psi.norm_sqr(),
+            v: v.norm_sqr(),
+            w_psi: product(w, psi),
+            psi_v: product(psi, v),
+            w_v: product(w, v),
+        }
+    }
+
+    /// The sum with another matrix times a factor.
+    pub(super) fn plus(&self, factor: f64, other: &Self) -> Self {
+        Self {
+            w: self.w + factor * other.w,
+            psi: self.psi + factor * other.psi,
+            v: self.v + factor * other.v,
+            w_psi: self.w_psi + factor * other.w_psi,
+            psi_v: self.psi_v + factor * other.psi_v,
+            w_v: self.w_v + factor * other.w_v,
+        }
+    }
+
     pub(super) const ZERO: Self = Self {
         w: 0.0,
         psi: 0.0,
@@ -162,7 +249,23 @@ impl BeamMatrices {
         rotary: Symmetric::<f64>::ZERO,
     };
 
-    /// Those of a beam.
+    /// Those of a part of a beam, over the motions of its axis.
+    pub(super) fn of_part(part: &UniformPart) -> Self {
+        Self::new(&part.beam).moved(part.offset)
+    }
+
+    /// Those over the motions of an axis from which the own one lies at an offset; the foundation is on that axis.
+    pub(super) fn moved(&self, offset: Point) -> Self {
+        Self {
+            bending: self.bending.moved(offset),
+            tension: self.tension.moved(offset),
+            mass: self.mass.moved(offset),
+            rotary: self.rotary.moved(offset),
+            ..*self
+        }
+    }
+
+    /// Those of a beam along its own shear centres.
     pub(super) fn new(beam: &Beam) -> Self {
         let (material, section) = (&beam.material, &beam.section);
         let loss = Complex64::new(1.0, material.loss_factor);
@@ -185,12 +288,21 @@ impl BeamMatrices {
     pub(super) fn curvatures(&self, [w, psi, v]: [Complex64; 3]) -> [Complex64; 3] {
         let d = &self.bending;
         let determinant = d.w * d.v - d.w_v * d.w_v;
-        let warping = if d.psi == ZERO { ZERO } else { psi / d.psi };
-        [
-            (d.v * w - d.w_v * v) / determinant,
-            warping,
-            (d.w * v - d.w_v * w) / determinant,
-        ]
+        let bent = |w: Complex64, v: Complex64| {
+            [
+                (d.v * w - d.w_v * v) / determinant,
+                (d.w * v - d.w_v * w) / determinant,
+            ]
+        };
+        let [along_w, along_v] = bent(w, v);
+        if d.psi == ZERO {
+            return [along_w, ZERO, along_v];
+        }
+        // Of twist alone, with the bending that it makes.
+        let [by_w, by_v] = bent(d.w_psi, d.psi_v);
+        let own = d.psi - d.w_psi * by_w - d.psi_v * by_v;
+        let warping = (psi - d.w_psi * along_w - d.psi_v * along_v) / own;
+        [along_w - by_w * warping, warping, along_v - by_v * warping]
     }
 
     /// The real parts of the principal values of the bending of w and v, N m2, in the order of w and v if they are not
@@ -326,14 +438,22 @@ impl BeamMatrices {
                 * (dot(q, self.mass.times(other_q)) + dot(s, self.rotary.times(other_s)))
     }
 
-    /// Their derivatives by a number of the beam's own table except its length.
-    pub(super) fn by_beam(beam: &Beam, key: BeamKey) -> Option<Self> {
-        match key {
-            BeamKey::Length | BeamKey::Theory | BeamKey::WarpingInertia => None,
-            BeamKey::AxialForce => Some(Self {
-                tension: Symmetric::of_centroid(&beam.section).scaled(Complex64::ONE),
-                ..Self::ZERO
-            }),
+    /// Their derivatives by the axial force.
+    pub(super) fn by_axial_force(beam: &Beam) -> Self {
+        Self {
+            tension: Symmetric::of_centroid(&beam.section).scaled(Complex64::ONE),
+            ..Self::ZERO
+        }
+    }
+
+    /// Their derivatives by the offset along y or z, from them over the motions of the axis.
+    pub(super) fn by_offset(&self, along: Across) -> Self {
+        Self {
+            bending: self.bending.by_offset(along),
+            tension: self.tension.by_offset(along),
+            mass: self.mass.by_offset(along),
+            rotary: self.rotary.by_offset(along),
+            ..Self::ZERO
         }
     }
 

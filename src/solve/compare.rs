@@ -38,7 +38,7 @@ pub fn differences(model: &Checked, exact: &Frf, other: &Frf) -> Vec<Vec<Option<
             let columns = frf.columns.iter().zip(&quantities);
             columns
                 .map(|(column, quantity)| {
-                    column.values[row].norm() * scale(quantity, model.beam.length, frequency)
+                    column.values[row].norm() * scale(quantity, model.length(), frequency)
                 })
                 .collect()
         };

@@ -4,10 +4,10 @@ use num_complex::Complex64;
 
 use super::linear::{Matrix, ZERO, zeros};
 use super::plan::Plan;
-use super::solution::SpanWaves;
-use super::waves::{Amplitudes, Waves};
+use super::solution::{Solution, SpanWaves};
+use super::waves::{Amplitudes, BeamConstants, Waves};
 
-/// The energy forms of a span, for each distinct span length at one frequency.
+/// The energy forms of each kind of span at one frequency.
 ///
 /// With amplitudes a at the span's left end and b at its right end the displacements are
 /// `Q (exp(-kappa x) a + exp(-kappa (l - x)) b)`, so that the energy is the Hermitian form
@@ -28,38 +28,51 @@ struct Form {
 
 impl SpanEnergy {
     /// The forms of `E_V`, kg m2 (times the square of the loads' unit).
-    pub(super) fn vibration(plan: &Plan, waves: &Waves, decays: &[Amplitudes]) -> Self {
-        Self::new(plan, waves, &inertia_weights(plan, waves), decays)
+    pub(super) fn vibration(plan: &Plan, solution: &Solution) -> Self {
+        Self::new(plan, solution, inertia_weights)
     }
 
-    /// The forms of twice the strain energy of the material, `int q''^H D q'' + G J |psi'|^2 dx` with the bending matrix D
-    /// and the real parts of the moduli, J.
+    /// The forms of what the loss factor of the material dissipates in a radian, twice: `int s'^H Im(D) s' + Im(G J)
+    /// |psi'|^2 - g^H Im(F) g dx` with the shear forces g.
     ///
     /// Source: the strain energy of Vlasov's beam, as Chen & Liu 2022, Section 2, derive their equations from; an axial
     /// force dissipates nothing.
-    pub(super) fn strain(plan: &Plan, waves: &Waves, decays: &[Amplitudes]) -> Self {
-        Self::new(plan, waves, &strain_weights(plan, waves), decays)
+    pub(super) fn dissipation(plan: &Plan, solution: &Solution) -> Self {
+        Self::new(plan, solution, dissipation_weights)
     }
 
-    /// The forms of `int |q|^2 dx` of a motion: 0 of w, 1 of psi, 2 of v.
-    pub(super) fn square(plan: &Plan, waves: &Waves, row: usize, decays: &[Amplitudes]) -> Self {
-        let q = &waves.displacement[row];
-        let mut same = zeros::<6, 6>();
-        for i in 0..6 {
-            for j in 0..6 {
-                same[i][j] = q[i].conj() * q[j];
+    /// The forms of `int c |q|^2 dx` of a motion: 0 of w, 1 of psi, 2 of v; with a factor c of each beam.
+    pub(super) fn square(
+        plan: &Plan,
+        solution: &Solution,
+        row: usize,
+        factor: impl Fn(&BeamConstants) -> f64,
+    ) -> Self {
+        Self::new(plan, solution, |beam, waves| {
+            let (q, factor) = (&waves.displacement[row], factor(beam));
+            let mut same = zeros::<6, 6>();
+            for i in 0..6 {
+                for j in 0..6 {
+                    same[i][j] = factor * q[i].conj() * q[j];
+                }
             }
-        }
-        let against = same;
-        Self::new(plan, waves, &Weights { same, against }, decays)
+            let against = same;
+            Weights { same, against }
+        })
     }
 
-    fn new(plan: &Plan, waves: &Waves, weights: &Weights, decays: &[Amplitudes]) -> Self {
-        let forms = plan
-            .lengths
-            .iter()
-            .zip(decays)
-            .map(|(&length, decay)| form(waves, weights, length, decay));
+    fn new(
+        plan: &Plan,
+        solution: &Solution,
+        weights: impl Fn(&BeamConstants, &Waves) -> Weights,
+    ) -> Self {
+        let beams = plan.beams.iter().zip(&solution.waves);
+        let weights: Vec<Weights> = beams.map(|(beam, waves)| weights(beam, waves)).collect();
+        let kinds = plan.kinds.iter().zip(&solution.decays);
+        let forms = kinds.map(|(kind, decay)| {
+            let waves = &solution.waves[kind.beam];
+            form(waves, &weights[kind.beam], kind.length, decay)
+        });
         Self {
             forms: forms.collect(),
         }
@@ -127,14 +140,17 @@ struct Weights {
     against: Matrix<6, 6>,
 }
 
-/// rho A (W* W + V* V) + rho `I_0` Psi* Psi of each pair of waves.
-fn inertia_weights(plan: &Plan, waves: &Waves) -> Weights {
-    let [w, psi, v] = &waves.displacement;
+/// The form of `E_V` of each pair of waves.
+fn inertia_weights(beam: &BeamConstants, waves: &Waves) -> Weights {
+    let form = beam.vibration();
+    let shapes: [[Complex64; 3]; 6] =
+        std::array::from_fn(|wave| [0, 1, 2].map(|row| waves.displacement[row][wave]));
+    let moved = shapes.map(|shape| form.times(shape));
     let mut same = zeros::<6, 6>();
     for i in 0..6 {
         for j in 0..6 {
-            same[i][j] = plan.beam.mass * (w[i].conj() * w[j] + v[i].conj() * v[j])
-                + plan.beam.polar * psi[i].conj() * psi[j];
+            let products = shapes[i].iter().zip(moved[j]);
+            same[i][j] = products.map(|(shape, moved)| shape.conj() * moved).sum();
         }
     }
     Weights {
@@ -143,13 +159,13 @@ fn inertia_weights(plan: &Plan, waves: &Waves) -> Weights {
     }
 }
 
-/// The bending and warping energy and that of twist of each pair of waves.
-fn strain_weights(plan: &Plan, waves: &Waves) -> Weights {
+/// The dissipation in bending, warping, twist and shear of each pair of waves.
+fn dissipation_weights(beam: &BeamConstants, waves: &Waves) -> Weights {
     let curvatures = [0, 1, 2].map(|row| curvature(waves, row));
-    let matrices = &plan.beam.matrices;
-    let bending = matrices.bending.map(|entry| entry.re);
-    // |F|^2 Re(F^-1) of the shear forces g = f - C q'.
-    let compliance = [matrices.shear.w, matrices.shear.psi, matrices.shear.v].map(|entry| entry.re);
+    let matrices = &beam.matrices;
+    let bending = matrices.bending.map(|entry| entry.im);
+    let compliance = [matrices.shear.w, matrices.shear.psi, matrices.shear.v].map(|f| -f.im);
+    // The shear forces g = f - C q'.
     let forces: [Amplitudes; 3] = std::array::from_fn(|row| {
         std::array::from_fn(|wave| {
             let shape = [0, 1, 2].map(|motion| waves.displacement[motion][wave]);
@@ -170,7 +186,7 @@ fn strain_weights(plan: &Plan, waves: &Waves) -> Weights {
                 .map(|(curvature, moment)| curvature[i].conj() * moment)
                 .sum();
             // The rate of twist and the shear of a left-going wave have the opposite sign.
-            let twist = plan.beam.torsion.re * rate[i].conj() * rate[j];
+            let twist = beam.torsion.im * rate[i].conj() * rate[j];
             let shear: Complex64 = (0..3)
                 .filter(|&row| compliance[row] != 0.0)
                 .map(|row| compliance[row] * forces[row][i].conj() * forces[row][j])

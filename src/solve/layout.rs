@@ -7,8 +7,8 @@
 use num_complex::Complex64;
 
 use crate::model::{
-    BeamMotion, Joint, MassMotion, Measure, Model, Place, Point, Quantity, Restraint, Subsystem,
-    Support, Target,
+    BeamMotion, Elastic, MassMotion, Measure, Model, Place, Point, Quantity, Restraint, Spring,
+    Subsystem, Support, Target, UniformPart,
 };
 
 /// The positions along a beam and what is attached there.
@@ -19,12 +19,14 @@ pub(super) struct Layout<'a> {
     merge: f64,
     /// Distances from the left end, m, ascending; the first is 0 and the last the length.
     pub(super) positions: Vec<f64>,
+    /// The uniform part of the beam between each position and the next.
+    pub(super) parts: Vec<UniformPart>,
     /// Loads along the six motions at each position, N and N m.
     pub(super) loads: Vec<[Complex64; 6]>,
     /// What holds the beam, with the index of its position; the ends first.
-    pub(super) supports: Vec<(usize, &'a Support)>,
-    /// The joints, with the index of their position: left of everything else there.
-    pub(super) joints: Vec<(usize, &'a Joint)>,
+    pub(super) supports: Vec<(usize, Support)>,
+    /// The springs of each joint, with the index of its position: left of everything else there.
+    pub(super) joints: Vec<(usize, [Option<Spring>; 6])>,
     /// The enabled subsystems, by ascending position.
     pub(super) masses: Vec<Mass<'a>>,
     /// Where each enabled response is read.
@@ -57,10 +59,18 @@ pub(super) enum Reading {
 impl<'a> Layout<'a> {
     /// Lays out a checked model; merges a position closer than `merge` (m) to its left neighbour with it.
     pub(super) fn new(model: &'a Model, merge: f64) -> Self {
+        let parts = model.uniform_parts();
+        let positions = positions(model, &parts, merge);
+        let between = positions.windows(2).map(|ends| {
+            let middle = 0.5 * (ends[0] + ends[1]);
+            let here = parts.iter().find(|part| middle < part.end);
+            *here.unwrap_or(&parts[parts.len() - 1])
+        });
         let mut layout = Self {
             model,
             merge,
-            positions: positions(model, merge),
+            parts: between.collect(),
+            positions,
             loads: Vec::new(),
             supports: Vec::new(),
             joints: Vec::new(),
@@ -69,14 +79,20 @@ impl<'a> Layout<'a> {
         };
         layout.loads = vec![[Complex64::ZERO; 6]; layout.positions.len()];
         let last = layout.positions.len() - 1;
-        layout.supports = vec![(0, &model.supports.left), (last, &model.supports.right)];
-        for inner in &model.supports.inner {
-            let place = layout.place(inner.position);
-            layout.supports.push((place, &inner.support));
-        }
-        for joint in &model.joints {
-            layout.joints.push((layout.place(joint.position), joint));
-        }
+        let ends = [(0, model.supports.left), (last, model.supports.right)];
+        let inner = model.supports.inner.iter();
+        let inner = inner.map(|inner| (layout.place(inner.position), inner.support));
+        let supports = ends.into_iter().chain(inner);
+        layout.supports = supports
+            .map(|(place, support)| (place, layout.holding(place, support)))
+            .collect();
+        let joints = model.joints.iter().map(|joint| {
+            let place = layout.place(joint.position);
+            // No bimoment passes where a part without warping stiffness begins or ends.
+            let without_warping = layout.warping_beside(place) != [true; 2];
+            (place, joint.springs(without_warping))
+        });
+        layout.joints = joints.collect();
         layout.masses = model
             .attached()
             .map(|subsystem| Mass {
@@ -128,8 +144,8 @@ impl<'a> Layout<'a> {
                 let arm = point.arm(*motion).unwrap_or_default();
                 let is_held = self.supports_at(place).any(|support| {
                     let own_arm = support.point.arm(*motion).unwrap_or_default();
-                    self.holds(support, *motion)
-                        && (own_arm == arm || self.holds(support, BeamMotion::Psi))
+                    support[*motion] == Restraint::Fixed
+                        && (own_arm == arm || support[BeamMotion::Psi] == Restraint::Fixed)
                 });
                 if is_held {
                     Reading::Held
@@ -141,9 +157,9 @@ impl<'a> Layout<'a> {
     }
 
     /// The supports at a position.
-    pub(super) fn supports_at(&self, place: usize) -> impl Iterator<Item = &'a Support> {
+    pub(super) fn supports_at(&self, place: usize) -> impl Iterator<Item = &Support> {
         let here = self.supports.iter().filter(move |(own, _)| *own == place);
-        here.map(|(_, support)| *support)
+        here.map(|(_, support)| support)
     }
 
     /// The support at a position, if it is an end.
@@ -155,28 +171,39 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// Whether a support fixes the motion. Without warping stiffness any spring or inertia fixes the rate of twist:
-    /// over a length that vanishes with the warping constant, without energy.
-    pub(super) fn holds(&self, support: &Support, motion: BeamMotion) -> bool {
-        match support[motion] {
-            Restraint::Fixed => true,
-            Restraint::Free => false,
-            Restraint::Elastic(elastic) => {
-                motion == BeamMotion::PsiSlope
-                    && self.without_warping()
-                    && [elastic.stiffness, elastic.damping, elastic.inertia] != [0.0; 3]
-            }
+    /// A support at a position. Without warping stiffness any spring or inertia fixes the rate of twist: over a length
+    /// that vanishes with the warping constant, without energy.
+    fn holding(&self, place: usize, mut support: Support) -> Support {
+        let rate = &mut support[BeamMotion::PsiSlope];
+        let Elastic {
+            stiffness,
+            damping,
+            inertia,
+            ..
+        } = rate.elastic();
+        if !self.warps(place) && [stiffness, damping, inertia] != [0.0; 3] {
+            *rate = Restraint::Fixed;
         }
+        support
     }
 
-    /// Whether the warping constant is 0.
-    pub(super) fn without_warping(&self) -> bool {
-        self.model.beam.section.warping_constant == 0.0
+    /// Whether the part to which everything at a position belongs has warping stiffness: of the two beside it the one that
+    /// has it.
+    pub(super) fn warps(&self, place: usize) -> bool {
+        let [left, right] = self.warping_beside(place);
+        left || right
+    }
+
+    /// Whether the parts left and right of a position have warping stiffness; outside of the beam none.
+    pub(super) fn warping_beside(&self, place: usize) -> [bool; 2] {
+        let left = place.checked_sub(1).and_then(|left| self.parts.get(left));
+        let beside = [left, self.parts.get(place)];
+        beside.map(|part| part.is_some_and(UniformPart::warps))
     }
 
     /// Index of the position at a distance from the left end: the last one not beyond it, or the right end.
     fn place(&self, x: f64) -> usize {
-        if self.model.beam.length - x <= self.merge {
+        if self.model.length() - x <= self.merge {
             return self.positions.len() - 1;
         }
         self.positions
@@ -202,11 +229,11 @@ pub(super) fn derivative(omega: f64, measure: Measure) -> Complex64 {
 }
 
 fn distance(model: &Model, place: Place) -> f64 {
-    place.position(model.beam.length)
+    place.position(model.length())
 }
 
 /// The distinct positions, ascending, ends included.
-fn positions(model: &Model, merge: f64) -> Vec<f64> {
+fn positions(model: &Model, parts: &[UniformPart], merge: f64) -> Vec<f64> {
     let beam_place = |target: &Target| match target {
         Target::Beam(place, _) => Some(distance(model, *place)),
         Target::Mass(..) => None,
@@ -216,13 +243,14 @@ fn positions(model: &Model, merge: f64) -> Vec<f64> {
     let mut all: Vec<f64> = model.attached().map(|s| s.position).collect();
     all.extend(model.supports.inner.iter().map(|inner| inner.position));
     all.extend(model.joints.iter().map(|joint| joint.position));
+    all.extend(parts.iter().map(|part| part.end));
     all.extend(forces.filter_map(|force| beam_place(&force.target)));
     all.extend(responses.filter_map(|response| match &response.quantity {
         Quantity::Motion(target, _) => beam_place(target),
         Quantity::Energy => None,
     }));
     all.sort_by(f64::total_cmp);
-    let length = model.beam.length;
+    let length = model.length();
     let mut places = vec![0.0];
     for x in all {
         // The last position is the right end itself.

@@ -2,7 +2,7 @@
 
 use super::validity::{CHANGE, euler_bernoulli_up_to};
 use crate::model::schema::{SectionKey, SweepKey};
-use crate::model::{Checked, Group, ParameterId};
+use crate::model::{Checked, Group, Model, ParameterId, Part, Section};
 
 /// A note on a number of a model.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,22 +15,32 @@ pub struct Note {
 
 /// The notes on a model.
 pub fn notes(model: &Checked) -> Vec<Note> {
-    [polar_moment(model), sweep(model)]
-        .into_iter()
-        .flatten()
-        .collect()
+    let sections = sections(model).into_iter();
+    let polar_moments = sections.filter_map(|(section, group)| polar_moment(section, group));
+    polar_moments.chain(sweep(model)).collect()
+}
+
+/// The tables of sections that some part of the beam has, each with its group.
+fn sections(model: &Model) -> Vec<(&Section, Group)> {
+    let is_used = |part: &Part| {
+        !model
+            .parts_of(*part, |span| span.section.is_some())
+            .is_empty()
+    };
+    let parts = Part::all(model).filter(is_used);
+    let sections = parts.filter_map(|part| Some((part.section(model)?, Group::Section(part))));
+    sections.collect()
 }
 
 /// A polar moment that no homogeneous section with these areas has.
-fn polar_moment(model: &Checked) -> Option<Note> {
+fn polar_moment(section: &Section, group: Group) -> Option<Note> {
     /// Tables round, and thin-walled formulas leave out the corners.
     const USUAL: f64 = 0.05;
-    let section = &model.beam.section;
     let (of_centroid, _) = section.least_polar_moment();
     let own = section.second_moment_y + section.second_moment_z + of_centroid;
     let excess = section.polar_moment / own - 1.0;
     (excess.abs() > USUAL).then(|| Note {
-        id: Group::Section.parameter(SectionKey::PolarMoment as usize),
+        id: group.parameter(SectionKey::PolarMoment as usize),
         message: format!(
             "I_y + I_z + A (y_c^2 + z_c^2) is {own:.4e} m4, as I_0 of a homogeneous section; this one is {:+.0} % off",
             100.0 * excess
@@ -40,7 +50,7 @@ fn polar_moment(model: &Checked) -> Option<Note> {
 
 /// A sweep beyond the theory of bending.
 fn sweep(model: &Checked) -> Option<Note> {
-    let limit = euler_bernoulli_up_to(&model.beam)?;
+    let limit = euler_bernoulli_up_to(model)?;
     if model.sweep.to <= limit {
         return None;
     }
@@ -70,6 +80,25 @@ mod tests {
         let notes = notes(&checked(&preset("fig05a")));
         assert_eq!(notes.len(), 1, "{notes:?}");
         assert!(notes[0].message.contains("3.4815e-4 m4") && notes[0].message.contains("+72 %"));
+    }
+
+    #[test]
+    fn a_section_that_no_span_has_is_not_noted() {
+        let mut model = preset("fig05a");
+        let own = model.beam.section;
+        let section = Some(model::Section {
+            polar_moment: 3.4815e-4,
+            ..own
+        });
+        let span = |section| model::Span {
+            length: 1.6,
+            section,
+            ..model::Span::default()
+        };
+        model.spans = vec![span(section), span(None)];
+        assert_eq!(notes(&checked(&model)).len(), 1);
+        model.spans[1].section = section;
+        assert_eq!(notes(&checked(&model)), []);
     }
 
     #[test]

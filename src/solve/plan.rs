@@ -11,25 +11,35 @@ use super::springs::{restraint_stiffness, stiffness};
 use super::waves::BeamConstants;
 use crate::model::{
     BeamMotion, Elastic, MassMotion, Measure, Model, Place, Quantity, Restraint, Spring, Support,
-    SupportId, Target,
+    SupportId, Target, UniformPart,
 };
 
 /// The part of a model that does not depend on the frequency.
 #[derive(Debug, Clone)]
 pub(super) struct Plan {
-    pub(super) beam: BeamConstants,
+    /// The distinct beams of its parts; that of the left end first.
+    pub(super) beams: Vec<BeamConstants>,
     pub(super) left: Held,
     pub(super) right: Held,
     /// The stations along the beam, by ascending x.
     pub(super) stations: Vec<Station>,
-    /// The distinct lengths between stations, m.
-    pub(super) lengths: Vec<f64>,
-    /// Index in `lengths` of the span left of each station, and last of the span up to the right end.
+    /// The distinct kinds of spans between stations.
+    pub(super) kinds: Vec<SpanKind>,
+    /// Index in `kinds` of the span left of each station, and last of the span up to the right end.
     pub(super) spans: Vec<usize>,
     /// Where each response comes from.
     pub(super) outputs: Vec<Output>,
     /// Whether some response needs the waves in every span.
     pub(super) wants_energy: bool,
+}
+
+/// A span between two stations, or up to an end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct SpanKind {
+    /// m.
+    pub(super) length: f64,
+    /// Index of its beam.
+    pub(super) beam: usize,
 }
 
 /// A position of the beam that a support holds: an end, or one between them.
@@ -38,6 +48,8 @@ pub(super) struct Held {
     pub(super) support: Support,
     /// Loads along the six motions of the axis, N and N m.
     pub(super) load: [Complex64; 6],
+    /// Whether the beam there has no warping stiffness.
+    pub(super) without_warping: bool,
 }
 
 impl Held {
@@ -54,6 +66,7 @@ impl Held {
         Self {
             support,
             load: [ZERO; 6],
+            without_warping,
         }
     }
 
@@ -84,7 +97,6 @@ impl Held {
         omega: Complex64,
         [before, after]: [&[Complex64; 6]; 2],
         axis: &[Complex64; 6],
-        without_warping: bool,
     ) -> [Complex64; 6] {
         let point = self.support.point;
         let (motions, loads) = (point.motions(axis), self.loads_at_point());
@@ -92,7 +104,7 @@ impl Held {
         BeamMotion::ALL.map(|motion| {
             let row = motion as usize;
             // Without warping stiffness no bimoment reaches a support.
-            if motion == BeamMotion::PsiSlope && without_warping {
+            if motion == BeamMotion::PsiSlope && self.without_warping {
                 return ZERO;
             }
             match restraint_stiffness(omega, self.support[motion]) {
@@ -162,6 +174,9 @@ pub(super) enum Event {
     Support(Box<Held>),
     /// A joint. Everything else at its position is right of it, except a first probe of the rate of twist.
     Joint(Box<Joined>),
+    /// Where a uniform part ends: the index of the beam right of it. Everything else at its position is in the part with
+    /// warping stiffness, left of it if both have it.
+    Junction(usize),
     /// Loads along the six motions.
     Load([Complex64; 6]),
     /// Only a position to read a response.
@@ -201,9 +216,14 @@ pub(super) enum Output {
 }
 
 impl Plan {
-    /// The span up to the right end.
+    /// The kind of the span up to the right end.
     pub(super) fn last_span(&self) -> usize {
         self.spans[self.stations.len()]
+    }
+
+    /// The beam of a span: that left of the station with its index.
+    pub(super) fn beam(&self, span: usize) -> &BeamConstants {
+        &self.beams[self.kinds[self.spans[span]].beam]
     }
 
     /// Whether any response is read at two stations.
@@ -230,10 +250,20 @@ impl Plan {
         plan.stations.extend(places.map(probe));
         plan.stations
             .sort_by(|a, b| a.position.total_cmp(&b.position));
-        (plan.lengths, plan.spans) = spans(&plan.stations, length);
+        (plan.kinds, plan.spans) = spans(&plan.stations, length);
         // The outputs refer to the old station numbers.
         plan.outputs = Vec::new();
         plan
+    }
+
+    /// For each span the index of the uniform part of the model in which it lies.
+    pub(super) fn parts(&self) -> Vec<usize> {
+        let mut part = 0;
+        let after = self.stations.iter().map(|station| {
+            part += usize::from(matches!(station.event, Event::Junction(_)));
+            part
+        });
+        std::iter::once(0).chain(after).collect()
     }
 
     /// The supports at a distance from the left end of a beam of a length, both m.
@@ -246,6 +276,20 @@ impl Plan {
             &self.stations[first..last],
             length,
         )
+    }
+
+    /// What each support of a model holds, in the order of [`SupportId::all`].
+    pub(super) fn held(&self, model: &Model) -> impl Iterator<Item = &Held> {
+        let inner = self.support_stations(model).into_iter();
+        let inner = inner.filter_map(|station| match &self.stations[station].event {
+            Event::Support(held) => Some(&**held),
+            Event::Attachment(_)
+            | Event::Joint(_)
+            | Event::Junction(_)
+            | Event::Load(_)
+            | Event::Probe => None,
+        });
+        [&self.left, &self.right].into_iter().chain(inner)
     }
 
     /// The station of each enabled subsystem, in the order of the model.
@@ -271,21 +315,27 @@ impl Plan {
         let stations = self.joint_stations(model).into_iter();
         stations.filter_map(|station| match &self.stations[station].event {
             Event::Joint(joined) => Some((station, &**joined)),
-            Event::Attachment(_) | Event::Support(_) | Event::Load(_) | Event::Probe => None,
+            Event::Attachment(_)
+            | Event::Support(_)
+            | Event::Junction(_)
+            | Event::Load(_)
+            | Event::Probe => None,
         })
     }
 
     /// The span in which to read a motion at a distance from the left end, m, and the station at its right end: right of a
-    /// joint there, left of everything else.
+    /// joint and of a part without warping stiffness that ends there, left of everything else.
     pub(super) fn span_at(&self, x: f64) -> usize {
         let first = self.stations.partition_point(|of| of.position < x);
-        let here = self.stations[first..]
-            .iter()
-            .take_while(|of| of.position == x);
-        let joint = here
-            .into_iter()
-            .position(|of| matches!(of.event, Event::Joint(_)));
-        first + joint.map_or(0, |joint| joint + 1)
+        let here = self.stations[first..].iter();
+        let here = here.take_while(|of| of.position == x).enumerate();
+        let is_before = |index: usize, event: &Event| match event {
+            Event::Joint(_) => true,
+            Event::Junction(_) => self.beam(first + index).without_warping(),
+            Event::Attachment(_) | Event::Support(_) | Event::Load(_) | Event::Probe => false,
+        };
+        let before = here.filter(|(index, of)| is_before(*index, &of.event));
+        first + before.last().map_or(0, |(index, _)| index + 1)
     }
 
     /// The stations of a kind, in the order of their `positions` in the model.
@@ -311,11 +361,13 @@ impl Plan {
     pub(super) fn new(model: &Model) -> Self {
         let mut layout = Layout::new(model);
         layout.place_first_probes();
+        layout.place_junctions(|part| !part.warps());
         layout.place_joints();
         layout.place_supports();
         layout.place_subsystems();
         layout.place_loads();
         layout.place_probes();
+        layout.place_junctions(UniformPart::warps);
         layout.finish()
     }
 }
@@ -323,6 +375,10 @@ impl Plan {
 /// A plan under construction: stations in order of creation, before they are sorted by x.
 struct Layout<'a> {
     model: &'a Model,
+    parts: Vec<UniformPart>,
+    /// The distinct beams, and that of each part.
+    beams: Vec<BeamConstants>,
+    beam_of_part: Vec<usize>,
     left: Held,
     right: Held,
     stations: Vec<Station>,
@@ -337,11 +393,30 @@ struct Layout<'a> {
 
 impl<'a> Layout<'a> {
     fn new(model: &'a Model) -> Self {
-        let without_warping = model.beam.section.warping_constant == 0.0;
+        let parts = model.uniform_parts();
+        // A point off the axis couples v with twist.
+        let mut supports = SupportId::all(model);
+        let all_coupled = supports.any(|id| id.support(model).point.y != 0.0)
+            || parts.iter().any(UniformPart::couples_all);
+        let mut beams: Vec<BeamConstants> = Vec::new();
+        let beam_of_part = parts.iter().map(|part| {
+            let beam = BeamConstants::new(part, all_coupled);
+            let known = beams.iter().position(|known| *known == beam);
+            known.unwrap_or_else(|| {
+                beams.push(beam);
+                beams.len() - 1
+            })
+        });
+        let beam_of_part = beam_of_part.collect();
+        let ends = [&parts[0], &parts[parts.len() - 1]];
+        let [left, right] = ends.map(|part| !part.warps());
         Self {
             model,
-            left: Held::new(model.supports.left, without_warping),
-            right: Held::new(model.supports.right, without_warping),
+            left: Held::new(model.supports.left, left),
+            right: Held::new(model.supports.right, right),
+            beams,
+            beam_of_part,
+            parts,
             stations: Vec::new(),
             first_probes: 0,
             supports: 0..0,
@@ -352,16 +427,14 @@ impl<'a> Layout<'a> {
 
     /// Without warping stiffness a rate of twist is also read before what acts at its position, except at the left end.
     fn place_first_probes(&mut self) {
-        if self.model.beam.section.warping_constant != 0.0 {
-            return;
-        }
         for response in self.model.responses.iter().filter(|r| r.enabled) {
             if let Quantity::Motion(Target::Beam(place, BeamMotion::PsiSlope), _) =
                 response.quantity
             {
                 let position = self.x(place);
                 let is_new = self.stations.iter().all(|s| s.position != position);
-                if position != 0.0 && is_new && self.acts_at(position) {
+                let without_warping = !UniformPart::at(&self.parts, position).warps();
+                if position != 0.0 && without_warping && is_new && self.acts_at(position) {
                     self.stations.push(Station {
                         position,
                         event: Event::Probe,
@@ -372,38 +445,55 @@ impl<'a> Layout<'a> {
         self.first_probes = self.stations.len();
     }
 
-    /// Whether a joint, a support, a subsystem or a force is at a distance from the left end, m.
+    /// Where those parts end that are so.
+    fn place_junctions(&mut self, is_so: impl Fn(&UniformPart) -> bool) {
+        for (part, right) in self.parts.iter().zip(&self.beam_of_part[1..]) {
+            if is_so(part) {
+                self.stations.push(Station {
+                    position: part.end,
+                    event: Event::Junction(*right),
+                });
+            }
+        }
+    }
+
+    /// Whether a joint, a support, a subsystem, a force or the end of a part is at a distance from the left end, m.
     fn acts_at(&self, x: f64) -> bool {
         let mut forces = self.model.forces.iter().filter(|force| force.enabled);
         let mut inner = self.model.supports.inner.iter();
         self.model.attached().any(|of| of.position == x)
             || inner.any(|of| of.position == x)
             || self.model.joints.iter().any(|of| of.position == x)
+            || self.parts[1..].iter().any(|part| part.start == x)
             || forces
                 .any(|force| matches!(force.target, Target::Beam(place, _) if self.x(place) == x))
     }
 
     /// Before everything that acts at their positions.
     fn place_joints(&mut self) {
-        let without_warping = self.model.beam.section.warping_constant == 0.0;
-        self.stations
-            .extend(self.model.joints.iter().map(|joint| Station {
-                position: joint.position,
-                event: Event::Joint(Box::new(Joined {
-                    springs: joint.springs(without_warping),
-                })),
-            }));
+        let joints = self.model.joints.iter().map(|joint| Station {
+            position: joint.position,
+            event: Event::Joint(Box::new(Joined {
+                springs: joint
+                    .springs(!UniformPart::transmit_bimoment(&self.parts, joint.position)),
+            })),
+        });
+        let joints: Vec<Station> = joints.collect();
+        self.stations.extend(joints);
     }
 
     /// Before the subsystems, which lie on what they hold.
     fn place_supports(&mut self) {
-        let without_warping = self.model.beam.section.warping_constant == 0.0;
-        let supports = self.model.supports.inner.iter();
         let first = self.stations.len();
-        self.stations.extend(supports.map(|inner| Station {
-            position: inner.position,
-            event: Event::Support(Box::new(Held::new(inner.support, without_warping))),
-        }));
+        let supports = self.model.supports.inner.iter().map(|inner| {
+            let without_warping = !UniformPart::at(&self.parts, inner.position).warps();
+            Station {
+                position: inner.position,
+                event: Event::Support(Box::new(Held::new(inner.support, without_warping))),
+            }
+        });
+        let supports: Vec<Station> = supports.collect();
+        self.stations.extend(supports);
         self.supports = first..self.stations.len();
     }
 
@@ -426,7 +516,7 @@ impl<'a> Layout<'a> {
             x,
             [&self.left, &self.right],
             &self.stations[self.supports.clone()],
-            self.model.beam.length,
+            self.model.length(),
         );
         here.any(|held| held.fixes(motion, arm))
     }
@@ -459,7 +549,7 @@ impl<'a> Layout<'a> {
         let is_here = |station: &&mut Station| station.position == x;
         let held = if x == 0.0 {
             &mut self.left
-        } else if x == self.model.beam.length {
+        } else if x == self.model.length() {
             &mut self.right
         } else if let Some(Station {
             event: Event::Support(held),
@@ -522,7 +612,7 @@ impl<'a> Layout<'a> {
             measure,
         };
         if let Some(station) = first
-            && x == self.model.beam.length
+            && x == self.model.length()
         {
             return beam(station);
         }
@@ -541,7 +631,7 @@ impl<'a> Layout<'a> {
     }
 
     fn x(&self, place: Place) -> f64 {
-        place.position(self.model.beam.length)
+        place.position(self.model.length())
     }
 
     /// Sorts the stations by x and renumbers the outputs.
@@ -572,18 +662,14 @@ impl<'a> Layout<'a> {
             .collect();
         let mut stations = self.stations;
         stations.sort_by(|a, b| a.position.total_cmp(&b.position));
-        let (lengths, spans) = spans(&stations, self.model.beam.length);
-        let mut beam = BeamConstants::new(&self.model.beam);
-        // A point off the axis couples v with twist.
-        let mut supports = SupportId::all(self.model);
-        beam.all_coupled |= supports.any(|id| id.support(self.model).point.y != 0.0);
+        let (kinds, spans) = spans(&stations, self.model.length());
         Plan {
-            beam,
+            beams: self.beams,
             left: self.left,
             right: self.right,
             wants_energy: outputs.iter().any(|o| matches!(o, Output::Energy)),
             stations,
-            lengths,
+            kinds,
             spans,
             outputs,
         }
@@ -639,6 +725,7 @@ fn held_at<'a>(
             Event::Support(held) if station.position == x => Some(&**held),
             Event::Support(_)
             | Event::Joint(_)
+            | Event::Junction(_)
             | Event::Attachment(_)
             | Event::Load(_)
             | Event::Probe => None,
@@ -647,21 +734,26 @@ fn held_at<'a>(
     ends.map(|(end, _)| end).chain(inner)
 }
 
-/// The distinct span lengths, and the index of the span left of each station and of the right end.
-fn spans(stations: &[Station], length: f64) -> (Vec<f64>, Vec<usize>) {
-    let mut lengths = Vec::new();
+/// The distinct kinds of spans, and the kind of the span left of each station and of the right end.
+fn spans(stations: &[Station], length: f64) -> (Vec<SpanKind>, Vec<usize>) {
+    let mut kinds = Vec::new();
     let mut known = std::collections::HashMap::new();
-    let mut previous = 0.0;
-    let ends = stations.iter().map(|s| s.position).chain([length]);
-    let spans = ends
-        .map(|x| {
-            let span: f64 = x - previous;
-            previous = x;
-            *known.entry(span.to_bits()).or_insert_with(|| {
-                lengths.push(span);
-                lengths.len() - 1
-            })
+    let (mut previous, mut beam) = (0.0, 0);
+    let mut kind = |x: f64, beam: usize| {
+        let length: f64 = x - previous;
+        previous = x;
+        *known.entry((length.to_bits(), beam)).or_insert_with(|| {
+            kinds.push(SpanKind { length, beam });
+            kinds.len() - 1
         })
-        .collect();
-    (lengths, spans)
+    };
+    let mut spans: Vec<usize> = Vec::new();
+    for station in stations {
+        spans.push(kind(station.position, beam));
+        if let Event::Junction(next) = station.event {
+            beam = next;
+        }
+    }
+    spans.push(kind(length, beam));
+    (kinds, spans)
 }

@@ -33,10 +33,10 @@ pub(super) struct Node {
 }
 
 /// The nodes between stations on a beam, by ascending position; `stations` and the length in m, the stations ascending.
-/// `kappa` are the wave numbers, 1/m.
+/// `kappa` are the wave numbers of all of its beams, 1/m.
 pub(super) fn nodes(
     stations: impl IntoIterator<Item = f64>,
-    kappa: &[Complex64; 6],
+    kappa: &[Complex64],
     length: f64,
 ) -> Vec<Node> {
     let mut nodes = Vec::new();
@@ -57,7 +57,7 @@ pub(super) fn nodes(
 
 /// The ends of the panels of a span, m from its left end: short near the ends of the span, where evanescent waves are
 /// large.
-fn panels(length: f64, kappa: &[Complex64; 6]) -> Vec<f64> {
+fn panels(length: f64, kappa: &[Complex64]) -> Vec<f64> {
     if length <= 0.0 {
         return Vec::new();
     }

@@ -2,6 +2,7 @@
 
 use num_complex::Complex64;
 
+use super::plan::Plan;
 use super::waves::{Amplitudes, Waves};
 
 /// The waves in a span: the right-going ones at its left end, and the left-going ones at its right end.
@@ -23,11 +24,24 @@ pub(super) struct MassSolution {
 /// The complete solution.
 #[derive(Debug, Clone)]
 pub(super) struct Solution {
-    pub(super) waves: Waves,
-    /// exp(-kappa l) of each distinct span.
+    /// The waves of each beam of the plan.
+    pub(super) waves: Vec<Waves>,
+    /// exp(-kappa l) of each kind of span.
     pub(super) decays: Vec<Amplitudes>,
     /// The waves of the span left of each station, and last of the span up to the right end.
     pub(super) spans: Vec<SpanWaves>,
     /// The state of the subsystem at each station; zero for stations without one.
     pub(super) masses: Vec<MassSolution>,
+}
+
+impl Solution {
+    /// The wave numbers of all beams, 1/m.
+    pub(super) fn wave_numbers(&self) -> Vec<Complex64> {
+        self.waves.iter().flat_map(|waves| waves.kappa).collect()
+    }
+
+    /// The waves of the beam of a span: that left of the station with its index.
+    pub(super) fn waves_of(&self, plan: &Plan, span: usize) -> &Waves {
+        &self.waves[plan.kinds[plan.spans[span]].beam]
+    }
 }

@@ -6,7 +6,9 @@
 use num_complex::Complex64;
 
 use super::linear::ZERO;
-use crate::model::{BeamMotion, Elastic, Joint, Link, Point, Restraint, Spring, Subsystem};
+use crate::model::{
+    BeamMotion, Elastic, Joint, Link, Point, Restraint, Spring, Subsystem, UniformPart,
+};
 
 /// The four springs: y left, y right, z left, z right.
 pub(super) fn springs(subsystem: &Subsystem) -> [Spring; 4] {
@@ -42,10 +44,26 @@ impl Point {
     }
 }
 
+impl UniformPart {
+    /// The motions of its shear centre, from those of the axis; the slopes likewise.
+    pub(super) fn own_motions(&self, axis: &[Complex64; 6]) -> [Complex64; 6] {
+        let [w, psi, v, w_slope, rate, v_slope] = *axis;
+        let Point { y, z } = self.offset;
+        [
+            w + z * psi,
+            psi,
+            v - y * psi,
+            w_slope + z * rate,
+            rate,
+            v_slope - y * rate,
+        ]
+    }
+}
+
 impl Joint {
     /// The spring and damper between both sides of each motion, all 0 where it is free; `None` where it is rigid.
     ///
-    /// Without warping stiffness the section transmits no bimoment, and a link of the rate of twist has no effect.
+    /// Without warping stiffness on both sides no bimoment is transmitted, and a link of the rate of twist has no effect.
     pub(super) fn springs(&self, without_warping: bool) -> [Option<Spring>; 6] {
         BeamMotion::ALL.map(|motion| match self[motion] {
             _ if motion == BeamMotion::PsiSlope && without_warping => None,

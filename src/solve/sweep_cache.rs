@@ -13,8 +13,9 @@ use rayon::prelude::*;
 
 use super::Cancelled;
 use super::kernel::{MOST_LANES, Prepared, SideBatch, Solver, Source, Substructure};
-use super::plan::{Output, Plan};
+use super::plan::{Event, Output, Plan};
 use super::sweep::{Frf, angular, chunk_length, fill_limits, over_chunks, solved, sweep_prepared};
+use super::waves::BeamConstants;
 use crate::model::Checked;
 
 /// With fewer stations on the sides a full solution is as fast as the cached one.
@@ -213,17 +214,31 @@ fn serves(known: &Plan, part: Part, plan: &Plan) -> bool {
     })
 }
 
-/// The stations that two plans have in common, from the left and from the right; `None` if the beam differs, or if a
-/// response is read at two stations, because a side could end between them. No stations on a side whose end differs.
+/// The stations that two plans have in common, from the left and from the right; `None` if a response is read at two
+/// stations, because a side could end between them. No stations on a side whose end differs.
 fn common(one: &Plan, other: &Plan) -> Option<Part> {
-    if one.beam != other.beam || one.has_means() || other.has_means() {
+    if one.has_means() || other.has_means() {
         return None;
     }
     let (most, reads) = (
         one.stations.len().min(other.stations.len()),
         [one.reads(), other.reads()],
     );
-    let same = |a: usize, b: usize| one.stations[a] == other.stations[b];
+    let known = |beam: &BeamConstants| one.beams.iter().position(|known| known == beam);
+    let known: Vec<Option<usize>> = other.beams.iter().map(known).collect();
+    let same_beam = |a: usize, b: usize| {
+        let beam = |plan: &Plan, span: usize| plan.kinds[plan.spans[span]].beam;
+        known[beam(other, b)] == Some(beam(one, a))
+    };
+    let same = |a: usize, b: usize| {
+        let [of, with] = [&one.stations[a], &other.stations[b]];
+        let is_same = match (&of.event, &with.event) {
+            // It has the beam right of it, whose index may differ.
+            (Event::Junction(_), Event::Junction(_)) => of.position == with.position,
+            _ => of == with,
+        };
+        is_same && same_beam(a, b) && same_beam(a + 1, b + 1)
+    };
     let from_left = (0..most).take_while(|&k| same(k, k)).count();
     let counts = [one.stations.len(), other.stations.len()];
     let from_right = (1..=most)
@@ -237,7 +252,8 @@ fn common(one: &Plan, other: &Plan) -> Option<Part> {
         |station, count| count - 1 - station,
         counts,
     );
-    let ends_there = one.lengths[one.last_span()] == other.lengths[other.last_span()];
+    let last = |plan: &Plan| plan.kinds[plan.last_span()].length;
+    let ends_there = last(one) == last(other);
     Some(Part {
         left: if one.left == other.left {
             from_left.min(differ_left)

@@ -3,21 +3,28 @@
 use std::f64::consts::TAU;
 
 use super::beam_matrices::BeamMatrices;
-use crate::model::{Beam, Theory};
+use crate::model::{Beam, Model, Theory};
 
 /// By which fraction shear and rotary inertia change the bending wave number at [`euler_bernoulli_up_to`].
 pub const CHANGE: f64 = 0.02;
 
 /// The frequency, Hz, above which shear deformation and rotary inertia change the wave number of bending, along y or z, by
-/// more than 2 %: with the shear areas, or by rotary inertia alone where they are not given. `None` if the beam has
-/// another theory.
+/// more than 2 %: with the shear areas, or by rotary inertia alone where they are not given; the least of all uniform
+/// parts of the beam. `None` if the beam has another theory.
 ///
 /// Source: the travelling wave of Timoshenko's beam, `D k^4 - omega^2 (R + D F m) k^2 = omega^2 m (1 - omega^2 R F)`
 /// (Timoshenko, Philosophical Magazine 41 (1921) 744-746), against `D k^4 = omega^2 m`.
-pub fn euler_bernoulli_up_to(beam: &Beam) -> Option<f64> {
-    if beam.theory != Theory::EulerBernoulli {
+pub fn euler_bernoulli_up_to(model: &Model) -> Option<f64> {
+    if model.beam.theory != Theory::EulerBernoulli {
         return None;
     }
+    let parts = model.uniform_parts();
+    let limits = parts.iter().map(|part| least_limit(&part.beam));
+    Some(limits.fold(f64::INFINITY, f64::min) / TAU)
+}
+
+/// That of a uniform beam, rad/s.
+fn least_limit(beam: &Beam) -> f64 {
     let matrices = BeamMatrices::new(beam);
     let areas = [beam.section.shear_area_y, beam.section.shear_area_z];
     let modulus = beam.material.shear_modulus;
@@ -31,7 +38,7 @@ pub fn euler_bernoulli_up_to(beam: &Beam) -> Option<f64> {
         };
         limit(bending, inertia * bending, shear, matrices.mass.w)
     });
-    Some(limits.fold(f64::INFINITY, f64::min) / TAU)
+    limits.fold(f64::INFINITY, f64::min)
 }
 
 /// The angular frequency, rad/s, at which k^2 is r times its value without shear compliance f and rotary inertia:
@@ -47,6 +54,7 @@ fn limit(d: f64, rotary: f64, f: f64, m: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::{Section, Span};
 
     /// Closed form: at the limit the wave number of Timoshenko's quadratic is 1.02 times that of Euler and Bernoulli.
     #[test]
@@ -68,14 +76,36 @@ mod tests {
 
     #[test]
     fn another_theory_has_no_such_limit() {
-        let model = crate::model::read(crate::presets::find("fig05a").unwrap().text).unwrap();
-        let limit = euler_bernoulli_up_to(&model.beam).unwrap();
+        let mut model = fig05a();
+        let limit = euler_bernoulli_up_to(&model).unwrap();
         // Rotary inertia alone, with sqrt(E / rho) 5172 m/s and radii of 0.12 m: a little above 500 Hz.
         assert!((400.0..800.0).contains(&limit), "{limit}");
-        let thick = Beam {
-            theory: Theory::Rayleigh,
-            ..model.beam
-        };
-        assert_eq!(euler_bernoulli_up_to(&thick), None);
+        model.beam.theory = Theory::Rayleigh;
+        assert_eq!(euler_bernoulli_up_to(&model), None);
+    }
+
+    fn fig05a() -> Model {
+        let read = crate::model::read(crate::presets::find("fig05a").unwrap().text);
+        read.unwrap().into_inner()
+    }
+
+    /// Closed form: by rotary inertia alone the limit goes with 1 / sqrt(I / A).
+    #[test]
+    fn the_thickest_span_has_the_least_limit() {
+        let mut model = fig05a();
+        let of_beam = euler_bernoulli_up_to(&model).unwrap();
+        let section = model.beam.section;
+        let spans = [1.0, 4.0, 0.25].map(|times| Span {
+            length: 1.0,
+            section: Some(Section {
+                second_moment_y: times * section.second_moment_y,
+                second_moment_z: times * section.second_moment_z,
+                ..section
+            }),
+            ..Span::default()
+        });
+        model.spans.extend(spans);
+        let found = euler_bernoulli_up_to(&model).unwrap();
+        assert!((found / of_beam - 0.5).abs() < 1e-12, "{found} {of_beam}");
     }
 }

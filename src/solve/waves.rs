@@ -6,14 +6,14 @@
 
 use num_complex::Complex64;
 
-use super::beam_matrices::BeamMatrices;
+use super::beam_matrices::{BeamMatrices, Symmetric};
 use super::linear::{Matrix, ZERO, size};
-use crate::model::Beam;
+use crate::model::{Point, UniformPart};
 
 /// Index of the warping wave; with `Gamma_0` = 0 it decays at once.
 pub(super) const WARPING_WAVE: usize = 0;
 
-/// The complex stiffnesses and masses per length of a beam.
+/// The complex stiffnesses and masses per length of a part of the beam, along its own shear centres.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct BeamConstants {
     /// E `I_y` (1 + i eta), N m2.
@@ -33,16 +33,22 @@ pub(super) struct BeamConstants {
     /// Radius of gyration about the shear centre, m: scales twist to displacement.
     pub(super) radius: f64,
     /// All of it.
+    pub(super) own: BeamMatrices,
+    /// The same over the motions of the axis of the beam.
     pub(super) matrices: BeamMatrices,
+    /// Where its shear centre lies, from the axis of the beam.
+    pub(super) offset: Point,
     /// The numbers above are not all of it: v may be coupled, or there is rotary inertia or an axial force.
     pub(super) is_general: bool,
-    /// Each wave may move w, psi and v: the beam is general, or what holds it couples v with twist.
+    /// Each wave may move w, psi and v: a part of the beam is general, or what holds it couples v with twist.
     pub(super) all_coupled: bool,
 }
 
 impl BeamConstants {
     /// Stiffness times (1 + i eta), inertia per length.
-    pub(super) fn new(beam: &Beam) -> Self {
+    pub(super) fn new(part: &UniformPart, all_coupled: bool) -> Self {
+        let beam = &part.beam;
+        let own = BeamMatrices::new(beam);
         let (material, section) = (&beam.material, &beam.section);
         let loss = Complex64::new(1.0, material.loss_factor);
         let mass = material.density * section.area;
@@ -56,9 +62,22 @@ impl BeamConstants {
             coupling: mass * section.centroid_offset,
             radius: (section.polar_moment / section.area).sqrt(),
             is_general: !beam.is_of_one_offset(),
-            all_coupled: !beam.is_of_one_offset(),
-            matrices: BeamMatrices::new(beam),
+            all_coupled,
+            matrices: own.moved(part.offset),
+            own,
+            offset: part.offset,
         }
+    }
+
+    /// The form of `E_V` over the motions of the axis: `rho A (W^2 + V^2) + rho I_0 Psi^2` of its own shear centre.
+    pub(super) fn vibration(&self) -> Symmetric<f64> {
+        let own = Symmetric {
+            w: self.mass,
+            psi: self.polar,
+            v: self.mass,
+            ..Symmetric::<f64>::ZERO
+        };
+        own.moved(self.offset)
     }
 
     /// True if `Gamma_0` = 0: the section has no warping stiffness.
@@ -362,7 +381,11 @@ fn settle(start: Complex64, step: impl Fn(Complex64) -> Root) -> Root {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Material, Section};
+    use crate::model::{Beam, Material, Section};
+
+    fn constants(beam: Beam) -> BeamConstants {
+        BeamConstants::new(&UniformPart::whole(beam), false)
+    }
 
     fn paper_beam(loss_factor: f64, warping_constant: f64, centroid_offset: f64) -> Beam {
         Beam {
@@ -394,7 +417,7 @@ mod tests {
             for warping in [0.0, 1e-20, 2.2783e-8] {
                 for offset in [0.0, 1e-9, 0.0619, -0.2] {
                     for hertz in [0.1, 10.0, 400.0, 2e4] {
-                        let beam = BeamConstants::new(&paper_beam(loss, warping, offset));
+                        let beam = constants(paper_beam(loss, warping, offset));
                         assert_equations_hold(&beam, hertz);
                     }
                 }
@@ -433,7 +456,7 @@ mod tests {
     #[test]
     fn waves_decay_or_travel_to_the_right() {
         for loss in [0.0, 0.02, 1.5] {
-            let beam = BeamConstants::new(&paper_beam(loss, 2.2783e-8, 0.0619));
+            let beam = constants(paper_beam(loss, 2.2783e-8, 0.0619));
             for kappa in crate::solve::kernel::waves(&beam, Complex64::from(600.0)).kappa {
                 assert!(
                     kappa.re > 0.0 || (kappa.re == 0.0 && kappa.im > 0.0),

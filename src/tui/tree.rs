@@ -65,6 +65,7 @@ fn holds_rows(model: &Model, node: Node) -> bool {
         Group::Joints | Group::Subsystems | Group::Forces | Group::Responses => {
             !group.groups(model).is_empty()
         }
+        Group::Material(_) | Group::Section(_) | Group::Foundation(_) => group.is_there(model),
         Group::Motion(end, motion) => end.support(model)[motion] != Restraint::Fixed,
         Group::Link(joint, motion) => model.joints[joint][motion] != Link::Rigid,
         Group::Variable(_) | Group::Objective(_) | Group::Limit(_) => false,
@@ -78,7 +79,7 @@ pub fn children(model: &Model, node: Node) -> Vec<Node> {
         return Vec::new();
     };
     let elsewhere = |key: &Key| match key.kind {
-        Kind::Name | Kind::Support | Kind::Restraint | Kind::Link => true,
+        Kind::Name | Kind::Support | Kind::Restraint | Kind::Link | Kind::Table => true,
         // That of the whole group: its own row shows it.
         Kind::Flag => key.is_on_by_default(),
         _ => false,
@@ -94,7 +95,7 @@ pub fn children(model: &Model, node: Node) -> Vec<Node> {
     children
 }
 
-/// The corresponding row of the next or previous subsystem, force, response, study or support.
+/// The corresponding row of the next or previous span, subsystem, force, response, study or support.
 pub fn alike(model: &Model, node: Node, forward: bool) -> Option<Node> {
     let group = node.group();
     let list = group.owner().parent().filter(|list| *list != Group::Tune)?;

@@ -8,7 +8,7 @@ use crate::model::schema::SubsystemKey;
 use crate::model::{Checked, Group, Limit, Model, ParameterId, check_state, edit};
 use crate::solve::Cancelled;
 use crate::solve::modes::{
-    buckling_factors, buckling_load, count, modes, undamped, without_damping,
+    buckling_factor, buckling_factors, count, modes, undamped, without_damping,
 };
 
 /// A limit of a model, with its responses by index.
@@ -92,9 +92,8 @@ impl Bound {
             }
             Self::StaticDeflection { response, .. } => at_rest(candidate, *response)?.norm(),
             Self::Buckling { .. } => {
-                let compression = -candidate.model.beam.axial_force;
-                let load = buckling_load(&candidate.model).filter(|_| compression > 0.0);
-                load.map_or(f64::INFINITY, |load| load / compression)
+                let factor = buckling_factor(&candidate.model).filter(|factor| *factor > 0.0);
+                factor.unwrap_or(f64::INFINITY)
             }
         })
     }
@@ -301,7 +300,7 @@ mod tests {
 
     use super::*;
     use crate::model::schema::{BeamKey, SectionKey};
-    use crate::model::{Support, checked};
+    use crate::model::{Part, Support, checked};
 
     /// Closed form: a pinned column buckles at pi^2 E I / (L^2 N), in both planes; the excess over a least factor and its
     /// derivatives follow.
@@ -325,7 +324,7 @@ mod tests {
         let candidate = Candidate::new(checked(&model), None, &never)
             .unwrap()
             .unwrap();
-        let section = |key: SectionKey| Group::Section.parameter(key as usize);
+        let section = |key: SectionKey| Group::Section(Part::Whole).parameter(key as usize);
         let beam = |key: BeamKey| Group::Beam.parameter(key as usize);
         let moved = [
             vec![(section(SectionKey::SecondMomentY), weak)],

@@ -2,7 +2,9 @@
 //! by its Taylor series over short lengths, in numbers of 32 digits, with six solutions kept independent from the left
 //! end to the right (Godunov 1961; Conte, SIAM Rev. 8 (1966) 309-321).
 
-use beamtune::model::{BeamMotion, Joint, Link, Model, Restraint, Spring, Subsystem, Support};
+use beamtune::model::{
+    Beam, BeamMotion, Joint, Link, Model, Point, Restraint, Spring, Subsystem, Support,
+};
 use num_complex::Complex64;
 
 use super::double_double::{Complex2, Double2};
@@ -10,7 +12,9 @@ use super::double_double::{Complex2, Double2};
 /// w, psi and v.
 const FIELDS: usize = 3;
 
-/// The derivatives of order 0 to 3 of (w, psi, v), order by order, each times a length to the power of its order.
+/// At a station: the six motions of the axis and the internal forces conjugate to them, these over a reference stiffness.
+/// Within a span: the derivatives of order 0 to 3 of its own (w, psi, v), order by order, each times a length to the power
+/// of its order.
 type State = [Complex2; 12];
 
 /// Coefficients between the fields; w and psi are not coupled to v.
@@ -44,7 +48,22 @@ impl Scaled {
 /// A model prepared for its determinant.
 pub struct Determinant<'a> {
     model: &'a Model,
-    /// 1 / (E (1 + i eta) (`I_y`, `Gamma_0`, `I_z`)).
+    /// From left to right.
+    spans: Vec<Span>,
+    /// 1 over the reference stiffness, E `I_y` of the first span: 1/(N m2).
+    reference: Double2,
+    /// 1 / n!.
+    weights: [Double2; TERMS],
+}
+
+/// A span of the beam.
+struct Span {
+    /// Its ends, m.
+    from: f64,
+    to: f64,
+    /// Its shear centre, from the axis.
+    offset: Point,
+    /// The reference stiffness over E (1 + i eta) (`I_y`, `Gamma_0`, `I_z`).
     compliance: [Complex2; FIELDS],
     /// G J / (E `Gamma_0`), 1/m2.
     torsion: Double2,
@@ -52,51 +71,48 @@ pub struct Determinant<'a> {
     inertia: [[Double2; FIELDS]; FIELDS],
     /// 1 / (1 + i eta).
     softness: Complex2,
-    /// 1 / n!.
-    weights: [Double2; TERMS],
 }
 
 /// Six states at a position, and the power of two that was factored out of them.
 struct Basis {
     states: [State; 6],
-    /// The length of the states, m.
-    unit: Double2,
     exponent: i32,
 }
 
 impl<'a> Determinant<'a> {
-    /// Of a model with warping stiffness.
+    /// Of a model with warping stiffness in all of its spans.
     pub fn new(model: &'a Model) -> Self {
-        let (material, section) = (&model.beam.material, &model.beam.section);
-        assert!(section.warping_constant > 0.0, "psi is of fourth order");
         let of = Double2::from;
-        let softness = Complex2::new(of(1.0), of(material.loss_factor)).inverse();
-        let stiffness = [
-            section.second_moment_y,
-            section.warping_constant,
-            section.second_moment_z,
-        ]
-        .map(|moment| of(material.young_modulus) * of(moment));
-        let [area, polar, none] = [section.area, section.polar_moment, 0.0].map(of);
-        let offset = area * of(section.centroid_offset);
-        let rows = [
-            [area, offset, none],
-            [offset, polar, none],
-            [none, none, area],
-        ];
-        let density = of(material.density);
+        let spans = model.spans.iter().map(|span| {
+            let beam = Beam {
+                length: span.length,
+                material: span.material.unwrap_or(model.beam.material),
+                section: span.section.unwrap_or(model.beam.section),
+                ..model.beam
+            };
+            (beam, span.offset)
+        });
+        let mut beams: Vec<(Beam, Point)> = spans.collect();
+        if beams.is_empty() {
+            beams.push((model.beam, Point::AXIS));
+        }
+        let first = &beams[0].0;
+        let stiffness = of(first.material.young_modulus) * of(first.section.second_moment_y);
+        let reference = of(1.0) / stiffness;
+        let mut from = 0.0;
+        let spans = beams.iter().map(|(beam, offset)| {
+            let span = Span::new(from, beam, *offset, reference);
+            from = span.to;
+            span
+        });
         let mut weights = [of(1.0); TERMS];
         for n in 1..TERMS {
             weights[n] = weights[n - 1] / of(n as f64);
         }
         Self {
             model,
-            compliance: stiffness.map(|stiffness| softness * (of(1.0) / stiffness)),
-            torsion: of(material.shear_modulus) * of(section.torsion_constant) / stiffness[1],
-            inertia: std::array::from_fn(|row| {
-                rows[row].map(|area| density * area / stiffness[row])
-            }),
-            softness,
+            spans: spans.collect(),
+            reference,
             weights,
         }
     }
@@ -111,7 +127,8 @@ impl<'a> Determinant<'a> {
         let masses = self.model.attached().map(|mass| mass.position);
         let joints = self.model.joints.iter().map(|joint| joint.position);
         let held = inner.iter().map(|of| of.position);
-        let mut places: Vec<f64> = masses.chain(held).chain(joints).collect();
+        let ends = self.spans.iter().map(|span| span.to);
+        let mut places: Vec<f64> = masses.chain(held).chain(joints).chain(ends).collect();
         places.sort_by(f64::total_cmp);
         places.dedup();
         for place in places {
@@ -133,8 +150,7 @@ impl<'a> Determinant<'a> {
                 basis.separate();
             }
         }
-        self.cross(x, self.model.beam.length, omega, &mut basis);
-        let (value, exponent) = determinant(self.right_end(omega, basis.states, basis.unit));
+        let (value, exponent) = determinant(self.right_end(omega, &basis.states));
         let value = (value * product[0]).rounded();
         Scaled {
             value,
@@ -147,132 +163,220 @@ impl<'a> Determinant<'a> {
         let states = std::array::from_fn(|motion| {
             let mut state = [Complex2::ZERO; 12];
             match stiffness(&self.model.supports.left, motion, omega) {
-                None => self.load(&mut state, motion, Complex2::ONE),
+                None => state[6 + motion] = Complex2::ONE,
                 Some(stiffness) => {
                     state[motion] = Complex2::ONE;
                     self.load(&mut state, motion, stiffness);
                 }
             }
-            if motion == BeamMotion::PsiSlope as usize {
-                // No torque: G J psi' = E Gamma psi'''.
-                state[10] = state[motion] * self.torsion;
-            }
             state
         });
         Basis {
             states,
-            unit: Double2::from(1.0),
             exponent: 0,
         }
     }
 
-    /// Adds the resultants of a state of unit 1 m along a motion: `-E I w'''`, `E I w''`, `G J psi' - E Gamma psi'''`,
-    /// `E Gamma psi''`.
+    /// Adds a force (N, N m or N m2) along a motion of the axis to a state.
     fn load(&self, state: &mut State, motion: usize, force: Complex2) {
-        let jump = force * self.compliance[motion % FIELDS];
-        if motion < FIELDS {
-            state[9 + motion] -= jump;
-        } else {
-            state[3 + motion] += jump;
-        }
+        state[6 + motion] += force * self.reference;
     }
 
     /// The values that must be zero at the right support, of each state.
-    fn right_end(
-        &self,
-        omega: Complex2,
-        mut states: [State; 6],
-        unit: Double2,
-    ) -> [[Complex2; 6]; 6] {
+    fn right_end(&self, omega: Complex2, states: &[State; 6]) -> [[Complex2; 6]; 6] {
         let right = &self.model.supports.right;
-        rescale(&mut states, Double2::from(1.0) / unit);
         std::array::from_fn(|motion| {
             let stiffness = stiffness(right, motion, omega);
-            states.map(|state| {
-                let Some(stiffness) = stiffness else {
-                    return state[motion];
-                };
-                stiffness * self.compliance[motion % FIELDS] * state[motion]
-                    + self.resultant(&state, motion)
+            states.each_ref().map(|state| match stiffness {
+                None => state[motion],
+                Some(stiffness) => stiffness * self.reference * state[motion] + state[6 + motion],
             })
         })
     }
 
-    /// A resultant of a state of unit 1 m, divided by its stiffness: see [`Self::load`].
-    fn resultant(&self, state: &State, motion: usize) -> Complex2 {
-        if motion >= FIELDS {
-            state[3 + motion]
-        } else if motion == BeamMotion::Psi as usize {
-            state[4] * self.torsion - state[10]
-        } else {
-            -state[9 + motion]
-        }
-    }
-
-    /// Passes a joint: its right side moves by the resultant over the stiffness more than its left side. Returns a factor
-    /// of the determinant.
+    /// Passes a joint: its right side moves by the internal force over the stiffness more than its left side. Returns a
+    /// factor of the determinant.
     fn part(&self, joint: &Joint, omega: Complex2, basis: &mut Basis) -> Complex2 {
-        let one = Double2::from(1.0);
-        rescale(&mut basis.states, one / basis.unit);
-        basis.unit = one;
         let mut factor = Complex2::ONE;
-        let before = basis.states;
         for (motion, link) in joint.links.iter().enumerate() {
             let Link::Elastic(spring) = link else {
                 continue;
             };
             let stiffness = complex(spring.stiffness, spring.loss_factor)
                 + omega.turned() * Double2::from(spring.damping);
-            let softness = (stiffness * self.compliance[motion % FIELDS]).inverse();
-            for (state, before) in basis.states.iter_mut().zip(&before) {
-                self.jump(state, motion, self.resultant(before, motion) * softness);
+            let softness = (stiffness * self.reference).inverse();
+            for state in &mut basis.states {
+                let force = state[6 + motion];
+                state[motion] += force * softness;
             }
             factor = factor * stiffness;
         }
         for (motion, link) in joint.links.iter().enumerate() {
             if *link == Link::Free {
-                let resultants = basis.states.map(|state| self.resultant(&state, motion));
+                let forces = basis.states.map(|state| state[6 + motion]);
                 let mut parted = [Complex2::ZERO; 12];
-                self.jump(&mut parted, motion, Complex2::ONE);
-                factor = factor * basis.exchange(resultants, &parted);
+                parted[motion] = Complex2::ONE;
+                factor = factor * basis.exchange(forces, &parted);
             }
         }
         factor
     }
 
-    /// Moves a state of unit 1 m and leaves its resultants.
-    fn jump(&self, state: &mut State, motion: usize, by: Complex2) {
-        state[motion] += by;
-        if motion == BeamMotion::PsiSlope as usize {
-            state[10] += by * self.torsion;
-        }
-    }
-
-    /// Propagates the states from one position to another.
+    /// Propagates the states from one position to another, within a span.
     fn cross(&self, from: f64, to: f64, omega: Complex2, basis: &mut Basis) {
         let length = Double2::from(to) - Double2::from(from);
-        if length.rounded() <= 0.0 {
+        let inside = self.spans.iter().find(|span| to <= span.to);
+        let Some(span) = inside.filter(|_| length.rounded() > 0.0) else {
             return;
-        }
-        let steps = (length.rounded() * self.fastest(omega) / GROWTH)
+        };
+        let steps = (length.rounded() * span.fastest(omega) / GROWTH)
             .ceil()
             .max(1.0);
         let h = length / Double2::from(steps);
-        rescale(&mut basis.states, h / basis.unit);
-        basis.unit = h;
-        let transfer = self.transfer(h, omega);
+        basis.states = basis.states.map(|state| span.derivatives(&state));
+        rescale(&mut basis.states, h);
+        let transfer = span.transfer(h, omega, &self.weights);
         for _ in 0..steps as usize {
             for state in &mut basis.states {
                 *state = carried(&transfer, state);
             }
             basis.separate();
         }
+        rescale(&mut basis.states, Double2::from(1.0) / h);
+        basis.states = basis.states.map(|state| span.on_axis(&state));
+        basis.separate();
     }
 
     /// An upper bound on the phase (rad) of the fastest wave of an angular frequency (rad/s) along the beam.
     pub fn waves(&self, omega: f64) -> f64 {
         let omega = Complex2::from(Complex64::from(omega));
-        self.fastest(omega) * self.model.beam.length
+        let phase = |span: &Span| span.fastest(omega) * (span.to - span.from);
+        self.spans.iter().map(phase).sum()
+    }
+
+    /// Adds a support: w and v of its point are `w + z psi` and `v - y psi`, and forces there turn about the axis. Returns a
+    /// factor of the determinant.
+    fn hold(&self, support: &Support, omega: Complex2, basis: &mut Basis) -> Complex2 {
+        let mut factor = Complex2::ONE;
+        for motion in 0..6 {
+            if let Some(stiffness) = stiffness(support, motion, omega) {
+                for state in &mut basis.states {
+                    let force = stiffness * self.reference * moved(support, motion, state);
+                    react(support, motion, force, state);
+                }
+            }
+        }
+        for motion in 0..6 {
+            if stiffness(support, motion, omega).is_none() {
+                factor = factor * fix(support, motion, basis);
+            }
+        }
+        factor
+    }
+
+    /// Adds a mass on its springs; returns the determinant of the mass with the beam blocked.
+    fn attach(&self, subsystem: &Subsystem, omega: Complex2, basis: &mut Basis) -> Complex2 {
+        let (stiffness, own) = blocked(subsystem, omega);
+        for state in &mut basis.states {
+            let motion = [state[0], state[1], state[2]];
+            for field in 0..FIELDS {
+                let mut force = Complex2::ZERO;
+                for by in 0..FIELDS {
+                    force += stiffness[field][by] * motion[by];
+                }
+                self.load(state, field, force);
+            }
+        }
+        own
+    }
+}
+
+/// Fixes a motion: one state makes it zero in all others, and an unknown force takes its place.
+fn fix(support: &Support, motion: usize, basis: &mut Basis) -> Complex2 {
+    let values = basis.states.map(|state| moved(support, motion, &state));
+    let mut held = [Complex2::ZERO; 12];
+    react(support, motion, Complex2::ONE, &mut held);
+    basis.exchange(values, &held)
+}
+
+/// Adds a force, over the reference stiffness, along a motion of the point of a support to a state.
+fn react(support: &Support, motion: usize, force: Complex2, state: &mut State) {
+    state[6 + motion] += force;
+    state[6 + BeamMotion::Psi as usize] += force * arm(support, motion);
+}
+
+impl Span {
+    /// It begins at `from`, m.
+    fn new(from: f64, beam: &Beam, offset: Point, reference: Double2) -> Self {
+        let (material, section) = (&beam.material, &beam.section);
+        assert!(section.warping_constant > 0.0, "psi is of fourth order");
+        let of = Double2::from;
+        let softness = Complex2::new(of(1.0), of(material.loss_factor)).inverse();
+        let stiffness = [
+            section.second_moment_y,
+            section.warping_constant,
+            section.second_moment_z,
+        ]
+        .map(|moment| of(material.young_modulus) * of(moment));
+        let [area, polar, none] = [section.area, section.polar_moment, 0.0].map(of);
+        let lever = area * of(section.centroid_offset);
+        let rows = [
+            [area, lever, none],
+            [lever, polar, none],
+            [none, none, area],
+        ];
+        let density = of(material.density);
+        Self {
+            from,
+            to: from + beam.length,
+            offset,
+            compliance: stiffness.map(|stiffness| softness * (of(1.0) / (stiffness * reference))),
+            torsion: of(material.shear_modulus) * of(section.torsion_constant) / stiffness[1],
+            inertia: std::array::from_fn(|row| {
+                rows[row].map(|area| density * area / stiffness[row])
+            }),
+            softness,
+        }
+    }
+
+    /// The derivatives of its own motions, with 1 m as length, from a state of the axis. Internal forces are `E I` times
+    /// minus the third derivative, for twist `G J psi'` more, and `E I` times the second one.
+    fn derivatives(&self, axis: &State) -> State {
+        let [y, z] = [self.offset.y, self.offset.z].map(Double2::from);
+        let mut own = *axis;
+        for first in [0, FIELDS] {
+            let (psi, force) = (own[first + 1], [own[6 + first], own[8 + first]]);
+            own[first] += psi * z;
+            own[first + 2] -= psi * y;
+            own[7 + first] -= force[0] * z - force[1] * y;
+        }
+        let mut state = own;
+        for field in 0..FIELDS {
+            state[6 + field] = own[9 + field] * self.compliance[field];
+            state[9 + field] = -(own[6 + field] * self.compliance[field]);
+        }
+        state[10] += own[4] * self.torsion;
+        state
+    }
+
+    /// The opposite of [`Self::derivatives`].
+    fn on_axis(&self, derivatives: &State) -> State {
+        let [y, z] = [self.offset.y, self.offset.z].map(Double2::from);
+        let mut bent = *derivatives;
+        bent[10] -= bent[4] * self.torsion;
+        let mut state = bent;
+        for field in 0..FIELDS {
+            let stiffness = self.compliance[field].inverse();
+            state[9 + field] = bent[6 + field] * stiffness;
+            state[6 + field] = -(bent[9 + field] * stiffness);
+        }
+        for first in [0, FIELDS] {
+            let (psi, force) = (state[first + 1], [state[6 + first], state[8 + first]]);
+            state[first] -= psi * z;
+            state[first + 2] += psi * y;
+            state[7 + first] += force[0] * z - force[1] * y;
+        }
+        state
     }
 
     /// A bound on the wave numbers, 1/m.
@@ -290,7 +394,7 @@ impl<'a> Determinant<'a> {
     /// In units of h the fields u obey `u'''' = P u'' + Q u`. Let `d(0) = 0`, `d(2) = 1`, `d(n+4) = P d(n+2) + Q d(n)`: the
     /// solution that starts with `u'' = 1` alone has d(n) as its n-th derivative at 0, that with `u''' = 1` has d(n-1),
     /// with `u = 1` d(n+2) - d(n) P, with `u' = 1` d(n+1) - d(n-1) P.
-    fn transfer(&self, h: Double2, omega: Complex2) -> [State; 12] {
+    fn transfer(&self, h: Double2, omega: Complex2, weights: &[Double2; TERMS]) -> [State; 12] {
         let square = h * h;
         let pull = self.torsion * square;
         let inertia = omega * omega * self.softness * (square * square);
@@ -307,7 +411,7 @@ impl<'a> Determinant<'a> {
                 for &column in coupled(row) {
                     for (index, sum) in sums.iter_mut().enumerate() {
                         if let Some(n) = (order + 1).checked_sub(index) {
-                            sum[row][column] += here[row][column] * self.weights[n];
+                            sum[row][column] += here[row][column] * weights[n];
                         }
                     }
                     let mut forced = Complex2::ZERO;
@@ -341,78 +445,6 @@ impl<'a> Determinant<'a> {
             }
         }
         columns
-    }
-
-    /// Adds a support: w and v of its point are `w + z psi` and `v - y psi`, and forces there turn about the axis. Returns a
-    /// factor of the determinant.
-    fn hold(&self, support: &Support, omega: Complex2, basis: &mut Basis) -> Complex2 {
-        let unit = basis.unit;
-        let mut factor = Complex2::ONE;
-        for motion in 0..6 {
-            if let Some(stiffness) = stiffness(support, motion, omega) {
-                for state in &mut basis.states {
-                    let force = stiffness * moved(support, motion, state, unit);
-                    self.react(support, motion, force, unit, state);
-                }
-            }
-        }
-        for motion in 0..6 {
-            if stiffness(support, motion, omega).is_none() {
-                factor = factor * self.fix(support, motion, basis);
-            }
-        }
-        factor
-    }
-
-    /// Fixes a motion: one state makes it zero in all others, and an unknown force takes its place.
-    fn fix(&self, support: &Support, motion: usize, basis: &mut Basis) -> Complex2 {
-        let unit = basis.unit;
-        let values = basis
-            .states
-            .map(|state| moved(support, motion, &state, unit));
-        let mut held = [Complex2::ZERO; 12];
-        self.react(support, motion, Complex2::ONE, unit, &mut held);
-        basis.exchange(values, &held)
-    }
-
-    /// Adds a force (in N, or N m) along a motion of the point of a support to a state.
-    fn react(
-        &self,
-        support: &Support,
-        motion: usize,
-        force: Complex2,
-        unit: Double2,
-        state: &mut State,
-    ) {
-        if motion >= FIELDS {
-            return self.load(state, motion, force * (unit * unit));
-        }
-        let force = force * (unit * unit * unit);
-        self.load(state, motion, force);
-        if motion != BeamMotion::Psi as usize {
-            self.load(
-                state,
-                BeamMotion::Psi as usize,
-                force * arm(support, motion),
-            );
-        }
-    }
-
-    /// Adds a mass on its springs; returns the determinant of the mass with the beam blocked.
-    fn attach(&self, subsystem: &Subsystem, omega: Complex2, basis: &mut Basis) -> Complex2 {
-        let (stiffness, own) = blocked(subsystem, omega);
-        let cube = basis.unit * basis.unit * basis.unit;
-        for state in &mut basis.states {
-            let motion = [state[0], state[1], state[2]];
-            for field in 0..FIELDS {
-                let mut force = Complex2::ZERO;
-                for by in 0..FIELDS {
-                    force += stiffness[field][by] * motion[by];
-                }
-                self.load(state, field, force * cube);
-            }
-        }
-        own
     }
 }
 
@@ -485,11 +517,8 @@ fn arm(support: &Support, motion: usize) -> Double2 {
     Double2::from(arm.unwrap_or_default())
 }
 
-/// A motion of the point of a support in a state of some unit, m: m or rad.
-fn moved(support: &Support, motion: usize, state: &State, unit: Double2) -> Complex2 {
-    if motion >= FIELDS {
-        return state[motion] * (Double2::from(1.0) / unit);
-    }
+/// A motion of the point of a support: m, rad or rad/m.
+fn moved(support: &Support, motion: usize, state: &State) -> Complex2 {
     state[motion] + state[BeamMotion::Psi as usize] * arm(support, motion)
 }
 

@@ -57,7 +57,9 @@ pub fn is_hysteretic(model: &Model) -> bool {
     let springs =
         (model.subsystems.iter()).flat_map(|s| [s.y_left, s.y_right, s.z_left, s.z_right]);
     let links = model.joints.iter().flat_map(|joint| joint.links);
+    let spans = model.spans.iter().filter_map(|span| span.material);
     let mut losses = std::iter::once(model.beam.material.loss_factor)
+        .chain(spans.map(|material| material.loss_factor))
         .chain(restraints.map(|of| of.elastic().loss_factor))
         .chain(springs.map(|of| of.loss_factor))
         .chain(links.map(|link| link.spring().loss_factor));

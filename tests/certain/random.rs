@@ -2,7 +2,7 @@
 
 use beamtune::model::{
     Beam, Elastic, InnerSupport, Joint, Link, Material, Model, Point, Restraint, Section, Spacing,
-    Spring, Subsystem, Support, Supports, Sweep,
+    Span, Spring, Subsystem, Support, Supports, Sweep,
 };
 
 use super::frequency_of::frequency_of;
@@ -81,6 +81,7 @@ pub fn model(seed: u64) -> (Model, f64) {
         notes: String::new(),
         beam,
         supports,
+        spans: Vec::new(),
         joints: Vec::new(),
         subsystems,
         forces: Vec::new(),
@@ -94,6 +95,9 @@ pub fn model(seed: u64) -> (Model, f64) {
     // Of every second model: the others have what the paper's models have.
     if dice.next() < 0.5 {
         hold_anywhere(&mut model, &mut dice);
+    }
+    if dice.next() < 0.4 {
+        divide(&mut model, &mut dice);
     }
     let to = frequency_of(&model, wanted) * beyond;
     (model, to)
@@ -138,6 +142,59 @@ fn hold_anywhere(model: &mut Model, dice: &mut Dice) {
     }
     if dice.next() < 0.6 {
         cut(model, dice);
+    }
+}
+
+/// Makes the beam of two or three spans; some end where something stands.
+fn divide(model: &mut Model, dice: &mut Dice) {
+    let length = model.beam.length;
+    let mut ends = vec![dice.between(0.1, 0.9) * length];
+    let inside = 0.05 * length..0.95 * length;
+    let places = (model.supports.inner.iter().map(|of| of.position))
+        .chain(model.joints.iter().map(|of| of.position))
+        .chain(model.subsystems.iter().map(|of| of.position));
+    let places: Vec<f64> = places.filter(|place| inside.contains(place)).collect();
+    if !places.is_empty() && dice.next() < 0.7 {
+        ends.push(dice.pick(&places));
+    }
+    ends.push(length);
+    ends.sort_by(f64::total_cmp);
+    let mut from = 0.0;
+    for end in ends {
+        let mut section = model.beam.section;
+        let size = dice.power(0.4, 2.5);
+        for number in [
+            &mut section.area,
+            &mut section.second_moment_y,
+            &mut section.second_moment_z,
+            &mut section.polar_moment,
+        ] {
+            *number *= size;
+        }
+        section.torsion_constant *= dice.power(0.3, 3.0);
+        section.warping_constant *= dice.power(0.3, 3.0);
+        section.centroid_offset *= dice.pick(&[1.0, 0.0, -0.5]);
+        let material = Material {
+            loss_factor: dice.pick(&[0.0, model.beam.material.loss_factor]),
+            ..model.beam.material
+        };
+        model.spans.push(Span {
+            length: end - from,
+            section: dice.pick(&[None, Some(section)]),
+            material: dice.pick(&[None, Some(material)]),
+            offset: Point {
+                y: dice.pick(&[0.0, 0.1, -0.05]),
+                z: dice.pick(&[0.0, -0.08, 0.03]),
+            },
+            ..Span::default()
+        });
+        from = end;
+    }
+    model.beam.length = 0.0;
+    // The last place is the end of the beam, whatever its rounding.
+    let end = model.length();
+    for subsystem in &mut model.subsystems {
+        subsystem.position = subsystem.position.min(end);
     }
 }
 

@@ -263,6 +263,7 @@ fn models_with(
             title: String::new(),
             notes: String::new(),
             beam,
+            spans: Vec::new(),
             supports: Supports { left, right, inner },
             joints,
             subsystems,

@@ -337,7 +337,7 @@ fn without_colours() {
 #[test]
 fn the_limit_of_euler_and_bernoulli_is_on_the_axis() {
     let model = || Driver::preset("fig14");
-    let limit = euler_bernoulli_up_to(&model().app.model().beam).unwrap();
+    let limit = euler_bernoulli_up_to(model().app.model()).unwrap();
     assert!((limit - 545.0).abs() < 0.5, "{limit}");
     screen!("limit_80x24", model(), 80 x 24);
     screen!("limit_120x40", model(), 120 x 40);

@@ -71,7 +71,7 @@ pub fn with(model: &Model, path: &str, value: f64) -> Model {
 /// The side of a difference: a position at an end can only move inwards, and beyond a position at the right end there
 /// is only more beam.
 fn side(model: &Model, path: &str, value: f64) -> f64 {
-    let length = model.beam.length;
+    let length = model.length();
     let is_at_end =
         |target: &Target| matches!(target, Target::Beam(Place::Position(x), _) if *x == length);
     let forces = model.forces.iter().map(|force| &force.target);
@@ -82,7 +82,7 @@ fn side(model: &Model, path: &str, value: f64) -> f64 {
     let held =
         forces.chain(responses).any(is_at_end) || model.attached().any(|of| of.position == length);
     match path {
-        "beam.length" if held => 1.0,
+        _ if path.starts_with("beam.") && path.ends_with(".length") && held => 1.0,
         "beam.section.warping_constant" if value == 0.0 => 1.0,
         _ if path.ends_with(".position") && value == 0.0 => 1.0,
         _ if path.ends_with(".position") && value == length => -1.0,
@@ -226,7 +226,7 @@ fn usual(path: &str) -> f64 {
         "damping" | "axial_force" => 1e3,
         "mass" | "inertia" | "phase" => 10.0,
         "product_moment" => 1e-8,
-        "centroid_offset_y" | "y" | "z" => 1e-2,
+        "centroid_offset_y" | "offset_y" | "offset_z" | "y" | "z" => 1e-2,
         _ => 0.1,
     }
 }

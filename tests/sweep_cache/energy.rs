@@ -9,7 +9,7 @@ use beamtune::solve::{SweepCache, sweep};
 
 use super::{NEVER, assert_same, crowded, edits, grid, without_warping};
 
-fn with_energy(mut model: Model) -> Model {
+pub fn with_energy(mut model: Model) -> Model {
     model.responses.push(Response {
         name: "E_V".to_owned(),
         enabled: true,

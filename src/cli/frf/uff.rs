@@ -154,7 +154,7 @@ impl<'a> Places<'a> {
     }
 
     fn place(model: &Checked, place: Place, point: Point) -> [f64; 3] {
-        [place.position(model.beam.length), point.y, point.z]
+        [place.position(model.length()), point.y, point.z]
     }
 
     /// Number, name and direction. Directions: x along the beam, w and y along y, v and z along z; psi and theta about

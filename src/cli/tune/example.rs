@@ -2,7 +2,7 @@
 
 use crate::model::schema::MaterialKey;
 use crate::model::{
-    self, Aim, Checked, Combine, Group, Hold, Model, Objective, Tune, Variable, path,
+    self, Aim, Checked, Combine, Group, Hold, Model, Objective, Part, Tune, Variable, path,
 };
 
 /// The message for a model without `[tune]`, with an example.
@@ -34,8 +34,14 @@ fn tune(model: &Checked) -> Tune {
     let (id, now) = of_first("y_left.stiffness")
         .or_else(|| of_first("mass"))
         .unwrap_or_else(|| {
-            let modulus = Group::Material.parameter(MaterialKey::YoungModulus as usize);
-            (modulus, model.beam.material.young_modulus)
+            let row = MaterialKey::YoungModulus as usize;
+            let of = |part: Part| {
+                let modulus = part.material(model)?.young_modulus;
+                Some((Group::Material(part).parameter(row), modulus))
+            };
+            // Either the beam or each of its spans has a material.
+            let first = Part::all(model).find_map(of);
+            first.unwrap_or((Group::Material(Part::Whole).parameter(row), 0.0))
         });
     let response = model.responses.iter().find(|response| response.enabled);
     let aim = response.map_or(Aim::Energy, |_| Aim::Peak);

@@ -11,7 +11,7 @@ use super::numbers;
 /// A link of the rate of twist on a section without warping stiffness is no fault: the section transmits no bimoment, so
 /// the link has no effect, and a warping constant can become 0 without an edit of the joints.
 pub(super) fn check(model: &Model, faults: &mut Vec<Fault>) {
-    let length = model.beam.length;
+    let length = model.length();
     for (index, joint) in model.joints.iter().enumerate() {
         let path = format!("joints.{}", index + 1);
         let mut fault = |path: String, message: String| faults.push(Fault::new(path, message));

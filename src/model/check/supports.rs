@@ -35,7 +35,7 @@ pub(super) fn inner(model: &Model, faults: &mut Vec<Fault>) {
                 ),
             );
         }
-        let length = model.beam.length;
+        let length = model.length();
         if inner.position == 0.0 || (length > 0.0 && inner.position >= length) {
             let message = format!(
                 "is {}; must be between the ends, > 0 and < {} m (supports.left and supports.right hold those)",

@@ -19,9 +19,9 @@ pub(super) fn forces(model: &Model, faults: &mut Vec<Fault>) {
         let before = faults.len();
         target(&path, &force.target, force.enabled, model, faults);
         point(&path, force.point, Some(&force.target), faults);
-        if let Target::Beam(_, BeamMotion::PsiSlope) = force.target
+        if let Target::Beam(place, BeamMotion::PsiSlope) = force.target
             && faults.len() == before
-            && model.beam.section.warping_constant == 0.0
+            && !warps_at(model, place)
         {
             faults.push(Fault::new(
                 format!("{path}.direction"),
@@ -31,6 +31,14 @@ pub(super) fn forces(model: &Model, faults: &mut Vec<Fault>) {
         }
         numbers(&path, force, &FORCE, faults);
     }
+}
+
+/// Whether the beam has warping stiffness at a place, on either side.
+fn warps_at(model: &Model, place: Place) -> bool {
+    let x = place.position(model.length());
+    let parts = model.uniform_parts().into_iter();
+    let mut here = parts.filter(|part| (part.start..=part.end).contains(&x));
+    here.any(|part| part.beam.section.warping_constant != 0.0)
 }
 
 /// The rules of the responses.

@@ -7,7 +7,7 @@ use crate::model::path;
 use crate::model::schema::{self, Access, Key, Kind, Rows};
 use crate::model::toml_literal::format_number;
 use crate::model::types::{
-    BeamMotion, Elastic, Link, Model, Point, Quantity, Restraint, Spring, Support,
+    Beam, BeamMotion, Elastic, Link, Model, Point, Quantity, Restraint, Span, Spring, Support,
 };
 
 /// The value of a parameter.
@@ -77,7 +77,7 @@ impl Value {
 }
 
 impl<T> Rows<T> {
-    /// The value of a row; none if the row has its own rules.
+    /// The value of a row; none if the row has its own rules, or an optional number is missing.
     fn get(&self, row: usize, of: &T) -> Option<Value> {
         Some(match &self.access[row] {
             Access::Number(get, _) => Value::Number(get(of)),
@@ -85,6 +85,7 @@ impl<T> Rows<T> {
             Access::Flag(get, _) => Value::Flag(get(of)),
             Access::Word(get, _) => Value::Choice(self.keys[row].words[get(of)]),
             Access::Text(get, _) => Value::Text(get(of).clone()),
+            Access::OptionalNumber(get, _) => Value::Number(get(of)?),
             Access::Optional(..) | Access::Own => return None,
         })
     }
@@ -93,6 +94,7 @@ impl<T> Rows<T> {
     fn set(&self, row: usize, of: &mut T, value: Value) -> Result<(), String> {
         match &self.access[row] {
             Access::Number(_, set) => set(of, value.number()?),
+            Access::OptionalNumber(_, set) => set(of, Some(value.number()?)),
             Access::Count(_, set) => set(of, value.count()?),
             Access::Flag(_, set) => set(of, value.flag()?),
             Access::Word(_, set) => set(of, chosen(&value, self.keys[row].words)?),
@@ -108,13 +110,21 @@ impl<T> Rows<T> {
 /// # Errors
 /// Why it has none: a fixed motion has no spring, an energy has no position.
 pub fn get(model: &Model, id: ParameterId) -> Result<Value, String> {
+    has_number(model, id)?;
     let row = id.row;
     let plain = match id.group {
         Group::Model => schema::MODEL.get(row, model),
         Group::Beam => schema::BEAM.get(row, &model.beam),
-        Group::Material => schema::MATERIAL.get(row, &model.beam.material),
-        Group::Section => schema::SECTION.get(row, &model.beam.section),
-        Group::Foundation => schema::FOUNDATION.get(row, &model.beam.foundation),
+        Group::Material(part) => part
+            .material(model)
+            .and_then(|of| schema::MATERIAL.get(row, of)),
+        Group::Section(part) => part
+            .section(model)
+            .and_then(|of| schema::SECTION.get(row, of)),
+        Group::Foundation(part) => part
+            .foundation(model)
+            .and_then(|of| schema::FOUNDATION.get(row, of)),
+        Group::Span(index) => schema::SPAN.get(row, &model.spans[index]),
         Group::Support(support @ SupportId::Inner(index)) if row < support.own_keys() => {
             schema::INNER_SUPPORT.get(row, &model.supports.inner[index])
         }
@@ -165,11 +175,34 @@ fn own(model: &Model, id: ParameterId) -> Result<Value, String> {
             let link = id.motion().map(|motion| model.joints[joint][motion]);
             Value::Choice(link.unwrap_or_default().kind())
         }
+        (Group::Span(_), Kind::Table) => {
+            let is_own = id.table().is_some_and(|table| table.is_there(model));
+            Value::Choice(Span::OWNERS[usize::from(is_own)])
+        }
+        (Group::Span(_), _) => Value::Number(model.beam.axial_force),
         (Group::Response(index), Kind::Measure) => {
             Value::Choice(target::measure(&model.responses[index].quantity))
         }
         (_, Kind::Place) => Value::Text(target::place(target()?)),
         _ => Value::Choice(target::direction(target()?)),
+    })
+}
+
+/// Fails for a number of the beam or of a span that is another one's: says which.
+fn has_number(model: &Model, id: ParameterId) -> Result<(), String> {
+    if !matches!(id.group.owner(), Group::Beam | Group::Span(_)) || id.exists(model) {
+        return Ok(());
+    }
+    let (key, place) = (id.key().key, id.group.place());
+    Err(match (id.group.table_key(), place) {
+        (Some(table), Some(index)) => format!(
+            "span {} has the {table} of the beam: must be beam.{table}.{key}, or it must have a {table} of its own first",
+            index + 1
+        ),
+        (Some(table), None) => {
+            format!("every span has a {table} of its own: must be beam.spans.*.{table}.{key}")
+        }
+        (None, _) => format!("is that of the spans together: must be beam.spans.*.{key}"),
     })
 }
 
@@ -192,6 +225,7 @@ fn rigid(model: &Model, joint: usize, motion: BeamMotion, key: &Key) -> String {
 /// # Errors
 /// The value is of another type, or not a choice of the parameter; the model is then unchanged.
 pub fn put(model: &mut Model, id: ParameterId, value: Value) -> Result<(), String> {
+    has_number(model, id)?;
     let row = id.row;
     match (id.group, id.key().kind) {
         (group, Kind::Name) => rename::element(model, group, &value.text()?),
@@ -228,10 +262,21 @@ pub fn put(model: &mut Model, id: ParameterId, value: Value) -> Result<(), Strin
         (Group::Link(joint, motion), _) => put_coupling(model, joint, motion, id, &value)?,
         (Group::Model, _) => schema::MODEL.set(row, model, value)?,
         (Group::Beam, _) => schema::BEAM.set(row, &mut model.beam, value)?,
-        (Group::Material, _) => schema::MATERIAL.set(row, &mut model.beam.material, value)?,
-        (Group::Section, _) => schema::SECTION.set(row, &mut model.beam.section, value)?,
-        (Group::Foundation, _) => {
-            schema::FOUNDATION.set(row, &mut model.beam.foundation, value)?;
+        (Group::Material(part), _) => schema::MATERIAL.set(row, part.material_mut(model), value)?,
+        (Group::Section(part), _) => schema::SECTION.set(row, part.section_mut(model), value)?,
+        (Group::Foundation(part), _) => {
+            schema::FOUNDATION.set(row, part.foundation_mut(model), value)?;
+        }
+        (Group::Span(index), Kind::Table) => {
+            let Model { beam, spans, .. } = model;
+            put_tables(&mut spans[index], beam, id, value.word()?)?;
+        }
+        (Group::Span(index), _) => {
+            let old = get(model, id)?;
+            // A span without an axial force already has that of the beam.
+            if value != old {
+                schema::SPAN.set(row, &mut model.spans[index], value)?;
+            }
         }
         (Group::Subsystem(index), _) => {
             schema::SUBSYSTEM.set(row, &mut model.subsystems[index], value)?;
@@ -242,6 +287,23 @@ pub fn put(model: &mut Model, id: ParameterId, value: Value) -> Result<(), Strin
         }
         (Group::Sweep, _) => schema::SWEEP.set(row, &mut model.sweep, value)?,
         _ => return Err("cannot be set".to_owned()),
+    }
+    Ok(())
+}
+
+/// Gives a span a table of its own, a copy of the beam's, or takes it away.
+fn put_tables(span: &mut Span, beam: &Beam, id: ParameterId, word: &str) -> Result<(), String> {
+    fn put<T>(table: &mut Option<T>, of_beam: T, is_own: bool) {
+        *table = is_own.then(|| table.take().unwrap_or(of_beam));
+    }
+    let [of_beam, own] = Span::OWNERS;
+    if word != of_beam && word != own {
+        return Err(format!("is {word:?}; must be {of_beam} or {own}"));
+    }
+    match id.table() {
+        Some(Group::Material(_)) => put(&mut span.material, beam.material, word == own),
+        Some(Group::Section(_)) => put(&mut span.section, beam.section, word == own),
+        _ => put(&mut span.foundation, beam.foundation, word == own),
     }
     Ok(())
 }
@@ -332,8 +394,10 @@ fn chosen(value: &Value, words: &[&str]) -> Result<usize, String> {
 #[cfg(test)]
 mod tests {
     use crate::model::edit::{Value, set, set_unchecked};
-    use crate::model::path::{all, parameter, sample};
-    use crate::model::types::{BeamMotion, Elastic, Place, Quantity, Restraint, Support, Target};
+    use crate::model::path::{all, number, parameter, sample};
+    use crate::model::types::{
+        BeamMotion, Elastic, Model, Place, Quantity, Restraint, Section, Support, Target,
+    };
     use crate::unit::Measure;
 
     fn choice(word: &'static str) -> Value {
@@ -356,13 +420,14 @@ mod tests {
         for first in 0..names.len() {
             let mut rotated = names.to_vec();
             rotated.rotate_left(first);
-            let model = sample::model(&rotated);
-            for path in all(&model) {
-                let value = parameter(&model, &path).unwrap().value;
-                let mut same = model.clone();
-                set_unchecked(&mut same, &path, value)
-                    .unwrap_or_else(|fault| panic!("{path}: {fault}"));
-                assert_eq!(same, model, "{path}");
+            for model in sample::models(&rotated) {
+                for path in all(&model) {
+                    let value = parameter(&model, &path).unwrap().value;
+                    let mut same = model.clone();
+                    set_unchecked(&mut same, &path, value)
+                        .unwrap_or_else(|fault| panic!("{path}: {fault}"));
+                    assert_eq!(same, model, "{path}");
+                }
             }
         }
     }
@@ -472,5 +537,70 @@ mod tests {
             model.responses[2].quantity,
             Quantity::Motion(w, Measure::Velocity)
         );
+    }
+
+    /// Of the three spans, only the second has a material and only the first no section.
+    #[test]
+    fn a_span_has_tables_of_its_own_or_those_of_the_beam() {
+        let mut model = sample::models(&["S1"])[1].clone();
+        let refused = |model: &mut Model, path: &str, word: &str| {
+            let before = model.clone();
+            let fault = set_unchecked(model, path, Value::Number(1.0)).unwrap_err();
+            assert!(fault.message.contains(word), "{path}: {fault}");
+            assert_eq!(parameter(model, path).unwrap_err().message, fault.message);
+            assert_eq!(*model, before);
+        };
+        for (path, word) in [
+            (
+                "beam.spans.1.section.area",
+                "must be beam.section.area, or it must have a section of its own first",
+            ),
+            (
+                "beam.spans.3.material.density",
+                "span 3 has the material of the beam",
+            ),
+            ("beam.length", "must be beam.spans.*.length"),
+        ] {
+            refused(&mut model, path, word);
+        }
+        set(&mut model, "beam.spans.1.section", choice("own")).unwrap();
+        assert_eq!(model.spans[0].section, Some(model.beam.section));
+        set(&mut model, "beam.spans.1.section.area", Value::Number(0.02)).unwrap();
+        assert_eq!(
+            model.spans[0].section.map(|section| section.area),
+            Some(0.02)
+        );
+        // Chosen again, it keeps its numbers.
+        set(&mut model, "beam.spans.*.section", choice("own")).unwrap();
+        assert_eq!(
+            model.spans[0].section.map(|section| section.area),
+            Some(0.02)
+        );
+        model.beam.section = Section::default();
+        refused(
+            &mut model,
+            "beam.section.area",
+            "must be beam.spans.*.section.area",
+        );
+        assert!(set(&mut model, "beam.spans.1.section", choice("beam")).is_err());
+        set(&mut model, "beam.spans.2.material", choice("beam")).unwrap();
+        assert_eq!(model.spans[1].material, None);
+        let fault = set(&mut model, "beam.spans.2.material", choice("mine")).unwrap_err();
+        assert!(
+            fault[0].message.ends_with("must be beam or own"),
+            "{fault:?}"
+        );
+    }
+
+    #[test]
+    fn a_span_without_an_axial_force_has_that_of_the_beam() {
+        let mut model = sample::models(&["S1"])[1].clone();
+        model.beam.axial_force = -7.0;
+        let path = "beam.spans.1.axial_force";
+        assert_eq!(number(&model, path), Ok(-7.0));
+        set(&mut model, path, Value::Number(-7.0)).unwrap();
+        assert_eq!(model.spans[0].axial_force, None);
+        set(&mut model, path, Value::Number(0.0)).unwrap();
+        assert_eq!(model.spans[0].axial_force, Some(0.0));
     }
 }

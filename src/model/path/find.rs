@@ -67,25 +67,33 @@ impl<'a> Finder<'a> {
         let (owners, depth) = self.owners(path)?;
         // There is at least one owner, and all have the same keys.
         let all = owners.first().map_or_else(Vec::new, |owner| owner.owned());
-        let ids = below(all, &path[depth..]).map_err(|mismatch| Mismatch {
-            at: depth + mismatch.at,
-            ..mismatch
+        let ids = below(all, &path[depth..]).map_err(|mut mismatch| {
+            if owners == [Group::Beam] && mismatch.at == 0 && !self.model.spans.is_empty() {
+                mismatch.known.push(SPANS.to_owned());
+            }
+            mismatch.at += depth;
+            mismatch
         })?;
-        let star = |at: usize| path.get(at) == Some(&Part::Any);
-        // A star for a motion or a response skips those without the parameter.
-        let lenient = match owners.first() {
-            Some(Group::Support(SupportId::Inner(_))) => star(3),
-            Some(Group::Support(_) | Group::Joint(_)) => star(2),
-            Some(Group::Response(_)) => star(1),
-            _ => false,
-        };
         let each = |owner: &Group| {
             let place = owner.place();
             ids.iter()
                 .map(move |id| place.map_or(*id, |place| id.at(place)))
         };
-        let all = owners.iter().flat_map(each);
-        Ok(all.filter(|id| !lenient || id.exists(self.model)).collect())
+        let mut all: Vec<ParameterId> = owners.iter().flat_map(each).collect();
+        let star = |at: usize| path.get(at) == Some(&Part::Any);
+        // A star for a motion, a response or a span skips those without the parameter.
+        let lenient = match owners.first() {
+            Some(Group::Support(SupportId::Inner(_))) => star(3),
+            Some(Group::Support(_) | Group::Joint(_)) => star(2),
+            // If no span has it, each can say why.
+            Some(Group::Span(_)) => star(2) && all.iter().any(|id| id.exists(self.model)),
+            Some(Group::Response(_)) => star(1),
+            _ => false,
+        };
+        if lenient {
+            all.retain(|id| id.exists(self.model));
+        }
+        Ok(all)
     }
 
     /// The owners at the start of a path, and the number of parts that name them.
@@ -93,9 +101,10 @@ impl<'a> Finder<'a> {
         let model = self.model;
         match parts[0].word() {
             "title" | "notes" => Ok((vec![Group::Model], 0)),
+            "beam" if in_list_below(parts) => numbered(parts, 2, Group::Span, model.spans.len()),
             "beam" => Ok((vec![Group::Beam], 1)),
             "sweep" => Ok((vec![Group::Sweep], 1)),
-            "supports" if is_inner(parts) => {
+            "supports" if in_list_below(parts) => {
                 let names = model.supports.inner.iter().map(|of| &*of.name);
                 let owner = |index| Group::Support(SupportId::Inner(index));
                 element(parts, 2, owner, names.clone(), |name| {
@@ -110,8 +119,8 @@ impl<'a> Finder<'a> {
                 model.subsystems.iter().map(|of| &*of.name),
                 |name| self.subsystem(name),
             ),
-            "joints" => numbered(parts, Group::Joint, model.joints.len()),
-            "forces" => numbered(parts, Group::Force, model.forces.len()),
+            "joints" => numbered(parts, 1, Group::Joint, model.joints.len()),
+            "forces" => numbered(parts, 1, Group::Force, model.forces.len()),
             "responses" => {
                 let names = model.responses.iter().map(|of| &*of.name);
                 element(parts, 1, Group::Response, names.clone(), |name| {
@@ -149,16 +158,23 @@ impl<'a> Finder<'a> {
     }
 }
 
-/// Whether a path leads into the list of inner supports.
-pub(super) fn is_inner(parts: &[Part]) -> bool {
-    parts[0].word() == "supports"
-        && parts
-            .get(1)
-            .is_some_and(|part| *part != Part::Any && part.means(INNER))
+/// Whether a path leads into a list below the first word: that of the spans or of the inner supports.
+pub(super) fn in_list_below(parts: &[Part]) -> bool {
+    let list = match parts[0].word() {
+        "beam" => SPANS,
+        "supports" => INNER,
+        _ => return false,
+    };
+    parts
+        .get(1)
+        .is_some_and(|part| *part != Part::Any && part.means(list))
 }
 
 /// The list of inner supports among the supports.
 const INNER: &str = "inner";
+
+/// The list of spans of the beam.
+const SPANS: &str = "spans";
 
 /// The ends that the second part of a path matches.
 fn support(part: Option<&Part>) -> Result<(Vec<Group>, usize), Mismatch> {
@@ -175,15 +191,16 @@ fn support(part: Option<&Part>) -> Result<(Vec<Group>, usize), Mismatch> {
     Ok((found, 2))
 }
 
-/// The elements of a list without names that the second part of a path matches.
+/// The elements of a list without names that the part at the index `at` of a path matches.
 fn numbered(
     parts: &[Part],
+    at: usize,
     owner: impl Fn(usize) -> Group,
     count: usize,
 ) -> Result<(Vec<Group>, usize), Mismatch> {
     let numbers: Vec<String> = (1..=count).map(|number| number.to_string()).collect();
     let numbers = numbers.iter().map(|number| &**number);
-    element(parts, 1, owner, numbers, |_| None)
+    element(parts, at, owner, numbers, |_| None)
 }
 
 /// The elements of a list that the part at the index `at` of a path matches.
@@ -307,6 +324,30 @@ mod tests {
         assert_eq!(count("beam.material.*"), 4);
         let paths = expand(&model, "supports.*.psi").unwrap();
         assert_eq!(paths, ["supports.left.psi", "supports.right.psi"]);
+    }
+
+    /// Of the three spans, the second has all tables itself and the third a section.
+    #[test]
+    fn spans_go_by_number_and_a_star_is_those_that_have_it() {
+        let [uniform, model] = sample::models(&["S1"]);
+        let count = |pattern| {
+            expand(&model, pattern)
+                .unwrap_or_else(|fault| panic!("{fault}"))
+                .len()
+        };
+        assert_eq!(count("beam.spans.*.length"), 3);
+        assert_eq!(count("beam.spans.*.section"), 3, "the words");
+        assert_eq!(count("beam.spans.*.section.area"), 2);
+        assert_eq!(count("beam.spans.2.*.density"), 1);
+        assert_eq!(
+            expand(&model, "beam.spans.3.section.area").unwrap(),
+            ["beam.spans.3.section.area"]
+        );
+        let refused = |model, path: &str| expand(model, path).unwrap_err().message;
+        assert!(refused(&uniform, "beam.spans.1.length").ends_with("the model has no spans"));
+        assert!(refused(&model, "beam.spans.4.length").ends_with("must be 1, 2, 3"));
+        assert!(refused(&model, "beam.span.1.length").ends_with("`beam.spans.1.length`?"));
+        assert!(refused(&model, "beam.spans.1.lenght").ends_with("`beam.spans.1.length`?"));
     }
 
     #[test]

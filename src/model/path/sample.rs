@@ -2,9 +2,9 @@
 
 use crate::model::tuning::{Aim, Combine, Hold, Objective, Tune, Variable};
 use crate::model::types::{
-    Beam, BeamMotion, Case, Elastic, Family, Force, InnerSupport, Joint, Link, MassMotion,
-    Material, Model, Operation, Place, Quantity, Response, Restraint, Section, Spacing, Spring,
-    Study, Subsystem, Support, Supports, Sweep, Target,
+    Beam, BeamMotion, Bedding, Case, Elastic, Family, Force, Foundation, InnerSupport, Joint, Link,
+    MassMotion, Material, Model, Operation, Place, Point, Quantity, Response, Restraint, Section,
+    Spacing, Span, Spring, Study, Subsystem, Support, Supports, Sweep, Target,
 };
 use crate::unit::Measure;
 
@@ -17,6 +17,7 @@ pub(in crate::model) fn model(names: &[&str]) -> Model {
         notes: String::new(),
         beam: beam(),
         supports: supports(),
+        spans: Vec::new(),
         joints: joints(),
         subsystems: names
             .iter()
@@ -69,6 +70,53 @@ pub(in crate::model) fn model(names: &[&str]) -> Model {
             limits: Vec::new(),
         }),
     }
+}
+
+/// That model, and the same with a beam of spans.
+pub(in crate::model) fn models(names: &[&str]) -> [Model; 2] {
+    let mut spanned = model(names);
+    spanned.spans = spans();
+    spanned.beam.length = 0.0;
+    [model(names), spanned]
+}
+
+/// Three spans, 3.2 m together: as the beam, with all of its own, with a section of its own.
+fn spans() -> Vec<Span> {
+    let Beam {
+        material, section, ..
+    } = beam();
+    let bedding = Bedding {
+        stiffness: 2.0e5,
+        ..Bedding::default()
+    };
+    vec![
+        Span {
+            length: 1.2,
+            ..Span::default()
+        },
+        Span {
+            length: 1.5,
+            offset: Point { y: 0.01, z: -0.02 },
+            axial_force: Some(500.0),
+            material: Some(Material {
+                density: 2700.0,
+                ..material
+            }),
+            section: Some(section),
+            foundation: Some(Foundation {
+                w: bedding,
+                ..Foundation::default()
+            }),
+        },
+        Span {
+            length: 0.5,
+            section: Some(Section {
+                area: 0.01,
+                ..section
+            }),
+            ..Span::default()
+        },
+    ]
 }
 
 fn beam() -> Beam {
@@ -178,7 +226,7 @@ fn forces(names: &[&str]) -> Vec<Force> {
         target,
         amplitude: 1.0,
         phase: 30.0,
-        point: crate::model::Point::AXIS,
+        point: Point::AXIS,
     };
     targets.into_iter().map(force).collect()
 }
@@ -188,7 +236,7 @@ fn responses(names: &[&str]) -> Vec<Response> {
         name: name.to_owned(),
         enabled: true,
         quantity,
-        point: crate::model::Point::AXIS,
+        point: Point::AXIS,
     };
     let w = Target::Beam(Place::Right, BeamMotion::W);
     let mut all = vec![

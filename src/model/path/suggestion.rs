@@ -1,6 +1,6 @@
 //! The message for a path that matches nothing: the nearest path that matches, or the valid words.
 
-use super::find::{Finder, is_inner};
+use super::find::{Finder, in_list_below};
 use super::pattern::{Part, join};
 use crate::model::spelling::{nearest, segment};
 
@@ -17,9 +17,10 @@ pub(super) struct Mismatch {
 
 /// The message for a path that matches nothing.
 pub(super) fn explain(finder: &Finder<'_>, mut parts: Vec<Part>, mismatch: Mismatch) -> String {
-    let listed = listed(&mismatch.known, !is_numbered(&parts[0]));
+    let listed = listed(&mismatch.known, !is_numbered(&parts));
     if mismatch.known.is_empty() && mismatch.at == place_of_element(&parts) {
         let list = match parts[0].word() {
+            "beam" => "spans",
             "supports" => "inner supports",
             list => list,
         };
@@ -47,7 +48,7 @@ fn nearest_path(finder: &Finder<'_>, parts: &mut [Part], mut mismatch: Mismatch)
     for _ in 0..parts.len() {
         let element = mismatch.at == place_of_element(parts);
         // All numbers are equally near.
-        if element && is_numbered(&parts[0]) {
+        if element && is_numbered(parts) {
             return None;
         }
         let word = nearest(
@@ -68,16 +69,19 @@ fn nearest_path(finder: &Finder<'_>, parts: &mut [Part], mut mismatch: Mismatch)
     None
 }
 
-/// Whether the elements of a list have numbers instead of names.
-fn is_numbered(list: &Part) -> bool {
-    matches!(list.word(), "joints" | "forces")
+/// Whether the elements of the list that a path leads into have numbers instead of names.
+fn is_numbered(parts: &[Part]) -> bool {
+    match parts[0].word() {
+        "joints" | "forces" => true,
+        list => list == "beam" && in_list_below(parts),
+    }
 }
 
 /// The index of the part that names the element of a list; 0 if a path leads into no list.
 fn place_of_element(parts: &[Part]) -> usize {
     match parts[0].word() {
         "joints" | "subsystems" | "forces" | "responses" | "studies" => 1,
-        _ if is_inner(parts) => 2,
+        _ if in_list_below(parts) => 2,
         _ => 0,
     }
 }

@@ -36,11 +36,8 @@ pub fn texts(model: &Model, ids: &[ParameterId]) -> Vec<String> {
 /// The keys of a parameter below its owner.
 pub(super) fn parts(id: ParameterId) -> impl Iterator<Item = &'static str> {
     let inner = match id.group {
-        Group::Material => Some("material"),
-        Group::Section => Some("section"),
-        Group::Foundation => Some("foundation"),
         Group::Motion(_, motion) | Group::Link(_, motion) => Some(motion.key()),
-        _ => None,
+        group => group.table_key(),
     };
     inner.into_iter().chain(id.key().key.split('.'))
 }
@@ -70,6 +67,7 @@ fn owner(model: &Model, owner: Group) -> String {
             let key = names(model, owner, |names| element_key(names, i));
             format!("{}.{key}", list_key(owner))
         }
+        Group::Span(i) => format!("beam.spans.{}", i + 1),
         Group::Joint(i) => format!("joints.{}", i + 1),
         Group::Force(i) => format!("forces.{}", i + 1),
         other => list_key(other).to_owned(),
@@ -105,9 +103,10 @@ mod tests {
 
     #[test]
     fn one_path_and_many_paths_agree() {
-        let model = sample::model(&["S1", "S1", "", "a.b", "7"]);
-        let all = ParameterId::all(&model);
-        let each: Vec<String> = all.iter().map(|id| text(&model, *id)).collect();
-        assert_eq!(texts(&model, &all), each);
+        for model in sample::models(&["S1", "S1", "", "a.b", "7"]) {
+            let all = ParameterId::all(&model);
+            let each: Vec<String> = all.iter().map(|id| text(&model, *id)).collect();
+            assert_eq!(texts(&model, &all), each);
+        }
     }
 }

@@ -2,10 +2,10 @@
 
 use super::super::id::SupportId;
 use super::super::schema::{
-    self, Access, FEWEST_POINTS, JOINT, MATERIAL, Rows, SECTION, SUBSYSTEM,
+    self, Access, FEWEST_POINTS, FOUNDATION, JOINT, MATERIAL, Rows, SECTION, SPAN, SUBSYSTEM,
 };
 use super::super::types::{
-    Beam, BeamMotion, Elastic, InnerSupport, Joint, Link, Model, Restraint, Spacing, Spring,
+    Beam, BeamMotion, Elastic, InnerSupport, Joint, Link, Model, Restraint, Spacing, Span, Spring,
     Subsystem, Support, Supports, Sweep,
 };
 use super::list::{named, names};
@@ -27,7 +27,7 @@ pub(super) fn model(mut root: Table<'_>, others: &[&str], reader: &mut Reader) -
     root.word("format", &[FORMAT], None, reader);
     let mut model = Model::default();
     root.rows(&mut model, &schema::MODEL, reader, no_own);
-    model.beam = beam(&mut root, reader);
+    (model.beam, model.spans) = beam(&mut root, reader);
     model.supports = supports(&mut root, reader);
     model.joints = joints(&mut root, reader);
     let (subsystems, names) = subsystems(&mut root, reader);
@@ -53,30 +53,76 @@ fn blank<T: Default>(rows: &Rows<T>) -> T {
     blank
 }
 
-fn beam(root: &mut Table<'_>, reader: &mut Reader) -> Beam {
+fn beam(root: &mut Table<'_>, reader: &mut Reader) -> (Beam, Vec<Span>) {
     let mut beam = Beam {
         material: blank(&MATERIAL),
         section: blank(&SECTION),
         ..blank(&schema::BEAM)
     };
     let Some(mut table) = root.need_table("beam", reader) else {
-        return beam;
+        return (beam, Vec::new());
     };
+    let spans = spans(&mut table, reader);
     table.rows(&mut beam, &schema::BEAM, reader, no_own);
-    if let Some(mut material) = table.need_table("material", reader) {
-        material.rows(&mut beam.material, &MATERIAL, reader, no_own);
-        material.finish(reader);
+    table.replaceable("length", "spans", reader);
+    if !spans.is_empty() {
+        beam.length = 0.0;
     }
-    if let Some(mut section) = table.need_table("section", reader) {
-        section.rows(&mut beam.section, &SECTION, reader, no_own);
-        section.finish(reader);
+    let all_own = |own: fn(&Span) -> bool| !spans.is_empty() && spans.iter().all(own);
+    if all_own(|span| span.material.is_some()) {
+        beam.material = own(&mut table, "material", &MATERIAL, reader).unwrap_or_default();
+    } else {
+        beam.material = filled(table.need_table("material", reader), &MATERIAL, reader);
     }
-    if let Some(mut foundation) = table.table("foundation", reader) {
-        foundation.rows(&mut beam.foundation, &schema::FOUNDATION, reader, no_own);
-        foundation.finish(reader);
+    if all_own(|span| span.section.is_some()) {
+        beam.section = own(&mut table, "section", &SECTION, reader).unwrap_or_default();
+    } else {
+        beam.section = filled(table.need_table("section", reader), &SECTION, reader);
     }
+    beam.foundation = own(&mut table, "foundation", &FOUNDATION, reader).unwrap_or_default();
     table.finish(reader);
-    beam
+    (beam, spans)
+}
+
+fn spans(beam: &mut Table<'_>, reader: &mut Reader) -> Vec<Span> {
+    let list = beam.list("spans", "tables", reader);
+    let numbered = list.into_iter().enumerate();
+    numbered
+        .map(|(index, node)| {
+            let mut span = blank(&SPAN);
+            let path = format!("beam.spans.{}", index + 1);
+            if let Some(mut table) = Table::open(path, node, reader) {
+                table.rows(&mut span, &SPAN, reader, no_own);
+                span.material = own(&mut table, "material", &MATERIAL, reader);
+                span.section = own(&mut table, "section", &SECTION, reader);
+                span.foundation = own(&mut table, "foundation", &FOUNDATION, reader);
+                table.finish(reader);
+            }
+            span
+        })
+        .collect()
+}
+
+/// An optional table without keys of their own rules.
+fn own<'a, T: Default>(
+    table: &mut Table<'a>,
+    key: &'a str,
+    rows: &Rows<T>,
+    reader: &mut Reader,
+) -> Option<T> {
+    table.accept(key);
+    let is_there = table.has(key);
+    is_there.then(|| filled(table.table(key, reader), rows, reader))
+}
+
+/// The keys of a table; placeholders if it is missing or unreadable.
+fn filled<T: Default>(table: Option<Table<'_>>, rows: &Rows<T>, reader: &mut Reader) -> T {
+    let mut filled = blank(rows);
+    if let Some(mut table) = table {
+        table.rows(&mut filled, rows, reader, no_own);
+        table.finish(reader);
+    }
+    filled
 }
 
 fn supports(root: &mut Table<'_>, reader: &mut Reader) -> Supports {

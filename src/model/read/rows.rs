@@ -32,6 +32,13 @@ impl<'a> Table<'a> {
                 Access::Number(_, set) => {
                     set(of, self.number_below(key, &mut inner, reader));
                 }
+                Access::OptionalNumber(_, set) => {
+                    let number = self.take(key.key, reader);
+                    set(
+                        of,
+                        number.map(|_| self.number(key.key, key.range, None, reader)),
+                    );
+                }
                 Access::Count(_, set) => {
                     if let Some(count) = self.count(key.key, reader) {
                         set(of, count);

@@ -103,6 +103,22 @@ impl<'a> Table<'a> {
         self.missing.push((key, expected_number(range)));
     }
 
+    /// Accepts a list in place of a required key, which was read before: one of both must be there.
+    pub(super) fn replaceable(&mut self, key: &'a str, list: &'a str, reader: &mut Reader) {
+        let array = self.content.get(list).map(|node| node.get_ref().as_array());
+        if array.is_none_or(|array| array.is_some_and(|array| array.is_empty())) {
+            let expected = self.missing.iter_mut().find(|(missing, _)| *missing == key);
+            if let Some((_, expected)) = expected {
+                expected.extend([", or ", list, " in its place"]);
+            }
+        } else if let Some((path, node)) = self.take(key, reader) {
+            let message = format!("cannot be combined with {list}; must be either {key} or {list}");
+            reader.fault(node.span().start, &path, message);
+        } else {
+            self.missing.retain(|(missing, _)| *missing != key);
+        }
+    }
+
     /// An optional inner table.
     pub(crate) fn table(&mut self, key: &'a str, reader: &mut Reader) -> Option<Self> {
         let (path, node) = self.take(key, reader)?;

@@ -3,7 +3,7 @@
 use super::{Access, BLANK, Key, Kind, Range, Rows};
 use crate::model::types::{
     Beam, BeamMotion, Elastic, Force, Foundation, InnerSupport, Joint, Material, Model, Response,
-    Section, Spacing, Spring, Study, Subsystem, Support, Sweep, Theory,
+    Section, Spacing, Span, Spring, Study, Subsystem, Support, Sweep, Theory,
 };
 use crate::unit::Unit;
 
@@ -64,6 +64,19 @@ rows! {
         VStiffness = spring("v.stiffness", "k_v", LINE_STIFFNESS, "stiffness of the foundation along z, per length", v.stiffness),
         VDamping = spring("v.damping", "c_v", LINE_DAMPING, "damping of the foundation along z, per length", v.damping),
         VLossFactor = number("v.loss_factor", "eta_v", ONE, NonNegative or 0.0, "loss factor of its stiffness along z", v.loss_factor),
+    }
+}
+
+rows! {
+    /// A span of the beam: its numbers, then whose tables it has.
+    SPAN of Span as SpanKey {
+        Length = number("length", "L", METRE, Positive, "length of the span", length),
+        OffsetY = number("offset_y", "y_s", METRE, Any or 0.0, "offset of its shear centre from the axis of the beam, along y", offset.y),
+        OffsetZ = number("offset_z", "z_s", METRE, Any or 0.0, "offset of its shear centre from the axis of the beam, along z", offset.z),
+        AxialForce = optional_number("axial_force", "N", FORCE, Any, "axial force along its centroids, tension > 0; without it that of the beam", axial_force),
+        Material = own("material", Table, "its own material, or that of the beam"),
+        Section = own("section", Table, "its own section, or that of the beam"),
+        Foundation = own("foundation", Table, "its own foundation, or that of the beam"),
     }
 }
 

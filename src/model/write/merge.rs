@@ -249,7 +249,15 @@ fn insert(table: &mut dyn TableLike, style: Style, entry: &Entry, comments: &str
         .flat_map(|line| [indent.as_str(), line, "\n"])
         .chain([indent.as_str()])
         .collect();
-    if let Some(mut key) = table.key_mut(&entry.key).filter(|_| !prefix.is_empty()) {
+    if prefix.is_empty() {
+        return;
+    }
+    // The comments of the key of a list would stand above each of its headers.
+    if let Some(Item::ArrayOfTables(tables)) = table.get_mut(&entry.key) {
+        if let Some(first) = tables.get_mut(0) {
+            first.decor_mut().set_prefix(format!("\n{prefix}"));
+        }
+    } else if let Some(mut key) = table.key_mut(&entry.key) {
         key.leaf_decor_mut().set_prefix(prefix);
     }
 }

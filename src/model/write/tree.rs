@@ -1,12 +1,13 @@
 //! A model as a tree of keys and values.
 
-use super::super::id::SupportId;
+use super::super::id::{Group, Part, SupportId};
 use super::super::schema::{
-    self, Access, FORCE, JOINT, Key, Kind, MATERIAL, RESPONSE, Rows, SECTION, SUBSYSTEM, SWEEP,
+    self, Access, FORCE, FOUNDATION, JOINT, Key, Kind, MATERIAL, RESPONSE, Rows, SECTION, SPAN,
+    SUBSYSTEM, SWEEP,
 };
 use super::super::types::{
     BeamMotion, Case, Family, Force, Foundation, InnerSupport, Joint, Link, Model, Place, Quantity,
-    Response, Restraint, Study, Subsystem, Support, Supports, Target,
+    Response, Restraint, Span, Study, Subsystem, Support, Supports, Target,
 };
 use super::node::{Entry, Node, Presence};
 use super::tuning;
@@ -83,6 +84,10 @@ pub(super) fn rows<T>(of: &T, rows: &Rows<T>) -> Vec<Entry> {
                 let default = key.default.map(f64::to_bits);
                 (Node::Number(value), default == Some(value.to_bits()))
             }
+            Access::OptionalNumber(get, _) => {
+                entries.extend(get(of).map(|number| entry(key.key, Node::Number(number))));
+                continue;
+            }
             Access::Count(get, _) => (Node::Count(get(of)), false),
             Access::Flag(get, _) => (Node::Flag(get(of)), get(of) == key.is_on_by_default()),
             Access::Word(get, _) => (Node::Text(key.words[get(of)].to_owned()), get(of) == 0),
@@ -134,16 +139,46 @@ fn push(entries: &mut Vec<Entry>, key: &Key, node: Node, at_default: bool) {
 fn beam(model: &Model) -> Vec<Entry> {
     let beam = &model.beam;
     let mut entries = rows(beam, &schema::BEAM);
-    entries.push(entry(
-        "material",
-        Node::Table(rows(&beam.material, &MATERIAL)),
-    ));
-    entries.push(entry("section", Node::Table(rows(&beam.section, &SECTION))));
-    entries.push(optional(
+    if !model.spans.is_empty() {
+        entries.retain(|entry| entry.key != "length");
+    }
+    let (material, section) = (
+        rows(&beam.material, &MATERIAL),
+        rows(&beam.section, &SECTION),
+    );
+    let is_left_out = |table: Group| !table.is_there(model);
+    entries.extend([
+        optional(
+            "material",
+            Node::Table(material),
+            is_left_out(Group::Material(Part::Whole)),
+        ),
+        optional(
+            "section",
+            Node::Table(section),
+            is_left_out(Group::Section(Part::Whole)),
+        ),
+        optional(
+            "foundation",
+            Node::Table(rows(&beam.foundation, &FOUNDATION)),
+            beam.foundation == Foundation::default(),
+        ),
+        tables("spans", model.spans.iter().map(span).collect()),
+    ]);
+    entries
+}
+
+fn span(span: &Span) -> Vec<Entry> {
+    let mut entries = rows(span, &SPAN);
+    let mut own = |key, table: Option<Vec<Entry>>| {
+        entries.extend(table.map(|rows| entry(key, Node::Table(rows))));
+    };
+    own("material", span.material.map(|of| rows(&of, &MATERIAL)));
+    own("section", span.section.map(|of| rows(&of, &SECTION)));
+    own(
         "foundation",
-        Node::Table(rows(&beam.foundation, &schema::FOUNDATION)),
-        beam.foundation == Foundation::default(),
-    ));
+        span.foundation.map(|of| rows(&of, &FOUNDATION)),
+    );
     entries
 }
 

@@ -7,47 +7,23 @@ use super::mesh::{Dof, Mesh, Unknown};
 use crate::model::{BeamMotion, Measure, Restraint, Spring, Subsystem};
 use crate::solve::layout::{Layout, Reading};
 
-/// The resistance to a stretch: the terms of its complex stiffness.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Resistance {
-    /// The beam's own stiffness, which the loss factor makes complex.
-    pub(super) elastic: f64,
-    /// That of the axial force, or a spring's.
-    pub(super) stiffness: f64,
-    /// The imaginary part of a spring with a loss factor.
-    pub(super) hysteresis: f64,
-    /// A damper's.
-    pub(super) damping: f64,
+/// k (1 + i eta) + i omega c, N/m.
+pub(super) fn dynamic_stiffness(spring: Spring, omega: f64) -> Complex64 {
+    Complex64::new(
+        spring.stiffness,
+        spring.stiffness * spring.loss_factor + omega * spring.damping,
+    )
 }
 
-impl Resistance {
-    /// That of a spring and a damper.
-    fn of(spring: Spring) -> Self {
-        Self {
-            stiffness: spring.stiffness,
-            hysteresis: spring.stiffness * spring.loss_factor,
-            damping: spring.damping,
-            ..Self::default()
-        }
-    }
-
-    /// (1 + i eta) `k_beam` + `k_spring` (1 + i `eta_spring`) + i omega c.
-    pub(super) fn at(&self, omega: f64, loss_factor: f64) -> Complex64 {
-        Complex64::new(
-            self.elastic + self.stiffness,
-            loss_factor * self.elastic + self.hysteresis + omega * self.damping,
-        )
-    }
-}
-
-/// A stretch, a sum of unknowns times `factors`, and its resistance: an element's strain or a spring.
+/// A stretch, a sum of unknowns times `factors`, and what resists it: the material, the axial force, the
+/// foundation or a spring.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Stretch {
     pub(super) unknowns: [usize; UNKNOWNS],
     pub(super) factors: [f64; UNKNOWNS],
     /// The number of used entries.
     pub(super) terms: usize,
-    pub(super) by: Resistance,
+    pub(super) by: Spring,
 }
 
 /// An inertia between two unknowns, kg or kg m2.
@@ -84,7 +60,6 @@ pub(super) struct System {
     pub(super) stretches: Vec<Stretch>,
     pub(super) inertias: Vec<Inertia>,
     pub(super) loads: Vec<Complex64>,
-    pub(super) loss_factor: f64,
     pub(super) sources: Vec<Source>,
     pub(super) elements: Vec<Element>,
     /// The matrix of `E_V` of the elements of each span.
@@ -98,8 +73,9 @@ impl System {
         let mut system = Self {
             unknowns: mesh.unknowns,
             loads: loads(layout, &mesh),
-            loss_factor: layout.model.beam.material.loss_factor,
-            sources: layout.readings.iter().map(|r| source(&mesh, *r)).collect(),
+            sources: (layout.readings.iter())
+                .map(|reading| source(layout, &mesh, *reading))
+                .collect(),
             ..Self::default()
         };
         system.add_elements(layout, &mesh, divisions);
@@ -122,33 +98,13 @@ impl System {
         let lengths = ends
             .zip(divisions)
             .map(|(ends, &count)| (ends[1] - ends[0]) / count as f64);
-        let of = |h: f64| BeamElement::new(&layout.model.beam, h);
-        let elements: Vec<BeamElement> = lengths.map(of).collect();
+        let of = |(part, h)| BeamElement::new(part, h);
+        let elements: Vec<BeamElement> = layout.parts.iter().zip(lengths).map(of).collect();
         for (index, &span) in mesh.spans.iter().enumerate() {
             let unknowns = unknowns(mesh, index);
             let element = &elements[span];
-            for square in &element.strains {
-                let by = Resistance {
-                    elastic: square.stiffness,
-                    ..Resistance::default()
-                };
-                self.add_stretch(&unknowns, &square.of, by);
-            }
-            for square in &element.axial {
-                let by = Resistance {
-                    stiffness: square.stiffness,
-                    ..Resistance::default()
-                };
-                self.add_stretch(&unknowns, &square.of, by);
-            }
-            for (bedding, square) in &element.foundation {
-                let by = Resistance {
-                    stiffness: square.stiffness * bedding.stiffness,
-                    hysteresis: square.stiffness * bedding.stiffness * bedding.loss_factor,
-                    damping: square.stiffness * bedding.damping,
-                    ..Resistance::default()
-                };
-                self.add_stretch(&unknowns, &square.of, by);
+            for (by, factors) in &element.stretches {
+                self.add_stretch(&unknowns, factors, *by);
             }
             for (row, inertias) in unknowns.iter().zip(&element.inertia) {
                 for (column, inertia) in unknowns.iter().zip(inertias) {
@@ -174,8 +130,8 @@ impl System {
     }
 
     /// Adds a stretch of at most twelve unknowns; fixed ones do not move.
-    fn add_stretch(&mut self, unknowns: &[Unknown], factors: &[f64], by: Resistance) {
-        if [by.elastic, by.stiffness, by.damping, by.hysteresis] == [0.0; 4] {
+    fn add_stretch(&mut self, unknowns: &[Unknown], factors: &[f64], by: Spring) {
+        if [by.stiffness, by.damping] == [0.0; 2] {
             return;
         }
         let mut stretch = Stretch {
@@ -198,17 +154,14 @@ impl System {
 
     /// Springs, dampers and inertias of the supports, over a motion and the twist.
     fn add_supports(&mut self, layout: &Layout, mesh: &Mesh) {
-        for &(place, support) in &layout.supports {
-            let node = mesh.places[place];
-            for motion in BeamMotion::ALL
-                .into_iter()
-                .filter(|m| !layout.holds(support, *m))
-            {
+        for (place, support) in &layout.supports {
+            let node = mesh.places[*place];
+            for motion in BeamMotion::ALL {
                 if let Restraint::Elastic(elastic) = support[motion] {
                     let numbers = &mesh.nodes[node].acted_on;
                     let moved = [numbers[motion as usize], numbers[BeamMotion::Psi as usize]];
                     let factors = [1.0, support.point.arm(motion).unwrap_or_default()];
-                    self.add_stretch(&moved, &factors, Resistance::of(elastic.into()));
+                    self.add_stretch(&moved, &factors, elastic.into());
                     for (row, by_row) in moved.into_iter().zip(factors) {
                         for (column, by_column) in moved.into_iter().zip(factors) {
                             self.add_inertia(row, column, elastic.inertia * by_row * by_column);
@@ -221,13 +174,12 @@ impl System {
 
     /// Springs and dampers of the joints, over a motion of both sides.
     fn add_joints(&mut self, layout: &Layout, mesh: &Mesh) {
-        for &(place, joint) in &layout.joints {
-            let node = &mesh.nodes[mesh.places[place]];
-            let springs = joint.springs(layout.without_warping());
-            for (row, spring) in springs.into_iter().enumerate() {
-                if let Some(spring) = spring {
+        for (place, springs) in &layout.joints {
+            let node = &mesh.nodes[mesh.places[*place]];
+            for (row, spring) in springs.iter().enumerate() {
+                if let Some(spring) = *spring {
                     let sides = [node.of_left_element[row], node.acted_on[row]];
-                    self.add_stretch(&sides, &[-1.0, 1.0], Resistance::of(spring));
+                    self.add_stretch(&sides, &[-1.0, 1.0], spring);
                 }
             }
         }
@@ -242,7 +194,7 @@ impl System {
             ];
             let s = mass.subsystem;
             for (spring, stretch) in springs(s) {
-                self.add_stretch(&all, &stretch, Resistance::of(spring));
+                self.add_stretch(&all, &stretch, spring);
             }
             for (unknown, inertia) in numbers.iter().zip([s.mass, s.mass, s.inertia]) {
                 self.add_inertia(*unknown, *unknown, inertia);
@@ -253,7 +205,7 @@ impl System {
     /// The entries of the undamped stiffness matrix, to be summed.
     pub(super) fn stiffness(&self, mut add: impl FnMut(usize, usize, f64)) {
         for stretch in &self.stretches {
-            let k = stretch.by.elastic + stretch.by.stiffness;
+            let k = stretch.by.stiffness;
             stretch.products(|row, column, product| add(row, column, k * product));
         }
     }
@@ -325,7 +277,7 @@ fn loads(layout: &Layout, mesh: &Mesh) -> Vec<Complex64> {
     out
 }
 
-fn source(mesh: &Mesh, reading: Reading) -> Source {
+fn source(layout: &Layout, mesh: &Mesh, reading: Reading) -> Source {
     let sum = |terms: &[(Unknown, f64)]| {
         let moving = terms.iter().filter_map(|(unknown, share)| {
             unknown.map(|of| Dof {
@@ -341,11 +293,13 @@ fn source(mesh: &Mesh, reading: Reading) -> Source {
         Reading::Beam(place, direction, arm, measure) => {
             let node = &mesh.nodes[mesh.places[place]];
             let row = direction as usize;
-            let terms = [
-                (node.acted_on[row], 0.5),
-                (node.of_right_element[row], 0.5),
-                (node.acted_on[BeamMotion::Psi as usize], arm),
-            ];
+            let sides = if direction == BeamMotion::PsiSlope && !layout.warps(place) {
+                [node.of_left_element, node.of_right_element]
+            } else {
+                [node.acted_on; 2]
+            };
+            let twist = node.acted_on[BeamMotion::Psi as usize];
+            let terms = [(sides[0][row], 0.5), (sides[1][row], 0.5), (twist, arm)];
             Source::Motion(sum(&terms), measure)
         }
         Reading::Mass(mass, direction, measure) => {

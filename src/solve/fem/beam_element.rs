@@ -5,11 +5,13 @@
 //! that the rotations s of w and v have a quadratic part beta, `s = s_1 (1 - t) + s_2 t + 6 beta t (1 - t)`, and the shear
 //! angle is `12 F D beta / h^2` (Friedman & Kosmatka, Computers & Structures 47 (1993) 473-481, for one plane): no element
 //! locks. D and F are the 2x2 matrices of w and v.
+//!
+//! A part with an offset has the shapes for the motions of its own shear centres; then the unknowns are moved to the axis.
 
 use nalgebra::Matrix2;
 
 use super::hermite::{self, Cubic, SHAPES};
-use crate::model::{Beam, Bedding};
+use crate::model::{Point, Spring, UniformPart};
 
 /// The unknowns of an element: value and rotation at the left and the right end, of w, psi and v.
 pub(super) const UNKNOWNS: usize = 12;
@@ -17,25 +19,22 @@ pub(super) const UNKNOWNS: usize = 12;
 /// Factors of the unknowns.
 pub(super) type Row = [f64; UNKNOWNS];
 
-/// A square in an energy: `stiffness/2 (of . u)^2`.
+/// A square in the strain energy: `stiffness/2 (of . u)^2`.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Square {
-    pub(super) stiffness: f64,
-    pub(super) of: Row,
+struct Square {
+    stiffness: f64,
+    of: Row,
 }
 
 /// The energies of an element of a length.
 #[derive(Debug, Clone)]
 pub(super) struct BeamElement {
-    /// The strain energy of the material.
-    pub(super) strains: Vec<Square>,
-    /// The work of the axial force.
-    pub(super) axial: Vec<Square>,
-    /// The squares of the motions along the element, each times its bedding.
-    pub(super) foundation: Vec<(Bedding, Square)>,
+    /// The strain energy of the material, the work of the axial force and the energy of the foundation as squares: factors
+    /// of the unknowns, each with its complex stiffness.
+    pub(super) stretches: Vec<(Spring, Row)>,
     /// The mass matrix.
     pub(super) inertia: [Row; UNKNOWNS],
-    /// The matrix of `E_V`, the vibration energy without the coupling by an offset.
+    /// The matrix of `E_V`, the vibration energy without the coupling by an offset of the centroid.
     pub(super) vibration: [Row; UNKNOWNS],
 }
 
@@ -52,8 +51,9 @@ struct Shapes {
 const BENDINGS: [usize; 2] = [0, 2];
 
 impl BeamElement {
-    /// Of a beam, for a length in m.
-    pub(super) fn new(beam: &Beam, h: f64) -> Self {
+    /// Of a part of a beam, for a length in m.
+    pub(super) fn new(part: &UniformPart, h: f64) -> Self {
+        let UniformPart { beam, offset, .. } = part;
         let (material, section) = (&beam.material, &beam.section);
         let (e, g, density) = (
             material.young_modulus,
@@ -106,19 +106,42 @@ impl BeamElement {
                 *entry += more;
             }
         }
+        let twist = [e * section.warping_constant, g * section.torsion_constant];
+        let elastic = strains(h, &bending, &compliance, twist);
+        let elastic = elastic.into_iter().map(|square| {
+            let by = Spring {
+                stiffness: square.stiffness,
+                loss_factor: material.loss_factor,
+                damping: 0.0,
+            };
+            (by, square.of)
+        });
+        let stretches = elastic
+            .chain(axial(beam.axial_force, h, &shapes, [y, z, polar]))
+            .chain(foundation(part, h, &shapes));
         Self {
-            strains: strains(
-                h,
-                &bending,
-                &compliance,
-                [e * section.warping_constant, g * section.torsion_constant],
-            ),
-            axial: axial(beam.axial_force, h, &shapes, [y, z, polar]),
-            foundation: foundation(beam, h, &shapes),
-            inertia,
-            vibration: integral(&shapes.motion, &own, mass * h),
+            stretches: stretches.map(|(by, of)| (by, moved(of, *offset))).collect(),
+            inertia: moved_matrix(&inertia, *offset),
+            vibration: moved_matrix(&integral(&shapes.motion, &own, mass * h), *offset),
         }
     }
+}
+
+/// Factors of the unknowns of the axis, for factors of those of a shear centre at an offset from it, which moves by `w + z
+/// psi` and `v - y psi`, and likewise turns.
+fn moved(mut of: Row, offset: Point) -> Row {
+    for unknown in 0..4 {
+        of[4 + unknown] += offset.z * of[unknown] - offset.y * of[8 + unknown];
+    }
+    of
+}
+
+/// The same of both sides of a symmetric matrix.
+fn moved_matrix(of: &[Row; UNKNOWNS], offset: Point) -> [Row; UNKNOWNS] {
+    let columns = of.map(|row| moved(row, offset));
+    let rows: [Row; UNKNOWNS] =
+        std::array::from_fn(|row| std::array::from_fn(|column| columns[column][row]));
+    rows.map(|row| moved(row, offset))
 }
 
 impl Shapes {
@@ -220,7 +243,7 @@ fn strains(
 
 /// The work of an axial force on the slopes of the centroids, `N/2 int (w' + z psi')^2 + (v' - y psi')^2 + r psi'^2 dx`, by
 /// the three points of Gauss, which are exact for it.
-fn axial(force: f64, h: f64, shapes: &Shapes, [y, z, polar]: [f64; 3]) -> Vec<Square> {
+fn axial(force: f64, h: f64, shapes: &Shapes, [y, z, polar]: [f64; 3]) -> Vec<(Spring, Row)> {
     /// Points on [-1, 1] and weights.
     const RULE: [(f64, f64); 3] = [
         (-0.774_596_669_241_483_4, 5.0 / 9.0),
@@ -242,21 +265,23 @@ fn axial(force: f64, h: f64, shapes: &Shapes, [y, z, polar]: [f64; 3]) -> Vec<Sq
             ([0.0, -y, 1.0], 1.0),
             ([0.0, 1.0, 0.0], polar - y * y - z * z),
         ] {
-            squares.push(Square {
+            let by = Spring {
                 stiffness: 0.5 * weight * h * force * share,
-                of: std::array::from_fn(|unknown| {
-                    (0..3)
-                        .map(|motion| shares[motion] * slope(motion, unknown))
-                        .sum()
-                }),
+                ..Spring::default()
+            };
+            let of = std::array::from_fn(|unknown| {
+                (0..3)
+                    .map(|motion| shares[motion] * slope(motion, unknown))
+                    .sum()
             });
+            squares.push((by, of));
         }
     }
     squares
 }
 
-/// The squares of w, psi and v, by the four points of Gauss, which are exact for cubics.
-fn foundation(beam: &Beam, h: f64, shapes: &Shapes) -> Vec<(Bedding, Square)> {
+/// The squares of the motions of the axis, by the four points of Gauss, which are exact for cubics.
+fn foundation(part: &UniformPart, h: f64, shapes: &Shapes) -> Vec<(Spring, Row)> {
     /// Points on [-1, 1] and weights.
     const RULE: [(f64, f64); 4] = [
         (-0.861_136_311_594_052_6, 0.347_854_845_137_453_85),
@@ -265,17 +290,25 @@ fn foundation(beam: &Beam, h: f64, shapes: &Shapes) -> Vec<(Bedding, Square)> {
         (0.861_136_311_594_052_6, 0.347_854_845_137_453_85),
     ];
     let mut squares = Vec::new();
-    for (shape, bedding) in shapes.motion.iter().zip(beam.foundation.beddings()) {
-        if bedding == Bedding::default() {
+    // The motions of the axis by those of the shear centre: its twist times an arm.
+    let arms = [-part.offset.z, 0.0, part.offset.y];
+    for (motion, bedding) in part.beam.foundation.beddings().into_iter().enumerate() {
+        if [bedding.stiffness, bedding.damping] == [0.0; 2] {
             continue;
         }
         for (point, weight) in RULE {
             let t = 0.5 * (1.0 + point);
-            let square = Square {
-                stiffness: 0.5 * weight * h,
-                of: shape.map(|[a, b, c, d]| a + t * (b + t * (c + t * d))),
+            let at = |[a, b, c, d]: Cubic| a + t * (b + t * (c + t * d));
+            let share = 0.5 * weight * h;
+            let by = Spring {
+                stiffness: share * bedding.stiffness,
+                damping: share * bedding.damping,
+                loss_factor: bedding.loss_factor,
             };
-            squares.push((bedding, square));
+            let of = std::array::from_fn(|unknown| {
+                at(shapes.motion[motion][unknown]) + arms[motion] * at(shapes.motion[1][unknown])
+            });
+            squares.push((by, of));
         }
     }
     squares

@@ -1,6 +1,6 @@
 //! Nodes and the numbers of their unknowns.
 
-use crate::model::{BeamMotion, Subsystem};
+use crate::model::{BeamMotion, Restraint, Spring, Subsystem};
 use crate::solve::layout::Layout;
 
 /// A motion as an unknown times a factor; `None` if a support fixes it.
@@ -17,12 +17,12 @@ pub(super) struct Dof {
 /// A node: the numbers of (w, psi, v, w', psi', v') for the elements on its two sides and for what acts on it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Node {
-    /// Differs from the next only in the motions that a joint releases.
+    /// Differs from the next only in the motions that a joint releases, and in psi' without warping stiffness left of it: a
+    /// torque or the end of a part makes the rate of twist jump there.
     pub(super) of_left_element: [Unknown; 6],
     /// For supports, masses, loads and responses: right of a joint.
     pub(super) acted_on: [Unknown; 6],
-    /// Differs from the one before only in psi', and only without warping stiffness: a torque makes the rate of twist jump
-    /// there.
+    /// Differs from the one before only in psi', and only where a part with warping stiffness meets one without it.
     pub(super) of_right_element: [Unknown; 6],
 }
 
@@ -78,7 +78,7 @@ impl Mesh {
     fn add_place(&mut self, layout: &Layout, place: usize) {
         let fixed = |motion| {
             let supports = layout.supports_at(place);
-            supports.filter(move |support| layout.holds(support, motion))
+            supports.filter(move |support| support[motion] == Restraint::Fixed)
         };
         // w or v fixed at two points of the section is also the twist.
         let turned_by = |motion| {
@@ -91,7 +91,7 @@ impl Mesh {
         let mut numbers = BeamMotion::ALL.map(|motion| {
             // A restraint of psi' of a section without warping stiffness acts over a length of 0 and does not affect
             // the twist next to it, so the cubic's slope stays free. (Fixing it would reduce the order of convergence.)
-            let unknown_to_elements = motion == BeamMotion::PsiSlope && layout.without_warping();
+            let unknown_to_elements = motion == BeamMotion::PsiSlope && !layout.warps(place);
             let held = fixed(motion).next().is_some()
                 || (motion == BeamMotion::Psi && (at_two_points || at_two_others));
             (unknown_to_elements || !held).then(|| self.next())
@@ -106,14 +106,17 @@ impl Mesh {
                 });
             }
         }
-        let mut of_right_element = numbers;
-        if layout.without_warping() && layout.end(place).is_none() {
-            of_right_element[BeamMotion::PsiSlope as usize] = Some(self.next());
+        let (mut of_left_element, mut of_right_element) = (numbers, numbers);
+        if layout.end(place).is_none() {
+            let rate = BeamMotion::PsiSlope as usize;
+            match layout.warping_beside(place) {
+                [true, true] => {}
+                [true, false] => of_right_element[rate] = Some(self.next()),
+                [false, true | false] => of_left_element[rate] = Some(self.next()),
+            }
         }
-        let mut of_left_element = numbers;
-        for (_, joint) in layout.joints.iter().filter(|(own, _)| *own == place) {
-            // Without warping stiffness the rate of twist already has an unknown on each side.
-            for (row, spring) in joint.springs(layout.without_warping()).iter().enumerate() {
+        for (_, springs) in layout.joints.iter().filter(|(own, _)| *own == place) {
+            for (row, spring) in springs.iter().enumerate() {
                 if spring.is_some() {
                     of_left_element[row] = Some(self.next());
                 }
@@ -139,9 +142,8 @@ impl Mesh {
 /// Whether the rotation of a mass has an inertia, or a z spring or damper on an arm. Otherwise theta has no equation,
 /// and is 0.
 fn can_turn(subsystem: &Subsystem) -> bool {
-    let turned = |spring: crate::model::Spring, arm: f64| {
-        arm != 0.0 && (spring.stiffness != 0.0 || spring.damping != 0.0)
-    };
+    let turned =
+        |spring: Spring, arm: f64| arm != 0.0 && (spring.stiffness != 0.0 || spring.damping != 0.0);
     subsystem.inertia != 0.0
         || turned(subsystem.z_left, subsystem.arm_left)
         || turned(subsystem.z_right, subsystem.arm_right)

@@ -16,6 +16,10 @@
 //! the rate of twist jump, so each position inside the beam has two unknowns psi', and a response reads their mean; a
 //! restraint of psi' at an end does not affect the twist next to it. A joint has two unknowns for each motion that it
 //! releases, with the stretch of its spring between them; everything else at its position is on the right one.
+//!
+//! The elements of a beam of several uniform parts have the matrices of their part, moved to the axis of the beam. All
+//! motions are continuous where parts meet, except psi' at the end of one without warping stiffness: there it is free, and
+//! supports and joints of psi' are those of the part with warping stiffness.
 
 mod assembly;
 mod band;
@@ -33,12 +37,14 @@ use self::solution::Workspace;
 use super::Cancelled;
 use super::layout::Layout;
 use super::sweep::{Frf, one_by_one};
-use crate::model::{Checked, Model};
+use crate::model::{Checked, Model, UniformPart};
 
 /// Elements per wavelength 2 pi / kappa of the shortest wave, travelling or decaying, at the top of the sweep.
 const ELEMENTS_A_WAVE: f64 = 60.0;
 /// The fewest and the most elements that [`default_elements`] gives.
 const BOUNDS: (f64, f64) = (16.0, 1000.0);
+/// The fewest elements of a part of the beam.
+const FEWEST_OF_PART: f64 = 4.0;
 /// Positions closer than this fraction of the length are merged: an element so much shorter than the others would cost
 /// more digits than it adds.
 const MERGE: f64 = 1e-6;
@@ -52,16 +58,20 @@ pub struct FiniteElements<'a> {
 }
 
 impl<'a> FiniteElements<'a> {
-    /// Divides the beam of a checked model into about `elements` elements of nearly equal length, with a node at every
-    /// subsystem, load and response: at least one element per span, so there may be more than requested.
+    /// Divides the beam of a checked model into about `elements` elements, of nearly equal length in each uniform part of
+    /// it, and as many a wavelength in all of them at the top of the sweep; with a node at every subsystem, load and
+    /// response: at least one element per span, so there may be more than requested.
     pub fn new(model: &'a Model, elements: usize) -> Self {
-        let layout = Layout::new(model, MERGE * model.beam.length);
-        let per_length = elements.max(1) as f64 / model.beam.length;
-        let divisions = layout
-            .positions
-            .windows(2)
-            .map(|ends| ((ends[1] - ends[0]) * per_length).round().max(1.0) as usize)
-            .collect();
+        let layout = Layout::new(model, MERGE * model.length());
+        let waves_of = |part: &UniformPart| waves(part, model.sweep.to);
+        let all: f64 = model.uniform_parts().iter().map(waves_of).sum();
+        let ends = layout.positions.windows(2);
+        let divisions = ends.zip(&layout.parts).map(|(ends, part)| {
+            let of_part = (elements as f64 * (waves_of(part) / all)).max(FEWEST_OF_PART);
+            let per_length = of_part / (part.end - part.start);
+            ((ends[1] - ends[0]) * per_length).round().max(1.0) as usize
+        });
+        let divisions = divisions.collect();
         Self { layout, divisions }
     }
 
@@ -123,16 +133,32 @@ pub fn natural_frequencies(model: &Checked, elements: usize, count: usize) -> Ve
     FiniteElements::new(model, elements).natural_frequencies(count)
 }
 
-/// Enough elements for the model's sweep: 60 (with shear deformation 180) per wavelength of the shortest bending, torsion or warping wave at its
-/// highest frequency, without the coupling of bending and torsion; at least 16, at most 1,000.
+/// Enough elements for the model's sweep: 60 (with shear deformation 180) per wavelength of the shortest wave of each part at
+/// the highest frequency; at least 16, at most 1,000.
 pub fn default_elements(model: &Checked) -> usize {
-    let (section, material) = (&model.beam.section, &model.beam.material);
+    let parts = model.uniform_parts();
+    let lengths = parts.iter().map(|part| waves(part, model.sweep.to));
+    // Shear deformation converges with the second power only.
+    let finer = if model.beam.theory.has_shear() {
+        3.0
+    } else {
+        1.0
+    };
+    (finer * ELEMENTS_A_WAVE * lengths.sum::<f64>())
+        .clamp(BOUNDS.0, BOUNDS.1)
+        .ceil() as usize
+}
+
+/// The length of a part of the beam in wavelengths of its shortest bending, torsion or warping wave at a frequency, Hz,
+/// without the coupling of bending and torsion.
+fn waves(part: &UniformPart, frequency: f64) -> f64 {
+    let (section, material) = (&part.beam.section, &part.beam.material);
     let (e, g, density) = (
         material.young_modulus,
         material.shear_modulus,
         material.density,
     );
-    let omega = std::f64::consts::TAU * model.sweep.to;
+    let omega = std::f64::consts::TAU * frequency;
     let bending = e * section.second_moment_y.min(section.second_moment_z);
     let bending = (omega * omega * density * section.area / bending).powf(0.25);
     // E Gamma_0 k^4 -+ G J k^2 = omega^2 rho I_0: the upper sign travels, the lower decays, and faster.
@@ -145,16 +171,7 @@ pub fn default_elements(model: &Checked) -> usize {
     } else {
         (inertia / torsion).sqrt()
     };
-    let waves = model.beam.length * bending.max(twist) / std::f64::consts::TAU;
-    // Shear deformation converges with the second power only.
-    let finer = if model.beam.theory.has_shear() {
-        3.0
-    } else {
-        1.0
-    };
-    (finer * ELEMENTS_A_WAVE * waves)
-        .clamp(BOUNDS.0, BOUNDS.1)
-        .ceil() as usize
+    (part.end - part.start) * bending.max(twist) / std::f64::consts::TAU
 }
 
 /// The lowest `count` undamped natural frequencies, Hz, ascending; rigid-body ones are near 0. At most as many as
@@ -188,9 +205,13 @@ fn lowest_frequencies(model: &Model, system: &System, count: usize) -> Vec<f64> 
         .collect()
 }
 
-/// sigma, 1/s2: about lambda of the free beam's first bending mode, (4.73 / L)^4 E I / rho A.
+/// sigma, 1/s2: about lambda of the free beam's first bending mode, (4.73 / L)^4 E I / rho A, with the least of all parts.
 fn shift(model: &Model) -> f64 {
-    let (section, material) = (&model.beam.section, &model.beam.material);
-    let stiffness = material.young_modulus * section.second_moment_y.min(section.second_moment_z);
-    (4.73 / model.beam.length).powi(4) * stiffness / (material.density * section.area)
+    let parts = model.uniform_parts();
+    let rates = parts.iter().map(|part| {
+        let (section, material) = (&part.beam.section, &part.beam.material);
+        let moment = section.second_moment_y.min(section.second_moment_z);
+        material.young_modulus * moment / (material.density * section.area)
+    });
+    (4.73 / model.length()).powi(4) * rates.fold(f64::INFINITY, f64::min)
 }

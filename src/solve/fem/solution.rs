@@ -2,7 +2,7 @@
 
 use num_complex::Complex64;
 
-use super::assembly::{Source, System};
+use super::assembly::{Source, System, dynamic_stiffness};
 use super::band::Band;
 use super::mesh::Unknown;
 use super::twofold::Twofold;
@@ -113,7 +113,7 @@ impl System {
         work.scale.resize(self.unknowns, 0.0);
         let square = omega * omega;
         for stretch in &self.stretches {
-            let k = stretch.by.at(omega, self.loss_factor).norm();
+            let k = dynamic_stiffness(stretch.by, omega).norm();
             for (unknown, factor) in stretch.pairs() {
                 work.scale[unknown] += factor * factor * k;
             }
@@ -131,7 +131,7 @@ impl System {
             work.matrix.row_mut(row)[column + half - row] += value * scale;
         };
         for stretch in &self.stretches {
-            let k = stretch.by.at(omega, self.loss_factor);
+            let k = dynamic_stiffness(stretch.by, omega);
             stretch.products(|row, column, product| add(row, column, k * product));
         }
         for inertia in &self.inertias {
@@ -154,7 +154,7 @@ impl System {
         for stretch in &self.stretches {
             let terms = stretch.terms;
             let stretched = solution.dot(&stretch.factors[..terms], &stretch.unknowns[..terms]);
-            let force = stretch.by.at(omega, self.loss_factor) * stretched;
+            let force = dynamic_stiffness(stretch.by, omega) * stretched;
             for (unknown, factor) in stretch.pairs() {
                 out[unknown] -= force * factor;
             }

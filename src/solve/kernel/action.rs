@@ -37,7 +37,7 @@ pub(super) enum Acting<'a> {
 }
 
 /// The actions, forces along the motions of a point or jumps of the motions: `from_waves b' + forced` for the waves b' that
-/// come from the far side.
+/// come from the far side. Of a junction b' on its other side.
 #[derive(Debug, Clone)]
 pub(super) struct Actions<A> {
     from_waves: Matrix<A, MOTIONS, 6>,
@@ -69,15 +69,20 @@ impl<A: Arithmetic> Actions<A> {
         forced: [Complex::ZERO; MOTIONS],
     };
 
-    /// What the actions for waves b' from the far side, with or without loads, send out.
+    /// From the solved equations, with the forced part in the last column.
     #[inline(always)]
-    pub(super) fn sent(
-        &self,
-        waves: &Waves<A>,
-        acting: Acting<'_>,
-        b: &Amplitudes<A>,
-        is_forced: bool,
-    ) -> Jumps<A> {
+    pub(super) fn of_rows(rows: &Matrix<A, MOTIONS, 7>) -> Self {
+        let mut out = Self::NONE;
+        for motion in 0..MOTIONS {
+            out.from_waves[motion].copy_from_slice(&rows[motion][..6]);
+            out.forced[motion] = rows[motion][6];
+        }
+        out
+    }
+
+    /// The actions for waves b' from the far side, with or without loads.
+    #[inline(always)]
+    pub(super) fn part(&self, b: &Amplitudes<A>, is_forced: bool) -> [Complex<A>; MOTIONS] {
         let mut actions = if is_forced {
             self.forced
         } else {
@@ -89,6 +94,19 @@ impl<A: Arithmetic> Actions<A> {
                     actions[motion].plus_product(self.from_waves[motion][wave], b[wave]);
             }
         }
+        actions
+    }
+
+    /// What they send out.
+    #[inline(always)]
+    pub(super) fn sent(
+        &self,
+        waves: &Waves<A>,
+        acting: Acting<'_>,
+        b: &Amplitudes<A>,
+        is_forced: bool,
+    ) -> Jumps<A> {
+        let mut actions = self.part(b, is_forced);
         match acting {
             Acting::Support(held) => {
                 let point = held.support.point;
@@ -265,10 +283,7 @@ impl<A: Arithmetic> Reflection<A> {
             }
             None => solve(&mut of_actions, &mut right),
         }
-        for motion in 0..MOTIONS {
-            actions.from_waves[motion].copy_from_slice(&right[motion][..6]);
-            actions.forced[motion] = right[motion][6];
-        }
+        *actions = Actions::of_rows(&right);
         for row in 0..6 {
             for motion in 0..MOTIONS {
                 let share = moved[motion][row];

@@ -1,7 +1,8 @@
 //! The characteristic function of a model at several complex frequencies at once.
 //!
 //! The same entire function of omega as in [`crate::solve::modes`], which explains it, up to a constant factor: `F =
-//! det(left) det(right) prod(det(support)) prod(det(joint)) prod(omega^4 det(station)) exp(L sum kappa)`. The determinant of the right end is that for b' =
+//! det(left) det(right) prod(det(support)) prod(det(joint)) prod(det Z)
+//! prod(omega^4 det(station)) exp(sum kappa l)`, with Z of each junction. The determinant of the right end is that for b' =
 //! N^-1 b, so it is already divided by `det[Q; M] det[S; P]`, the product of the entries of N^-1.
 
 use super::action::{Acting, Actions};
@@ -13,35 +14,40 @@ use super::product::ScaledProduct;
 use super::recursion::{Prepared, Room};
 use super::reflection::Side;
 use super::station::{Forces, Unknowns};
-use super::waves::Waves;
 use crate::solve::linear::Magnified;
-use crate::solve::plan::Event;
+use crate::solve::plan::{Event, SpanKind};
 
 impl<A: Arithmetic> Room<A> {
-    /// Writes F for some waves; its logarithm is minus infinity if F is zero, and NaN if it cannot be computed.
+    /// Writes F at the angular frequencies `omega`, rad/s; its logarithm is minus infinity if F is zero, and NaN if it cannot
+    /// be computed.
     pub(super) fn characteristic(
         &mut self,
         prepared: &Prepared,
-        waves: &Waves<A>,
+        omega: Complex<A>,
         out: &mut [Magnified],
     ) {
-        A::outlined(Write((self, prepared, waves, out)));
+        A::outlined(Write((self, prepared, omega, out)));
     }
 
     #[inline(always)]
     fn characteristic_inlined(
-        (this, prepared, waves, out): (&mut Self, &Prepared, &Waves<A>, &mut [Magnified]),
+        (this, prepared, omega, out): (&mut Self, &Prepared, Complex<A>, &mut [Magnified]),
     ) {
         let plan = &prepared.plan;
-        this.prepare_spans(plan, waves);
+        let last = plan.stations.len();
+        let mut all = std::mem::take(&mut this.waves);
+        prepared.set_waves(&mut all, omega, 0..=last);
+        this.prepare_spans(prepared, &all, 0..=last);
         let mut product = ScaledProduct::ONE;
-        let square = waves.omega * waves.omega;
+        let square = omega * omega;
         let fourth = square * square;
         let mut forces = Forces::NONE;
         let mut actions = Actions::NONE;
-        let mut at = reflection_with(waves, &plan.left, Side::Left, Some(&mut product));
-        for (station, &span) in plan.stations.iter().zip(&plan.spans) {
-            at.propagate(&this.decays[span]);
+        let first = prepared.waves_of(&all, 0);
+        let mut at = reflection_with(first, &plan.left, Side::Left, Some(&mut product));
+        for (index, station) in plan.stations.iter().enumerate() {
+            let waves = prepared.waves_of(&all, index);
+            at.propagate(&this.decays[plan.spans[index]]);
             match &station.event {
                 Event::Attachment(attachment) => {
                     let unknowns = Unknowns {
@@ -60,17 +66,26 @@ impl<A: Arithmetic> Room<A> {
                     let acting = (Acting::Joint(joined), Side::Left);
                     at.act(waves, acting, &mut actions, Some(&mut product));
                 }
+                Event::Junction(_) => {
+                    let beyond = prepared.waves_of(&all, index + 1);
+                    at.cross([waves, beyond], &mut actions, Some(&mut product));
+                }
                 Event::Load(_) | Event::Probe => {}
             }
         }
         at.propagate(&this.decays[plan.last_span()]);
+        let waves = prepared.waves_of(&all, last);
         right_determinant(waves, &plan.right, &at, &mut product);
         let mut growth = Complex::ZERO;
-        for kappa in waves.kappa {
-            growth += kappa;
+        for &span in &plan.spans {
+            let SpanKind { length, beam } = plan.kinds[span];
+            let mut of_span = Complex::ZERO;
+            for kappa in all[beam].kappa {
+                of_span += kappa;
+            }
+            growth = growth.plus_scaled(Real::splat(length), of_span);
         }
-        let length = plan.spans.iter().map(|&span| plan.lengths[span]).sum();
-        let growth = growth.scaled(Real::splat(length));
+        this.waves = all;
         product.times(decay(Real::ZERO, -growth.im));
         product.write(growth.re, out);
     }
@@ -78,6 +93,6 @@ impl<A: Arithmetic> Room<A> {
 
 part!(
     Write ['a, A: Arithmetic] ['a, A]
-    (&'a mut Room<A>, &'a Prepared, &'a Waves<A>, &'a mut [Magnified]) -> (),
+    (&'a mut Room<A>, &'a Prepared, Complex<A>, &'a mut [Magnified]) -> (),
     Room::characteristic_inlined
 );

@@ -9,7 +9,6 @@ use super::recursion::{Prepared, Room};
 use super::substructure::{Sides, Substructure};
 #[cfg(target_arch = "x86_64")]
 use super::vectors::{Avx2, Avx512};
-use super::waves::Waves;
 use crate::solve::linear::Magnified;
 
 /// Instruction sets for which the kernel is compiled.
@@ -79,7 +78,6 @@ macro_rules! for_each {
 /// Workspace and outputs.
 #[derive(Debug)]
 pub(in crate::solve) struct Bench<A> {
-    waves: Box<Waves<A>>,
     room: Room<A>,
     out: Vec<Complex<A>>,
 }
@@ -87,7 +85,6 @@ pub(in crate::solve) struct Bench<A> {
 impl<A: Arithmetic> Default for Bench<A> {
     fn default() -> Self {
         Self {
-            waves: Box::new(Waves::NONE),
             room: Room::default(),
             out: Vec::new(),
         }
@@ -213,8 +210,7 @@ impl<A: Kind> Bench<A> {
     ) {
         this.out.resize(prepared.plan.outputs.len(), Complex::ZERO);
         for (index, group) in omegas.chunks(A::LANES).enumerate() {
-            this.waves.set(&prepared.constants, filled_up(group));
-            this.room.solve(prepared, &this.waves, &mut this.out);
+            this.room.solve(prepared, filled_up(group), &mut this.out);
             this.write(index, out);
         }
     }
@@ -228,8 +224,7 @@ impl<A: Kind> Bench<A> {
         (this, prepared, omegas, out): (&mut Self, &Prepared, &[Complex64], &mut [Magnified]),
     ) {
         for (group, out) in omegas.chunks(A::LANES).zip(out.chunks_mut(A::LANES)) {
-            this.waves.set(&prepared.constants, filled_up(group));
-            this.room.characteristic(prepared, &this.waves, out);
+            this.room.characteristic(prepared, filled_up(group), out);
         }
     }
 

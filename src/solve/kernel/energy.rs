@@ -37,7 +37,7 @@ pub(super) struct Sum<A> {
     terms: Real<A>,
 }
 
-/// rho A (W* W + V* V) + rho `I_0` Psi* Psi of each pair of waves that overlap.
+/// The form of `E_V` of each pair of waves that overlap.
 #[inline(always)]
 pub(super) fn weights<A: Arithmetic>(
     waves: &Waves<A>,
@@ -55,7 +55,9 @@ fn weights_of<A: Arithmetic, const ALL: bool>(
     waves: &Waves<A>,
     beam: &BeamConstants,
 ) -> [Complex<A>; PAIRS] {
-    let (mass, polar) = (Real::splat(beam.mass), Real::splat(beam.polar));
+    let form = beam.vibration();
+    let [mass, polar, w_psi, psi_v] = [form.w, form.psi, form.w_psi, form.psi_v].map(Real::splat);
+    let has_offset = form.w_psi != 0.0 || form.psi_v != 0.0;
     let [w, psi, v] = &waves.displacement;
     let mut out = [Complex::ZERO; PAIRS];
     let mut pair = 0;
@@ -71,6 +73,11 @@ fn weights_of<A: Arithmetic, const ALL: bool>(
                 }
                 if ALL || from == 4 {
                     weight = weight.plus_scaled(mass, v[i].conj_times(v[j]));
+                }
+                if has_offset {
+                    let across = w[i].conj_times(psi[j]) + psi[i].conj_times(w[j]);
+                    let along = v[i].conj_times(psi[j]) + psi[i].conj_times(v[j]);
+                    weight = weight.plus_scaled(w_psi, across).plus_scaled(psi_v, along);
                 }
                 out[pair] = weight;
                 pair += 1;

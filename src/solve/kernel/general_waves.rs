@@ -18,6 +18,7 @@ use num_complex::Complex64;
 use super::complex::{Complex, Matrix};
 use super::number::{Arithmetic, Real, part};
 use super::waves::Waves;
+use crate::model::Point;
 use crate::solve::beam_matrices::{BeamMatrices, Symmetric};
 use crate::solve::linear::ZERO;
 use crate::solve::waves::WARPING_WAVE;
@@ -51,7 +52,8 @@ pub(super) struct GeneralConstants {
 }
 
 impl GeneralConstants {
-    pub(super) fn new(matrices: &BeamMatrices) -> Self {
+    /// Of a beam whose shear centres lie at an offset from the axis, on which its foundation acts.
+    pub(super) fn new(matrices: &BeamMatrices, offset: Point) -> Self {
         let BeamMatrices {
             bending,
             tension,
@@ -61,17 +63,19 @@ impl GeneralConstants {
             mass,
             rotary,
         } = matrices;
-        let offset = [mass.w_psi, mass.psi_v].map(|coupling| coupling / mass.w);
-        let axes = principal_axes(bending, offset);
+        let to_centroid = [mass.w_psi, mass.psi_v].map(|coupling| coupling / mass.w);
+        let axes = principal_axes(bending, to_centroid);
         let diagonal = |rows: [[Complex64; 3]; 3]| [rows[0][0], rows[1][1], rows[2][2]];
         let real = |of: &Symmetric<f64>| turned(&of.map(Complex64::from), axes);
         let (tension, shear) = (turned(tension, axes), turned(shear, axes));
         let mass = real(mass).map(|row| row.map(|entry| entry.re));
-        let foundation = turned(&Symmetric::diagonal(*foundation), axes);
-        let foundation_damping = turned(
-            &Symmetric::diagonal(foundation_damping.map(Into::into)),
-            axes,
-        );
+        let to_axis = Point {
+            y: -offset.y,
+            z: -offset.z,
+        };
+        let bedded = |of: [Complex64; 3]| turned(&Symmetric::diagonal(of).moved(to_axis), axes);
+        let foundation = bedded(*foundation);
+        let foundation_damping = bedded(foundation_damping.map(Into::into));
         let foundation_damping = foundation_damping.map(|row| row.map(|entry| entry.re));
         let couples = |i: usize, j: usize| {
             let springs = [tension[i][j], shear[i][j], foundation[i][j]];

@@ -9,7 +9,8 @@
 //! exponentials occur, so no digits are lost for any length of beam or frequency, while a product of transfer matrices
 //! loses digits like `exp(2 kappa L)` (Chen & Liu 2022, Eq. 48). `waves` and `roots` compute the waves of the
 //! paper's beam, where v is on its own, `general_waves` those of any other; `ends` the
-//! supports there, `action` those between them and the joints, `station` the subsystems, `recursion` sweeps to the right and back, `read` evaluates the responses,
+//! supports there, `action` those between them and the joints, `junction` where two parts of the beam meet, `station` the
+//! subsystems, `recursion` sweeps to the right and back, `read` evaluates the responses,
 //! `energy` integrates along the spans. Cost and memory are linear in the number of stations.
 //!
 //! `substructure` solves an edited part of the beam between cached sides. `characteristic` is the function whose zeros
@@ -31,6 +32,7 @@ mod elementary;
 mod ends;
 mod energy;
 mod general_waves;
+mod junction;
 mod linear;
 mod number;
 mod operation_count;

@@ -7,7 +7,6 @@ use super::dispatch::Instructions;
 use super::number::{MOST_LANES, Real};
 use super::portable::{Array, Notes};
 use super::recursion::{Prepared, Room};
-use super::waves::Waves;
 use crate::model::{Checked, Model};
 use crate::solve::plan::Plan;
 
@@ -59,7 +58,6 @@ pub fn work(model: &Checked, frequencies: &[f64], instructions: Instructions) ->
 fn counted<const LANES: usize>(model: &Model, frequencies: &[f64]) -> Work {
     let prepared = Prepared::new(Plan::new(model));
     let mut room: Room<Array<Counter, LANES>> = Room::default();
-    let mut waves = Waves::NONE;
     let mut out = vec![Complex::ZERO; prepared.plan.outputs.len()];
     MULTIPLY_ADDS.set(0);
     DIVISIONS.set(0);
@@ -71,8 +69,8 @@ fn counted<const LANES: usize>(model: &Model, frequencies: &[f64]) -> Work {
         for lane in 0..LANES {
             omega[lane] = std::f64::consts::TAU * group[lane];
         }
-        waves.set(&prepared.constants, Complex::from_real(Real::new(&omega)));
-        room.solve(&prepared, &waves, &mut out);
+        let omega = Complex::from_real(Real::new(&omega));
+        room.solve(&prepared, omega, &mut out);
     }
     Work {
         multiply_adds: MULTIPLY_ADDS.get() as f64 / count,

@@ -1,6 +1,6 @@
 //! The responses of a plan at several frequencies at once: reflections to the right end, amplitudes back.
 
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 
 use super::action::{Acting, Actions};
 use super::complex::Complex;
@@ -13,18 +13,19 @@ use super::reflection::{Amplitudes, Jumps, Reflection, Side};
 use super::station::{Forces, Turn, Unknowns, sent, stretches};
 use super::waves::{Constants, Waves};
 use crate::model::BeamMotion;
-use crate::solve::plan::{Event, Output, Plan};
+use crate::solve::plan::{Event, Output, Plan, SpanKind};
 
 /// A plan, with the frequency-independent constants of its waves.
 #[derive(Debug)]
 pub(in crate::solve) struct Prepared {
     pub(in crate::solve) plan: Plan,
-    pub(super) constants: Constants,
+    /// Of each of its beams.
+    pub(super) constants: Vec<Constants>,
     /// For each station its index among the stations with outputs, if it has any.
     pub(super) reads: Vec<Option<usize>>,
     /// Stations where a response is read.
     read: usize,
-    /// Whether a support or joint acts on the beam between its ends.
+    /// Whether a support, a joint or a junction is between the ends.
     has_actions: bool,
 }
 
@@ -62,12 +63,38 @@ impl Prepared {
         };
         let reads = is_read.into_iter().map(number).collect();
         Self {
-            constants: Constants::new(&plan.beam),
-            has_actions: (plan.stations.iter())
-                .any(|of| matches!(of.event, Event::Support(_) | Event::Joint(_))),
+            constants: plan.beams.iter().map(Constants::new).collect(),
+            has_actions: plan.stations.iter().any(|of| match of.event {
+                Event::Support(_) | Event::Joint(_) | Event::Junction(_) => true,
+                Event::Attachment(_) | Event::Load(_) | Event::Probe => false,
+            }),
             plan,
             reads,
             read,
+        }
+    }
+
+    /// The waves of a span, among those of each beam: that left of the station with its index.
+    #[inline(always)]
+    pub(super) fn waves_of<'a, A>(&self, all: &'a [Waves<A>], span: usize) -> &'a Waves<A> {
+        &all[self.plan.kinds[self.plan.spans[span]].beam]
+    }
+
+    /// Makes the waves of the beams of some spans, at angular frequencies, rad/s.
+    #[inline(always)]
+    pub(super) fn set_waves<A: Arithmetic>(
+        &self,
+        all: &mut Vec<Waves<A>>,
+        omega: Complex<A>,
+        spans: RangeInclusive<usize>,
+    ) {
+        all.resize(self.constants.len(), Waves::NONE);
+        let beam = |span: usize| self.plan.kinds[self.plan.spans[span]].beam;
+        for span in spans.clone() {
+            let mut earlier = (*spans.start()..span).rev();
+            if !earlier.any(|earlier| beam(earlier) == beam(span)) {
+                all[beam(span)].set(&self.constants[beam(span)], omega);
+            }
         }
     }
 
@@ -85,17 +112,21 @@ impl Prepared {
 /// Workspace for a few frequencies; reused, so that a sweep does not allocate.
 #[derive(Debug)]
 pub(super) struct Room<A> {
-    /// exp(-kappa l) of each distinct span.
+    /// The waves of each beam.
+    pub(super) waves: Vec<Waves<A>>,
+    /// exp(-kappa l) of each kind of span.
     pub(super) decays: Vec<Amplitudes<A>>,
-    /// The energy of each distinct span, if requested.
+    /// The energy of each kind of span, if requested.
     pub(super) forms: Vec<Form<A>>,
+    /// Whether a kind of span is prepared.
+    is_prepared: Vec<bool>,
     /// The reflection of the left end, if the energy is requested.
     start: Box<Reflection<A>>,
     /// The forces at each station with an attachment.
     pub(super) forces: Vec<Forces<A>>,
-    /// The actions of each support between the ends and of each joint, by its station; empty without any.
+    /// The actions of each support between the ends, joint and junction, by its station; empty without any.
     pub(super) actions: Vec<Actions<A>>,
-    /// The reflection left of each station with outputs; of every station if the energy is requested.
+    /// The reflection left of each station with outputs, of every station if the energy is requested; right of a junction.
     pub(super) lefts: Vec<Reflection<A>>,
     /// Theta at each station with outputs and an attachment.
     pub(super) turns: Vec<Turn<A>>,
@@ -106,8 +137,10 @@ pub(super) struct Room<A> {
 impl<A: Arithmetic> Default for Room<A> {
     fn default() -> Self {
         Self {
+            waves: Vec::new(),
             decays: Vec::new(),
             forms: Vec::new(),
+            is_prepared: Vec::new(),
             start: Box::new(Reflection::NONE),
             forces: Vec::new(),
             actions: Vec::new(),
@@ -119,25 +152,34 @@ impl<A: Arithmetic> Default for Room<A> {
 }
 
 impl<A: Arithmetic> Room<A> {
-    /// Writes the response of every output for some waves.
+    /// Writes the response of every output at the angular frequencies `omega`, rad/s.
     #[inline(always)]
-    pub(super) fn solve(&mut self, prepared: &Prepared, waves: &Waves<A>, out: &mut [Complex<A>]) {
+    pub(super) fn solve(&mut self, prepared: &Prepared, omega: Complex<A>, out: &mut [Complex<A>]) {
+        let last = prepared.plan.stations.len();
+        let mut all = std::mem::take(&mut self.waves);
+        prepared.set_waves(&mut all, omega, 0..=last);
+        self.solve_with(prepared, &all, out);
+        self.waves = all;
+    }
+
+    #[inline(always)]
+    fn solve_with(&mut self, prepared: &Prepared, all: &[Waves<A>], out: &mut [Complex<A>]) {
         let plan = &prepared.plan;
+        let last = plan.stations.len();
         self.make_room(prepared);
-        self.prepare_spans(plan, waves);
-        let all = 0..plan.stations.len();
-        let mut at = reflection(waves, &plan.left, Side::Left);
+        self.prepare_spans(prepared, all, 0..=last);
+        let mut at = reflection(prepared.waves_of(all, 0), &plan.left, Side::Left);
         if plan.wants_energy {
             (*self.start).clone_from(&at);
         }
-        self.sweep_right(prepared, waves, all.clone(), &mut at);
+        self.sweep_right(prepared, all, 0..last, &mut at);
         at.propagate(&self.decays[plan.last_span()]);
-        let mut b = right_end(waves, &plan.right, &at);
+        let mut b = right_end(prepared.waves_of(all, last), &plan.right, &at);
         let mut energy = Sum::ZERO;
-        self.sweep_left(prepared, waves, all, &mut b, &mut energy);
+        self.sweep_left(prepared, all, 0..last, &mut b, &mut energy);
         if plan.wants_energy {
             let start = (*self.start).clone();
-            self.cross_span(prepared, waves, (0, &start), &mut b, &mut energy);
+            self.cross_span(prepared, all, (0, &start), &mut b, &mut energy);
         }
         let energy = energy.resolved();
         for (value, output) in out.iter_mut().zip(&plan.outputs) {
@@ -151,11 +193,11 @@ impl<A: Arithmetic> Room<A> {
                             arm: 0.0,
                             measure: *measure,
                         };
-                        self.read(prepared, waves, side, Part::Whole)
+                        self.read(prepared, all, side, Part::Whole)
                     });
                     (before + after).scaled(Real::splat(0.5))
                 }
-                output => self.read(prepared, waves, *output, Part::Whole),
+                output => self.read(prepared, all, *output, Part::Whole),
             };
         }
     }
@@ -165,7 +207,7 @@ impl<A: Arithmetic> Room<A> {
     pub(super) fn read(
         &self,
         prepared: &Prepared,
-        waves: &Waves<A>,
+        all: &[Waves<A>],
         output: Output,
         part: Part,
     ) -> Complex<A> {
@@ -176,6 +218,7 @@ impl<A: Arithmetic> Room<A> {
         let Some(read) = prepared.reads[station] else {
             return Complex::ZERO;
         };
+        let waves = prepared.waves_of(all, station);
         self.states[read].response(event, waves, output, part)
     }
 
@@ -196,41 +239,34 @@ impl<A: Arithmetic> Room<A> {
         self.states.resize(read, State::NONE);
     }
 
-    /// Prepares all spans.
+    /// Prepares some spans.
     #[inline(always)]
-    pub(super) fn prepare_spans(&mut self, plan: &Plan, waves: &Waves<A>) {
-        self.decays.resize(plan.lengths.len(), [Complex::ONE; 6]);
-        for (decays, &length) in self.decays.iter_mut().zip(&plan.lengths) {
-            set_decays(waves, length, decays);
-        }
-        self.forms.clear();
-        if plan.wants_energy {
-            let weights = weights(waves, &plan.beam);
-            for (&length, decay) in plan.lengths.iter().zip(&self.decays) {
-                self.forms.push(Form::new(waves, &weights, length, decay));
-            }
-        }
-    }
-
-    /// Prepares the spans of a part and those next to it.
-    #[inline(always)]
-    pub(super) fn prepare_part(
+    pub(super) fn prepare_spans(
         &mut self,
         prepared: &Prepared,
-        waves: &Waves<A>,
-        part: &Range<usize>,
+        all: &[Waves<A>],
+        spans: RangeInclusive<usize>,
     ) {
         let plan = &prepared.plan;
-        self.decays.resize(plan.lengths.len(), [Complex::ONE; 6]);
-        for &span in &plan.spans[part.start..=part.end] {
-            set_decays(waves, plan.lengths[span], &mut self.decays[span]);
-        }
+        self.decays.resize(plan.kinds.len(), [Complex::ONE; 6]);
+        self.is_prepared.clear();
+        self.is_prepared.resize(plan.kinds.len(), false);
         if plan.wants_energy {
-            let weights = weights(waves, &plan.beam);
-            self.forms.resize(plan.lengths.len(), Form::NONE);
-            for &span in &plan.spans[part.start..=part.end] {
-                self.forms[span] =
-                    Form::new(waves, &weights, plan.lengths[span], &self.decays[span]);
+            self.forms.resize(plan.kinds.len(), Form::NONE);
+        }
+        let mut weighed = None;
+        for &kind in &plan.spans[spans] {
+            if std::mem::replace(&mut self.is_prepared[kind], true) {
+                continue;
+            }
+            let SpanKind { length, beam } = plan.kinds[kind];
+            set_decays(&all[beam], length, &mut self.decays[kind]);
+            if plan.wants_energy {
+                let known = weighed.filter(|(of, _)| *of == beam);
+                let (_, weights) = *weighed.insert(
+                    known.unwrap_or_else(|| (beam, weights(&all[beam], &plan.beams[beam]))),
+                );
+                self.forms[kind] = Form::new(&all[beam], &weights, length, &self.decays[kind]);
             }
         }
     }
@@ -240,7 +276,7 @@ impl<A: Arithmetic> Room<A> {
     pub(super) fn sweep_right(
         &mut self,
         prepared: &Prepared,
-        waves: &Waves<A>,
+        all: &[Waves<A>],
         stations: Range<usize>,
         at: &mut Reflection<A>,
     ) {
@@ -248,11 +284,16 @@ impl<A: Arithmetic> Room<A> {
         for index in stations {
             let station = &plan.stations[index];
             at.propagate(&self.decays[plan.spans[index]]);
-            let read = prepared.reads[index];
+            let is_junction = matches!(station.event, Event::Junction(_));
+            if is_junction {
+                self.pass(prepared, all, (index, Side::Left), at);
+            }
             if let Some(kept) = prepared.kept(index) {
                 self.lefts[kept].clone_from(at);
             }
-            self.pass((index, &station.event), waves, (read, Side::Left), at);
+            if !is_junction {
+                self.pass(prepared, all, (index, Side::Left), at);
+            }
         }
     }
 
@@ -260,12 +301,18 @@ impl<A: Arithmetic> Room<A> {
     #[inline(always)]
     pub(super) fn pass(
         &mut self,
-        (index, event): (usize, &Event),
-        waves: &Waves<A>,
-        (read, side): (Option<usize>, Side),
+        prepared: &Prepared,
+        all: &[Waves<A>],
+        (index, side): (usize, Side),
         at: &mut Reflection<A>,
     ) {
-        match event {
+        let (here, beyond) = match side {
+            Side::Left => (index, index + 1),
+            Side::Right => (index + 1, index),
+        };
+        let waves = prepared.waves_of(all, here);
+        let read = prepared.reads[index];
+        match &prepared.plan.stations[index].event {
             Event::Attachment(attachment) => {
                 let turn = read.map(|read| &mut self.turns[read]);
                 let unknowns = Unknowns {
@@ -283,6 +330,10 @@ impl<A: Arithmetic> Room<A> {
                 let acting = Acting::Joint(joined);
                 at.act(waves, (acting, side), &mut self.actions[index], None);
             }
+            Event::Junction(_) => {
+                let beyond = prepared.waves_of(all, beyond);
+                at.cross([waves, beyond], &mut self.actions[index], None);
+            }
             Event::Load(load) => at.load(waves, &Jumps::of_load(waves, load), side),
             Event::Probe => {}
         }
@@ -294,22 +345,31 @@ impl<A: Arithmetic> Room<A> {
     pub(super) fn sweep_left(
         &mut self,
         prepared: &Prepared,
-        waves: &Waves<A>,
+        all: &[Waves<A>],
         stations: Range<usize>,
         b: &mut Amplitudes<A>,
         energy: &mut Sum<A>,
     ) {
         let plan = &prepared.plan;
         for index in stations.rev() {
-            let station = &plan.stations[index];
+            let event = &plan.stations[index].event;
+            let waves = prepared.waves_of(all, index + 1);
             let span = plan.spans[index + 1];
             let at_span_end = *b;
             times(b, &self.decays[span]);
             let read = prepared.reads[index];
-            let sent = self.cross(index, &station.event, waves, b, read);
+            let beyond = *b;
+            let sent = self.cross(index, event, waves, b, read);
             let Some(kept) = prepared.kept(index) else {
                 continue;
             };
+            if matches!(event, Event::Junction(_)) {
+                if plan.wants_energy {
+                    let a = self.lefts[kept].at(&beyond);
+                    self.add_energy(span, waves, &a, &at_span_end, energy);
+                }
+                continue;
+            }
             let a = self.lefts[kept].at(b);
             if let Some(read) = read {
                 let state = &mut self.states[read];
@@ -325,7 +385,7 @@ impl<A: Arithmetic> Room<A> {
         }
     }
 
-    /// Moves b' to the left over a station; returns what the station sends to the right, before N.
+    /// Moves b' to the left over a station; returns what the station sends to the right, before N: a junction nothing.
     #[inline(always)]
     pub(super) fn cross(
         &mut self,
@@ -348,6 +408,10 @@ impl<A: Arithmetic> Room<A> {
             }
             Event::Support(held) => self.send(index, waves, Acting::Support(held), b),
             Event::Joint(joined) => self.send(index, waves, Acting::Joint(joined), b),
+            Event::Junction(_) => {
+                *b = self.actions[index].part(b, true);
+                [Complex::ZERO; 6]
+            }
             Event::Load(load) => {
                 let jumps = Jumps::of_load(waves, load);
                 add(b, &jumps.sent(Side::Right));
@@ -377,11 +441,12 @@ impl<A: Arithmetic> Room<A> {
     pub(super) fn cross_span(
         &mut self,
         prepared: &Prepared,
-        waves: &Waves<A>,
+        all: &[Waves<A>],
         (station, start): (usize, &Reflection<A>),
         b: &mut Amplitudes<A>,
         energy: &mut Sum<A>,
     ) {
+        let waves = prepared.waves_of(all, station);
         let span = prepared.plan.spans[station];
         let at_span_end = *b;
         times(b, &self.decays[span]);

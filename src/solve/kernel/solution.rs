@@ -12,7 +12,7 @@ use super::reflection::{Amplitudes, Side};
 use super::station::{sent, stretches_without};
 use super::waves::{Constants, Waves};
 use crate::model::MassMotion;
-use crate::solve::plan::{Event, Plan};
+use crate::solve::plan::Event;
 use crate::solve::solution::{MassSolution, Solution, SpanWaves};
 use crate::solve::waves::{self, BeamConstants, WARPING_WAVE};
 
@@ -21,9 +21,7 @@ impl Prepared {
     /// of a plan that is prepared as a [whole](Self::whole). If the model has no finite response (no damping, exactly
     /// at a resonance), the values are not finite.
     pub(in crate::solve) fn solution(&self, omega: Complex64) -> Solution {
-        let mut waves = Waves::<One>::NONE;
-        waves.set(&self.constants, Complex::splat(omega));
-        Room::default().solution(self, &waves)
+        Room::default().solution(self, Complex::splat(omega))
     }
 }
 
@@ -35,20 +33,34 @@ pub(in crate::solve) fn waves(beam: &BeamConstants, omega: Complex64) -> waves::
 }
 
 impl Room<One> {
-    fn solution(&mut self, prepared: &Prepared, waves: &Waves<One>) -> Solution {
+    fn solution(&mut self, prepared: &Prepared, omega: Complex<One>) -> Solution {
         let plan = &prepared.plan;
+        let last = plan.stations.len();
+        let mut all = Vec::new();
+        prepared.set_waves(&mut all, omega, 0..=last);
         self.make_room(prepared);
-        self.prepare_spans(plan, waves);
-        let start = reflection(waves, &plan.left, Side::Left);
+        self.prepare_spans(prepared, &all, 0..=last);
+        let [first_waves, last_waves] = [0, last].map(|span| prepared.waves_of(&all, span));
+        let start = reflection(first_waves, &plan.left, Side::Left);
         let mut at = start.clone();
-        self.sweep_right(prepared, waves, 0..plan.stations.len(), &mut at);
+        self.sweep_right(prepared, &all, 0..last, &mut at);
         at.propagate(&self.decays[plan.last_span()]);
-        let mut b = right_end(waves, &plan.right, &at);
+        let mut b = right_end(last_waves, &plan.right, &at);
         let mut spans = Vec::new();
         for (index, station) in plan.stations.iter().enumerate().rev() {
+            let waves = prepared.waves_of(&all, index + 1);
             let at_span_end = b;
             times(&mut b, &self.decays[plan.spans[index + 1]]);
+            let beyond = b;
             let sent = self.cross(index, &station.event, waves, &mut b, Some(index));
+            if matches!(station.event, Event::Junction(_)) {
+                spans.push(span_waves(
+                    waves,
+                    &self.lefts[index].at(&beyond),
+                    at_span_end,
+                ));
+                continue;
+            }
             let mut a = self.lefts[index].at(&b);
             let state = &mut self.states[index];
             state.a = a;
@@ -59,22 +71,27 @@ impl Room<One> {
         }
         let at_span_end = b;
         times(&mut b, &self.decays[plan.spans[0]]);
-        spans.push(span_waves(waves, &start.at(&b), at_span_end));
+        spans.push(span_waves(first_waves, &start.at(&b), at_span_end));
         spans.reverse();
-        self.add_held_forces(plan, waves, &mut spans);
-        let stations = plan.stations.iter().zip(&self.states);
-        let masses = stations.map(|(station, state)| match &station.event {
-            Event::Attachment(attachment) => MassSolution {
-                forces: state.forces.map(|force| force.lane(0)),
-                motion: MassMotion::ALL
-                    .map(|motion| state.mass(waves, attachment, motion, Part::Whole).lane(0)),
-            },
-            Event::Support(_) | Event::Joint(_) | Event::Load(_) | Event::Probe => {
-                MassSolution::default()
+        self.add_held_forces(prepared, &all, &mut spans);
+        let stations = plan.stations.iter().zip(&self.states).enumerate();
+        let masses = stations.map(|(index, (station, state))| match &station.event {
+            Event::Attachment(attachment) => {
+                let waves = prepared.waves_of(&all, index);
+                MassSolution {
+                    forces: state.forces.map(|force| force.lane(0)),
+                    motion: MassMotion::ALL
+                        .map(|motion| state.mass(waves, attachment, motion, Part::Whole).lane(0)),
+                }
             }
+            Event::Support(_)
+            | Event::Joint(_)
+            | Event::Junction(_)
+            | Event::Load(_)
+            | Event::Probe => MassSolution::default(),
         });
         Solution {
-            waves: waves.plain(),
+            waves: all.iter().map(Waves::plain).collect(),
             decays: self.decays.iter().map(plain).collect(),
             spans,
             masses: masses.collect(),
@@ -83,7 +100,8 @@ impl Room<One> {
 
     /// Adds the effect of subsystems at a support on motions that it fixes: it exists only between them and the
     /// support, in spans of the length 0, and the sweep leaves it out.
-    fn add_held_forces(&self, plan: &Plan, waves: &Waves<One>, spans: &mut [SpanWaves]) {
+    fn add_held_forces(&self, prepared: &Prepared, all: &[Waves<One>], spans: &mut [SpanWaves]) {
+        let plan = &prepared.plan;
         for (index, station) in plan.stations.iter().enumerate() {
             let Event::Attachment(attachment) = &station.event else {
                 continue;
@@ -91,6 +109,7 @@ impl Room<One> {
             if attachment.held == [false; 3] {
                 continue;
             }
+            let waves = prepared.waves_of(all, index);
             let held = stretches_without(waves, attachment, attachment.held.map(|held| !held));
             let mut jump = sent(&held, &self.states[index].forces);
             times(&mut jump, &waves.radiation);

@@ -11,6 +11,7 @@ use super::complex::{Complex, Matrix};
 use super::general_waves::GeneralConstants;
 use super::number::{Arithmetic, Real, part};
 use super::roots::{Pair, Root, roots};
+use crate::model::Point;
 use crate::solve::waves::{BeamConstants, WARPING_WAVE, coupled_waves};
 
 /// The frequency-independent constants of the waves of a beam.
@@ -39,7 +40,7 @@ impl Constants {
             },
             general: beam
                 .is_general
-                .then(|| Box::new(GeneralConstants::new(&beam.matrices))),
+                .then(|| Box::new(GeneralConstants::new(&beam.own, beam.offset))),
         }
     }
 }
@@ -154,11 +155,49 @@ impl<A: Arithmetic> Waves<A> {
         if let Some(general) = &constants.general {
             this.set_general(general);
         } else {
+            if this.all_coupled {
+                this.clear();
+            }
             this.set_coupled(constants);
             this.set_bending_v(constants);
         }
         if this.without_warping {
             this.set_warping_limit();
+        }
+        if constants.beam.offset != Point::AXIS {
+            this.move_to_axis(constants.beam.offset);
+        }
+    }
+
+    /// Without the shapes of the last frequencies.
+    fn clear(&mut self) {
+        let none = [[Complex::ZERO; 6]; 3];
+        for rows in [
+            &mut self.displacement,
+            &mut self.slope,
+            &mut self.force,
+            &mut self.moment,
+        ] {
+            *rows = none;
+        }
+    }
+
+    /// From the shear centres, which lie at an offset, to the axis: displacements of the axis, forces that do the same work.
+    #[inline(always)]
+    fn move_to_axis(&mut self, offset: Point) {
+        let [y, z] = [offset.y, offset.z].map(Real::splat);
+        for rows in [&mut self.displacement, &mut self.slope] {
+            let [w, psi, v] = rows;
+            for wave in 0..6 {
+                w[wave] = w[wave].plus_scaled(-z, psi[wave]);
+                v[wave] = v[wave].plus_scaled(y, psi[wave]);
+            }
+        }
+        for rows in [&mut self.force, &mut self.moment] {
+            let [w, psi, v] = rows;
+            for wave in 0..6 {
+                psi[wave] = psi[wave].plus_scaled(z, w[wave]).plus_scaled(-y, v[wave]);
+            }
         }
     }
 

@@ -6,7 +6,7 @@
 use std::f64::consts::PI;
 
 use super::MOST_MODES;
-use crate::model::Model;
+use crate::model::{Beam, Model};
 use crate::solve::beam_matrices::BeamMatrices;
 
 /// Whether a beam has too many modes below an angular frequency (rad/s) to count them, or numbers outside the range of
@@ -24,7 +24,13 @@ pub(super) fn is_beyond(model: &Model, omega: f64) -> bool {
 /// The number of half waves of uncoupled bending and twist on the beam: equal to the number of modes, except for a few
 /// at its ends.
 fn half_waves(model: &Model, omega: f64) -> f64 {
-    let matrices = BeamMatrices::new(&model.beam);
+    let parts = model.uniform_parts();
+    parts.iter().map(|part| of_part(&part.beam, omega)).sum()
+}
+
+/// The same on a uniform part.
+fn of_part(beam: &Beam, omega: f64) -> f64 {
+    let matrices = BeamMatrices::new(beam);
     let BeamMatrices {
         bending,
         tension,
@@ -49,7 +55,7 @@ fn half_waves(model: &Model, omega: f64) -> f64 {
     let waves = wave_number([first, tension.w.re, rotary.w, shear.w.re, mass.w])
         + wave_number([second, tension.v.re, rotary.v, shear.v.re, mass.v])
         + wave_number([bending.psi.re, tension.psi.re, rotary.psi, 0.0, mass.psi]);
-    waves * model.beam.length / PI
+    waves * beam.length / PI
 }
 
 #[cfg(test)]

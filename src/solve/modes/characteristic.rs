@@ -5,7 +5,7 @@
 //! whose zeros are the natural frequencies with their multiplicity: real without damping, complex with it. The
 //! recursion of reflections (see [`kernel`](super::super::kernel)) computes it as a product of small determinants,
 //!
-//! `F = det(left) det(right) prod(omega^4 m^2 det(station)) exp(L sum kappa) / (det[Q; M] det[S; P])`
+//! `F = det(left) det(right) prod(omega^4 m^2 det(station)) exp(sum kappa l) / (det[Q; M] det[S; P])`
 //!
 //! in which the choice of each wave's sign and scale cancels. No factor contains a growing exponential. The kernel
 //! computes it at several frequencies at once.
@@ -16,6 +16,7 @@ use rayon::prelude::*;
 use super::super::kernel::{MOST_LANES, Prepared, Solver, waves};
 use super::super::linear::Magnified;
 use super::super::plan::Plan;
+use super::super::waves::BeamConstants;
 use crate::model::Model;
 
 /// A model laid out for the search for its natural frequencies.
@@ -36,24 +37,30 @@ impl Characteristic {
         };
         Self {
             prepared: Prepared::new(Plan::new(&bare)),
-            length: model.beam.length,
+            length: model.length(),
         }
     }
 
-    /// The largest rate of the phase of F with ln omega at `omega`, rad/s: the sum of kappa L over its waves.
+    /// The largest rate of the phase of F with ln omega at `omega`, rad/s: the sum of kappa l over the waves of its spans.
     pub(super) fn turning(&self, omega: f64) -> f64 {
-        let waves = waves(&self.prepared.plan.beam, omega.into());
-        let finite = waves.kappa.iter().filter(|kappa| kappa.re.is_finite());
-        1.0 + 0.5 * self.length * finite.map(|kappa| kappa.norm()).sum::<f64>()
+        let plan = &self.prepared.plan;
+        let of_beam = |beam: &BeamConstants| -> f64 {
+            let kappa = waves(beam, omega.into()).kappa.into_iter();
+            let finite = kappa.filter(|kappa| kappa.re.is_finite());
+            finite.map(Complex64::norm).sum()
+        };
+        let rates: Vec<f64> = plan.beams.iter().map(of_beam).collect();
+        let spans = plan.spans.iter().map(|&span| &plan.kinds[span]);
+        1.0 + 0.5 * spans.map(|of| of.length * rates[of.beam]).sum::<f64>()
     }
 
     /// An angular frequency, rad/s, at which the beam is short compared with its waves, so that F has lost some but not
     /// all digits.
     pub(super) fn slowest(&self) -> f64 {
         const SHORT: f64 = 0.1;
-        let beam = &self.prepared.plan.beam;
-        let stiffness = beam.bending_w.re.max(beam.bending_v.re);
-        (SHORT / self.length).powi(2) * (stiffness / beam.mass).sqrt()
+        let beams = self.prepared.plan.beams.iter();
+        let speeds = beams.map(|beam| beam.bending_w.re.max(beam.bending_v.re) / beam.mass);
+        (SHORT / self.length).powi(2) * speeds.fold(0.0, f64::max).sqrt()
     }
 
     /// F at each of some complex angular frequencies, rad/s.

@@ -1,7 +1,7 @@
 //! A span of the undamped beam at one frequency, in real numbers: transfer matrix, dynamic stiffness, clamped count.
 //!
-//! All numbers are dimensionless: lengths in units of a reference length, twist times the radius of gyration,
-//! stiffnesses over `E Iy / length^3`. Degrees of freedom are (w, psi, v, w', psi', v'), as in
+//! All numbers are dimensionless: lengths in units of a reference length, twist times a radius of gyration, stiffnesses
+//! over `E Iy / length^3`, with the same three for all parts of the beam. Degrees of freedom are (w, psi, v, w', psi', v'), as in
 //! [`BeamMotion`](crate::model::BeamMotion). The solutions are power series of the equations of motion (for the paper's
 //! beam: Chen & Liu, Mathematics 2022, 10(16), 2849, Eqs. 11 to 13): they use no waves, so this count is independent of
 //! the frequency responses. Motions without coupling are separate, each with its own step.
@@ -14,8 +14,9 @@ use super::series::transfer;
 /// Index of psi among the motions (w, psi, v).
 const PSI: usize = 1;
 
-/// The dimensionless matrices of the beam at one frequency: see [`crate::solve::beam_matrices`].
-#[derive(Debug, Clone, Copy)]
+/// The dimensionless matrices of a part of the beam at one frequency, along its own shear centres: see
+/// [`crate::solve::beam_matrices`].
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Field {
     /// D, over `E Iy`.
     pub(super) bending: Matrix3<f64>,
@@ -139,7 +140,13 @@ impl Field {
 
     /// Whether w and psi, psi and v, and w and v are coupled.
     fn couplings(&self) -> [bool; 3] {
-        let matrices = [&self.bending, &self.tension, &self.rotary, &self.inertia];
+        let matrices = [
+            &self.bending,
+            &self.tension,
+            &self.rotary,
+            &self.inertia,
+            &self.foundation,
+        ];
         [(0, PSI), (PSI, 2), (0, 2)].map(|at| matrices.iter().any(|matrix| matrix[at] != 0.0))
     }
 
@@ -345,22 +352,21 @@ impl Span {
         }
     }
 
-    /// The same over the motions of a point of its left end, from which `axis` gives those of the axis. The forces there do
-    /// the same work.
-    pub(super) fn at_point(&self, axis: &Matrix6<f64>) -> Self {
+    /// The same over other motions of its left end, from which `own` gives its own. The forces there do the same work.
+    pub(super) fn starting_with(&self, own: &Matrix6<f64>) -> Self {
         let ends = &self.ends;
         // It is the identity and a shear, whose square is 0.
-        let of_forces = (Matrix6::identity() * 2.0 - axis).transpose();
+        let of_forces = (Matrix6::identity() * 2.0 - own).transpose();
         Self {
             ends: Ends {
-                left: axis.transpose() * ends.left * axis,
-                across: axis.transpose() * ends.across,
+                left: own.transpose() * ends.left * own,
+                across: own.transpose() * ends.across,
                 ..*ends
             },
             transfer: self.transfer.as_ref().map(|transfer| Transfer {
-                a: transfer.a * axis,
+                a: transfer.a * own,
                 b: transfer.b * of_forces,
-                c: transfer.c * axis,
+                c: transfer.c * own,
                 d: transfer.d * of_forces,
             }),
         }

@@ -85,8 +85,13 @@ pub(super) struct Probe<'a> {
 impl<'a> Probe<'a> {
     /// For modes near `omega`, rad/s.
     pub(super) fn new(model: &'a Model, omega: Complex64, looked_at: Vec<f64>) -> Self {
-        let beam = BeamConstants::new(&model.beam);
-        let waves = waves(&beam, omega);
+        let parts = model.uniform_parts();
+        let beams = parts.iter().map(|part| BeamConstants::new(part, true));
+        let beams: Vec<BeamConstants> = beams.collect();
+        let kappa: Vec<Complex64> = beams
+            .iter()
+            .flat_map(|beam| waves(beam, omega).kappa)
+            .collect();
         let inner = model.supports.inner.iter().map(|of| of.position);
         let joints = model.joints.iter().map(|of| of.position);
         let mut stations: Vec<f64> = model
@@ -94,13 +99,17 @@ impl<'a> Probe<'a> {
             .map(|of| of.position)
             .chain(inner)
             .chain(joints)
+            .chain(parts[1..].iter().map(|part| part.start))
             .collect();
         stations.sort_by(f64::total_cmp);
         Self {
             model,
             looked_at,
-            nodes: nodes(stations, &waves.kappa, model.beam.length),
-            read: if beam.matrices.rotary == Symmetric::ZERO {
+            nodes: nodes(stations, &kappa, model.length()),
+            read: if beams
+                .iter()
+                .all(|beam| beam.matrices.rotary == Symmetric::ZERO)
+            {
                 &DISPLACEMENTS
             } else {
                 &BeamMotion::ALL

@@ -3,16 +3,18 @@
 use nalgebra::DVector;
 use num_complex::Complex64;
 
-use crate::model::{BeamMotion, Force, MassMotion, Model, Place, Point, Target};
+use crate::model::{BeamMotion, Force, MassMotion, Model, Place, Point, Target, UniformPart};
 
 /// Loads at some positions of the beam and on every mass; those with different numbers `load` are independent.
 pub(super) fn loads(model: &Model, load: usize) -> Vec<Force> {
     const PLACES: [f64; 5] = [0.0, 0.217, 0.471, 0.738, 1.0];
-    let section = &model.beam.section;
-    let radius = (section.polar_moment / section.area).sqrt();
+    let parts = model.uniform_parts();
     let mut targets: Vec<(Target, f64)> = Vec::new();
     for share in PLACES {
-        let place = Place::Position(share * model.beam.length);
+        let x = share * model.length();
+        let section = &UniformPart::at(&parts, x).beam.section;
+        let radius = (section.polar_moment / section.area).sqrt();
+        let place = Place::Position(x);
         for (motion, arm) in [
             (BeamMotion::W, 1.0),
             (BeamMotion::Psi, radius),

@@ -40,7 +40,7 @@ mod wittrick_williams;
 use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
 
-pub use buckling::{buckling_factors, buckling_load};
+pub use buckling::{buckling_factor, buckling_factors, buckling_load};
 pub(super) use group::Group;
 pub(super) use pencil::eigenvalues;
 pub use shape::{shape, shapes, shares};
@@ -269,13 +269,17 @@ fn collected(counter: &wittrick_williams::Counter, to: f64, found: &damped::Foun
 
 /// Whether the model has a loss factor: then no root is the mirror image of another.
 fn is_hysteretic(model: &Model) -> bool {
-    let beddings = model.beam.foundation.beddings();
+    let parts = model.uniform_parts();
+    let materials = parts.iter().map(|part| part.beam.material.loss_factor);
+    let beddings = parts
+        .iter()
+        .flat_map(|part| part.beam.foundation.beddings());
     let supports = SupportId::all(model).flat_map(|id| id.support(model).restraints);
     let links = model.joints.iter().flat_map(|joint| joint.links);
     let springs = links
         .map(Link::spring)
         .chain(model.attached().flat_map(springs));
-    let mut losses = std::iter::once(model.beam.material.loss_factor)
+    let mut losses = materials
         .chain(beddings.map(|of| of.stiffness * of.loss_factor))
         .chain(supports.map(|of| Spring::from(of.elastic()).complex_stiffness().im))
         .chain(springs.map(|of| of.complex_stiffness().im));
@@ -287,19 +291,30 @@ fn is_damped(model: &Model) -> bool {
     with_damping_times(model, 0.0) != *model
 }
 
-/// The model with every damper and the loss factor at zero.
+/// The model with every damper and loss factor at zero.
 pub fn without_damping(model: &Checked) -> Checked {
     model.derived(|model| *model = with_damping_times(model, 0.0))
 }
 
-/// The model with every damper and the loss factor times a fraction.
+/// The model with every damper and loss factor times a fraction.
 fn with_damping_times(model: &Model, share: f64) -> Model {
     let mut model = model.clone();
-    model.beam.material.loss_factor *= share;
-    let foundation = &mut model.beam.foundation;
-    for bedding in [&mut foundation.w, &mut foundation.psi, &mut foundation.v] {
-        bedding.damping *= share;
-        bedding.loss_factor *= share;
+    let materials = model
+        .spans
+        .iter_mut()
+        .filter_map(|span| span.material.as_mut());
+    for material in materials.chain([&mut model.beam.material]) {
+        material.loss_factor *= share;
+    }
+    let foundations = model
+        .spans
+        .iter_mut()
+        .filter_map(|span| span.foundation.as_mut());
+    for foundation in foundations.chain([&mut model.beam.foundation]) {
+        for bedding in [&mut foundation.w, &mut foundation.psi, &mut foundation.v] {
+            bedding.damping *= share;
+            bedding.loss_factor *= share;
+        }
     }
     for id in SupportId::all(&model) {
         for restraint in &mut id.support_mut(&mut model).restraints {

@@ -8,7 +8,7 @@ use nalgebra::DMatrix;
 use num_complex::Complex64;
 
 use super::motion::Motion;
-use crate::model::{BeamMotion, Model, SupportId};
+use crate::model::{BeamMotion, Model, SupportId, UniformPart};
 use crate::solve::beam_matrices::BeamMatrices;
 use crate::solve::quadrature::Node;
 use crate::solve::springs::{geometric_stretches, springs};
@@ -55,11 +55,13 @@ pub(super) fn bi_orthogonalise(
 
 /// `a^T M b` and `a^T C b` (without the beam's loss factor, which is a stiffness).
 fn products(model: &Model, nodes: &[Node], [a, b]: [&Motion; 2]) -> [Complex64; 2] {
-    let matrices = BeamMatrices::new(&model.beam);
+    let parts = model.uniform_parts();
+    let matrices: Vec<BeamMatrices> = parts.iter().map(BeamMatrices::of_part).collect();
     let (mut mass, mut damping) = (Complex64::ZERO, Complex64::ZERO);
     let looked_at = a.beam.len() - nodes.len();
     let places = a.beam[looked_at..].iter().zip(&b.beam[looked_at..]);
     for (node, (a, b)) in nodes.iter().zip(places) {
+        let matrices = &matrices[UniformPart::index_at(&parts, node.x)];
         mass += node.weight * matrices.inertia(a, b);
         for (row, c) in matrices.foundation_damping.into_iter().enumerate() {
             damping += node.weight * c * a[row] * b[row];

@@ -3,15 +3,15 @@
 use nalgebra::{DMatrix, DVector, Matrix3, SymmetricEigen};
 
 use super::station::{Cut, Mass, Restrained};
-use crate::model::{Beam, BeamMotion, Bedding, Elastic, Model, Spring, Subsystem};
+use crate::model::{BeamMotion, Bedding, Elastic, Model, Spring, Subsystem, UniformPart};
 use crate::solve::beam_matrices::BeamMatrices;
 
 /// The coordinates of a beam whose parts between its joints are rigid: (w, psi, v, w', v') at the left end, then the jump of
 /// each motion that a joint releases. A rigid part has no rate of twist.
 #[derive(Debug, Clone)]
 struct Coordinates {
-    /// m.
-    length: f64,
+    /// The uniform parts of the beam.
+    parts: Vec<UniformPart>,
     jumps: Vec<Jump>,
 }
 
@@ -34,19 +34,24 @@ pub(super) struct RigidMotion {
 }
 
 /// The modes at frequency 0: motions of the rigid beam and the masses that stretch no spring.
-pub(super) fn count(supports: &[Restrained], cuts: &[Cut], masses: &[Mass], beam: &Beam) -> usize {
-    let coordinates = Coordinates::new(cuts, beam.length);
+pub(super) fn count(
+    supports: &[Restrained],
+    cuts: &[Cut],
+    masses: &[Mass],
+    parts: Vec<UniformPart>,
+) -> usize {
+    let coordinates = Coordinates::new(cuts, parts);
     let loose: usize = masses.iter().map(|mass| mass.condensed_static().1).sum();
-    loose + still(&coordinates.stiffness(supports, masses, beam)).len()
+    loose + still(&coordinates.stiffness(supports, masses)).len()
 }
 
 /// The modes at frequency 0 of a model, of modal mass 1 and orthogonal.
 pub(super) fn motions(model: &Model) -> Vec<RigidMotion> {
-    let warps = model.beam.section.warping_constant > 0.0;
-    let supports = Restrained::all(model, warps);
+    let parts = model.uniform_parts();
+    let supports = Restrained::all(model, &parts);
     let masses: Vec<Mass> = model.attached().map(Mass::new).collect();
-    let coordinates = Coordinates::new(&Cut::all(model, warps), model.beam.length);
-    let of_beam = still(&coordinates.stiffness(&supports, &masses, &model.beam));
+    let coordinates = Coordinates::new(&Cut::all(model, &parts), parts);
+    let of_beam = still(&coordinates.stiffness(&supports, &masses));
     let count = coordinates.count();
     let mut motions: Vec<RigidMotion> = of_beam
         .into_iter()
@@ -104,9 +109,9 @@ pub(super) fn crept(model: &Model, least: f64) -> usize {
             })
         })
         .collect();
-    let supports = Restrained::all(model, model.beam.section.warping_constant > 0.0);
     let coordinates = &motions[0].coordinates;
-    let bedding = coordinates.on_foundation(&model.beam, |bedding| bedding.damping);
+    let supports = Restrained::all(model, &coordinates.parts);
+    let bedding = coordinates.on_foundation(|bedding| bedding.damping);
     // The damping of each pair, and the magnitude of its terms: a sum that cancels counts as 0.
     let term = |i: usize, j: usize| {
         let (a, b) = (&motions[i], &motions[j]);
@@ -204,12 +209,14 @@ fn orthonormal(
 
 /// `a^T M b`, closed form along the beam.
 fn mass(model: &Model, supports: &[Restrained], a: &RigidMotion, b: &RigidMotion) -> f64 {
-    let matrices = BeamMatrices::new(&model.beam);
     let coordinates = &a.coordinates;
     let mut sum = 0.0;
-    for (weight, rows) in coordinates.nodes() {
-        let [a, b] = [a, b].map(|of| rows.each_ref().map(|row| row.dot(&of.beam).into()));
-        sum += weight * matrices.inertia(&a, &b).re;
+    for part in &coordinates.parts {
+        let matrices = BeamMatrices::of_part(part);
+        for (weight, rows) in coordinates.nodes(part) {
+            let [a, b] = [a, b].map(|of| rows.each_ref().map(|row| row.dot(&of.beam).into()));
+            sum += weight * matrices.inertia(&a, &b).re;
+        }
     }
     let held = supports.iter().flat_map(|of| coordinates.held_motions(of));
     for (_, row, elastic) in held {
@@ -225,7 +232,7 @@ fn mass(model: &Model, supports: &[Restrained], a: &RigidMotion, b: &RigidMotion
 const AT_LEFT_END: usize = 5;
 
 impl Coordinates {
-    fn new(cuts: &[Cut], length: f64) -> Self {
+    fn new(cuts: &[Cut], parts: Vec<UniformPart>) -> Self {
         let jumps = cuts.iter().flat_map(|cut| {
             let position = cut.position;
             cut.released().map(move |(motion, spring)| Jump {
@@ -235,7 +242,7 @@ impl Coordinates {
             })
         });
         Self {
-            length,
+            parts,
             jumps: jumps
                 .filter(|jump| jump.motion != BeamMotion::PsiSlope)
                 .collect(),
@@ -249,11 +256,11 @@ impl Coordinates {
 
     /// The six motions at x, right of a joint there, as functions of the coordinates.
     fn rows(&self, x: f64) -> [DVector<f64>; 6] {
-        self.rows_of_part(x, x)
+        self.rows_after(x, x)
     }
 
-    /// The same for the rigid part that begins at `from`, m.
-    fn rows_of_part(&self, from: f64, x: f64) -> [DVector<f64>; 6] {
+    /// The same right of what is at `from`, m.
+    fn rows_after(&self, from: f64, x: f64) -> [DVector<f64>; 6] {
         let mut rows: [DVector<f64>; 6] = std::array::from_fn(|_| DVector::zeros(self.count()));
         let at_left_end = [
             (0.0, BeamMotion::W),
@@ -277,18 +284,20 @@ impl Coordinates {
         rows
     }
 
-    /// Nodes of an integral along the beam, which is exact for the product of two motions: their weights, m, and the six
-    /// motions there (Simpson's rule for the product of two straight lines).
-    fn nodes(&self) -> impl Iterator<Item = (f64, [DVector<f64>; 6])> {
+    /// Nodes of an integral along a part of the beam, which is exact for the product of two motions: their weights, m, and
+    /// the six motions there (Simpson's rule for the product of two straight lines).
+    fn nodes(&self, part: &UniformPart) -> impl Iterator<Item = (f64, [DVector<f64>; 6])> {
+        let [start, end] = [part.start, part.end];
         let cuts = self.jumps.iter().map(|jump| jump.position);
-        let mut ends: Vec<f64> = cuts.chain([0.0, self.length]).collect();
+        let cuts = cuts.filter(|cut| (start..end).contains(cut));
+        let mut ends: Vec<f64> = cuts.chain([start, end]).collect();
         ends.sort_by(f64::total_cmp);
         ends.dedup();
-        let parts: Vec<[f64; 2]> = ends.windows(2).map(|part| [part[0], part[1]]).collect();
-        parts.into_iter().flat_map(|[from, to]| {
+        let pieces: Vec<[f64; 2]> = ends.windows(2).map(|piece| [piece[0], piece[1]]).collect();
+        pieces.into_iter().flat_map(|[from, to]| {
             [(0.0, 1.0), (0.5, 4.0), (1.0, 1.0)].map(|(share, weight)| {
                 let x = from + share * (to - from);
-                ((to - from) * weight / 6.0, self.rows_of_part(from, x))
+                ((to - from) * weight / 6.0, self.rows_after(from, x))
             })
         })
     }
@@ -296,12 +305,14 @@ impl Coordinates {
     /// The stiffness over the coordinates, while the masses follow.
     ///
     /// An axial force resists a slope, or turns the beam further; both are no motion at frequency 0.
-    fn stiffness(&self, supports: &[Restrained], masses: &[Mass], beam: &Beam) -> DMatrix<f64> {
-        let mut rigid = self.on_foundation(beam, |bedding| bedding.stiffness);
-        for (weight, rows) in self.nodes() {
-            for slope in [BeamMotion::WSlope, BeamMotion::VSlope] {
-                let row = &rows[slope as usize];
-                add_square(&mut rigid, beam.axial_force.abs() * weight, row);
+    fn stiffness(&self, supports: &[Restrained], masses: &[Mass]) -> DMatrix<f64> {
+        let mut rigid = self.on_foundation(|bedding| bedding.stiffness);
+        for part in &self.parts {
+            for (weight, rows) in self.nodes(part) {
+                for slope in [BeamMotion::WSlope, BeamMotion::VSlope] {
+                    let row = &rows[slope as usize];
+                    add_square(&mut rigid, part.beam.axial_force.abs() * weight, row);
+                }
             }
         }
         for (index, jump) in self.jumps.iter().enumerate() {
@@ -335,11 +346,13 @@ impl Coordinates {
     }
 
     /// The springs, or the dampers, of the foundation.
-    fn on_foundation(&self, beam: &Beam, of: fn(&Bedding) -> f64) -> DMatrix<f64> {
+    fn on_foundation(&self, of: fn(&Bedding) -> f64) -> DMatrix<f64> {
         let mut sum = DMatrix::zeros(self.count(), self.count());
-        for (weight, rows) in self.nodes() {
-            for (row, bedding) in rows.iter().zip(beam.foundation.beddings()) {
-                add_square(&mut sum, of(&bedding) * weight, row);
+        for part in &self.parts {
+            for (weight, rows) in self.nodes(part) {
+                for (row, bedding) in rows.iter().zip(part.beam.foundation.beddings()) {
+                    add_square(&mut sum, of(&bedding) * weight, row);
+                }
             }
         }
         sum

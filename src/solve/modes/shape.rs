@@ -10,7 +10,7 @@ use super::group::{Group, rigid_modes};
 use super::motion::Motion;
 use super::rigid::{self, RigidMotion};
 use super::types::{Modes, Shape, Shares};
-use crate::model::{Checked, Model, SupportId};
+use crate::model::{Checked, Model, SupportId, UniformPart};
 use crate::solve::Cancelled;
 use crate::solve::beam_matrices::BeamMatrices;
 use crate::solve::quadrature::Node;
@@ -98,7 +98,7 @@ fn all<T: Send>(
 fn places(model: &Model, points: usize) -> Vec<f64> {
     let last = points.max(2) - 1;
     (0..=last)
-        .map(|point| model.beam.length * point as f64 / last as f64)
+        .map(|point| model.length() * point as f64 / last as f64)
         .collect()
 }
 
@@ -174,12 +174,19 @@ fn shaped(model: &Model, probe: &Probe, motion: Motion) -> Shape {
 
 /// Shares of the kinetic energy.
 fn energy_shares(nodes: &[Node], model: &Model, motion: &Motion, skip: usize) -> Shares {
-    let section = &model.beam.section;
-    let BeamMatrices { mass, rotary, .. } = BeamMatrices::new(&model.beam);
-    let (offset_y, offset_z) = (section.centroid_offset_y, section.centroid_offset);
-    let about_centroid = mass.psi - mass.w * (offset_y * offset_y + offset_z * offset_z);
+    let parts = model.uniform_parts();
+    let own: Vec<BeamMatrices> = parts
+        .iter()
+        .map(|part| BeamMatrices::new(&part.beam))
+        .collect();
     let mut shares = Shares::default();
-    for (node, [w, psi, v, w_slope, rate, v_slope]) in nodes.iter().zip(&motion.beam[skip..]) {
+    for (node, axis) in nodes.iter().zip(&motion.beam[skip..]) {
+        let part = UniformPart::index_at(&parts, node.x);
+        let BeamMatrices { mass, rotary, .. } = &own[part];
+        let [w, psi, v, w_slope, rate, v_slope] = parts[part].own_motions(axis);
+        let section = &parts[part].beam.section;
+        let (offset_y, offset_z) = (section.centroid_offset_y, section.centroid_offset);
+        let about_centroid = mass.psi - mass.w * (offset_y * offset_y + offset_z * offset_z);
         let weight = node.weight;
         // Half of what both bendings share.
         let shared = rotary.w_v * (w_slope.conj() * v_slope).re;

@@ -7,6 +7,7 @@ use super::matrix_inertia::eliminate;
 use super::rigid::RigidMotion;
 use crate::model::{
     BeamMotion, Elastic, Joint, Model, Point, Restraint, Spring, Subsystem, Support, SupportId,
+    UniformPart,
 };
 use crate::solve::springs::{Stretch, restraint_stiffness, rows};
 
@@ -26,6 +27,10 @@ pub(super) struct Cut {
     pub(super) position: f64,
     springs: [Option<Spring>; 6],
 }
+
+/// The dimensionless springs between both sides of each motion that is not rigid.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Links([Option<f64>; 6]);
 
 /// The fixed motions at one position: those of the axis, but w and v at the point of the section that is held.
 #[derive(Debug, Clone, Copy)]
@@ -56,23 +61,21 @@ pub(super) struct Units {
 }
 
 impl Restrained {
-    /// All supports of a model: those of the ends first.
+    /// All supports of a model with these parts: those of the ends first.
     ///
-    /// If the section has no warping stiffness, the rate of twist is not a degree of freedom: at an end it is fixed
+    /// If the section there has no warping stiffness, the rate of twist is not a degree of freedom: at an end it is fixed
     /// without energy, and between them no support acts on it.
-    pub(super) fn all(model: &Model, warps: bool) -> Vec<Self> {
+    pub(super) fn all(model: &Model, parts: &[UniformPart]) -> Vec<Self> {
         let restrained = |id: SupportId| {
             let mut support = *id.support(model);
-            if !warps {
+            let position = id.position(model);
+            if !UniformPart::at(parts, position).warps() {
                 support[BeamMotion::PsiSlope] = match id {
                     SupportId::Left | SupportId::Right => Restraint::Fixed,
                     SupportId::Inner(_) => Restraint::Free,
                 };
             }
-            Self {
-                position: id.position(model),
-                support,
-            }
+            Self { position, support }
         };
         SupportId::all(model).map(restrained).collect()
     }
@@ -109,11 +112,11 @@ impl Restrained {
 }
 
 impl Cut {
-    /// All joints of a model.
-    pub(super) fn all(model: &Model, warps: bool) -> Vec<Self> {
+    /// All joints of a model with these parts.
+    pub(super) fn all(model: &Model, parts: &[UniformPart]) -> Vec<Self> {
         let cut = |joint: &Joint| Self {
             position: joint.position,
-            springs: joint.springs(!warps),
+            springs: joint.springs(!UniformPart::transmit_bimoment(parts, joint.position)),
         };
         model.joints.iter().map(cut).collect()
     }
@@ -125,17 +128,32 @@ impl Cut {
         motions.filter_map(|(motion, spring)| Some((motion, spring?)))
     }
 
-    /// The dimensionless stiffness K of the part on one side, seen from the other one: in series with the joint. Also the
+    /// The dimensionless stiffnesses of the springs between both sides of each motion that is not rigid.
+    pub(super) fn links(&self, units: &Units) -> Links {
+        let mut links = [None; 6];
+        for (motion, spring) in self.released() {
+            let unit = units.motion[motion as usize];
+            links[motion as usize] = Some(spring.stiffness * unit * unit / units.stiffness);
+        }
+        Links(links)
+    }
+}
+
+impl Links {
+    /// Only the rate of twist is released, without a spring.
+    pub(super) fn without_bimoment() -> Self {
+        let mut links = [None; 6];
+        links[BeamMotion::PsiSlope as usize] = Some(0.0);
+        Self(links)
+    }
+
+    /// The dimensionless stiffness K of the beam on one side, seen from the other one: in series with the links. Also the
     /// number of negative pivots of the motions that are eliminated.
     ///
     /// With the released motions J and their springs k, `X = (K_JJ + k)^-1 K_J`: the rows J become `k X` and the others
     /// `K_I - K_IJ X`, without a difference of large numbers for a soft or a stiff spring.
-    pub(super) fn beyond(&self, stiffness: &Matrix6<f64>, units: &Units) -> (Matrix6<f64>, usize) {
-        let mut springs = [None; 6];
-        for (motion, spring) in self.released() {
-            let unit = units.motion[motion as usize];
-            springs[motion as usize] = Some(spring.stiffness * unit * unit / units.stiffness);
-        }
+    pub(super) fn beyond(&self, stiffness: &Matrix6<f64>) -> (Matrix6<f64>, usize) {
+        let Self(springs) = self;
         let is_released = |row: usize| springs[row].is_some();
         let own = Matrix6::from_fn(|i, j| match (springs[i], i == j) {
             (Some(spring), true) => stiffness[(i, i)] + spring,
@@ -202,14 +220,32 @@ impl Fixed {
 
     /// The motions of the axis from those of the point, both dimensionless; none if the point is on the axis.
     pub(super) fn axis_of_point(&self, units: &Units) -> Option<Matrix6<f64>> {
-        if self.point == Point::AXIS {
+        let Point { y, z } = self.point;
+        units.of_point(Point { y: -y, z: -z })
+    }
+}
+
+impl Units {
+    /// The motions of a point of the section from those of the axis, both dimensionless; none if the point is on the axis.
+    fn of_point(&self, point: Point) -> Option<Matrix6<f64>> {
+        if point == Point::AXIS {
             return None;
         }
-        let mut axis = Matrix6::identity();
-        let turn = units.motion[BeamMotion::Psi as usize];
-        axis[(BeamMotion::W as usize, BeamMotion::Psi as usize)] = -self.point.z * turn;
-        axis[(BeamMotion::V as usize, BeamMotion::Psi as usize)] = self.point.y * turn;
-        Some(axis)
+        let mut moved = Matrix6::identity();
+        let psi = BeamMotion::Psi as usize;
+        for motion in [BeamMotion::W, BeamMotion::V] {
+            let arm = point.arm(motion).unwrap_or_default();
+            moved[(motion as usize, psi)] = arm * self.motion[psi];
+        }
+        Some(moved)
+    }
+
+    /// The same for a line of points along the beam, whose slopes differ likewise.
+    pub(super) fn of_line(&self, offset: Point) -> Option<Matrix6<f64>> {
+        let mut moved = self.of_point(offset)?;
+        let displaced = moved.fixed_view::<3, 3>(0, 0).into_owned();
+        moved.fixed_view_mut::<3, 3>(3, 3).copy_from(&displaced);
+        Some(moved)
     }
 }
 

@@ -1,12 +1,13 @@
 use num_complex::Complex64;
 use proptest::prelude::*;
 
+use super::blocked::Blocked;
 use super::characteristic::Characteristic;
 use super::with_damping_times;
 use super::wittrick_williams::Counter;
 use crate::model::{
     Beam, Bedding, Elastic, Foundation, InnerSupport, Joint, Link, Material, Model, Point,
-    Restraint, Section, Spacing, Spring, Subsystem, Support, Supports, Sweep, Theory,
+    Restraint, Section, Spacing, Span, Spring, Subsystem, Support, Supports, Sweep, Theory,
 };
 use crate::presets;
 
@@ -41,6 +42,39 @@ fn the_count_and_the_characteristic_function_agree_on_every_preset() {
             &model,
             (0..200).map(|step| 0.3 * (1.0 + 0.0513 * f64::from(step)).powi(3)),
         );
+    }
+}
+
+/// Closed form: a beam that is cut into equal spans has the same characteristic function, also where a mass is blocked.
+#[test]
+fn the_characteristic_function_of_a_beam_in_equal_spans_is_that_of_the_beam() {
+    for name in ["fig05a", "hundred_absorbers"] {
+        let model = crate::model::read(presets::find(name).unwrap().text)
+            .unwrap()
+            .into_inner();
+        let whole = with_damping_times(&model, 0.0);
+        let mut cut = whole.clone();
+        cut.beam.length = 0.0;
+        cut.spans = [0.3, 0.3, 0.4]
+            .map(|share| Span {
+                length: share * whole.beam.length,
+                section: Some(whole.beam.section),
+                ..Span::default()
+            })
+            .to_vec();
+        let masses = Blocked::new(&whole).roots;
+        let masses = masses.iter().filter(|root| root.re > 0.0);
+        let mut omegas: Vec<Complex64> = masses.map(|root| root.re.into()).collect();
+        omegas.push(Complex64::from(777.0));
+        let [found, expected] = [&cut, &whole].map(|model| Characteristic::new(model).at(&omegas));
+        for ((found, expected), omega) in found.iter().zip(&expected).zip(&omegas) {
+            let ratio = (found.log - expected.log).exp();
+            let difference = (found.direction * ratio - expected.direction).norm();
+            assert!(
+                difference < 1e-6,
+                "{name}, {omega} rad/s: {found:?} {expected:?}"
+            );
+        }
     }
 }
 
@@ -94,6 +128,35 @@ fn beams() -> impl Strategy<Value = Beam> {
     )
 }
 
+/// Shares of the length and what they are made of, some like the whole beam; none on a uniform beam. Their theory is that
+/// of the whole beam.
+fn spans() -> impl Strategy<Value = Vec<(f64, Span)>> {
+    let offset = || prop_oneof![Just(0.0), -0.2..0.2];
+    let own = (beams(), offset(), offset(), 0.2..2.0);
+    let own = own.prop_map(|(beam, y, z, factor)| {
+        let material = Material {
+            young_modulus: factor * beam.material.young_modulus,
+            ..beam.material
+        };
+        let offset = if beam.section.warping_constant == 0.0 {
+            Point::AXIS
+        } else {
+            Point { y, z }
+        };
+        Span {
+            axial_force: Some(beam.axial_force),
+            material: Some(material),
+            section: Some(beam.section),
+            foundation: Some(beam.foundation),
+            offset,
+            ..Span::default()
+        }
+    });
+    let span = prop_oneof![1 => Just(Span::default()), 4 => own];
+    let spans = prop::collection::vec((0.1..1.0, span), 2..4);
+    prop_oneof![1 => Just(Vec::new()), 1 => spans]
+}
+
 fn restraints() -> impl Strategy<Value = Restraint> {
     let inertia = prop_oneof![Just(0.0), 0.0..50.0];
     let elastic = (1.0..10.0, inertia).prop_map(|(power, inertia)| {
@@ -117,7 +180,14 @@ fn subsystems() -> impl Strategy<Value = Subsystem> {
         damping: 0.0,
         loss_factor: 0.0,
     });
-    let place = prop_oneof![Just(0.0), Just(1.0), Just(0.3), Just(0.300_000_1), 0.0..1.0];
+    let place = prop_oneof![
+        Just(0.0),
+        Just(1.0),
+        Just(0.3),
+        Just(0.300_000_1),
+        Just(OF_AN_END),
+        0.0..1.0
+    ];
     let inertia = prop_oneof![Just(0.0), 0.01..50.0];
     let lengths = prop::array::uniform4(-0.4..0.4);
     (
@@ -144,6 +214,9 @@ fn subsystems() -> impl Strategy<Value = Subsystem> {
         })
 }
 
+/// The place, from 0 to 1, that stands for the end of the first span.
+const OF_AN_END: f64 = 0.7;
+
 /// Some at the places of supports and subsystems, all at different ones, from 0 to 1.
 fn joints() -> impl Strategy<Value = Vec<Joint>> {
     let elastic = (1.0..10.0).prop_map(|power| {
@@ -153,7 +226,7 @@ fn joints() -> impl Strategy<Value = Vec<Joint>> {
         })
     });
     let link = prop_oneof![6 => Just(Link::Rigid), 1 => Just(Link::Free), 2 => elastic];
-    let place = prop_oneof![Just(0.3), Just(0.7), 0.01..0.99];
+    let place = prop_oneof![Just(0.3), Just(OF_AN_END), 0.01..0.99];
     let joint = (place, prop::array::uniform6(link))
         .prop_map(|(position, links)| Joint { position, links });
     prop::collection::vec(joint, 0..4).prop_map(|mut joints| {
@@ -171,7 +244,7 @@ fn models() -> impl Strategy<Value = Model> {
             point: Point { y, z },
         })
     };
-    let place = prop_oneof![Just(0.3), Just(0.7), 0.01..0.99];
+    let place = prop_oneof![Just(0.3), Just(OF_AN_END), 0.01..0.99];
     let inner = (place, support());
     // Different places: two supports cannot fix the same motion.
     let inner = prop::collection::vec(inner, 0..3).prop_map(|mut inner| {
@@ -179,42 +252,57 @@ fn models() -> impl Strategy<Value = Model> {
         inner
     });
     let masses = prop::collection::vec(subsystems(), 0..6);
-    let all = (beams(), support(), support(), inner, joints(), masses);
-    all.prop_map(|(beam, left, right, inner, mut joints, mut subsystems)| {
-        for joint in &mut joints {
-            joint.position *= beam.length;
-        }
-        let inner = inner.into_iter().map(|(place, support)| InnerSupport {
-            name: String::new(),
-            position: place * beam.length,
-            support,
-        });
-        for subsystem in &mut subsystems {
-            subsystem.position *= beam.length;
-        }
-        Model {
-            title: String::new(),
-            notes: String::new(),
-            beam,
-            supports: Supports {
-                left,
-                right,
-                inner: inner.collect(),
-            },
-            joints,
-            subsystems,
-            forces: Vec::new(),
-            responses: Vec::new(),
-            sweep: Sweep {
-                from: 1.0,
-                to: 300.0,
-                points: 2,
-                spacing: Spacing::Linear,
-            },
-            studies: Vec::new(),
-            tune: None,
-        }
-    })
+    let ends = (support(), support());
+    let all = (beams(), spans(), ends, inner, joints(), masses);
+    all.prop_map(
+        |(mut beam, spans, (left, right), inner, mut joints, mut subsystems)| {
+            let sum: f64 = spans.iter().map(|(share, _)| share).sum();
+            let spans = spans.into_iter().map(|(share, span)| Span {
+                length: share / sum * beam.length,
+                ..span
+            });
+            let spans: Vec<Span> = spans.collect();
+            let length = beam.length;
+            let position = |place: f64| match spans.first() {
+                Some(first) if place == OF_AN_END => first.length,
+                Some(_) | None => place * length,
+            };
+            for joint in &mut joints {
+                joint.position = position(joint.position);
+            }
+            let inner = inner.into_iter().map(|(place, support)| InnerSupport {
+                name: String::new(),
+                position: position(place),
+                support,
+            });
+            let inner = inner.collect();
+            for subsystem in &mut subsystems {
+                subsystem.position = position(subsystem.position);
+            }
+            if !spans.is_empty() {
+                beam.length = 0.0;
+            }
+            Model {
+                title: String::new(),
+                notes: String::new(),
+                beam,
+                supports: Supports { left, right, inner },
+                spans,
+                joints,
+                subsystems,
+                forces: Vec::new(),
+                responses: Vec::new(),
+                sweep: Sweep {
+                    from: 1.0,
+                    to: 300.0,
+                    points: 2,
+                    spacing: Spacing::Linear,
+                },
+                studies: Vec::new(),
+                tune: None,
+            }
+        },
+    )
 }
 
 proptest! {

@@ -5,6 +5,10 @@
 //! the spans between them and of each subsystem's mass. The stations are eliminated from left to right, so that no
 //! matrix is larger than 6x6 and the cost is linear in their number. The count shares nothing with the frequency
 //! responses.
+//!
+//! Stations are over the motions of the axis, each uniform part between them over those of its own shear centres, where
+//! fewer motions are coupled; at both ends of a part its stiffness moves by a congruence, which keeps the count. A part
+//! without warping stiffness has a rate of twist that nothing else meets and that is always stable.
 
 use std::ops::Range;
 
@@ -14,31 +18,47 @@ use num_complex::Complex64;
 use super::dynamic_stiffness::{Field, Span, symmetric};
 use super::matrix_inertia::{eliminate, negatives};
 use super::rigid;
-use super::station::{Cut, Fixed, Mass, Restrained, Units};
-use crate::model::{Beam, BeamMotion, Model};
+use super::station::{Cut, Fixed, Links, Mass, Restrained, Units};
+use crate::model::{Beam, BeamMotion, Model, Point, UniformPart};
 use crate::solve::beam_matrices::{BeamMatrices, Symmetric};
 
 /// A model laid out for the count.
 #[derive(Debug, Clone)]
 pub(super) struct Counter {
-    beam: Beam,
+    /// The uniform parts of the beam, from left to right.
+    parts: Vec<UniformPart>,
+    /// m.
+    length: f64,
+    means: Means,
     /// By ascending x.
     supports: Vec<Restrained>,
     /// By ascending x, at most one at a position.
     cuts: Vec<Cut>,
     /// By ascending x; subsystems at one position are adjacent.
     masses: Vec<Mass>,
-    /// The positions of the supports, the joints and the masses, by ascending x: the first is the left end, the last the right one.
+    /// The positions of the supports, the joints, the masses and the ends of parts, by ascending x: the first is the left
+    /// end, the last the right one.
     nodes: Vec<Node>,
-    /// The lengths between the nodes, m: one less.
-    spans: Vec<f64>,
-    /// The span where the elimination from the left meets that from the right: the longest one, but right of every joint
+    /// Between the nodes: one less.
+    stretches: Vec<Stretch>,
+    /// The stretch where the elimination from the left meets that from the right: the longest one, but right of every joint
     /// next to a fixed motion, which only the elimination from the left can cross.
     meeting: usize,
     /// Number of modes at frequency 0.
     rigid: usize,
     /// Number of modes that an axial compression makes grow.
     unstable: usize,
+}
+
+/// Means over the length of the beam.
+#[derive(Debug, Clone, Copy)]
+struct Means {
+    /// E `I_y`, N m2.
+    bending: f64,
+    /// rho A, kg/m.
+    mass: f64,
+    /// `I_0 / A`, m2.
+    gyration: f64,
 }
 
 /// What is at one position, by the indices in the lists of the counter.
@@ -49,43 +69,55 @@ struct Node {
     supports: Range<usize>,
     masses: Range<usize>,
     fixed: Fixed,
+    /// Whether the part left of it, and that right of it, has no warping stiffness and the other one does, which holds
+    /// all this.
+    without_warping: [bool; 2],
+}
+
+/// The beam between two nodes.
+#[derive(Debug, Clone, Copy)]
+struct Stretch {
+    /// m.
+    length: f64,
+    /// Index of its part.
+    part: usize,
 }
 
 impl Counter {
     /// Lays out the undamped part of a checked model.
     pub(super) fn new(model: &Model) -> Self {
-        let mut beam = model.beam;
-        if decays_at_once(&beam) {
-            beam.section.warping_constant = 0.0;
+        let length = model.length();
+        let mut parts = model.uniform_parts();
+        for part in &mut parts {
+            if part.offset == Point::AXIS && decays_at_once(&part.beam, length) {
+                part.beam.section.warping_constant = 0.0;
+            }
         }
-        let mut supports = Restrained::all(model, beam.section.warping_constant > 0.0);
+        move_ends(&mut parts, model, length);
+        let mut supports = Restrained::all(model, &parts);
         supports.sort_by(|a, b| a.position.total_cmp(&b.position));
-        let mut cuts = Cut::all(model, beam.section.warping_constant > 0.0);
+        let mut cuts = Cut::all(model, &parts);
         cuts.sort_by(|a, b| a.position.total_cmp(&b.position));
         let mut masses: Vec<Mass> = model.attached().map(Mass::new).collect();
         for mass in &mut masses {
-            mass.position = near_support(mass.position, &supports, &cuts, beam.length);
+            mass.position = near_support(mass.position, &supports, &cuts, length);
         }
         masses.sort_by(|a, b| a.position.total_cmp(&b.position));
-        let (nodes, spans) = nodes(&supports, &cuts, &masses);
+        let (nodes, stretches) = nodes(&supports, &cuts, &masses, &parts);
         let mut counter = Self {
+            meeting: meeting(&nodes, &stretches),
+            rigid: rigid::count(&supports, &cuts, &masses, parts.clone()),
+            means: Means::of(&parts, length),
+            length,
+            parts,
             supports,
             cuts,
-            meeting: meeting(&nodes, &spans),
-            beam,
             masses,
             nodes,
-            spans,
-            rigid: 0,
+            stretches,
             unstable: 0,
         };
-        counter.rigid = rigid::count(
-            &counter.supports,
-            &counter.cuts,
-            &counter.masses,
-            &counter.beam,
-        );
-        if counter.beam.axial_force < 0.0 {
+        if (counter.parts.iter()).any(|part| part.beam.axial_force < 0.0) {
             let slow = counter.slow();
             counter.unstable = counter.below(slow).saturating_sub(counter.rigid);
         }
@@ -105,10 +137,7 @@ impl Counter {
     /// An angular frequency, rad/s, at which a beam is as good as at rest.
     fn slow(&self) -> f64 {
         const SHARE: f64 = 1e-6;
-        let (material, section) = (&self.beam.material, &self.beam.section);
-        let stiffness = material.young_modulus * section.second_moment_y;
-        let mass = material.density * section.area;
-        SHARE * (stiffness / mass).sqrt() / self.beam.length.powi(2)
+        SHARE * (self.means.bending / self.means.mass).sqrt() / self.length.powi(2)
     }
 
     /// Number of modes below the angular frequency `omega` > 0, rad/s, those at 0 included, without the unstable ones.
@@ -118,15 +147,17 @@ impl Counter {
     /// same), and the count would lose half its digits there.
     pub(super) fn below(&self, omega: f64) -> usize {
         const SHARE: f64 = 0.414_2;
+        let units = self.units(omega);
+        let beams = self.parts.iter().map(|part| Part::new(part, omega, &units));
         let mut march = March {
             counter: self,
             omega,
-            units: self.units(omega),
-            field: self.field(omega),
+            parts: beams.collect(),
+            units,
             known: None,
             count: 0,
         };
-        let last = self.spans.len();
+        let last = self.stretches.len();
         let from_left: Vec<_> = (0..=self.meeting).map(|n| (n, n)).collect();
         let from_right: Vec<_> = (self.meeting..last).rev().map(|n| (n + 1, n)).collect();
         let left = march.over(&from_left, SHARE, true);
@@ -139,36 +170,69 @@ impl Counter {
     }
 
     fn units(&self, omega: f64) -> Units {
-        let (material, section) = (&self.beam.material, &self.beam.section);
-        let bending = material.young_modulus * section.second_moment_y;
-        let wave = (bending / (material.density * section.area * omega * omega)).powf(0.25);
-        let length = wave.min(self.beam.length);
-        let turn = (section.area / section.polar_moment).sqrt();
+        let Means {
+            bending,
+            mass,
+            gyration,
+        } = self.means;
+        let wave = (bending / (mass * omega * omega)).powf(0.25);
+        let length = wave.min(self.length);
+        let turn = gyration.sqrt().recip();
         Units {
             length,
             stiffness: bending / length.powi(3),
             motion: [1.0, turn, 1.0, 1.0 / length, turn / length, 1.0 / length],
         }
     }
+}
 
-    fn field(&self, omega: f64) -> Field {
-        let units = self.units(omega);
-        let matrices = BeamMatrices::new(&self.beam);
-        let real = |of: &Symmetric<Complex64>| dimensionless(&of.map(|entry| entry.re), &units);
+impl Means {
+    fn of(parts: &[UniformPart], length: f64) -> Self {
+        let mean = |of: fn(&Beam) -> f64| {
+            let sum: f64 = (parts.iter())
+                .map(|part| of(&part.beam) * (part.end - part.start))
+                .sum();
+            sum / length
+        };
+        Self {
+            bending: mean(|of| of.material.young_modulus * of.section.second_moment_y),
+            mass: mean(|of| of.material.density * of.section.area),
+            gyration: mean(|of| of.section.polar_moment / of.section.area),
+        }
+    }
+}
+
+/// A uniform part of the beam at one frequency.
+#[derive(Debug)]
+struct Part {
+    field: Field,
+    /// Its own motions from those of the axis, dimensionless; none if they are the same.
+    own: Option<Matrix6<f64>>,
+}
+
+impl Part {
+    fn new(part: &UniformPart, omega: f64, units: &Units) -> Self {
+        let matrices = BeamMatrices::new(&part.beam);
+        let real = |of: &Symmetric<Complex64>| dimensionless(&of.map(|entry| entry.re), units);
         // E Iy, and the square of the length over it.
         let bending = units.stiffness * units.length.powi(3);
         let square = units.length * units.length / bending;
         let quartic = square * units.length * units.length;
         let [w, v] = [matrices.shear.w, matrices.shear.v].map(|compliance| compliance.re / square);
-        Field {
+        // It is on the axis.
+        let Point { y, z } = part.offset;
+        let foundation = Symmetric::diagonal(matrices.foundation).moved(Point { y: -y, z: -z });
+        let field = Field {
             bending: real(&matrices.bending) / bending,
             tension: real(&matrices.tension) * square,
-            rotary: dimensionless(&matrices.rotary, &units) * (omega * omega * square),
+            rotary: dimensionless(&matrices.rotary, units) * (omega * omega * square),
             shear: Matrix3::from_diagonal(&Vector3::new(w, 0.0, v)),
-            inertia: dimensionless(&matrices.mass, &units) * (omega * omega * quartic),
-            foundation: Matrix3::from_diagonal(&Vector3::from_fn(|row, _| {
-                matrices.foundation[row].re * units.motion[row].powi(2) * quartic
-            })),
+            inertia: dimensionless(&matrices.mass, units) * (omega * omega * quartic),
+            foundation: real(&foundation) * quartic,
+        };
+        Self {
+            field,
+            own: units.of_line(part.offset),
         }
     }
 }
@@ -179,16 +243,26 @@ fn dimensionless(of: &Symmetric<f64>, units: &Units) -> Matrix3<f64> {
     Matrix3::from_fn(|i, j| rows[i][j] * units.motion[i] * units.motion[j])
 }
 
-/// Whether the warping of an end decays within so little of the beam that it does not affect the count.
-fn decays_at_once(beam: &Beam) -> bool {
+/// Whether the warping of an end decays within so little of a length, m, that it does not affect the count.
+fn decays_at_once(beam: &Beam, length: f64) -> bool {
     const NEGLIGIBLE: f64 = 1e-12;
     let (material, section) = (&beam.material, &beam.section);
     material.young_modulus * section.warping_constant
-        < NEGLIGIBLE * material.shear_modulus * section.torsion_constant * beam.length.powi(2)
+        < NEGLIGIBLE * material.shear_modulus * section.torsion_constant * length.powi(2)
+}
+
+/// Moves the ends of parts to the supports that are as good as there.
+fn move_ends(parts: &mut [UniformPart], model: &Model, length: f64) {
+    let (supports, cuts) = (Restrained::all(model, parts), Cut::all(model, parts));
+    for right in 1..parts.len() {
+        let end = near_support(parts[right].start, &supports, &cuts, length);
+        parts[right - 1].end = end;
+        parts[right].start = end;
+    }
 }
 
 /// The position of a support that fixes a motion, if a position is as good as there and no joint is between them: the
-/// stiffness of the span between them would be so large that rounding hides everything else. Both m.
+/// stiffness of the beam between them would be so large that rounding hides everything else. All in m.
 fn near_support(position: f64, supports: &[Restrained], cuts: &[Cut], length: f64) -> f64 {
     const NEAR: f64 = 2e-7;
     let is_near = |support: &&Restrained| {
@@ -207,36 +281,53 @@ fn near_support(position: f64, supports: &[Restrained], cuts: &[Cut], length: f6
     near.map_or(position, |support| support.position)
 }
 
-/// The positions of supports, joints and masses, and the lengths between them.
-fn nodes(supports: &[Restrained], cuts: &[Cut], masses: &[Mass]) -> (Vec<Node>, Vec<f64>) {
+/// The positions of supports, joints, masses and ends of parts, and the beam between them.
+fn nodes(
+    supports: &[Restrained],
+    cuts: &[Cut],
+    masses: &[Mass],
+    parts: &[UniformPart],
+) -> (Vec<Node>, Vec<Stretch>) {
     let of_supports = supports.iter().map(|support| support.position);
     let mut positions: Vec<f64> = of_supports
         .chain(cuts.iter().map(|cut| cut.position))
         .chain(masses.iter().map(|mass| mass.position))
+        .chain(parts[1..].iter().map(|part| part.start))
         .collect();
     positions.sort_by(f64::total_cmp);
     positions.dedup();
-    let spans = positions.windows(2).map(|ends| ends[1] - ends[0]).collect();
+    let inner = &parts[..parts.len() - 1];
+    let stretch = |ends: &[f64]| Stretch {
+        length: ends[1] - ends[0],
+        part: inner.partition_point(|part| part.end <= ends[0]),
+    };
+    let stretches = positions.windows(2).map(stretch).collect();
     let node = |x: &f64| {
         let held = supports.partition_point(|of| of.position < *x)
             ..supports.partition_point(|of| of.position <= *x);
+        let sides = [
+            inner.partition_point(|part| part.end < *x),
+            inner.partition_point(|part| part.end <= *x),
+        ];
+        let warps = UniformPart::at(parts, *x).warps();
         Node {
             cut: cuts.iter().position(|cut| cut.position == *x),
             fixed: Fixed::by(&supports[held.clone()]),
             supports: held,
             masses: masses.partition_point(|of| of.position < *x)
                 ..masses.partition_point(|of| of.position <= *x),
+            without_warping: sides.map(|side| warps && !parts[side].warps()),
         }
     };
-    (positions.iter().map(node).collect(), spans)
+    (positions.iter().map(node).collect(), stretches)
 }
 
-/// The index of the span where both eliminations meet.
-fn meeting(nodes: &[Node], spans: &[f64]) -> usize {
+/// The index of the stretch where both eliminations meet.
+fn meeting(nodes: &[Node], stretches: &[Stretch]) -> usize {
     let is_one_way = |node: &Node| node.cut.is_some() && node.fixed.motions != [false; 6];
     let first = nodes.iter().rposition(is_one_way).unwrap_or(0);
-    let by_length = |&a: &usize, &b: &usize| spans[a].total_cmp(&spans[b]);
-    (first..spans.len()).max_by(by_length).unwrap_or(0)
+    let by_length = |&a: &usize, &b: &usize| stretches[a].length.total_cmp(&stretches[b].length);
+    (first..stretches.len()).max_by(by_length).unwrap_or(0)
 }
 
 /// The elimination of stations at one frequency.
@@ -244,21 +335,30 @@ struct March<'a> {
     counter: &'a Counter,
     omega: f64,
     units: Units,
-    field: Field,
-    /// The last span and its length, for the next of that length.
-    known: Option<(f64, Span)>,
+    parts: Vec<Part>,
+    /// The last span, with its length and its part, for the next of that kind.
+    known: Option<(f64, Field, Span)>,
     /// Number of negative pivots, and of modes of clamped spans and blocked masses, so far.
     count: usize,
 }
 
 impl March<'_> {
-    /// From the left or the right end over nodes, each with the span behind it, and a fraction of the last span; returns
-    /// the dynamic stiffness of this part, in a frame that points away from the end.
+    /// From the left or the right end over nodes, each with the stretch behind it, and a fraction of the last stretch;
+    /// returns the dynamic stiffness of all this, in a frame that points away from the end.
     fn over(&mut self, path: &[(usize, usize)], share: f64, is_left: bool) -> Matrix6<f64> {
         let mut stiffness = Matrix6::zeros();
         let last = path.len() - 1;
-        for (step, &(node, span)) in path.iter().enumerate() {
+        for (step, &(node, stretch)) in path.iter().enumerate() {
             let node = &self.counter.nodes[node];
+            let [left, right] = node.without_warping;
+            let [before, beyond] = if is_left {
+                [left, right]
+            } else {
+                [right, left]
+            };
+            if before {
+                without_bimoment(&mut stiffness);
+            }
             if is_left {
                 self.join(node, &mut stiffness);
             }
@@ -266,8 +366,13 @@ impl March<'_> {
             if !is_left {
                 self.join(node, &mut stiffness);
             }
+            let mut fixed = node.fixed;
+            if beyond {
+                self.end_warping(&mut fixed, &mut stiffness);
+            }
             let part = if step == last { share } else { 1.0 };
-            self.cross(part * self.counter.spans[span], &mut stiffness, node.fixed);
+            let Stretch { length, part: of } = self.counter.stretches[stretch];
+            self.cross((part * length, of), &mut stiffness, fixed);
         }
         stiffness
     }
@@ -275,9 +380,23 @@ impl March<'_> {
     /// Moves the stiffness over the joint of a node, if it has one.
     fn join(&mut self, node: &Node, stiffness: &mut Matrix6<f64>) {
         if let Some(cut) = node.cut {
-            let (beyond, own) = self.counter.cuts[cut].beyond(stiffness, &self.units);
-            *stiffness = beyond;
-            self.count = self.count.saturating_add(own);
+            self.release(self.counter.cuts[cut].links(&self.units), stiffness);
+        }
+    }
+
+    fn release(&mut self, links: Links, stiffness: &mut Matrix6<f64>) {
+        let (beyond, own) = links.beyond(stiffness);
+        *stiffness = beyond;
+        self.count = self.count.saturating_add(own);
+    }
+
+    /// Into a part without warping stiffness: the rate of twist before it is free, unless it is fixed.
+    fn end_warping(&mut self, fixed: &mut Fixed, stiffness: &mut Matrix6<f64>) {
+        let rate = &mut fixed.motions[BeamMotion::PsiSlope as usize];
+        if std::mem::take(rate) {
+            without_bimoment(stiffness);
+        } else {
+            self.release(Links::without_bimoment(), stiffness);
         }
     }
 
@@ -294,26 +413,45 @@ impl March<'_> {
         }
     }
 
-    /// Moves the stiffness over a span.
-    fn cross(&mut self, length: f64, stiffness: &mut Matrix6<f64>, mut fixed: Fixed) {
-        let pieces = self.field.pieces(length / self.units.length);
+    /// Moves the stiffness over a length, m, of a part.
+    fn cross(&mut self, (length, part): (f64, usize), stiffness: &mut Matrix6<f64>, fixed: Fixed) {
+        let Part { field, own } = &self.parts[part];
+        let pieces = field.pieces(length / self.units.length);
         let length = length / pieces as f64;
         let span = match self.known.take() {
-            Some((known, span)) if known == length => span,
-            _ => self.field.span(length / self.units.length),
+            Some((known, of, span)) if known == length && of == *field => span,
+            _ => field.span(length / self.units.length),
         };
-        for _ in 0..pieces {
-            let count = if let Some(axis) = fixed.axis_of_point(&self.units) {
-                *stiffness = axis.transpose() * *stiffness * axis;
-                cross(&span.at_point(&axis), stiffness, fixed.motions)
-            } else {
-                cross(&span, stiffness, fixed.motions)
-            };
-            self.count = self.count.saturating_add(count);
-            fixed = Fixed::NONE;
+        let axis = fixed.axis_of_point(&self.units);
+        if let Some(axis) = &axis {
+            *stiffness = axis.transpose() * *stiffness * axis;
         }
-        self.known = Some((length, span));
+        let first = match (own, axis) {
+            (Some(own), Some(axis)) => Some(own * axis),
+            (own, axis) => own.or(axis),
+        };
+        let count = match first {
+            Some(first) => cross(&span.starting_with(&first), stiffness, fixed.motions),
+            None => cross(&span, stiffness, fixed.motions),
+        };
+        self.count = self.count.saturating_add(count);
+        for _ in 1..pieces {
+            let count = cross(&span, stiffness, Fixed::NONE.motions);
+            self.count = self.count.saturating_add(count);
+        }
+        if let Some(own) = own {
+            *stiffness = symmetric(own.transpose() * *stiffness * own);
+        }
+        self.known = Some((length, *field, span));
     }
+}
+
+/// A part without warping stiffness ends: its rate of twist is no motion of what is beyond.
+fn without_bimoment(stiffness: &mut Matrix6<f64>) {
+    stiffness.row_mut(BeamMotion::PsiSlope as usize).fill(0.0);
+    stiffness
+        .column_mut(BeamMotion::PsiSlope as usize)
+        .fill(0.0);
 }
 
 /// A stiffness in the opposite frame: slopes change their sign.

@@ -41,7 +41,7 @@ impl<'a> Along<'a> {
     pub(super) fn places(&self, points: usize) -> Vec<Spot> {
         /// A position closer than this to a joint, relative to the length, counts as the joint.
         const NEAR: f64 = 1e-9;
-        let length = self.model.beam.length;
+        let length = self.model.length();
         let near = NEAR * length;
         let steps = points.max(2) - 1;
         let grid: Vec<f64> = (1..steps)
@@ -78,7 +78,7 @@ impl<'a> Along<'a> {
     /// The outer sides of the left and of the right end.
     pub(super) fn ends(&self) -> [Spot; 2] {
         let last = self.plan.stations.len();
-        [(0.0, 0), (self.model.beam.length, last)].map(|(position, span)| Spot { position, span })
+        [(0.0, 0), (self.model.length(), last)].map(|(position, span)| Spot { position, span })
     }
 
     /// The states just before and just after a station.
@@ -91,13 +91,13 @@ impl<'a> Along<'a> {
     /// waves there.
     pub(super) fn at(&self, spot: Spot) -> BeamState {
         let (a, b) = self.waves_at(spot);
-        let mut local = BeamState::new(&self.solution.waves, &a, &b);
+        let mut local = BeamState::new(self.solution.waves_of(self.plan, spot.span), &a, &b);
         self.hold(spot, &mut local.motion);
         local
     }
 
     fn waves_at(&self, spot: Spot) -> (Amplitudes, Amplitudes) {
-        let waves = &self.solution.waves;
+        let waves = self.solution.waves_of(self.plan, spot.span);
         let from_left = waves.decay(spot.position - self.start_of(spot.span));
         let from_right = waves.decay(self.end_of(spot.span) - spot.position);
         let span = &self.solution.spans[spot.span];
@@ -114,7 +114,7 @@ impl<'a> Along<'a> {
         if here.any(|of| matches!(of.event, Event::Joint(_))) {
             return;
         }
-        for held in self.plan.held_at(spot.position, self.model.beam.length) {
+        for held in self.plan.held_at(spot.position, self.model.length()) {
             *motion = held.held(motion);
         }
     }
@@ -126,6 +126,6 @@ impl<'a> Along<'a> {
 
     fn end_of(&self, span: usize) -> f64 {
         let station = self.plan.stations.get(span);
-        station.map_or(self.model.beam.length, |station| station.position)
+        station.map_or(self.model.length(), |station| station.position)
     }
 }

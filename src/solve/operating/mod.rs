@@ -174,7 +174,7 @@ fn reactions(along: &Along<'_>) -> Vec<[Complex64; 6]> {
     let [left, right] = along.ends().map(|spot| along.at(spot));
     let of = |held: &Held, [before, after]: [&BeamState; 2], axis: &[Complex64; 6]| {
         let sides = [&before.force, &after.force];
-        held.forces(along.omega.into(), sides, axis, plan.beam.without_warping())
+        held.forces(along.omega.into(), sides, axis)
     };
     let ends = [
         of(&plan.left, [&BeamState::ZERO, &left], &left.motion),

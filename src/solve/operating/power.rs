@@ -13,6 +13,7 @@ use crate::solve::beam_state::BeamState;
 use crate::solve::energy::SpanEnergy;
 use crate::solve::linear::ZERO;
 use crate::solve::springs::springs;
+use crate::solve::waves::BeamConstants;
 
 /// The spring words of the model file, in the order of [`MassState::forces`].
 const SPRINGS: [&str; 4] = ["y_left", "y_right", "z_left", "z_right"];
@@ -56,7 +57,7 @@ fn input(along: &Along<'_>, masses: &[MassState], force: &Force) -> f64 {
             state.map_or(ZERO, |state| state.motion[*motion as usize])
         }
         Target::Beam(place, motion) => {
-            let position = place.position(along.model.beam.length);
+            let position = place.position(along.model.length());
             let axis = along.at(along.spot(position)).motion;
             force.point.motions(&axis)[*motion as usize]
         }
@@ -87,16 +88,15 @@ fn of_subsystems(along: &Along<'_>, masses: &[MassState]) -> Vec<Damper> {
 
 /// What the dampers and the loss factors of the foundation dissipate along the beam.
 fn of_foundation(along: &Along<'_>) -> Vec<Damper> {
-    let solution = &along.solution;
-    let beddings = along.model.beam.foundation.beddings();
+    let (plan, solution) = (along.plan, &along.solution);
     let mut dampers = Vec::new();
-    for (row, (bedding, name)) in beddings.into_iter().zip(["w", "psi", "v"]).enumerate() {
-        let loss = along.omega * bedding.damping + bedding.loss_factor * bedding.stiffness;
-        if loss > 0.0 {
-            let square = SpanEnergy::square(along.plan, &solution.waves, row, &solution.decays);
+    for (row, name) in ["w", "psi", "v"].into_iter().enumerate() {
+        let loss = |beam: &BeamConstants| beam.matrices.foundation_at(along.omega.into())[row].im;
+        if plan.beams.iter().any(|beam| loss(beam) > 0.0) {
+            let square = SpanEnergy::square(plan, solution, row, loss);
             dampers.push(Damper {
                 label: format!("foundation {name}"),
-                power: 0.5 * along.omega * loss * square.total(along.plan, &solution.spans),
+                power: 0.5 * along.omega * square.total(plan, &solution.spans),
             });
         }
     }
@@ -105,7 +105,7 @@ fn of_foundation(along: &Along<'_>) -> Vec<Damper> {
 
 fn of_supports(along: &Along<'_>) -> Vec<Damper> {
     let mut dampers = Vec::new();
-    for id in SupportId::all(along.model) {
+    for (id, held) in SupportId::all(along.model).zip(along.plan.held(along.model)) {
         let support = id.support(along.model);
         let axis = along.at(along.spot(id.position(along.model))).motion;
         for (motion, moved) in BeamMotion::ALL
@@ -113,7 +113,7 @@ fn of_supports(along: &Along<'_>) -> Vec<Damper> {
             .zip(support.point.motions(&axis))
         {
             // Without warping stiffness any spring or damper fixes the rate of twist, without energy.
-            let idle = motion == BeamMotion::PsiSlope && along.plan.beam.without_warping();
+            let idle = motion == BeamMotion::PsiSlope && held.without_warping;
             let moved = if idle { ZERO } else { moved };
             let power = heat(along.omega, support[motion].elastic().into(), moved);
             dampers.extend(power.map(|power| Damper {
@@ -143,13 +143,12 @@ fn of_joints(along: &Along<'_>) -> Vec<Damper> {
 
 /// The dissipation by the loss factor, from the strain energy in closed form, W.
 fn material(along: &Along<'_>) -> f64 {
-    let loss_factor = along.model.beam.material.loss_factor;
-    if loss_factor == 0.0 {
+    let (plan, solution) = (along.plan, &along.solution);
+    if plan.beams.iter().all(|beam| beam.bending_w.im == 0.0) {
         return 0.0;
     }
-    let solution = &along.solution;
-    let energy = SpanEnergy::strain(along.plan, &solution.waves, &solution.decays);
-    0.5 * along.omega * loss_factor * energy.total(along.plan, &solution.spans)
+    let energy = SpanEnergy::dissipation(plan, solution);
+    0.5 * along.omega * energy.total(plan, &solution.spans)
 }
 
 fn flow(omega: f64, local: &BeamState) -> f64 {

@@ -52,7 +52,7 @@ impl Adjoint {
         let adjoint = |(index, (output, response)): (usize, (&Output, &crate::model::Response))| {
             let stays = matches!(
                 response.quantity,
-                Quantity::Motion(Target::Beam(Place::Position(x), _), _) if x == model.beam.length
+                Quantity::Motion(Target::Beam(Place::Position(x), _), _) if x == model.length()
             );
             Self::of(model, &bare, masses, (index, *output), stays)
         };
@@ -83,7 +83,7 @@ impl Adjoint {
                 let at = &mut plan.stations[station];
                 if at.position == 0.0 {
                     plan.left.load = unit;
-                } else if at.position == model.beam.length {
+                } else if at.position == model.length() {
                     plan.right.load = unit;
                     if stays {
                         held = unit;
@@ -132,7 +132,7 @@ pub(super) fn without_loads(plan: &Plan) -> Plan {
         match &mut station.event {
             Event::Attachment(attachment) => attachment.load = [ZERO; 3],
             Event::Support(held) => held.load = [ZERO; 6],
-            Event::Joint(_) => {}
+            Event::Joint(_) | Event::Junction(_) => {}
             event @ (Event::Load(_) | Event::Probe) => *event = Event::Probe,
         }
     }

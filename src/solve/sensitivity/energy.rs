@@ -14,28 +14,29 @@ use super::field::{Field, Reader, Setting};
 use super::overlap::Spans;
 use super::product::Product;
 use super::{Differentiator, Gradient, forces};
-use crate::model::schema::{BeamKey, JointKey, MaterialKey, SectionKey};
-use crate::model::{Group, Model, ParameterId};
+use crate::model::schema::{BeamKey, JointKey, MaterialKey, SectionKey, SpanKey};
+use crate::model::{Beam, Group, Model, ParameterId, UniformPart};
+use crate::solve::beam_matrices::{Across, Symmetric};
 use crate::solve::energy::SpanEnergy;
 use crate::solve::kernel::Prepared;
 use crate::solve::linear::ZERO;
 use crate::solve::plan::{Event, Plan};
 use crate::solve::quadrature::{Node, nodes};
 use crate::solve::solution::{MassSolution, Solution, SpanWaves};
-use crate::solve::waves::Amplitudes;
+use crate::solve::waves::{Amplitudes, BeamConstants};
 
 impl Differentiator {
     /// The derivatives of `E_V` at a frequency, rad/s.
     pub(super) fn of_energy(&self, omega: f64) -> Gradient {
         let solution = self.prepared.solution(omega.into());
-        let length = self.model.beam.length;
+        let length = self.model.length();
         let stations = self
             .prepared
             .plan
             .stations
             .iter()
             .map(|station| station.position);
-        let nodes = nodes(stations, &solution.waves.kappa, length);
+        let nodes = nodes(stations, &solution.wave_numbers(), length);
         let places = nodes.iter().map(|node| node.x);
         let plan = self.prepared.plan.with_probes(places, length);
         let u = refined(&self.prepared.plan, &plan, &solution);
@@ -47,7 +48,7 @@ impl Differentiator {
             omega: omega.into(),
         };
         let spread = Spread::new(&plan, &u, &nodes);
-        let lambda_plan = spread.loaded(&plan);
+        let lambda_plan = spread.loaded();
         let lambda_plan = Prepared::whole(lambda_plan);
         let lambda = lambda_plan.solution(omega.into());
         let lambda_plan = &lambda_plan.plan;
@@ -64,9 +65,10 @@ impl Differentiator {
             setting,
             lambda: &lambda_field,
             u: &u_field,
-            overlap: spans.overlap(&plan, &lambda.waves, [&lambda.spans, &u.spans]),
+            overlaps: spans.overlaps(&plan, &lambda.waves, [&lambda.spans, &u.spans]),
         };
-        let mut by_parameter = product.by_parameter([&[ZERO; 6], &forces::held(&self.forces)]);
+        let mut by_parameter =
+            product.by_parameter(self.ids(), [&[ZERO; 6], &forces::held(&self.forces)]);
         let reader = Reader::new(lambda_plan, &lambda);
         for force in &self.forces {
             by_parameter.extend(force.by_parameter(lambda_plan, &lambda_field, &reader));
@@ -76,10 +78,9 @@ impl Differentiator {
         for value in &mut by_parameter {
             *value = (2.0 * value.re).into();
         }
-        for (id, share) in spread.of_weights(&self.model, &u_field) {
-            if let Some(index) = self.ids().iter().position(|own| *own == id) {
-                by_parameter[index] += share;
-            }
+        let weights = spread.weights(&self.model, &u_field);
+        for (value, id) in by_parameter.iter_mut().zip(self.ids()) {
+            *value += weights.by(*id);
         }
         Gradient {
             value: energy(&self.prepared.plan, &solution).into(),
@@ -91,14 +92,15 @@ impl Differentiator {
 
 /// `E_V` with the value of the frequency responses.
 fn energy(plan: &Plan, solution: &Solution) -> f64 {
-    let energy = SpanEnergy::vibration(plan, &solution.waves, &solution.decays);
+    let energy = SpanEnergy::vibration(plan, solution);
     energy.total(plan, &solution.spans)
 }
 
 /// A solution on a plan with additional stations.
 fn refined(plan: &Plan, fine: &Plan, solution: &Solution) -> Solution {
-    let lengths = fine.lengths.iter();
-    let decays: Vec<Amplitudes> = lengths.map(|&l| solution.waves.decay(l)).collect();
+    let kinds = fine.kinds.iter();
+    let decays = kinds.map(|kind| solution.waves[kind.beam].decay(kind.length));
+    let decays: Vec<Amplitudes> = decays.collect();
     let mut spans: Vec<SpanWaves> = Vec::new();
     let mut masses = Vec::new();
     let mut first = 0;
@@ -137,12 +139,9 @@ fn times(amplitudes: &Amplitudes, decay: &Amplitudes) -> Amplitudes {
 }
 
 /// The motion at the nodes.
-struct Spread {
+struct Spread<'a> {
+    plan: &'a Plan,
     nodes: Vec<NodeMotion>,
-    /// rho A, kg/m.
-    mass: f64,
-    /// rho `I_0`, kg m.
-    polar: f64,
 }
 
 /// The motion at a node.
@@ -155,9 +154,9 @@ struct NodeMotion {
     motion: [Complex64; 3],
 }
 
-impl Spread {
+impl<'a> Spread<'a> {
     /// Reads a solution of a plan whose stations include the nodes.
-    fn new(plan: &Plan, solution: &Solution, nodes: &[Node]) -> Self {
+    fn new(plan: &'a Plan, solution: &Solution, nodes: &[Node]) -> Self {
         let reader = Reader::new(plan, solution);
         let at = |node: &Node| {
             let station = plan.span_at(node.x);
@@ -169,67 +168,174 @@ impl Spread {
             }
         };
         Self {
+            plan,
             nodes: nodes.iter().map(at).collect(),
-            mass: plan.beam.mass,
-            polar: plan.beam.polar,
         }
     }
 
     /// The plan with the loads W conj(u) instead of its own.
-    fn loaded(&self, plan: &Plan) -> Plan {
-        let mut loaded = without_loads(plan);
+    fn loaded(&self) -> Plan {
+        let mut loaded = without_loads(self.plan);
         for node in &self.nodes {
-            let [w, psi, v] = node.motion.map(|moved| node.weight * moved.conj());
-            let load = [
-                self.mass * w,
-                self.polar * psi,
-                self.mass * v,
-                ZERO,
-                ZERO,
-                ZERO,
-            ];
-            loaded.stations[node.station].event = Event::Load(load);
+            let moved = node.motion.map(|moved| node.weight * moved.conj());
+            let [w, psi, v] = self.plan.beam(node.station).vibration().times(moved);
+            loaded.stations[node.station].event = Event::Load([w, psi, v, ZERO, ZERO, ZERO]);
         }
         loaded
     }
 
-    /// The contributions of the parameters in the weights of the energy, of the length of the beam and of the positions of
-    /// joints, where the motion may jump: derivatives.
-    fn of_weights(&self, model: &Model, u: &Field) -> Vec<(ParameterId, f64)> {
-        let (mut along, mut about) = (0.0, 0.0);
+    fn weights(&self, model: &'a Model, u: &'a Field) -> Weights<'a> {
+        let parts = self.plan.parts();
+        let uniform = model.uniform_parts();
+        let mut squares = vec![Symmetric::<f64>::ZERO; uniform.len()];
         for node in &self.nodes {
-            let [w, psi, v] = node.motion.map(|moved| node.weight * moved.norm_sqr());
-            along += w + v;
-            about += psi;
+            let square = &mut squares[parts[node.station]];
+            *square = square.plus(node.weight, &Symmetric::square(node.motion));
         }
-        let (material, section) = (&model.beam.material, &model.beam.section);
-        let density = |motion: &[Complex64; 6]| {
-            let [w, psi, v] = [0, 1, 2].map(|row: usize| motion[row].norm_sqr());
-            self.mass * (w + v) + self.polar * psi
-        };
-        let joints = u.joints.iter().enumerate().map(|(index, joint)| {
-            let [before, after] = joint.sides.each_ref().map(density);
-            let position = Group::Joint(index).parameter(JointKey::Position as usize);
-            (position, before - after)
+        let forms = uniform
+            .iter()
+            .map(|part| BeamConstants::new(part, true).vibration());
+        Weights {
+            model,
+            u,
+            joints: self
+                .plan
+                .joint_stations(model)
+                .iter()
+                .map(|&station| parts[station])
+                .collect(),
+            forms: forms.collect(),
+            parts: uniform,
+            squares,
+        }
+    }
+}
+
+/// The derivatives of the energy by what changes its form W, or where it holds, but not the motion.
+struct Weights<'a> {
+    model: &'a Model,
+    u: &'a Field,
+    parts: Vec<UniformPart>,
+    /// W of each part.
+    forms: Vec<Symmetric<f64>>,
+    /// The integral over each part of what W adds up.
+    squares: Vec<Symmetric<f64>>,
+    /// The part of each joint.
+    joints: Vec<usize>,
+}
+
+impl Weights<'_> {
+    /// By a parameter: of the forms, of the lengths of the parts and of the positions of joints, where the motion may jump; 0
+    /// for any other.
+    fn by(&self, ParameterId { group, row }: ParameterId) -> f64 {
+        let none = Symmetric::<f64>::ZERO;
+        match group {
+            Group::Beam => match BeamKey::ALL[row] {
+                BeamKey::Length => self.by_length(0),
+                BeamKey::Theory | BeamKey::WarpingInertia | BeamKey::AxialForce => 0.0,
+            },
+            Group::Span(index) => match SpanKey::ALL[row] {
+                SpanKey::Length => self.by_length(index),
+                SpanKey::OffsetY => self.by_offset(index, Across::Y),
+                SpanKey::OffsetZ => self.by_offset(index, Across::Z),
+                SpanKey::AxialForce
+                | SpanKey::Material
+                | SpanKey::Section
+                | SpanKey::Foundation => 0.0,
+            },
+            Group::Material(of) => match MaterialKey::ALL[row] {
+                MaterialKey::Density => {
+                    let of = self.model.parts_of(of, |span| span.material.is_some());
+                    self.by_form(of, |Beam { section, .. }| Symmetric {
+                        w: section.area,
+                        psi: section.polar_moment,
+                        v: section.area,
+                        ..none
+                    })
+                }
+                MaterialKey::YoungModulus | MaterialKey::ShearModulus | MaterialKey::LossFactor => {
+                    0.0
+                }
+            },
+            Group::Section(of) => {
+                let of = self.model.parts_of(of, |span| span.section.is_some());
+                match SectionKey::ALL[row] {
+                    SectionKey::Area => self.by_form(of, |beam| Symmetric {
+                        w: beam.material.density,
+                        v: beam.material.density,
+                        ..none
+                    }),
+                    SectionKey::PolarMoment => self.by_form(of, |beam| Symmetric {
+                        psi: beam.material.density,
+                        ..none
+                    }),
+                    SectionKey::SecondMomentY
+                    | SectionKey::SecondMomentZ
+                    | SectionKey::TorsionConstant
+                    | SectionKey::WarpingConstant
+                    | SectionKey::CentroidOffset
+                    | SectionKey::ProductMoment
+                    | SectionKey::CentroidOffsetY
+                    | SectionKey::ShearAreaY
+                    | SectionKey::ShearAreaZ => 0.0,
+                }
+            }
+            Group::Joint(index) if row == JointKey::Position as usize => {
+                let [before, after] = &self.u.joints[index].sides;
+                let part = self.joints[index];
+                self.density(part, before) - self.density(part, after)
+            }
+            Group::Model
+            | Group::Foundation(_)
+            | Group::Spans
+            | Group::Supports
+            | Group::Support(_)
+            | Group::Motion(..)
+            | Group::Joints
+            | Group::Joint(_)
+            | Group::Link(..)
+            | Group::Subsystems
+            | Group::Subsystem(_)
+            | Group::Forces
+            | Group::Force(_)
+            | Group::Responses
+            | Group::Response(_)
+            | Group::Sweep
+            | Group::Studies
+            | Group::Study(_)
+            | Group::Tune
+            | Group::Variable(_)
+            | Group::Objective(_)
+            | Group::Limit(_) => 0.0,
+        }
+    }
+
+    fn by_form(&self, of: Vec<usize>, derivative: impl Fn(&Beam) -> Symmetric<f64>) -> f64 {
+        let by = of.into_iter().map(|index| {
+            let UniformPart { beam, offset, .. } = &self.parts[index];
+            derivative(beam).moved(*offset).paired(&self.squares[index])
         });
-        let beam = [
-            (
-                Group::Beam.parameter(BeamKey::Length as usize),
-                density(&u.edge.motion),
-            ),
-            (
-                Group::Material.parameter(MaterialKey::Density as usize),
-                section.area * along + section.polar_moment * about,
-            ),
-            (
-                Group::Section.parameter(SectionKey::Area as usize),
-                material.density * along,
-            ),
-            (
-                Group::Section.parameter(SectionKey::PolarMoment as usize),
-                material.density * about,
-            ),
-        ];
-        beam.into_iter().chain(joints).collect()
+        by.sum()
+    }
+
+    fn by_offset(&self, part: usize, along: Across) -> f64 {
+        let form = &self.forms[part];
+        form.by_offset(along).paired(&self.squares[part])
+    }
+
+    /// With one more metre of a part: the right end and the ends of the parts from there on move.
+    fn by_length(&self, part: usize) -> f64 {
+        let last = self.parts.len() - 1;
+        let mut sum = self.density(last, &self.u.edge.motion);
+        for index in part..last {
+            let [before, after] = &self.u.junctions[index];
+            sum += self.density(index, &before.motion) - self.density(index + 1, &after.motion);
+        }
+        sum
+    }
+
+    /// The energy per length of a part with a motion.
+    fn density(&self, part: usize, [w, psi, v, ..]: &[Complex64; 6]) -> f64 {
+        self.forms[part].paired(&Symmetric::square([*w, *psi, *v]))
     }
 }

@@ -8,8 +8,7 @@ use crate::solve::linear::ZERO;
 use crate::solve::plan::{Event, Held, Plan, Station};
 use crate::solve::solution::{MassSolution, Solution, SpanWaves};
 use crate::solve::springs::{springs, stiffness, stretches};
-use crate::solve::waves::Amplitudes;
-use crate::solve::waves::Waves;
+use crate::solve::waves::{Amplitudes, BeamConstants, Waves};
 
 /// A model laid out, and one frequency.
 #[derive(Clone, Copy)]
@@ -31,9 +30,11 @@ pub(super) struct Field {
     pub(super) joints: Vec<JointField>,
     /// The six motions of the left and of the right end of the axis.
     pub(super) ends: [[Complex64; 6]; 2],
+    /// The states on both sides of each junction of two uniform parts.
+    pub(super) junctions: Vec<[BeamState; 2]>,
     /// The state just inside the right end.
     pub(super) edge: BeamState,
-    /// If `Gamma_0` = 0, the torques around which any warping stiffness makes a boundary layer.
+    /// Where `Gamma_0` = 0, the torques around which any warping stiffness makes a boundary layer.
     pub(super) kinks: Kinks,
     /// The enabled subsystems, in the order of the model.
     pub(super) masses: Vec<MassField>,
@@ -50,6 +51,8 @@ pub(super) struct SupportField {
     pub(super) twist: Complex64,
     /// The forces of the support on the beam along the motions.
     pub(super) forces: [Complex64; 6],
+    /// Whether the beam there has no warping stiffness.
+    pub(super) without_warping: bool,
 }
 
 /// The values of one solution at a joint.
@@ -63,13 +66,14 @@ pub(super) struct JointField {
     pub(super) changes: [Complex64; 6],
 }
 
-/// The torques, N m, around which any warping stiffness makes a boundary layer.
+/// The torques, N m, around which any warping stiffness makes a boundary layer, with the uniform part in which.
 #[derive(Debug, Default)]
 pub(super) struct Kinks {
-    /// The jump of the torque at each position between the ends, or at a joint that of the torque that its twist carries.
-    pub(super) jumps: Vec<Complex64>,
+    /// The jump of the torque at each position between the ends, or at a joint that of the torque that its twist carries; where
+    /// the part ends, the jump of the rate of twist, 1/m.
+    pub(super) jumps: Vec<(usize, Complex64)>,
     /// The torque at each end, and on both sides of each support between them, with a fixed rate of twist.
-    pub(super) held: Vec<Complex64>,
+    pub(super) held: Vec<(usize, Complex64)>,
 }
 
 /// The values of one solution at a subsystem.
@@ -91,35 +95,32 @@ pub(super) struct MassField {
 #[derive(Clone, Copy)]
 pub(super) struct Reader<'a> {
     plan: &'a Plan,
-    waves: &'a Waves,
-    decays: &'a [Amplitudes],
-    spans: &'a [SpanWaves],
+    solution: &'a Solution,
 }
 
 impl<'a> Reader<'a> {
     pub(super) fn new(plan: &'a Plan, solution: &'a Solution) -> Self {
-        Self {
-            plan,
-            waves: &solution.waves,
-            decays: &solution.decays,
-            spans: &solution.spans,
-        }
+        Self { plan, solution }
     }
 
     /// Just right of the left end of a span.
     pub(super) fn start(&self, span: usize) -> BeamState {
-        let SpanWaves { a, b } = &self.spans[span];
-        BeamState::new(self.waves, a, &self.decayed(span, b))
+        let SpanWaves { a, b } = &self.solution.spans[span];
+        BeamState::new(self.waves(span), a, &self.decayed(span, b))
     }
 
     /// Just left of the right end of a span, which is the left of its station.
     pub(super) fn end(&self, span: usize) -> BeamState {
-        let SpanWaves { a, b } = &self.spans[span];
-        BeamState::new(self.waves, &self.decayed(span, a), b)
+        let SpanWaves { a, b } = &self.solution.spans[span];
+        BeamState::new(self.waves(span), &self.decayed(span, a), b)
+    }
+
+    fn waves(&self, span: usize) -> &'a Waves {
+        self.solution.waves_of(self.plan, span)
     }
 
     fn decayed(&self, span: usize, amplitudes: &Amplitudes) -> Amplitudes {
-        let decay = &self.decays[self.plan.spans[span]];
+        let decay = &self.solution.decays[self.plan.spans[span]];
         std::array::from_fn(|wave| amplitudes[wave] * decay[wave])
     }
 }
@@ -144,6 +145,7 @@ impl Field {
             ends: [reader.start(0).motion, edge.motion],
             masses: masses.collect(),
             kinks: Kinks::new(setting, &reader),
+            junctions: junctions(setting.plan, &reader),
             edge,
         }
     }
@@ -151,11 +153,13 @@ impl Field {
 
 impl Kinks {
     fn new(setting: &Setting<'_>, reader: &Reader<'_>) -> Self {
-        let (plan, length) = (setting.plan, setting.model.beam.length);
-        if !plan.beam.without_warping() {
+        let (plan, length) = (setting.plan, setting.model.length());
+        if !plan.beams.iter().any(BeamConstants::without_warping) {
             return Self::default();
         }
         let stations = &plan.stations;
+        let parts = plan.parts();
+        let is_thin = |span: usize| plan.beam(span).without_warping();
         let inside = |x: f64| 0.0 < x && x < length;
         let groups = stations.chunk_by(|one, other| one.position == other.position);
         let mut first = 0;
@@ -167,10 +171,16 @@ impl Kinks {
         let (mut jumps, mut held) = (Vec::new(), Vec::new());
         for group in groups {
             let last = first + group.len();
-            if inside(group[0].position) {
+            let is_junction = |of: &Station| matches!(of.event, Event::Junction(_));
+            if inside(group[0].position) && group.iter().any(is_junction) {
+                let rate = |of: BeamState| of.motion[BeamMotion::PsiSlope as usize];
+                let jump = rate(reader.start(last)) - rate(reader.end(first));
+                let thin = [first, last].into_iter().filter(|span| is_thin(*span));
+                jumps.extend(thin.map(|span| (parts[span], jump)));
+            } else if inside(group[0].position) && is_thin(first) {
                 if is_held(group) {
                     let [before, after] = [torque(&reader.end(first)), torque(&reader.start(last))];
-                    held.extend([before, after]);
+                    held.extend([before, after].map(|torque| (parts[first], torque)));
                 } else {
                     let of_joint =
                         |station: usize| matches!(stations[station].event, Event::Joint(_));
@@ -178,12 +188,13 @@ impl Kinks {
                         let (before, after) = (reader.end(station), reader.start(station + 1));
                         if of_joint(station) {
                             // The torque is continuous, but an axial force off the axis takes another share of it.
-                            carried(setting, &before) - carried(setting, &after)
+                            let beam = plan.beam(station);
+                            carried(beam, &before) - carried(beam, &after)
                         } else {
                             torque(&after) - torque(&before)
                         }
                     };
-                    jumps.push((first..last).map(jump).sum());
+                    jumps.push((parts[first], (first..last).map(jump).sum()));
                 }
             }
             first = last;
@@ -192,11 +203,12 @@ impl Kinks {
         let left = stations.partition_point(|of| of.position <= 0.0);
         let right = stations.partition_point(|of| of.position < length);
         let ends = [
-            (&plan.left, torque(&reader.start(left))),
-            (&plan.right, torque(&reader.end(right))),
+            (&plan.left, left, torque(&reader.start(left))),
+            (&plan.right, right, torque(&reader.end(right))),
         ];
-        let ends = ends.into_iter().filter(|(end, _)| fixes(end));
-        held.extend(ends.map(|(_, torque)| torque));
+        let ends = ends.into_iter();
+        let ends = ends.filter(|(end, span, _)| fixes(end) && is_thin(*span));
+        held.extend(ends.map(|(_, span, torque)| (parts[span], torque)));
         Self { jumps, held }
     }
 }
@@ -232,7 +244,7 @@ fn supports(setting: &Setting<'_>, reader: &Reader<'_>) -> Vec<SupportField> {
                 return None;
             };
             let (before, after) = (reader.end(station), reader.start(station + 1));
-            let matrices = &plan.beam.matrices;
+            let matrices = &plan.beam(station).matrices;
             let [_, _, _, rotations @ ..] = before.motion;
             let slopes = matrices.slopes(rotations, mean_forces(setting, reader, station));
             let moments = |of: &BeamState| [of.force[3], of.force[4], of.force[5]];
@@ -264,14 +276,14 @@ fn support(
     slopes: [Complex64; 6],
 ) -> SupportField {
     let point = held.support.point;
-    let without_warping = setting.plan.beam.without_warping();
     let axis = held.held(axis);
     let sides = [&before.force, &after.force];
     SupportField {
-        forces: held.forces(setting.omega, sides, &axis, without_warping),
+        forces: held.forces(setting.omega, sides, &axis),
         motion: point.motions(&axis),
         along: point.motions(&slopes),
         twist: axis[BeamMotion::Psi as usize],
+        without_warping: held.without_warping,
     }
 }
 
@@ -284,7 +296,7 @@ fn joints(setting: &Setting<'_>, reader: &Reader<'_>) -> Vec<JointField> {
             let sides = [reader.end(station), reader.start(station + 1)];
             let [before, after] = sides
                 .each_ref()
-                .map(|of| (plan.beam.matrices).changes(omega, &of.motion, &of.force));
+                .map(|of| (plan.beam(station).matrices).changes(omega, &of.motion, &of.force));
             JointField {
                 sides: sides.each_ref().map(|of| of.motion),
                 jumps: joined.jumps(omega, sides.each_ref()),
@@ -294,10 +306,19 @@ fn joints(setting: &Setting<'_>, reader: &Reader<'_>) -> Vec<JointField> {
         .collect()
 }
 
+/// The states on both sides of each junction.
+fn junctions(plan: &Plan, reader: &Reader<'_>) -> Vec<[BeamState; 2]> {
+    let stations = plan.stations.iter().enumerate();
+    let junctions = stations.filter(|(_, of)| matches!(of.event, Event::Junction(_)));
+    junctions
+        .map(|(station, _)| [reader.end(station), reader.start(station + 1)])
+        .collect()
+}
+
 /// The torque that an axial force off the axis takes by the slopes of w and v, N m.
-fn carried(setting: &Setting<'_>, local: &BeamState) -> Complex64 {
+fn carried(beam: &BeamConstants, local: &BeamState) -> Complex64 {
     let [.., w_slope, _, v_slope] = local.motion;
-    let tension = &setting.plan.beam.matrices.tension;
+    let tension = &beam.matrices.tension;
     tension.w_psi * w_slope + tension.psi_v * v_slope
 }
 
@@ -316,10 +337,12 @@ fn mass(
     let [w, psi, v, ..] = local.motion;
     let stretches = stretches(setting.omega, subsystem, [motion, [w, psi, v]], forces);
     let springs = springs(subsystem);
-    let matrices = &setting.plan.beam.matrices;
+    let beam = setting.plan.beam(station);
     let mut slope = [local.motion[3], local.motion[4], local.motion[5]];
-    if setting.plan.beam.without_warping() || matrices.has_shear() {
-        slope = matrices.slopes(slope, mean_forces(setting, reader, station));
+    if beam.without_warping() || beam.matrices.has_shear() {
+        slope = beam
+            .matrices
+            .slopes(slope, mean_forces(setting, reader, station));
     }
     MassField {
         motion,
@@ -354,7 +377,7 @@ fn mean_forces(setting: &Setting<'_>, reader: &Reader<'_>, station: usize) -> [C
         let own = own_after - own_before;
         if x == 0.0 {
             after - 0.5 * own
-        } else if x == setting.model.beam.length {
+        } else if x == setting.model.length() {
             before + 0.5 * own
         } else {
             0.5 * (before + after)

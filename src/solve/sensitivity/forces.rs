@@ -56,7 +56,7 @@ impl Force {
                     (site, 0.0)
                 }
                 Target::Beam(place, motion) => (
-                    on_beam(*place, *motion, model.beam.length),
+                    on_beam(*place, *motion, model.length()),
                     force.point.arm(*motion).unwrap_or_default(),
                 ),
             };

@@ -177,7 +177,7 @@ impl Differentiator {
                 return gradient;
             }
         };
-        let x = place.position(self.model.beam.length);
+        let x = place.position(self.model.length());
         let mut supports = SupportId::all(&self.model).zip(&forced.field.supports);
         let holds = |id: SupportId| {
             let support = id.support(&self.model);
@@ -213,11 +213,12 @@ impl Differentiator {
             setting,
             lambda: &lambda,
             u: &forced.field,
-            overlap: forced
+            overlaps: forced
                 .spans
-                .overlap(&self.prepared.plan, &solution.waves, spans),
+                .overlaps(&self.prepared.plan, &solution.waves, spans),
         };
-        let mut by_parameter = product.by_parameter([&motion.held, &forces::held(&self.forces)]);
+        let mut by_parameter =
+            product.by_parameter(self.ids(), [&motion.held, &forces::held(&self.forces)]);
         let reader = Reader::new(setting.plan, &solution);
         for force in &self.forces {
             by_parameter.extend(force.by_parameter(setting.plan, &lambda, &reader));
@@ -225,11 +226,11 @@ impl Differentiator {
         by_parameter.extend(self.by_points(forced, Some(motion)));
         let [times, growth] = factor(motion.measure, setting.omega);
         let mut by_frequency = product.by_omega();
-        let is_unknown = self.prepared.plan.beam.without_warping()
-            && matches!(
-                motion.reading,
-                Reading::Beam(_, BeamMotion::PsiSlope, _) | Reading::MeanTwistRate(_)
-            );
+        let is_unknown = match motion.reading {
+            Reading::Beam(station, BeamMotion::PsiSlope, _)
+            | Reading::MeanTwistRate([station, _]) => setting.plan.beam(station).without_warping(),
+            Reading::Beam(..) | Reading::Mass(..) => false,
+        };
         if is_unknown {
             let unknown = Complex64::new(f64::NAN, f64::NAN);
             by_parameter.fill(unknown);
@@ -314,9 +315,10 @@ impl Parameters {
 fn acts(model: &Model, group: Group) -> bool {
     match group {
         Group::Beam
-        | Group::Material
-        | Group::Section
-        | Group::Foundation
+        | Group::Material(_)
+        | Group::Section(_)
+        | Group::Foundation(_)
+        | Group::Span(_)
         | Group::Support(_)
         | Group::Motion(..)
         | Group::Joint(_)
@@ -325,6 +327,7 @@ fn acts(model: &Model, group: Group) -> bool {
         Group::Force(index) => model.forces[index].enabled,
         Group::Response(index) => model.responses[index].enabled,
         Group::Model
+        | Group::Spans
         | Group::Supports
         | Group::Joints
         | Group::Subsystems

@@ -15,7 +15,7 @@ use super::adjoint::without_loads;
 use super::field::{Field, Setting};
 use super::overlap::Spans;
 use super::product::Product;
-use crate::model::{Force, Model};
+use crate::model::{Force, Model, ParameterId};
 use crate::solve::kernel::{Prepared, waves};
 use crate::solve::linear::ZERO;
 use crate::solve::modes::{Group, ModeKind, Modes, eigenvalues};
@@ -88,7 +88,11 @@ impl Differentiator {
             .map(|(_, root)| Loaded::new(&self.model, loads[*root].clone(), omega, aside))
             .collect();
         let forms: Vec<Vec<Form>> = (0..motions.len())
-            .map(|i| (0..=i).map(|j| motions[i].form(&motions[j])).collect())
+            .map(|i| {
+                (0..=i)
+                    .map(|j| motions[i].form(&motions[j], self.ids()))
+                    .collect()
+            })
             .collect();
         let matrix = |entry: &dyn Fn(&Form) -> Complex64| {
             DMatrix::from_fn(motions.len(), motions.len(), |i, j| {
@@ -181,7 +185,7 @@ impl Loaded {
     }
 
     /// The products of this motion and another one at the same root.
-    fn form(&self, other: &Self) -> Form {
+    fn form(&self, other: &Self, ids: &[ParameterId]) -> Form {
         let setting = Setting {
             model: &self.model,
             plan: &self.bare,
@@ -195,11 +199,11 @@ impl Loaded {
             setting,
             lambda: &lambda,
             u: &u,
-            overlap: spans.overlap(&self.bare, &phi.waves, [&phi.spans, &chi.spans]),
+            overlaps: spans.overlaps(&self.bare, &phi.waves, [&phi.spans, &chi.spans]),
         };
         let none = [ZERO; 6];
         Form {
-            by_parameter: product.by_parameter([&none, &none]),
+            by_parameter: product.by_parameter(ids, [&none, &none]),
             by_omega: product.by_omega(),
         }
     }
@@ -216,9 +220,10 @@ fn motion(prepared: &Prepared, omega: Complex64, aside: f64) -> Solution {
     for (side, weight) in [(-1.0, -1.0), (2.0, -0.5), (-2.0, 0.5)] {
         add(&mut motion, &answer(side), weight.into());
     }
-    motion.waves = waves(&plan.beam, omega);
-    let lengths = plan.lengths.iter();
-    motion.decays = lengths.map(|&l| motion.waves.decay(l)).collect();
+    motion.waves = plan.beams.iter().map(|beam| waves(beam, omega)).collect();
+    let kinds = plan.kinds.iter();
+    let decays = kinds.map(|kind| motion.waves[kind.beam].decay(kind.length));
+    motion.decays = decays.collect();
     motion
 }
 

@@ -14,9 +14,11 @@ use crate::solve::solution::{Solution, SpanWaves};
 use crate::solve::waves::Amplitudes;
 use crate::solve::waves::{WARPING_WAVE, Waves};
 
-/// Integrals along the whole beam of the products of two fields, over (w, psi, v) of the one and of the other.
+/// Integrals along a uniform part of the beam of the products of two fields, over (w, psi, v) of the one and of the other.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Overlap {
+    /// Index of the beam.
+    pub(super) beam: usize,
     /// Of s', the derivatives of the rotations.
     curvature: [[Complex64; 3]; 3],
     /// Of q', the slopes of the axis.
@@ -60,7 +62,7 @@ struct Pairs {
     against: Matrix<6, 6>,
 }
 
-/// The integrals over each distinct span length of a plan, at one frequency.
+/// The integrals over each kind of span of a plan, at one frequency.
 #[derive(Debug)]
 pub(super) struct Spans {
     pairs: Vec<Pairs>,
@@ -69,24 +71,30 @@ pub(super) struct Spans {
 impl Spans {
     /// Those of a solution.
     pub(super) fn new(plan: &Plan, solution: &Solution) -> Self {
-        let each = plan.lengths.iter().zip(&solution.decays);
+        let each = plan.kinds.iter().zip(&solution.decays);
+        let pairs =
+            each.map(|(kind, decay)| Pairs::new(&solution.waves[kind.beam], kind.length, decay));
         Self {
-            pairs: each
-                .map(|(&length, decay)| Pairs::new(&solution.waves, length, decay))
-                .collect(),
+            pairs: pairs.collect(),
         }
     }
 
-    /// The integrals of the product of two fields of the plan.
-    pub(super) fn overlap(
+    /// The integrals of the product of two fields of the plan over each of its uniform parts.
+    pub(super) fn overlaps(
         &self,
         plan: &Plan,
-        waves: &Waves,
+        waves: &[Waves],
         [one, other]: [&[SpanWaves]; 2],
-    ) -> Overlap {
-        let (mut same, mut against) = (zeros::<6, 6>(), zeros::<6, 6>());
-        for ((one, other), &span) in one.iter().zip(other).zip(&plan.spans) {
+    ) -> Vec<Overlap> {
+        let parts = plan.parts();
+        let count = parts.last().map_or(0, |last| last + 1);
+        let mut sums = vec![(zeros::<6, 6>(), zeros::<6, 6>()); count];
+        let mut beams = vec![0; count];
+        let fields = one.iter().zip(other).zip(&plan.spans);
+        for (((one, other), &span), part) in fields.zip(parts) {
+            beams[part] = plan.kinds[span].beam;
             let pairs = &self.pairs[span];
+            let (same, against) = &mut sums[part];
             for i in 0..6 {
                 for j in 0..6 {
                     same[i][j] +=
@@ -96,7 +104,12 @@ impl Spans {
                 }
             }
         }
-        weighed(waves, &plan.beam.matrices, &same, &against)
+        let parts = sums.iter().zip(beams);
+        let overlaps = parts.map(|((same, against), beam)| Overlap {
+            beam,
+            ..weighed(&waves[beam], &plan.beams[beam].matrices, same, against)
+        });
+        overlaps.collect()
     }
 }
 
@@ -165,6 +178,7 @@ fn weighed(
     let pulled: Vec<[Complex64; 3]> = pulled.collect();
     let g = |row: usize, wave: usize| waves.force[row][wave] + pulled[wave][row];
     let mut sums = Overlap {
+        beam: 0,
         curvature: zeros(),
         slope: zeros(),
         rotation: zeros(),

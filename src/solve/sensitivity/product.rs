@@ -17,10 +17,13 @@ use num_complex::Complex64;
 use super::field::{Field, JointField, MassField, Setting, SupportField};
 use super::overlap::Overlap;
 use crate::model::schema::{
-    BeamKey, ElasticKey, FoundationKey, LinkKey, MaterialKey, SectionKey, SubsystemKey,
+    BeamKey, ElasticKey, FoundationKey, LinkKey, MaterialKey, SectionKey, SpanKey, SubsystemKey,
 };
-use crate::model::{BeamMotion, Bedding, Joint, Link, Restraint, Spring, Subsystem, SupportId};
-use crate::solve::beam_matrices::BeamMatrices;
+use crate::model::{
+    Beam, BeamMotion, Group, Joint, Link, ParameterId, Part, Restraint, Spring, Subsystem,
+    SupportId, UniformPart,
+};
+use crate::solve::beam_matrices::{Across, BeamMatrices};
 use crate::solve::beam_state::BeamState;
 use crate::solve::linear::ZERO;
 use crate::solve::springs::{rows, springs};
@@ -30,28 +33,21 @@ pub(super) struct Product<'a> {
     pub(super) setting: Setting<'a>,
     pub(super) lambda: &'a Field,
     pub(super) u: &'a Field,
-    pub(super) overlap: Overlap,
+    /// Of each uniform part.
+    pub(super) overlaps: Vec<Overlap>,
 }
 
 impl Product<'_> {
-    /// `-lambda^T (dD/dp) u` for the parameters of the beam, the supports, the joints and the subsystems, in their order; `held`
-    /// are the loads (of lambda and of u) whose position is constant while the right end moves.
-    pub(super) fn by_parameter(&self, held: [&[Complex64; 6]; 2]) -> Vec<Complex64> {
-        let beam = &self.setting.model.beam;
-        let by = |matrices: &BeamMatrices| -self.overlap.form(matrices, self.setting.omega);
-        let own = BeamKey::ALL.into_iter().filter_map(|key| match key {
-            BeamKey::Length => Some(self.by_length(held)),
-            key => BeamMatrices::by_beam(beam, key).as_ref().map(by),
-        });
-        let mut all: Vec<Complex64> = own.collect();
-        all.extend(MaterialKey::ALL.map(|key| by(&BeamMatrices::by_material(beam, key))));
-        all.extend(SectionKey::ALL.map(|key| match key {
-            SectionKey::WarpingConstant if self.is_infinite_by_warping() => {
-                Complex64::new(f64::INFINITY, f64::INFINITY)
-            }
-            key => by(&BeamMatrices::by_section(beam, key)),
-        }));
-        all.extend(self.by_foundation());
+    /// `-lambda^T (dD/dp) u` for the parameters `ids` of the beam, its spans, the supports, the joints and the subsystems, in
+    /// their order; `held` are the loads (of lambda and of u) whose position is constant while the right end moves.
+    pub(super) fn by_parameter(
+        &self,
+        ids: &[ParameterId],
+        held: [&[Complex64; 6]; 2],
+    ) -> Vec<Complex64> {
+        let parts = self.setting.model.uniform_parts();
+        let of_beam = ids.iter().map_while(|id| self.by_beam(&parts, *id, held));
+        let mut all: Vec<Complex64> = of_beam.collect();
         for (id, fields) in self.supports() {
             self.by_support(id, fields, &mut all);
         }
@@ -67,15 +63,18 @@ impl Product<'_> {
 
     /// `-lambda^T (dD/d omega) u = lambda^T (2 omega M - i C) u`, per rad/s.
     pub(super) fn by_omega(&self) -> Complex64 {
-        let matrices = &self.setting.plan.beam.matrices;
-        let (mut mass, mut damping) = (self.overlap.inertia(matrices), ZERO);
-        let bedded = self.overlap.motions().into_iter();
-        for (product, c) in bedded.zip(matrices.foundation_damping) {
-            damping += c * product;
+        let (mut mass, mut damping) = (ZERO, ZERO);
+        for overlap in &self.overlaps {
+            let matrices = &self.setting.plan.beams[overlap.beam].matrices;
+            mass += overlap.inertia(matrices);
+            let bedded = overlap.motions().into_iter();
+            for (product, c) in bedded.zip(matrices.foundation_damping) {
+                damping += c * product;
+            }
         }
         for (id, fields) in self.supports() {
             for motion in BeamMotion::ALL {
-                let product = self.at_support(fields, motion);
+                let product = at_support(fields, motion);
                 let elastic = id.support(self.setting.model)[motion].elastic();
                 mass += elastic.inertia * product;
                 damping += elastic.damping * product;
@@ -99,54 +98,162 @@ impl Product<'_> {
         2.0 * self.setting.omega * mass - Complex64::I * damping
     }
 
-    /// The Hamiltonian at the right end: the effect of one more metre of beam there.
-    ///
-    /// `-dD/dL` of the beam is minus the density of its form there, and the support and its loads move by the slopes,
-    /// so `dr/dL = sum (p_u q'_lambda + p_lambda q'_u) - density` over displacements and slopes q with their internal
-    /// forces p (Gelfand & Fomin, Calculus of Variations (1963), Section 13).
-    fn by_length(&self, held: [&[Complex64; 6]; 2]) -> Complex64 {
-        let beam = &self.setting.plan.beam;
-        let [lambda, u] = [self.lambda, self.u];
-        let edges = [(lambda, held[0]), (u, held[1])].map(|(field, held)| beyond(field, held));
-        let [l, u] = &edges;
-        let (motions, forces) = ([&l.motion, &u.motion], [&l.force, &u.force]);
-        beam.matrices.shifted(self.setting.omega, motions, forces)
+    /// By a number of the beam or of one of its spans; `None` for that of anything else.
+    fn by_beam(
+        &self,
+        parts: &[UniformPart],
+        id: ParameterId,
+        held: [&[Complex64; 6]; 2],
+    ) -> Option<Complex64> {
+        let ParameterId { group, row } = id;
+        let model = self.setting.model;
+        Some(match group {
+            Group::Beam => match BeamKey::ALL[row] {
+                BeamKey::Length => self.by_length(0, held),
+                BeamKey::AxialForce => {
+                    let of = model.parts_of(Part::Whole, |span| span.axial_force.is_some());
+                    self.by_numbers(parts, of, BeamMatrices::by_axial_force)
+                }
+                BeamKey::Theory | BeamKey::WarpingInertia => return None,
+            },
+            Group::Span(index) => match SpanKey::ALL[row] {
+                SpanKey::Length => self.by_length(index, held),
+                SpanKey::OffsetY => self.by_offset(index, Across::Y),
+                SpanKey::OffsetZ => self.by_offset(index, Across::Z),
+                SpanKey::AxialForce => {
+                    self.by_numbers(parts, vec![index], BeamMatrices::by_axial_force)
+                }
+                SpanKey::Material | SpanKey::Section | SpanKey::Foundation => return None,
+            },
+            Group::Material(of) => {
+                let of = model.parts_of(of, |span| span.material.is_some());
+                let key = MaterialKey::ALL[row];
+                self.by_numbers(parts, of, |beam| BeamMatrices::by_material(beam, key))
+            }
+            Group::Section(of) => {
+                let of = model.parts_of(of, |span| span.section.is_some());
+                let key = SectionKey::ALL[row];
+                let is_infinite = |part: &usize| self.is_infinite_by_warping(*part);
+                if key == SectionKey::WarpingConstant && of.iter().any(is_infinite) {
+                    return Some(Complex64::new(f64::INFINITY, f64::INFINITY));
+                }
+                self.by_numbers(parts, of, |beam| BeamMatrices::by_section(beam, key))
+            }
+            Group::Foundation(of) => {
+                let of = model.parts_of(of, |span| span.foundation.is_some());
+                self.by_foundation(parts, &of, FoundationKey::ALL[row])
+            }
+            Group::Model
+            | Group::Spans
+            | Group::Supports
+            | Group::Support(_)
+            | Group::Motion(..)
+            | Group::Joints
+            | Group::Joint(_)
+            | Group::Link(..)
+            | Group::Subsystems
+            | Group::Subsystem(_)
+            | Group::Forces
+            | Group::Force(_)
+            | Group::Responses
+            | Group::Response(_)
+            | Group::Sweep
+            | Group::Studies
+            | Group::Study(_)
+            | Group::Tune
+            | Group::Variable(_)
+            | Group::Objective(_)
+            | Group::Limit(_) => return None,
+        })
     }
 
-    /// Whether the derivative by `Gamma_0`, which is 0 and can only increase, is infinite.
+    /// By a number of some of the uniform parts, from its derivatives along their own shear centres.
+    fn by_numbers(
+        &self,
+        parts: &[UniformPart],
+        of: Vec<usize>,
+        derivative: impl Fn(&Beam) -> BeamMatrices,
+    ) -> Complex64 {
+        let by = of.into_iter().map(|index| {
+            let UniformPart { beam, offset, .. } = &parts[index];
+            -self.overlaps[index].form(&derivative(beam).moved(*offset), self.setting.omega)
+        });
+        by.sum()
+    }
+
+    /// By the offset of the shear centre of a part. Without warping stiffness it can only be 0.
+    fn by_offset(&self, part: usize, along: Across) -> Complex64 {
+        let overlap = &self.overlaps[part];
+        let beam = &self.setting.plan.beams[overlap.beam];
+        if beam.without_warping() {
+            return Complex64::new(f64::NAN, f64::NAN);
+        }
+        -overlap.form(&beam.matrices.by_offset(along), self.setting.omega)
+    }
+
+    /// The effect of one more metre of a part: the right end and the ends of the parts from there on move.
+    ///
+    /// At the right end it is the Hamiltonian: `-dD/dL` of the beam is minus the density of its form there, and the support and
+    /// its loads move by the slopes, so `dr/dL = sum (p_u q'_lambda + p_lambda q'_u) - density` over displacements and slopes q
+    /// with their internal forces p (Gelfand & Fomin, Calculus of Variations (1963), Section 13). Where two parts meet, the
+    /// left one grows by what the right one loses.
+    fn by_length(&self, part: usize, held: [&[Complex64; 6]; 2]) -> Complex64 {
+        let beam = |index: usize| {
+            let overlap = &self.overlaps[index];
+            &self.setting.plan.beams[overlap.beam].matrices
+        };
+        let shifted = |index: usize, [l, u]: [&BeamState; 2]| {
+            let (motions, forces) = ([&l.motion, &u.motion], [&l.force, &u.force]);
+            beam(index).shifted(self.setting.omega, motions, forces)
+        };
+        let [lambda, u] = [self.lambda, self.u];
+        let edges = [(lambda, held[0]), (u, held[1])].map(|(field, held)| beyond(field, held));
+        let last = self.overlaps.len() - 1;
+        let mut sum = shifted(last, edges.each_ref());
+        for index in part..last {
+            let [[l, l_after], [u, u_after]] = [lambda, u].map(|field| &field.junctions[index]);
+            sum += shifted(index, [l, u]) - shifted(index + 1, [l_after, u_after]);
+        }
+        sum
+    }
+
+    /// Whether the derivative by `Gamma_0` of a part, where it is 0 and can only increase, is infinite.
     ///
     /// Warping stiffness then makes boundary layers of the thickness sqrt(E `Gamma_0` / G J) at torques and at ends
     /// with a fixed rate of twist. They stiffen the beam in proportion to it, unless one of the two fields has no
     /// torque.
-    fn is_infinite_by_warping(&self) -> bool {
+    fn is_infinite_by_warping(&self, part: usize) -> bool {
         let [lambda, u] = [&self.lambda.kinks, &self.u.kinks];
-        let sum = |one: &[Complex64], other: &[Complex64]| -> Complex64 {
-            one.iter().zip(other).map(|(one, other)| one * other).sum()
+        let sum = |one: &[(usize, Complex64)], other: &[(usize, Complex64)]| -> Complex64 {
+            let both = one.iter().zip(other).filter(|((own, _), _)| *own == part);
+            both.map(|((_, one), (_, other))| one * other).sum()
         };
         0.5 * sum(&lambda.jumps, &u.jumps) + sum(&lambda.held, &u.held) != ZERO
     }
 
-    /// By the stiffness, the damping and the loss factor on w, psi and v.
-    fn by_foundation(&self) -> [Complex64; FoundationKey::ALL.len()] {
-        let [w, psi, v] = self.overlap.motions();
-        let foundation = &self.setting.model.beam.foundation;
-        let stiffness = |bedding: Bedding, product: Complex64| {
-            -Complex64::new(1.0, bedding.loss_factor) * product
+    /// By a number of the foundation of some parts.
+    fn by_foundation(&self, parts: &[UniformPart], of: &[usize], key: FoundationKey) -> Complex64 {
+        let (row, number) = match key {
+            FoundationKey::WStiffness => (0, ElasticKey::Stiffness),
+            FoundationKey::WDamping => (0, ElasticKey::Damping),
+            FoundationKey::WLossFactor => (0, ElasticKey::LossFactor),
+            FoundationKey::PsiStiffness => (1, ElasticKey::Stiffness),
+            FoundationKey::PsiDamping => (1, ElasticKey::Damping),
+            FoundationKey::PsiLossFactor => (1, ElasticKey::LossFactor),
+            FoundationKey::VStiffness => (2, ElasticKey::Stiffness),
+            FoundationKey::VDamping => (2, ElasticKey::Damping),
+            FoundationKey::VLossFactor => (2, ElasticKey::LossFactor),
         };
-        let damping = |product: Complex64| -Complex64::I * self.setting.omega * product;
-        let loss =
-            |bedding: Bedding, product: Complex64| -Complex64::I * bedding.stiffness * product;
-        FoundationKey::ALL.map(|key| match key {
-            FoundationKey::WStiffness => stiffness(foundation.w, w),
-            FoundationKey::WDamping => damping(w),
-            FoundationKey::WLossFactor => loss(foundation.w, w),
-            FoundationKey::PsiStiffness => stiffness(foundation.psi, psi),
-            FoundationKey::PsiDamping => damping(psi),
-            FoundationKey::PsiLossFactor => loss(foundation.psi, psi),
-            FoundationKey::VStiffness => stiffness(foundation.v, v),
-            FoundationKey::VDamping => damping(v),
-            FoundationKey::VLossFactor => loss(foundation.v, v),
-        })
+        let by = of.iter().map(|&part| {
+            let bedding = parts[part].beam.foundation.beddings()[row];
+            let spring = Spring {
+                stiffness: bedding.stiffness,
+                damping: bedding.damping,
+                loss_factor: bedding.loss_factor,
+            };
+            self.dynamic(spring, self.overlaps[part].motions()[row])[number as usize]
+        });
+        by.sum()
     }
 
     /// The supports with both fields there.
@@ -167,7 +274,7 @@ impl Product<'_> {
         let support = id.support(self.setting.model);
         for motion in BeamMotion::ALL {
             if let Restraint::Free | Restraint::Elastic(_) = support[motion] {
-                let product = self.at_support(fields, motion);
+                let product = at_support(fields, motion);
                 all.extend(self.dynamic(support[motion].elastic().into(), product));
             }
         }
@@ -207,15 +314,6 @@ impl Product<'_> {
                 }));
             }
         }
-    }
-
-    /// The product of the two fields' motions at a support.
-    fn at_support(&self, [lambda, u]: [&SupportField; 2], motion: BeamMotion) -> Complex64 {
-        // Without warping stiffness any restraint fixes the rate of twist; none has an effect of its own.
-        if motion == BeamMotion::PsiSlope && self.setting.plan.beam.without_warping() {
-            return ZERO;
-        }
-        lambda.motion[motion as usize] * u.motion[motion as usize]
     }
 
     /// Minus the product times the derivatives of `k (1 + i eta) + i omega c - omega^2 m`.
@@ -287,6 +385,15 @@ impl MassField {
         let [y_left, y_right, z_left, z_right] = self.forces;
         -((y_left + y_right) * across + z_left * left + z_right * right)
     }
+}
+
+/// The product of the two fields' motions at a support.
+fn at_support([lambda, u]: [&SupportField; 2], motion: BeamMotion) -> Complex64 {
+    // Without warping stiffness any restraint fixes the rate of twist; none has an effect of its own.
+    if motion == BeamMotion::PsiSlope && lambda.without_warping {
+        return ZERO;
+    }
+    lambda.motion[motion as usize] * u.motion[motion as usize]
 }
 
 /// The right end just beyond the loads whose position is constant.

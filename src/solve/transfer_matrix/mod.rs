@@ -51,6 +51,8 @@ pub enum NotApplicable {
     OtherBeam,
     /// A support holds the beam between its ends, or off its axis: Appendix C has neither.
     OtherSupports,
+    /// The beam has spans: Eqs. (36) to (47) join segments of one section.
+    Spans,
     /// The beam has a joint: Eqs. (36) to (47) join all motions rigidly.
     Joints,
 }
@@ -61,6 +63,7 @@ impl std::fmt::Display for NotApplicable {
             Self::NoOffset => "its ratios t divide by the centroid offset z_c, which is 0",
             Self::NoWarping => "its shape functions need a warping constant above 0",
             Self::OtherSupports => "it is derived for supports of the two ends, on the axis",
+            Self::Spans => "it is derived for a uniform beam, without spans",
             Self::Joints => "it is derived for a beam without joints",
             Self::OtherBeam => {
                 "it is derived for a centroid offset along z alone, without product moment, axial force and rotary inertia"
@@ -81,6 +84,9 @@ pub fn sweep(
     frequencies: &[f64],
     cancel: &AtomicBool,
 ) -> Result<Result<Frf, Cancelled>, NotApplicable> {
+    if !model.spans.is_empty() {
+        return Err(NotApplicable::Spans);
+    }
     if !model.beam.is_of_one_offset() {
         return Err(NotApplicable::OtherBeam);
     }
@@ -146,7 +152,8 @@ impl<'a> Chain<'a> {
         let stations: Vec<usize> = (0..layout.positions.len()).filter(|&p| acts(p)).collect();
         let mut starts = vec![0.0];
         starts.extend(stations.iter().map(|&place| layout.positions[place]));
-        let ends = starts[1..].iter().chain([&model.beam.length]);
+        let length = model.length();
+        let ends = starts[1..].iter().chain([&length]);
         let lengths = ends.zip(&starts).map(|(end, start)| end - start).collect();
         Self {
             layout,

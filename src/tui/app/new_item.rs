@@ -53,8 +53,7 @@ pub(crate) fn free_name(wanted: &str, taken: &[&str]) -> String {
 
 /// A subsystem at mid-span with 5 % of the beam's mass, in resonance at the middle of the sweep.
 pub(crate) fn new_subsystem(model: &Model) -> Subsystem {
-    let beam = &model.beam;
-    let mass = two_digits(MASS_SHARE * beam.material.density * beam.section.area * beam.length);
+    let mass = two_digits(MASS_SHARE * model.beam_mass());
     let omega = 2.0 * PI * (model.sweep.from * model.sweep.to).sqrt();
     let stiffness = mass * omega * omega;
     // Two springs share the mass along each axis.
@@ -66,7 +65,7 @@ pub(crate) fn new_subsystem(model: &Model) -> Subsystem {
     Subsystem {
         name: free_name("S1", &position_names(model)),
         enabled: true,
-        position: beam.length / 2.0,
+        position: model.length() / 2.0,
         mass,
         inertia: two_digits(mass * ARM * ARM),
         y_left: spring,
@@ -110,7 +109,7 @@ pub(crate) fn widest_gap(model: &Model) -> f64 {
     positions.sort_by(f64::total_cmp);
     let gaps = positions.windows(2);
     let widest = gaps.max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
-    widest.map_or(model.beam.length / 2.0, |gap| 0.5 * (gap[0] + gap[1]))
+    widest.map_or(model.length() / 2.0, |gap| 0.5 * (gap[0] + gap[1]))
 }
 
 fn two_digits(value: f64) -> f64 {

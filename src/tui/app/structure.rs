@@ -1,4 +1,4 @@
-//! Add, duplicate, delete and enable inner supports, joints, subsystems, forces and responses.
+//! Add, duplicate, delete and enable spans, inner supports, joints, subsystems, forces and responses.
 
 use std::sync::Arc;
 
@@ -21,6 +21,12 @@ impl App {
     pub(crate) fn add(&mut self) {
         let mut after = Model::clone(self.model());
         let (group, name) = match group(self.selection.node()) {
+            Some(Group::Beam) => {
+                let last = after.spans.len().saturating_sub(1);
+                edit::split(&mut after, last);
+                let name = format!("add span {}", after.spans.len());
+                (Group::Span(last + 1), name)
+            }
             Some(Group::Supports) => {
                 let new = new_support(&after);
                 let name = format!("add support {}", new.name);
@@ -83,12 +89,12 @@ impl App {
             Some(Group::Tune) => {
                 format!("{variable} on a number makes it a variable, {objective} adds an objective")
             }
-            _ => "supports, joints, subsystems, forces and responses can be added: select one of them, or their group"
+            _ => "spans of the beam, supports, joints, subsystems, forces and responses can be added: select one of them, or their group"
                 .to_owned(),
         });
     }
 
-    /// Adds a copy of the selected inner support, joint, subsystem, force or response after it.
+    /// Adds a copy of the selected inner support, joint, subsystem, force or response after it; a span is divided in half.
     pub(crate) fn duplicate(&mut self) {
         let mut after = Model::clone(self.model());
         let (group, name) = match self.selection.node().item() {
@@ -103,6 +109,10 @@ impl App {
                 );
                 after.supports.inner.insert(i + 1, copy);
                 (Group::Support(SupportId::Inner(i + 1)), name)
+            }
+            Some(Group::Span(i)) => {
+                edit::split(&mut after, i);
+                (Group::Span(i + 1), format!("duplicate span {}", i + 1))
             }
             Some(Group::Joint(i)) => {
                 // Two joints cannot be at the same place.
@@ -134,14 +144,14 @@ impl App {
             }
             _ => {
                 return self.refuse(
-                    "select an inner support, joint, subsystem, force or response to duplicate it",
+                    "select a span, inner support, joint, subsystem, force or response to duplicate it",
                 );
             }
         };
         self.restructure(name, after, group);
     }
 
-    /// Deletes the selected inner support, joint, subsystem, force, response or study, unless another element needs it.
+    /// Deletes the selected span, inner support, joint, subsystem, force, response or study, unless another element needs it.
     pub(crate) fn delete(&mut self) {
         match self.selection.node().group() {
             Group::Variable(index) => return self.drop_variable(index),
@@ -152,19 +162,32 @@ impl App {
         let mut after = Model::clone(self.model());
         let Some(item) = self.selection.node().item() else {
             return self.refuse(
-                "select an inner support, joint, subsystem, force, response or study to delete it",
+                "select a span, inner support, joint, subsystem, force, response or study to delete it",
             );
         };
         let (Some(i), Some(list)) = (item.place(), item.parent()) else {
             return;
         };
+        if let (Group::Span(_), [last]) = (item, &after.spans[..])
+            && last.offset != Point::AXIS
+        {
+            return self
+                .refuse("the last span lies off the axis of the beam: its offset must be 0");
+        }
         edit::remove(&mut after, item);
         let subject = tree::subject(self.model(), Node::Group(item));
         if let Some(user) = user_of(self.model(), &after, item) {
             return self.refuse(format!("{subject} is needed by {user}"));
         }
         let rest = list.groups(&after);
-        let next = rest.get(i).or(rest.last()).copied().unwrap_or(list);
+        let next = rest.get(i).or(rest.last()).copied();
+        // The spans have no row without a span.
+        let without = if list == Group::Spans {
+            Group::Beam
+        } else {
+            list
+        };
+        let next = next.unwrap_or(without);
         self.restructure(format!("delete {subject}"), after, next);
     }
 

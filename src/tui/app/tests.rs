@@ -5,7 +5,7 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::*;
 use crate::files::Source;
-use crate::model::{Group, SupportId, path};
+use crate::model::{Group, Part, SupportId, path};
 use crate::presets;
 use crate::tui::tree::{self, Node};
 use crate::worker::{self, Answer, CurvesAnswer, Request, Stage};

@@ -121,11 +121,11 @@ key_table! {
         Cycle "cycle" [key(' ')], Choice("next choice"), "next choice (support, spacing, measure, direction, place), or open and close";
         Repeat "repeat" [key(';')], Never, "repeat the last change (also a typed one) on the selected row";
         Revert "revert" [special(Backspace)], Never, "restore the file's value";
-        Add "add" [key('a')], List("add"), "add a support, subsystem, force or response";
-        Duplicate "duplicate" [key('D')], Item("duplicate"), "duplicate the inner support, subsystem, force or response";
+        Add "add" [key('a')], List("add"), "add a span, support, joint, subsystem, force or response";
+        Duplicate "duplicate" [key('D')], Item("duplicate"), "duplicate the inner support, joint, subsystem, force or response, or divide the span";
         Rename "rename" [key('r')], Item("rename"), "rename the inner support, subsystem, response or study";
         Enable "enable" [key('e')], Item("on/off"), "enable or disable the subsystem, force or response";
-        Delete "delete" [key('x'), special(Delete)], Item("delete"), "delete the inner support, subsystem, force, response or study";
+        Delete "delete" [key('x'), special(Delete)], Item("delete"), "delete the span, inner support, joint, subsystem, force, response or study";
         Undo "undo" [key('u')], Always("undo"), "undo";
         Redo "redo" [key('U'), control('r')], Never, "redo";
     }

@@ -276,7 +276,7 @@ impl<'a> Builder<'a> {
             second: state.reading.second,
             harmonics: state.reading.harmonics(cursor, state.model.sweep.to),
             band: state.curves.band,
-            validity: euler_bernoulli_up_to(&state.model.beam),
+            validity: euler_bernoulli_up_to(state.model),
             modes: list.map_or_else(Vec::new, |list| {
                 list.rows.iter().map(|mode| mode.frequency).collect()
             }),

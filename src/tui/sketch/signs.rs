@@ -49,6 +49,8 @@ pub(in crate::tui) struct Signs {
     pub(in crate::tui) dashed: Frame,
     /// The box of the selection.
     pub(in crate::tui) double: Frame,
+    /// Lines that meet in a cell, by the sum of 1 for that from above, 2 from below, 4 from the left and 8 from the right.
+    junctions: [char; 16],
     /// A ruler: its line, labelled and minor ticks.
     pub(in crate::tui) ruler: [char; 3],
     /// A vertical ruler.
@@ -58,6 +60,8 @@ pub(in crate::tui) struct Signs {
     pub(in crate::tui) bar: [char; 2],
     /// The point where a spring meets the beam.
     pub(in crate::tui) mount: char,
+    /// The axis of the beam, seen along it.
+    pub(in crate::tui) axis: char,
     pub(in crate::tui) shear_centre: char,
     pub(in crate::tui) centroid: char,
     pub(in crate::tui) plus_minus: &'static str,
@@ -109,11 +113,15 @@ const UNICODE: Signs = Signs {
         down: '║',
         ends: ['[', ']'],
     },
+    junctions: [
+        ' ', '╵', '╷', '│', '╴', '┘', '┐', '┤', '╶', '└', '┌', '├', '─', '┴', '┬', '┼',
+    ],
     ruler: ['─', '┬', '┴'],
     upright: ['│', '┤', '├'],
     corner: '└',
     bar: ['━', '─'],
     mount: '○',
+    axis: '┼',
     shear_centre: '+',
     centroid: '×',
     plus_minus: "±",
@@ -156,11 +164,15 @@ const ASCII: Signs = Signs {
         down: '#',
         ends: ['[', ']'],
     },
+    junctions: [
+        ' ', '|', '|', '|', '-', '+', '+', '+', '-', '+', '+', '+', '-', '+', '+', '+',
+    ],
     ruler: ['-', '+', '|'],
     upright: ['|', '+', '-'],
     corner: '+',
     bar: ['=', '-'],
     mount: 'o',
+    axis: '*',
     shear_centre: '+',
     centroid: 'x',
     plus_minus: "+-",
@@ -168,6 +180,12 @@ const ASCII: Signs = Signs {
 };
 
 impl Signs {
+    /// Lines that meet in a cell: whether there is one from above, from below, from the left and from the right.
+    pub(in crate::tui) fn junction(&self, lines: [bool; 4]) -> char {
+        let lines = lines.into_iter().rev();
+        self.junctions[lines.fold(0, |sum, line| 2 * sum + usize::from(line))]
+    }
+
     /// The symbols that a theme can show.
     pub(in crate::tui) fn of(theme: Theme) -> &'static Self {
         if theme.is_ascii() || theme.glyphs() == Glyphs::Ascii {

@@ -16,10 +16,12 @@ pub fn differs(model: &Model, saved: &Model, node: Node) -> bool {
 fn group_differs(model: &Model, saved: &Model, group: Group) -> bool {
     match group {
         Group::Model => model != saved,
-        Group::Beam => model.beam != saved.beam,
-        Group::Material => model.beam.material != saved.beam.material,
-        Group::Section => model.beam.section != saved.beam.section,
-        Group::Foundation => model.beam.foundation != saved.beam.foundation,
+        Group::Beam => model.beam != saved.beam || model.spans != saved.spans,
+        Group::Material(part) => part.material(model) != part.material(saved),
+        Group::Section(part) => part.section(model) != part.section(saved),
+        Group::Foundation(part) => part.foundation(model) != part.foundation(saved),
+        Group::Spans => model.spans != saved.spans,
+        Group::Span(i) => saved.spans.get(i) != Some(&model.spans[i]),
         Group::Supports => model.supports != saved.supports,
         Group::Support(id) => counterpart(model, saved, group).is_none_or(|other| {
             let at = |id: SupportId, model| (*id.support(model), id.position(model));

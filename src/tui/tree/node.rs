@@ -6,7 +6,7 @@ use crate::model::{Group, Moves, ParameterId, SupportId};
 /// A row of the tree.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Node {
-    /// A table or list of the model. For an end or one of its motions, also the parameter of its word.
+    /// A table or list of the model. For an end, one of its motions or a table of a span, also the parameter of its word.
     Group(Group),
     /// A parameter with its own row.
     Parameter(ParameterId),
@@ -20,6 +20,9 @@ impl Node {
 
     /// The row of a parameter.
     pub fn of(id: ParameterId) -> Self {
+        if let Some(table) = id.table() {
+            return Self::Group(table);
+        }
         match (id.group, id.motion(), id.key().kind) {
             (Group::Support(id), Some(motion), _) => Self::Group(Group::Motion(id, motion)),
             (Group::Joint(joint), Some(motion), _) => Self::Group(Group::Link(joint, motion)),
@@ -52,7 +55,9 @@ impl Node {
             Self::Parameter(id) => Some(id),
             Self::Group(Group::Motion(end, motion)) => Some(ParameterId::restraint(end, motion)),
             Self::Group(Group::Link(joint, motion)) => Some(ParameterId::link(joint, motion)),
-            Self::Group(group) => group.parameter_of(Kind::Support),
+            Self::Group(group) => {
+                ParameterId::owner_of(group).or_else(|| group.parameter_of(Kind::Support))
+            }
             Self::StudyLine(..) => None,
         }
     }
@@ -65,12 +70,13 @@ impl Node {
         }
     }
 
-    /// Its inner support, joint, subsystem, force, response or study.
+    /// Its span, inner support, joint, subsystem, force, response or study.
     pub fn item(self) -> Option<Group> {
         Some(self.group().owner()).filter(|group| {
             matches!(
                 group,
-                Group::Support(SupportId::Inner(_))
+                Group::Span(_)
+                    | Group::Support(SupportId::Inner(_))
                     | Group::Joint(_)
                     | Group::Subsystem(_)
                     | Group::Force(_)

@@ -6,8 +6,9 @@ use super::{Node, tuning};
 use crate::model::edit::Value;
 use crate::model::schema::{self, ElasticKey, LinkKey, Wording};
 use crate::model::{
-    BeamMotion, Bedding, Family, Foundation, Group, Link, Model, Parameter, Place, Point, Quantity,
-    Response, Restraint, Study, SupportId, Supports, Sweep, Target, Unit, counted, grouped,
+    BeamMotion, Bedding, Family, Foundation, Group, Link, Model, Parameter, ParameterId, Place,
+    Point, Quantity, Response, Restraint, Study, SupportId, Supports, Sweep, Target, Unit, counted,
+    grouped,
 };
 use crate::tune::words;
 
@@ -25,9 +26,11 @@ fn group_label(model: &Model, group: Group) -> Cow<'_, str> {
     match group {
         Group::Model => "Model".into(),
         Group::Beam => "Beam".into(),
-        Group::Material => "Material".into(),
-        Group::Section => "Section".into(),
-        Group::Foundation => "Foundation".into(),
+        Group::Material(_) => "Material".into(),
+        Group::Section(_) => "Section".into(),
+        Group::Foundation(_) => "Foundation".into(),
+        Group::Spans => "Spans".into(),
+        Group::Span(i) => format!("span {}", i + 1).into(),
         Group::Supports => "Supports".into(),
         Group::Joints => "Joints".into(),
         Group::Subsystems => "Subsystems".into(),
@@ -59,6 +62,11 @@ fn spaced(key: &str) -> Cow<'_, str> {
     }
 }
 
+/// The text of a table that a span may have from the beam.
+fn own_or_beams<T>(table: Option<&T>, text: impl Fn(&T) -> String) -> String {
+    table.map_or_else(|| "the beam's".to_owned(), text)
+}
+
 /// The motions that a foundation resists.
 fn foundation(foundation: &Foundation) -> String {
     let names = ["w", "psi", "v"].into_iter().zip(foundation.beddings());
@@ -81,10 +89,13 @@ pub fn subject(model: &Model, node: Node) -> String {
                 Group::Motion(id, motion) => format!("{} {} {own}", id.name(model), motion.key()),
                 Group::Link(..) => format!("{} {own}", subject(model, Node::Group(id.group))),
                 Group::Support(id) => format!("{} {own}", support(model, id)),
+                group if ParameterId::owner_of(group).is_some() => {
+                    format!("{} {own}", subject(model, Node::Group(group)))
+                }
                 Group::Beam
-                | Group::Material
-                | Group::Section
-                | Group::Foundation
+                | Group::Material(_)
+                | Group::Section(_)
+                | Group::Foundation(_)
                 | Group::Sweep => {
                     format!("{} {own}", group_label(model, id.group).to_lowercase())
                 }
@@ -97,7 +108,11 @@ pub fn subject(model: &Model, node: Node) -> String {
         Node::Group(group @ (Group::Variable(_) | Group::Objective(_) | Group::Limit(_))) => {
             format!("tune {}", group_label(model, group))
         }
-        _ => label(model, node).into_owned(),
+        Node::Group(group) => match ParameterId::owner_of(group) {
+            Some(word) => format!("{} {}", group_label(model, word.group), word.key().key),
+            None => group_label(model, group).into_owned(),
+        },
+        Node::StudyLine(..) => label(model, node).into_owned(),
     }
 }
 
@@ -124,13 +139,22 @@ pub fn value(model: &Model, node: Node) -> String {
 fn group_value(model: &Model, group: Group) -> String {
     match group {
         Group::Model => String::new(),
-        Group::Beam => Unit::METRE.format(model.beam.length),
-        Group::Material => format!(
-            "E {}",
-            Unit::PASCAL.format(model.beam.material.young_modulus)
-        ),
-        Group::Section => format!("A {}", Unit::AREA.format(model.beam.section.area)),
-        Group::Foundation => foundation(&model.beam.foundation),
+        Group::Beam => {
+            let length = Unit::METRE.format(model.length());
+            match model.spans.len() {
+                0 => length,
+                spans => format!("{length}, {}", counted(spans, "span", "spans")),
+            }
+        }
+        Group::Material(part) => own_or_beams(part.material(model), |material| {
+            format!("E {}", Unit::PASCAL.format(material.young_modulus))
+        }),
+        Group::Section(part) => own_or_beams(part.section(model), |section| {
+            format!("A {}", Unit::AREA.format(section.area))
+        }),
+        Group::Foundation(part) => own_or_beams(part.foundation(model), foundation),
+        Group::Spans => model.spans.len().to_string(),
+        Group::Span(i) => Unit::METRE.format(model.spans[i].length),
         Group::Supports => supports(&model.supports),
         Group::Support(id @ (SupportId::Left | SupportId::Right)) => {
             id.support(model).kind().to_owned()

@@ -126,30 +126,32 @@ impl<A: Arithmetic> Room<A> {
     ) -> Sides<A> {
         let Substructure { prepared, part, .. } = substructure;
         let plan = &prepared.plan;
-        let mut waves = Waves::NONE;
-        waves.set(&prepared.constants, omega);
+        let last = plan.stations.len();
+        let mut all = std::mem::take(&mut self.waves);
+        prepared.set_waves(&mut all, omega, 0..=last);
         self.make_room(prepared);
-        self.prepare_spans(plan, &waves);
+        self.prepare_spans(prepared, &all, 0..=last);
         let (mut left, mut right) = (None, None);
         if part.start > 0 {
-            let end = reflection(&waves, &plan.left, Side::Left);
+            let end = reflection(prepared.waves_of(&all, 0), &plan.left, Side::Left);
             let mut at = end.clone();
-            self.sweep_right(prepared, &waves, 0..part.start, &mut at);
+            self.sweep_right(prepared, &all, 0..part.start, &mut at);
             let mut beside =
                 SideResponse::new(at, substructure, |source| matches!(source, Source::Left(_)));
-            self.carry(substructure, &waves, (Side::Left, &end), &mut beside);
+            self.carry(substructure, &all, (Side::Left, &end), &mut beside);
             left = Some(beside);
         }
         if part.end < plan.stations.len() {
-            let end = reflection(&waves, &plan.right, Side::Right);
+            let end = reflection(prepared.waves_of(&all, last), &plan.right, Side::Right);
             let mut at = end.clone();
-            self.sweep_from_right(substructure, &waves, &mut at);
+            self.sweep_from_right(substructure, &all, &mut at);
             let mut beside = SideResponse::new(at, substructure, |source| {
                 matches!(source, Source::Right(_))
             });
-            self.carry(substructure, &waves, (Side::Right, &end), &mut beside);
+            self.carry(substructure, &all, (Side::Right, &end), &mut beside);
             right = Some(beside);
         }
+        self.waves = all;
         Sides { left, right }
     }
 
@@ -158,17 +160,16 @@ impl<A: Arithmetic> Room<A> {
     fn sweep_from_right(
         &mut self,
         substructure: &Substructure,
-        waves: &Waves<A>,
+        all: &[Waves<A>],
         at: &mut Reflection<A>,
     ) {
-        let plan = &substructure.prepared.plan;
+        let prepared = &substructure.prepared;
+        let plan = &prepared.plan;
         for index in (substructure.part.end..plan.stations.len()).rev() {
             at.propagate(&self.decays[plan.spans[index + 1]]);
-            let read = substructure.prepared.reads[index];
-            let event = &plan.stations[index].event;
-            self.pass((index, event), waves, (read, Side::Right), at);
+            self.pass(prepared, all, (index, Side::Right), at);
             // Looking from just left of the station, where everything is read.
-            if let Some(kept) = substructure.prepared.kept(index) {
+            if let Some(kept) = prepared.kept(index) {
                 self.lefts[kept].clone_from(at);
             }
         }
@@ -185,26 +186,27 @@ impl<A: Arithmetic> Room<A> {
     ) {
         let Substructure { prepared, part, .. } = substructure;
         let plan = &prepared.plan;
-        let mut waves = Waves::NONE;
-        waves.set(&prepared.constants, omega);
+        let mut all = std::mem::take(&mut self.waves);
+        prepared.set_waves(&mut all, omega, part.start..=part.end);
         self.make_room(prepared);
-        self.prepare_part(prepared, &waves, part);
+        self.prepare_spans(prepared, &all, part.start..=part.end);
+        let [first, last] = [part.start, part.end].map(|span| prepared.waves_of(&all, span));
         let start = match &sides.left {
             Some(left) => left.reflection.clone(),
-            None => reflection(&waves, &plan.left, Side::Left),
+            None => reflection(first, &plan.left, Side::Left),
         };
         let mut at = start.clone();
-        self.sweep_right(prepared, &waves, part.clone(), &mut at);
+        self.sweep_right(prepared, &all, part.clone(), &mut at);
         at.propagate(&self.decays[plan.spans[part.end]]);
         let mut b = match &sides.right {
-            Some(right) => join(&waves, &at, &right.reflection),
-            None => right_end(&waves, &plan.right, &at),
+            Some(right) => join(last, &at, &right.reflection),
+            None => right_end(last, &plan.right, &at),
         };
         let mut a = at.at(&b);
-        times(&mut a, &waves.weight);
+        times(&mut a, &last.weight);
         let mut energy = Sum::ZERO;
-        self.sweep_left(prepared, &waves, part.clone(), &mut b, &mut energy);
-        self.cross_span(prepared, &waves, (part.start, &start), &mut b, &mut energy);
+        self.sweep_left(prepared, &all, part.clone(), &mut b, &mut energy);
+        self.cross_span(prepared, &all, (part.start, &start), &mut b, &mut energy);
         for (side, arriving) in [(&sides.left, &b), (&sides.right, &a)] {
             if let Some(known) = side.as_ref().and_then(|side| side.energy.as_deref()) {
                 known.at(arriving, &mut energy);
@@ -218,9 +220,10 @@ impl<A: Arithmetic> Room<A> {
                 (Source::Left(index), Some(left), _) => left.outputs[*index].at(&b),
                 (Source::Right(index), _, Some(right)) => right.outputs[*index].at(&a),
                 _ if *output == Output::Energy => energy,
-                _ => self.read(prepared, &waves, *output, Part::Whole),
+                _ => self.read(prepared, &all, *output, Part::Whole),
             };
         }
+        self.waves = all;
     }
 }
 

@@ -18,7 +18,8 @@ use crate::solve::plan::Event;
 /// A side, the reflection of its end of the beam, and the cases to propagate.
 struct Task<'a, A> {
     substructure: &'a Substructure,
-    waves: &'a Waves<A>,
+    /// The waves of each beam.
+    all: &'a [Waves<A>],
     side: Side,
     end: &'a Reflection<A>,
     inwards: Carried<A>,
@@ -40,13 +41,13 @@ impl<A: Arithmetic> Room<A> {
     pub(super) fn carry(
         &mut self,
         substructure: &Substructure,
-        waves: &Waves<A>,
+        all: &[Waves<A>],
         (side, end): (Side, &Reflection<A>),
         beside: &mut SideResponse<A>,
     ) {
         let task = |inwards, outputs| Task {
             substructure,
-            waves,
+            all,
             side,
             end,
             inwards,
@@ -89,10 +90,11 @@ impl<A: Arithmetic> Room<A> {
                 energy.add(&this.forms[plan.spans[before]], &outwards, &entered);
             }
             let decay = &this.decays[plan.spans[after]];
+            let waves = substructure.prepared.waves_of(task.all, after);
             for arrival in 0..ARRIVALS {
                 for wave in 0..6 {
                     let inwards = task.inwards[arrival][wave];
-                    entered[arrival][wave] = inwards * task.waves.radiation[wave];
+                    entered[arrival][wave] = inwards * waves.radiation[wave];
                     task.inwards[arrival][wave] = inwards * decay[wave];
                 }
             }
@@ -119,12 +121,17 @@ impl<A: Arithmetic> Room<A> {
         crossing: &mut Crossing<A>,
         outwards: &mut Carried<A>,
     ) {
-        let (prepared, waves) = (&task.substructure.prepared, task.waves);
+        let prepared = &task.substructure.prepared;
+        let waves = prepared.waves_of(task.all, index);
         let before = task.inwards;
         self.cross_all(task, index, crossing);
         let Some(kept) = prepared.kept(index) else {
             return;
         };
+        if matches!(prepared.plan.stations[index].event, Event::Junction(_)) {
+            returned(&self.lefts[kept], &before, outwards);
+            return;
+        }
         // The reflection is stored, and the state read, just left of the station.
         let there = match task.side {
             Side::Left => &task.inwards,
@@ -142,7 +149,7 @@ impl<A: Arithmetic> Room<A> {
                 };
                 state.forces = crossing.forces[arrival];
                 state.theta = self.turns[read].part(&before[arrival], arrival == FORCED);
-                self.collect(task.substructure, waves, (index, arrival), outputs);
+                self.collect(task.substructure, task.all, (index, arrival), outputs);
             }
         }
         if task.side == Side::Left {
@@ -156,7 +163,7 @@ impl<A: Arithmetic> Room<A> {
     /// Moves the arrivals over a station.
     #[inline(always)]
     fn cross_all(&self, task: &mut Task<'_, A>, index: usize, crossing: &mut Crossing<A>) {
-        let waves = task.waves;
+        let waves = task.substructure.prepared.waves_of(task.all, index);
         match &task.substructure.prepared.plan.stations[index].event {
             Event::Attachment(attachment) => {
                 let forces = &self.forces[index];
@@ -164,6 +171,13 @@ impl<A: Arithmetic> Room<A> {
             }
             Event::Support(held) => self.send_all(task, index, Acting::Support(held), crossing),
             Event::Joint(joined) => self.send_all(task, index, Acting::Joint(joined), crossing),
+            Event::Junction(_) => {
+                *crossing = Crossing::NONE;
+                for arrival in 0..ARRIVALS {
+                    let inwards = &mut task.inwards[arrival];
+                    *inwards = self.actions[index].part(inwards, arrival == FORCED);
+                }
+            }
             Event::Load(load) => {
                 let jumps = Jumps::of_load(waves, load);
                 *crossing = Crossing::NONE;
@@ -184,9 +198,10 @@ impl<A: Arithmetic> Room<A> {
         crossing: &mut Crossing<A>,
     ) {
         *crossing = Crossing::NONE;
+        let waves = task.substructure.prepared.waves_of(task.all, index);
         for arrival in 0..ARRIVALS {
             let inwards = &mut task.inwards[arrival];
-            let jumps = self.actions[index].sent(task.waves, acting, inwards, arrival == FORCED);
+            let jumps = self.actions[index].sent(waves, acting, inwards, arrival == FORCED);
             crossing.back[arrival] = jumps.sent(task.side);
             add(inwards, &jumps.sent(task.side.other()));
         }
@@ -197,7 +212,7 @@ impl<A: Arithmetic> Room<A> {
     fn collect(
         &self,
         substructure: &Substructure,
-        waves: &Waves<A>,
+        all: &[Waves<A>],
         (index, arrival): (usize, usize),
         outputs: &mut [Affine<A>],
     ) {
@@ -212,7 +227,7 @@ impl<A: Arithmetic> Room<A> {
                 continue;
             };
             let wanted = substructure.prepared.plan.outputs[output];
-            let value = self.read(&substructure.prepared, waves, wanted, part);
+            let value = self.read(&substructure.prepared, all, wanted, part);
             let affine = &mut outputs[number];
             match arrival {
                 FORCED => affine.forced = value,

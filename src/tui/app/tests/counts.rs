@@ -285,16 +285,89 @@ fn joints_are_added_copied_and_deleted() {
     );
 }
 
+/// fig05a is 3.2 m long.
+#[test]
+fn spans_are_added_divided_and_deleted() {
+    let mut app = app("fig05a");
+    let lengths = |app: &App| -> Vec<f64> {
+        let spans = app.model().spans.iter();
+        spans.map(|span| span.length).collect()
+    };
+    select(&mut app, "beam.length");
+    keys(&mut app, "a");
+    assert_eq!(lengths(&app), [1.6, 1.6]);
+    assert_eq!(app.selection.node(), Node::Group(Group::Span(1)));
+    assert_eq!(message(&app), "add span 2");
+    keys(&mut app, "a");
+    assert_eq!(lengths(&app), [1.6, 0.8, 0.8]);
+    go(&mut app, Node::Group(Group::Span(0)));
+    keys(&mut app, "D");
+    assert_eq!(lengths(&app), [0.8; 4]);
+    let beam = tree::value(app.model(), Node::Group(Group::Beam));
+    assert_eq!(beam, "3.2 m, 4 spans");
+    keys(&mut app, "x");
+    assert_eq!(lengths(&app), [1.6, 0.8, 0.8]);
+    keys(&mut app, "3x");
+    assert_eq!((lengths(&app), app.model().beam.length), (vec![], 3.2));
+    assert_eq!(app.selection.node(), Node::Group(Group::Beam));
+}
+
+#[test]
+fn a_span_gets_a_section_of_its_own_and_loses_it() {
+    let mut app = app("fig05a");
+    select(&mut app, "beam.length");
+    keys(&mut app, "a");
+    let section = Node::Group(Group::Section(Part::Span(1)));
+    let shown = |app: &App| tree::value(app.model(), section);
+    go(&mut app, section);
+    assert_eq!(shown(&app), "the beam's");
+    keys(&mut app, " ");
+    assert_eq!(app.model().spans[1].section, Some(app.model().beam.section));
+    assert_eq!(shown(&app), "A 116 cm2");
+    select(&mut app, "beam.spans.2.section.area");
+    keys(&mut app, ">");
+    assert_ne!(app.model().spans[1].section, Some(app.model().beam.section));
+    assert!(
+        message(&app).starts_with("span 2 section area"),
+        "{}",
+        message(&app)
+    );
+    go(&mut app, section);
+    keys(&mut app, " ");
+    assert_eq!(
+        (app.model().spans[1].section, shown(&app)),
+        (None, "the beam's".to_owned())
+    );
+}
+
+/// The points of what holds and loads the beam are measured from the axis of the beam, which would move.
+#[test]
+fn the_last_span_is_deleted_only_on_the_axis() {
+    let mut app = app("fig05a");
+    select(&mut app, "beam.length");
+    keys(&mut app, "ax");
+    select(&mut app, "beam.spans.1.offset_y");
+    press(&mut app, KeyCode::Enter);
+    enter(&mut app, "0.1");
+    keys(&mut app, "x");
+    assert_eq!(app.model().spans.len(), 1);
+    assert!(
+        message(&app).contains("its offset must be 0"),
+        "{}",
+        message(&app)
+    );
+}
+
 #[test]
 fn what_adds_is_said_for_where_one_is() {
     for (path, word) in [
         (
-            "beam.length",
-            "supports, joints, subsystems, forces and responses can be added",
+            "title",
+            "spans of the beam, supports, joints, subsystems, forces and responses can be added",
         ),
         (
             "sweep.from",
-            "supports, joints, subsystems, forces and responses can be added",
+            "spans of the beam, supports, joints, subsystems, forces and responses can be added",
         ),
     ] {
         let mut app = app("fig08");

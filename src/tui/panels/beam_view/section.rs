@@ -1,8 +1,8 @@
-//! The cross-section, looking along x: shear centre, centroid, radii of gyration, and where the springs of a subsystem
-//! meet the beam.
+//! The cross-section, looking along x: axis of the beam, shear centre, centroid, radii of gyration, and where the springs
+//! of a subsystem meet the beam.
 //!
-//! A point (y, z) of the section moves by w + z psi along y and by v - y psi along z, from the shear centre at (0, 0)
-//! (Chen & Liu 2022, Section 2). A left spring along z meets v - `y_u` psi, so it is at y = +`y_u`; with y to the left
+//! A point (y, z) of the section moves by w + z psi along y and by v - y psi along z, from the beam's axis at (0, 0),
+//! which is the shear centre of a span without offset (Chen & Liu 2022, Section 2). A left spring along z meets v - `y_u` psi, so it is at y = +`y_u`; with y to the left
 //! it is on the left. Second moments: `I_y` of y squared (bending along y), `I_z` of z squared about the centroid. The
 //! model does not contain the position of the mass or the lengths of its springs: the mass is drawn below everything.
 
@@ -15,7 +15,7 @@ use ratatui::style::Style;
 use ratatui::text::Line;
 
 use self::plane::{Extent, Plane};
-use crate::model::{Group, Model, Quantity, Section, Subsystem, Target};
+use crate::model::{Group, Model, Point, Quantity, Section, Subsystem, Target, UniformPart};
 use crate::tui::app::App;
 use crate::tui::sketch::{Board, Signs, width};
 use crate::tui::theme::Theme;
@@ -30,9 +30,12 @@ pub(crate) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
     let model = app.model();
     let signs = Signs::of(theme);
     let subsystem = subsystem(model, app.selection.node());
-    let title = frame::rule(&heading(subsystem, usize::from(area.width)), theme);
+    let parts = model.uniform_parts();
+    let shown = shown_part(&parts, app.selection.node(), subsystem);
+    let span = (!model.spans.is_empty()).then_some(shown);
+    let title = frame::rule(&heading(span, subsystem, usize::from(area.width)), theme);
     let room = usize::from(area.width).saturating_sub(title.width() + 3);
-    let notes = notes(&model.beam.section, subsystem, signs);
+    let notes = notes(&parts[shown], subsystem, signs);
     let fitting = notes
         .into_iter()
         .find(|note| crate::tui::view::text::width(note) <= room);
@@ -43,7 +46,7 @@ pub(crate) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
     if inside.is_empty() {
         return;
     }
-    let picture = Picture::new(&model.beam.section, subsystem, theme, inside);
+    let picture = Picture::new(&parts[shown], subsystem, theme, inside);
     let mut board = Board::new(frame.buffer_mut(), inside);
     picture.draw(&mut board);
 }
@@ -68,39 +71,60 @@ fn subsystem(model: &Model, node: Node) -> Option<&Subsystem> {
         .or_else(|| model.subsystems.first())
 }
 
-fn heading(subsystem: Option<&Subsystem>, columns: usize) -> String {
-    match subsystem {
+/// The part of the beam whose section is shown: the selected span, or that at the subsystem, the left one where two meet;
+/// otherwise the first.
+fn shown_part(parts: &[UniformPart], node: Node, subsystem: Option<&Subsystem>) -> usize {
+    if let Some(Group::Span(i)) = node.item() {
+        return i;
+    }
+    let last = parts.len() - 1;
+    subsystem.map_or(0, |subsystem| {
+        parts[..last].partition_point(|part| part.end < subsystem.position)
+    })
+}
+
+fn heading(span: Option<usize>, subsystem: Option<&Subsystem>, columns: usize) -> String {
+    let section = match span {
         None => "Section".to_owned(),
+        Some(i) => format!("Section of span {}", i + 1),
+    };
+    match subsystem {
+        None => section,
         Some(subsystem) => {
             let off = if subsystem.enabled { "" } else { ", off" };
-            let name = cut(&subsystem.name, columns.saturating_sub(20).max(4));
-            format!("Section at {name}{off}")
+            let room = columns.saturating_sub(section.len() + 13);
+            let name = cut(&subsystem.name, room.max(4));
+            format!("{section} at {name}{off}")
         }
     }
 }
 
 /// The numbers of the section and the mounts, the longest texts first.
-fn notes(section: &Section, subsystem: Option<&Subsystem>, signs: &Signs) -> Vec<String> {
+fn notes(part: &UniformPart, subsystem: Option<&Subsystem>, signs: &Signs) -> Vec<String> {
+    let section = &part.beam.section;
     let along_z = format!("z_c {} mm", millimetres(section.centroid_offset));
     let centroid = if section.centroid_offset_y == 0.0 {
         along_z
     } else {
         format!("y_c {}, {along_z}", millimetres(section.centroid_offset_y))
     };
-    let Some(subsystem) = subsystem else {
-        return vec![centroid];
+    let offset = if part.offset == Point::AXIS {
+        String::new()
+    } else {
+        let [y, z] = [part.offset.y, part.offset.z].map(millimetres);
+        format!("offset y {y}, z {z} mm, ")
     };
-    let spacing = format!(
-        "{}{}",
-        signs.plus_minus,
-        millimetres(subsystem.mount_y.abs())
-    );
-    let height = millimetres(subsystem.mount_z);
-    vec![
-        format!("{centroid}, mounts y {spacing} mm, z {height} mm"),
-        format!("{centroid}, mounts {spacing}, {height} mm"),
-        centroid,
-    ]
+    let points = format!("{offset}{centroid}");
+    let mut notes = Vec::new();
+    if let Some(subsystem) = subsystem {
+        let spacing = millimetres(subsystem.mount_y.abs());
+        let spacing = format!("{}{spacing}", signs.plus_minus);
+        let height = millimetres(subsystem.mount_z);
+        notes.push(format!("{points}, mounts y {spacing} mm, z {height} mm"));
+        notes.push(format!("{points}, mounts {spacing}, {height} mm"));
+    }
+    notes.extend([points, centroid]);
+    notes
 }
 
 /// A length in mm with three significant digits.
@@ -115,7 +139,7 @@ fn millimetres(metres: f64) -> String {
 
 /// What is drawn, and its position.
 struct Picture<'a> {
-    section: &'a Section,
+    part: &'a UniformPart,
     subsystem: Option<&'a Subsystem>,
     theme: Theme,
     signs: &'static Signs,
@@ -124,18 +148,17 @@ struct Picture<'a> {
 
 impl<'a> Picture<'a> {
     fn new(
-        section: &'a Section,
+        part: &'a UniformPart,
         subsystem: Option<&'a Subsystem>,
         theme: Theme,
         inside: Rect,
     ) -> Self {
         let mut extent = Extent::default();
-        let [across, up] = radii(section);
+        extent.take(part.offset.y, part.offset.z);
+        let [across, up] = radii(&part.beam.section);
+        let centroid = centroid(part);
         for side in [-1.0, 1.0] {
-            extent.take(
-                section.centroid_offset_y + side * across,
-                section.centroid_offset + side * up,
-            );
+            extent.take(centroid.y + side * across, centroid.z + side * up);
         }
         let mut reserve = plane::Reserve::default();
         if let Some(subsystem) = subsystem {
@@ -144,7 +167,7 @@ impl<'a> Picture<'a> {
         }
         reserve.head = i32::from(inside.height >= HEADED);
         Self {
-            section,
+            part,
             subsystem,
             theme,
             signs: Signs::of(theme),
@@ -153,16 +176,23 @@ impl<'a> Picture<'a> {
     }
 
     fn draw(&self, board: &mut Board<'_>) {
-        let shear = self.plane.cell(0.0, 0.0);
-        let section = self.section;
-        let centroid = (self.plane).cell(section.centroid_offset_y, section.centroid_offset);
+        let cell = |point: Point| self.plane.cell(point.y, point.z);
         let bold = self.theme.accent();
-        board.sign(shear, self.signs.shear_centre, bold);
-        board.sign_if_free(centroid, self.signs.centroid, bold);
-        let [first, second] = [(shear, 'S'), (centroid, 'C')];
-        // Letters at the right, so that both can be read if the two points coincide.
-        letter(board, first, bold);
-        letter(board, second, bold);
+        let axis = (Point::AXIS, self.signs.axis, 'O');
+        let points = [
+            (self.part.offset, self.signs.shear_centre, 'S'),
+            (centroid(self.part), self.signs.centroid, 'C'),
+        ];
+        // Without an offset, the shear centre is on the axis.
+        let apart = (self.part.offset != Point::AXIS).then_some(axis);
+        let points = points.into_iter().chain(apart);
+        for (point, sign, _) in points.clone() {
+            board.sign_if_free(cell(point), sign, bold);
+        }
+        // Letters at the right, so that all can be read if points coincide.
+        for (point, _, name) in points {
+            letter(board, (cell(point), name), bold);
+        }
         if let Some(subsystem) = self.subsystem {
             mass::draw(self, board, subsystem);
         }
@@ -174,7 +204,8 @@ impl<'a> Picture<'a> {
     /// The ellipse of inertia about the centroid, about one dot per column: its axes are the principal axes, with the radii of
     /// gyration.
     fn draw_ellipse(&self, board: &mut Board<'_>) {
-        let section = self.section;
+        let section = &self.part.beam.section;
+        let centroid = centroid(self.part);
         let [across, up] = radii(section);
         // (y, z) = (across cos, lean cos + rise sin) is the ellipse of the matrix of second moments over A.
         let lean = section.product_moment / (section.area * across);
@@ -190,8 +221,8 @@ impl<'a> Picture<'a> {
             let angle = std::f64::consts::TAU * f64::from(i) / f64::from(count);
             let (cosine, sine) = (angle.cos(), angle.sin());
             (
-                section.centroid_offset_y + across * cosine,
-                section.centroid_offset + lean * cosine + rise * sine,
+                centroid.y + across * cosine,
+                centroid.z + lean * cosine + rise * sine,
             )
         });
         self.plane
@@ -199,7 +230,7 @@ impl<'a> Picture<'a> {
     }
 
     fn draw_words(&self, board: &mut Board<'_>) {
-        let [across, up] = radii(self.section).map(millimetres);
+        let [across, up] = radii(&self.part.beam.section).map(millimetres);
         let words = [
             format!("dots: radii of gyration {across} mm along y, {up} mm along z"),
             format!("dots: radii of gyration {across}, {up} mm"),
@@ -220,6 +251,15 @@ impl<'a> Picture<'a> {
                 }
             }
         }
+    }
+}
+
+/// From the axis of the beam.
+fn centroid(part: &UniformPart) -> Point {
+    let section = &part.beam.section;
+    Point {
+        y: part.offset.y + section.centroid_offset_y,
+        z: part.offset.z + section.centroid_offset,
     }
 }
 

@@ -1,8 +1,10 @@
 //! Side view of the structure, to scale along x: the beam with its supports, joints, subsystems, forces and responses.
+//! The depths and offsets of spans are to scale among each other.
 //!
 //! Upward is y, so w is up and down; z is out of the picture. Every subsystem is drawn below the beam, in whichever
 //! direction its springs act: the picture shows that the springs exist, and their directions.
 
+mod beam;
 mod joints;
 mod loads;
 mod masses;
@@ -10,13 +12,16 @@ mod rows;
 mod supports;
 mod ticks;
 
+use std::ops::Range;
+
 use ratatui::Frame;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 use ratatui::text::Line;
 
+use self::beam::{Body, Profile};
 use self::rows::Rows;
-use crate::model::{BeamMotion, Group, Model, Place, Spring, SupportId, Unit, grouped};
+use crate::model::{BeamMotion, Group, Model, Place, Spring, SupportId, Unit, counted};
 use crate::tui::app::App;
 use crate::tui::plot::{Axis, CellRuler, Scale};
 use crate::tui::sketch::{Board, POINTER, POINTER_BACK, Signs, width};
@@ -32,6 +37,7 @@ const MARGIN: u16 = 3;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Focus {
     Beam,
+    Span(usize),
     Support(SupportId),
     Joint(usize),
     Subsystem(usize),
@@ -44,6 +50,7 @@ impl Focus {
     fn of(group: Group) -> Self {
         match group {
             Group::Beam => Self::Beam,
+            Group::Span(i) => Self::Span(i),
             Group::Support(support) => Self::Support(support),
             Group::Joint(i) => Self::Joint(i),
             Group::Subsystem(i) => Self::Subsystem(i),
@@ -64,6 +71,7 @@ struct Picture<'a> {
     ruler: CellRuler,
     /// The columns of the beam's ends.
     ends: [i32; 2],
+    bodies: Vec<Body>,
 }
 
 impl<'a> Picture<'a> {
@@ -71,22 +79,27 @@ impl<'a> Picture<'a> {
         // If there are few columns, the beam takes all of them.
         let margin = MARGIN.min(columns.saturating_sub(8) / 4);
         let length = columns.saturating_sub(2 * margin).max(1);
-        let axis = Axis::new(Scale::Linear, [0.0, model.beam.length], Unit::METRE.symbol);
+        let axis = Axis::new(Scale::Linear, [0.0, model.length()], Unit::METRE.symbol);
         let first = i32::from(margin);
-        Self {
+        let parts = model.uniform_parts();
+        let profile = Profile::of(&parts);
+        let mut picture = Self {
             model,
             focus: Focus::of(node.group()),
             theme,
             signs: Signs::of(theme),
-            rows: Rows::of(i32::from(rows)),
+            rows: Rows::of(i32::from(rows), &profile),
             ruler: CellRuler::across(axis, length),
             ends: [first, first + i32::from(length) - 1],
-        }
+            bodies: Vec::new(),
+        };
+        picture.bodies = beam::bodies(&picture, &parts, &profile);
+        picture
     }
 
     /// The column of a distance from the left end, m.
     fn column(&self, x: f64) -> i32 {
-        let cell = self.ruler.cell(x.clamp(0.0, self.model.beam.length));
+        let cell = self.ruler.cell(x.clamp(0.0, self.model.length()));
         self.ends[0] + cell.map_or(0, i32::from)
     }
 
@@ -96,6 +109,26 @@ impl<'a> Picture<'a> {
             Place::Right => self.ends[1],
             Place::Position(x) => self.column(x),
         }
+    }
+
+    /// The first and the last row of the beam and its axis in a column; beside the beam those at its end.
+    fn beam_at(&self, column: i32) -> [i32; 2] {
+        let column = column.clamp(self.ends[0], self.ends[1]);
+        let there = self.bodies.iter();
+        let there = there.filter(|body| (body.columns[0]..=body.columns[1]).contains(&column));
+        there.fold([self.rows.beam; 2], |[top, bottom], body| {
+            [top.min(body.rows[0]), bottom.max(body.rows[1])]
+        })
+    }
+
+    /// The row above the beam in a column.
+    fn above(&self, column: i32) -> i32 {
+        self.beam_at(column)[0] - 1
+    }
+
+    /// The rows of springs below the beam in a column.
+    fn springs(&self, column: i32) -> Range<i32> {
+        self.beam_at(column)[1] + 1..self.rows.below_springs()
     }
 
     /// The style of a part, from whether it is enabled and whether it is selected.
@@ -141,7 +174,7 @@ pub(crate) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
     }
     let picture = Picture::new(model, node, theme, [inside.width, inside.height]);
     let mut board = Board::new(frame.buffer_mut(), inside);
-    draw_beam(&picture, &mut board);
+    beam::draw(&picture, &mut board);
     supports::draw(&picture, &mut board);
     joints::draw(&picture, &mut board);
     masses::draw(&picture, &mut board);
@@ -149,23 +182,6 @@ pub(crate) fn draw(frame: &mut Frame<'_>, app: &App, theme: Theme, area: Rect) {
     supports::draw_words(&picture, &mut board);
     draw_ruler(&picture, &mut board);
     draw_key(&picture, &mut board);
-}
-
-fn draw_beam(picture: &Picture<'_>, board: &mut Board<'_>) {
-    let style = if picture.focus == Focus::Beam {
-        picture.theme.accent()
-    } else {
-        Style::new()
-    };
-    for column in picture.ends[0]..=picture.ends[1] {
-        board.sign([column, picture.rows.beam], picture.signs.beam, style);
-    }
-    if picture.focus == Focus::Beam {
-        // Signs from both ends inwards; a support has its pointer at its own end.
-        let (row, style) = (picture.rows.beam, picture.style(true, true));
-        board.sign([(picture.ends[0] - 1).max(0), row], POINTER, style);
-        board.sign([picture.ends[1] + 1, row], POINTER_BACK, style);
-    }
 }
 
 /// Round values of x below the picture, and their unit.
@@ -209,7 +225,8 @@ fn draw_key(picture: &Picture<'_>, board: &mut Board<'_>) {
     let keys = loads::keys(picture)
         .into_iter()
         .chain(supports::keys(picture))
-        .chain(joints::keys(picture));
+        .chain(joints::keys(picture))
+        .chain(beam::keys(picture));
     for key in keys {
         let columns = width(&key);
         if column + columns > room {
@@ -254,13 +271,20 @@ fn note(model: &Model, focus: Focus) -> String {
             let what = tree::value(model, Node::Group(Group::Response(i)));
             format!("{}: {what}", model.responses[i].name)
         }
+        Focus::Span(i) => {
+            let length = Unit::METRE.format(model.spans[i].length);
+            format!("span {}, {length}", i + 1)
+        }
         Focus::Beam | Focus::Nothing => {
-            let length = Unit::METRE.format(model.beam.length);
-            match model.subsystems.len() {
-                0 => length,
-                1 => format!("{length}, 1 subsystem"),
-                count => format!("{length}, {} subsystems", grouped(count)),
-            }
+            let counts = [
+                (model.spans.len(), "span", "spans"),
+                (model.subsystems.len(), "subsystem", "subsystems"),
+            ];
+            let there = counts.into_iter().filter(|(count, ..)| *count > 0);
+            let there = there.map(|(count, one, more)| counted(count, one, more));
+            let length = Unit::METRE.format(model.length());
+            let all: Vec<String> = std::iter::once(length).chain(there).collect();
+            all.join(", ")
         }
     }
 }

@@ -2,7 +2,9 @@
 
 use std::f64::consts::PI;
 
-use crate::model::{Beam, Group, Material, Model, Section, Subsystem, SupportId, Unit, counted};
+use crate::model::{
+    Group, Material, Model, Section, Subsystem, SupportId, UniformPart, Unit, counted,
+};
 use crate::tui::keys::{CurvesCommand, KeyMap, ModelCommand, TuneCommand};
 use crate::tui::tree::{self, Node};
 use crate::tune::words;
@@ -15,9 +17,19 @@ pub(crate) fn of(model: &Model, node: Node, keys: &KeyMap) -> String {
         Node::Parameter(_) => return String::new(),
     };
     match group {
-        Group::Beam => beam(&model.beam),
-        Group::Material => material(&model.beam.material),
-        Group::Section => section(&model.beam.section),
+        Group::Beam => format!(
+            "{}; {} adds a span",
+            mass(model.beam_mass()),
+            keys.key_of(ModelCommand::Add)
+        ),
+        Group::Material(part) => part.material(model).map_or_else(String::new, material),
+        Group::Section(part) => part.section(model).map_or_else(String::new, section),
+        Group::Spans => format!(
+            "uniform parts of the beam, from left to right; {} divides the last one, {} gives one to its neighbour",
+            keys.key_of(ModelCommand::Add),
+            keys.key_of(ModelCommand::Delete)
+        ),
+        Group::Span(i) => span(&model.uniform_parts()[i]),
         Group::Supports => format!(
             "the ends, and what holds the beam between them; {} on a support selects the next kind, {} adds one",
             keys.key_of(ModelCommand::Cycle),
@@ -56,9 +68,14 @@ pub(crate) fn of(model: &Model, node: Node, keys: &KeyMap) -> String {
     }
 }
 
-fn beam(beam: &Beam) -> String {
-    let mass = beam.material.density * beam.section.area * beam.length;
+fn mass(mass: f64) -> String {
     format!("mass {}", Unit::KILOGRAM.format(mass))
+}
+
+fn span(part: &UniformPart) -> String {
+    let [start, end] = [part.start, part.end].map(|x| Unit::METRE.format(x));
+    let start = tree::without_unit_of(&start, &end);
+    format!("from {start} to {end}\n{}", mass(part.mass()))
 }
 
 fn material(material: &Material) -> String {

@@ -170,7 +170,7 @@ impl App {
 fn usual_bounds(model: &Model, id: ParameterId, value: f64) -> Option<[f64; 2]> {
     let is_position = id.row == SubsystemKey::Position as usize;
     if is_position && matches!(id.group, Group::Subsystem(_)) {
-        return Some([0.0, model.beam.length]);
+        return Some([0.0, model.length()]);
     }
     let mut bounds = [0.1 * value, 10.0 * value];
     bounds.sort_by(f64::total_cmp);

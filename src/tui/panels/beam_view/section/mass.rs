@@ -16,7 +16,7 @@ struct Side {
     arm: f64,
     y: Spring,
     z: Spring,
-    /// The direction away from the shear centre, in columns: y grows to the left.
+    /// The direction away from the axis, in columns: y grows to the left.
     outward: i32,
 }
 

@@ -14,7 +14,7 @@ const WITH_AXES: [i32; 2] = [30, 7];
 /// A picture smaller than this is measured in mm, m.
 const IN_MILLIMETRES: f64 = 2.0;
 
-/// The range that must be in the picture, m; it contains the shear centre.
+/// The range that must be in the picture, m; it contains the axis of the beam.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Extent {
     y: [f64; 2],

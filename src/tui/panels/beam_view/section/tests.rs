@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 
 use super::plane::Reserve;
 use super::*;
-use crate::model::Spring;
+use crate::model::{Span, Spring};
 use crate::presets;
 use crate::tui::ascii;
 use crate::tui::options::{Marker, Options};
@@ -154,8 +154,9 @@ fn the_radii_are_those_of_bending_along_their_axes() {
 fn points_are_to_scale() {
     let model = preset("fig05a");
     let app = at(model, Node::Group(Group::Subsystem(0)));
+    let parts = app.model().uniform_parts();
     let picture = Picture::new(
-        &app.model().beam.section,
+        &parts[0],
         app.model().subsystems.first(),
         Theme::new(false),
         Rect::new(0, 0, 78, 23),
@@ -285,6 +286,49 @@ fn the_selected_subsystem_is_shown_else_the_first_one_attached() {
     model.subsystems.clear();
     model.forces.truncate(0);
     assert!(heading(&model, Node::Group(Group::Sweep)).contains("─ Section ─"));
+}
+
+/// The section is that of the span at the subsystem; its shear centre is off the axis by the offset, to scale.
+#[test]
+fn a_span_has_its_section_and_offset() {
+    let mut model = preset("fig05a");
+    let (y, z) = (0.1, -0.05);
+    let span = |offset| Span {
+        length: 1.6,
+        offset,
+        ..Span::default()
+    };
+    model.spans = vec![span(Point::AXIS), span(Point { y, z })];
+    let parts = model.uniform_parts();
+    let picture = Picture::new(
+        &parts[1],
+        Some(&model.subsystems[2]),
+        Theme::new(false),
+        Rect::new(0, 0, 78, 23),
+    );
+    let scale = picture.plane.metres_per_column();
+    let drawn = screen(model.clone(), Node::Group(Group::Subsystem(2)), [78, 24]);
+    assert!(drawn.contains("Section of span 2 at S3 "), "{drawn}");
+    assert!(
+        drawn.contains(" offset y 100, z -50 mm, z_c 61.9 mm "),
+        "{drawn}"
+    );
+    assert!(drawn.contains("┼O") && drawn.contains("+S"), "{drawn}");
+    let [axis, shear] = ['┼', '+'].map(|sign| find(&drawn, sign)[0]);
+    let near = |from: usize, to: usize, cells: f64| (to as f64 - from as f64 - cells).abs() <= 1.0;
+    assert!(near(shear.0, axis.0, y / scale), "{drawn}");
+    assert!(near(axis.1, shear.1, -z / scale / 2.0), "{drawn}");
+    // Without an offset, the shear centre is on the axis.
+    let first = screen(model.clone(), Node::Group(Group::Subsystem(0)), [78, 24]);
+    assert!(first.contains("Section of span 1 at S1 "), "{first}");
+    assert!(!first.contains(['┼', 'O']), "{first}");
+    let ascii = buffer(
+        &at(model, Node::Group(Group::Subsystem(2))),
+        plain_ascii(),
+        78,
+        24,
+    );
+    assert!(lines(&ascii).join("\n").contains("*O"));
 }
 
 #[test]

@@ -74,9 +74,9 @@ fn sign(signs: &Signs, force: &Force) -> char {
 
 /// Signs side by side, from the position into the beam; the selected one is at the position.
 fn draw_forces(picture: &Picture<'_>, board: &mut Board<'_>, forces: &Places) {
-    let Some(row) = picture.rows.forces else {
+    if !picture.rows.forces {
         return;
-    };
+    }
     let mut further = Vec::new();
     for (column, members) in forces {
         let mut members = members.clone();
@@ -88,7 +88,7 @@ fn draw_forces(picture: &Picture<'_>, board: &mut Board<'_>, forces: &Places) {
             let style = picture.style(force.enabled, selected);
             let sign = sign(picture.signs, force);
             if number == 0 {
-                board.sign([*column, row], sign, style);
+                board.sign([*column, picture.above(*column)], sign, style);
             } else if !seen.contains(&sign) {
                 further.push((*column, sign, style));
             }
@@ -99,7 +99,8 @@ fn draw_forces(picture: &Picture<'_>, board: &mut Board<'_>, forces: &Places) {
         // The sign at the position is always visible; the others follow if there is room.
         let inward = if column >= picture.ends[1] { -1 } else { 1 };
         for step in 1..=4 {
-            if board.sign_if_free([column + inward * step, row], sign, style) {
+            let column = column + inward * step;
+            if board.sign_if_free([column, picture.above(column)], sign, style) {
                 break;
             }
         }
@@ -108,7 +109,7 @@ fn draw_forces(picture: &Picture<'_>, board: &mut Board<'_>, forces: &Places) {
         return;
     };
     if let Some((column, _)) = forces.iter().find(|(_, members)| members.contains(&i)) {
-        picture.point(board, [*column, row], 1);
+        picture.point(board, [*column, picture.above(*column)], 1);
     }
 }
 
@@ -185,7 +186,6 @@ fn draw_probe_words(picture: &Picture<'_>, board: &mut Board<'_>, probes: &Place
     if picture.rows.springs == 0 {
         return;
     }
-    let row = picture.rows.beam + 1;
     let responses = &picture.model.responses;
     let selected = |i: &usize| picture.focus == Focus::Response(*i);
     for (column, members) in selected_first(probes, selected) {
@@ -208,8 +208,8 @@ fn draw_probe_words(picture: &Picture<'_>, board: &mut Board<'_>, probes: &Place
             None => (vec![motions], picture.theme.dim()),
         };
         // If springs leave no room below the beam, there may be some above it.
-        if !board.first_by([column, row], &words, style) {
-            board.first_by([column, row - 2], &words, style);
+        if !board.first_by([column, picture.springs(column).start], &words, style) {
+            board.first_by([column, picture.above(column)], &words, style);
         }
     }
 }

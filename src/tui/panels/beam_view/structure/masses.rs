@@ -245,7 +245,6 @@ fn draw_springs(
         .filter(|(_, spring)| spring.stiffness > 0.0 || spring.damping > 0.0)
         .collect();
     let style = picture.style(subsystem.enabled, selected);
-    let first = picture.rows.beam + 1;
     for (number, (letter, spring)) in there.iter().enumerate() {
         // Two of them are at either side of the position.
         let outward = if *letter == 'y' { -1 } else { 1 };
@@ -254,18 +253,19 @@ fn draw_springs(
         } else {
             column + outward
         };
-        for row in 0..picture.rows.springs {
+        let rows = picture.springs(place);
+        for row in rows.clone() {
             let sign = if subsystem.enabled {
-                spring_sign(picture.signs, *spring, row + number as i32)
+                spring_sign(picture.signs, *spring, row - rows.start + number as i32)
             } else {
                 Some(picture.signs.ticks[1])
             };
             if let Some(sign) = sign {
-                board.sign_if_free([place, first + row], sign, style);
+                board.sign_if_free([place, row], sign, style);
             }
         }
         if picture.rows.springs > 1 {
-            let last = first + picture.rows.springs - 1;
+            let last = rows.end - 1;
             board.sign_if_free([place + outward, last], *letter, picture.theme.dim());
         }
     }

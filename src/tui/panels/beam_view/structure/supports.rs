@@ -39,13 +39,15 @@ pub(super) fn draw(picture: &Picture<'_>, board: &mut Board<'_>) {
 fn draw_wall(picture: &Picture<'_>, board: &mut Board<'_>, id: SupportId) {
     let (column, inward) = side(picture, id);
     let style = picture.style(true, picture.focus == Focus::Support(id));
-    let beam = picture.rows.beam;
-    let (column, rows) = match id {
-        SupportId::Left | SupportId::Right => (column - inward, [-1, 0, 1].as_slice()),
-        SupportId::Inner(_) => (column, [-1, 1].as_slice()),
+    let [top, bottom] = picture.beam_at(column);
+    let outside = match id {
+        SupportId::Left | SupportId::Right => column - inward,
+        SupportId::Inner(_) => column,
     };
-    for row in rows {
-        board.sign([column, beam + row], picture.signs.wall, style);
+    for row in top - 1..=bottom + 1 {
+        if outside != column || !(top..=bottom).contains(&row) {
+            board.sign([outside, row], picture.signs.wall, style);
+        }
     }
 }
 
@@ -53,7 +55,7 @@ fn draw_wall(picture: &Picture<'_>, board: &mut Board<'_>, id: SupportId) {
 fn draw_hinge(picture: &Picture<'_>, board: &mut Board<'_>, id: SupportId) {
     let (column, _) = side(picture, id);
     let style = picture.style(true, picture.focus == Focus::Support(id));
-    let row = picture.rows.beam + 1;
+    let row = picture.springs(column).start;
     board.sign([column, row], picture.signs.pin, style);
     draw_ground(picture, board, [column - 1, column + 1], row + 1);
 }
@@ -64,18 +66,19 @@ fn draw_springs(picture: &Picture<'_>, board: &mut Board<'_>, id: SupportId) {
     let style = picture.style(true, picture.focus == Focus::Support(id));
     let elastic = id.support(picture.model)[BeamMotion::W].elastic();
     let both = Spring::from(elastic);
-    let first = picture.rows.beam + 1;
     let parallel = elastic.stiffness > 0.0 && elastic.damping > 0.0;
     let damper = Spring {
         stiffness: 0.0,
         ..both
     };
-    for row in 0..picture.rows.springs {
-        if let Some(sign) = spring_sign(picture.signs, both, row) {
-            board.sign([column, first + row], sign, style);
-        }
-        if let Some(sign) = spring_sign(picture.signs, damper, row).filter(|_| parallel) {
-            board.sign([column + inward, first + row], sign, style);
+    let beside = (column + inward, damper);
+    let all = std::iter::once((column, both)).chain(parallel.then_some(beside));
+    for (column, spring) in all {
+        let rows = picture.springs(column);
+        for row in rows.clone() {
+            if let Some(sign) = spring_sign(picture.signs, spring, row - rows.start) {
+                board.sign([column, row], sign, style);
+            }
         }
     }
     if elastic.stiffness > 0.0 || elastic.damping > 0.0 {
@@ -83,14 +86,16 @@ fn draw_springs(picture: &Picture<'_>, board: &mut Board<'_>, id: SupportId) {
         draw_ground(picture, board, columns, picture.rows.below_springs());
     }
     if elastic.inertia > 0.0 && picture.rows.springs > 0 {
-        board.sign([column - inward, first], picture.signs.mass, style);
+        let beside = column - inward;
+        let row = picture.springs(beside).start;
+        board.sign([beside, row], picture.signs.mass, style);
     }
 }
 
 fn draw_ground(picture: &Picture<'_>, board: &mut Board<'_>, columns: [i32; 2], row: i32) {
     if row < picture.rows.below_boxes() {
         for column in columns[0]..=columns[1] {
-            board.sign([column, row], picture.signs.ground, picture.theme.dim());
+            board.sign_if_free([column, row], picture.signs.ground, picture.theme.dim());
         }
     }
 }

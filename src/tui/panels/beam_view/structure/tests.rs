@@ -6,8 +6,8 @@ use ratatui::style::Modifier;
 use super::*;
 use crate::designer::driver::thousand;
 use crate::model::{
-    BeamMotion, Elastic, Force, Joint, Link, MassMotion, Quantity, Restraint, Spring, Support,
-    Target,
+    BeamMotion, Elastic, Force, Joint, Link, MassMotion, Point, Quantity, Restraint, Section, Span,
+    Spring, Support, Target,
 };
 use crate::presets;
 use crate::tui::ascii;
@@ -125,6 +125,86 @@ fn signs_are_to_scale() {
     assert_eq!(zigzag[1], [s1 + 1, s2 + 1, s3 + 1]);
     let ticks = [0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0].map(column);
     assert_eq!(columns(&buffer, 10, "┬"), ticks);
+}
+
+/// A beam of three spans: half of the depth of the second one, all of it, and half of it on one level with its upper
+/// surface. The depth of a rectangle is sqrt(12 I/A): 0.1 m and 0.2 m.
+fn stepped() -> Model {
+    let mut model = preset("fig05a");
+    let section = |depth: f64| Section {
+        area: 0.01,
+        second_moment_y: 0.01 * depth * depth / 12.0,
+        ..model.beam.section
+    };
+    let span = |length, depth, y| Span {
+        length,
+        offset: Point { y, z: 0.0 },
+        section: Some(section(depth)),
+        ..Span::default()
+    };
+    model.spans = vec![
+        span(1.2, 0.1, 0.0),
+        span(1.2, 0.2, 0.0),
+        span(0.8, 0.1, 0.05),
+    ];
+    model
+}
+
+/// Golden: the pictures were checked by eye.
+#[test]
+fn spans_have_their_depths_and_offsets() {
+    let app = at(stepped(), Node::Group(Group::Subsystem(1)));
+    let rows = |theme, [width, height]: [u16; 2], rows: Range<usize>| {
+        lines(&buffer(&app, theme, width, height))[rows].join("\n")
+    };
+    let narrow = "   ↑T⊙           ┌─────────────┬────────┐   \n   \
+        ◆═════════════◆╌╌╌╌╌╌╌╌◆╌╌╌╌├────────◆   \n   \
+        ╱╫      ╱ ╲   └─────────────┘╲      ╫╱   ";
+    assert_eq!(rows(Theme::new(false), [44, 11], 3..6), narrow);
+    let ascii = "   ^To           +-------------+--------+   \n   \
+        *=============*........*....+--------*   \n   \
+        /H      / \\   +-------------+\\      H/   ";
+    assert_eq!(rows(plain_ascii(), [44, 11], 3..6), ascii);
+    let wide = "   ↑T⊙                        ┌───────────────────────────┬─────────────────┐   
+   ┌──────────────────────────┤                           │                 │   
+   ◆╌╌╌╌╌╌╌╌╌╌╌╌╌╌╌╌╌╌╌╌╌╌╌╌╌╌◆╌╌╌╌╌╌╌╌╌╌╌╌╌╌╌╌╌╌◆╌╌╌╌╌╌╌╌├─────────────────◆   
+   └──────────────────────────┤                           │╲       w psi v ╫╱   
+   ╱╫ w psi v       ╱ ╲       └───────────────────────────┘╱               │╲   ";
+    assert_eq!(rows(Theme::new(false), [80, 19], 3..8), wide);
+    // Without room for its depth it is one line, with a sign where two spans meet.
+    let low = rows(Theme::new(false), [44, 6], 2..3);
+    assert_eq!(low, "   ◆═════════════◆════════◆════┼════════◆   ");
+}
+
+#[test]
+fn spans_of_one_depth_are_one_line() {
+    let mut model = stepped();
+    for span in &mut model.spans {
+        (span.section, span.offset) = (None, Point::AXIS);
+    }
+    let picture = screen(&at(model, Node::Group(Group::Beam)), 80, 19);
+    assert!(
+        picture.contains("◆══════════════════◆════════┼═════════════════◆"),
+        "{picture}"
+    );
+    assert!(
+        picture.contains("3.2 m, 3 spans, 3 subsystems"),
+        "{picture}"
+    );
+    assert!(!picture.contains("axis"), "{picture}");
+}
+
+/// The axis, and with it all that is on it, may lie outside of a span.
+#[test]
+fn a_span_far_off_the_axis_is_joined_to_it() {
+    let mut model = stepped();
+    model.spans[2].offset.y = 0.5;
+    model.supports.right = Support::PINNED;
+    let picture = screen(&at(model, Node::Group(Group::Sweep)), 80, 19);
+    let rows: Vec<Vec<char>> = picture.lines().map(|row| row.chars().collect()).collect();
+    let end = 76;
+    let column: String = rows.iter().map(|row| row[end]).collect();
+    assert!(column.contains("┐││◆▲▔"), "{picture}");
 }
 
 fn elastic(stiffness: f64, damping: f64, inertia: f64) -> Restraint {
@@ -433,7 +513,9 @@ fn every_panel_can_be_drawn() {
             }
         }
     }
+    let spans = at(stepped(), Node::Group(Group::Beam));
     for (width, height) in sizes().chain(larger) {
+        inside_is_ascii(&buffer(&spans, plain_ascii(), width, height), plain_ascii());
         buffer(
             &at(thousand(), Node::Group(Group::Subsystem(999))),
             plain_ascii(),
@@ -461,17 +543,24 @@ fn inside_is_ascii(drawn: &Buffer, theme: Theme) {
 
 #[test]
 fn rows_are_shared_by_what_matters() {
-    for height in 1..60 {
-        let rows = Rows::of(height);
-        let last = [Some(rows.beam), rows.ruler, rows.numbers, rows.key];
+    let [flat, deep] = [preset("fig05a"), stepped()].map(|model| {
+        let parts = model.uniform_parts();
+        Profile::of(&parts)
+    });
+    for (height, profile) in (1..60).flat_map(|height| [(height, &flat), (height, &deep)]) {
+        let rows = Rows::of(height, profile);
+        let last = [Some(rows.depth[1]), rows.ruler, rows.numbers, rows.key];
         let last = last.into_iter().flatten().max().unwrap();
         assert!(last < height, "{rows:?}");
         assert!(rows.below_boxes() <= height, "{rows:?}");
         assert_eq!(rows.springs > 0, height > 1);
     }
-    let rows = Rows::of(3);
-    assert_eq!(
-        (rows.beam, rows.springs, rows.boxes, rows.forces),
-        (0, 1, 1, None)
-    );
+    for profile in [flat, deep] {
+        let rows = Rows::of(3, &profile);
+        assert_eq!(rows.depth, [0, 0]);
+        assert_eq!(
+            (rows.beam, rows.springs, rows.boxes, rows.forces),
+            (0, 1, 1, false)
+        );
+    }
 }

@@ -16,7 +16,6 @@ pub(super) struct Tick<'a> {
 
 /// Ticks at their positions, and below them their names or their number.
 pub(super) fn draw(picture: &Picture<'_>, board: &mut Board<'_>, group: &[Tick<'_>]) {
-    let first = picture.rows.beam + 1;
     for tick in group {
         let (subsystem, selected) = (tick.subsystem, tick.selected);
         let style = picture.style(subsystem.enabled, selected);
@@ -24,8 +23,8 @@ pub(super) fn draw(picture: &Picture<'_>, board: &mut Board<'_>, group: &[Tick<'
             (true, _) => picture.signs.selected_tick,
             (_, on) => picture.signs.ticks[usize::from(!on)],
         };
-        for row in 0..picture.rows.springs {
-            let at = [tick.column, first + row];
+        for row in picture.springs(tick.column) {
+            let at = [tick.column, row];
             // At the ends, the springs of the supports stay.
             if selected {
                 board.sign(at, sign, style);

@@ -17,8 +17,8 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use beamtune::model::{
-    BeamMotion, InnerSupport, Model, Place, Quantity, Restraint, Spacing, Support, Sweep, Target,
-    read,
+    BeamMotion, InnerSupport, Model, Place, Quantity, Restraint, Spacing, Span, Support, Sweep,
+    Target, read,
 };
 use beamtune::presets;
 use beamtune::solve::instruction_sets::{Instructions, sweep_with, work};
@@ -154,8 +154,25 @@ fn held(mut model: Model, count: usize) -> Model {
     model
 }
 
+/// A model in spans of equal length, each with another section.
+fn in_spans(mut model: Model, count: usize) -> Model {
+    let length = model.beam.length / count as f64;
+    let spans = (0..count).map(|index| {
+        let mut section = model.beam.section;
+        section.second_moment_y *= 1.0 + 0.01 * index as f64;
+        Span {
+            length,
+            section: Some(section),
+            ..Span::default()
+        }
+    });
+    model.spans = spans.collect();
+    model.beam.length = 0.0;
+    model
+}
+
 /// The models to compare the kernel with the peak, and the number of frequencies.
-fn models() -> [(&'static str, Model, usize); 8] {
+fn models() -> [(&'static str, Model, usize); 10] {
     let unsymmetric_hundred = unsymmetric(with_subsystems(100));
     [
         ("fig05a", preset("fig05a"), 2000),
@@ -164,6 +181,12 @@ fn models() -> [(&'static str, Model, usize); 8] {
         ("fig05a on 2 bearings", held(preset("fig05a"), 2), 2000),
         ("fig13, with E_V", preset("fig13"), 2000),
         ("1 subsystem", with_subsystems(1), 2000),
+        ("90 subsystems", with_subsystems(90), 800),
+        (
+            "60 spans, 30 subsystems",
+            in_spans(with_subsystems(30), 60),
+            800,
+        ),
         ("100 subsystems", with_subsystems(100), 800),
         ("1,000 subsystems", with_subsystems(1000), 200),
     ]

@@ -20,7 +20,7 @@ use super::complex::{Complex, Matrix};
 use super::linear::{solve, solve_with_determinant};
 use super::number::{Arithmetic, Real, part};
 use super::product::ScaledProduct;
-use super::reflection::{Reflection, entry};
+use super::reflection::{Reflection, entry, reach};
 use super::waves::Waves;
 use crate::solve::waves::WARPING_WAVE;
 
@@ -39,11 +39,15 @@ impl<A: Arithmetic> Reflection<A> {
         through: &mut Actions<A>,
         determinant: Option<&mut ScaledProduct<A>>,
     ) {
-        A::outlined(Cross((self, between, through, determinant)));
+        if between[0].all_coupled {
+            A::outlined(Cross::<A, true>((self, between, through, determinant)));
+        } else {
+            A::outlined(Cross::<A, false>((self, between, through, determinant)));
+        }
     }
 
     #[inline(always)]
-    fn cross_inlined(
+    fn cross_inlined<const ALL: bool>(
         (this, [here, beyond], through, determinant): (
             &mut Self,
             Between<'_, A>,
@@ -51,16 +55,18 @@ impl<A: Arithmetic> Reflection<A> {
             Option<&mut ScaledProduct<A>>,
         ),
     ) {
-        let even = work(beyond, here);
-        let odd = work(here, beyond);
-        // Over (b', 1): N~ b~' with minus the sum of its terms of 1, and a~.
+        let even = work::<A, ALL>(beyond, here);
+        let odd = work::<A, ALL>(here, beyond);
+        // Over b': N~ b~' and a~. Their forced parts, the first with the other sign.
         let mut of_arriving = [[Complex::ZERO; 6]; 6];
         let mut of_leaving = [[Complex::ZERO; 6]; 6];
         let mut right = [[Complex::ZERO; 7]; 6];
         let mut forced = [Complex::ZERO; 6];
         for row in 0..6 {
             let radiation = beyond.radiation[row];
-            for wave in 0..6 {
+            // A subsystem may couple all waves in R, a junction only those that move the same.
+            let (from, to) = reach::<ALL>(if row < 4 { 0 } else { 2 });
+            for wave in from..to {
                 let (g, h) = (even[row][wave], odd[wave][row]);
                 let (less, more) = (radiation * (g - h), radiation * (g + h));
                 right[row][6] = right[row][6].minus_product(less, this.s[wave]);
@@ -109,18 +115,19 @@ impl<A: Arithmetic> Reflection<A> {
 
 /// `P^T Q + S^T M` with P and S of each wave of one part, and Q and M of each wave of the other one.
 #[inline(always)]
-fn work<A: Arithmetic>(one: &Waves<A>, other: &Waves<A>) -> Matrix<A, 6, 6> {
+fn work<A: Arithmetic, const ALL: bool>(one: &Waves<A>, other: &Waves<A>) -> Matrix<A, 6, 6> {
     let mut sums = [[Complex::ZERO; 6]; 6];
-    for i in 0..6 {
-        for j in 0..6 {
-            let mut sum = Complex::ZERO;
-            for row in 0..3 {
+    for row in 0..3 {
+        let (from, to) = reach::<ALL>(row);
+        for i in from..to {
+            for j in from..to {
+                let mut sum = sums[i][j];
                 sum = sum.plus_product(one.force[row][i], other.displacement[row][j]);
                 if row != PSI || !(one.without_warping || other.without_warping) {
                     sum = sum.plus_product(one.slope[row][i], other.moment[row][j]);
                 }
+                sums[i][j] = sum;
             }
-            sums[i][j] = sum;
         }
     }
     match (one.without_warping, other.without_warping) {
@@ -135,7 +142,7 @@ fn work<A: Arithmetic>(one: &Waves<A>, other: &Waves<A>) -> Matrix<A, 6, 6> {
 }
 
 part!(
-    Cross ['a, A: Arithmetic] ['a, A]
+    Cross ['a, A: Arithmetic, const ALL: bool] ['a, A, ALL]
     (&'a mut Reflection<A>, Between<'a, A>, &'a mut Actions<A>, Option<&'a mut ScaledProduct<A>>) -> (),
-    Reflection::cross_inlined
+    Reflection::cross_inlined::<ALL>
 );

@@ -6,7 +6,7 @@ use super::action::{Acting, Actions};
 use super::complex::Complex;
 use super::elementary::decay;
 use super::ends::{reflection, right_end};
-use super::energy::{Form, Sum, weights};
+use super::energy::{Form, PAIRS, Sum, weights};
 use super::number::{Arithmetic, Real, part};
 use super::read::{Part, State};
 use super::reflection::{Amplitudes, Jumps, Reflection, Side};
@@ -118,6 +118,8 @@ pub(super) struct Room<A> {
     pub(super) decays: Vec<Amplitudes<A>>,
     /// The energy of each kind of span, if requested.
     pub(super) forms: Vec<Form<A>>,
+    /// The weights of the energy of each beam, where they are known.
+    weights: Vec<Option<[Complex<A>; PAIRS]>>,
     /// Whether a kind of span is prepared.
     is_prepared: Vec<bool>,
     /// The reflection of the left end, if the energy is requested.
@@ -140,6 +142,7 @@ impl<A: Arithmetic> Default for Room<A> {
             waves: Vec::new(),
             decays: Vec::new(),
             forms: Vec::new(),
+            weights: Vec::new(),
             is_prepared: Vec::new(),
             start: Box::new(Reflection::NONE),
             forces: Vec::new(),
@@ -254,19 +257,22 @@ impl<A: Arithmetic> Room<A> {
         if plan.wants_energy {
             self.forms.resize(plan.kinds.len(), Form::NONE);
         }
-        let mut weighed = None;
+        self.weights.resize(plan.beams.len(), None);
+        self.weights.fill(None);
         for &kind in &plan.spans[spans] {
-            if std::mem::replace(&mut self.is_prepared[kind], true) {
+            if self.is_prepared[kind] {
                 continue;
             }
+            self.is_prepared[kind] = true;
             let SpanKind { length, beam } = plan.kinds[kind];
             set_decays(&all[beam], length, &mut self.decays[kind]);
             if plan.wants_energy {
-                let known = weighed.filter(|(of, _)| *of == beam);
-                let (_, weights) = *weighed.insert(
-                    known.unwrap_or_else(|| (beam, weights(&all[beam], &plan.beams[beam]))),
-                );
-                self.forms[kind] = Form::new(&all[beam], &weights, length, &self.decays[kind]);
+                if self.weights[beam].is_none() {
+                    self.weights[beam] = Some(weights(&all[beam], &plan.beams[beam]));
+                }
+                if let Some(weights) = &self.weights[beam] {
+                    self.forms[kind] = Form::new(&all[beam], weights, length, &self.decays[kind]);
+                }
             }
         }
     }
@@ -282,18 +288,11 @@ impl<A: Arithmetic> Room<A> {
     ) {
         let plan = &prepared.plan;
         for index in stations {
-            let station = &plan.stations[index];
             at.propagate(&self.decays[plan.spans[index]]);
-            let is_junction = matches!(station.event, Event::Junction(_));
-            if is_junction {
-                self.pass(prepared, all, (index, Side::Left), at);
-            }
             if let Some(kept) = prepared.kept(index) {
                 self.lefts[kept].clone_from(at);
             }
-            if !is_junction {
-                self.pass(prepared, all, (index, Side::Left), at);
-            }
+            self.pass(prepared, all, (index, Side::Left), at);
         }
     }
 
@@ -333,6 +332,9 @@ impl<A: Arithmetic> Room<A> {
             Event::Junction(_) => {
                 let beyond = prepared.waves_of(all, beyond);
                 at.cross([waves, beyond], &mut self.actions[index], None);
+                if let Some(kept) = prepared.kept(index) {
+                    self.lefts[kept].clone_from(at);
+                }
             }
             Event::Load(load) => at.load(waves, &Jumps::of_load(waves, load), side),
             Event::Probe => {}
@@ -358,18 +360,18 @@ impl<A: Arithmetic> Room<A> {
             let at_span_end = *b;
             times(b, &self.decays[span]);
             let read = prepared.reads[index];
-            let beyond = *b;
+            if matches!(event, Event::Junction(_)) {
+                if plan.wants_energy {
+                    let a = self.lefts[index].at(b);
+                    self.add_energy(span, waves, &a, &at_span_end, energy);
+                }
+                self.cross(index, event, waves, b, read);
+                continue;
+            }
             let sent = self.cross(index, event, waves, b, read);
             let Some(kept) = prepared.kept(index) else {
                 continue;
             };
-            if matches!(event, Event::Junction(_)) {
-                if plan.wants_energy {
-                    let a = self.lefts[kept].at(&beyond);
-                    self.add_energy(span, waves, &a, &at_span_end, energy);
-                }
-                continue;
-            }
             let a = self.lefts[kept].at(b);
             if let Some(read) = read {
                 let state = &mut self.states[read];

@@ -51,16 +51,13 @@ impl Room<One> {
             let waves = prepared.waves_of(&all, index + 1);
             let at_span_end = b;
             times(&mut b, &self.decays[plan.spans[index + 1]]);
-            let beyond = b;
-            let sent = self.cross(index, &station.event, waves, &mut b, Some(index));
             if matches!(station.event, Event::Junction(_)) {
-                spans.push(span_waves(
-                    waves,
-                    &self.lefts[index].at(&beyond),
-                    at_span_end,
-                ));
+                let a = self.lefts[index].at(&b);
+                spans.push(span_waves(waves, &a, at_span_end));
+                self.cross(index, &station.event, waves, &mut b, None);
                 continue;
             }
+            let sent = self.cross(index, &station.event, waves, &mut b, Some(index));
             let mut a = self.lefts[index].at(&b);
             let state = &mut self.states[index];
             state.a = a;

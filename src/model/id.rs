@@ -497,7 +497,50 @@ pub struct ParameterId {
     pub row: usize,
 }
 
+/// A number of the beam, of one of its spans or of a table of either, by its key.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum BeamNumber {
+    Beam(schema::BeamKey),
+    Span(usize, schema::SpanKey),
+    Material(Part, schema::MaterialKey),
+    Section(Part, schema::SectionKey),
+    Foundation(Part, schema::FoundationKey),
+}
+
 impl ParameterId {
+    /// The number of the beam that it is, if it is one.
+    pub(crate) fn of_beam(self) -> Option<BeamNumber> {
+        use schema::{BeamKey, FoundationKey, MaterialKey, SectionKey, SpanKey};
+        Some(match self.group {
+            Group::Beam => BeamNumber::Beam(BeamKey::ALL[self.row]),
+            Group::Span(index) => BeamNumber::Span(index, SpanKey::ALL[self.row]),
+            Group::Material(of) => BeamNumber::Material(of, MaterialKey::ALL[self.row]),
+            Group::Section(of) => BeamNumber::Section(of, SectionKey::ALL[self.row]),
+            Group::Foundation(of) => BeamNumber::Foundation(of, FoundationKey::ALL[self.row]),
+            Group::Model
+            | Group::Spans
+            | Group::Supports
+            | Group::Support(_)
+            | Group::Motion(..)
+            | Group::Joints
+            | Group::Joint(_)
+            | Group::Link(..)
+            | Group::Subsystems
+            | Group::Subsystem(_)
+            | Group::Forces
+            | Group::Force(_)
+            | Group::Responses
+            | Group::Response(_)
+            | Group::Sweep
+            | Group::Studies
+            | Group::Study(_)
+            | Group::Tune
+            | Group::Variable(_)
+            | Group::Objective(_)
+            | Group::Limit(_) => return None,
+        })
+    }
+
     /// The model's title.
     pub const TITLE: Self = Group::Model.parameter(0);
 

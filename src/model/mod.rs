@@ -44,6 +44,7 @@ pub use delta::{apply_delta, delta};
 pub use describe::Parameter;
 pub use fault::Fault;
 pub(crate) use fault::MOST_SHOWN;
+pub(crate) use id::BeamNumber;
 pub use id::{Group, ParameterId, Part, SupportId};
 pub use moves::Moves;
 pub use read::read;

@@ -15,7 +15,7 @@ use super::overlap::Spans;
 use super::product::Product;
 use super::{Differentiator, Gradient, forces};
 use crate::model::schema::{BeamKey, JointKey, MaterialKey, SectionKey, SpanKey};
-use crate::model::{Beam, Group, Model, ParameterId, UniformPart};
+use crate::model::{Beam, BeamNumber, Group, Model, ParameterId, UniformPart};
 use crate::solve::beam_matrices::{Across, Symmetric};
 use crate::solve::energy::SpanEnergy;
 use crate::solve::kernel::Prepared;
@@ -227,39 +227,32 @@ struct Weights<'a> {
 impl Weights<'_> {
     /// By a parameter: of the forms, of the lengths of the parts and of the positions of joints, where the motion may jump; 0
     /// for any other.
-    fn by(&self, ParameterId { group, row }: ParameterId) -> f64 {
+    fn by(&self, id: ParameterId) -> f64 {
         let none = Symmetric::<f64>::ZERO;
-        match group {
-            Group::Beam => match BeamKey::ALL[row] {
-                BeamKey::Length => self.by_length(0),
-                BeamKey::Theory | BeamKey::WarpingInertia | BeamKey::AxialForce => 0.0,
-            },
-            Group::Span(index) => match SpanKey::ALL[row] {
-                SpanKey::Length => self.by_length(index),
-                SpanKey::OffsetY => self.by_offset(index, Across::Y),
-                SpanKey::OffsetZ => self.by_offset(index, Across::Z),
-                SpanKey::AxialForce
-                | SpanKey::Material
-                | SpanKey::Section
-                | SpanKey::Foundation => 0.0,
-            },
-            Group::Material(of) => match MaterialKey::ALL[row] {
-                MaterialKey::Density => {
-                    let of = self.model.parts_of(of, |span| span.material.is_some());
-                    self.by_form(of, |Beam { section, .. }| Symmetric {
-                        w: section.area,
-                        psi: section.polar_moment,
-                        v: section.area,
-                        ..none
-                    })
-                }
-                MaterialKey::YoungModulus | MaterialKey::ShearModulus | MaterialKey::LossFactor => {
-                    0.0
-                }
-            },
-            Group::Section(of) => {
+        if let Group::Joint(index) = id.group
+            && id.row == JointKey::Position as usize
+        {
+            let [before, after] = &self.u.joints[index].sides;
+            let part = self.joints[index];
+            return self.density(part, before) - self.density(part, after);
+        }
+        match id.of_beam() {
+            Some(BeamNumber::Beam(BeamKey::Length)) => self.by_length(0),
+            Some(BeamNumber::Span(index, SpanKey::Length)) => self.by_length(index),
+            Some(BeamNumber::Span(index, SpanKey::OffsetY)) => self.by_offset(index, Across::Y),
+            Some(BeamNumber::Span(index, SpanKey::OffsetZ)) => self.by_offset(index, Across::Z),
+            Some(BeamNumber::Material(of, MaterialKey::Density)) => {
+                let of = self.model.parts_of(of, |span| span.material.is_some());
+                self.by_form(of, |Beam { section, .. }| Symmetric {
+                    w: section.area,
+                    psi: section.polar_moment,
+                    v: section.area,
+                    ..none
+                })
+            }
+            Some(BeamNumber::Section(of, key)) => {
                 let of = self.model.parts_of(of, |span| span.section.is_some());
-                match SectionKey::ALL[row] {
+                match key {
                     SectionKey::Area => self.by_form(of, |beam| Symmetric {
                         w: beam.material.density,
                         v: beam.material.density,
@@ -280,33 +273,22 @@ impl Weights<'_> {
                     | SectionKey::ShearAreaZ => 0.0,
                 }
             }
-            Group::Joint(index) if row == JointKey::Position as usize => {
-                let [before, after] = &self.u.joints[index].sides;
-                let part = self.joints[index];
-                self.density(part, before) - self.density(part, after)
-            }
-            Group::Model
-            | Group::Foundation(_)
-            | Group::Spans
-            | Group::Supports
-            | Group::Support(_)
-            | Group::Motion(..)
-            | Group::Joints
-            | Group::Joint(_)
-            | Group::Link(..)
-            | Group::Subsystems
-            | Group::Subsystem(_)
-            | Group::Forces
-            | Group::Force(_)
-            | Group::Responses
-            | Group::Response(_)
-            | Group::Sweep
-            | Group::Studies
-            | Group::Study(_)
-            | Group::Tune
-            | Group::Variable(_)
-            | Group::Objective(_)
-            | Group::Limit(_) => 0.0,
+            Some(
+                BeamNumber::Beam(BeamKey::Theory | BeamKey::WarpingInertia | BeamKey::AxialForce)
+                | BeamNumber::Span(
+                    _,
+                    SpanKey::AxialForce
+                    | SpanKey::Material
+                    | SpanKey::Section
+                    | SpanKey::Foundation,
+                )
+                | BeamNumber::Material(
+                    _,
+                    MaterialKey::YoungModulus | MaterialKey::ShearModulus | MaterialKey::LossFactor,
+                )
+                | BeamNumber::Foundation(..),
+            )
+            | None => 0.0,
         }
     }
 

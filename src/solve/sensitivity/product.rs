@@ -17,10 +17,10 @@ use num_complex::Complex64;
 use super::field::{Field, JointField, MassField, Setting, SupportField};
 use super::overlap::Overlap;
 use crate::model::schema::{
-    BeamKey, ElasticKey, FoundationKey, LinkKey, MaterialKey, SectionKey, SpanKey, SubsystemKey,
+    BeamKey, ElasticKey, FoundationKey, LinkKey, SectionKey, SpanKey, SubsystemKey,
 };
 use crate::model::{
-    Beam, BeamMotion, Group, Joint, Link, ParameterId, Part, Restraint, Spring, Subsystem,
+    Beam, BeamMotion, BeamNumber, Joint, Link, ParameterId, Part, Restraint, Spring, Subsystem,
     SupportId, UniformPart,
 };
 use crate::solve::beam_matrices::{Across, BeamMatrices};
@@ -46,7 +46,8 @@ impl Product<'_> {
         held: [&[Complex64; 6]; 2],
     ) -> Vec<Complex64> {
         let parts = self.setting.model.uniform_parts();
-        let of_beam = ids.iter().map_while(|id| self.by_beam(&parts, *id, held));
+        let of_beam = ids.iter().map_while(|id| id.of_beam());
+        let of_beam = of_beam.filter_map(|number| self.by_beam(&parts, number, held));
         let mut all: Vec<Complex64> = of_beam.collect();
         for (id, fields) in self.supports() {
             self.by_support(id, fields, &mut all);
@@ -98,72 +99,46 @@ impl Product<'_> {
         2.0 * self.setting.omega * mass - Complex64::I * damping
     }
 
-    /// By a number of the beam or of one of its spans; `None` for that of anything else.
+    /// By a number of the beam; `None` for what is no number.
     fn by_beam(
         &self,
         parts: &[UniformPart],
-        id: ParameterId,
+        number: BeamNumber,
         held: [&[Complex64; 6]; 2],
     ) -> Option<Complex64> {
-        let ParameterId { group, row } = id;
         let model = self.setting.model;
-        Some(match group {
-            Group::Beam => match BeamKey::ALL[row] {
-                BeamKey::Length => self.by_length(0, held),
-                BeamKey::AxialForce => {
-                    let of = model.parts_of(Part::Whole, |span| span.axial_force.is_some());
-                    self.by_numbers(parts, of, BeamMatrices::by_axial_force)
-                }
-                BeamKey::Theory | BeamKey::WarpingInertia => return None,
-            },
-            Group::Span(index) => match SpanKey::ALL[row] {
-                SpanKey::Length => self.by_length(index, held),
-                SpanKey::OffsetY => self.by_offset(index, Across::Y),
-                SpanKey::OffsetZ => self.by_offset(index, Across::Z),
-                SpanKey::AxialForce => {
-                    self.by_numbers(parts, vec![index], BeamMatrices::by_axial_force)
-                }
-                SpanKey::Material | SpanKey::Section | SpanKey::Foundation => return None,
-            },
-            Group::Material(of) => {
+        Some(match number {
+            BeamNumber::Beam(BeamKey::Length) => self.by_length(0, held),
+            BeamNumber::Beam(BeamKey::AxialForce) => {
+                let of = model.parts_of(Part::Whole, |span| span.axial_force.is_some());
+                self.by_numbers(parts, of, BeamMatrices::by_axial_force)
+            }
+            BeamNumber::Span(index, SpanKey::Length) => self.by_length(index, held),
+            BeamNumber::Span(index, SpanKey::OffsetY) => self.by_offset(index, Across::Y),
+            BeamNumber::Span(index, SpanKey::OffsetZ) => self.by_offset(index, Across::Z),
+            BeamNumber::Span(index, SpanKey::AxialForce) => {
+                self.by_numbers(parts, vec![index], BeamMatrices::by_axial_force)
+            }
+            BeamNumber::Beam(BeamKey::Theory | BeamKey::WarpingInertia)
+            | BeamNumber::Span(_, SpanKey::Material | SpanKey::Section | SpanKey::Foundation) => {
+                return None;
+            }
+            BeamNumber::Material(of, key) => {
                 let of = model.parts_of(of, |span| span.material.is_some());
-                let key = MaterialKey::ALL[row];
                 self.by_numbers(parts, of, |beam| BeamMatrices::by_material(beam, key))
             }
-            Group::Section(of) => {
+            BeamNumber::Section(of, key) => {
                 let of = model.parts_of(of, |span| span.section.is_some());
-                let key = SectionKey::ALL[row];
                 let is_infinite = |part: &usize| self.is_infinite_by_warping(*part);
                 if key == SectionKey::WarpingConstant && of.iter().any(is_infinite) {
                     return Some(Complex64::new(f64::INFINITY, f64::INFINITY));
                 }
                 self.by_numbers(parts, of, |beam| BeamMatrices::by_section(beam, key))
             }
-            Group::Foundation(of) => {
+            BeamNumber::Foundation(of, key) => {
                 let of = model.parts_of(of, |span| span.foundation.is_some());
-                self.by_foundation(parts, &of, FoundationKey::ALL[row])
+                self.by_foundation(parts, &of, key)
             }
-            Group::Model
-            | Group::Spans
-            | Group::Supports
-            | Group::Support(_)
-            | Group::Motion(..)
-            | Group::Joints
-            | Group::Joint(_)
-            | Group::Link(..)
-            | Group::Subsystems
-            | Group::Subsystem(_)
-            | Group::Forces
-            | Group::Force(_)
-            | Group::Responses
-            | Group::Response(_)
-            | Group::Sweep
-            | Group::Studies
-            | Group::Study(_)
-            | Group::Tune
-            | Group::Variable(_)
-            | Group::Objective(_)
-            | Group::Limit(_) => return None,
         })
     }
 

@@ -6,17 +6,17 @@ mod supports;
 mod target;
 mod tuning;
 
+use super::beam::{Beam, BeamMotion, Section, Span, Theory};
 use super::fault::Fault;
-use super::id::{Part, SupportId};
+use super::id::SupportId;
+use super::part::Part;
 use super::schema::{
     BEAM, FEWEST_POINTS, FOUNDATION, MATERIAL, MOST_POINTS, Range, Rows, SECTION, SPAN, SUBSYSTEM,
     SUPPORT, SWEEP, elastic,
 };
 use super::spelling::{LONGEST_NAME, element_keys, is_too_long};
 use super::toml_literal::format_number;
-use super::types::{
-    Beam, BeamMotion, Model, Restraint, Section, Span, Subsystem, Support, Sweep, Theory,
-};
+use super::types::{Model, Restraint, Subsystem, Support, Sweep};
 use std::cell::LazyCell;
 use std::collections::HashMap;
 use std::fmt;

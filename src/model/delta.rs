@@ -117,8 +117,9 @@ fn apply(model: &mut Model, spans: [Span; SPANS], part: Model) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use super::super::beam::BeamMotion;
     use super::super::path::sample;
-    use super::super::types::{BeamMotion, Elastic, Link, Restraint, Spring, Support};
+    use super::super::types::{Elastic, Link, Restraint, Spring, Support};
     use super::*;
     use crate::presets;
 

@@ -1,12 +1,13 @@
 //! The description of a parameter for people.
 
+use super::beam::{Section, Span};
 use super::edit::{Value, directions, get, places, target_of};
 use super::id::{Group, ParameterId, SupportId};
 use super::schema::{
     FEWEST_POINTS, ForceKey, InnerSupportKey, Kind, MOST_POINTS, SectionKey, SubsystemKey,
 };
 use super::spelling::nearest;
-use super::types::{Link, Model, Quantity, Restraint, Section, Span, Support};
+use super::types::{Link, Model, Quantity, Restraint, Support};
 use crate::unit::{Measure, Unit, value_input};
 
 /// A parameter with everything needed to set it.

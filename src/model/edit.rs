@@ -11,11 +11,12 @@ pub use target::target_of;
 pub(super) use target::{directions, places};
 pub use value::{Value, get, number, put};
 
+use super::beam::Span;
 use super::check::Checked;
 use super::fault::Fault;
 use super::id::{Group, ParameterId, SupportId};
 use super::path::{self, Pattern};
-use super::types::{Model, Span};
+use super::types::Model;
 use std::cmp::Ordering;
 use std::mem::discriminant;
 
@@ -149,7 +150,8 @@ pub fn set_unchecked(model: &mut Model, pattern: &str, value: Value) -> Result<(
 
 #[cfg(test)]
 mod tests {
-    use super::super::types::{Beam, Case, Family, Operation, Study};
+    use super::super::beam::Beam;
+    use super::super::types::{Case, Family, Operation, Study};
     use super::*;
     use crate::model::check;
     use crate::model::path::{all, number, numbers, parameter, sample};

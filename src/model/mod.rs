@@ -3,7 +3,8 @@
 //! All numbers are in SI units. This module computes no response and uses no terminal. [`read()`] converts TOML text to
 //! a [`Model`] or returns all of its faults; [`write()`] merges a model into its text; [`check()`] finds out whether a
 //! model is physically possible; [`schema`] describes the keys, a [`ParameterId`] identifies one of them, [`path`]
-//! finds it by name and [`edit`] changes it.
+//! finds it by name and [`edit`] changes it. The plain data are in `types`, those of the beam, its section and its spans in
+//! `beam`; `part` says which numbers belong to the beam and which to one of its spans.
 //!
 //! # Example
 //!
@@ -20,6 +21,7 @@
 //! assert_eq!(changed.lines().count(), text.lines().count());
 //! ```
 
+mod beam;
 mod check;
 mod delta;
 mod describe;
@@ -27,6 +29,7 @@ pub mod edit;
 mod fault;
 mod id;
 mod moves;
+mod part;
 pub mod path;
 pub(crate) mod read;
 pub mod schema;
@@ -37,6 +40,7 @@ mod types;
 mod write;
 
 pub use crate::unit::{Measure, Unit, counted, grouped, value_input};
+pub use beam::*;
 #[cfg(test)]
 pub use check::checked;
 pub use check::{Checked, check, check_state};
@@ -44,9 +48,10 @@ pub use delta::{apply_delta, delta};
 pub use describe::Parameter;
 pub use fault::Fault;
 pub(crate) use fault::MOST_SHOWN;
-pub(crate) use id::BeamNumber;
-pub use id::{Group, ParameterId, Part, SupportId};
+pub use id::{Group, ParameterId, SupportId};
 pub use moves::Moves;
+pub(crate) use part::BeamNumber;
+pub use part::Part;
 pub use read::read;
 pub(crate) use toml_literal::basic_string;
 pub use toml_literal::format_number;

@@ -2,7 +2,7 @@
 
 use super::validity::{CHANGE, euler_bernoulli_up_to};
 use crate::model::schema::{SectionKey, SweepKey};
-use crate::model::{Checked, Group, Model, ParameterId, Part, Section};
+use crate::model::{BeamNumber, Checked, Group, Model, ParameterId, Part, Section};
 
 /// A note on a number of a model.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,9 +23,8 @@ pub fn notes(model: &Checked) -> Vec<Note> {
 /// The tables of sections that some part of the beam has, each with its group.
 fn sections(model: &Model) -> Vec<(&Section, Group)> {
     let is_used = |part: &Part| {
-        !model
-            .parts_of(*part, |span| span.section.is_some())
-            .is_empty()
+        let number = BeamNumber::Section(*part, SectionKey::PolarMoment);
+        number.parts(model).next().is_some()
     };
     let parts = Part::all(model).filter(is_used);
     let sections = parts.filter_map(|part| Some((part.section(model)?, Group::Section(part))));

@@ -1,9 +1,10 @@
 //! The rules of the joints.
 
+use super::super::beam::BeamMotion;
 use super::super::fault::Fault;
 use super::super::schema::{JOINT, link};
 use super::super::toml_literal::format_number;
-use super::super::types::{BeamMotion, Link, Model};
+use super::super::types::{Link, Model};
 use super::numbers;
 
 /// The rules of the joints: each inside the beam, alone at its position and not rigid in every motion.

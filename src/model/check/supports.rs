@@ -1,10 +1,11 @@
 //! The rules of the supports between the ends.
 
+use super::super::beam::BeamMotion;
 use super::super::fault::Fault;
 use super::super::schema::INNER_SUPPORT;
 use super::super::spelling::element_keys;
 use super::super::toml_literal::format_number;
-use super::super::types::{BeamMotion, InnerSupport, Model, Restraint};
+use super::super::types::{InnerSupport, Model, Restraint};
 use super::{element_names, numbers, support};
 
 /// The rules of the inner supports.

@@ -1,12 +1,11 @@
 //! The rules of forces and responses: their positions and directions.
 
+use super::super::beam::{BeamMotion, Point};
 use super::super::fault::Fault;
 use super::super::schema::{FORCE, RESPONSE};
 use super::super::spelling::{self, element_keys};
 use super::super::toml_literal::format_number;
-use super::super::types::{
-    BeamMotion, MassMotion, Model, Place, Point, Quantity, Subsystem, Target,
-};
+use super::super::types::{MassMotion, Model, Place, Quantity, Subsystem, Target};
 use super::{beyond_the_end, element_names, not_finite, numbers};
 
 /// The most faults that suggest the nearest name, because the search is slow among many names.

@@ -1,9 +1,10 @@
 //! The position and direction of a force or response, as text.
 
 use super::value::Value;
+use crate::model::beam::{BeamMotion, Point};
 use crate::model::id::Group;
 use crate::model::spelling::{nearest, segment};
-use crate::model::types::{BeamMotion, MassMotion, Model, Place, Point, Quantity, Target};
+use crate::model::types::{MassMotion, Model, Place, Quantity, Target};
 use crate::unit::{Measure, Unit, value_input};
 
 /// The target of an energy response that becomes a motion.

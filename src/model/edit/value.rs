@@ -2,13 +2,12 @@
 
 use super::rename;
 use super::target;
+use crate::model::beam::{Beam, BeamMotion, Point, Span};
 use crate::model::id::{Group, ParameterId, SupportId};
 use crate::model::path;
 use crate::model::schema::{self, Access, Key, Kind, Rows};
 use crate::model::toml_literal::format_number;
-use crate::model::types::{
-    Beam, BeamMotion, Elastic, Link, Model, Point, Quantity, Restraint, Span, Spring, Support,
-};
+use crate::model::types::{Elastic, Link, Model, Quantity, Restraint, Spring, Support};
 
 /// The value of a parameter.
 #[derive(Debug, Clone, PartialEq)]
@@ -393,11 +392,10 @@ fn chosen(value: &Value, words: &[&str]) -> Result<usize, String> {
 
 #[cfg(test)]
 mod tests {
+    use crate::model::beam::{BeamMotion, Section};
     use crate::model::edit::{Value, set, set_unchecked};
     use crate::model::path::{all, number, parameter, sample};
-    use crate::model::types::{
-        BeamMotion, Elastic, Model, Place, Quantity, Restraint, Section, Support, Target,
-    };
+    use crate::model::types::{Elastic, Model, Place, Quantity, Restraint, Support, Target};
     use crate::unit::Measure;
 
     fn choice(word: &'static str) -> Value {

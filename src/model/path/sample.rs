@@ -1,10 +1,11 @@
 //! Models for tests.
 
+use crate::model::beam::{Beam, BeamMotion, Bedding, Foundation, Material, Point, Section, Span};
 use crate::model::tuning::{Aim, Combine, Hold, Objective, Tune, Variable};
 use crate::model::types::{
-    Beam, BeamMotion, Bedding, Case, Elastic, Family, Force, Foundation, InnerSupport, Joint, Link,
-    MassMotion, Material, Model, Operation, Place, Point, Quantity, Response, Restraint, Section,
-    Spacing, Span, Spring, Study, Subsystem, Support, Supports, Sweep, Target,
+    Case, Elastic, Family, Force, InnerSupport, Joint, Link, MassMotion, Model, Operation, Place,
+    Quantity, Response, Restraint, Spacing, Spring, Study, Subsystem, Support, Supports, Sweep,
+    Target,
 };
 use crate::unit::Measure;
 

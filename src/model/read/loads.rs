@@ -1,9 +1,8 @@
 //! Forces and responses of a model file.
 
+use super::super::beam::{BeamMotion, Point};
 use super::super::schema::{FORCE, Kind, RESPONSE};
-use super::super::types::{
-    BeamMotion, Force, MassMotion, Place, Point, Quantity, Response, Target,
-};
+use super::super::types::{Force, MassMotion, Place, Quantity, Response, Target};
 use super::list::{named, names as element_names};
 use super::reader::Reader;
 use super::table::Table;

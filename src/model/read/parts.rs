@@ -1,12 +1,13 @@
 //! The parts of a model file: beam, supports, subsystems, sweep.
 
+use super::super::beam::{Beam, BeamMotion, Span};
 use super::super::id::SupportId;
 use super::super::schema::{
     self, Access, FEWEST_POINTS, FOUNDATION, JOINT, MATERIAL, Rows, SECTION, SPAN, SUBSYSTEM,
 };
 use super::super::types::{
-    Beam, BeamMotion, Elastic, InnerSupport, Joint, Link, Model, Restraint, Spacing, Span, Spring,
-    Subsystem, Support, Supports, Sweep,
+    Elastic, InnerSupport, Joint, Link, Model, Restraint, Spacing, Spring, Subsystem, Support,
+    Supports, Sweep,
 };
 use super::list::{named, names};
 use super::loads;

@@ -1,9 +1,10 @@
 //! The tables of the model file, one row per key.
 
 use super::{Access, BLANK, Key, Kind, Range, Rows};
+use crate::model::beam::{Beam, BeamMotion, Foundation, Material, Section, Span, Theory};
 use crate::model::types::{
-    Beam, BeamMotion, Elastic, Force, Foundation, InnerSupport, Joint, Material, Model, Response,
-    Section, Spacing, Span, Spring, Study, Subsystem, Support, Sweep, Theory,
+    Elastic, Force, InnerSupport, Joint, Model, Response, Spacing, Spring, Study, Subsystem,
+    Support, Sweep,
 };
 use crate::unit::Unit;
 

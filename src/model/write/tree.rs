@@ -1,13 +1,15 @@
 //! A model as a tree of keys and values.
 
-use super::super::id::{Group, Part, SupportId};
+use super::super::beam::{BeamMotion, Foundation, Span};
+use super::super::id::{Group, SupportId};
+use super::super::part::Part;
 use super::super::schema::{
     self, Access, FORCE, FOUNDATION, JOINT, Key, Kind, MATERIAL, RESPONSE, Rows, SECTION, SPAN,
     SUBSYSTEM, SWEEP,
 };
 use super::super::types::{
-    BeamMotion, Case, Family, Force, Foundation, InnerSupport, Joint, Link, Model, Place, Quantity,
-    Response, Restraint, Span, Study, Subsystem, Support, Supports, Target,
+    Case, Family, Force, InnerSupport, Joint, Link, Model, Place, Quantity, Response, Restraint,
+    Study, Subsystem, Support, Supports, Target,
 };
 use super::node::{Entry, Node, Presence};
 use super::tuning;

@@ -198,11 +198,8 @@ impl<'a> Spread<'a> {
         Weights {
             model,
             u,
-            joints: self
-                .plan
-                .joint_stations(model)
-                .iter()
-                .map(|&station| parts[station])
+            joints: (self.plan.joined(model))
+                .map(|(station, _)| parts[station])
                 .collect(),
             forms: forms.collect(),
             parts: uniform,
@@ -236,13 +233,16 @@ impl Weights<'_> {
             let part = self.joints[index];
             return self.density(part, before) - self.density(part, after);
         }
-        match id.of_beam() {
-            Some(BeamNumber::Beam(BeamKey::Length)) => self.by_length(0),
-            Some(BeamNumber::Span(index, SpanKey::Length)) => self.by_length(index),
-            Some(BeamNumber::Span(index, SpanKey::OffsetY)) => self.by_offset(index, Across::Y),
-            Some(BeamNumber::Span(index, SpanKey::OffsetZ)) => self.by_offset(index, Across::Z),
-            Some(BeamNumber::Material(of, MaterialKey::Density)) => {
-                let of = self.model.parts_of(of, |span| span.material.is_some());
+        let Some(number) = id.of_beam() else {
+            return 0.0;
+        };
+        let of = number.parts(self.model);
+        match number {
+            BeamNumber::Beam(BeamKey::Length) => self.by_length(0),
+            BeamNumber::Span(index, SpanKey::Length) => self.by_length(index),
+            BeamNumber::Span(index, SpanKey::OffsetY) => self.by_offset(index, Across::Y),
+            BeamNumber::Span(index, SpanKey::OffsetZ) => self.by_offset(index, Across::Z),
+            BeamNumber::Material(_, MaterialKey::Density) => {
                 self.by_form(of, |Beam { section, .. }| Symmetric {
                     w: section.area,
                     psi: section.polar_moment,
@@ -250,50 +250,46 @@ impl Weights<'_> {
                     ..none
                 })
             }
-            Some(BeamNumber::Section(of, key)) => {
-                let of = self.model.parts_of(of, |span| span.section.is_some());
-                match key {
-                    SectionKey::Area => self.by_form(of, |beam| Symmetric {
-                        w: beam.material.density,
-                        v: beam.material.density,
-                        ..none
-                    }),
-                    SectionKey::PolarMoment => self.by_form(of, |beam| Symmetric {
-                        psi: beam.material.density,
-                        ..none
-                    }),
-                    SectionKey::SecondMomentY
-                    | SectionKey::SecondMomentZ
-                    | SectionKey::TorsionConstant
-                    | SectionKey::WarpingConstant
-                    | SectionKey::CentroidOffset
-                    | SectionKey::ProductMoment
-                    | SectionKey::CentroidOffsetY
-                    | SectionKey::ShearAreaY
-                    | SectionKey::ShearAreaZ => 0.0,
-                }
-            }
-            Some(
-                BeamNumber::Beam(BeamKey::Theory | BeamKey::WarpingInertia | BeamKey::AxialForce)
-                | BeamNumber::Span(
-                    _,
-                    SpanKey::AxialForce
-                    | SpanKey::Material
-                    | SpanKey::Section
-                    | SpanKey::Foundation,
-                )
-                | BeamNumber::Material(
-                    _,
-                    MaterialKey::YoungModulus | MaterialKey::ShearModulus | MaterialKey::LossFactor,
-                )
-                | BeamNumber::Foundation(..),
+            BeamNumber::Section(_, SectionKey::Area) => self.by_form(of, |beam| Symmetric {
+                w: beam.material.density,
+                v: beam.material.density,
+                ..none
+            }),
+            BeamNumber::Section(_, SectionKey::PolarMoment) => self.by_form(of, |beam| Symmetric {
+                psi: beam.material.density,
+                ..none
+            }),
+            BeamNumber::Beam(BeamKey::Theory | BeamKey::WarpingInertia | BeamKey::AxialForce)
+            | BeamNumber::Span(
+                _,
+                SpanKey::AxialForce | SpanKey::Material | SpanKey::Section | SpanKey::Foundation,
             )
-            | None => 0.0,
+            | BeamNumber::Material(
+                _,
+                MaterialKey::YoungModulus | MaterialKey::ShearModulus | MaterialKey::LossFactor,
+            )
+            | BeamNumber::Section(
+                _,
+                SectionKey::SecondMomentY
+                | SectionKey::SecondMomentZ
+                | SectionKey::TorsionConstant
+                | SectionKey::WarpingConstant
+                | SectionKey::CentroidOffset
+                | SectionKey::ProductMoment
+                | SectionKey::CentroidOffsetY
+                | SectionKey::ShearAreaY
+                | SectionKey::ShearAreaZ,
+            )
+            | BeamNumber::Foundation(..) => 0.0,
         }
     }
 
-    fn by_form(&self, of: Vec<usize>, derivative: impl Fn(&Beam) -> Symmetric<f64>) -> f64 {
-        let by = of.into_iter().map(|index| {
+    fn by_form(
+        &self,
+        of: impl Iterator<Item = usize>,
+        derivative: impl Fn(&Beam) -> Symmetric<f64>,
+    ) -> f64 {
+        let by = of.map(|index| {
             let UniformPart { beam, offset, .. } = &self.parts[index];
             derivative(beam).moved(*offset).paired(&self.squares[index])
         });

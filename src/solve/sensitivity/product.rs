@@ -20,7 +20,7 @@ use crate::model::schema::{
     BeamKey, ElasticKey, FoundationKey, LinkKey, SectionKey, SpanKey, SubsystemKey,
 };
 use crate::model::{
-    Beam, BeamMotion, BeamNumber, Joint, Link, ParameterId, Part, Restraint, Spring, Subsystem,
+    Beam, BeamMotion, BeamNumber, Joint, Link, ParameterId, Restraint, Spring, Subsystem,
     SupportId, UniformPart,
 };
 use crate::solve::beam_matrices::{Across, BeamMatrices};
@@ -106,39 +106,31 @@ impl Product<'_> {
         number: BeamNumber,
         held: [&[Complex64; 6]; 2],
     ) -> Option<Complex64> {
-        let model = self.setting.model;
+        let of = number.parts(self.setting.model);
         Some(match number {
             BeamNumber::Beam(BeamKey::Length) => self.by_length(0, held),
-            BeamNumber::Beam(BeamKey::AxialForce) => {
-                let of = model.parts_of(Part::Whole, |span| span.axial_force.is_some());
-                self.by_numbers(parts, of, BeamMatrices::by_axial_force)
-            }
             BeamNumber::Span(index, SpanKey::Length) => self.by_length(index, held),
             BeamNumber::Span(index, SpanKey::OffsetY) => self.by_offset(index, Across::Y),
             BeamNumber::Span(index, SpanKey::OffsetZ) => self.by_offset(index, Across::Z),
-            BeamNumber::Span(index, SpanKey::AxialForce) => {
-                self.by_numbers(parts, vec![index], BeamMatrices::by_axial_force)
+            BeamNumber::Beam(BeamKey::AxialForce) | BeamNumber::Span(_, SpanKey::AxialForce) => {
+                self.by_numbers(parts, of, BeamMatrices::by_axial_force)
             }
             BeamNumber::Beam(BeamKey::Theory | BeamKey::WarpingInertia)
             | BeamNumber::Span(_, SpanKey::Material | SpanKey::Section | SpanKey::Foundation) => {
                 return None;
             }
-            BeamNumber::Material(of, key) => {
-                let of = model.parts_of(of, |span| span.material.is_some());
+            BeamNumber::Material(_, key) => {
                 self.by_numbers(parts, of, |beam| BeamMatrices::by_material(beam, key))
             }
-            BeamNumber::Section(of, key) => {
-                let of = model.parts_of(of, |span| span.section.is_some());
-                let is_infinite = |part: &usize| self.is_infinite_by_warping(*part);
-                if key == SectionKey::WarpingConstant && of.iter().any(is_infinite) {
-                    return Some(Complex64::new(f64::INFINITY, f64::INFINITY));
-                }
+            BeamNumber::Section(_, SectionKey::WarpingConstant)
+                if of.clone().any(|part| self.is_infinite_by_warping(part)) =>
+            {
+                Complex64::new(f64::INFINITY, f64::INFINITY)
+            }
+            BeamNumber::Section(_, key) => {
                 self.by_numbers(parts, of, |beam| BeamMatrices::by_section(beam, key))
             }
-            BeamNumber::Foundation(of, key) => {
-                let of = model.parts_of(of, |span| span.foundation.is_some());
-                self.by_foundation(parts, &of, key)
-            }
+            BeamNumber::Foundation(_, key) => self.by_foundation(parts, of, key),
         })
     }
 
@@ -146,10 +138,10 @@ impl Product<'_> {
     fn by_numbers(
         &self,
         parts: &[UniformPart],
-        of: Vec<usize>,
+        of: impl Iterator<Item = usize>,
         derivative: impl Fn(&Beam) -> BeamMatrices,
     ) -> Complex64 {
-        let by = of.into_iter().map(|index| {
+        let by = of.map(|index| {
             let UniformPart { beam, offset, .. } = &parts[index];
             -self.overlaps[index].form(&derivative(beam).moved(*offset), self.setting.omega)
         });
@@ -207,7 +199,12 @@ impl Product<'_> {
     }
 
     /// By a number of the foundation of some parts.
-    fn by_foundation(&self, parts: &[UniformPart], of: &[usize], key: FoundationKey) -> Complex64 {
+    fn by_foundation(
+        &self,
+        parts: &[UniformPart],
+        of: impl Iterator<Item = usize>,
+        key: FoundationKey,
+    ) -> Complex64 {
         let (row, number) = match key {
             FoundationKey::WStiffness => (0, ElasticKey::Stiffness),
             FoundationKey::WDamping => (0, ElasticKey::Damping),
@@ -219,7 +216,7 @@ impl Product<'_> {
             FoundationKey::VDamping => (2, ElasticKey::Damping),
             FoundationKey::VLossFactor => (2, ElasticKey::LossFactor),
         };
-        let by = of.iter().map(|&part| {
+        let by = of.map(|part| {
             let bedding = parts[part].beam.foundation.beddings()[row];
             let spring = Spring {
                 stiffness: bedding.stiffness,

@@ -13,7 +13,7 @@
 //! Elastic Beams (1961), Chapter 5; for the paper's beam these are the energies of Chen & Liu, Mathematics 2022,
 //! 10(16), 2849, Section 2.
 //!
-//! A span whose shear centre lies beside the axis of the beam has them over the motions of the axis: its own motions are `L
+//! A span whose shear centre lies off the axis of the beam has them over the motions of the axis: its own motions are `L
 //! q`, so that each matrix X becomes `L^T X L`, except F, which no offset changes, and K, which acts on the axis.
 
 use num_complex::Complex64;
@@ -140,13 +140,7 @@ where
             ..*self
         }
     }
-}
 
-impl<T> Symmetric<T>
-where
-    T: Copy + std::ops::Add<Output = T>,
-    f64: std::ops::Mul<T, Output = T>,
-{
     /// The derivative of [`Self::moved`] by the offset, from the result.
     pub(super) fn by_offset(&self, along: Across) -> Self {
         let none = || 0.0 * self.w;

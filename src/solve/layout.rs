@@ -89,7 +89,7 @@ impl<'a> Layout<'a> {
         let joints = model.joints.iter().map(|joint| {
             let place = layout.place(joint.position);
             // No bimoment passes where a part without warping stiffness begins or ends.
-            let without_warping = layout.warping_beside(place) != [true; 2];
+            let without_warping = layout.warping_around(place) != [true; 2];
             (place, joint.springs(without_warping))
         });
         layout.joints = joints.collect();
@@ -187,18 +187,18 @@ impl<'a> Layout<'a> {
         support
     }
 
-    /// Whether the part to which everything at a position belongs has warping stiffness: of the two beside it the one that
+    /// Whether the part to which everything at a position belongs has warping stiffness: of the two next to it the one that
     /// has it.
     pub(super) fn warps(&self, place: usize) -> bool {
-        let [left, right] = self.warping_beside(place);
+        let [left, right] = self.warping_around(place);
         left || right
     }
 
     /// Whether the parts left and right of a position have warping stiffness; outside of the beam none.
-    pub(super) fn warping_beside(&self, place: usize) -> [bool; 2] {
+    pub(super) fn warping_around(&self, place: usize) -> [bool; 2] {
         let left = place.checked_sub(1).and_then(|left| self.parts.get(left));
-        let beside = [left, self.parts.get(place)];
-        beside.map(|part| part.is_some_and(UniformPart::warps))
+        let around = [left, self.parts.get(place)];
+        around.map(|part| part.is_some_and(UniformPart::warps))
     }
 
     /// Index of the position at a distance from the left end: the last one not beyond it, or the right end.

@@ -280,16 +280,23 @@ impl Plan {
 
     /// What each support of a model holds, in the order of [`SupportId::all`].
     pub(super) fn held(&self, model: &Model) -> impl Iterator<Item = &Held> {
-        let inner = self.support_stations(model).into_iter();
-        let inner = inner.filter_map(|station| match &self.stations[station].event {
-            Event::Support(held) => Some(&**held),
+        let inner = self.held_between(model).map(|(_, held)| held);
+        [&self.left, &self.right].into_iter().chain(inner)
+    }
+
+    /// Each support of a model between the ends, in its order, with its station.
+    pub(super) fn held_between(&self, model: &Model) -> impl Iterator<Item = (usize, &Held)> {
+        let positions = model.supports.inner.iter().map(|of| of.position);
+        let stations = self.stations_of(positions, |event| matches!(event, Event::Support(_)));
+        let stations = stations.into_iter();
+        stations.filter_map(|station| match &self.stations[station].event {
+            Event::Support(held) => Some((station, &**held)),
             Event::Attachment(_)
             | Event::Joint(_)
             | Event::Junction(_)
             | Event::Load(_)
             | Event::Probe => None,
-        });
-        [&self.left, &self.right].into_iter().chain(inner)
+        })
     }
 
     /// The station of each enabled subsystem, in the order of the model.
@@ -298,21 +305,11 @@ impl Plan {
         self.stations_of(positions, |event| matches!(event, Event::Attachment(_)))
     }
 
-    /// The station of each support between the ends, in the order of the model.
-    pub(super) fn support_stations(&self, model: &Model) -> Vec<usize> {
-        let positions = model.supports.inner.iter().map(|of| of.position);
-        self.stations_of(positions, |event| matches!(event, Event::Support(_)))
-    }
-
-    /// The station of each joint, in the order of the model.
-    pub(super) fn joint_stations(&self, model: &Model) -> Vec<usize> {
-        let positions = model.joints.iter().map(|of| of.position);
-        self.stations_of(positions, |event| matches!(event, Event::Joint(_)))
-    }
-
     /// Each joint of a model, in its order, with its station.
     pub(super) fn joined(&self, model: &Model) -> impl Iterator<Item = (usize, &Joined)> {
-        let stations = self.joint_stations(model).into_iter();
+        let positions = model.joints.iter().map(|of| of.position);
+        let stations = self.stations_of(positions, |event| matches!(event, Event::Joint(_)));
+        let stations = stations.into_iter();
         stations.filter_map(|station| match &self.stations[station].event {
             Event::Joint(joined) => Some((station, &**joined)),
             Event::Attachment(_)

@@ -109,7 +109,7 @@ impl Mesh {
         let (mut of_left_element, mut of_right_element) = (numbers, numbers);
         if layout.end(place).is_none() {
             let rate = BeamMotion::PsiSlope as usize;
-            match layout.warping_beside(place) {
+            match layout.warping_around(place) {
                 [true, true] => {}
                 [true, false] => of_right_element[rate] = Some(self.next()),
                 [false, true | false] => of_left_element[rate] = Some(self.next()),

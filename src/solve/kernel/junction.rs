@@ -55,8 +55,8 @@ impl<A: Arithmetic> Reflection<A> {
             Option<&mut ScaledProduct<A>>,
         ),
     ) {
-        let even = work::<A, ALL>(beyond, here);
-        let odd = work::<A, ALL>(here, beyond);
+        let even = mutual_work::<A, ALL>(beyond, here);
+        let odd = mutual_work::<A, ALL>(here, beyond);
         // Over b': N~ b~' and a~. Their forced parts, the first with the other sign.
         let mut of_arriving = [[Complex::ZERO; 6]; 6];
         let mut of_leaving = [[Complex::ZERO; 6]; 6];
@@ -115,7 +115,10 @@ impl<A: Arithmetic> Reflection<A> {
 
 /// `P^T Q + S^T M` with P and S of each wave of one part, and Q and M of each wave of the other one.
 #[inline(always)]
-fn work<A: Arithmetic, const ALL: bool>(one: &Waves<A>, other: &Waves<A>) -> Matrix<A, 6, 6> {
+fn mutual_work<A: Arithmetic, const ALL: bool>(
+    one: &Waves<A>,
+    other: &Waves<A>,
+) -> Matrix<A, 6, 6> {
     let mut sums = [[Complex::ZERO; 6]; 6];
     for row in 0..3 {
         let (from, to) = reach::<ALL>(row);

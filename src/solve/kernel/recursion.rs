@@ -354,42 +354,56 @@ impl<A: Arithmetic> Room<A> {
     ) {
         let plan = &prepared.plan;
         for index in stations.rev() {
-            let event = &plan.stations[index].event;
-            let waves = prepared.waves_of(all, index + 1);
             let span = plan.spans[index + 1];
             let at_span_end = *b;
             times(b, &self.decays[span]);
-            let read = prepared.reads[index];
-            if matches!(event, Event::Junction(_)) {
-                if plan.wants_energy {
-                    let a = self.lefts[index].at(b);
-                    self.add_energy(span, waves, &a, &at_span_end, energy);
-                }
-                self.cross(index, event, waves, b, read);
-                continue;
-            }
-            let sent = self.cross(index, event, waves, b, read);
-            let Some(kept) = prepared.kept(index) else {
-                continue;
-            };
-            let a = self.lefts[kept].at(b);
-            if let Some(read) = read {
-                let state = &mut self.states[read];
-                state.a = a;
-                state.b = *b;
-                times(&mut state.b, &waves.radiation);
-            }
-            if plan.wants_energy {
-                let mut at_span_start = a;
-                add_product(&mut at_span_start, &sent, &waves.radiation);
-                self.add_energy(span, waves, &at_span_start, &at_span_end, energy);
+            let at_span_start = self.step_left(prepared, all, (index, plan.wants_energy), b);
+            if let Some(a) = at_span_start {
+                let waves = prepared.waves_of(all, index + 1);
+                self.add_energy(span, waves, &a, &at_span_end, energy);
             }
         }
     }
 
+    /// Moves b' to the left over a station and stores the solution there, if it is read; returns the waves that enter the span
+    /// right of it, if they are wanted: then all reflections are stored.
+    #[inline(always)]
+    pub(super) fn step_left(
+        &mut self,
+        prepared: &Prepared,
+        all: &[Waves<A>],
+        (index, is_wanted): (usize, bool),
+        b: &mut Amplitudes<A>,
+    ) -> Option<Amplitudes<A>> {
+        let event = &prepared.plan.stations[index].event;
+        let waves = prepared.waves_of(all, index + 1);
+        let (kept, read) = (prepared.kept(index), prepared.reads[index]);
+        if let Event::Junction(_) = event {
+            // Its reflection is that right of it.
+            let a = kept
+                .filter(|_| is_wanted)
+                .map(|kept| self.lefts[kept].at(b));
+            self.cross(index, event, waves, b, read);
+            return a;
+        }
+        let sent = self.cross(index, event, waves, b, read);
+        let mut a = self.lefts[kept?].at(b);
+        if let Some(read) = read {
+            let state = &mut self.states[read];
+            state.a = a;
+            state.b = *b;
+            times(&mut state.b, &waves.radiation);
+        }
+        if !is_wanted {
+            return None;
+        }
+        add_product(&mut a, &sent, &waves.radiation);
+        Some(a)
+    }
+
     /// Moves b' to the left over a station; returns what the station sends to the right, before N: a junction nothing.
     #[inline(always)]
-    pub(super) fn cross(
+    fn cross(
         &mut self,
         index: usize,
         event: &Event,

@@ -7,7 +7,7 @@ use super::ends::{reflection, right_end};
 use super::number::Arithmetic;
 use super::portable::One;
 use super::read::Part;
-use super::recursion::{Prepared, Room, add_product, times};
+use super::recursion::{Prepared, Room, times};
 use super::reflection::{Amplitudes, Side};
 use super::station::{sent, stretches_without};
 use super::waves::{Constants, Waves};
@@ -47,24 +47,12 @@ impl Room<One> {
         at.propagate(&self.decays[plan.last_span()]);
         let mut b = right_end(last_waves, &plan.right, &at);
         let mut spans = Vec::new();
-        for (index, station) in plan.stations.iter().enumerate().rev() {
-            let waves = prepared.waves_of(&all, index + 1);
+        for index in (0..last).rev() {
             let at_span_end = b;
             times(&mut b, &self.decays[plan.spans[index + 1]]);
-            if matches!(station.event, Event::Junction(_)) {
-                let a = self.lefts[index].at(&b);
-                spans.push(span_waves(waves, &a, at_span_end));
-                self.cross(index, &station.event, waves, &mut b, None);
-                continue;
-            }
-            let sent = self.cross(index, &station.event, waves, &mut b, Some(index));
-            let mut a = self.lefts[index].at(&b);
-            let state = &mut self.states[index];
-            state.a = a;
-            state.b = b;
-            times(&mut state.b, &waves.radiation);
-            add_product(&mut a, &sent, &waves.radiation);
-            spans.push(span_waves(waves, &a, at_span_end));
+            let waves = prepared.waves_of(&all, index + 1);
+            let a = self.step_left(prepared, &all, (index, true), &mut b);
+            spans.extend(a.map(|a| span_waves(waves, &a, at_span_end)));
         }
         let at_span_end = b;
         times(&mut b, &self.decays[plan.spans[0]]);

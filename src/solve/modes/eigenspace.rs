@@ -385,8 +385,7 @@ fn lefts_of_joints(model: &Model) -> usize {
 
 /// The motions just left of each joint, where no response is read.
 fn left_of_joints(plan: &Plan, model: &Model) -> Vec<Output> {
-    let stations = plan.joint_stations(model).into_iter();
-    let output = |station| {
+    let output = |(station, _)| {
         BeamMotion::ALL.map(|motion| Output::Beam {
             station,
             motion,
@@ -394,7 +393,7 @@ fn left_of_joints(plan: &Plan, model: &Model) -> Vec<Output> {
             measure: Measure::Displacement,
         })
     };
-    stations.flat_map(output).collect()
+    plan.joined(model).flat_map(output).collect()
 }
 
 /// Integrals along the circle, over 2 pi i, of the responses, of the motions left of the joints and of the motions at the

@@ -283,23 +283,18 @@ fn models() -> impl Strategy<Value = Model> {
                 beam.length = 0.0;
             }
             Model {
-                title: String::new(),
-                notes: String::new(),
                 beam,
                 supports: Supports { left, right, inner },
                 spans,
                 joints,
                 subsystems,
-                forces: Vec::new(),
-                responses: Vec::new(),
                 sweep: Sweep {
                     from: 1.0,
                     to: 300.0,
                     points: 2,
                     spacing: Spacing::Linear,
                 },
-                studies: Vec::new(),
-                tune: None,
+                ..Model::default()
             }
         },
     )

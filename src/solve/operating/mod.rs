@@ -19,7 +19,7 @@ use num_complex::Complex64;
 
 use super::beam_state::BeamState;
 use super::kernel::Prepared;
-use super::plan::{Event, Held, Plan};
+use super::plan::{Held, Plan};
 use super::solution::MassSolution;
 use super::springs::{springs, stiffness, stretches};
 use crate::model::{Checked, Subsystem};
@@ -180,15 +180,9 @@ fn reactions(along: &Along<'_>) -> Vec<[Complex64; 6]> {
         of(&plan.left, [&BeamState::ZERO, &left], &left.motion),
         of(&plan.right, [&right, &BeamState::ZERO], &right.motion),
     ];
-    let inner = plan
-        .support_stations(along.model)
-        .into_iter()
-        .filter_map(|station| {
-            let Event::Support(held) = &plan.stations[station].event else {
-                return None;
-            };
-            let [before, after] = along.sides(station);
-            Some(of(held, [&before, &after], &before.motion))
-        });
+    let inner = plan.held_between(along.model).map(|(station, held)| {
+        let [before, after] = along.sides(station);
+        of(held, [&before, &after], &before.motion)
+    });
     ends.into_iter().chain(inner).collect()
 }

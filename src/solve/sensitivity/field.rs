@@ -236,31 +236,25 @@ fn supports(setting: &Setting<'_>, reader: &Reader<'_>) -> Vec<SupportField> {
         &edge.motion,
         ZERO_SLOPES,
     );
-    let inner = plan
-        .support_stations(setting.model)
-        .into_iter()
-        .filter_map(|station| {
-            let Event::Support(held) = &plan.stations[station].event else {
-                return None;
-            };
-            let (before, after) = (reader.end(station), reader.start(station + 1));
-            let matrices = &plan.beam(station).matrices;
-            let [_, _, _, rotations @ ..] = before.motion;
-            let slopes = matrices.slopes(rotations, mean_forces(setting, reader, station));
-            let moments = |of: &BeamState| [of.force[3], of.force[4], of.force[5]];
-            let (one, other) = (moments(&before), moments(&after));
-            let curvatures =
-                matrices.curvatures(std::array::from_fn(|row| 0.5 * (one[row] + other[row])));
-            let [w, psi, v] = slopes;
-            let [bend_w, warp, bend_v] = curvatures;
-            Some(support(
-                setting,
-                held,
-                [&before, &after],
-                &before.motion,
-                [w, psi, v, bend_w, warp, bend_v],
-            ))
-        });
+    let inner = plan.held_between(setting.model).map(|(station, held)| {
+        let (before, after) = (reader.end(station), reader.start(station + 1));
+        let matrices = &plan.beam(station).matrices;
+        let [_, _, _, rotations @ ..] = before.motion;
+        let slopes = matrices.slopes(rotations, mean_forces(setting, reader, station));
+        let moments = |of: &BeamState| [of.force[3], of.force[4], of.force[5]];
+        let (one, other) = (moments(&before), moments(&after));
+        let curvatures =
+            matrices.curvatures(std::array::from_fn(|row| 0.5 * (one[row] + other[row])));
+        let [w, psi, v] = slopes;
+        let [bend_w, warp, bend_v] = curvatures;
+        support(
+            setting,
+            held,
+            [&before, &after],
+            &before.motion,
+            [w, psi, v, bend_w, warp, bend_v],
+        )
+    });
     [left, right].into_iter().chain(inner).collect()
 }
 

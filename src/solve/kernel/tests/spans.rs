@@ -35,7 +35,7 @@ fn assert_same(model: &Model, expected: &Model, within: f64) {
             let plan = Plan::new(model);
             (lanes(instructions, &plan, &ALL), plan.outputs.len())
         });
-        assert_near(&found.0, &expected.0, found.1, [within, within]);
+        assert_near(&found.0, &expected.0, found.1, [within, within, 1e-12]);
     }
 }
 
@@ -162,7 +162,7 @@ fn spans_without_warping_stiffness_are_the_limit_of_those_with_little() {
         let mut expected = random_model(&mut random);
         expected.supports.inner.clear();
         expected.joints.clear();
-        // The rate of twist in the layers is not that beside them.
+        // The rate of twist in the layers is another one than outside.
         let is_rate = |target: &Target| matches!(target, Target::Beam(_, BeamMotion::PsiSlope));
         expected.forces.retain(|force| !is_rate(&force.target));
         expected.responses.retain(

@@ -111,7 +111,7 @@ impl<'a> Picture<'a> {
         }
     }
 
-    /// The first and the last row of the beam and its axis in a column; beside the beam those at its end.
+    /// The first and the last row of the beam and its axis in a column; outside of the beam those at its end.
     fn beam_at(&self, column: i32) -> [i32; 2] {
         let column = column.clamp(self.ends[0], self.ends[1]);
         let there = self.bodies.iter();

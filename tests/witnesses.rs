@@ -407,7 +407,7 @@ fn natural_frequencies_are_those_of_the_literature_case() {
     }
 }
 
-/// A beam of three spans: unlike sections and materials beside the axis, and one without warping stiffness on it or
+/// A beam of three spans: unlike sections and materials off the axis, and one without warping stiffness on it or
 /// another one with it; with a bearing, a joint and a subsystem where they meet.
 fn stepped(without_warping: bool) -> Model {
     let mut model = loaded_everywhere();

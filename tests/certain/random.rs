@@ -78,17 +78,11 @@ pub fn model(seed: u64) -> (Model, f64) {
     };
     let mut model = Model {
         title: format!("random {seed}"),
-        notes: String::new(),
         beam,
         supports,
-        spans: Vec::new(),
-        joints: Vec::new(),
         subsystems,
-        forces: Vec::new(),
-        responses: Vec::new(),
         sweep,
-        studies: Vec::new(),
-        tune: None,
+        ..Model::default()
     };
     let wanted = 8 + (dice.next() * 22.0) as usize;
     let beyond = dice.between(1.001, 1.1);

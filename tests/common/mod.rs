@@ -260,23 +260,17 @@ fn models_with(
             subsystem.name = format!("S{}", index + 1);
         }
         Model {
-            title: String::new(),
-            notes: String::new(),
             beam,
-            spans: Vec::new(),
             supports: Supports { left, right, inner },
             joints,
             subsystems,
-            forces: Vec::new(),
-            responses: Vec::new(),
             sweep: Sweep {
                 from: 1.0,
                 to: 100.0,
                 points: 2,
                 spacing: Spacing::Linear,
             },
-            studies: Vec::new(),
-            tune: None,
+            ..Model::default()
         }
     })
 }

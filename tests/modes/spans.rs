@@ -222,7 +222,7 @@ fn every_mode_of_unlike_spans_has_a_shape() {
 
 /// Closed form: the same beam about another axis. The supports hold the same points, and twist with the slopes.
 #[test]
-fn an_axis_beside_the_shear_centre_changes_no_mode() {
+fn an_axis_off_the_shear_centre_changes_no_mode() {
     let offset = Point { y: -0.04, z: 0.07 };
     let held = |restraint: Restraint, point: Point| {
         let mut support = Support::on_axis([Restraint::Free; 6]);
